@@ -1,0 +1,22 @@
+# Everything from outside, from Debian's packages (tools/packages.txt).
+
+find_package(PkgConfig REQUIRED)
+find_package(Eigen3 3.4 REQUIRED)
+find_package(OpenEXR 3.1 CONFIG REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+find_package(tomlplusplus 3.3 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(TIFF REQUIRED)
+find_package(PNG REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(
+  VTK 9.1 REQUIRED
+  COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
+             FiltersSources InteractionStyle IOImage IOXML IOGeometry RenderingCore
+             RenderingOpenGL2 RenderingFreeType RenderingAnnotation RenderingContextOpenGL2
+             ChartsCore ViewsContext2D)
+if(ASPERITY_TESTS)
+  find_package(GTest REQUIRED)
+  find_package(rapidcheck REQUIRED)
+  include(GoogleTest)
+endif()

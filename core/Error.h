@@ -1,0 +1,26 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace asperity {
+
+/// Something failed while loading, configuring or writing. The message is one sentence that a user
+/// can act on; the program prints it and exits with 1.
+class Error : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// An input that cannot be read: names the file, the place in it and what was expected there.
+/// The program prints it and exits with 3.
+class InputError : public Error {
+public:
+    /// @param file  path as the user gave it
+    /// @param place where in the file ("line 12", "[sample] youngs_modulus_pa", "byte 4096"); may be empty
+    /// @param what  what was found and what was expected instead
+    InputError(const std::string& file, const std::string& place, const std::string& what)
+        : Error(file + ": " + (place.empty() ? "" : place + ": ") + what) {}
+};
+
+}  // namespace asperity

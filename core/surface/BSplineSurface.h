@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/Vector.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace asperity {
+
+/// Height of a surface and its derivatives at one place of the world frame.
+struct HeightSample {
+    double height = 0.0;  ///< [m]
+    double dx = 0.0;      ///< slope along x
+    double dy = 0.0;      ///< slope along y
+    double dxx = 0.0;     ///< [1/m]
+    double dxy = 0.0;     ///< [1/m]
+    double dyy = 0.0;     ///< [1/m]
+
+    /// Unit normal, pointing out of the sample.
+    [[nodiscard]] Vector3 normal() const noexcept { return Vector3(-dx, -dy, 1.0).normalized(); }
+};
+
+/// A uniform bicubic B-spline height field: immutable, O(1) look-up, safe to read from any thread.
+///
+/// Control point (row, column) of the padded grid belongs to the pixel (row - 1, column - 1), rows
+/// counted from the BOTTOM (y up), so that the spline's parameter grows with world x and y.
+class BSplineSurface {
+public:
+    struct Grid {
+        int columns = 0;                     ///< pixels along x
+        int rows = 0;                        ///< pixels along y
+        double pitchX = 0.0;                 ///< [m]
+        double pitchY = 0.0;                 ///< [m]
+        std::vector<double> controlHeights;  ///< (rows + 2) x (columns + 2), bottom row first [m]
+        std::vector<std::uint8_t> invalid;   ///< rows x columns, bottom row first; empty: all valid
+    };
+
+    explicit BSplineSurface(Grid grid);
+
+    /// Height and derivatives at world (x, y) [m]. Outside the pixel centres the spline of the
+    /// nearest span is continued; outside the scan the place is clamped to its edge.
+    [[nodiscard]] HeightSample at(double x, double y) const noexcept;
+
+    [[nodiscard]] bool contains(double x, double y) const noexcept;
+    /// Whether the pixel under (x, y) held data in the scan (false: filled by us).
+    [[nodiscard]] bool isMeasured(double x, double y) const noexcept;
+
+    [[nodiscard]] double sizeX() const noexcept { return grid_.columns * grid_.pitchX; }  ///< [m]
+    [[nodiscard]] double sizeY() const noexcept { return grid_.rows * grid_.pitchY; }     ///< [m]
+    [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
+
+private:
+    Grid grid_;
+};
+
+}  // namespace asperity
