@@ -17,7 +17,8 @@ public:
 class InputError : public Error {
 public:
     /// @param file  path as the user gave it
-    /// @param place where in the file ("line 12", "[sample] youngs_modulus_pa", "byte 4096"); may be empty
+    /// @param place where in the file ("line 12", "[sample] youngs_modulus_pa", "byte 4096"); may
+    /// be empty
     /// @param what  what was found and what was expected instead
     InputError(const std::string& file, const std::string& place, const std::string& what)
         : Error(file + ": " + (place.empty() ? "" : place + ": ") + what) {}

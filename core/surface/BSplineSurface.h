@@ -2,6 +2,7 @@
 
 #include "core/Vector.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -35,10 +36,13 @@ public:
         std::vector<std::uint8_t> invalid;   ///< rows x columns, bottom row first; empty: all valid
     };
 
+    /// @throw Error when the arrays do not match the size, a pitch is not positive, or a control
+    ///        height is not finite
     explicit BSplineSurface(Grid grid);
 
     /// Height and derivatives at world (x, y) [m]. Outside the pixel centres the spline of the
-    /// nearest span is continued; outside the scan the place is clamped to its edge.
+    /// nearest span is continued; outside the scan the place is clamped to its edge. Along an axis
+    /// with a single pixel the surface is level. A place that is not a number counts as 0.
     [[nodiscard]] HeightSample at(double x, double y) const noexcept;
 
     [[nodiscard]] bool contains(double x, double y) const noexcept;
@@ -49,8 +53,20 @@ public:
     [[nodiscard]] double sizeY() const noexcept { return grid_.rows * grid_.pitchY; }     ///< [m]
     [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
 
+    /// Control height of pixel (row, column), rows from the bottom; either may lie beyond the scan
+    /// by any amount: the outermost span's polynomial is continued exactly. [m]
+    [[nodiscard]] double control(int row, int column) const noexcept;
+    /// Largest magnitude of a control height [m]: the scale of rounding errors in at().
+    [[nodiscard]] double heightScale() const noexcept { return heightScale_; }
+
 private:
+    [[nodiscard]] double controlInRow(int row, int column) const noexcept;
+    [[nodiscard]] std::array<double, 16> controlsFrom(int row, int column) const noexcept;
+
     Grid grid_;
+    double inversePitchX_;  ///< [1/m]
+    double inversePitchY_;  ///< [1/m]
+    double heightScale_;    ///< [m]
 };
 
 }  // namespace asperity

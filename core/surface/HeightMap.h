@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -9,8 +10,8 @@ namespace asperity {
 /// A rectangular grid of heights, as a scan gives it.
 ///
 /// Row-major; row 0 is the top row of the image, column 0 its left column. In the world frame
-/// (x right, y up, z out of the sample; origin at the image's lower-left corner) the centre of pixel
-/// (row, column) lies at ((column + 0.5) pitchX, (rows - row - 0.5) pitchY).
+/// (x right, y up, z out of the sample; origin at the image's lower-left corner) the centre of
+/// pixel (row, column) lies at ((column + 0.5) pitchX, (rows - row - 0.5) pitchY).
 struct HeightMap {
     int columns = 0;
     int rows = 0;
@@ -31,5 +32,20 @@ struct HeightMap {
     [[nodiscard]] double sizeX() const { return columns * pitchX; }  ///< [m]
     [[nodiscard]] double sizeY() const { return rows * pitchY; }     ///< [m]
 };
+
+/// Whether a height is a finite number. Told by its bits: over a whole map the compiler turns
+/// std::isfinite into comparisons that raise the invalid flag on a NaN.
+[[nodiscard]] constexpr bool isFiniteHeight(double height) {
+    constexpr std::uint64_t kExponent = 0x7ff0000000000000U;
+    return (std::bit_cast<std::uint64_t>(height) & kExponent) != kExponent;
+}
+
+/// Refuses a map that no computation can use.
+/// @throw Error when it has no pixels, its arrays do not match its size, or a pitch is not positive
+void requireUsable(const HeightMap& map);
+
+/// Refuses a map that holds a height which is not a number (fill such pixels first).
+/// @throw Error as requireUsable, or naming the first such pixel
+void requireFinite(const HeightMap& map);
 
 }  // namespace asperity

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/Vector.h"
+#include "core/surface/BSplineSurface.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace asperity {
@@ -21,5 +24,46 @@ struct SurfacePatch {
                static_cast<std::size_t>(column);
     }
 };
+
+/// How the surface around the contact is moved.
+enum class DeformationTier : std::uint8_t {
+    FourPoint,      ///< the four control points around the foot, by the indentation: cheap
+    ContactRadius,  ///< control points within the contact radius onto the tip: the paper's choice
+    ClosedForm,     ///< every point by the contact model's displacement, also outside the contact
+};
+
+/// Where tip and surface meet; world frame.
+struct TipContact {
+    Vector3 foot = Vector3::Zero();       ///< of the tip's centre on the undeformed surface [m]
+    Vector3 normal = Vector3::UnitZ();    ///< of the undeformed surface there, unit
+    Vector3 tipCentre = Vector3::Zero();  ///< [m]
+    double tipRadius = 0.0;               ///< [m]
+    double contactRadius = 0.0;           ///< 0: no contact [m]
+    double indentation = 0.0;             ///< < 0 where the surface is drawn up to the tip [m]
+};
+
+/// Displacement of the surface into the sample at a distance from the contact's axis [m -> m].
+using RadialDisplacement = std::function<double(double)>;
+
+/// Where a patch is sampled: a square around the foot, cut off at the scan's edges.
+struct PatchGrid {
+    double halfWidth = 0.0;  ///< along x and y [m]
+    int samples = 0;         ///< per side, at least 2
+};
+
+/// The patch around the contact, deformed. Off the tick: allocates.
+///
+/// FourPoint and ContactRadius move control points of the surface refined around the contact
+/// (spacing about the contact radius, and at most an eighth of it); without contact they move
+/// nothing. ContactRadius leaves a step at the contact's rim, since the surface outside does not
+/// follow. ClosedForm moves each point by `displacement` against the contact normal; the other
+/// tiers do not use it. Source: Vogl, Ma, Sitti (2005), section III; docs/physics.md 4.
+/// @throw Error when the contact is not finite, a size is not positive, the grid has fewer than 2
+///        or more than kMostPatchSamples samples a side, or ClosedForm is given no displacement
+[[nodiscard]] SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
+                                         const PatchGrid& grid, DeformationTier tier,
+                                         const RadialDisplacement& displacement = {});
+
+inline constexpr int kMostPatchSamples = 2048;
 
 }  // namespace asperity

@@ -36,13 +36,19 @@ std::vector<std::string> split(const std::string& line) {
 
 ReferenceTable::ReferenceTable(const std::filesystem::path& path) {
     std::ifstream file(path);
-    if (!file) { fail("cannot open " + path.string()); }
+    if (!file) {
+        fail("cannot open " + path.string());
+    }
     std::string line;
     while (std::getline(file, line)) {
-        if (line.empty() || line[0] == '#') { continue; }
+        if (line.empty() || line[0] == '#') {
+            continue;
+        }
         std::vector<std::string> cells = split(line);
         if (columns_.empty()) {
-            for (std::size_t i = 0; i < cells.size(); ++i) { columns_[cells[i]] = i; }
+            for (std::size_t i = 0; i < cells.size(); ++i) {
+                columns_[cells[i]] = i;
+            }
         } else if (cells.size() != columns_.size()) {
             fail(path.string() + ": ragged row: " + line);
         } else {
@@ -53,7 +59,9 @@ ReferenceTable::ReferenceTable(const std::filesystem::path& path) {
 
 const std::string& ReferenceTable::text(std::size_t row, const std::string& column) const {
     const auto found = columns_.find(column);
-    if (found == columns_.end()) { fail("no column " + column); }
+    if (found == columns_.end()) {
+        fail("no column " + column);
+    }
     return cells_.at(row).at(found->second);
 }
 
@@ -70,7 +78,9 @@ std::filesystem::path sharedData(const std::string& relative) {
 }
 
 bool haveSharedData() {
-    if (std::filesystem::exists(sharedData("afm/MANIFEST.csv"))) { return true; }
+    if (std::filesystem::exists(sharedData("afm/MANIFEST.csv"))) {
+        return true;
+    }
     const char* ci = std::getenv("CI");  // NOLINT(concurrency-mt-unsafe)
     if (ci != nullptr && std::string(ci) == "true") {
         ADD_FAILURE() << "CI=true, but ../shared/data is missing";

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/surface/BSplineSurface.h"
+
+namespace asperity {
+
+/// A place on the surface, world frame.
+struct SurfacePlace {
+    double x = 0.0;       ///< [m]
+    double y = 0.0;       ///< [m]
+    double height = 0.0;  ///< of the surface there [m]
+};
+
+/// Height of the tip's centre at which a sphere that comes down along z above (x, y) first touches
+/// the surface [m] (the grey-scale dilation of the surface by the tip). Global: every cell of the
+/// spline under the sphere is searched unless its bound rules it out. For load time, not the tick.
+/// Where no part of the scan lies under the sphere, the nearest edge point counts as under it.
+/// @throw Error when the radius is not a positive length or the place is not finite
+[[nodiscard]] double tipContactHeight(const BSplineSurface& surface, double x, double y,
+                                      double tipRadius);
+
+/// The highest place that is farther from each edge than `marginFraction` (0 to 0.5) of the scan.
+/// @throw Error when the margin is outside that range
+[[nodiscard]] SurfacePlace highestPlace(const BSplineSurface& surface, double marginFraction);
+
+}  // namespace asperity

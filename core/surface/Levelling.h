@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/surface/HeightMap.h"
+
+#include <cstdint>
+
+namespace asperity {
+
+enum class Levelling : std::uint8_t {
+    None,
+    Plane,  ///< least-squares plane removed
+    Rows,   ///< median of each row removed, then the mean of all
+};
+
+/// The least-squares plane through the valid pixels of a map.
+struct PlaneFit {
+    double slopeX = 0.0;   ///< along world x
+    double slopeY = 0.0;   ///< along world y (up in the image)
+    double mean = 0.0;     ///< of the valid heights [m]
+    double centreX = 0.0;  ///< where the plane's height is `mean`: the valid pixels' centre [m]
+    double centreY = 0.0;  ///< [m]
+
+    [[nodiscard]] double at(double x, double y) const {
+        return mean + slopeX * (x - centreX) + slopeY * (y - centreY);
+    }
+};
+
+/// Where the valid pixels do not span a plane (one line of them), it is level across that line.
+/// @throw Error when the map is unusable or no pixel is valid
+[[nodiscard]] PlaneFit fitPlane(const HeightMap& map);
+
+/// The map after levelling; invalid pixels take no part in it and stay what they are.
+/// @throw Error when the map is unusable or no pixel is valid
+[[nodiscard]] HeightMap levelled(HeightMap map, Levelling levelling);
+
+}  // namespace asperity

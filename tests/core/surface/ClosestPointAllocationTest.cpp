@@ -1,0 +1,43 @@
+#include "core/Units.h"
+#include "core/surface/BSplineFit.h"
+#include "core/surface/ClosestPoint.h"
+#include "core/surface/SyntheticSurface.h"
+#include "tests/support/AllocationCounter.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace asperity {
+namespace {
+
+using namespace units;  // NOLINT(google-build-using-namespace): literals only
+
+TEST(ClosestPoint, DoesNotAllocate) {
+    const BSplineSurface surface = fitSurface(
+        sampledMap({.columns = 32, .rows = 32, .sizeX = 64.0_nm, .sizeY = 64.0_nm},
+                   EggBox{.amplitude = 20.0_nm, .periodX = 30.0_nm, .periodY = 30.0_nm}));
+    const std::size_t before = test::allocationCount();
+    double sum = 0.0;
+    FootGuess guess;
+    for (int i = 0; i < 500; ++i) {
+        const Vector3 query(0.2_nm * i - 10.0_nm, 30.0_nm, 60.0_nm - 0.3_nm * i);
+        const SurfaceFoot foot = closestPoint(surface, query, guess);
+        guess = {.x = foot.point.x(), .y = foot.point.y(), .valid = i % 3 != 0};
+        sum += foot.distance;
+    }
+    const Vector3 noPoint = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+    sum += closestPoint(surface, noPoint, guess).distance;
+    EXPECT_EQ(test::allocationCount(), before);
+    EXPECT_NE(sum, 0.0);
+}
+
+TEST(AllocationCounter, CountsWhatIsAllocated) {
+    const std::size_t before = test::allocationCount();
+    const std::vector<double> memory(100);
+    EXPECT_GT(test::allocationCount(), before);
+    EXPECT_EQ(memory.size(), 100U);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Configures (once) and builds one preset: everything, or only the targets named.
+# Usage: build.sh PRESET [TARGET ...]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+preset=$1
+shift
+[ -f "build/$preset/build.ninja" ] || cmake --preset "$preset" --log-level=WARNING
+cmake --build "build/$preset" --target "${@:-all}"
