@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/Units.h"
+
+namespace asperity {
+
+/// Separation at which two solids are taken to touch, D0 [m]. Source: docs/physics.md 3.1.
+inline constexpr double kContactSeparation = units::operator""_pm(165ULL);
+
+/// Non-retarded van der Waals attraction of a sphere and a half-space; separations below D0 count
+/// as D0. Source: Hamaker (1937); docs/physics.md 3.1.
+class VanDerWaals {
+public:
+    /// @param hamaker Hamaker constant [J]  @param radius of the sphere [m], > 0
+    VanDerWaals(double hamaker, double radius) noexcept : hamaker_(hamaker), radius_(radius) {}
+
+    [[nodiscard]] double hamaker() const noexcept { return hamaker_; }  ///< [J]
+    [[nodiscard]] double radius() const noexcept { return radius_; }    ///< [m]
+
+    [[nodiscard]] double force(double separation) const noexcept;     ///< < 0: attraction [N]
+    [[nodiscard]] double gradient(double separation) const noexcept;  ///< dF/dD > 0 [N/m]
+    [[nodiscard]] double energy(double separation) const noexcept;    ///< 0 far away [J]
+    /// Separation [m] at which the force takes this value, < 0 [N].
+    [[nodiscard]] double separationAt(double force) const noexcept;
+
+private:
+    double hamaker_;
+    double radius_;
+};
+
+/// Hamaker constant [J] of the cut-off attraction that takes the work of adhesion w [J/m^2] to part
+/// two half-spaces from D0, H = 12 pi w D0^2. Source: docs/physics.md 3.3.
+[[nodiscard]] double hamakerConstant(double workOfAdhesion) noexcept;
+
+}  // namespace asperity

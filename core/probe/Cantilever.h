@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/Vector.h"
+
+namespace asperity {
+
+/// A rectangular cantilever with a tip at its free end, as a lab describes it.
+struct CantileverGeometry {
+    double youngsModulus = 0.0;  ///< of the beam [Pa]
+    double poissonRatio = 0.0;   ///< of the beam
+    double length = 0.0;         ///< clamp to tip [m]
+    double width = 0.0;          ///< [m]
+    double thickness = 0.0;      ///< [m]
+    double tipHeight = 0.0;      ///< beam axis to tip apex [m]
+    double mountTilt = 0.0;      ///< free end down [rad]
+    double azimuth = 0.0;  ///< of the beam in the image plane, 0: clamp to free end along +x [rad]
+};
+
+/// Thickness [m] that gives a beam the stiffness kz [N/m].
+[[nodiscard]] double thicknessForStiffness(const CantileverGeometry& geometry,
+                                           double stiffness) noexcept;
+
+/// St Venant torsion factor beta of a rectangle, J = beta w t^3. Source: docs/physics.md 5.1, T18.
+[[nodiscard]] double torsionFactor(double thicknessOverWidth) noexcept;
+
+/// Compliance and lever sensitivities of a cantilever. Source: docs/physics.md 5.1-5.4.
+class Cantilever {
+public:
+    /// @throw Error when a length or modulus is not finite and positive, Poisson's ratio outside
+    ///        0 .. 0.5, the tilt beyond a quarter turn or the azimuth not finite
+    explicit Cantilever(const CantileverGeometry& geometry);
+
+    [[nodiscard]] const CantileverGeometry& geometry() const noexcept { return geometry_; }
+    [[nodiscard]] double stiffness() const noexcept { return stiffness_; }  ///< kz [N/m]
+
+    /// Tip displacement per force, cantilever frame [m/N].
+    [[nodiscard]] const Matrix3& complianceInCantileverFrame() const noexcept {
+        return compliance_;
+    }
+    /// Tip displacement per force, lab frame [m/N].
+    [[nodiscard]] const Matrix3& compliance() const noexcept { return labCompliance_; }
+    /// Rows are the cantilever's axes in the lab frame: v_cantilever = rotation() * v_lab.
+    [[nodiscard]] const Matrix3& rotation() const noexcept { return rotation_; }
+
+    [[nodiscard]] double bendingPerFz() const noexcept { return bendingPerFz_; }  ///< cz [rad/N]
+    [[nodiscard]] double bendingPerFx() const noexcept { return bendingPerFx_; }  ///< cx [rad/N]
+    [[nodiscard]] double torsionPerFy() const noexcept { return torsionPerFy_; }  ///< cy [rad/N]
+    /// kappa: how much bending signal Fx causes next to Fz.
+    [[nodiscard]] double couplingRatio() const noexcept {
+        return 2.0 * geometry_.tipHeight / geometry_.length;
+    }
+
+private:
+    CantileverGeometry geometry_;
+    double stiffness_ = 0.0;
+    double bendingPerFz_ = 0.0;
+    double bendingPerFx_ = 0.0;
+    double torsionPerFy_ = 0.0;
+    Matrix3 compliance_ = Matrix3::Zero();
+    Matrix3 rotation_ = Matrix3::Identity();
+    Matrix3 labCompliance_ = Matrix3::Zero();
+};
+
+}  // namespace asperity

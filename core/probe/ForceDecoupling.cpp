@@ -1,0 +1,158 @@
+#include "core/probe/ForceDecoupling.h"
+
+#include "core/contact/Within.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kPlanarityDefect = 0.02;    // eta_p of docs/physics.md 6.5
+constexpr double kFrictionLawDefect = 0.3;   // eta_f
+constexpr double kSmallestFriction = 1e-12;  // S0 [N]
+constexpr double kSmallestSpeed = 1e-9;      // v0 [m/s]
+constexpr double kSlidingThreshold = 1e-12;  // of |v|: below it the direction is rounding noise
+constexpr double kNearSingularCondition = 100.0;
+constexpr double kSingularCondition = 1e15;  // what rounding leaves of an exactly singular system
+constexpr double kLargestInput = 1e12;       // in SI: far beyond any measurement, no overflow below
+constexpr double kSmallestSigma = 1e-30;     // likewise
+
+bool usable(double value) noexcept { return isWithin(value, -kLargestInput, kLargestInput); }
+
+bool usable(const Vector3& v) noexcept { return usable(v.x()) && usable(v.y()) && usable(v.z()); }
+
+bool notNegative(double value) noexcept { return isWithin(value, 0.0, kLargestInput); }
+
+bool isDeviation(double value) noexcept { return isWithin(value, kSmallestSigma, kLargestInput); }
+
+bool inputIsUsable(const DecouplingInput& in) noexcept {
+    return usable(in.signals.bending) && usable(in.signals.torsion) &&
+           isDeviation(in.sigma.bending) && isDeviation(in.sigma.torsion) && usable(in.normal) &&
+           in.normal.norm() > 0.0 && usable(in.velocity) && notNegative(in.frictionCoefficient) &&
+           notNegative(in.shearStrength) && notNegative(in.contactArea) &&
+           usable(in.normalForceModel) && isDeviation(in.normalForceSigma);
+}
+
+/// Directions in the cantilever frame and how surely the tip slides.
+struct Sliding {
+    Vector3 normal = Vector3::Zero();
+    Vector3 friction = Vector3::Zero();  ///< unit, against the motion; any tangent at rest
+    double certainty = 0.0;              ///< g
+    double doubt = 1.0;                  ///< sqrt(1 - g^2)
+};
+
+Vector3 anyTangent(const Vector3& normal) noexcept {
+    Vector3::Index smallest = 0;
+    normal.cwiseAbs().minCoeff(&smallest);
+    return normal.cross(Vector3::Unit(smallest)).normalized();
+}
+
+Sliding slidingOf(const Cantilever& cantilever, const DecouplingInput& in) noexcept {
+    Sliding sliding;
+    sliding.normal = (cantilever.rotation() * in.normal).normalized();
+    const Vector3 velocity = cantilever.rotation() * in.velocity;
+    const Vector3 tangential = velocity - (velocity.dot(sliding.normal) * sliding.normal);
+    const double speed = tangential.stableNorm();
+    if (!(speed > kSlidingThreshold * velocity.stableNorm())) {
+        sliding.friction = anyTangent(sliding.normal);
+        return sliding;
+    }
+    const Vector3 against = -tangential / speed;
+    sliding.friction = (against - (against.dot(sliding.normal) * sliding.normal)).normalized();
+    const double total = std::hypot(speed, kSmallestSpeed);
+    sliding.certainty = speed / total;
+    sliding.doubt = kSmallestSpeed / total;
+    return sliding;
+}
+
+/// Ratio of the singular values of the 2x2 system (N, T) -> force-equivalent signals.
+double conditionOf(const Sliding& sliding, double coupling) noexcept {
+    if (sliding.certainty == 0.0) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const Vector3& n = sliding.normal;
+    const Vector3& f = sliding.friction;
+    const double nn = n.z() + (coupling * n.x());
+    const double ff = f.z() + (coupling * f.x());
+    const double largest =
+        0.5 * (std::hypot(nn + f.y(), ff - n.y()) + std::hypot(nn - f.y(), ff + n.y()));
+    const double determinant = std::abs((nn * f.y()) - (ff * n.y()));
+    if (determinant * kSingularCondition <= largest * largest) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return largest * largest / determinant;
+}
+
+/// The five scalar observations of docs/physics.md 6.5, each divided by its standard deviation.
+struct WhitenedSystem {
+    Eigen::Matrix<double, 5, 3> rows = Eigen::Matrix<double, 5, 3>::Zero();
+    Eigen::Matrix<double, 5, 1> values = Eigen::Matrix<double, 5, 1>::Zero();
+
+    void set(int row, const Vector3& direction, double value, double sigma) noexcept {
+        rows.row(row) = direction.transpose() / sigma;
+        values(row) = value / sigma;
+    }
+};
+
+WhitenedSystem whitenedSystem(const Cantilever& cantilever, const DecouplingInput& in,
+                              const Sliding& sliding) noexcept {
+    const double cz = cantilever.bendingPerFz();
+    const double cy = cantilever.torsionPerFy();
+    const double g = sliding.certainty;
+    const double adhesiveFriction = in.shearStrength * in.contactArea;
+    const double scale = (in.frictionCoefficient * std::abs(in.normalForceModel)) +
+                         adhesiveFriction + kSmallestFriction;
+    const Vector3 planeNormal = sliding.normal.cross(sliding.friction);
+    const Vector3 frictionLaw = sliding.friction - (g * in.frictionCoefficient * sliding.normal);
+
+    WhitenedSystem system;
+    system.set(0, Vector3(cantilever.couplingRatio(), 0.0, 1.0), in.signals.bending / cz,
+               in.sigma.bending / cz);
+    system.set(1, Vector3::UnitY(), in.signals.torsion / cy, in.sigma.torsion / cy);
+    system.set(2, planeNormal, 0.0, scale * std::hypot(g * kPlanarityDefect, sliding.doubt));
+    system.set(3, frictionLaw, g * adhesiveFriction,
+               scale * std::hypot(g * kFrictionLawDefect, sliding.doubt));
+    system.set(4, sliding.normal, in.normalForceModel, in.normalForceSigma);
+    return system;
+}
+
+DecouplingCase kindOf(const Sliding& sliding, double condition) noexcept {
+    if (sliding.certainty == 0.0) {
+        return DecouplingCase::NoSliding;
+    }
+    return condition > kNearSingularCondition ? DecouplingCase::NearSingular
+                                              : DecouplingCase::Regular;
+}
+
+}  // namespace
+
+ForceEstimate estimateForce(const Cantilever& cantilever, const DecouplingInput& input) noexcept {
+    ForceEstimate estimate;
+    if (!inputIsUsable(input)) {
+        estimate.condition = std::numeric_limits<double>::infinity();
+        estimate.kind = DecouplingCase::NotFinite;
+        return estimate;
+    }
+    const Sliding sliding = slidingOf(cantilever, input);
+    const WhitenedSystem system = whitenedSystem(cantilever, input, sliding);
+    const Eigen::HouseholderQR<Eigen::Matrix<double, 5, 3>> qr(system.rows);
+    const Vector3 local = qr.solve(system.values);
+    const Matrix3 triangle = qr.matrixQR().topRows<3>().triangularView<Eigen::Upper>();
+    const Matrix3 inverse =
+        triangle.triangularView<Eigen::Upper>().solve(Matrix3::Identity().eval());
+
+    const Matrix3 labInverse = cantilever.rotation().transpose() * inverse;
+    const Matrix3 covariance = labInverse * labInverse.transpose();
+    estimate.force = cantilever.rotation().transpose() * local;
+    estimate.covariance = 0.5 * (covariance + covariance.transpose());  // exactly symmetric
+    estimate.condition = conditionOf(sliding, cantilever.couplingRatio());
+    estimate.kind = kindOf(sliding, estimate.condition);
+    return estimate;
+}
+
+}  // namespace asperity

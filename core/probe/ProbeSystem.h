@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/contact/ContactModel.h"
+#include "core/probe/Cantilever.h"
+
+namespace asperity {
+
+/// Friction of tip on sample, T = mu N + tau A, never negative. Source: docs/physics.md 8.
+struct Friction {
+    double coefficient = 0.0;    ///< mu
+    double shearStrength = 0.0;  ///< tau [Pa]
+};
+
+/// Tip, lever and sample material taken together: what decides the force at a given base position.
+/// A scene has two of them: what is true (inside the simulated instrument) and what we believe.
+struct ProbeSystem {
+    ContactModel contact;
+    Cantilever cantilever;
+    Friction friction;
+
+    [[nodiscard]] double tipRadius() const noexcept { return contact.pair().tipRadius; }  ///< [m]
+};
+
+}  // namespace asperity

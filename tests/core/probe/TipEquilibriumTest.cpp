@@ -1,0 +1,130 @@
+#include "core/probe/TipEquilibrium.h"
+
+#include "core/Units.h"
+#include "core/probe/SimulatedAfm.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+namespace {
+
+using namespace units;
+
+Scene frictionless(const HeightMap& map) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction = {};
+    description.truth.material.friction = {};
+    return buildScene(description, map);
+}
+
+TEST(SlipDirection, OpposesTheTangentialVelocityAndVanishesAtRest) {
+    const Vector3 slip = slipDirection(Vector3::UnitZ(), {1e-6, 0.0, 5e-6});
+    EXPECT_NEAR(slip.x(), -1.0, 1e-6);
+    EXPECT_NEAR(slip.z(), 0.0, 1e-12);
+    EXPECT_EQ(slipDirection(Vector3::UnitZ(), Vector3::Zero()), Vector3::Zero());
+    EXPECT_EQ(slipDirection(Vector3::UnitZ(), {0.0, 0.0, 1.0}), Vector3::Zero());
+    EXPECT_NEAR(slipDirection(Vector3::UnitZ(), {1e-9, 0.0, 0.0}).norm(), std::sqrt(0.5), 1e-12);
+}
+
+TEST(TipEquilibrium, BalancesLeverAndContactOnAFlatSample) {
+    const Scene scene = frictionless(test::flatMap());
+    EquilibriumMemory memory;
+    const BaseMotion base{.position = {64.0_nm, 64.0_nm, -2.0_nm}};
+    const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+    ASSERT_TRUE(state.converged);
+    const Vector3 deflection = scene.belief.cantilever.compliance() * state.force;
+    EXPECT_LT((state.tip - base.position - deflection).norm(), 1e-15);
+    // The contact law holds at the gap between the displaced tip and the surface.
+    EXPECT_NEAR(state.contact.indentation, -state.tip.z(), 1e-15);
+}
+
+TEST(TipEquilibrium, ForceIsAlongTheNormalOfASlopeWithoutFriction) {
+    const Scene scene = frictionless(test::slopedMap(0.5));
+    EquilibriumMemory memory;
+    const BaseMotion base{.position = {64.0_nm, 64.0_nm, 32.0_nm}};
+    const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+    ASSERT_TRUE(state.converged);
+    const Vector3 normal = Vector3(-0.5, 0.0, 1.0).normalized();
+    EXPECT_GT(state.contact.force, 1.0_nN);
+    EXPECT_LT((state.force - state.contact.force * normal).norm(), 1e-9 * state.force.norm());
+}
+
+TEST(TipEquilibrium, FrictionIsMuNOpposedToMotion) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction = {.coefficient = 0.3, .shearStrength = 10.0_MPa};
+    const Scene scene = buildScene(description, test::flatMap());
+    EquilibriumMemory memory;
+    const BaseMotion base{.position = {64.0_nm, 64.0_nm, -2.0_nm}, .velocity = {0.0, 1e-6, 0.0}};
+    const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+    ASSERT_TRUE(state.converged);
+    const double area =
+        std::numbers::pi * state.contact.contactRadius * state.contact.contactRadius;
+    const double friction = 0.3 * state.contact.force + 10.0_MPa * area;
+    EXPECT_NEAR(state.force.y(), -friction, 1e-6 * friction);
+    EXPECT_NEAR(state.force.x(), 0.0, 1e-9 * friction);
+}
+
+TEST(TipEquilibrium, SlidingTowardsTheClampSoftensTheLever) {
+    // docs/physics.md 7.2, flat: 1/k_n = (1/kz)(1 + (3h/2l) mu fx) with fx = -sgn(vx).
+    SceneDescription description = test::plainScene();
+    description.sample.material.workOfAdhesion = 0.0;
+    description.sample.material.friction.coefficient = 0.3;
+    const Scene scene = buildScene(description, test::flatMap());
+    const double ratio = 12.0 / 150.0;
+    for (const double direction : {-1.0, 1.0}) {
+        EquilibriumMemory memory;
+        const BaseMotion base{.position = {64.0_nm, 64.0_nm, -2.0_nm},
+                              .velocity = {direction * 1e-3, 0.0, 0.0}};
+        const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+        const double compliance = (1.0 - direction * 1.5 * ratio * 0.3) / 14.0;
+        EXPECT_NEAR(state.contact.force * compliance, 2.0_nm - state.contact.indentation,
+                    1e-6 * 2.0_nm);
+    }
+}
+
+TEST(TipEquilibrium, NamesFrictionalLocking) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction.coefficient = 9.0;  // > 2 l / (3 h) = 8.33
+    const Scene scene = buildScene(description, test::flatMap());
+    EquilibriumMemory memory;
+    const BaseMotion base{.position = {64.0_nm, 64.0_nm, -1.0_nm}, .velocity = {1e-3, 0.0, 0.0}};
+    EXPECT_TRUE(tipEquilibrium(scene.surface, scene.belief, base, memory).locked);
+}
+
+TEST(SimulatedAfm, SignalsAreThoseOfTheTrueForcePlusSeededNoise) {
+    SceneDescription description = test::plainScene();
+    description.truth.signalNoise = 0.0;
+    const Scene quiet = buildScene(description, test::flatMap());
+    description.truth.signalNoise = 1e-7;
+    const Scene noisy = buildScene(description, test::flatMap());
+    const BaseMotion base{.position = {64.0_nm, 64.0_nm, -2.0_nm}};
+
+    SimulatedAfm exact(quiet.surface, quiet.truth);
+    const AfmMeasurement clean = exact.exchange(base);
+    const LeverSignals expected =
+        leverSignals(quiet.truth.system.cantilever, exact.trueState().force);
+    EXPECT_EQ(clean.signals.bending, expected.bending);
+    EXPECT_EQ(clean.age, 0.0);
+
+    SimulatedAfm first(noisy.surface, noisy.truth);
+    SimulatedAfm second(noisy.surface, noisy.truth);
+    double sum = 0.0;
+    double squares = 0.0;
+    constexpr int kDraws = 4000;
+    for (int i = 0; i < kDraws; ++i) {
+        const LeverSignals signals = first.exchange(base).signals;
+        ASSERT_EQ(signals.torsion, second.exchange(base).signals.torsion) << "same seed";
+        const double noise = (signals.bending - expected.bending) / 1e-7;
+        sum += noise / kDraws;
+        squares += noise * noise / kDraws;
+    }
+    EXPECT_NEAR(sum, 0.0, 5.0 / std::sqrt(kDraws));
+    EXPECT_NEAR(squares, 1.0, 5.0 * std::sqrt(2.0 / kDraws));
+}
+
+}  // namespace
+}  // namespace asperity
