@@ -1,0 +1,149 @@
+#include "core/haptics/HandPath.h"
+
+#include "core/surface/ContactHeight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kPathStep = 0.5e-9;     // between points of a path in contact [m]
+constexpr double kFeatureMargin = 0.03;  // of the scan's width, kept free at each edge
+constexpr double kSlideDirection = std::numbers::pi / 3.0;  // so that both signals take part [rad]
+constexpr int kRasterLines = 8;
+
+/// Apex height at which the tip first touches the surface from above.
+double touchHeight(const Scene& scene, double x, double y) {
+    const double radius = scene.description.tip.radius;
+    return tipContactHeight(scene.surface, x, y, radius) - radius;
+}
+
+/// The base must rise by more than the lever holds back before the tip lets go.
+double clearanceFor(const Scene& scene, const PathPlan& plan) {
+    const Cantilever& cantilever = scene.belief.cantilever;
+    const double pullOff = scene.belief.contact.pullOffApproach(cantilever.compliance()(2, 2));
+    return std::max(plan.clearance, plan.clearance + 1.5 * std::abs(pullOff));
+}
+
+/// Builds a path in phases, each given as a share of the whole duration.
+class PathBuilder {
+public:
+    PathBuilder(const Scene& scene, const PathPlan& plan, const Vector3& start)
+        : scene_(scene), duration_(plan.duration), path_{{0.0, start}} {}
+
+    void moveTo(const Vector3& target, double share) {
+        append(path_.back().time + share * duration_, target);
+    }
+
+    void hold(double share) { moveTo(path_.back().position, share); }
+
+    /// Follows the surface in a straight line seen from above, from the present depth below touch
+    /// to `endDepth`.
+    void follow(double x, double y, double endDepth, double share) {
+        const PathPoint from = path_.back();
+        const double startDepth =
+            touchHeight(scene_, from.position.x(), from.position.y()) - from.position.z();
+        const double length = std::hypot(x - from.position.x(), y - from.position.y());
+        const int steps = std::max(1, static_cast<int>(std::ceil(length / kPathStep)));
+        for (int i = 1; i <= steps; ++i) {
+            const double s = static_cast<double>(i) / steps;
+            const double px = std::lerp(from.position.x(), x, s);
+            const double py = std::lerp(from.position.y(), y, s);
+            const double depth = std::lerp(startDepth, endDepth, s);
+            append(from.time + s * share * duration_,
+                   {px, py, touchHeight(scene_, px, py) - depth});
+        }
+    }
+
+    [[nodiscard]] const Vector3& position() const { return path_.back().position; }
+    [[nodiscard]] HandPath take() { return std::move(path_); }
+
+private:
+    void append(double time, const Vector3& position) { path_.push_back({time, position}); }
+
+    const Scene& scene_;
+    double duration_;
+    HandPath path_;
+};
+
+Vector3 above(const Scene& scene, double x, double y, double height) {
+    return {x, y, touchHeight(scene, x, y) + height};
+}
+
+/// Keeps a coordinate inside the scan.
+double inside(double coordinate, double size) {
+    return std::clamp(coordinate, 0.02 * size, 0.98 * size);
+}
+
+}  // namespace
+
+Vector3 positionAt(const HandPath& path, double time) {
+    const auto next =
+        std::upper_bound(path.begin(), path.end(), time,
+                         [](double value, const PathPoint& point) { return value < point.time; });
+    if (next == path.begin()) {
+        return path.front().position;
+    }
+    if (next == path.end()) {
+        return path.back().position;
+    }
+    const PathPoint& before = *(next - 1);
+    const double share = (time - before.time) / (next->time - before.time);
+    return before.position + share * (next->position - before.position);
+}
+
+HandPath approachPath(const Scene& scene, const PathPlan& plan) {
+    const SurfacePlace top = highestPlace(scene.surface, kFeatureMargin);
+    const double clearance = clearanceFor(scene, plan);
+    PathBuilder path(scene, plan, above(scene, top.x, top.y, clearance));
+    path.moveTo(above(scene, top.x, top.y, -plan.indentation), 0.3);
+    path.hold(0.05);
+    const double endX =
+        inside(top.x + plan.slideLength * std::cos(kSlideDirection), scene.surface.sizeX());
+    const double endY =
+        inside(top.y + plan.slideLength * std::sin(kSlideDirection), scene.surface.sizeY());
+    path.follow(endX, endY, plan.indentation, 0.3);
+    path.hold(0.05);
+    path.moveTo(above(scene, endX, endY, clearance), 0.3);
+    return path.take();
+}
+
+HandPath rasterPath(const Scene& scene, const PathPlan& plan) {
+    const SurfacePlace top = highestPlace(scene.surface, kFeatureMargin);
+    const double half = 0.5 * plan.slideLength;
+    const double left = inside(top.x - half, scene.surface.sizeX());
+    const double right = inside(top.x + half, scene.surface.sizeX());
+    const double bottom = inside(top.y - half, scene.surface.sizeY());
+    const double pitch = plan.slideLength / (kRasterLines - 1);
+    const double clearance = clearanceFor(scene, plan);
+    PathBuilder path(scene, plan, above(scene, left, bottom, clearance));
+    path.moveTo(above(scene, left, bottom, -plan.indentation), 0.1);
+    constexpr double kLineShare = 0.8 / (2 * kRasterLines - 1);
+    for (int line = 0; line < kRasterLines; ++line) {
+        const double y = inside(bottom + line * pitch, scene.surface.sizeY());
+        if (line > 0) {
+            path.follow(path.position().x(), y, plan.indentation, kLineShare);
+        }
+        path.follow(line % 2 == 0 ? right : left, y, plan.indentation, kLineShare);
+    }
+    const Vector3 end = path.position();
+    path.moveTo(above(scene, end.x(), end.y(), clearance), 0.1);
+    return path.take();
+}
+
+HandPath scratchPath(const Scene& scene, const PathPlan& plan) {
+    const double length = std::min(5.0 * plan.slideLength, 0.8 * scene.surface.sizeX());
+    const double startX = 0.5 * (scene.surface.sizeX() - length);
+    const double y = 0.5 * scene.surface.sizeY();
+    const double clearance = clearanceFor(scene, plan);
+    PathBuilder path(scene, plan, above(scene, startX, y, clearance));
+    path.moveTo(above(scene, startX, y, 0.0), 0.15);
+    path.follow(startX + length, y, 2.0 * plan.indentation, 0.6);
+    path.moveTo(above(scene, startX + length, y, clearance), 0.25);
+    return path.take();
+}
+
+}  // namespace asperity

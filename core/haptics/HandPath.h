@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/Vector.h"
+#include "core/scene/Scene.h"
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// A place of the hand at a time; between two of them the hand moves in a straight line.
+struct PathPoint {
+    double time = 0.0;                   ///< [s]
+    Vector3 position = Vector3::Zero();  ///< world [m]
+};
+
+/// The movement of a scripted hand: times rise strictly, at least one point.
+using HandPath = std::vector<PathPoint>;
+
+/// Position at a time; before the first point and after the last the hand rests there.
+[[nodiscard]] Vector3 positionAt(const HandPath& path, double time);
+
+/// How far a scripted hand goes; lengths are those of the base.
+struct PathPlan {
+    double duration = 10.0;      ///< [s]
+    double clearance = 6e-9;     ///< above first geometric contact, at start and end [m]
+    double indentation = 3e-9;   ///< of the base below first geometric contact [m]
+    double slideLength = 24e-9;  ///< [m]
+};
+
+/// Approach, indent, slide and retract at the highest feature of the scan.
+[[nodiscard]] HandPath approachPath(const Scene& scene, const PathPlan& plan);
+
+/// Lines to and fro over a square around the highest feature, in contact.
+[[nodiscard]] HandPath rasterPath(const Scene& scene, const PathPlan& plan);
+
+/// One long line across the middle of the scan, ever deeper.
+[[nodiscard]] HandPath scratchPath(const Scene& scene, const PathPlan& plan);
+
+}  // namespace asperity

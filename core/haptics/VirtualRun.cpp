@@ -1,0 +1,21 @@
+#include "core/haptics/VirtualRun.h"
+
+namespace asperity {
+
+void runVirtually(const Scene& scene, const HandPath& hand, AfmController& afm, long ticks,
+                  const TickSink& sink) {
+    TickMemory memory;
+    TickSample sample;
+    sample.input.settings = scene.settings;
+    sample.input.timeStep = scene.timeStep();
+    for (long i = 0; i < ticks; ++i) {
+        sample.time = static_cast<double>(i) * scene.timeStep();
+        sample.input.hand.position = positionAt(hand, sample.time) / scene.settings.positionGain;
+        sample.input.measurement = afm.exchange(
+            commandBase(sample.input.hand, sample.input.settings, sample.input.timeStep, memory));
+        sample.output = tick(scene, sample.input, memory);
+        sink(sample);
+    }
+}
+
+}  // namespace asperity

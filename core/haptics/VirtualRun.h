@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/haptics/HandPath.h"
+#include "core/haptics/HapticTick.h"
+#include "core/probe/AfmController.h"
+
+#include <functional>
+
+namespace asperity {
+
+/// One tick with its time.
+struct TickSample {
+    double time = 0.0;  ///< since the run began [s]
+    TickInput input;
+    TickOutput output;
+};
+
+using TickSink = std::function<void(const TickSample&)>;
+
+/// Runs the tick on a virtual clock: `hand` along its path, `afm` answering. Every tick goes to
+/// `sink`, in order, without a gap.
+void runVirtually(const Scene& scene, const HandPath& hand, AfmController& afm, long ticks,
+                  const TickSink& sink);
+
+}  // namespace asperity

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/probe/ProbeSystem.h"
+#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneDescription.h"
+#include "core/scene/Settings.h"
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/HeightMap.h"
+#include "core/surface/Levelling.h"
+
+namespace asperity {
+
+/// Everything that stays constant while the loop runs. A new scan or material is a new scene.
+struct Scene {
+    SceneDescription description;
+    PlaneFit removedPlane;  ///< of the scan as loaded
+    BSplineSurface surface;
+    ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
+    InstrumentTruth truth;     ///< what the simulated instrument is
+    LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
+    Settings settings;         ///< that a run starts with
+
+    [[nodiscard]] double timeStep() const noexcept { return 1.0 / description.tickRate; }  ///< [s]
+};
+
+/// Levels, fills, smooths and fits the map, and sets up both sides of the instrument.
+/// @throw Error when a value of the description is outside its range
+[[nodiscard]] Scene buildScene(const SceneDescription& description, const HeightMap& map);
+
+}  // namespace asperity

@@ -1,0 +1,82 @@
+#include "core/scene/SceneDescription.h"
+
+#include "core/Error.h"
+#include "core/Units.h"
+
+#include <cmath>
+
+namespace asperity {
+
+using namespace units;
+
+namespace {
+
+void require(bool holds, const std::string& sentence) {
+    if (!holds) {
+        throw Error(sentence);
+    }
+}
+
+void check(const Elastic& elastic, const std::string& where) {
+    require(std::isfinite(elastic.youngsModulus) && elastic.youngsModulus > 0.0,
+            where + ": youngs_modulus_pa must be a positive number of pascals");
+    require(elastic.poissonRatio >= 0.0 && elastic.poissonRatio <= 0.5,
+            where + ": poisson_ratio must lie between 0 and 0.5");
+}
+
+void check(const SampleMaterial& material, const std::string& where) {
+    check(material.elastic, where);
+    require(std::isfinite(material.workOfAdhesion) && material.workOfAdhesion >= 0.0,
+            where + ": work_of_adhesion_j_m2 must be zero or a positive number of J/m^2");
+    require(material.friction.coefficient >= 0.0 && material.friction.coefficient <= 10.0,
+            where + ": friction_coefficient must lie between 0 and 10");
+    require(std::isfinite(material.friction.shearStrength) &&
+                material.friction.shearStrength >= 0.0,
+            where + ": shear_strength_pa must be zero or a positive number of pascals");
+}
+
+}  // namespace
+
+SceneDescription defaultScene() {
+    SceneDescription scene;
+    // The 14 N/m silicon lever of docs/physics.md 5.5.
+    scene.probe = {.youngsModulus = 169.0_GPa,
+                   .poissonRatio = 0.27,
+                   .length = 150.0_um,
+                   .width = 30.0_um,
+                   .thickness = 0.0,
+                   .tipHeight = 12.0_um,
+                   .mountTilt = 0.0,
+                   .azimuth = 0.0};
+    constexpr double kStiffness = 14.0;  // [N/m]
+    scene.probe.thickness = thicknessForStiffness(scene.probe, kStiffness);
+    scene.truth.material = scene.sample.material;
+    scene.truth.stiffness = kStiffness;
+    return scene;
+}
+
+void checkScene(const SceneDescription& scene) {
+    check(scene.sample.material, "[sample]");
+    check(scene.truth.material, "[truth]");
+    check(scene.tip.elastic, "[tip]");
+    require(std::isfinite(scene.tip.radius) && scene.tip.radius > 0.0,
+            "[tip]: radius_m must be a positive number of metres");
+    require(scene.signalSigma > 0.0 && std::isfinite(scene.signalSigma),
+            "[probe]: signal_noise_rad must be a positive number of radians");
+    require(scene.truth.signalNoise >= 0.0 && std::isfinite(scene.truth.signalNoise),
+            "[truth]: signal_noise_rad must be zero or a positive number of radians");
+    require(scene.truth.stiffness > 0.0 && std::isfinite(scene.truth.stiffness),
+            "[truth]: stiffness_n_m must be a positive number of N/m");
+    require(scene.tickRate >= 100.0 && scene.tickRate <= 20000.0,
+            "[haptics]: rate_hz must lie between 100 and 20000");
+    require(scene.positionGain > 0.0 && std::isfinite(scene.positionGain),
+            "[haptics]: position_gain must be a positive number");
+    require(scene.forceGain >= 0.0 && std::isfinite(scene.forceGain),
+            "[haptics]: force_gain must be zero or a positive number");
+    require(scene.correctionBandwidth >= 0.0 && std::isfinite(scene.correctionBandwidth),
+            "[haptics]: correction_hz must be zero or a positive number");
+    require(scene.zoomHalfWidth >= 0.0 && std::isfinite(scene.zoomHalfWidth),
+            "[view]: zoom_half_width_m must be zero or a positive number of metres");
+}
+
+}  // namespace asperity

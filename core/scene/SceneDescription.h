@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/contact/ContactModel.h"
+#include "core/contact/Material.h"
+#include "core/probe/Cantilever.h"
+#include "core/probe/ProbeSystem.h"
+#include "core/surface/Levelling.h"
+#include "core/surface/SurfaceDeformation.h"
+
+#include <cstdint>
+#include <string>
+
+namespace asperity {
+
+/// A sample material as the tip meets it.
+struct SampleMaterial {
+    std::string name = "polystyrene";
+    Elastic elastic{.youngsModulus = 2e9, .poissonRatio = 0.4};
+    double workOfAdhesion = 0.066;  ///< w of the pair tip-sample [J/m^2]
+    Friction friction{.coefficient = 0.3, .shearStrength = 0.0};
+};
+
+/// The map under the tip and what is done to it on load.
+struct SampleDescription {
+    std::string file;     ///< height map, as resolved against the scene file
+    std::string channel;  ///< empty: the file's default channel
+    Levelling levelling = Levelling::Plane;
+    double smoothingPixels = 1.0;  ///< standard deviation of the Gaussian low-pass [pixel]; 0: none
+    SampleMaterial material;
+};
+
+struct TipDescription {
+    double radius = 15e-9;                                          ///< [m]
+    Elastic elastic{.youngsModulus = 169e9, .poissonRatio = 0.27};  ///< silicon
+};
+
+/// What the instrument really is; by default the same as what the scene says.
+struct TruthDescription {
+    SampleMaterial material;
+    double stiffness = 0.0;     ///< of the lever along z [N/m]
+    double signalNoise = 1e-7;  ///< standard deviation of each lever signal [rad]
+    std::uint64_t noiseSeed = 1;
+};
+
+/// Everything that a scene file says, with defaults filled in; units SI.
+struct SceneDescription {
+    SampleDescription sample;
+    TipDescription tip;
+    CantileverGeometry probe;
+    double signalSigma = 1e-7;  ///< what the estimator takes each signal's noise to be [rad]
+    TruthDescription truth;
+    ContactLaw law = ContactLaw::Split;
+    DeformationTier deformation = DeformationTier::ClosedForm;
+    double tickRate = 1000.0;           ///< [Hz]
+    double positionGain = 1.0;          ///< base displacement per hand displacement
+    double forceGain = 1.0;             ///< force at the hand per force at the tip
+    double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
+    double zoomHalfWidth = 0.0;         ///< of the zoomed view [m]; 0: chosen from the contact
+};
+
+/// The scene that a height map alone stands for: polystyrene, 15 nm silicon tip, 14 N/m lever.
+[[nodiscard]] SceneDescription defaultScene();
+
+/// @throw Error naming the section and key of the first value outside its range
+void checkScene(const SceneDescription& scene);
+
+}  // namespace asperity

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/Vector.h"
+#include "core/probe/ForceDecoupling.h"
+#include "core/probe/TipEquilibrium.h"
+#include "core/scene/Validity.h"
+
+#include <cstdint>
+
+namespace asperity {
+
+/// Why the force at the hand was switched off; latched until re-armed.
+enum class Fault : std::uint8_t {
+    None,
+    NotFinite,  ///< a value of the input or of the result was NaN or infinite
+};
+
+/// Where the tip is, for logs and people.
+enum class TipRegion : std::uint8_t {
+    Far,       ///< van der Waals attraction only
+    Cohesive,  ///< bonded across a gap
+    Contact,   ///< touching over a circle
+};
+
+/// What one tick makes; lab frame.
+struct TickOutput {
+    BaseMotion base;                      ///< commanded
+    TipState model;                       ///< equilibrium of the believed system
+    ForceEstimate estimate;               ///< from the measured signals
+    Vector3 tip = Vector3::Zero();        ///< apex, from base and estimated force [m]
+    Vector3 handForce = Vector3::Zero();  ///< for the device [N]
+    ValidityFlags flags;
+    Fault fault = Fault::None;
+
+    [[nodiscard]] TipRegion region() const noexcept;
+};
+
+/// "far", "cohesive" or "contact".
+[[nodiscard]] const char* regionName(TipRegion region) noexcept;
+
+/// "none" or the reason, e.g. "not_finite".
+[[nodiscard]] const char* faultName(Fault fault) noexcept;
+
+}  // namespace asperity

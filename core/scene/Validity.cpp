@@ -1,0 +1,42 @@
+#include "core/scene/Validity.h"
+
+namespace asperity {
+
+const char* validityName(Validity flag) noexcept {
+    switch (flag) {
+    case Validity::LargeContact:
+        return "large_contact";
+    case Validity::OutsideScan:
+        return "outside_scan";
+    case Validity::FilledPixel:
+        return "filled_pixel";
+    case Validity::FootNotFound:
+        return "foot_not_found";
+    case Validity::NotInEquilibrium:
+        return "not_in_equilibrium";
+    case Validity::FrictionLock:
+        return "friction_lock";
+    case Validity::ModelContradicted:
+        return "model_contradicted";
+    case Validity::SingularGeometry:
+        return "singular_geometry";
+    }
+    return "unknown";
+}
+
+std::string validityText(ValidityFlags flags) {
+    std::string text;
+    for (int i = 0; i < kValidityFlagCount; ++i) {
+        const auto flag = static_cast<Validity>(1U << static_cast<unsigned>(i));
+        if (!flags.has(flag)) {
+            continue;
+        }
+        if (!text.empty()) {
+            text += '|';
+        }
+        text += validityName(flag);
+    }
+    return text.empty() ? "-" : text;
+}
+
+}  // namespace asperity

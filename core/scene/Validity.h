@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace asperity {
+
+/// What a result does not hold for, or what to mind about it. The force goes on; people are told.
+enum class Validity : std::uint32_t {
+    LargeContact = 1U << 0U,       ///< contact radius over tip radius > 0.3: beyond the half-space
+    OutsideScan = 1U << 1U,        ///< the foot lies outside the scan
+    FilledPixel = 1U << 2U,        ///< the pixel under the tip held no data
+    FootNotFound = 1U << 3U,       ///< closest point did not converge
+    NotInEquilibrium = 1U << 4U,   ///< the tip's equilibrium did not converge
+    FrictionLock = 1U << 5U,       ///< friction would lock the lever
+    ModelContradicted = 1U << 6U,  ///< the signals differ from the model by more than 3 sigma
+    SingularGeometry = 1U << 7U,   ///< signals say little about one force direction
+};
+
+/// A set of validity flags.
+class ValidityFlags {
+public:
+    void set(Validity flag, bool on) noexcept {
+        if (on) {
+            bits_ |= static_cast<std::uint32_t>(flag);
+        }
+    }
+    [[nodiscard]] bool has(Validity flag) const noexcept {
+        return (bits_ & static_cast<std::uint32_t>(flag)) != 0;
+    }
+    [[nodiscard]] std::uint32_t bits() const noexcept { return bits_; }
+
+private:
+    std::uint32_t bits_ = 0;
+};
+
+inline constexpr int kValidityFlagCount = 8;
+
+/// Name of one flag as logs and panels show it, e.g. "large_contact".
+[[nodiscard]] const char* validityName(Validity flag) noexcept;
+
+/// Names joined by '|', or "-" when none is set.
+[[nodiscard]] std::string validityText(ValidityFlags flags);
+
+}  // namespace asperity

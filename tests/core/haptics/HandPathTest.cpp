@@ -1,0 +1,57 @@
+#include "core/haptics/HandPath.h"
+
+#include "core/Units.h"
+#include "core/surface/ContactHeight.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace asperity {
+namespace {
+
+using namespace units;
+
+TEST(HandPath, MovesInStraightLinesAndRestsAtTheEnds) {
+    const HandPath path{{1.0, {0.0, 0.0, 0.0}}, {2.0, {4.0_nm, 0.0, -2.0_nm}}};
+    EXPECT_EQ(positionAt(path, 0.0), path[0].position);
+    EXPECT_LT((positionAt(path, 1.25) - Vector3(1.0_nm, 0.0, -0.5_nm)).norm(), 1e-24);
+    EXPECT_EQ(positionAt(path, 9.0), path[1].position);
+}
+
+class PlannedPath : public ::testing::TestWithParam<HandPath (*)(const Scene&, const PathPlan&)> {};
+
+TEST_P(PlannedPath, RisesInTimeStaysInTheScanAndLeavesTheSampleAtTheEnd) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    const PathPlan plan{.duration = 3.0};
+    const HandPath path = GetParam()(scene, plan);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        ASSERT_GT(path[i].time, path[i - 1].time);
+    }
+    EXPECT_NEAR(path.back().time, plan.duration, 1e-9);
+    double deepest = 0.0;
+    for (const PathPoint& point : path) {
+        const Vector3& p = point.position;
+        ASSERT_TRUE(scene.surface.contains(p.x(), p.y()));
+        const double touch = tipContactHeight(scene.surface, p.x(), p.y(), 15.0_nm) - 15.0_nm;
+        deepest = std::max(deepest, touch - p.z());
+    }
+    EXPECT_GE(deepest, plan.indentation * (1.0 - 1e-9));
+    EXPECT_LE(deepest, 2.0 * plan.indentation * (1.0 + 1e-9));
+    EXPECT_GT(path.back().position.z(),
+              scene.surface.at(path.back().position.x(), path.back().position.y()).height);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PlannedPath,
+                         ::testing::Values(&approachPath, &rasterPath, &scratchPath));
+
+TEST(HandPath, ApproachesTheHighestFeature) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    const HandPath path = approachPath(scene, {});
+    const Vector3& start = path.front().position;
+    EXPECT_NEAR(scene.surface.at(start.x(), start.y()).height, 6.0_nm, 0.05_nm);
+}
+
+}  // namespace
+}  // namespace asperity

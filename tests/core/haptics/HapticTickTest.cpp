@@ -1,0 +1,152 @@
+#include "core/haptics/HapticTick.h"
+
+#include "core/Units.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/probe/SimulatedAfm.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+using namespace units;
+
+/// Runs a vertical approach to `depth` below touch and back, in the middle of a scene.
+std::vector<TickSample> approachAndRetract(const Scene& scene, double depth) {
+    const double x = 0.5 * scene.surface.sizeX();
+    const double y = 0.5 * scene.surface.sizeY();
+    const double ground = scene.surface.at(x, y).height;
+    const HandPath path{{0.0, {x, y, ground + 4.0_nm}},
+                        {1.0, {x, y, ground - depth}},
+                        {2.0, {x, y, ground + 4.0_nm}}};
+    SimulatedAfm afm(scene.surface, scene.truth);
+    std::vector<TickSample> samples;
+    runVirtually(scene, path, afm, 2001, [&](const TickSample& s) { samples.push_back(s); });
+    return samples;
+}
+
+TickInput inputAt(const Vector3& hand) { return {.hand = {.position = hand}, .timeStep = 1e-3}; }
+
+TEST(HapticTick, LoadsTheLeverOnAFlatSample) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    const auto samples = approachAndRetract(scene, 2.0_nm);
+    const TickOutput& deepest = samples[1000].output;
+    EXPECT_EQ(deepest.region(), TipRegion::Contact);
+    EXPECT_GT(deepest.model.contact.indentation, 0.0);
+    // Base displacement is shared between lever and sample: force = k (base - indentation).
+    const double lever = 14.0 * (2.0_nm - deepest.model.contact.indentation);
+    EXPECT_NEAR(deepest.model.contact.force, lever, 1e-6 * lever);
+    EXPECT_NEAR(deepest.model.force.z(), deepest.model.contact.force, 1e-20);
+}
+
+TEST(HapticTick, SnapsInAndPullsOffWithHysteresis) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    const auto samples = approachAndRetract(scene, 2.0_nm);
+    double snapInHeight = 0.0;
+    double pullOffHeight = 0.0;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const auto before = samples[i - 1].output.model.contact.branch;
+        const auto now = samples[i].output.model.contact.branch;
+        if (before == now) {
+            continue;
+        }
+        (now == ContactBranch::Bonded ? snapInHeight : pullOffHeight) =
+            samples[i].output.base.position.z();
+    }
+    // docs/physics.md 3.5: polystyrene at 14 N/m snaps in at 0.450 nm and lets go at 0.718 nm.
+    EXPECT_NEAR(snapInHeight, 0.450_nm, 0.007_nm);  // one tick moves the base by 6 pm
+    EXPECT_NEAR(pullOffHeight, 0.718_nm, 0.007_nm);
+}
+
+TEST(HapticTick, TipFollowsTheEstimatedForce) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    for (const TickSample& sample : approachAndRetract(scene, 2.0_nm)) {
+        const Vector3 deflection =
+            scene.belief.cantilever.compliance() * sample.output.estimate.force;
+        EXPECT_LT((sample.output.tip - sample.output.base.position - deflection).norm(), 1e-20);
+    }
+}
+
+TEST(HapticTick, FeelsTheModelAtOnceAndTheEstimateSlowly) {
+    SceneDescription description = test::plainScene();
+    description.truth.signalNoise = 0.0;
+    description.truth.material.workOfAdhesion = 0.0;
+    description.truth.material.elastic.youngsModulus *= 2.0;
+    const Scene scene = buildScene(description, test::flatMap());
+    SimulatedAfm afm(scene.surface, scene.truth);
+    const Vector3 start(64.0_nm, 64.0_nm, 5.0_nm);
+    const HandPath path{{0.0, start}, {0.1, {64.0_nm, 64.0_nm, -2.0_nm}}};
+    std::vector<TickSample> samples;
+    runVirtually(scene, path, afm, 1001, [&](const TickSample& s) { samples.push_back(s); });
+    // At rest the hand feels what the instrument feels, though the model believes otherwise.
+    const TickOutput& rest = samples.back().output;
+    EXPECT_GT((rest.estimate.force - rest.model.force).norm(), 0.5_nN);
+    EXPECT_LT((rest.handForce - rest.estimate.force).norm(), 0.01_nN);
+}
+
+TEST(HapticTick, MovesTheBaseByTheHandTimesThePositionGain) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    TickMemory memory;
+    TickInput input = inputAt({64.0, 64.0, 5.0});
+    input.settings.positionGain = 1.0_nm;
+    const TickOutput out = tick(scene, input, memory);
+    EXPECT_LT((out.base.position - Vector3(64.0_nm, 64.0_nm, 5.0_nm)).norm(), 1e-20);
+    EXPECT_EQ(out.base.velocity, Vector3::Zero()) << "no velocity is known in the first tick";
+}
+
+TEST(HapticTick, SwitchesTheForceOffOnRequest) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    TickMemory memory;
+    TickInput input = inputAt({64.0_nm, 64.0_nm, -1.0_nm});
+    EXPECT_GT(tick(scene, input, memory).handForce.norm(), 1.0_nN);
+    input.settings.forcesOn = false;
+    EXPECT_EQ(tick(scene, input, memory).handForce, Vector3::Zero());
+}
+
+TEST(HapticTick, LatchesAFaultOnANonFiniteHandUntilRearmed) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    TickMemory memory;
+    const TickInput good = inputAt({64.0_nm, 64.0_nm, -1.0_nm});
+    EXPECT_GT(tick(scene, good, memory).handForce.norm(), 1.0_nN);
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        const TickOutput faulted = tick(scene, inputAt({64.0_nm, bad, 0.0}), memory);
+        EXPECT_EQ(faulted.fault, Fault::NotFinite);
+        EXPECT_EQ(faulted.handForce, Vector3::Zero());
+    }
+    EXPECT_EQ(tick(scene, good, memory).handForce, Vector3::Zero()) << "latched";
+    rearm(memory);
+    const TickOutput after = tick(scene, good, memory);
+    EXPECT_EQ(after.fault, Fault::None);
+    EXPECT_GT(after.handForce.norm(), 1.0_nN);
+}
+
+TEST(HapticTick, IsAPureFunctionOfSceneInputAndMemory) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    const auto samples = approachAndRetract(scene, 2.0_nm);
+    TickMemory memory;
+    for (const TickSample& sample : samples) {
+        const TickOutput again = tick(scene, sample.input, memory);
+        ASSERT_EQ(again.handForce, sample.output.handForce);
+        ASSERT_EQ(again.estimate.covariance, sample.output.estimate.covariance);
+    }
+}
+
+TEST(HapticTick, FlagsWhatTheModelDoesNotHoldFor) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5};
+    description.sample.material.workOfAdhesion = 0.022;
+    const Scene scene = buildScene(description, test::flatMap());
+    TickMemory memory;
+    EXPECT_TRUE(tick(scene, inputAt({64.0_nm, 64.0_nm, -2.0_nm}), memory)
+                    .flags.has(Validity::LargeContact));
+    EXPECT_TRUE(
+        tick(scene, inputAt({-50.0_nm, 64.0_nm, 1.0_nm}), memory).flags.has(Validity::OutsideScan));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,60 @@
+#include "core/scene/ContactPatch.h"
+
+#include "core/Units.h"
+#include "core/contact/Material.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+using namespace units;
+
+class ContactPatchOnAFlatSample : public ::testing::Test {
+protected:
+    TipState indented() const {
+        EquilibriumMemory memory;
+        const BaseMotion base{.position = {64.0_nm, 64.0_nm, -2.0_nm}};
+        return tipEquilibrium(scene_.surface, scene_.belief, base, memory);
+    }
+
+    Scene scene_ = buildScene(test::plainScene(), test::flatMap());
+    PatchGrid grid_{.halfWidth = 30.0_nm, .samples = 121};
+};
+
+TEST_F(ContactPatchOnAFlatSample, ClosedFormPushesTheSampleByItsShareOfTheIndentation) {
+    const TipState state = indented();
+    const SurfacePatch patch = contactPatch(scene_, state, DeformationTier::ClosedForm, grid_);
+    const std::size_t middle = patch.index(patch.rows / 2, patch.columns / 2);
+    const double share =
+        sampleShare(scene_.description.sample.material.elastic, scene_.description.tip.elastic);
+    EXPECT_NEAR(patch.points[middle].z(), -share * state.contact.indentation,
+                1e-9 * state.contact.indentation);
+    EXPECT_GT(share, 0.98) << "polystyrene under silicon takes nearly all";
+}
+
+TEST_F(ContactPatchOnAFlatSample, ContactRadiusLeavesTheSurfaceOutsideAlone) {
+    const TipState state = indented();
+    const SurfacePatch patch = contactPatch(scene_, state, DeformationTier::ContactRadius, grid_);
+    double outside = 0.0;
+    double inside = 0.0;
+    for (std::size_t i = 0; i < patch.points.size(); ++i) {
+        const Vector3 flat = patch.rest[i] - state.foot.point;
+        const double radius = std::hypot(flat.x(), flat.y());
+        const double depth = std::abs(patch.points[i].z() - patch.rest[i].z());
+        if (radius > 1.5 * state.contact.contactRadius) {
+            outside = std::max(outside, depth);
+        }
+        if (radius < 0.1 * state.contact.contactRadius) {
+            inside = std::max(inside, depth);
+        }
+    }
+    EXPECT_LT(outside, 1e-15);
+    EXPECT_NEAR(inside, state.contact.indentation, 0.02 * state.contact.indentation);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,85 @@
+#include "core/scene/Scene.h"
+
+#include "core/Error.h"
+#include "core/Units.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+using namespace units;
+
+TEST(Scene, DefaultIsThePapersPolystyreneUnderA14NewtonPerMetreLever) {
+    const Scene scene = buildScene(defaultScene(), test::hillyMap());
+    EXPECT_NEAR(scene.belief.cantilever.stiffness(), 14.0, 1e-12);
+    EXPECT_DOUBLE_EQ(scene.belief.tipRadius(), 15.0_nm);
+    EXPECT_NEAR(scene.belief.contact.pair().reducedModulus, 2.350_GPa, 0.001_GPa);
+}
+
+TEST(Scene, TruthIsWhatTheSceneSaysUnlessSaidOtherwise) {
+    SceneDescription description = defaultScene();
+    const Scene same = buildScene(description, test::hillyMap());
+    EXPECT_EQ(same.truth.system.contact.pair().reducedModulus,
+              same.belief.contact.pair().reducedModulus);
+    EXPECT_EQ(same.truth.system.cantilever.stiffness(), same.belief.cantilever.stiffness());
+    description.truth.material.elastic.youngsModulus *= 2.0;
+    description.truth.stiffness = 20.0;
+    const Scene other = buildScene(description, test::hillyMap());
+    EXPECT_GT(other.truth.system.contact.pair().reducedModulus,
+              1.9 * other.belief.contact.pair().reducedModulus);
+    EXPECT_NEAR(other.truth.system.cantilever.stiffness(), 20.0, 1e-12);
+    EXPECT_NEAR(other.belief.cantilever.stiffness(), 14.0, 1e-12);
+}
+
+TEST(Scene, LevelsTheMapAndKeepsWhatItRemoved) {
+    SceneDescription description = test::plainScene();
+    description.sample.levelling = Levelling::Plane;
+    const Scene scene = buildScene(description, test::slopedMap(0.05));
+    EXPECT_NEAR(scene.removedPlane.slopeX, 0.05, 1e-12);
+    EXPECT_NEAR(scene.surface.at(60.0_nm, 60.0_nm).height, 0.0, 1e-20);
+    EXPECT_NEAR(scene.surface.at(60.0_nm, 60.0_nm).dx, 0.0, 1e-12);
+}
+
+TEST(Scene, RefusesEachValueOutsideItsRange) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::function<void(SceneDescription&)> mistakes[] = {
+        [](SceneDescription& s) { s.sample.material.elastic.youngsModulus = 0.0; },
+        [nan](SceneDescription& s) { s.sample.material.elastic.youngsModulus = nan; },
+        [](SceneDescription& s) { s.sample.material.elastic.poissonRatio = 0.6; },
+        [nan](SceneDescription& s) { s.sample.material.elastic.poissonRatio = nan; },
+        [](SceneDescription& s) { s.sample.material.workOfAdhesion = -0.1; },
+        [](SceneDescription& s) { s.sample.material.friction.coefficient = -1.0; },
+        [](SceneDescription& s) { s.truth.material.friction.shearStrength = INFINITY; },
+        [](SceneDescription& s) { s.truth.stiffness = 0.0; },
+        [](SceneDescription& s) { s.truth.signalNoise = -1.0; },
+        [](SceneDescription& s) { s.tip.radius = 0.0; },
+        [](SceneDescription& s) { s.tip.elastic.youngsModulus = -1.0; },
+        [](SceneDescription& s) { s.tip.elastic.poissonRatio = 0.7; },
+        [nan](SceneDescription& s) { s.probe.length = nan; },
+        [](SceneDescription& s) { s.probe.thickness = 0.0; },
+        [](SceneDescription& s) { s.signalSigma = 0.0; },
+        [](SceneDescription& s) { s.tickRate = 0.0; },
+        [](SceneDescription& s) { s.tickRate = 1e6; },
+        [](SceneDescription& s) { s.positionGain = 0.0; },
+        [nan](SceneDescription& s) { s.forceGain = nan; },
+        [](SceneDescription& s) { s.correctionBandwidth = -1.0; },
+        [](SceneDescription& s) { s.zoomHalfWidth = -1.0; },
+        [](SceneDescription& s) { s.sample.smoothingPixels = -1.0; },
+    };
+    int index = 0;
+    for (const auto& mistake : mistakes) {
+        SceneDescription description = test::plainScene();
+        mistake(description);
+        EXPECT_THROW((void)buildScene(description, test::flatMap()), Error) << "mistake " << index;
+        ++index;
+    }
+}
+
+}  // namespace
+}  // namespace asperity

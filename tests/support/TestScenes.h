@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/scene/Scene.h"
+#include "core/surface/HeightMap.h"
+
+namespace asperity::test {
+
+/// A level map of 64 x 64 pixels of 2 nm.
+[[nodiscard]] HeightMap flatMap();
+
+/// A plane that rises by `slope` along world x, same size as flatMap().
+[[nodiscard]] HeightMap slopedMap(double slope);
+
+/// Soft hills of 6 nm on 60 nm, same size as flatMap().
+[[nodiscard]] HeightMap hillyMap();
+
+/// The default scene (polystyrene, 15 nm tip, 14 N/m) without smoothing or levelling.
+[[nodiscard]] SceneDescription plainScene();
+
+}  // namespace asperity::test
