@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+/// A CSV table with named columns of numbers or text. Lines that start with `#` and empty lines are
+/// skipped; the first other line names the columns. A cell in double quotes may hold commas, and a
+/// doubled quote stands for one.
+class CsvTable {
+public:
+    /// @param file for messages
+    /// @throw InputError without a header line, for two columns of the same name, or for a row with
+    ///        another number of cells than the header, each with its line
+    CsvTable(std::string_view content, std::string file);
+
+    [[nodiscard]] std::size_t rows() const { return lines_.size(); }
+    [[nodiscard]] const std::vector<std::string>& columns() const { return names_; }
+    [[nodiscard]] bool hasColumn(const std::string& name) const { return index_.contains(name); }
+
+    /// @throw InputError when there is no such column
+    [[nodiscard]] const std::string& text(std::size_t row, const std::string& column) const;
+    /// The cell as a number ("nan" and "inf" are numbers), whatever the locale.
+    /// @throw InputError when there is no such column or the cell is no number
+    [[nodiscard]] double number(std::size_t row, const std::string& column) const;
+    /// A whole column of numbers. @throw InputError as number()
+    [[nodiscard]] std::vector<double> numbers(const std::string& column) const;
+
+    /// Line of the file that holds this row, from 1, for messages.
+    [[nodiscard]] std::size_t line(std::size_t row) const { return lines_.at(row); }
+
+private:
+    void addLine(std::string_view line, std::size_t number);
+    void setHeader(std::vector<std::string> names, std::size_t number);
+    [[nodiscard]] std::size_t columnIndex(const std::string& name) const;
+    [[nodiscard]] double numberAt(std::size_t row, std::size_t column) const;
+    [[nodiscard]] std::vector<std::string> split(std::string_view line, std::size_t number) const;
+    [[noreturn]] void fail(std::size_t line, const std::string& what) const;
+
+    std::string file_;
+    std::vector<std::string> names_;
+    std::map<std::string, std::size_t> index_;
+    std::vector<std::string> cells_;  ///< row after row
+    std::vector<std::size_t> lines_;  ///< of each row
+};
+
+/// Reads a whole file. @throw InputError when it cannot be read, and as CsvTable
+[[nodiscard]] CsvTable readCsv(const std::filesystem::path& path);
+
+}  // namespace asperity

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/surface/HeightMap.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// One image of a scan file, whatever it shows; lengths are in metres.
+struct ScanChannel {
+    std::string name;
+    std::string unit;         ///< of the values ("m", "V", "mV", "deg"); empty: none given
+    std::string lateralUnit;  ///< SI base unit of the size, "m" for a scan; empty: none given
+    std::string direction;    ///< "forward", "backward", or empty when the file does not say
+    HeightMap map;         ///< values in `unit` (metres only when unit is "m"); pitch 0: not given
+    double originX = 0.0;  ///< offset of the scan in the instrument's frame [m]
+    double originY = 0.0;  ///< [m]
+    std::map<std::string, std::string> metadata;
+
+    [[nodiscard]] bool isHeight() const { return unit == "m"; }
+    /// Whether the file says how large the scan is, in metres.
+    [[nodiscard]] bool hasSize() const {
+        return lateralUnit == "m" && map.pitchX > 0.0 && map.pitchY > 0.0;
+    }
+};
+
+/// All images of one file.
+struct HeightMapFile {
+    std::string format;  ///< for people: "Bruker NanoScope", "Gwyddion .gwy"
+    std::vector<ScanChannel> channels;
+    std::size_t defaultChannel = 0;  ///< the one that a lab user expects
+    std::vector<std::string> notes;  ///< what the reader had to decide, one sentence each
+};
+
+/// Reads any supported file; the type is found by content, never by extension.
+/// @throw InputError when the file cannot be read whole, or its type is unknown
+[[nodiscard]] HeightMapFile readHeightMapFile(const std::filesystem::path& path);
+
+/// The named channel (empty: the default one) as a height map.
+/// @throw InputError when there is no such channel, when its unit is not a length, when its lateral
+///        size is unknown, or when only a deflection, amplitude or phase image could be the default
+[[nodiscard]] const ScanChannel& heightChannel(const HeightMapFile& file,
+                                               const std::filesystem::path& path,
+                                               const std::string& name);
+
+}  // namespace asperity

@@ -1,0 +1,272 @@
+#include "core/io/SceneFile.h"
+
+#include "core/Error.h"
+#include "core/io/TomlFile.h"
+
+#include <array>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+template <class Value>
+using NamedValue = std::pair<std::string_view, Value>;
+
+constexpr std::array<NamedValue<ContactLaw>, 2> kLaws{
+    {{"split", ContactLaw::Split}, {"hertz", ContactLaw::Hertz}}};
+constexpr std::array<NamedValue<Levelling>, 3> kLevellings{
+    {{"plane", Levelling::Plane}, {"rows", Levelling::Rows}, {"none", Levelling::None}}};
+constexpr std::array<NamedValue<DeformationTier>, 3> kDeformations{
+    {{"four_point", DeformationTier::FourPoint},
+     {"contact_radius", DeformationTier::ContactRadius},
+     {"closed_form", DeformationTier::ClosedForm}}};
+
+template <class Value, std::size_t Size>
+std::string nameOf(const std::array<NamedValue<Value>, Size>& names, Value value) {
+    for (const auto& [name, candidate] : names) {
+        if (candidate == value) {
+            return std::string(name);
+        }
+    }
+    return {};
+}
+
+template <class Value, std::size_t Size>
+Value choice(TomlSection& section, const std::string& key,
+             const std::array<NamedValue<Value>, Size>& names, Value otherwise) {
+    const std::string given = section.text(key, nameOf(names, otherwise));
+    std::string known;
+    for (const auto& [name, value] : names) {
+        if (name == given) {
+            return value;
+        }
+        known += (known.empty() ? "" : ", ") + std::string(name);
+    }
+    section.refuse(key, "one of " + known + ", not '" + given + "'");
+}
+
+SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwise) {
+    SampleMaterial material = otherwise;
+    material.name = section.text("name", otherwise.name);
+    material.elastic.youngsModulus =
+        section.number("youngs_modulus_pa", otherwise.elastic.youngsModulus);
+    material.elastic.poissonRatio = section.number("poisson_ratio", otherwise.elastic.poissonRatio);
+    material.workOfAdhesion = section.number("work_of_adhesion_j_m2", otherwise.workOfAdhesion);
+    material.friction.coefficient =
+        section.number("friction_coefficient", otherwise.friction.coefficient);
+    material.friction.shearStrength =
+        section.number("shear_strength_pa", otherwise.friction.shearStrength);
+    return material;
+}
+
+SampleMaterial readMaterialFile(const std::filesystem::path& path) {
+    const toml::table table = readToml(path);
+    TomlSection root(table, path, "");
+    const SampleMaterial material = readMaterial(root, {});
+    root.refuseUnknownKeys();
+    return material;
+}
+
+/// A material by the key `material` (a file), with single keys of the section over it.
+SampleMaterial readMaterialOf(TomlSection& section, const SampleMaterial& otherwise) {
+    const std::filesystem::path file = section.path("material");
+    return readMaterial(section, file.empty() ? otherwise : readMaterialFile(file));
+}
+
+CantileverGeometry readGeometry(TomlSection& section, const CantileverGeometry& otherwise) {
+    CantileverGeometry probe = otherwise;
+    probe.youngsModulus = section.number("youngs_modulus_pa", otherwise.youngsModulus);
+    probe.poissonRatio = section.number("poisson_ratio", otherwise.poissonRatio);
+    probe.length = section.number("length_m", otherwise.length);
+    probe.width = section.number("width_m", otherwise.width);
+    probe.tipHeight = section.number("tip_height_m", otherwise.tipHeight);
+    probe.mountTilt = section.number("mount_tilt_rad", otherwise.mountTilt);
+    probe.azimuth = section.number("azimuth_rad", otherwise.azimuth);
+    if (section.has("stiffness_n_m") && section.has("thickness_m")) {
+        section.refuse("stiffness_n_m", "either stiffness_n_m or thickness_m, not both");
+    }
+    probe.thickness = section.number("thickness_m", otherwise.thickness);
+    if (section.has("stiffness_n_m")) {
+        const double stiffness = section.number("stiffness_n_m", 0.0);
+        if (!(stiffness > 0.0)) {
+            section.refuse("stiffness_n_m", "a positive number of N/m");
+        }
+        probe.thickness = thicknessForStiffness(probe, stiffness);
+    }
+    return probe;
+}
+
+SampleDescription readSample(TomlSection section, const SampleDescription& otherwise) {
+    SampleDescription sample = otherwise;
+    sample.file = section.path("file").string();
+    if (sample.file.empty()) {
+        section.refuse("file", "the path of a height map");
+    }
+    sample.channel = section.text("channel", otherwise.channel);
+    sample.levelling = choice(section, "level", kLevellings, otherwise.levelling);
+    sample.smoothingPixels = section.number("smoothing_px", otherwise.smoothingPixels);
+    if (!(sample.smoothingPixels >= 0.0 && sample.smoothingPixels <= 100.0)) {
+        section.refuse("smoothing_px", "a number from 0 to 100");
+    }
+    sample.material = readMaterialOf(section, otherwise.material);
+    section.refuseUnknownKeys();
+    return sample;
+}
+
+TipDescription readTip(TomlSection section, const TipDescription& otherwise) {
+    TipDescription tip;
+    tip.radius = section.number("radius_m", otherwise.radius);
+    tip.elastic.youngsModulus =
+        section.number("youngs_modulus_pa", otherwise.elastic.youngsModulus);
+    tip.elastic.poissonRatio = section.number("poisson_ratio", otherwise.elastic.poissonRatio);
+    section.refuseUnknownKeys();
+    return tip;
+}
+
+void readProbeSection(TomlSection section, SceneDescription& scene) {
+    const std::filesystem::path file = section.path("file");
+    const CantileverGeometry base = file.empty() ? scene.probe : readProbe(file);
+    scene.probe = readGeometry(section, base);
+    scene.signalSigma = section.number("signal_noise_rad", scene.signalSigma);
+    section.refuseUnknownKeys();
+}
+
+TruthDescription readTruth(TomlSection section, const SceneDescription& scene) {
+    TruthDescription truth;
+    truth.material = readMaterialOf(section, scene.sample.material);
+    truth.stiffness = section.number("stiffness_n_m", Cantilever(scene.probe).stiffness());
+    truth.signalNoise = section.number("signal_noise_rad", scene.signalSigma);
+    truth.noiseSeed = section.count("noise_seed", truth.noiseSeed);
+    section.refuseUnknownKeys();
+    return truth;
+}
+
+void readRest(const toml::table& table, const std::filesystem::path& path,
+              SceneDescription& scene) {
+    TomlSection physics(table, path, "physics");
+    scene.law = choice(physics, "law", kLaws, scene.law);
+    physics.refuseUnknownKeys();
+    TomlSection fidelity(table, path, "fidelity");
+    scene.deformation = choice(fidelity, "deformation", kDeformations, scene.deformation);
+    fidelity.refuseUnknownKeys();
+    TomlSection haptics(table, path, "haptics");
+    scene.tickRate = haptics.number("rate_hz", scene.tickRate);
+    scene.positionGain = haptics.number("position_gain", scene.positionGain);
+    scene.forceGain = haptics.number("force_gain", scene.forceGain);
+    scene.correctionBandwidth = haptics.number("correction_hz", scene.correctionBandwidth);
+    haptics.refuseUnknownKeys();
+    TomlSection view(table, path, "view");
+    scene.zoomHalfWidth = view.number("zoom_half_width_m", scene.zoomHalfWidth);
+    view.refuseUnknownKeys();
+}
+
+void refuseUnknownSections(const toml::table& table, const std::filesystem::path& path) {
+    TomlSection root(table, path, "");
+    for (const char* name :
+         {"sample", "tip", "probe", "truth", "physics", "fidelity", "haptics", "view"}) {
+        root.allow(name);
+    }
+    root.refuseUnknownKeys();
+}
+
+toml::table materialTable(const SampleMaterial& material) {
+    return toml::table{{"name", material.name},
+                       {"youngs_modulus_pa", material.elastic.youngsModulus},
+                       {"poisson_ratio", material.elastic.poissonRatio},
+                       {"work_of_adhesion_j_m2", material.workOfAdhesion},
+                       {"friction_coefficient", material.friction.coefficient},
+                       {"shear_strength_pa", material.friction.shearStrength}};
+}
+
+toml::table sampleTable(const SampleDescription& sample) {
+    toml::table table = materialTable(sample.material);
+    table.insert("file", sample.file);
+    table.insert("channel", sample.channel);
+    table.insert("level", nameOf(kLevellings, sample.levelling));
+    table.insert("smoothing_px", sample.smoothingPixels);
+    return table;
+}
+
+toml::table probeTable(const SceneDescription& scene) {
+    const CantileverGeometry& probe = scene.probe;
+    return toml::table{{"youngs_modulus_pa", probe.youngsModulus},
+                       {"poisson_ratio", probe.poissonRatio},
+                       {"length_m", probe.length},
+                       {"width_m", probe.width},
+                       {"thickness_m", probe.thickness},
+                       {"tip_height_m", probe.tipHeight},
+                       {"mount_tilt_rad", probe.mountTilt},
+                       {"azimuth_rad", probe.azimuth},
+                       {"signal_noise_rad", scene.signalSigma}};
+}
+
+toml::table truthTable(const TruthDescription& truth) {
+    toml::table table = materialTable(truth.material);
+    table.insert("stiffness_n_m", truth.stiffness);
+    table.insert("signal_noise_rad", truth.signalNoise);
+    table.insert("noise_seed", static_cast<std::int64_t>(truth.noiseSeed));
+    return table;
+}
+
+}  // namespace
+
+SceneDescription readScene(const std::filesystem::path& path) {
+    const toml::table table = readToml(path);
+    refuseUnknownSections(table, path);
+    SceneDescription scene = defaultScene();
+    scene.sample = readSample(TomlSection(table, path, "sample"), scene.sample);
+    scene.tip = readTip(TomlSection(table, path, "tip"), scene.tip);
+    readProbeSection(TomlSection(table, path, "probe"), scene);
+    try {
+        scene.truth = readTruth(TomlSection(table, path, "truth"), scene);
+        readRest(table, path, scene);
+        checkScene(scene);
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error& error) {
+        throw InputError(path.string(), "", error.what());
+    }
+    return scene;
+}
+
+SceneDescription sceneFromInput(const std::filesystem::path& path) {
+    if (path.extension() == ".toml") {
+        return readScene(path);
+    }
+    SceneDescription scene = defaultScene();
+    scene.sample.file = path.string();
+    return scene;
+}
+
+std::string sceneText(const SceneDescription& scene) {
+    const toml::table table{
+        {"sample", sampleTable(scene.sample)},
+        {"tip", toml::table{{"radius_m", scene.tip.radius},
+                            {"youngs_modulus_pa", scene.tip.elastic.youngsModulus},
+                            {"poisson_ratio", scene.tip.elastic.poissonRatio}}},
+        {"probe", probeTable(scene)},
+        {"truth", truthTable(scene.truth)},
+        {"physics", toml::table{{"law", nameOf(kLaws, scene.law)}}},
+        {"fidelity", toml::table{{"deformation", nameOf(kDeformations, scene.deformation)}}},
+        {"haptics", toml::table{{"rate_hz", scene.tickRate},
+                                {"position_gain", scene.positionGain},
+                                {"force_gain", scene.forceGain},
+                                {"correction_hz", scene.correctionBandwidth}}},
+        {"view", toml::table{{"zoom_half_width_m", scene.zoomHalfWidth}}}};
+    std::ostringstream text;
+    text << table << '\n';
+    return text.str();
+}
+
+CantileverGeometry readProbe(const std::filesystem::path& path) {
+    const toml::table table = readToml(path);
+    TomlSection root(table, path, "");
+    const CantileverGeometry probe = readGeometry(root, defaultScene().probe);
+    root.refuseUnknownKeys();
+    return probe;
+}
+
+}  // namespace asperity

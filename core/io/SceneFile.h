@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/scene/SceneDescription.h"
+
+#include <filesystem>
+#include <string>
+
+namespace asperity {
+
+/// Reads a scene (TOML); every key is documented in docs/scene.md. Paths in it are relative to it.
+/// @throw InputError on a mistake, an unknown key, or a file it names that cannot be read
+[[nodiscard]] SceneDescription readScene(const std::filesystem::path& path);
+
+/// A scene from either a scene file (.toml) or a height map, which stands for a scene with
+/// defaults.
+[[nodiscard]] SceneDescription sceneFromInput(const std::filesystem::path& path);
+
+/// The whole description as TOML text, every value spelled out: reading it back gives the same.
+[[nodiscard]] std::string sceneText(const SceneDescription& scene);
+
+/// A lever from a probe file. @throw InputError
+[[nodiscard]] CantileverGeometry readProbe(const std::filesystem::path& path);
+
+}  // namespace asperity

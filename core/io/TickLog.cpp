@@ -1,0 +1,110 @@
+#include "core/io/TickLog.h"
+
+#include "core/Error.h"
+#include "core/Version.h"
+#include "core/io/CsvTable.h"
+
+#include <cmath>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+std::vector<std::string> comments(const char* what) {
+    return {std::string("Asperity ") + kVersion + ": " + what,
+            "SI units, as each column's name ends; lab frame: x right, y up in the image, z out of "
+            "the sample"};
+}
+
+CsvWriter& add(CsvWriter& csv, const Vector3& vector) {
+    return csv.add(vector.x()).add(vector.y()).add(vector.z());
+}
+
+Vector3 standardDeviation(const Matrix3& covariance) {
+    return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+}
+
+/// A cell that must be finite.
+double finite(const CsvTable& table, std::size_t row, const std::string& column,
+              const std::filesystem::path& path) {
+    const double value = table.number(row, column);
+    if (!std::isfinite(value)) {
+        throw InputError(path.string(), "line " + std::to_string(table.line(row)),
+                         column + " must be a finite number");
+    }
+    return value;
+}
+
+}  // namespace
+
+ForceLogWriter::ForceLogWriter(const std::filesystem::path& path)
+    : csv_(path, comments("what the run did, one row a tick"),
+           {"time_s",         "base_x_m",       "base_y_m",         "base_z_m",   "tip_x_m",
+            "tip_y_m",        "tip_z_m",        "est_fx_n",         "est_fy_n",   "est_fz_n",
+            "est_sigma_fx_n", "est_sigma_fy_n", "est_sigma_fz_n",   "model_fx_n", "model_fy_n",
+            "model_fz_n",     "hand_fx_n",      "hand_fy_n",        "hand_fz_n",  "alpha_rad",
+            "theta_rad",      "gap_m",          "contact_radius_m", "state",      "flags"}) {}
+
+void ForceLogWriter::take(const TickSample& sample) {
+    const TickOutput& out = sample.output;
+    csv_.add(sample.time);
+    add(csv_, out.base.position);
+    add(csv_, out.tip);
+    add(csv_, out.estimate.force);
+    add(csv_, standardDeviation(out.estimate.covariance));
+    add(csv_, out.model.force);
+    add(csv_, out.handForce);
+    csv_.add(sample.input.measurement.signals.bending)
+        .add(sample.input.measurement.signals.torsion)
+        .add(-out.model.contact.indentation)
+        .add(out.model.contact.contactRadius)
+        .add(out.fault == Fault::None ? regionName(out.region()) : faultName(out.fault))
+        .add(validityText(out.flags))
+        .endRow();
+}
+
+TickInputWriter::TickInputWriter(const std::filesystem::path& path)
+    : csv_(path, comments("all that the run depended on besides scene.toml, one row a tick"),
+           {"time_s", "time_step_s", "hand_x_m", "hand_y_m", "hand_z_m", "buttons", "alpha_rad",
+            "theta_rad", "age_s", "position_gain", "force_gain", "correction_hz", "forces_on"}) {}
+
+void TickInputWriter::take(const TickSample& sample) {
+    const TickInput& input = sample.input;
+    csv_.add(sample.time).add(input.timeStep);
+    add(csv_, input.hand.position);
+    csv_.add(static_cast<double>(input.hand.buttons))
+        .add(input.measurement.signals.bending)
+        .add(input.measurement.signals.torsion)
+        .add(input.measurement.age)
+        .add(input.settings.positionGain)
+        .add(input.settings.forceGain)
+        .add(input.settings.correctionBandwidth)
+        .add(input.settings.forcesOn ? 1.0 : 0.0)
+        .endRow();
+}
+
+std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
+    const CsvTable table = readCsv(path);
+    std::vector<TickSample> samples(table.rows());
+    for (std::size_t row = 0; row < samples.size(); ++row) {
+        const auto cell = [&](const char* column) { return finite(table, row, column, path); };
+        samples[row].time = cell("time_s");
+        TickInput& input = samples[row].input;
+        input.timeStep = cell("time_step_s");
+        if (!(input.timeStep > 0.0)) {
+            throw InputError(path.string(), "line " + std::to_string(table.line(row)),
+                             "time_step_s must be positive");
+        }
+        input.hand.position = {cell("hand_x_m"), cell("hand_y_m"), cell("hand_z_m")};
+        input.hand.buttons = static_cast<std::uint32_t>(cell("buttons"));
+        input.measurement = {{cell("alpha_rad"), cell("theta_rad")}, cell("age_s")};
+        input.settings = {.positionGain = cell("position_gain"),
+                          .forceGain = cell("force_gain"),
+                          .correctionBandwidth = cell("correction_hz"),
+                          .forcesOn = cell("forces_on") != 0.0};
+    }
+    return samples;
+}
+
+}  // namespace asperity

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <toml++/toml.h>
+
+namespace asperity {
+
+/// Parses a TOML file. @throw InputError with the line of the first mistake
+[[nodiscard]] toml::table readToml(const std::filesystem::path& path);
+
+/// One section of a TOML file, read key by key; what is left unread at the end was not known.
+class TomlSection {
+public:
+    /// The named section of `root` (which may be missing), or the root itself when `name` is empty.
+    TomlSection(const toml::table& root, std::filesystem::path file, std::string name);
+
+    [[nodiscard]] bool has(const std::string& key) const;
+    [[nodiscard]] double number(const std::string& key, double otherwise);
+    [[nodiscard]] std::uint64_t count(const std::string& key, std::uint64_t otherwise);
+    [[nodiscard]] std::string text(const std::string& key, const std::string& otherwise);
+    /// A path, resolved against the folder of the file.
+    [[nodiscard]] std::filesystem::path path(const std::string& key);
+
+    /// Lets a key stand that somebody else reads.
+    void allow(const std::string& key) { known_.insert(key); }
+    /// @throw InputError naming the first key that nobody asked for
+    void refuseUnknownKeys() const;
+    /// @throw InputError about the value of `key`
+    [[noreturn]] void refuse(const std::string& key, const std::string& expected) const;
+
+private:
+    const toml::node* find(const std::string& key);
+    [[nodiscard]] std::string place(const std::string& key) const;
+
+    const toml::table* table_ = nullptr;
+    std::filesystem::path file_;
+    std::string name_;
+    std::set<std::string> known_;
+};
+
+}  // namespace asperity

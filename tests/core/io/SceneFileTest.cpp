@@ -1,0 +1,137 @@
+#include "core/io/SceneFile.h"
+
+#include "core/Error.h"
+#include "core/scene/Scene.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+namespace asperity {
+namespace {
+
+class SceneFile : public ::testing::Test {
+protected:
+    std::filesystem::path write(const std::string& name, const std::string& text) {
+        const std::filesystem::path path = scratch_.path() / name;
+        std::ofstream(path) << text;
+        return path;
+    }
+
+    /// The message of the refusal; empty when the scene was read.
+    std::string refusal(const std::string& text) {
+        try {
+            (void)readScene(write("scene.toml", text));
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    test::ScratchFolder scratch_;
+};
+
+TEST_F(SceneFile, FillsInDefaultsAndResolvesPathsAgainstItself) {
+    const SceneDescription scene = readScene(write("scene.toml", "[sample]\nfile = \"map.gsf\"\n"));
+    EXPECT_EQ(scene.sample.file, (scratch_.path() / "map.gsf").string());
+    EXPECT_EQ(scene.sample.levelling, Levelling::Plane);
+    EXPECT_NEAR(Cantilever(scene.probe).stiffness(), 14.0, 1e-12);
+    EXPECT_EQ(scene.truth.material.workOfAdhesion, scene.sample.material.workOfAdhesion);
+}
+
+TEST_F(SceneFile, TakesAMaterialFileAndSingleKeysOverIt) {
+    write("soft.toml", "name = \"soft\"\nyoungs_modulus_pa = 1e6\npoisson_ratio = 0.5\n");
+    const SceneDescription scene = readScene(write("scene.toml", R"(
+[sample]
+file = "map.gsf"
+material = "soft.toml"
+poisson_ratio = 0.4
+[truth]
+youngs_modulus_pa = 2e6
+noise_seed = 7
+)"));
+    EXPECT_EQ(scene.sample.material.name, "soft");
+    EXPECT_EQ(scene.sample.material.elastic.youngsModulus, 1e6);
+    EXPECT_EQ(scene.sample.material.elastic.poissonRatio, 0.4);
+    EXPECT_EQ(scene.truth.material.elastic.youngsModulus, 2e6);
+    EXPECT_EQ(scene.truth.material.elastic.poissonRatio, 0.4) << "the rest is as believed";
+    EXPECT_EQ(scene.truth.noiseSeed, 7U);
+}
+
+TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
+    SceneDescription scene = defaultScene();
+    scene.sample.file = "/somewhere/map.gsf";
+    scene.sample.channel = "Height \"measured\"";
+    scene.sample.material.elastic.youngsModulus = 1.0 / 3.0 * 1e9;
+    scene.truth.stiffness = 13.123456789012345;
+    scene.probe.mountTilt = 0.1;
+    scene.law = ContactLaw::Hertz;
+    scene.deformation = DeformationTier::FourPoint;
+    const std::string text = sceneText(scene);
+    const SceneDescription again = readScene(write("again.toml", text));
+    EXPECT_EQ(sceneText(again), text);
+    EXPECT_EQ(again.sample.channel, scene.sample.channel);
+    EXPECT_EQ(again.sample.material.elastic.youngsModulus,
+              scene.sample.material.elastic.youngsModulus);
+    EXPECT_EQ(again.probe.thickness, scene.probe.thickness);
+    EXPECT_EQ(again.truth.stiffness, scene.truth.stiffness);
+    EXPECT_EQ(again.law, scene.law);
+}
+
+TEST_F(SceneFile, RefusesAnUnknownKeyByNameAndLine) {
+    const std::string message = refusal("[sample]\nfile = \"map.gsf\"\nsmothing_px = 1.0\n");
+    EXPECT_NE(message.find("scene.toml"), std::string::npos) << message;
+    EXPECT_NE(message.find("line 3"), std::string::npos) << message;
+    EXPECT_NE(message.find("'smothing_px'"), std::string::npos) << message;
+    EXPECT_NE(refusal("[sample]\nfile=\"m\"\n[samples]\n").find("'samples'"), std::string::npos);
+}
+
+TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
+    const char* const sample = "[sample]\nfile = \"map.gsf\"\n";
+    const std::pair<std::string, std::string> mistakes[] = {
+        {"[sample]\n", "file"},
+        {"sample = 1\n", "'sample' must be a section"},
+        {std::string(sample) + "level = \"flat\"\n", "plane, rows, none"},
+        {std::string(sample) + "smoothing_px = \"one\"\n", "a number"},
+        {std::string(sample) + "smoothing_px = -1\n", "smoothing_px"},
+        {std::string(sample) + "smoothing_px = nan\n", "smoothing_px"},
+        {std::string(sample) + "youngs_modulus_pa = -2e9\n", "youngs_modulus_pa"},
+        {std::string(sample) + "poisson_ratio = nan\n", "poisson_ratio"},
+        {std::string(sample) + "material = \"missing.toml\"\n", "missing.toml"},
+        {std::string(sample) + "[probe]\nstiffness_n_m = 1.0\nthickness_m = 1e-6\n", "not both"},
+        {std::string(sample) + "[probe]\nstiffness_n_m = -1.0\n", "stiffness_n_m"},
+        {std::string(sample) + "[probe]\nlength_m = 0.0\n", "scene.toml"},
+        {std::string(sample) + "[truth]\nnoise_seed = -1\n", "noise_seed"},
+        {std::string(sample) + "[physics]\nlaw = \"jkrs\"\n", "split, hertz"},
+        {std::string(sample) + "[haptics]\nrate_hz = 1\n", "rate_hz"},
+        {"[sample\nfile = 1", "line 1"},
+    };
+    for (const auto& [text, expected] : mistakes) {
+        EXPECT_NE(refusal(text).find(expected), std::string::npos)
+            << "for:\n"
+            << text << "\nsaid: " << refusal(text);
+    }
+    EXPECT_THROW((void)readScene(scratch_.path() / "none.toml"), InputError);
+    EXPECT_THROW((void)readScene(scratch_.path()), InputError);
+}
+
+TEST(ShippedScenes, AllReadAndNameFilesThatAreThere) {
+    int scenes = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(ASPERITY_DATA_DIR) + "/scenes")) {
+        const SceneDescription scene = readScene(entry.path());
+        EXPECT_TRUE(std::filesystem::exists(scene.sample.file)) << scene.sample.file;
+        ++scenes;
+    }
+    EXPECT_GE(scenes, 4);
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(ASPERITY_DATA_DIR) + "/probes")) {
+        EXPECT_GT(Cantilever(readProbe(entry.path())).stiffness(), 0.0) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,104 @@
+#include "core/io/TickLog.h"
+
+#include "core/Error.h"
+#include "core/io/CsvTable.h"
+#include "core/io/HandPathFile.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <fstream>
+
+namespace asperity {
+namespace {
+
+TickSample sampleOf(double time) {
+    TickSample sample;
+    sample.time = time;
+    sample.input.timeStep = 1.0 / 3.0e3;
+    sample.input.hand = {.position = {1.0 / 3.0, -2e-9 / 7.0, 5e-324}, .buttons = 5};
+    sample.input.measurement = {{0.1 + 0.2, -1e-300}, 0.02};
+    sample.input.settings = {.positionGain = 1e-6 / 3.0,
+                             .forceGain = 1e8 / 7.0,
+                             .correctionBandwidth = 20.0,
+                             .forcesOn = false};
+    sample.output.model.contact = {.force = -3e-9, .indentation = 1e-9, .contactRadius = 2e-9};
+    sample.output.model.contact.branch = ContactBranch::Bonded;
+    sample.output.estimate.covariance(1, 1) = 4e-18;
+    sample.output.flags.set(Validity::OutsideScan, true);
+    return sample;
+}
+
+TEST(TickLog, InputsReadBackToTheSameBits) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    const TickSample written = sampleOf(1.0 / 7.0);
+    TickInputWriter writer(path);
+    writer.take(written);
+    writer.take(sampleOf(0.5));
+    writer.close();
+    const std::vector<TickSample> read = readTickInputs(path);
+    ASSERT_EQ(read.size(), 2U);
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    EXPECT_EQ(bits(read[0].time), bits(written.time));
+    EXPECT_EQ(bits(read[0].input.timeStep), bits(written.input.timeStep));
+    EXPECT_EQ(read[0].input.hand.position, written.input.hand.position);
+    EXPECT_EQ(read[0].input.hand.buttons, 5U);
+    EXPECT_EQ(bits(read[0].input.measurement.signals.bending),
+              bits(written.input.measurement.signals.bending));
+    EXPECT_EQ(read[0].input.measurement.signals.torsion, -1e-300);
+    EXPECT_EQ(bits(read[0].input.settings.forceGain), bits(written.input.settings.forceGain));
+    EXPECT_FALSE(read[0].input.settings.forcesOn);
+}
+
+TEST(TickLog, ForceLogSaysGapStateAndFlagsInWords) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "force_log.csv";
+    ForceLogWriter writer(path);
+    writer.take(sampleOf(0.0));
+    writer.close();
+    const CsvTable table = readCsv(path);
+    EXPECT_EQ(table.number(0, "gap_m"), -1e-9);
+    EXPECT_EQ(table.number(0, "contact_radius_m"), 2e-9);
+    EXPECT_EQ(table.number(0, "est_sigma_fy_n"), 2e-9);
+    EXPECT_EQ(table.text(0, "state"), "contact");
+    EXPECT_EQ(table.text(0, "flags"), "outside_scan");
+}
+
+TEST(TickLog, RefusesDamagedInputsWithTheirLine) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    TickInputWriter writer(path);
+    writer.take(sampleOf(0.0));
+    writer.close();
+    std::ifstream in(path);
+    std::string text((std::istreambuf_iterator<char>(in)), {});
+    for (const char* bad : {"nan", "inf", "x"}) {
+        std::string damaged = text;
+        const std::size_t row = damaged.rfind('\n', damaged.size() - 2) + 1;
+        damaged.replace(row, damaged.find(',', row) - row, bad);
+        std::ofstream(path) << damaged;
+        EXPECT_THROW((void)readTickInputs(path), InputError) << bad;
+    }
+}
+
+TEST(HandPathFile, ReadsPlacesAndRefusesTimeThatStandsStill) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "path.csv";
+    std::ofstream(path) << "# a path\ntime_s,x_m,y_m,z_m\n0,1e-9,2e-9,3e-9\n1,0,0,-1e-9\n";
+    const HandPath hand = readHandPath(path);
+    ASSERT_EQ(hand.size(), 2U);
+    EXPECT_EQ(hand[1].position.z(), -1e-9);
+    for (const char* rows :
+         {"0,0,0,0\n0,1,1,1\n", "-1,0,0,0\n", "0,nan,0,0\n", "inf,0,0,0\n", ""}) {
+        std::ofstream(path) << "time_s,x_m,y_m,z_m\n" << rows;
+        EXPECT_THROW((void)readHandPath(path), InputError) << rows;
+    }
+    std::ofstream(path) << "time_s,x_m,y_m\n0,0,0\n";
+    EXPECT_THROW((void)readHandPath(path), InputError) << "z_m is missing";
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/surface/HeightMap.h"
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// One of the scans in data/samples.
+struct SampleScan {
+    std::string fileName;  ///< "particles.gsf"
+    std::string title;
+    HeightMap map;
+};
+
+/// All scans of data/samples, made anew: the same numbers on every call.
+[[nodiscard]] std::vector<SampleScan> makeSampleScans();
+
+}  // namespace asperity
