@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/Units.h"
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/SurfaceDeformation.h"
+#include "vtkplugins/pictures/DeformationPicture.h"
+
+namespace asperity::test {
+
+/// Surface whose control heights are height(x, y) at the pixel centres.
+template <typename Height>
+[[nodiscard]] BSplineSurface splineOf(int pixels, double pitch, const Height& height) {
+    BSplineSurface::Grid grid{pixels, pixels, pitch, pitch, {}, {}};
+    for (int row = -1; row <= pixels; ++row) {
+        for (int column = -1; column <= pixels; ++column) {
+            grid.controlHeights.push_back(height((column + 0.5) * pitch, (row + 0.5) * pitch));
+        }
+    }
+    return BSplineSurface(std::move(grid));
+}
+
+/// A 1 µm scan of 20 nm hills and hollows.
+[[nodiscard]] BSplineSurface eggBox();
+
+/// A flat sample under a sphere of 15 nm that presses a circle of 3 nm (Hertz).
+[[nodiscard]] DeformationView hertzDent();
+
+/// The same sample pulled up into a neck by adhesion just before it lets go (JKR).
+[[nodiscard]] DeformationView adhesionNeck();
+
+}  // namespace asperity::test

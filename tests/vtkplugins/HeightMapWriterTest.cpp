@@ -1,0 +1,148 @@
+#include "vtkplugins/io/HeightMapWriter.h"
+
+#include "core/Error.h"
+#include "core/Units.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+
+namespace asperity {
+
+using namespace asperity::units;  // NOLINT(google-build-using-namespace): literals
+
+namespace {
+
+/// A folder of its own for each test, removed afterwards.
+class HeightMapWriter : public testing::Test {
+protected:
+    void SetUp() override {
+        folder = std::filesystem::path(testing::TempDir()) /
+                 ("asperity_writer_" +
+                  std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        std::filesystem::create_directories(folder);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    [[nodiscard]] std::filesystem::path file(const std::string& name) const {
+        return folder / name;
+    }
+
+    std::filesystem::path folder;
+};
+
+/// 3 columns, 2 rows; heights in nm:  4 5 6  above  1 2 3.
+HeightMap smallMap() {
+    HeightMap map;
+    map.columns = 3;
+    map.rows = 2;
+    map.pitchX = 10.0_nm;
+    map.pitchY = 20.0_nm;
+    map.heights = {4.0_nm, 5.0_nm, 6.0_nm, 1.0_nm, 2.0_nm, 3.0_nm};
+    return map;
+}
+
+}  // namespace
+
+TEST_F(HeightMapWriter, ImageHoldsHeightsAtPixelCentresBottomRowFirst) {
+    ASSERT_TRUE(writeHeightMapWithVtk(file("map.VTI"), smallMap()));
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(file("map.VTI").c_str());
+    reader->Update();
+    vtkImageData* image = reader->GetOutput();
+    EXPECT_EQ(image->GetDimensions()[0], 3);
+    EXPECT_EQ(image->GetDimensions()[1], 2);
+    EXPECT_DOUBLE_EQ(image->GetOrigin()[0], 5.0_nm);
+    EXPECT_DOUBLE_EQ(image->GetOrigin()[1], 10.0_nm);
+    EXPECT_DOUBLE_EQ(image->GetSpacing()[1], 20.0_nm);
+    vtkDataArray* heights = image->GetPointData()->GetArray("height");
+    ASSERT_NE(heights, nullptr);
+    for (vtkIdType id = 0; id < 6; ++id) {
+        EXPECT_DOUBLE_EQ(heights->GetTuple1(id), static_cast<double>(id + 1) * 1.0_nm);
+    }
+    EXPECT_EQ(image->GetPointData()->GetArray("valid"), nullptr);
+}
+
+TEST_F(HeightMapWriter, ImageMarksPixelsWithoutData) {
+    HeightMap map = smallMap();
+    map.invalid = {0, 1, 0, 0, 0, 0};
+    map.heights[1] = std::numeric_limits<double>::quiet_NaN();
+    ASSERT_TRUE(writeHeightMapWithVtk(file("map.vti"), map));
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(file("map.vti").c_str());
+    reader->Update();
+    vtkDataArray* valid = reader->GetOutput()->GetPointData()->GetArray("valid");
+    ASSERT_NE(valid, nullptr);
+    for (vtkIdType id = 0; id < 6; ++id) {
+        EXPECT_EQ(valid->GetTuple1(id), id == 4 ? 0.0 : 1.0);
+    }
+}
+
+TEST_F(HeightMapWriter, MeshRunsThroughThePixelCentres) {
+    ASSERT_TRUE(writeHeightMapWithVtk(file("map.vtp"), smallMap()));
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(file("map.vtp").c_str());
+    reader->Update();
+    vtkPolyData* mesh = reader->GetOutput();
+    ASSERT_EQ(mesh->GetNumberOfPoints(), 6);
+    EXPECT_EQ(mesh->GetNumberOfPolys(), 4);
+    const double* point = mesh->GetPoint(5);  // top right
+    EXPECT_DOUBLE_EQ(point[0], 25.0_nm);
+    EXPECT_DOUBLE_EQ(point[1], 30.0_nm);
+    EXPECT_DOUBLE_EQ(point[2], 6.0_nm);
+}
+
+TEST_F(HeightMapWriter, MeshLeavesOutTrianglesAtInvalidPixels) {
+    HeightMap map = smallMap();
+    map.invalid = {0, 0, 1, 0, 0, 0};
+    ASSERT_TRUE(writeHeightMapWithVtk(file("map.vtp"), map));
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(file("map.vtp").c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), 2);
+}
+
+TEST_F(HeightMapWriter, StlIsInMetresAndSaysSo) {
+    ASSERT_TRUE(writeHeightMapWithVtk(file("map.stl"), smallMap()));
+    vtkNew<vtkSTLReader> reader;
+    reader->SetFileName(file("map.stl").c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 4);
+    EXPECT_NEAR(reader->GetOutput()->GetBounds()[1], 25.0_nm, 1e-15);
+    EXPECT_NEAR(reader->GetOutput()->GetBounds()[5], 6.0_nm, 1e-15);
+    std::ifstream stream(file("map.stl"), std::ios::binary);
+    std::string header(80, '\0');
+    stream.read(header.data(), 80);
+    EXPECT_NE(header.find("one unit is one metre"), std::string::npos);
+}
+
+TEST_F(HeightMapWriter, OtherExtensionsAreNotOurs) {
+    EXPECT_FALSE(writeHeightMapWithVtk(file("map.gsf"), smallMap()));
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST_F(HeightMapWriter, FailuresThrowAndLeaveNothingBehind) {
+    HeightMap blind = smallMap();
+    blind.invalid.assign(6, 1);
+    EXPECT_THROW(writeHeightMapWithVtk(file("map.stl"), blind), Error);
+    HeightMap broken = smallMap();
+    broken.heights.pop_back();
+    EXPECT_THROW(writeHeightMapWithVtk(file("map.vti"), broken), Error);
+    EXPECT_THROW(writeHeightMapWithVtk(folder / "missing" / "map.vti", smallMap()), Error);
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+}  // namespace asperity

@@ -1,0 +1,296 @@
+#include "core/Error.h"
+#include "core/Units.h"
+#include "tests/vtkplugins/Fakes.h"
+#include "tests/vtkplugins/NeedsDisplay.h"
+#include "vtkplugins/pictures/Charts.h"
+#include "vtkplugins/pictures/DeformationPicture.h"
+#include "vtkplugins/pictures/OverviewPicture.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+using namespace asperity::units;  // NOLINT(google-build-using-namespace): literals
+
+namespace {
+
+constexpr PictureSize kSize{1200, 750};
+const std::string kLongText =
+    "A caption that goes on for much longer than a line of the picture can hold, so that it must "
+    "be broken into several lines, and says what was measured, with which tip, on which sample.";
+
+std::string bytesOf(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// A picture read back.
+class Image {
+public:
+    explicit Image(const std::filesystem::path& path) {
+        reader_->SetFileName(path.c_str());
+        reader_->Update();
+    }
+
+    [[nodiscard]] int width() const { return reader_->GetOutput()->GetDimensions()[0]; }
+    [[nodiscard]] int height() const { return reader_->GetOutput()->GetDimensions()[1]; }
+    [[nodiscard]] std::array<int, 3> at(int x, int y) const {
+        const auto* rgb =
+            static_cast<const unsigned char*>(reader_->GetOutput()->GetScalarPointer(x, y, 0));
+        return {rgb[0], rgb[1], rgb[2]};
+    }
+    [[nodiscard]] std::size_t colours() const {
+        std::set<std::array<int, 3>> found;
+        count([&found](const std::array<int, 3>& rgb) { return found.insert(rgb).second; });
+        return found.size();
+    }
+    int count(const std::function<bool(const std::array<int, 3>&)>& wanted) const {
+        int found = 0;
+        for (int y = 0; y < height(); ++y) {
+            for (int x = 0; x < width(); ++x) {
+                found += wanted(at(x, y)) ? 1 : 0;
+            }
+        }
+        return found;
+    }
+    /// Whether the outermost pixels are all paper: nothing is cut off.
+    [[nodiscard]] bool hasCleanEdge() const {
+        constexpr int kEdge = 4;
+        const std::array<int, 3> paper{255, 255, 255};
+        for (int y = 0; y < height(); ++y) {
+            for (int x = 0; x < width(); ++x) {
+                const bool inner =
+                    x >= kEdge && y >= kEdge && x < width() - kEdge && y < height() - kEdge;
+                if (!inner && at(x, y) != paper) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+private:
+    vtkNew<vtkPNGReader> reader_;
+};
+
+bool isBlue(const std::array<int, 3>& rgb) { return rgb[2] > rgb[0] + 60; }
+bool isOrange(const std::array<int, 3>& rgb) {
+    return rgb[0] > rgb[2] + 90 && rgb[1] > rgb[2] + 20;
+}
+
+class Pictures : public testing::Test {
+protected:
+    void SetUp() override {
+        folder = std::filesystem::path(testing::TempDir()) /
+                 ("asperity_pictures_" +
+                  std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        std::filesystem::create_directories(folder);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    /// Draws twice and checks what every picture must be.
+    Image drawn(const std::function<void(const std::filesystem::path&)>& write) const {
+        write(folder / "first.png");
+        write(folder / "second.png");
+        EXPECT_EQ(bytesOf(folder / "first.png"), bytesOf(folder / "second.png"));
+        Image image(folder / "first.png");
+        EXPECT_EQ(image.width(), kSize.width);
+        EXPECT_EQ(image.height(), kSize.height);
+        EXPECT_TRUE(image.hasCleanEdge());
+        return image;
+    }
+
+    std::filesystem::path folder;
+};
+
+OverviewView overviewOf(const BSplineSurface& surface) {
+    OverviewView view{.title = "Egg box", .caption = kLongText, .surface = surface};
+    view.tip = Vector3(520.0_nm, 430.0_nm, 10.0_nm);
+    view.zoom = ScanWindow{420.0_nm, 620.0_nm, 330.0_nm, 530.0_nm};
+    for (int i = 0; i <= 100; ++i) {
+        const double x = 200.0_nm + i * 6.0_nm;
+        view.path.emplace_back(x, 430.0_nm, surface.at(x, 430.0_nm).height);
+    }
+    view.path.emplace_back(800.0_nm, 430.0_nm, 900.0_nm);  // far above: left out
+    return view;
+}
+
+}  // namespace
+
+TEST_F(Pictures, DentIsBlueAndNeckIsOrange) {
+    ASPERITY_NEEDS_DISPLAY();
+    const DeformationView dent = test::hertzDent();
+    const DeformationView neck = test::adhesionNeck();
+    const Image dentImage = drawn([&](const std::filesystem::path& path) {
+        writeDeformationPicture(path, std::array{dent}, kSize);
+    });
+    const Image neckImage = drawn([&](const std::filesystem::path& path) {
+        writeDeformationPicture(path, std::array{neck}, kSize);
+    });
+    EXPECT_GT(dentImage.colours(), 1000U);
+    EXPECT_GT(dentImage.count(isBlue), 10 * std::max(1, neckImage.count(isBlue)));
+    EXPECT_GT(neckImage.count(isOrange), 10 * std::max(1, dentImage.count(isOrange)));
+}
+
+TEST_F(Pictures, TwoViewsStandSideBySide) {
+    ASPERITY_NEEDS_DISPLAY();
+    DeformationView dent = test::hertzDent();
+    dent.caption = kLongText + " " + kLongText + " " + kLongText;
+    dent.title = kLongText;
+    const std::array views{dent, test::adhesionNeck()};
+    const Image image = drawn(
+        [&](const std::filesystem::path& path) { writeDeformationPicture(path, views, kSize); });
+    int blueLeft = 0;
+    int blueRight = 0;
+    for (int y = 0; y < kSize.height; ++y) {
+        for (int x = 0; x < kSize.width; ++x) {
+            if (isBlue(image.at(x, y))) {
+                (x < kSize.width / 2 ? blueLeft : blueRight) += 1;
+            }
+        }
+    }
+    EXPECT_GT(blueLeft, 10 * std::max(1, blueRight));
+}
+
+TEST_F(Pictures, AnUntouchedSurfaceWithoutForceIsDrawnToo) {
+    ASPERITY_NEEDS_DISPLAY();
+    DeformationView view = test::hertzDent();
+    view.patch.points = view.patch.rest;
+    view.patch.normals.assign(view.patch.rest.size(), Vector3::UnitZ());
+    view.force.setZero();
+    view.contactRadius = 0.0;
+    view.tipCentre.z() += 5.0_nm;
+    const Image image = drawn([&](const std::filesystem::path& path) {
+        writeDeformationPicture(path, std::array{view}, kSize);
+    });
+    EXPECT_GT(image.colours(), 100U);
+}
+
+TEST_F(Pictures, OverviewMarksTipPathAndZoom) {
+    ASPERITY_NEEDS_DISPLAY();
+    const BSplineSurface surface = test::eggBox();
+    const OverviewView marked = overviewOf(surface);
+    const OverviewView bare{.title = "Egg box", .caption = kLongText, .surface = surface};
+    const Image with = drawn(
+        [&](const std::filesystem::path& path) { writeOverviewPicture(path, marked, kSize); });
+    const Image without =
+        drawn([&](const std::filesystem::path& path) { writeOverviewPicture(path, bare, kSize); });
+    const auto isMarker = [](const std::array<int, 3>& rgb) {
+        return rgb[0] > 150 && rgb[1] < 90 && rgb[2] < 130;
+    };
+    EXPECT_GT(with.colours(), 1000U);
+    EXPECT_GT(with.count(isMarker), 200);
+    EXPECT_EQ(without.count(isMarker), 0);
+}
+
+TEST_F(Pictures, AFlatScanHasAnOverviewToo) {
+    ASPERITY_NEEDS_DISPLAY();
+    const BSplineSurface flat = test::splineOf(16, 10.0_nm, [](double, double) { return 0.0; });
+    const OverviewView view{.title = "Flat", .caption = "", .surface = flat};
+    const Image image =
+        drawn([&](const std::filesystem::path& path) { writeOverviewPicture(path, view, kSize); });
+    EXPECT_GT(image.colours(), 20U);
+}
+
+TEST_F(Pictures, ChartsShowEveryCurveAndItsPeak) {
+    ASPERITY_NEEDS_DISPLAY();
+    Curve spike{.label = "spike", .color = Color{255, 0, 0}};
+    Curve wave{.label = "wave", .color = Color{0, 0, 255}, .dashed = true};
+    for (int i = 0; i < 50000; ++i) {
+        spike.x.push_back(i * 1e-3);
+        spike.y.push_back(i == 31234 ? 10.0_nN : 0.0);
+        wave.x.push_back(i * 1e-3);
+        wave.y.push_back(2.0_nN * std::sin(i * 1e-3));
+    }
+    Chart chart{.title = "Force", .xLabel = "time", .yLabel = "force", .curves = {spike, wave}};
+    chart.xUnit = "s";
+    chart.yUnit = "N";
+    const std::vector<Chart> page(4, chart);
+    const Image image =
+        drawn([&](const std::filesystem::path& path) { writeCharts(path, page, 2, kSize); });
+    // The spike is one sample wide; in each chart it must be a line of most of the plot's height.
+    std::array<int, 2> redRows{};
+    for (int y = 0; y < kSize.height; ++y) {
+        for (int half = 0; half < 2; ++half) {
+            bool red = false;
+            for (int x = half * kSize.width / 2; x < (half + 1) * kSize.width / 2; ++x) {
+                const auto rgb = image.at(x, y);
+                red = red || (rgb[0] > 200 && rgb[1] < 150 && rgb[2] < 150);
+            }
+            redRows.at(static_cast<std::size_t>(half)) += red ? 1 : 0;
+        }
+    }
+    EXPECT_GT(redRows[0], kSize.height / 3);
+    EXPECT_GT(redRows[1], kSize.height / 3);
+    EXPECT_GT(image.count([](const auto& rgb) { return rgb[2] > 200 && rgb[0] < 100; }), 500);
+}
+
+TEST_F(Pictures, ScatterOnLogarithmicAxesHasNamedDots) {
+    ASPERITY_NEEDS_DISPLAY();
+    Curve dots{.label = "tiers", .x = {1e-7, 1e-5, 1e-2, 0.0}, .y = {40.0, 3.0, 0.2, 1.0}};
+    dots.points = true;
+    Chart chart{.title = "Cost", .xLabel = "time", .yLabel = "error [%]", .curves = {dots}};
+    chart.xUnit = "s";
+    chart.logX = true;
+    chart.logY = true;
+    const Image bare = drawn(
+        [&](const std::filesystem::path& path) { writeCharts(path, std::array{chart}, 1, kSize); });
+    chart.curves[0].pointLabels = {"Hertz", "Maugis", "half space", "nowhere"};
+    const Image named = drawn(
+        [&](const std::filesystem::path& path) { writeCharts(path, std::array{chart}, 1, kSize); });
+    const auto isInk = [](const auto& rgb) { return rgb[0] < 120 && rgb[1] < 120; };
+    EXPECT_GT(named.count(isInk), bare.count(isInk) + 200);
+}
+
+TEST_F(Pictures, RefusesWhatCannotBeDrawn) {
+    ASPERITY_NEEDS_DISPLAY();
+    const std::filesystem::path path = folder / "picture.png";
+    DeformationView broken = test::hertzDent();
+    broken.patch.points.pop_back();
+    EXPECT_THROW(writeDeformationPicture(path, std::array{broken}), Error);
+    DeformationView lost = test::hertzDent();
+    lost.force.x() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(writeDeformationPicture(path, std::array{lost}), Error);
+    EXPECT_THROW(writeDeformationPicture(path, {}), Error);
+    const Chart uneven{.title = "t", .xLabel = "x", .yLabel = "y", .curves = {{"c", {1.0}, {}}}};
+    EXPECT_THROW(writeCharts(path, std::array{uneven}, 1), Error);
+    const Chart empty{.title = "t", .xLabel = "x", .yLabel = "y", .curves = {}};
+    EXPECT_THROW(writeCharts(path, std::array{empty}, 1, {0, 100}), Error);
+    EXPECT_THROW(writeCharts(folder / "missing" / "picture.png", std::array{empty}, 1), Error);
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+// NOLINTBEGIN(concurrency-mt-unsafe): tests have no other threads that read the environment
+TEST_F(Pictures, WithoutADisplayTheErrorSaysWhatToDo) {
+    const char* before = std::getenv("DISPLAY");
+    const std::string display = before == nullptr ? "" : before;
+    unsetenv("DISPLAY");
+    try {
+        writeDeformationPicture(folder / "picture.png", std::array{test::hertzDent()});
+        ADD_FAILURE() << "drew without a display";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("xvfb-run"), std::string::npos);
+    }
+    if (!display.empty()) {
+        setenv("DISPLAY", display.c_str(), 1);
+    }
+}
+// NOLINTEND(concurrency-mt-unsafe)
+
+}  // namespace asperity

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/surface/HeightMap.h"
+
+#include <filesystem>
+
+namespace asperity {
+
+/// Writes a height map for other programs, by the path's extension (in any case):
+/// - `.vti`: image of point values "height" [m] at the pixel centres, bottom row first; pixels that
+///   hold no data are 0 in the array "valid", which is there when any is
+/// - `.vtp`: triangles through the pixel centres with "height" [m]; none touches an invalid pixel
+/// - `.stl`: the same triangles, binary. STL knows no unit: coordinates are METRES, as in the other
+///   files, and the file's header says so
+/// Coordinates are those of the world frame.
+/// @return false, and nothing is written, for any other extension
+/// @throw Error when the map is unusable, no triangle is left, or the file cannot be written
+bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightMap& map);
+
+}  // namespace asperity

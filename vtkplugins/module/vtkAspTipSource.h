@@ -1,0 +1,57 @@
+#ifndef vtkAspTipSource_h
+#define vtkAspTipSource_h
+
+#include "vtkAsperityModule.h"
+
+#include <vtkPolyDataAlgorithm.h>
+
+/// An AFM tip for drawing: a sphere that runs smoothly into a conical shank, open at its end. World
+/// frame, metres, analytic normals.
+class VTKASPERITY_EXPORT vtkAspTipSource : public vtkPolyDataAlgorithm {
+public:
+    static vtkAspTipSource* New();
+    vtkAspTipSource(const vtkAspTipSource&) = delete;
+    void operator=(const vtkAspTipSource&) = delete;
+    vtkTypeMacro(vtkAspTipSource, vtkPolyDataAlgorithm)
+    void PrintSelf(ostream& os, vtkIndent indent) override;
+
+    /// Centre of the sphere [m].
+    vtkSetVector3Macro(Center, double);
+    vtkGetVector3Macro(Center, double);
+
+    /// Radius of the sphere [m].
+    vtkSetMacro(Radius, double);
+    vtkGetMacro(Radius, double);
+
+    /// From the apex to the shank; need not be of unit length.
+    vtkSetVector3Macro(Axis, double);
+    vtkGetVector3Macro(Axis, double);
+
+    /// From the apex to the open end [m]; a low tip is a cap of the sphere alone.
+    vtkSetMacro(Height, double);
+    vtkGetMacro(Height, double);
+
+    /// Between the shank's side and its axis, in (0, pi/2) [rad].
+    vtkSetMacro(HalfAngle, double);
+    vtkGetMacro(HalfAngle, double);
+
+    /// Facets around the axis, at least 3.
+    vtkSetClampMacro(Resolution, int, 3, 1024);
+    vtkGetMacro(Resolution, int);
+
+protected:
+    vtkAspTipSource();
+    ~vtkAspTipSource() override = default;
+    int RequestData(vtkInformation* request, vtkInformationVector** input,
+                    vtkInformationVector* output) override;
+
+private:
+    double Center[3] = {0.0, 0.0, 0.0};
+    double Radius = 1.0;
+    double Axis[3] = {0.0, 0.0, 1.0};
+    double Height = 4.0;
+    double HalfAngle = 0.3;
+    int Resolution = 64;
+};
+
+#endif

@@ -1,0 +1,96 @@
+#include "vtkplugins/pictures/DeformationPicture.h"
+
+#include "core/Error.h"
+#include "core/SiFormat.h"
+#include "vtkplugins/pictures/DeformationScene.h"
+#include "vtkplugins/pictures/Panel.h"
+#include "vtkplugins/pictures/Ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+bool isDrawable(const SurfacePatch& patch) {
+    if (patch.columns < 2 || patch.rows < 2) {
+        return false;
+    }
+    const std::size_t count = patch.index(patch.rows, 0);
+    const std::array<const std::vector<Vector3>*, 3> fields{&patch.rest, &patch.points,
+                                                            &patch.normals};
+    return std::all_of(fields.begin(), fields.end(), [count](const std::vector<Vector3>* field) {
+        return field->size() == count &&
+               std::all_of(field->begin(), field->end(),
+                           [](const Vector3& vector) { return vector.allFinite(); });
+    });
+}
+
+void check(const DeformationView& view) {
+    const bool isFinite = view.tipCentre.allFinite() && view.contactPoint.allFinite() &&
+                          view.force.allFinite() && std::isfinite(view.contactRadius) &&
+                          std::isfinite(view.tipRadius);
+    if (!isDrawable(view.patch) || !isFinite || !(view.tipRadius > 0.0)) {
+        throw Error("The deformation picture \"" + view.title +
+                    "\" needs a patch of at least 2 x 2 points with normals and a tip radius above "
+                    "zero, all of them finite.");
+    }
+}
+
+std::vector<LegendEntry> legendOf(const DeformationView& view) {
+    std::vector<LegendEntry> entries{
+        {palette::kTip, "tip, radius " + formatSi(view.tipRadius, "m")}};
+    if (view.contactRadius > 0.0) {
+        entries.push_back(
+            {palette::kContact, "contact circle, radius " + formatSi(view.contactRadius, "m")});
+    }
+    if (!view.force.isZero(0.0)) {
+        entries.push_back({palette::kForce, "force on the tip"});
+    }
+    return entries;
+}
+
+std::string scaleNote(double magnification) {
+    if (magnification == 1.0) {
+        return "Drawn to scale.";
+    }
+    const std::string number = tickLabels({magnification}).front();
+    return "Displacement ×" + number +
+           " (distance from the resting surface, for sample and tip alike).";
+}
+
+}  // namespace
+
+void writeDeformationPicture(const std::filesystem::path& path,
+                             std::span<const DeformationView> views, PictureSize size) {
+    if (views.empty()) {
+        throw Error("The deformation picture needs at least one view.");
+    }
+    double largestForce = 0.0;
+    for (const DeformationView& view : views) {
+        check(view);
+        largestForce = std::max(largestForce, view.force.stableNorm());
+    }
+    OffscreenPicture picture(size);
+    const double width = static_cast<double>(size.width) / static_cast<double>(views.size());
+    double left = 0.0;
+    for (const DeformationView& view : views) {
+        const ScenePanel panel({left, 0.0, width, static_cast<double>(size.height)});
+        const auto scene =
+            std::make_shared<DeformationScene>(picture, view, panel.scene(), largestForce);
+        const PanelText text{view.title, legendOf(view), scene->colourBar(),
+                             view.caption + "\n" + scaleNote(scene->magnification())};
+        picture.paint([scene, panel, text](Painter& painter) {
+            panel.paint(painter, text);
+            scene->paintLabels(painter);
+        });
+        left += width;
+    }
+    picture.writePng(path);
+}
+
+}  // namespace asperity

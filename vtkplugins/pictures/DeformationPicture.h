@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/Vector.h"
+#include "core/surface/SurfaceDeformation.h"
+#include "vtkplugins/pictures/PictureSize.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace asperity {
+
+/// One moment of a contact, as one panel shows it. World frame, SI units.
+struct DeformationView {
+    std::string title;
+    std::string caption;                     ///< below the panel; wrapped
+    SurfacePatch patch;                      ///< its grid runs along x and y
+    Vector3 tipCentre = Vector3::Zero();     ///< centre of the tip's sphere [m]
+    double tipRadius = 0.0;                  ///< [m]
+    Vector3 contactPoint = Vector3::Zero();  ///< middle of the contact, on the surface [m]
+    Vector3 force = Vector3::Zero();         ///< of the sample on the tip [N]
+    double contactRadius = 0.0;              ///< 0: no contact circle is drawn [m]
+};
+
+/// Draws the deformed surface of each view in 3-D, side by side: coloured by displacement, with the
+/// edge of the contact, the tip and the force. Small displacements are drawn larger, and the
+/// picture says by how much. The same views give the same bytes.
+/// @throw Error when a patch is not whole or a value not finite, no display answers, or the file
+/// cannot be written
+void writeDeformationPicture(const std::filesystem::path& path,
+                             std::span<const DeformationView> views, PictureSize size = {});
+
+}  // namespace asperity

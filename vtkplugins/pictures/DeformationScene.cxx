@@ -1,0 +1,202 @@
+#include "vtkplugins/pictures/DeformationScene.h"
+
+#include "core/SiFormat.h"
+#include "vtkplugins/module/vtkAspForceGlyphSource.h"
+#include "vtkplugins/module/vtkAspPatchSource.h"
+#include "vtkplugins/module/vtkAspTipSource.h"
+#include "vtkplugins/pictures/SceneParts.h"
+#include "vtkplugins/pictures/Stretch.h"
+#include "vtkplugins/pictures/Ticks.h"
+
+#include <vtkActor.h>
+#include <vtkClipPolyData.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+
+namespace {
+
+const Vector3 kEye(-0.28, -0.78, 0.62);  // from the contact: into the dent, and the neck in profile
+
+// Parts of the patch's width.
+constexpr double kShownDisplacement = 0.2;
+constexpr double kTipHeight = 0.5;
+constexpr double kArrowLength = 0.42;
+constexpr double kBlockDepth = 0.07;
+
+constexpr int kGridLines = 24;
+
+/// A round factor that makes displacements plain to see; 1 when they are.
+double magnificationFor(double displacement, double width) {
+    const double wanted = kShownDisplacement * width / displacement;
+    return std::isfinite(wanted) && wanted >= 2.0 ? niceBelow(wanted) : 1.0;
+}
+
+}  // namespace
+
+DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationView& view,
+                                   const PixelRect& area, double largestForce)
+    : data_(view)
+    , area_(area)
+    , solid_(picture.addView(area, 1))
+    , through_(picture.addView(area, 2))
+    , width_((view.patch.rest.back() - view.patch.rest.front()).head<2>().maxCoeff()) {
+    vtkNew<vtkAspPatchSource> source;
+    source->SetPatch(view.patch);
+    source->Update();
+    std::array<double, 2> range{};
+    source->GetOutput()->GetScalarRange(range.data());
+    const double limit = std::max(std::abs(range[0]), std::abs(range[1]));
+    low_ = std::min(range[0], 0.0);
+    high_ = limit > 0.0 ? std::max(range[1], 0.0) : 1e-12;
+    colours_ = divergingTable(limit > 0.0 ? limit : high_);
+    magnification_ = magnificationFor(limit, width_);
+    const Vector3 toCentre = view.tipCentre - view.contactPoint;
+    outward_ = toCentre.isZero(0.0) ? Vector3::UnitZ() : toCentre.stableNormalized();
+
+    const Stretch stretch(view.patch, outward_, magnification_);
+    addSample(source->GetOutput());
+    addTip(stretch);
+    addContactCircle(stretch);
+    addForce(stretch, largestForce);
+    addScaleBars();
+    addLights(solid_);
+    addLights(through_);
+    const std::array<vtkRenderer*, 2> views{solid_, through_};
+    fitCamera(views, kEye, area.width / area.height);
+}
+
+void DeformationScene::addSample(vtkPolyData* surface) {
+    const GridSize size{data_.patch.columns, data_.patch.rows};
+    const vtkSmartPointer<vtkPolyData> shown =
+        stretchedSurface(data_.patch, magnification_, surface);
+    bottom_ = shown->GetBounds()[4] - kBlockDepth * width_;
+    solid_->AddActor(colouredSurface(shown, colours_));
+    solid_->AddActor(blockWalls(shown, size, bottom_));
+    const vtkSmartPointer<vtkActor> grid =
+        lines(drapedGrid(shown, size, kGridLines), palette::kInk, 0.7);
+    grid->GetProperty()->SetOpacity(0.35);
+    solid_->AddActor(grid);
+}
+
+void DeformationScene::addTip(const Stretch& stretch) {
+    vtkNew<vtkAspTipSource> tip;
+    const double radius = data_.tipRadius;
+    const double shownHeight = kTipHeight * width_;
+    tip->SetRadius(radius);
+    tip->SetCenter(data_.tipCentre.x(), data_.tipCentre.y(), data_.tipCentre.z());
+    tip->SetHeight(2.0 * shownHeight / magnification_);  // more than enough: the rest is cut off
+    if (magnification_ > 1.0) {  // of the sphere alone, any axis is as good: this one looks upright
+        tip->SetAxis(outward_.x(), outward_.y(), outward_.z());
+    }
+    tip->SetResolution(160);
+    tip->Update();
+    vtkNew<vtkPlane> top;
+    top->SetOrigin(Vector3(stretch.point(data_.contactPoint) + shownHeight * outward_).data());
+    top->SetNormal(Vector3(-outward_).data());
+    vtkNew<vtkClipPolyData> shown;
+    shown->SetInputData(stretch.apply(tip->GetOutput()));
+    shown->SetClipFunction(top);
+    shown->Update();
+    for (const bool back : {true, false}) {  // the far wall first: it shows through the near one
+        const vtkSmartPointer<vtkActor> wall = plainSurface(shown->GetOutput(), palette::kTip);
+        wall->GetProperty()->SetFrontfaceCulling(back ? 1 : 0);
+        wall->GetProperty()->SetBackfaceCulling(back ? 0 : 1);
+        wall->GetProperty()->SetOpacity(0.22);
+        wall->GetProperty()->SetSpecular(0.4);
+        solid_->AddActor(wall);
+    }
+}
+
+void DeformationScene::addContactCircle(const Stretch& stretch) {
+    if (!(data_.contactRadius > 0.0)) {
+        return;
+    }
+    // About the contact's axis on the resting surface, moved as far as the surface has moved there
+    // on average: the patch's samples would make a ragged line of the steep rim.
+    const RestingPatch resting(data_.patch);
+    const Vector3 across = outward_.unitOrthogonal();
+    const Vector3 third = outward_.cross(across);
+    constexpr int kPoints = 180;
+    std::vector<Vector3> circle;
+    double moved = 0.0;
+    for (int i = 0; i <= kPoints; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i % kPoints) / kPoints;
+        const Vector3 arm = std::cos(angle) * across + std::sin(angle) * third;
+        const Vector3 rest = resting.foot(data_.contactPoint + data_.contactRadius * arm, outward_);
+        moved += (resting.at(data_.patch.points, rest.x(), rest.y()) - rest).dot(outward_);
+        circle.push_back(rest);
+    }
+    for (Vector3& point : circle) {
+        point = stretch.point(point + moved / (kPoints + 1) * outward_);
+    }
+    through_->AddActor(lines(polyline(circle), palette::kContact, 2.2));
+}
+
+void DeformationScene::addForce(const Stretch& stretch, double largestForce) {
+    const Vector3 start = stretch.point(data_.contactPoint);
+    forceEnd_ = start;
+    if (!(largestForce > 0.0)) {
+        return;
+    }
+    const double scale = kArrowLength * width_ / largestForce;
+    forceEnd_ += scale * data_.force;
+    vtkNew<vtkAspForceGlyphSource> arrow;
+    arrow->SetContactPoint(start.x(), start.y(), start.z());
+    arrow->SetForce(data_.force.x(), data_.force.y(), data_.force.z());
+    arrow->SetMetresPerNewton(scale);
+    arrow->SetResolution(48);
+    arrow->Update();
+    if (arrow->GetOutput()->GetNumberOfPoints() > 0) {
+        through_->AddActor(plainSurface(arrow->GetOutput(), palette::kForce));
+    }
+}
+
+void DeformationScene::addScaleBars() {
+    const Vector3& corner = data_.patch.rest.front();
+    const double gap = 0.05 * width_;
+    horizontalBar_ = niceBelow(0.3 * width_);
+    const Vector3 start(corner.x(), corner.y() - gap, bottom_);
+    const Vector3 end = start + horizontalBar_ * Vector3::UnitX();
+    horizontalBarAt_ = 0.5 * (start + end);
+    solid_->AddActor(lines(polyline({start, end}), palette::kInk, 3.0));
+
+    verticalBar_ = niceBelow(0.2 * width_ / magnification_);
+    const Vector3 foot(data_.patch.rest.back().x() + gap, corner.y(), bottom_);
+    const Vector3 top = foot + magnification_ * verticalBar_ * outward_;
+    verticalBarAt_ = top;
+    solid_->AddActor(lines(polyline({foot, top}), palette::kInk, 3.0));
+}
+
+void DeformationScene::paintLabels(Painter& painter) const {
+    const auto place = [this](const Vector3& point, double right, double up) {
+        const PixelPoint at = OffscreenPicture::project(solid_, point);
+        return PixelPoint{at.x + right, at.y + up};
+    };
+    painter.text(place(horizontalBarAt_, 0.0, -20.0), formatSi(horizontalBar_, "m"),
+                 {.align = Align::Centre});
+    painter.text(place(verticalBarAt_, 0.0, 16.0), formatSi(verticalBar_, "m"),
+                 {.align = Align::Centre});
+    const double magnitude = data_.force.stableNorm();
+    if (magnitude > 0.0) {
+        painter.label(place(forceEnd_, 16.0, 0.0), formatSi(magnitude, "N"),
+                      {.size = 20.0, .bold = true, .color = palette::kForce}, area_);
+    }
+}
+
+ColourBar DeformationScene::colourBar() const {
+    return {"displacement", "m", low_, high_, colours_};
+}
+
+}  // namespace asperity

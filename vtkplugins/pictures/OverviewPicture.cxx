@@ -1,0 +1,56 @@
+#include "vtkplugins/pictures/OverviewPicture.h"
+
+#include "core/SiFormat.h"
+#include "vtkplugins/pictures/OverviewScene.h"
+#include "vtkplugins/pictures/Panel.h"
+#include "vtkplugins/pictures/Ticks.h"
+
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+std::vector<LegendEntry> legendOf(const OverviewView& view) {
+    std::vector<LegendEntry> entries;
+    if (view.tip) {
+        entries.push_back({palette::kMarker, "tip", LegendMark::Point});
+    }
+    if (view.path.size() > 1) {
+        entries.push_back({palette::kPath, "path of the tip"});
+    }
+    if (view.zoom) {
+        const ScanWindow& zoom = *view.zoom;
+        entries.push_back({palette::kZoom, "zoom, " + formatSi(zoom.right - zoom.left, "m") +
+                                               " × " + formatSi(zoom.top - zoom.bottom, "m")});
+    }
+    return entries;
+}
+
+std::string scaleNote(const BSplineSurface& surface, double magnification) {
+    const std::string size =
+        "Scan " + formatSi(surface.sizeX(), "m") + " × " + formatSi(surface.sizeY(), "m") + ". ";
+    if (magnification == 1.0) {
+        return size + "Drawn to scale.";
+    }
+    return size + "Heights are drawn ×" + tickLabels({magnification}).front() + ".";
+}
+
+}  // namespace
+
+void writeOverviewPicture(const std::filesystem::path& path, const OverviewView& view,
+                          PictureSize size) {
+    OffscreenPicture picture(size);
+    const ScenePanel panel(
+        {0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)});
+    const OverviewScene scene(picture, view, panel.scene());
+    const PanelText text{view.title, legendOf(view), scene.colourBar(),
+                         view.caption + "\n" + scaleNote(view.surface, scene.magnification())};
+    picture.paint([&scene, &panel, &text](Painter& painter) {
+        panel.paint(painter, text);
+        scene.paintLabels(painter);
+    });
+    picture.writePng(path);
+}
+
+}  // namespace asperity

@@ -1,0 +1,174 @@
+#include "vtkplugins/pictures/OverviewScene.h"
+
+#include "core/SiFormat.h"
+#include "vtkplugins/module/vtkAspSurfaceSource.h"
+#include "vtkplugins/pictures/SceneParts.h"
+#include "vtkplugins/pictures/Stretch.h"
+#include "vtkplugins/pictures/Ticks.h"
+
+#include <vtkActor.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+const Vector3 kEye(-0.38, -0.78, 0.52);  // from the scan's middle
+
+constexpr int kMostSamples = 512;
+
+// Parts of the scan's longer side.
+constexpr double kShownRelief = 0.15;
+constexpr double kPinHeight = 0.2;
+constexpr double kPinHead = 0.012;
+constexpr double kCrossHair = 0.03;
+constexpr double kLift = 0.003;
+constexpr double kBlockDepth = 0.04;
+constexpr double kPathCeiling = 0.22;
+
+}  // namespace
+
+OverviewScene::OverviewScene(OffscreenPicture& picture, const OverviewView& view,
+                             const PixelRect& area)
+    : data_(view)
+    , solid_(picture.addView(area, 1))
+    , through_(picture.addView(area, 2))
+    , side_(std::max(view.surface.sizeX(), view.surface.sizeY())) {
+    addSurface();
+    addZoomFrame();
+    addPath();
+    addPin();
+    addScaleBar();
+    addLights(solid_);
+    addLights(through_);
+    const std::array<vtkRenderer*, 2> views{solid_, through_};
+    fitCamera(views, kEye, area.width / area.height);
+}
+
+void OverviewScene::addSurface() {
+    const BSplineSurface& surface = data_.surface;
+    const GridSize size{std::clamp(surface.grid().columns, 2, kMostSamples),
+                        std::clamp(surface.grid().rows, 2, kMostSamples)};
+    vtkNew<vtkAspSurfaceSource> source;
+    source->SetSurface(&surface);
+    source->SetWindow(0.0, surface.sizeX(), 0.0, surface.sizeY());
+    source->SetResolution(size.columns, size.rows);
+    source->Update();
+    std::array<double, 2> range{};
+    source->GetOutput()->GetScalarRange(range.data());
+    low_ = range[0];
+    high_ = range[1] > range[0] ? range[1] : range[0] + 1e-12;
+    const double wanted = kShownRelief * side_ / (high_ - low_);
+    magnification_ = wanted >= 2.0 ? niceBelow(wanted) : 1.0;
+    bottom_ = magnification_ * low_ - kBlockDepth * side_;
+    colours_ = heightTable(low_, high_);
+    SurfacePatch plane;  // that heights are measured from
+    plane.columns = 2;
+    plane.rows = 2;
+    plane.rest = {Vector3(0.0, 0.0, 0.0), Vector3(side_, 0.0, 0.0), Vector3(0.0, side_, 0.0),
+                  Vector3(side_, side_, 0.0)};
+    const auto drawn = Stretch(plane, Vector3::UnitZ(), magnification_).apply(source->GetOutput());
+    solid_->AddActor(colouredSurface(drawn, colours_));
+    solid_->AddActor(blockWalls(drawn, size, bottom_));
+}
+
+std::vector<Vector3> OverviewScene::draped(double fromX, double fromY, double toX,
+                                           double toY) const {
+    constexpr int kSteps = 96;
+    std::vector<Vector3> points;
+    for (int step = 0; step <= kSteps; ++step) {
+        const double part = static_cast<double>(step) / kSteps;
+        const double x = std::lerp(fromX, toX, part);
+        const double y = std::lerp(fromY, toY, part);
+        points.emplace_back(x, y, magnification_ * data_.surface.at(x, y).height + kLift * side_);
+    }
+    return points;
+}
+
+void OverviewScene::addRimmedLine(vtkRenderer* view, const std::vector<Vector3>& points,
+                                  const Color& color) {
+    const vtkSmartPointer<vtkPolyData> line = polyline(points);
+    view->AddActor(lines(line, palette::kPaper, 4.4));
+    view->AddActor(lines(line, color, 2.2));
+}
+
+void OverviewScene::addZoomFrame() {
+    if (!data_.zoom) {
+        return;
+    }
+    const ScanWindow& zoom = *data_.zoom;
+    std::vector<Vector3> frame = draped(zoom.left, zoom.bottom, zoom.right, zoom.bottom);
+    for (const auto& side : {draped(zoom.right, zoom.bottom, zoom.right, zoom.top),
+                             draped(zoom.right, zoom.top, zoom.left, zoom.top),
+                             draped(zoom.left, zoom.top, zoom.left, zoom.bottom)}) {
+        frame.insert(frame.end(), side.begin(), side.end());
+    }
+    addRimmedLine(through_, frame, palette::kZoom);
+}
+
+void OverviewScene::addPath() {
+    const double ceiling = magnification_ * high_ + kPathCeiling * side_;
+    std::vector<Vector3> run;  // of neighbouring points below the ceiling
+    const auto finish = [this, &run] {
+        if (run.size() > 1) {
+            addRimmedLine(solid_, run, palette::kPath);
+        }
+        run.clear();
+    };
+    for (const Vector3& point : data_.path) {
+        if (magnification_ * point.z() <= ceiling) {
+            run.emplace_back(point.x(), point.y(), magnification_ * point.z() + kLift * side_);
+        } else {
+            finish();
+        }
+    }
+    finish();
+}
+
+void OverviewScene::addPin() {
+    if (!data_.tip || !data_.tip->allFinite()) {
+        return;
+    }
+    const double x = data_.tip->x();
+    const double y = data_.tip->y();
+    const double arm = kCrossHair * side_;
+    if (!data_.zoom) {  // whose frame shows the place already
+        addRimmedLine(through_, draped(x - arm, y, x + arm, y), palette::kMarker);
+        addRimmedLine(through_, draped(x, y - arm, x, y + arm), palette::kMarker);
+    }
+    const Vector3 foot(x, y, magnification_ * data_.surface.at(x, y).height);
+    const Vector3 head = foot + kPinHeight * side_ * Vector3::UnitZ();
+    through_->AddActor(lines(polyline({foot, head}), palette::kMarker, 2.5));
+    vtkNew<vtkSphereSource> ball;
+    ball->SetCenter(head.x(), head.y(), head.z());
+    ball->SetRadius(kPinHead * side_);
+    ball->SetThetaResolution(48);
+    ball->SetPhiResolution(32);
+    ball->Update();
+    through_->AddActor(plainSurface(ball->GetOutput(), palette::kMarker));
+}
+
+void OverviewScene::addScaleBar() {
+    scaleBar_ = niceBelow(0.3 * data_.surface.sizeX());
+    const Vector3 start(0.0, -0.04 * side_, bottom_);
+    const Vector3 end = start + scaleBar_ * Vector3::UnitX();
+    scaleBarAt_ = 0.5 * (start + end);
+    solid_->AddActor(lines(polyline({start, end}), palette::kInk, 3.0));
+}
+
+void OverviewScene::paintLabels(Painter& painter) const {
+    const PixelPoint at = OffscreenPicture::project(solid_, scaleBarAt_);
+    painter.text({at.x, at.y - 20.0}, formatSi(scaleBar_, "m"), {.align = Align::Centre});
+}
+
+ColourBar OverviewScene::colourBar() const { return {"height", "m", low_, high_, colours_}; }
+
+}  // namespace asperity

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "vtkplugins/pictures/ColourBar.h"
+#include "vtkplugins/pictures/OffscreenPicture.h"
+#include "vtkplugins/pictures/OverviewPicture.h"
+
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+namespace asperity {
+
+/// The 3-D part of the overview picture, and what its labels need to know.
+class OverviewScene {
+public:
+    OverviewScene(OffscreenPicture& picture, const OverviewView& view, const PixelRect& area);
+
+    /// Label of the scale bar.
+    void paintLabels(Painter& painter) const;
+    [[nodiscard]] ColourBar colourBar() const;
+    /// How much larger than life heights are drawn; 1: to scale.
+    [[nodiscard]] double magnification() const { return magnification_; }
+
+private:
+    void addSurface();
+    void addZoomFrame();
+    void addPath();
+    void addPin();
+    void addScaleBar();
+    /// A coloured line with a light rim, plain to see on any ground.
+    static void addRimmedLine(vtkRenderer* view, const std::vector<Vector3>& points,
+                              const Color& color);
+    /// Just above the drawn surface, straight from one place to another.
+    [[nodiscard]] std::vector<Vector3> draped(double fromX, double fromY, double toX,
+                                              double toY) const;
+
+    const OverviewView& data_;
+    vtkRenderer* solid_;    ///< the surface and what it may hide
+    vtkRenderer* through_;  ///< pin and zoom, which nothing hides
+    vtkSmartPointer<vtkLookupTable> colours_;
+    double side_ = 0.0;  ///< longer side of the scan [m]
+    double low_ = 0.0;   ///< heights shown [m]
+    double high_ = 0.0;
+    double magnification_ = 1.0;
+    double bottom_ = 0.0;    ///< of the drawn block, world z [m]
+    double scaleBar_ = 0.0;  ///< length that it stands for [m]
+    Vector3 scaleBarAt_ = Vector3::Zero();
+};
+
+}  // namespace asperity

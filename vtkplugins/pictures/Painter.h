@@ -1,0 +1,77 @@
+#pragma once
+
+#include "vtkplugins/pictures/Palette.h"
+
+#include <string>
+#include <vector>
+
+class vtkContext2D;
+
+namespace asperity {
+
+/// Place in a picture, from its lower-left corner [pixel].
+struct PixelPoint {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+struct PixelRect {
+    double left = 0.0;
+    double bottom = 0.0;
+    double width = 0.0;
+    double height = 0.0;
+
+    [[nodiscard]] double right() const { return left + width; }
+    [[nodiscard]] double top() const { return bottom + height; }
+    [[nodiscard]] bool overlaps(const PixelRect& other) const {
+        return left < other.right() && other.left < right() && bottom < other.top() &&
+               other.bottom < top();
+    }
+};
+
+enum class Align : std::uint8_t { Left, Centre, Right };
+
+struct TextStyle {
+    double size = 17.0;  ///< height of the font [pixel]
+    bool bold = false;
+    Color color = palette::kInk;
+    Align align = Align::Left;
+};
+
+struct LineStyle {
+    Color color = palette::kInk;
+    double width = 1.5;  ///< [pixel]
+    bool dashed = false;
+};
+
+/// Draws flat shapes and text over a picture, in its pixels whatever the oversampling.
+class Painter {
+public:
+    Painter(vtkContext2D* context, double oversampling) : context_(context), scale_(oversampling) {}
+
+    void line(const std::vector<PixelPoint>& points, const LineStyle& style);
+    void fill(const PixelRect& rect, const Color& color, double opacity = 1.0);
+    void disc(const PixelPoint& centre, double radius, const Color& color);
+
+    /// Text with its middle height at `at.y`.
+    void text(const PixelPoint& at, const std::string& text, const TextStyle& style);
+    /// Text that reads upwards, centred at `at`.
+    void upright(const PixelPoint& at, const std::string& text, const TextStyle& style);
+    /// Text on a light plate, readable over anything; the whole plate stays inside `bounds`.
+    void label(const PixelPoint& at, const std::string& text, const TextStyle& style,
+               const PixelRect& bounds);
+    [[nodiscard]] double textWidth(const std::string& text, const TextStyle& style);
+
+    /// Words wrapped into the rectangle from its top; the font shrinks until all lines fit.
+    void paragraph(const PixelRect& area, const std::string& text, TextStyle style);
+
+private:
+    void useText(const TextStyle& style);
+    [[nodiscard]] std::vector<std::string> wrapped(const std::string& text, double width,
+                                                   const TextStyle& style);
+
+    vtkContext2D* context_;
+    double scale_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "vtkplugins/pictures/Color.h"
+
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+
+class vtkLookupTable;
+
+namespace asperity {
+
+namespace palette {
+
+inline constexpr Color kPaper{255, 255, 255};
+inline constexpr Color kInk{31, 41, 51};
+inline constexpr Color kMuted{95, 107, 118};
+inline constexpr Color kFaint{216, 222, 228};
+inline constexpr Color kSide{226, 230, 234};  ///< cut faces of a block of sample
+inline constexpr Color kTip{96, 112, 128};    ///< the AFM tip
+inline constexpr Color kForce{200, 40, 60};   ///< forces
+inline constexpr Color kMarker{222, 30, 90};  ///< the tip's place
+inline constexpr Color kPath{31, 41, 51};     ///< the way the tip went
+inline constexpr Color kZoom{213, 94, 0};     ///< frame of the zoomed view
+inline constexpr Color kContact{20, 20, 24};  ///< the edge of the contact
+
+}  // namespace palette
+
+/// Colour of the n-th curve: told apart with any colour vision. Source: Okabe and Ito (2008).
+[[nodiscard]] Color seriesColor(std::size_t index);
+
+/// Blue over near-white to orange, neutral at zero, over [-limit, limit]: what is pushed in is
+/// blue.
+[[nodiscard]] vtkSmartPointer<vtkLookupTable> divergingTable(double limit);
+
+/// Dark to light over [low, high], with lightness that grows evenly.
+[[nodiscard]] vtkSmartPointer<vtkLookupTable> heightTable(double low, double high);
+
+}  // namespace asperity

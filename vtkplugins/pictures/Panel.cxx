@@ -1,0 +1,85 @@
+#include "vtkplugins/pictures/Panel.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kEdge = 32.0;
+constexpr double kTop = 14.0;
+constexpr double kTitle = 50.0;
+constexpr double kLegend = 34.0;
+constexpr double kUnderScene = 26.0;  // room for the scale bar's label
+constexpr double kBar = 64.0;
+constexpr double kCaption = 106.0;
+constexpr double kBelow = 12.0;
+
+constexpr double kLegendRow = 24.0;
+constexpr double kSwatch = 28.0;
+const TextStyle kLegendText{.size = 16.0, .color = palette::kMuted};
+
+void paintMark(Painter& painter, const LegendEntry& entry, const PixelPoint& at) {
+    if (entry.mark == LegendMark::Point) {
+        painter.disc({at.x + 0.5 * kSwatch, at.y}, 5.5, entry.color);
+    } else {
+        painter.line({at, {at.x + kSwatch, at.y}},
+                     {entry.color, 3.0, entry.mark == LegendMark::DashedLine});
+    }
+}
+
+/// Places the entries from the top of `area` and hands each to `put`. @return height of the rows
+template <typename Measure, typename Put>
+double layLegend(const std::vector<LegendEntry>& entries, const PixelRect& area,
+                 const Measure& measure, const Put& put) {
+    PixelPoint at{area.left, area.top() - 0.5 * kLegendRow};
+    for (const LegendEntry& entry : entries) {
+        const double width = kSwatch + 8.0 + measure(entry.text);
+        if (at.x > area.left && at.x + width > area.right()) {
+            at = {area.left, at.y - kLegendRow};
+        }
+        put(entry, at);
+        at.x += width + 26.0;
+    }
+    return area.top() - at.y + 0.5 * kLegendRow;
+}
+
+}  // namespace
+
+double legendHeightFor(const std::vector<LegendEntry>& entries, double width) {
+    constexpr double kWideLetter = 0.62;  // of the font's size: few letters are wider
+    const auto estimate = [](const std::string& text) {
+        return kWideLetter * kLegendText.size * static_cast<double>(text.size());
+    };
+    return layLegend(entries, {0.0, 0.0, width, 0.0}, estimate,
+                     [](const LegendEntry&, const PixelPoint&) {});
+}
+
+void paintLegend(Painter& painter, const std::vector<LegendEntry>& entries, const PixelRect& area) {
+    const auto measure = [&painter](const std::string& text) {
+        return painter.textWidth(text, kLegendText);
+    };
+    layLegend(entries, area, measure, [&painter](const LegendEntry& entry, const PixelPoint& at) {
+        paintMark(painter, entry, at);
+        painter.text({at.x + kSwatch + 8.0, at.y}, entry.text, kLegendText);
+    });
+}
+
+PixelRect ScenePanel::band(double fromTop, double height) const {
+    return {panel_.left + kEdge, panel_.top() - fromTop - height, panel_.width - 2.0 * kEdge,
+            height};
+}
+
+PixelRect ScenePanel::scene() const {
+    const double above = kTop + kTitle + kLegend;
+    return band(above, panel_.height - above - kUnderScene - kBar - kCaption - kBelow);
+}
+
+void ScenePanel::paint(Painter& painter, const PanelText& text) const {
+    const double barTop = panel_.height - kBar - kCaption - kBelow;
+    painter.paragraph(band(kTop, kTitle), text.title, {.size = 26.0, .bold = true});
+    paintLegend(painter, text.legend, band(kTop + kTitle, kLegend));
+    drawColourBar(painter, text.bar, band(barTop, kBar));
+    painter.paragraph(band(barTop + kBar, kCaption), text.caption,
+                      {.size = 17.0, .color = palette::kMuted});
+}
+
+}  // namespace asperity

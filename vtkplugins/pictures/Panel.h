@@ -1,0 +1,49 @@
+#pragma once
+
+#include "vtkplugins/pictures/ColourBar.h"
+#include "vtkplugins/pictures/Painter.h"
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+enum class LegendMark : std::uint8_t { Line, DashedLine, Point };
+
+struct LegendEntry {
+    Color color;
+    std::string text;
+    LegendMark mark = LegendMark::Line;
+};
+
+/// Height that the legend needs within this width, before any text can be measured [pixel].
+[[nodiscard]] double legendHeightFor(const std::vector<LegendEntry>& entries, double width);
+
+/// Draws the entries one after the other, in as many rows as they need, from the top of `area`.
+void paintLegend(Painter& painter, const std::vector<LegendEntry>& entries, const PixelRect& area);
+
+/// What stands around a 3-D scene.
+struct PanelText {
+    std::string title;
+    std::vector<LegendEntry> legend;
+    ColourBar bar;
+    std::string caption;
+};
+
+/// Where the parts of a panel with a 3-D scene lie.
+class ScenePanel {
+public:
+    explicit ScenePanel(const PixelRect& panel) : panel_(panel) {}
+
+    /// The place of the 3-D scene.
+    [[nodiscard]] PixelRect scene() const;
+    void paint(Painter& painter, const PanelText& text) const;
+
+private:
+    /// A band across the panel, `fromTop` below its upper edge.
+    [[nodiscard]] PixelRect band(double fromTop, double height) const;
+
+    PixelRect panel_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,222 @@
+#include "vtkplugins/pictures/SceneParts.h"
+
+#include "vtkplugins/pictures/OffscreenPicture.h"
+
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkLight.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kMargin = 1.04;  // of the view around the scene
+
+vtkSmartPointer<vtkActor> actorOf(vtkPolyData* data) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    mapper->ScalarVisibilityOff();
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetInterpolationToPhong();
+    actor->GetProperty()->SetAmbient(0.36);
+    actor->GetProperty()->SetDiffuse(0.66);
+    actor->GetProperty()->SetSpecular(0.08);
+    actor->GetProperty()->SetSpecularPower(20.0);
+    return actor;
+}
+
+/// One side of a grid's border: its point ids and the way it faces.
+struct GridSide {
+    std::vector<vtkIdType> ids;
+    Vector3 outward;
+};
+
+std::array<GridSide, 4> gridSides(GridSize size) {
+    std::array<GridSide, 4> sides{{{{}, -Vector3::UnitY()},
+                                   {{}, Vector3::UnitY()},
+                                   {{}, -Vector3::UnitX()},
+                                   {{}, Vector3::UnitX()}}};
+    const vtkIdType lastRow = static_cast<vtkIdType>(size.rows - 1) * size.columns;
+    for (int column = 0; column < size.columns; ++column) {
+        sides[0].ids.push_back(column);
+        sides[1].ids.push_back(lastRow + column);
+    }
+    for (int row = 0; row < size.rows; ++row) {
+        const vtkIdType first = static_cast<vtkIdType>(row) * size.columns;
+        sides[2].ids.push_back(first);
+        sides[3].ids.push_back(first + size.columns - 1);
+    }
+    return sides;
+}
+
+void extendByActors(Eigen::AlignedBox3d& box, const Matrix3& axes, vtkRenderer* view) {
+    vtkActorCollection* actors = view->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor()) {
+        vtkDataSet* data = actor->GetMapper()->GetInput();
+        for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id) {
+            box.extend(Vector3(axes.transpose() * Vector3(data->GetPoint(id))));
+        }
+    }
+}
+
+/// Every n-th of `count` places such that about `wanted` remain, and the last.
+std::vector<int> spread(int count, int wanted) {
+    std::vector<int> places;
+    const int lines = std::min(count - 1, wanted);
+    for (int line = 0; line <= lines; ++line) {
+        places.push_back(line * (count - 1) / lines);
+    }
+    return places;
+}
+
+/// Walls from the border of a grid surface straight down.
+vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size, double bottom) {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkFloatArray> normals;
+    normals->SetNumberOfComponents(3);
+    vtkNew<vtkCellArray> strips;
+    for (const GridSide& side : gridSides(size)) {
+        strips->InsertNextCell(static_cast<int>(2 * side.ids.size()));
+        for (const vtkIdType id : side.ids) {
+            const Vector3 top(surface->GetPoint(id));
+            strips->InsertCellPoint(points->InsertNextPoint(top.data()));
+            strips->InsertCellPoint(points->InsertNextPoint(top.x(), top.y(), bottom));
+            normals->InsertNextTuple(side.outward.data());
+            normals->InsertNextTuple(side.outward.data());
+        }
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetStrips(strips);
+    data->GetPointData()->SetNormals(normals);
+    return data;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkActor> colouredSurface(vtkPolyData* data, vtkLookupTable* table) {
+    vtkSmartPointer<vtkActor> actor = actorOf(data);
+    vtkMapper* mapper = actor->GetMapper();
+    mapper->ScalarVisibilityOn();
+    mapper->SetLookupTable(table);
+    mapper->UseLookupTableScalarRangeOn();
+    mapper->InterpolateScalarsBeforeMappingOn();
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> plainSurface(vtkPolyData* data, const Color& color) {
+    vtkSmartPointer<vtkActor> actor = actorOf(data);
+    actor->GetProperty()->SetColor(color.fractions().data());
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> blockWalls(vtkPolyData* surface, GridSize size, double bottom) {
+    vtkSmartPointer<vtkActor> actor =
+        plainSurface(blockSides(surface, size, bottom), palette::kSide);
+    actor->GetProperty()->SetAmbient(0.8);
+    actor->GetProperty()->SetDiffuse(0.25);
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> lines(vtkPolyData* data, const Color& color, double width) {
+    vtkSmartPointer<vtkActor> actor = plainSurface(data, color);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetLineWidth(static_cast<float>(width * OffscreenPicture::kOversampling));
+    vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+    actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -8.0);
+    return actor;
+}
+
+vtkSmartPointer<vtkPolyData> polyline(const std::vector<Vector3>& points) {
+    vtkNew<vtkPoints> places;
+    places->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(static_cast<int>(points.size()));
+    for (const Vector3& point : points) {
+        cells->InsertCellPoint(places->InsertNextPoint(point.data()));
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(places);
+    data->SetLines(cells);
+    return data;
+}
+
+vtkSmartPointer<vtkPolyData> drapedGrid(vtkPolyData* surface, GridSize size, int count) {
+    vtkNew<vtkCellArray> cells;
+    for (const int row : spread(size.rows, count)) {
+        cells->InsertNextCell(size.columns);
+        for (int c = 0; c < size.columns; ++c) {
+            cells->InsertCellPoint(static_cast<vtkIdType>(row) * size.columns + c);
+        }
+    }
+    for (const int column : spread(size.columns, count)) {
+        cells->InsertNextCell(size.rows);
+        for (int r = 0; r < size.rows; ++r) {
+            cells->InsertCellPoint(static_cast<vtkIdType>(r) * size.columns + column);
+        }
+    }
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(surface->GetPoints());
+    data->SetLines(cells);
+    return data;
+}
+
+void addLights(vtkRenderer* renderer) {
+    vtkNew<vtkLight> key;
+    key->SetLightTypeToCameraLight();
+    key->SetPosition(-0.9, 1.0, 0.6);
+    key->SetFocalPoint(0.0, 0.0, 0.0);
+    key->SetIntensity(0.8);
+    vtkNew<vtkLight> fill;
+    fill->SetLightTypeToHeadlight();
+    fill->SetIntensity(0.42);
+    renderer->AutomaticLightCreationOff();
+    renderer->AddLight(key);
+    renderer->AddLight(fill);
+}
+
+void fitCamera(std::span<vtkRenderer* const> views, const Vector3& direction, double aspect) {
+    const Vector3 out = direction.normalized();
+    const Vector3 right = Vector3::UnitZ().cross(out).normalized();
+    const Vector3 up = out.cross(right);
+    Matrix3 axes;
+    axes << right, up, out;
+    Eigen::AlignedBox3d box;  // of all points, along these axes
+    for (vtkRenderer* view : views) {
+        extendByActors(box, axes, view);
+    }
+    const Vector3 focus = axes * box.center();
+    const double half = 0.5 * std::max(box.sizes().y(), box.sizes().x() / aspect);
+    const double depth = box.sizes().norm();
+    vtkNew<vtkCamera> camera;
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(half * kMargin);
+    camera->SetFocalPoint(focus.data());
+    camera->SetPosition(Vector3(focus + depth * out).data());
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetClippingRange(0.1 * depth, 2.0 * depth);
+    for (vtkRenderer* view : views) {
+        view->SetActiveCamera(camera);
+    }
+}
+
+}  // namespace asperity

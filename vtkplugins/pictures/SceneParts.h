@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/Vector.h"
+#include "vtkplugins/pictures/Palette.h"
+
+#include <vtkSmartPointer.h>
+
+#include <span>
+#include <vector>
+
+class vtkActor;
+class vtkLookupTable;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace asperity {
+
+/// Columns and rows of a grid of points.
+struct GridSize {
+    int columns = 0;
+    int rows = 0;
+};
+
+/// A surface coloured by its scalars.
+[[nodiscard]] vtkSmartPointer<vtkActor> colouredSurface(vtkPolyData* data, vtkLookupTable* table);
+/// A surface of one colour.
+[[nodiscard]] vtkSmartPointer<vtkActor> plainSurface(vtkPolyData* data, const Color& color);
+/// Walls from the border of a grid surface straight down to z = bottom: a solid block.
+[[nodiscard]] vtkSmartPointer<vtkActor> blockWalls(vtkPolyData* surface, GridSize size,
+                                                   double bottom);
+/// Lines of one colour that win against the surface they lie on; width in pixels of the picture.
+[[nodiscard]] vtkSmartPointer<vtkActor> lines(vtkPolyData* data, const Color& color, double width);
+
+/// One line through the points.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> polyline(const std::vector<Vector3>& points);
+/// About `count` lines each way along the points of a grid surface, its border among them.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> drapedGrid(vtkPolyData* surface, GridSize size,
+                                                      int count);
+/// Lights from the upper left and a weak one from the camera.
+void addLights(vtkRenderer* renderer);
+
+/// Gives all views one camera without perspective, `direction` pointing from the scene to the eye,
+/// such that all their actors fill a view whose sides have the ratio `aspect` (width / height).
+void fitCamera(std::span<vtkRenderer* const> views, const Vector3& direction, double aspect);
+
+}  // namespace asperity
