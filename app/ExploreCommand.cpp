@@ -1,0 +1,138 @@
+#include "app/ExploreCommand.h"
+
+#include "app/LevellingOption.h"
+#include "app/LoadedScene.h"
+#include "app/RunCurves.h"
+#include "app/RunFolder.h"
+#include "app/RunPictures.h"
+#include "app/RunSummary.h"
+#include "core/Error.h"
+#include "core/haptics/HandPath.h"
+#include "core/haptics/RunEvents.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/io/HandPathFile.h"
+#include "core/io/SceneFile.h"
+#include "core/probe/SimulatedAfm.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kDefaultDuration = 10.0;    // [s]
+constexpr double kLongestDuration = 3600.0;  // [s]
+
+struct ExploreOptions {
+    std::string input;
+    std::string out;
+    std::string path = "approach";
+    double duration = 0.0;  // [s]; 0: the path's own
+    SceneOverrides overrides;
+};
+
+struct PlannedRun {
+    HandPath hand;
+    double duration = 0.0;  // [s]
+};
+
+PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
+    PathPlan plan;
+    plan.duration = options.duration > 0.0 ? options.duration : kDefaultDuration;
+    if (options.path == "approach") {
+        return {approachPath(scene, plan), plan.duration};
+    }
+    if (options.path == "raster") {
+        return {rasterPath(scene, plan), plan.duration};
+    }
+    if (options.path == "scratch") {
+        return {scratchPath(scene, plan), plan.duration};
+    }
+    HandPath hand = readHandPath(options.path);
+    const double duration = options.duration > 0.0 ? options.duration : hand.back().time;
+    if (!(duration <= kLongestDuration)) {
+        throw InputError(options.path, "",
+                         "the path lasts longer than an hour; give a shorter --duration");
+    }
+    return {std::move(hand), duration};
+}
+
+/// Everything that is kept of a run while it goes on.
+struct RunKeeper {
+    RunRecorder recorder;
+    RunEventRecorder events;
+    RunCurves curves;
+
+    void take(const TickSample& sample) {
+        recorder.take(sample);
+        events.take(sample);
+        curves.take(sample);
+    }
+};
+
+void tellOutcome(const RunEvents& events) {
+    if (events.flagged.at(0) > 0) {
+        std::cerr << "note: contact radius above 0.3 tip radii in " << events.flagged.at(0)
+                  << " of " << events.ticks
+                  << " ticks: beyond what half-space contact theory holds for\n";
+    }
+    if (!events.snapIn) {
+        std::cerr << "note: the tip never snapped into contact\n";
+    }
+    if (events.faults > 0) {
+        std::cerr << "note: " << events.faults << " ticks with the force off after a fault\n";
+    }
+}
+
+void explore(const ExploreOptions& options) {
+    const LoadedScene loaded = loadScene(options.input, options.overrides);
+    for (const std::string& note : loaded.notes) {
+        std::cerr << "note: " << note << '\n';
+    }
+    const Scene& scene = loaded.scene;
+    const PlannedRun plan = planRun(scene, options);
+    const std::filesystem::path out = options.out;
+    makeOutputFolder(out);
+
+    RunKeeper keeper{.recorder = RunRecorder(out), .events = {}, .curves = {}};
+    SimulatedAfm afm(scene.surface, scene.truth);
+    const long ticks = std::lround(plan.duration / scene.timeStep()) + 1;
+    runVirtually(scene, plan.hand, afm, ticks,
+                 [&keeper](const TickSample& sample) { keeper.take(sample); });
+    keeper.recorder.close();
+
+    const RunEvents& events = keeper.events.events();
+    writeTextFile(out / run_files::kScene, sceneText(scene.description));
+    writeTextFile(out / run_files::kSummary, runSummary(loaded, events));
+    writeRunPictures(out, scene, events, keeper.curves);
+    tellOutcome(events);
+    std::cout << ticks << " ticks at " << scene.description.tickRate << " Hz; results in "
+              << out.string() << "/\n";
+}
+
+}  // namespace
+
+void addExploreCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "explore",
+        "Approach, indent, slide, retract by a scripted hand; pictures, fields, force log");
+    const auto options = std::make_shared<ExploreOptions>();
+    command->add_option("INPUT", options->input, "height map or scene.toml")->required();
+    command->add_option("--out", options->out, "folder for the results")->required();
+    command
+        ->add_option("--path", options->path,
+                     "approach, raster, scratch, or a CSV file with time_s, x_m, y_m, z_m")
+        ->capture_default_str();
+    command
+        ->add_option("--duration", options->duration,
+                     "of the run [s]; default 10, or the length of the CSV path")
+        ->check(CLI::Range(1e-3, kLongestDuration));
+    command->add_option("--channel", options->overrides.channel, "channel of the height map");
+    addLevellingOption(*command, options->overrides.levelling, "default: as the scene says, plane");
+    command->callback([options] { explore(*options); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,168 @@
+#include "app/InfoCommand.h"
+
+#include "core/SiFormat.h"
+#include "core/io/DefaultChannel.h"
+#include "core/io/FileHash.h"
+#include "core/io/HeightMapFile.h"
+#include "core/io/HeightStatistics.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace asperity {
+
+namespace {
+
+struct InfoOptions {
+    std::string file;
+    bool json = false;
+};
+
+bool isDefault(const HeightMapFile& file, const ScanChannel& channel) {
+    return &channel == &file.channels.at(file.defaultChannel) && isTopography(channel);
+}
+
+/// NaN, of a channel without a valid pixel, becomes null.
+nlohmann::json channelJson(const HeightMapFile& file, const ScanChannel& channel) {
+    const HeightStatistics statistics = heightStatistics(channel.map);
+    return {{"name", channel.name},
+            {"unit", channel.unit},
+            {"direction", channel.direction},
+            {"is_height", channel.isHeight()},
+            {"is_default", isDefault(file, channel)},
+            {"columns", channel.map.columns},
+            {"rows", channel.map.rows},
+            {"size_known", channel.hasSize()},
+            {"lateral_unit", channel.lateralUnit},
+            {"size_x_m", channel.map.sizeX()},
+            {"size_y_m", channel.map.sizeY()},
+            {"pitch_x_m", channel.map.pitchX},
+            {"pitch_y_m", channel.map.pitchY},
+            {"origin_x_m", channel.originX},
+            {"origin_y_m", channel.originY},
+            {"min", statistics.lowest},
+            {"max", statistics.highest},
+            {"mean", statistics.mean},
+            {"rms", statistics.rms},
+            {"invalid_pixels", statistics.invalidPixels}};
+}
+
+void printJson(const HeightMapFile& file, const std::string& path) {
+    nlohmann::json channels = nlohmann::json::array();
+    for (const ScanChannel& channel : file.channels) {
+        channels.push_back(channelJson(file, channel));
+    }
+    const ScanChannel& first = file.channels.at(file.defaultChannel);
+    const nlohmann::json defaultName =
+        isTopography(first) ? nlohmann::json(first.name) : nlohmann::json();
+    const nlohmann::json report = {{"file", path},
+                                   {"format", file.format},
+                                   {"sha256", sha256OfFile(path)},
+                                   {"default_channel", defaultName},
+                                   {"channels", channels},
+                                   {"notes", file.notes}};
+    std::cout << report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+using Row = std::vector<std::string>;
+
+/// Characters on the screen: continuation bytes of UTF-8 take no room.
+std::size_t shownWidth(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+    }));
+}
+
+/// Columns as wide as their widest cell, numbers to the right: all but the first two.
+void printTable(const std::vector<Row>& rows) {
+    std::vector<std::size_t> widths(rows.front().size(), 0);
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            widths[i] = std::max(widths[i], shownWidth(row[i]));
+        }
+    }
+    for (const Row& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string padding(widths[i] - shownWidth(row[i]), ' ');
+            line += (i == 0 ? "" : "  ") + (i < 2 ? row[i] + padding : padding + row[i]);
+        }
+        std::cout << line << '\n';
+    }
+}
+
+/// Without a unit a prefix would be read as one.
+std::string quantity(double value, const std::string& unit) {
+    if (!unit.empty()) {
+        return formatSi(value, unit.c_str());
+    }
+    std::ostringstream text;
+    text << std::setprecision(3) << value;
+    return text.str();
+}
+
+std::string sizeText(const ScanChannel& channel) {
+    if (!(channel.map.pitchX > 0.0)) {
+        return "size unknown";
+    }
+    return quantity(channel.map.sizeX(), channel.lateralUnit) + " x " +
+           quantity(channel.map.sizeY(), channel.lateralUnit);
+}
+
+Row channelRow(const HeightMapFile& file, const ScanChannel& channel) {
+    const HeightStatistics statistics = heightStatistics(channel.map);
+    const auto value = [&channel](double number) {
+        return std::isnan(number) ? std::string("-") : quantity(number, channel.unit);
+    };
+    return {(isDefault(file, channel) ? "* " : "  ") + channel.name,
+            channel.direction,
+            std::to_string(channel.map.columns) + " x " + std::to_string(channel.map.rows),
+            sizeText(channel),
+            value(statistics.lowest),
+            value(statistics.highest),
+            value(statistics.mean),
+            value(statistics.rms),
+            std::to_string(statistics.invalidPixels)};
+}
+
+void printForPeople(const HeightMapFile& file, const std::string& path) {
+    std::cout << path << "\n" << file.format << "\n\n";
+    std::vector<Row> rows = {
+        {"  channel", "direction", "pixels", "size", "min", "max", "mean", "rms", "invalid"}};
+    for (const ScanChannel& channel : file.channels) {
+        rows.push_back(channelRow(file, channel));
+    }
+    printTable(rows);
+    const bool hasHeight = isTopography(file.channels.at(file.defaultChannel));
+    std::cout << (hasHeight ? "\n* taken when no channel is named; rms is about the mean\n"
+                            : "\nNo channel is a height map; rms is about the mean\n");
+    for (const std::string& note : file.notes) {
+        std::cout << "- " << note << '\n';
+    }
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& program) {
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = program.add_subcommand(
+        "info", "Say what a height-map file holds: channels, sizes, heights");
+    command->add_option("FILE", options->file, "height-map file")->required();
+    command->add_flag("--json", options->json, "print JSON with SI values in full precision");
+    command->callback([options] {
+        const HeightMapFile file = readHeightMapFile(options->file);
+        if (options->json) {
+            printJson(file, options->file);
+        } else {
+            printForPeople(file, options->file);
+        }
+    });
+}
+
+}  // namespace asperity

@@ -1,0 +1,60 @@
+#include "app/LoadedScene.h"
+
+#include "core/Error.h"
+#include "core/io/FileHash.h"
+#include "core/io/HeightMapFile.h"
+#include "core/io/SceneFile.h"
+
+#include <cstdio>
+
+namespace asperity {
+
+namespace {
+
+std::string levellingNote(const Scene& scene) {
+    switch (scene.description.sample.levelling) {
+    case Levelling::None:
+        return "levelling: none, heights as the file gives them";
+    case Levelling::Rows:
+        return "levelling: the median of each row and the mean removed";
+    case Levelling::Plane:
+        break;
+    }
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "levelling: plane with slopes %+.4g along x and %+.4g along y removed "
+                  "(--level none keeps it)",
+                  scene.removedPlane.slopeX, scene.removedPlane.slopeY);
+    return text;
+}
+
+}  // namespace
+
+LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides) {
+    SceneDescription description = sceneFromInput(input);
+    SampleDescription& sample = description.sample;
+    if (!overrides.channel.empty()) {
+        sample.channel = overrides.channel;
+    }
+    if (overrides.levelling) {
+        sample.levelling = *overrides.levelling;
+    }
+    sample.file = std::filesystem::absolute(sample.file).lexically_normal().string();
+    const HeightMapFile file = readHeightMapFile(sample.file);
+    const ScanChannel& channel = heightChannel(file, sample.file, sample.channel);
+    sample.channel = channel.name;
+    try {
+        LoadedScene loaded{.scene = buildScene(description, channel.map),
+                           .format = file.format,
+                           .sha256 = sha256OfFile(sample.file),
+                           .notes = file.notes};
+        loaded.notes.push_back(levellingNote(loaded.scene));
+        return loaded;
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error& error) {
+        throw InputError(input.string(), "", error.what());
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/scene/Scene.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// What the command line may change about a scene before it is built; empty: as the scene says.
+struct SceneOverrides {
+    std::string channel;
+    std::optional<Levelling> levelling;
+};
+
+/// A scene with what is known of the file that it stands on.
+struct LoadedScene {
+    Scene scene;
+    std::string format;              ///< of the height map, for people
+    std::string sha256;              ///< of the height map's file
+    std::vector<std::string> notes;  ///< one sentence each: levelling, decisions of the reader
+};
+
+/// Loads a scene file or a height map, fits the surface, sets up the instrument.
+/// @throw InputError when anything it needs cannot be read or is out of range
+[[nodiscard]] LoadedScene loadScene(const std::filesystem::path& input,
+                                    const SceneOverrides& overrides);
+
+}  // namespace asperity

@@ -1,0 +1,102 @@
+#include "app/ReplayCommand.h"
+
+#include "app/LoadedScene.h"
+#include "app/RunFolder.h"
+#include "core/Error.h"
+#include "core/haptics/HapticTick.h"
+#include "core/io/CsvTable.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace asperity {
+
+namespace {
+
+struct ReplayOptions {
+    std::string run;
+    std::string out;
+};
+
+/// The hash of the scan that the run was made on.
+std::string recordedHash(const std::filesystem::path& folder) {
+    using namespace nlohmann::literals;
+    const std::filesystem::path path = folder / run_files::kSummary;
+    std::ifstream file(path);
+    const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
+    const auto pointer = "/input/sha256"_json_pointer;
+    if (summary.is_discarded() || !summary.contains(pointer) || !summary[pointer].is_string()) {
+        throw InputError(path.string(), "input.sha256", "expected the hash of the scan");
+    }
+    return summary[pointer].get<std::string>();
+}
+
+/// Runs the recorded inputs through the tick again and writes what comes out.
+void runAgain(const Scene& scene, const std::filesystem::path& from,
+              const std::filesystem::path& out) {
+    std::vector<TickSample> samples = readTickInputs(from / run_files::kInput);
+    RunRecorder recorder(out);
+    TickMemory memory;
+    for (TickSample& sample : samples) {
+        sample.output = tick(scene, sample.input, memory);
+        recorder.take(sample);
+    }
+    recorder.close();
+}
+
+/// Compares two force logs cell by cell, as text: the numbers are written to the last bit.
+/// @throw Error naming the first tick that differs
+void compare(const CsvTable& recorded, const CsvTable& replayed) {
+    const std::size_t common = std::min(recorded.rows(), replayed.rows());
+    for (std::size_t row = 0; row < common; ++row) {
+        for (const std::string& column : replayed.columns()) {
+            const std::string& before = recorded.text(row, column);
+            const std::string& now = replayed.text(row, column);
+            if (before != now) {
+                throw Error("first differing tick: " + std::to_string(row) + " (time " +
+                            replayed.text(row, "time_s") + " s): " + column + " was " + before +
+                            ", is now " + now);
+            }
+        }
+    }
+    if (recorded.rows() != replayed.rows()) {
+        throw Error("first differing tick: " + std::to_string(common) + ": the recorded log has " +
+                    std::to_string(recorded.rows()) + " ticks, the recorded input " +
+                    std::to_string(replayed.rows()));
+    }
+}
+
+void replay(const ReplayOptions& options) {
+    const std::filesystem::path folder = options.run;
+    const std::filesystem::path out = options.out;
+    if (std::filesystem::exists(out) && std::filesystem::equivalent(folder, out)) {
+        throw Error("--out must be another folder than the run: its logs would be overwritten");
+    }
+    const CsvTable recorded = readCsv(folder / run_files::kLog);
+    const LoadedScene loaded = loadScene(folder / run_files::kScene, {});
+    if (loaded.sha256 != recordedHash(folder)) {
+        throw InputError(loaded.scene.description.sample.file, "",
+                         "the scan has changed since the run was recorded (its hash differs)");
+    }
+    makeOutputFolder(out);
+    runAgain(loaded.scene, folder, out);
+    compare(recorded, readCsv(out / run_files::kLog));
+    std::cout << "bit-identical: " << recorded.rows() << " ticks\n";
+}
+
+}  // namespace
+
+void addReplayCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "replay", "Run a recorded input again; say whether every tick is bit-identical");
+    const auto options = std::make_shared<ReplayOptions>();
+    command->add_option("RUN", options->run, "folder that explore wrote")->required();
+    command->add_option("--out", options->out, "folder for the replayed logs")->required();
+    command->callback([options] { replay(*options); });
+}
+
+}  // namespace asperity

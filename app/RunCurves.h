@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/Vector.h"
+#include "core/haptics/VirtualRun.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace asperity {
+
+/// Collects what the plots of a run show; SI units.
+class RunCurves {
+public:
+    void take(const TickSample& sample);
+
+    /// Draws forces.png. @throw Error
+    void write(const std::filesystem::path& path) const;
+
+    /// Where the tip's apex went [m].
+    [[nodiscard]] const std::vector<Vector3>& tipPath() const noexcept { return tip_; }
+
+private:
+    /// One leg of a force-distance curve.
+    struct Leg {
+        std::vector<double> height;  ///< of the base above first touch [m]
+        std::vector<double> force;   ///< along z [N]
+    };
+
+    void takeLegs(const TickSample& sample);
+
+    std::vector<double> time_;
+    std::vector<Vector3> tip_;
+    std::vector<Vector3> estimate_;
+    std::vector<Vector3> model_;
+    std::vector<double> indentation_;
+    std::vector<double> contactRadius_;
+    std::vector<double> bending_;
+    std::vector<double> torsion_;
+    Leg approach_;
+    Leg retract_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,106 @@
+#include "app/RunPictures.h"
+
+#include "app/VirtualDisplay.h"
+#include "core/SiFormat.h"
+#include "core/io/PatchExr.h"
+#include "core/scene/ContactPatch.h"
+#include "vtkplugins/pictures/DeformationPicture.h"
+#include "vtkplugins/pictures/OverviewPicture.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPatchSamples = 241;
+
+/// Half the width of the zoomed view: the surface that visibly follows the tip.
+double zoomHalfWidth(const Scene& scene, const TickSample& sample) {
+    const double given = scene.description.zoomHalfWidth;
+    if (given > 0.0) {
+        return given;
+    }
+    return std::max(scene.belief.tipRadius(), 4.0 * sample.output.model.contact.contactRadius);
+}
+
+SurfacePatch patchAt(const Scene& scene, const TickSample& sample) {
+    const PatchGrid grid{.halfWidth = zoomHalfWidth(scene, sample), .samples = kPatchSamples};
+    return contactPatch(scene, sample.output.model, scene.description.deformation, grid);
+}
+
+std::string timeText(double time) {
+    char text[40];
+    std::snprintf(text, sizeof text, "t = %.3f s", time);
+    return text;
+}
+
+std::string captionOf(const Scene& scene, const TickSample& sample) {
+    const TickOutput& out = sample.output;
+    const ContactState& contact = out.model.contact;
+    std::string caption = "Indentation " + formatSi(contact.indentation, "m") +
+                          ", contact radius " + formatSi(contact.contactRadius, "m") +
+                          ", normal force " + formatSi(contact.force, "N") + " (model), " +
+                          formatSi(out.estimate.force.dot(out.model.foot.normal), "N") +
+                          " (estimate). Silicon tip of " + formatSi(scene.belief.tipRadius(), "m") +
+                          " on " + scene.description.sample.material.name + ".";
+    std::replace(caption.begin(), caption.end(), '_', ' ');
+    if (out.flags.has(Validity::LargeContact)) {
+        caption += " Contact radius above 0.3 tip radii: beyond what half-space theory holds for.";
+    }
+    return caption;
+}
+
+DeformationView viewOf(const Scene& scene, const TickSample& sample, const char* what) {
+    const TickOutput& out = sample.output;
+    return {.title = std::string(what) + ", " + timeText(sample.time),
+            .caption = captionOf(scene, sample),
+            .patch = patchAt(scene, sample),
+            .tipCentre = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
+            .tipRadius = scene.belief.tipRadius(),
+            .contactPoint =
+                out.model.foot.point - out.model.contact.indentation * out.model.foot.normal,
+            .force = out.estimate.force,
+            .contactRadius = out.model.contact.contactRadius};
+}
+
+void writeDeformation(const std::filesystem::path& folder, const Scene& scene,
+                      const RunEvents& events) {
+    std::vector<DeformationView> views;
+    views.push_back(viewOf(scene, *events.deepest, "Largest indentation"));
+    if (events.beforePullOff) {
+        views.push_back(viewOf(scene, *events.beforePullOff, "Just before pull-off"));
+    }
+    writeDeformationPicture(folder / "deformation.png", views);
+    writePatchExr(folder / "deformation.exr", views.front().patch);
+}
+
+void writeOverview(const std::filesystem::path& folder, const Scene& scene, const RunEvents& events,
+                   const RunCurves& curves) {
+    const TickSample& moment = *events.deepest;
+    const Vector3& tip = moment.output.model.tip;
+    const double half = zoomHalfWidth(scene, moment);
+    const SampleDescription& sample = scene.description.sample;
+    const std::filesystem::path file = sample.file;
+    writeOverviewPicture(
+        folder / "overview.png",
+        {.title = file.filename().string() + ", channel " + sample.channel,
+         .caption = "The tip at the largest indentation, " + timeText(moment.time) + ".",
+         .surface = scene.surface,
+         .tip = tip,
+         .zoom = ScanWindow{tip.x() - half, tip.x() + half, tip.y() - half, tip.y() + half},
+         .path = curves.tipPath()});
+}
+
+}  // namespace
+
+void writeRunPictures(const std::filesystem::path& folder, const Scene& scene,
+                      const RunEvents& events, const RunCurves& curves) {
+    const VirtualDisplay display;
+    writeDeformation(folder, scene, events);
+    writeOverview(folder, scene, events, curves);
+    curves.write(folder / "forces.png");
+}
+
+}  // namespace asperity

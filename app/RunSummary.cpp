@@ -1,0 +1,94 @@
+#include "app/RunSummary.h"
+
+#include "core/Version.h"
+#include "core/io/SceneFile.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <toml++/toml.h>
+
+namespace asperity {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json sceneJson(const SceneDescription& scene) {
+    std::ostringstream text;
+    text << toml::json_formatter(toml::parse(sceneText(scene)));
+    return Json::parse(text.str());
+}
+
+Json inputJson(const LoadedScene& loaded) {
+    const BSplineSurface& surface = loaded.scene.surface;
+    return {{"file", loaded.scene.description.sample.file},
+            {"sha256", loaded.sha256},
+            {"format", loaded.format},
+            {"channel", loaded.scene.description.sample.channel},
+            {"columns", surface.grid().columns},
+            {"rows", surface.grid().rows},
+            {"size_x_m", surface.sizeX()},
+            {"size_y_m", surface.sizeY()},
+            {"removed_slope_x", loaded.scene.removedPlane.slopeX},
+            {"removed_slope_y", loaded.scene.removedPlane.slopeY},
+            {"notes", loaded.notes}};
+}
+
+Json vectorJson(const Vector3& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+Json stateJson(const TickSample& sample) {
+    const TickOutput& out = sample.output;
+    return {{"time_s", sample.time},
+            {"base_m", vectorJson(out.base.position)},
+            {"tip_m", vectorJson(out.tip)},
+            {"model_normal_force_n", out.model.contact.force},
+            {"model_force_n", vectorJson(out.model.force)},
+            {"estimated_force_n", vectorJson(out.estimate.force)},
+            {"indentation_m", out.model.contact.indentation},
+            {"contact_radius_m", out.model.contact.contactRadius},
+            {"state", regionName(out.region())},
+            {"flags", validityText(out.flags)}};
+}
+
+Json optionalState(const std::optional<TickSample>& sample) {
+    return sample ? stateJson(*sample) : Json(nullptr);
+}
+
+/// A jump between two states; null when there was none.
+Json jumpJson(const std::optional<TickSample>& before, const std::optional<TickSample>& after) {
+    if (!before || !after) {
+        return nullptr;
+    }
+    return {{"before", stateJson(*before)}, {"after", stateJson(*after)}};
+}
+
+Json flagsJson(const RunEvents& events) {
+    Json flags = Json::object();
+    for (unsigned i = 0; i < kValidityFlagCount; ++i) {
+        flags[validityName(static_cast<Validity>(1U << i))] = events.flagged.at(i);
+    }
+    return flags;
+}
+
+}  // namespace
+
+std::string runSummary(const LoadedScene& loaded, const RunEvents& events) {
+    const Json summary{{"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
+                       {"input", inputJson(loaded)},
+                       {"scene", sceneJson(loaded.scene.description)},
+                       {"statistics",
+                        {{"ticks", events.ticks},
+                         {"tick_rate_hz", loaded.scene.description.tickRate},
+                         {"largest_model_force_n", events.largestForce},
+                         {"largest_estimated_force_n", events.largestEstimatedForce},
+                         {"ticks_flagged", flagsJson(events)},
+                         {"ticks_faulted", events.faults}}},
+                       {"snap_in", jumpJson(events.beforeSnapIn, events.snapIn)},
+                       {"pull_off", jumpJson(events.beforePullOff, events.pullOff)},
+                       {"largest_indentation", optionalState(events.deepest)},
+                       {"strongest_attraction", optionalState(events.strongestPull)}};
+    constexpr int kIndent = 2;
+    return summary.dump(kIndent) + '\n';
+}
+
+}  // namespace asperity

@@ -1,0 +1,129 @@
+#include "app/TradeOffCommand.h"
+
+#include "app/LoadedScene.h"
+#include "app/RunFolder.h"
+#include "app/VirtualDisplay.h"
+#include "core/Version.h"
+#include "core/fidelity/TradeOffStudy.h"
+#include "core/io/CsvWriter.h"
+#include "vtkplugins/pictures/Charts.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace asperity {
+
+namespace {
+
+struct TradeOffOptions {
+    std::string scene;
+    std::string out;
+};
+
+void writeTable(const std::filesystem::path& path, const std::vector<TierResult>& results) {
+    CsvWriter csv(path,
+                  {std::string("Asperity ") + kVersion +
+                       ": cost and error of each fidelity tier; times are of this machine",
+                   "errors are against the tier with reference = 1, on the same inputs"},
+                  {"tier", "reference", "tick_p50_s", "tick_p99_s", "patch_p50_s",
+                   "force_error_rms_n", "force_error_max_n", "contact_radius_error_max_m",
+                   "surface_error_rms_m", "surface_error_max_m"});
+    for (const TierResult& result : results) {
+        csv.add(result.tier.name()).add(result.isReference ? 1.0 : 0.0);
+        csv.add(result.tickMedian).add(result.tickP99).add(result.patchMedian);
+        csv.add(result.forceErrorRms).add(result.forceErrorMax).add(result.contactRadiusError);
+        csv.add(result.surfaceErrorRms).add(result.surfaceErrorMax);
+        csv.endRow();
+    }
+    csv.close();
+}
+
+void printTable(const std::vector<TierResult>& results) {
+    std::printf("%-32s %9s %9s %9s %12s %12s %12s\n", "tier", "tick p50", "tick p99", "patch",
+                "force error", "radius error", "surface err.");
+    std::printf("%-32s %9s %9s %9s %12s %12s %12s\n", "", "[us]", "[us]", "[ms]", "rms [nN]",
+                "max [nm]", "max [nm]");
+    for (const TierResult& r : results) {
+        std::printf("%-32s %9.2f %9.2f %9.2f", r.tier.name().c_str(), r.tickMedian * 1e6,
+                    r.tickP99 * 1e6, r.patchMedian * 1e3);
+        if (r.isReference) {
+            std::printf(" %12s %12s %12s\n", "reference", "reference", "reference");
+        } else {
+            std::printf(" %12.4g %12.4g %12.4g\n", r.forceErrorRms * 1e9,
+                        r.contactRadiusError * 1e9, r.surfaceErrorMax * 1e9);
+        }
+    }
+}
+
+/// Dots of error over cost, the reference among them with no error.
+class Dots {
+public:
+    void add(double cost, double error, const std::string& label, bool isReference) {
+        curve_.x.push_back(cost);
+        curve_.y.push_back(error);
+        curve_.pointLabels.push_back(label + (isReference ? " (reference)" : ""));
+    }
+    [[nodiscard]] Curve curve() const { return curve_; }
+
+private:
+    Curve curve_{.label = "", .points = true};
+};
+
+/// The deformation does not touch the force, nor the law the cost of a patch: each axis of choice
+/// has its own chart, with the other one as in the reference.
+void drawFigure(const std::filesystem::path& path, const std::vector<TierResult>& results) {
+    const FidelityTier reference = results.back().tier;
+    Dots laws;
+    Dots deformations;
+    for (const TierResult& r : results) {
+        if (r.tier.deformation == DeformationTier::FourPoint) {
+            laws.add(r.tickMedian, r.forceErrorRms, nameOf(r.tier.law),
+                     r.tier.law == reference.law);
+        }
+        if (r.tier.law == reference.law) {
+            deformations.add(r.patchMedian, r.surfaceErrorRms, nameOf(r.tier.deformation),
+                             r.isReference);
+        }
+    }
+    const std::array<Chart, 2> charts{Chart{.title = "Contact law: force against time",
+                                            .xLabel = "median of a tick",
+                                            .yLabel = "rms force error",
+                                            .curves = {laws.curve()},
+                                            .xUnit = "s",
+                                            .yUnit = "N"},
+                                      Chart{.title = "Deformation: surface against time",
+                                            .xLabel = "median of a patch",
+                                            .yLabel = "rms surface error",
+                                            .curves = {deformations.curve()},
+                                            .xUnit = "s",
+                                            .yUnit = "m"}};
+    constexpr int kColumns = 2;
+    writeCharts(path, charts, kColumns, {.width = 1600, .height = 700});
+}
+
+void tradeOff(const TradeOffOptions& options) {
+    const LoadedScene loaded = loadScene(options.scene, {});
+    const std::filesystem::path out = options.out;
+    makeOutputFolder(out);
+    const std::vector<TierResult> results = studyTradeOff(loaded.scene, {});
+    writeTable(out / "tradeoff.csv", results);
+    const VirtualDisplay display;
+    drawFigure(out / "tradeoff.png", results);
+    printTable(results);
+}
+
+}  // namespace
+
+void addTradeOffCommand(CLI::App& program) {
+    CLI::App* command =
+        program.add_subcommand("tradeoff", "Measured cost and error of every fidelity tier");
+    const auto options = std::make_shared<TradeOffOptions>();
+    command->add_option("SCENE", options->scene, "scene.toml or height map")->required();
+    command->add_option("--out", options->out, "folder for the table and the figure")->required();
+    command->callback([options] { tradeOff(*options); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <sys/types.h>
+
+namespace asperity {
+
+/// A display to draw pictures on. Where DISPLAY is set that one is used; else Xvfb is started for
+/// as long as this object lives.
+class VirtualDisplay {
+public:
+    /// @throw Error when there is no display and Xvfb cannot be started
+    VirtualDisplay();
+    ~VirtualDisplay();
+    VirtualDisplay(const VirtualDisplay&) = delete;
+    VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+
+private:
+    pid_t server_ = 0;
+};
+
+}  // namespace asperity

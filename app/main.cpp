@@ -1,0 +1,53 @@
+#include "app/ConvertCommand.h"
+#include "app/ExploreCommand.h"
+#include "app/InfoCommand.h"
+#include "app/ReplayCommand.h"
+#include "app/TradeOffCommand.h"
+#include "core/Error.h"
+#include "core/Version.h"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace {
+
+// The exit codes are part of the command line's contract.
+constexpr int kFailed = 1;
+constexpr int kWrongUsage = 2;
+constexpr int kUnreadableInput = 3;
+
+int run(int argc, char** argv) {
+    CLI::App program("Asperity: touch a real AFM scan, in forces and in pictures");
+    program.set_version_flag("--version", std::string("asperity ") + asperity::kVersion);
+    program.require_subcommand(1);
+    asperity::addExploreCommand(program);
+    asperity::addInfoCommand(program);
+    asperity::addConvertCommand(program);
+    asperity::addTradeOffCommand(program);
+    asperity::addReplayCommand(program);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? 0 : kWrongUsage;
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const asperity::InputError& error) {
+        std::cerr << "asperity: " << error.what() << '\n';
+        return kUnreadableInput;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "asperity: out of memory\n";
+        return kFailed;
+    } catch (const std::exception& error) {
+        std::cerr << "asperity: " << error.what() << '\n';
+        return kFailed;
+    }
+}

@@ -1,0 +1,117 @@
+#include "core/io/CsvTable.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace asperity {
+namespace {
+
+const char* const kResults[] = {"deformation.exr", "deformation.png", "force_log.csv",
+                                "forces.png",      "overview.png",    "scene.toml",
+                                "summary.json",    "tick_input.csv"};
+
+/// Every number of the log is finite and the ticks follow each other without a gap.
+void expectWholeLog(const std::filesystem::path& folder, std::size_t ticks, double rate) {
+    const CsvTable log = readCsv(folder / "force_log.csv");
+    ASSERT_EQ(log.rows(), ticks);
+    for (std::size_t row = 0; row < log.rows(); ++row) {
+        ASSERT_NEAR(log.number(row, "time_s") * rate, static_cast<double>(row), 1e-6);
+        for (const std::string& column : log.columns()) {
+            if (column == "state" || column == "flags") {
+                continue;
+            }
+            ASSERT_TRUE(std::isfinite(log.number(row, column))) << column << " in row " << row;
+        }
+    }
+}
+
+nlohmann::json summaryOf(const std::filesystem::path& folder) {
+    return nlohmann::json::parse(test::contentOf(folder / "summary.json"));
+}
+
+class Explore : public ::testing::TestWithParam<std::string> {
+protected:
+    static std::filesystem::path input() {
+        return GetParam() == "real scan" ? test::sharedData("afm/nanoscope/di-3_v9.01.di")
+                                         : test::shippedScene(GetParam());
+    }
+    test::ScratchFolder scratch_;
+};
+
+TEST_P(Explore, LeavesPicturesFieldsLogAndSummary) {
+    if (GetParam() == "real scan") {
+        ASPERITY_NEEDS_SHARED_DATA();
+    }
+    const auto out = scratch_.path() / "out";
+    const auto run =
+        test::runProgram("explore " + input().string() + " --duration 2 --out " + out.string());
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    for (const char* name : kResults) {
+        EXPECT_GT(std::filesystem::file_size(out / name), 500U) << name;
+    }
+    expectWholeLog(out, 2001, 1000.0);
+    const nlohmann::json summary = summaryOf(out);
+    EXPECT_EQ(summary["statistics"]["ticks"], 2001);
+    EXPECT_EQ(summary["statistics"]["ticks_faulted"], 0);
+    EXPECT_EQ(summary["input"]["sha256"].get<std::string>().size(), 64U);
+    ASSERT_TRUE(summary["snap_in"].is_object());
+    ASSERT_TRUE(summary["pull_off"].is_object());
+    EXPECT_GT(summary["largest_indentation"]["indentation_m"], 0.0);
+    EXPECT_LT(summary["strongest_attraction"]["model_normal_force_n"], 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Inputs, Explore,
+                         ::testing::Values("polystyrene", "silicon_oxide", "silicone_rubber",
+                                           "silicon", "real scan"),
+                         [](const auto& test) {
+                             return test.param == "real scan" ? std::string("RealScan")
+                                                              : test.param;
+                         });
+
+TEST(ExploreTwice, GivesTheSameBytes) {
+    const test::ScratchFolder scratch;
+    const std::string start =
+        "explore " + test::shippedScene("polystyrene").string() + " --duration 1 --out ";
+    const auto first = scratch.path() / "first";
+    const auto second = scratch.path() / "second";
+    ASSERT_EQ(test::runProgram(start + first.string()).exitCode, 0);
+    ASSERT_EQ(test::runProgram(start + second.string()).exitCode, 0);
+    for (const char* name : kResults) {
+        EXPECT_EQ(test::contentOf(first / name), test::contentOf(second / name)) << name;
+    }
+}
+
+TEST(ExplorePaths, RasterScratchAndFileRunToTheirEnd) {
+    const test::ScratchFolder scratch;
+    const auto file = scratch.write("path.csv", "time_s,x_m,y_m,z_m\n"
+                                                "0,2e-7,2e-7,1e-7\n0.4,2e-7,2.1e-7,9e-8\n");
+    const std::string scene = test::shippedScene("silicon_oxide").string();
+    const std::pair<std::string, std::size_t> paths[] = {
+        {"raster --duration 1", 1001}, {"scratch --duration 1", 1001}, {file.string(), 401}};
+    for (const auto& [path, ticks] : paths) {
+        const auto out = scratch.path() / "out";
+        const auto run =
+            test::runProgram("explore " + scene + " --path " + path + " --out " + out.string());
+        ASSERT_EQ(run.exitCode, 0) << run.output;
+        expectWholeLog(out, ticks, 1000.0);
+    }
+}
+
+TEST(ExploreLevelling, IsSaidAndCanBeSwitchedOff) {
+    const test::ScratchFolder scratch;
+    const std::string start = "explore " + test::shippedScene("polystyrene").string() +
+                              " --duration 0.1 --out " + scratch.file("out").string();
+    EXPECT_NE(test::runProgram(start).output.find("levelling: plane with slopes"),
+              std::string::npos);
+    EXPECT_NE(test::runProgram(start + " --level none").output.find("levelling: none"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace asperity

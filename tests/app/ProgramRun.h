@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace asperity::test {
+
+/// What a run of the program printed and how it ended.
+struct ProgramRun {
+    int exitCode = -1;
+    std::string output;  ///< stdout and stderr together
+};
+
+/// Runs `asperity` with the arguments of a shell command line.
+[[nodiscard]] ProgramRun runProgram(const std::string& arguments);
+
+/// A scene that ships with the program, e.g. "polystyrene".
+[[nodiscard]] std::filesystem::path shippedScene(const std::string& name);
+
+}  // namespace asperity::test

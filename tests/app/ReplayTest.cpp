@@ -1,0 +1,126 @@
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+class Replay : public ::testing::Test {
+protected:
+    void SetUp() override {
+        std::filesystem::copy(test::shippedScene("polystyrene").parent_path().parent_path(),
+                              scratch_.path() / "data", std::filesystem::copy_options::recursive);
+        const auto made = test::runProgram(
+            "explore " + (scratch_.path() / "data/scenes/polystyrene.toml").string() +
+            " --duration 0.5 --out " + run_.string());
+        ASSERT_EQ(made.exitCode, 0) << made.output;
+    }
+
+    [[nodiscard]] test::ProgramRun replay() const {
+        return test::runProgram("replay " + run_.string() + " --out " +
+                                scratch_.file("again").string());
+    }
+
+    /// Changes one cell of the recorded input.
+    void alter(std::size_t row, const std::string& column, const std::string& value) {
+        std::stringstream text(test::contentOf(run_ / "tick_input.csv"));
+        std::ofstream out(run_ / "tick_input.csv");
+        std::vector<std::string> names;
+        std::size_t tick = 0;
+        for (std::string line; std::getline(text, line);) {
+            if (line.front() != '#') {
+                if (names.empty()) {
+                    names = split(line);
+                } else if (tick++ == row) {
+                    line = withCell(split(line), names, column, value);
+                }
+            }
+            out << line << '\n';
+        }
+    }
+
+    test::ScratchFolder scratch_;
+    std::filesystem::path run_ = scratch_.path() / "run";
+
+private:
+    static std::vector<std::string> split(const std::string& line) {
+        std::vector<std::string> cells;
+        std::stringstream stream(line);
+        for (std::string cell; std::getline(stream, cell, ',');) {
+            cells.push_back(cell);
+        }
+        return cells;
+    }
+
+    static std::string withCell(std::vector<std::string> cells,
+                                const std::vector<std::string>& names, const std::string& column,
+                                const std::string& value) {
+        std::string line;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            line += (i > 0 ? "," : "") + (names[i] == column ? value : cells[i]);
+        }
+        return line;
+    }
+};
+
+TEST_F(Replay, IsBitIdentical) {
+    const auto again = replay();
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_NE(again.output.find("bit-identical: 501 ticks"), std::string::npos) << again.output;
+    EXPECT_EQ(test::contentOf(run_ / "force_log.csv"),
+              test::contentOf(scratch_.path() / "again/force_log.csv"));
+}
+
+TEST_F(Replay, NamesTheTickOfAnAlteredHandSample) {
+    alter(217, "hand_z_m", "1.0000000001e-8");
+    const auto again = replay();
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_NE(again.output.find("first differing tick: 217 "), std::string::npos) << again.output;
+}
+
+TEST_F(Replay, NamesTheTickOfAnAlteredSetting) {
+    alter(333, "force_gain", "1.0000001");
+    const auto again = replay();
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_NE(again.output.find("first differing tick: 333 "), std::string::npos) << again.output;
+    EXPECT_NE(again.output.find("hand_f"), std::string::npos) << "names the column";
+}
+
+TEST_F(Replay, NamesTheFirstTickAfterAnAlteredScene) {
+    std::string scene = test::contentOf(run_ / "scene.toml");
+    const std::string key = "work_of_adhesion_j_m2 = 0.066";
+    ASSERT_NE(scene.find(key), std::string::npos);
+    scene.replace(scene.find(key), key.size(), "work_of_adhesion_j_m2 = 0.067");
+    std::ofstream(run_ / "scene.toml") << scene;
+    const auto again = replay();
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_NE(again.output.find("first differing tick: 0 "), std::string::npos) << again.output;
+}
+
+TEST_F(Replay, RefusesAScanThatHasChanged) {
+    const auto scan = scratch_.path() / "data/samples/particles.gsf";
+    std::string bytes = test::contentOf(scan);
+    bytes[bytes.size() - 100] = static_cast<char>(bytes[bytes.size() - 100] ^ 1);
+    std::ofstream(scan, std::ios::binary) << bytes;
+    const auto again = replay();
+    EXPECT_EQ(again.exitCode, 3);
+    EXPECT_NE(again.output.find("has changed"), std::string::npos) << again.output;
+}
+
+TEST_F(Replay, RefusesWhatIsNoRunAndToOverwriteTheRun) {
+    const auto onto = test::runProgram("replay " + run_.string() + " --out " + run_.string());
+    EXPECT_EQ(onto.exitCode, 1) << onto.output;
+    const auto none = test::runProgram("replay " + scratch_.path().string() + " --out " +
+                                       scratch_.file("again").string());
+    EXPECT_EQ(none.exitCode, 3) << none.output;
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,101 @@
+#include "core/io/CsvTable.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+TEST(Usage, EverySubcommandHasHelp) {
+    EXPECT_EQ(test::runProgram("--help").exitCode, 0);
+    for (const std::string command : {"explore", "info", "convert", "tradeoff", "replay"}) {
+        const auto run = test::runProgram(command + " --help");
+        EXPECT_EQ(run.exitCode, 0);
+        EXPECT_NE(run.output.find("Usage"), std::string::npos) << run.output;
+    }
+}
+
+TEST(Usage, WrongCallsExitWith2) {
+    for (const std::string call :
+         {"", "fly", "explore", "explore x.gsf", "explore a --out b --duration -1",
+          "explore a --out b --duration x", "explore a --out b --level flat", "info"}) {
+        const auto run = test::runProgram(call);
+        EXPECT_EQ(run.exitCode, 2) << call << "\n" << run.output;
+    }
+}
+
+TEST(Usage, UnreadableInputExitsWith3AndOneSentence) {
+    const test::ScratchFolder scratch;
+    const auto noise = scratch.write("noise.gsf", "this is no scan");
+    const auto scene = scratch.write("scene.toml", "[sample]\nfile = \"none.gsf\"\n");
+    const std::string out = " --out " + scratch.file("out").string();
+    const std::vector<std::string> calls = {
+        "info " + noise.string(),
+        "info /nonexistent",
+        "explore " + noise.string() + out,
+        "explore " + scene.string() + out,
+        "tradeoff " + noise.string() + out,
+        "explore " + test::shippedScene("silicon").string() + " --path /nonexistent.csv" + out,
+        "explore " + test::shippedScene("silicon").string() + " --channel Nothing" + out};
+    for (const std::string& call : calls) {
+        const auto run = test::runProgram(call);
+        EXPECT_EQ(run.exitCode, 3) << call << "\n" << run.output;
+        const std::size_t message = run.output.find("asperity: ");
+        ASSERT_NE(message, std::string::npos) << run.output;
+        EXPECT_EQ(run.output.find('\n', message), run.output.size() - 1) << run.output;
+    }
+}
+
+TEST(Usage, UnwritableOutputExitsWith1) {
+    const std::string scene = test::shippedScene("silicon").string();
+    const std::vector<std::string> calls = {
+        "explore " + scene + " --duration 0.1 --out /proc/nothing",
+        "convert " + test::shippedScene("x").parent_path().parent_path().string() +
+            "/samples/steps.gsf /proc/nothing.gwy"};
+    for (const std::string& call : calls) {
+        const auto run = test::runProgram(call);
+        EXPECT_EQ(run.exitCode, 1) << call << "\n" << run.output;
+    }
+}
+
+TEST(Info, GivesTheSameInJsonAsTheFileHolds) {
+    const auto run = test::runProgram("info --json " +
+                                      test::shippedScene("x").parent_path().parent_path().string() +
+                                      "/samples/egg_box.gsf");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const nlohmann::json info = nlohmann::json::parse(run.output);
+    EXPECT_FALSE(info.empty());
+}
+
+TEST(Convert, WritesEveryFormatItNames) {
+    const test::ScratchFolder scratch;
+    const std::string start = "convert " +
+                              test::shippedScene("x").parent_path().parent_path().string() +
+                              "/samples/egg_box.gsf --level plane ";
+    for (const char* name :
+         {"a.gsf", "a.gwy", "a.exr", "a.tiff", "a.png", "a.txt", "a.vti", "a.vtp", "a.stl"}) {
+        const auto run = test::runProgram(start + scratch.file(name).string());
+        EXPECT_EQ(run.exitCode, 0) << run.output;
+        EXPECT_GT(std::filesystem::file_size(scratch.file(name)), 1000U) << name;
+    }
+}
+
+TEST(TradeOff, WritesATableAndAFigureAndPrintsThem) {
+    const test::ScratchFolder scratch;
+    const auto run = test::runProgram("tradeoff " + test::shippedScene("polystyrene").string() +
+                                      " --out " + scratch.file("out").string());
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_NE(run.output.find("Maugis-Dugdale, contact radius"), std::string::npos);
+    const CsvTable table = readCsv(scratch.path() / "out/tradeoff.csv");
+    EXPECT_EQ(table.rows(), 5U);
+    EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/tradeoff.png"), 5000U);
+}
+
+}  // namespace
+}  // namespace asperity
