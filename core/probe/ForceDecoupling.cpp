@@ -1,6 +1,7 @@
 #include "core/probe/ForceDecoupling.h"
 
 #include "core/contact/Within.h"
+#include "core/probe/Sliding.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -15,8 +16,6 @@ namespace {
 constexpr double kPlanarityDefect = 0.02;    // eta_p of docs/physics.md 6.5
 constexpr double kFrictionLawDefect = 0.3;   // eta_f
 constexpr double kSmallestFriction = 1e-12;  // S0 [N]
-constexpr double kSmallestSpeed = 1e-9;      // v0 [m/s]
-constexpr double kSlidingThreshold = 1e-12;  // of |v|: below it the direction is rounding noise
 constexpr double kNearSingularCondition = 100.0;
 constexpr double kSingularCondition = 1e15;  // what rounding leaves of an exactly singular system
 constexpr double kLargestInput = 1e12;       // in SI: far beyond any measurement, no overflow below
@@ -38,45 +37,24 @@ bool inputIsUsable(const DecouplingInput& in) noexcept {
            usable(in.normalForceModel) && isDeviation(in.normalForceSigma);
 }
 
-/// Directions in the cantilever frame and how surely the tip slides.
-struct Sliding {
-    Vector3 normal = Vector3::Zero();
-    Vector3 friction = Vector3::Zero();  ///< unit, against the motion; any tangent at rest
-    double certainty = 0.0;              ///< g
-    double doubt = 1.0;                  ///< sqrt(1 - g^2)
+/// Normal and sliding in the cantilever frame.
+struct ContactGeometry {
+    Vector3 normal = Vector3::UnitZ();
+    Sliding sliding;
 };
 
-Vector3 anyTangent(const Vector3& normal) noexcept {
-    Vector3::Index smallest = 0;
-    normal.cwiseAbs().minCoeff(&smallest);
-    return normal.cross(Vector3::Unit(smallest)).normalized();
-}
-
-Sliding slidingOf(const Cantilever& cantilever, const DecouplingInput& in) noexcept {
-    Sliding sliding;
-    sliding.normal = (cantilever.rotation() * in.normal).normalized();
-    const Vector3 velocity = cantilever.rotation() * in.velocity;
-    const Vector3 tangential = velocity - (velocity.dot(sliding.normal) * sliding.normal);
-    const double speed = tangential.stableNorm();
-    if (!(speed > kSlidingThreshold * velocity.stableNorm())) {
-        sliding.friction = anyTangent(sliding.normal);
-        return sliding;
-    }
-    const Vector3 against = -tangential / speed;
-    sliding.friction = (against - (against.dot(sliding.normal) * sliding.normal)).normalized();
-    const double total = std::hypot(speed, kSmallestSpeed);
-    sliding.certainty = speed / total;
-    sliding.doubt = kSmallestSpeed / total;
-    return sliding;
+ContactGeometry geometryOf(const Cantilever& cantilever, const DecouplingInput& in) noexcept {
+    const Vector3 normal = (cantilever.rotation() * in.normal).normalized();
+    return {normal, slidingOf(normal, cantilever.rotation() * in.velocity)};
 }
 
 /// Ratio of the singular values of the 2x2 system (N, T) -> force-equivalent signals.
-double conditionOf(const Sliding& sliding, double coupling) noexcept {
-    if (sliding.certainty == 0.0) {
+double conditionOf(const ContactGeometry& geometry, double coupling) noexcept {
+    if (geometry.sliding.certainty == 0.0) {
         return std::numeric_limits<double>::infinity();
     }
-    const Vector3& n = sliding.normal;
-    const Vector3& f = sliding.friction;
+    const Vector3& n = geometry.normal;
+    const Vector3& f = geometry.sliding.friction;
     const double nn = n.z() + (coupling * n.x());
     const double ff = f.z() + (coupling * f.x());
     const double largest =
@@ -100,15 +78,17 @@ struct WhitenedSystem {
 };
 
 WhitenedSystem whitenedSystem(const Cantilever& cantilever, const DecouplingInput& in,
-                              const Sliding& sliding) noexcept {
+                              const ContactGeometry& geometry) noexcept {
+    const Vector3& normal = geometry.normal;
+    const Sliding& sliding = geometry.sliding;
     const double cz = cantilever.bendingPerFz();
     const double cy = cantilever.torsionPerFy();
     const double g = sliding.certainty;
     const double adhesiveFriction = in.shearStrength * in.contactArea;
     const double scale = (in.frictionCoefficient * std::abs(in.normalForceModel)) +
                          adhesiveFriction + kSmallestFriction;
-    const Vector3 planeNormal = sliding.normal.cross(sliding.friction);
-    const Vector3 frictionLaw = sliding.friction - (g * in.frictionCoefficient * sliding.normal);
+    const Vector3 planeNormal = normal.cross(sliding.friction);
+    const Vector3 frictionLaw = sliding.friction - (g * in.frictionCoefficient * normal);
 
     WhitenedSystem system;
     system.set(0, Vector3(cantilever.couplingRatio(), 0.0, 1.0), in.signals.bending / cz,
@@ -117,12 +97,12 @@ WhitenedSystem whitenedSystem(const Cantilever& cantilever, const DecouplingInpu
     system.set(2, planeNormal, 0.0, scale * std::hypot(g * kPlanarityDefect, sliding.doubt));
     system.set(3, frictionLaw, g * adhesiveFriction,
                scale * std::hypot(g * kFrictionLawDefect, sliding.doubt));
-    system.set(4, sliding.normal, in.normalForceModel, in.normalForceSigma);
+    system.set(4, normal, in.normalForceModel, in.normalForceSigma);
     return system;
 }
 
-DecouplingCase kindOf(const Sliding& sliding, double condition) noexcept {
-    if (sliding.certainty == 0.0) {
+DecouplingCase kindOf(const ContactGeometry& geometry, double condition) noexcept {
+    if (geometry.sliding.certainty == 0.0) {
         return DecouplingCase::NoSliding;
     }
     return condition > kNearSingularCondition ? DecouplingCase::NearSingular
@@ -138,8 +118,8 @@ ForceEstimate estimateForce(const Cantilever& cantilever, const DecouplingInput&
         estimate.kind = DecouplingCase::NotFinite;
         return estimate;
     }
-    const Sliding sliding = slidingOf(cantilever, input);
-    const WhitenedSystem system = whitenedSystem(cantilever, input, sliding);
+    const ContactGeometry geometry = geometryOf(cantilever, input);
+    const WhitenedSystem system = whitenedSystem(cantilever, input, geometry);
     const Eigen::HouseholderQR<Eigen::Matrix<double, 5, 3>> qr(system.rows);
     const Vector3 local = qr.solve(system.values);
     const Matrix3 triangle = qr.matrixQR().topRows<3>().triangularView<Eigen::Upper>();
@@ -150,8 +130,8 @@ ForceEstimate estimateForce(const Cantilever& cantilever, const DecouplingInput&
     const Matrix3 covariance = labInverse * labInverse.transpose();
     estimate.force = cantilever.rotation().transpose() * local;
     estimate.covariance = 0.5 * (covariance + covariance.transpose());  // exactly symmetric
-    estimate.condition = conditionOf(sliding, cantilever.couplingRatio());
-    estimate.kind = kindOf(sliding, estimate.condition);
+    estimate.condition = conditionOf(geometry, cantilever.couplingRatio());
+    estimate.kind = kindOf(geometry, estimate.condition);
     return estimate;
 }
 

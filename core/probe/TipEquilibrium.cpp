@@ -1,5 +1,7 @@
 #include "core/probe/TipEquilibrium.h"
 
+#include "core/probe/Sliding.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,7 +10,6 @@ namespace asperity {
 
 namespace {
 
-constexpr double kStickSpeed = 1e-9;  // v0 [m/s]
 constexpr int kMaxIterations = 24;
 constexpr double kPositionTolerance =
     1e-15;  // [m]: a millionth of an atom's radius, above rounding
@@ -24,7 +25,7 @@ struct ContactDirections {
 ContactDirections directionsAt(const ProbeSystem& system, const Vector3& normal,
                                const Vector3& velocity) {
     const Matrix3& compliance = system.cantilever.compliance();
-    const Vector3 slip = slipDirection(normal, velocity);
+    const Vector3 slip = slidingOf(normal, velocity).slip();
     return {normal, slip, normal.dot(compliance * normal), normal.dot(compliance * slip)};
 }
 
@@ -42,16 +43,6 @@ bool isLocked(const ContactDirections& directions, double frictionCoefficient) {
 }
 
 }  // namespace
-
-Vector3 slipDirection(const Vector3& normal, const Vector3& velocity) noexcept {
-    Vector3 tangential = velocity - velocity.dot(normal) * normal;
-    if (tangential.norm() <= 1e-12 * velocity.norm()) {
-        return Vector3::Zero();
-    }
-    // A second pass: where v is almost parallel to n, the first leaves a normal part of rounding.
-    tangential -= tangential.dot(normal) * normal;
-    return -tangential / std::hypot(tangential.norm(), kStickSpeed);
-}
 
 TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system,
                         const BaseMotion& base, EquilibriumMemory& memory) noexcept {

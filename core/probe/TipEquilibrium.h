@@ -33,11 +33,6 @@ struct TipState {
     bool locked = false;              ///< friction would lock the lever: no quasi-static state
 };
 
-/// Direction of the friction force on a tip that moves with `velocity` over a surface with unit
-/// `normal`, scaled by |v_t| / sqrt(|v_t|^2 + v0^2), v0 = 1 nm/s, so that it is smooth through
-/// rest. Source: docs/physics.md 6.2, 6.5.
-[[nodiscard]] Vector3 slipDirection(const Vector3& normal, const Vector3& velocity) noexcept;
-
 /// Solves tip = base + C F(tip) for the position of the tip, C the lever's compliance.
 /// Allocation-free, bounded, never throws. Source: docs/physics.md 7.1-7.2.
 [[nodiscard]] TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system,

@@ -21,15 +21,6 @@ Scene frictionless(const HeightMap& map) {
     return buildScene(description, map);
 }
 
-TEST(SlipDirection, OpposesTheTangentialVelocityAndVanishesAtRest) {
-    const Vector3 slip = slipDirection(Vector3::UnitZ(), {1e-6, 0.0, 5e-6});
-    EXPECT_NEAR(slip.x(), -1.0, 1e-6);
-    EXPECT_NEAR(slip.z(), 0.0, 1e-12);
-    EXPECT_EQ(slipDirection(Vector3::UnitZ(), Vector3::Zero()), Vector3::Zero());
-    EXPECT_EQ(slipDirection(Vector3::UnitZ(), {0.0, 0.0, 1.0}), Vector3::Zero());
-    EXPECT_NEAR(slipDirection(Vector3::UnitZ(), {1e-9, 0.0, 0.0}).norm(), std::sqrt(0.5), 1e-12);
-}
-
 TEST(TipEquilibrium, BalancesLeverAndContactOnAFlatSample) {
     const Scene scene = frictionless(test::flatMap());
     EquilibriumMemory memory;

@@ -1,0 +1,37 @@
+#include "core/probe/Sliding.h"
+
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kSmallestSpeed = 1e-9;      // v0 [m/s]
+constexpr double kSlidingThreshold = 1e-12;  // of |v|: below it the direction is rounding noise
+
+Vector3 anyTangent(const Vector3& normal) noexcept {
+    Vector3::Index smallest = 0;
+    normal.cwiseAbs().minCoeff(&smallest);
+    return normal.cross(Vector3::Unit(smallest)).normalized();
+}
+
+}  // namespace
+
+Sliding slidingOf(const Vector3& normal, const Vector3& velocity) noexcept {
+    Sliding sliding;
+    const Vector3 tangential = velocity - (velocity.dot(normal) * normal);
+    const double speed = tangential.stableNorm();
+    if (!(speed > kSlidingThreshold * velocity.stableNorm())) {
+        sliding.friction = anyTangent(normal);
+        return sliding;
+    }
+    const Vector3 against = -tangential / speed;
+    // A second pass: where v is almost parallel to n, the first leaves a normal part of rounding.
+    sliding.friction = (against - (against.dot(normal) * normal)).normalized();
+    const double total = std::hypot(speed, kSmallestSpeed);
+    sliding.certainty = speed / total;
+    sliding.doubt = kSmallestSpeed / total;
+    return sliding;
+}
+
+}  // namespace asperity
