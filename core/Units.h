@@ -1,7 +1,9 @@
 #pragma once
 
+namespace asperity {
+
 /// Literals for the units that a microscopist writes; every one yields an SI double.
-namespace asperity::units {
+inline namespace units {
 
 // NOLINTBEGIN(google-runtime-int): a user-defined literal takes exactly these types
 #define ASPERITY_UNIT(suffix, factor)                                                              \
@@ -27,4 +29,6 @@ ASPERITY_UNIT(us, 1e-6L)   // s
 #undef ASPERITY_UNIT
 // NOLINTEND(google-runtime-int)
 
-}  // namespace asperity::units
+}  // namespace units
+
+}  // namespace asperity

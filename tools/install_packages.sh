@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing; does nothing when none is.
+# Installs the Debian packages of packages.txt, and of the lists named, that are missing; does
+# nothing when none is.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 

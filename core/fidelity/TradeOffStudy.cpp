@@ -154,6 +154,7 @@ std::vector<TierResult> studyTradeOff(const Scene& scene, const TradeOffPlan& pl
         }
     }
     std::vector<TierResult> results;
+    results.reserve(runs.size());
     for (const TierRun& run : runs) {
         results.push_back(resultOf(run, reference));
     }

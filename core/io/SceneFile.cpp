@@ -65,7 +65,7 @@ SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwis
 SampleMaterial readMaterialFile(const std::filesystem::path& path) {
     const toml::table table = readToml(path);
     TomlSection root(table, path, "");
-    const SampleMaterial material = readMaterial(root, {});
+    SampleMaterial material = readMaterial(root, {});
     root.refuseUnknownKeys();
     return material;
 }

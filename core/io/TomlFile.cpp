@@ -77,7 +77,7 @@ std::string TomlSection::text(const std::string& key, const std::string& otherwi
 }
 
 std::filesystem::path TomlSection::path(const std::string& key) {
-    const std::filesystem::path given = text(key, "");
+    std::filesystem::path given = text(key, "");
     if (given.empty()) {
         return given;
     }

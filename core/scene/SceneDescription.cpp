@@ -7,8 +7,6 @@
 
 namespace asperity {
 
-using namespace units;
-
 namespace {
 
 void require(bool holds, const std::string& sentence) {

@@ -7,8 +7,6 @@
 
 namespace asperity::test {
 
-using namespace units;
-
 namespace {
 
 constexpr int kPixels = 64;

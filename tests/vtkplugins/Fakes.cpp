@@ -7,8 +7,6 @@
 
 namespace asperity::test {
 
-using namespace asperity::units;  // NOLINT(google-build-using-namespace): literals
-
 namespace {
 
 constexpr double kTipRadius = 15.0_nm;

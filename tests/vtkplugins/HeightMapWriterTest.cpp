@@ -22,8 +22,6 @@
 
 namespace asperity {
 
-using namespace asperity::units;  // NOLINT(google-build-using-namespace): literals
-
 namespace {
 
 /// A folder of its own for each test, removed afterwards.

@@ -17,8 +17,6 @@
 
 namespace asperity {
 
-using namespace asperity::units;  // NOLINT(google-build-using-namespace): literals
-
 TEST(Decimation, KeepsEveryPeakOfALongSeries) {
     Series series;
     for (int i = 0; i < 200000; ++i) {

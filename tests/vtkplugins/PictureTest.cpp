@@ -26,8 +26,6 @@
 
 namespace asperity {
 
-using namespace asperity::units;  // NOLINT(google-build-using-namespace): literals
-
 namespace {
 
 constexpr PictureSize kSize{1200, 750};

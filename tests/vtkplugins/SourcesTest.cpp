@@ -22,8 +22,6 @@
 
 namespace asperity {
 
-using namespace asperity::units;  // NOLINT(google-build-using-namespace): literals
-
 namespace {
 
 Vector3 pointOf(vtkPolyData* data, vtkIdType id) { return Vector3(data->GetPoint(id)); }

@@ -10,8 +10,6 @@ namespace asperity {
 
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 constexpr int kPixels = 256;
 
 ScanSize square(double side) {

@@ -15,7 +15,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
 using test::expectClose;
 using test::paperPair;
 using test::ReferenceTable;

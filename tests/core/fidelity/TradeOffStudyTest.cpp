@@ -10,8 +10,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;
-
 class TradeOffStudy : public ::testing::Test {
 protected:
     static std::vector<TierResult> study(const SceneDescription& description) {

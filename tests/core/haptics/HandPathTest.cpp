@@ -11,8 +11,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;
-
 TEST(HandPath, MovesInStraightLinesAndRestsAtTheEnds) {
     const HandPath path{{1.0, {0.0, 0.0, 0.0}}, {2.0, {4.0_nm, 0.0, -2.0_nm}}};
     EXPECT_EQ(positionAt(path, 0.0), path[0].position);

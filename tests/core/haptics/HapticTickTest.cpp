@@ -13,8 +13,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;
-
 /// Runs a vertical approach to `depth` below touch and back, in the middle of a scene.
 std::vector<TickSample> approachAndRetract(const Scene& scene, double depth) {
     const double x = 0.5 * scene.surface.sizeX();

@@ -11,8 +11,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;
-
 /// What the two lever signals tell of a force: Fy and Fz + kappa Fx (docs/physics.md 5.2).
 struct SensedForce {
     double lateral = 0.0;  ///< Fy [N]

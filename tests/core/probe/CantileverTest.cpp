@@ -17,7 +17,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
 using std::numbers::pi;
 using test::expectRelative;
 using test::referenceLever;

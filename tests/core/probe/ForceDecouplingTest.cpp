@@ -18,7 +18,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
 using std::numbers::pi;
 using test::referenceLever;
 using test::ReferenceTable;

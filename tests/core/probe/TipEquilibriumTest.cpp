@@ -12,8 +12,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;
-
 Scene frictionless(const HeightMap& map) {
     SceneDescription description = test::plainScene();
     description.sample.material.friction = {};

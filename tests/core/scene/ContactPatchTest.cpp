@@ -11,8 +11,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;
-
 class ContactPatchOnAFlatSample : public ::testing::Test {
 protected:
     TipState indented() const {

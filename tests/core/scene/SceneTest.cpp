@@ -13,8 +13,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;
-
 TEST(Scene, DefaultIsThePapersPolystyreneUnderA14NewtonPerMetreLever) {
     const Scene scene = buildScene(defaultScene(), test::hillyMap());
     EXPECT_NEAR(scene.belief.cantilever.stiffness(), 14.0, 1e-12);

@@ -17,8 +17,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 ASPERITY_TRAP_FLOATING_POINT();
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

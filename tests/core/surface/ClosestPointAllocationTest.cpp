@@ -11,8 +11,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 TEST(ClosestPoint, DoesNotAllocate) {
     const BSplineSurface surface = fitSurface(
         sampledMap({.columns = 32, .rows = 32, .sizeX = 64.0_nm, .sizeY = 64.0_nm},

@@ -16,8 +16,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 constexpr double kTipRadius = 15.0_nm;
 
 struct Extreme {

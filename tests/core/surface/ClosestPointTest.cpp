@@ -12,8 +12,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 constexpr double kSize = 100.0_nm;
 constexpr ScanSize kScan{.columns = 40, .rows = 50, .sizeX = kSize, .sizeY = kSize};
 

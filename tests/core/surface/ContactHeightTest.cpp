@@ -13,8 +13,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 constexpr double kTip = 15.0_nm;
 constexpr double kSize = 200.0_nm;
 constexpr ScanSize kScan{.columns = 100, .rows = 80, .sizeX = kSize, .sizeY = kSize};

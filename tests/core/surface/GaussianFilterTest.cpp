@@ -13,8 +13,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 HeightMap plane(int columns, int rows) {

@@ -12,8 +12,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Whole periods, with unequal periods and pixels that are not square.

@@ -15,8 +15,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 constexpr ScanSize kScan{.columns = 60, .rows = 48, .sizeX = 120.0_nm, .sizeY = 120.0_nm};
 constexpr PatchGrid kGrid{.halfWidth = 12.0_nm, .samples = 97};
 constexpr double kTip = 15.0_nm;

@@ -13,8 +13,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 BSplineSurface roughSurface(int columns, int rows) {
     HeightMap map = flatMap(
         {.columns = columns, .rows = rows, .sizeX = columns * 2.0_nm, .sizeY = rows * 5.0_nm});

@@ -12,8 +12,6 @@
 namespace asperity {
 namespace {
 
-using namespace units;  // NOLINT(google-build-using-namespace): literals only
-
 struct Moments {
     double mean = 0.0;
     double rms = 0.0;  ///< about the mean
