@@ -6,6 +6,7 @@
 #include "app/RunFolder.h"
 #include "app/RunPictures.h"
 #include "app/RunSummary.h"
+#include "app/VirtualDisplay.h"
 #include "core/Error.h"
 #include "core/haptics/HandPath.h"
 #include "core/haptics/RunEvents.h"
@@ -15,7 +16,9 @@
 #include "core/probe/SimulatedAfm.h"
 
 #include <CLI/CLI.hpp>
+#include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 
@@ -33,6 +36,15 @@ struct ExploreOptions {
     double duration = 0.0;  // [s]; 0: the path's own
     SceneOverrides overrides;
 };
+
+/// CLI11's own range check lets NaN through.
+CLI::Validator finiteNumber() {
+    return {[](const std::string& text) {
+                const bool finite = std::isfinite(std::strtod(text.c_str(), nullptr));
+                return finite ? std::string() : "expected a finite number, not " + text;
+            },
+            ""};
+}
 
 struct PlannedRun {
     HandPath hand;
@@ -79,6 +91,12 @@ void tellOutcome(const RunEvents& events) {
                   << " of " << events.ticks
                   << " ticks: beyond what half-space contact theory holds for\n";
     }
+    const long curved =
+        events.flagged.at(std::countr_zero(static_cast<std::uint32_t>(Validity::CurvedSample)));
+    if (curved > 0) {
+        std::cerr << "note: sample curvature above 0.1 / R in " << curved << " of " << events.ticks
+                  << " ticks: the contact law takes the sample as flat\n";
+    }
     if (!events.snapIn) {
         std::cerr << "note: the tip never snapped into contact\n";
     }
@@ -88,6 +106,7 @@ void tellOutcome(const RunEvents& events) {
 }
 
 void explore(const ExploreOptions& options) {
+    const VirtualDisplay display;  // before anything is written: pictures need it at the end
     const LoadedScene loaded = loadScene(options.input, options.overrides);
     for (const std::string& note : loaded.notes) {
         std::cerr << "note: " << note << '\n';
@@ -129,7 +148,8 @@ void addExploreCommand(CLI::App& program) {
     command
         ->add_option("--duration", options->duration,
                      "of the run [s]; default 10, or the length of the CSV path")
-        ->check(CLI::Range(1e-3, kLongestDuration));
+        ->check(CLI::Range(1e-3, kLongestDuration))
+        ->check(finiteNumber());
     command->add_option("--channel", options->overrides.channel, "channel of the height map");
     addLevellingOption(*command, options->overrides.levelling, "default: as the scene says, plane");
     command->callback([options] { explore(*options); });

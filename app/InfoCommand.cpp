@@ -5,6 +5,7 @@
 #include "core/io/FileHash.h"
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightStatistics.h"
+#include "core/io/PhysicalUnit.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -26,6 +27,16 @@ struct InfoOptions {
 
 bool isDefault(const HeightMapFile& file, const ScanChannel& channel) {
     return &channel == &file.channels.at(file.defaultChannel) && isTopography(channel);
+}
+
+/// The four corner pixels: they tell which way up the image lies. NaN becomes null.
+nlohmann::json cornersJson(const HeightMap& map) {
+    const int bottom = map.rows - 1;
+    const int right = map.columns - 1;
+    return {{"top_left", map.at(0, 0)},
+            {"top_right", map.at(0, right)},
+            {"bottom_left", map.at(bottom, 0)},
+            {"bottom_right", map.at(bottom, right)}};
 }
 
 /// NaN, of a channel without a valid pixel, becomes null.
@@ -50,7 +61,9 @@ nlohmann::json channelJson(const HeightMapFile& file, const ScanChannel& channel
             {"max", statistics.highest},
             {"mean", statistics.mean},
             {"rms", statistics.rms},
-            {"invalid_pixels", statistics.invalidPixels}};
+            {"invalid_pixels", statistics.invalidPixels},
+            {"corners", cornersJson(channel.map)},
+            {"metadata", channel.metadata}};
 }
 
 void printJson(const HeightMapFile& file, const std::string& path) {
@@ -99,8 +112,9 @@ void printTable(const std::vector<Row>& rows) {
 
 /// Without a unit a prefix would be read as one.
 std::string quantity(double value, const std::string& unit) {
-    if (!unit.empty()) {
-        return formatSi(value, unit.c_str());
+    const PhysicalUnit known = parseUnit(unit);  // "mV" must not become "mmV"
+    if (!known.base.empty()) {
+        return formatSi(value * known.factor, known.base.c_str());
     }
     std::ostringstream text;
     text << std::setprecision(3) << value;

@@ -5,6 +5,7 @@
 #include "core/Error.h"
 #include "core/haptics/HapticTick.h"
 #include "core/io/CsvTable.h"
+#include "core/io/TextValue.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -35,10 +36,29 @@ std::string recordedHash(const std::filesystem::path& folder) {
     return summary[pointer].get<std::string>();
 }
 
+/// A run starts with its scene's settings and keeps its rate: where the recorded input says
+/// otherwise, one of the two files was altered. @throw Error naming the key
+void requireSameSettings(const Scene& scene, const TickInput& first) {
+    const auto require = [](const std::string& key, double ofScene, double ofInput) {
+        if (ofScene != ofInput) {
+            throw Error("first differing tick: 0: " + key + " is " + exactText(ofScene) +
+                        " in scene.toml, " + exactText(ofInput) + " in tick_input.csv");
+        }
+    };
+    require("time step (1 / rate_hz)", scene.timeStep(), first.timeStep);
+    require("position_gain", scene.settings.positionGain, first.settings.positionGain);
+    require("force_gain", scene.settings.forceGain, first.settings.forceGain);
+    require("correction_hz", scene.settings.correctionBandwidth,
+            first.settings.correctionBandwidth);
+}
+
 /// Runs the recorded inputs through the tick again and writes what comes out.
 void runAgain(const Scene& scene, const std::filesystem::path& from,
               const std::filesystem::path& out) {
     std::vector<TickSample> samples = readTickInputs(from / run_files::kInput);
+    if (!samples.empty()) {
+        requireSameSettings(scene, samples.front().input);
+    }
     RunRecorder recorder(out);
     TickMemory memory;
     for (TickSample& sample : samples) {

@@ -43,8 +43,11 @@ void RunCurves::takeLegs(const TickSample& sample) {
         return;
     }
     Leg& leg = velocity.z() < 0.0 ? approach_ : retract_;
-    const double deflection = out.model.tip.z() - out.base.position.z();
-    leg.height.push_back(-out.model.contact.indentation - deflection);
+    // The gap that the undeflected tip would have, taken from along the normal to along z.
+    const Vector3& normal = out.model.foot.normal;
+    const double gap =
+        -out.model.contact.indentation + normal.dot(out.base.position - out.model.tip);
+    leg.height.push_back(gap / normal.z());
     leg.force.push_back(out.estimate.force.z());
 }
 

@@ -1,6 +1,5 @@
 #include "app/RunPictures.h"
 
-#include "app/VirtualDisplay.h"
 #include "core/SiFormat.h"
 #include "core/io/PatchExr.h"
 #include "core/scene/ContactPatch.h"
@@ -43,11 +42,15 @@ std::string captionOf(const Scene& scene, const TickSample& sample) {
                           ", contact radius " + formatSi(contact.contactRadius, "m") +
                           ", normal force " + formatSi(contact.force, "N") + " (model), " +
                           formatSi(out.estimate.force.dot(out.model.foot.normal), "N") +
-                          " (estimate). Silicon tip of " + formatSi(scene.belief.tipRadius(), "m") +
+                          " (estimate). Tip of " + formatSi(scene.belief.tipRadius(), "m") +
                           " on " + scene.description.sample.material.name + ".";
     std::replace(caption.begin(), caption.end(), '_', ' ');
     if (out.flags.has(Validity::LargeContact)) {
         caption += " Contact radius above 0.3 tip radii: beyond what half-space theory holds for.";
+    }
+    if (out.flags.has(Validity::CurvedSample)) {
+        caption +=
+            " The contact law takes the sample as flat; its curvature here is above 0.1 / R.";
     }
     return caption;
 }
@@ -59,8 +62,8 @@ DeformationView viewOf(const Scene& scene, const TickSample& sample, const char*
             .patch = patchAt(scene, sample),
             .tipCentre = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
             .tipRadius = scene.belief.tipRadius(),
-            .contactPoint =
-                out.model.foot.point - out.model.contact.indentation * out.model.foot.normal,
+            .tipDisplacement = tipDisplacement(scene, out.model, scene.description.deformation),
+            .contactPoint = displacedFoot(scene, out.model, scene.description.deformation),
             .force = out.estimate.force,
             .contactRadius = out.model.contact.contactRadius};
 }
@@ -97,7 +100,6 @@ void writeOverview(const std::filesystem::path& folder, const Scene& scene, cons
 
 void writeRunPictures(const std::filesystem::path& folder, const Scene& scene,
                       const RunEvents& events, const RunCurves& curves) {
-    const VirtualDisplay display;
     writeDeformation(folder, scene, events);
     writeOverview(folder, scene, events, curves);
     curves.write(folder / "forces.png");

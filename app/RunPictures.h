@@ -10,7 +10,7 @@ namespace asperity {
 
 /// Draws what a run did into `folder`: deformation.png (largest indentation, and the adhesion neck
 /// where there was one), overview.png, forces.png; and writes deformation.exr, the deformed surface
-/// at the largest indentation. Starts a virtual display where there is none. @throw Error
+/// at the largest indentation. @throw Error
 void writeRunPictures(const std::filesystem::path& folder, const Scene& scene,
                       const RunEvents& events, const RunCurves& curves);
 

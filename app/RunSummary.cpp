@@ -59,7 +59,9 @@ Json jumpJson(const std::optional<TickSample>& before, const std::optional<TickS
     if (!before || !after) {
         return nullptr;
     }
-    return {{"before", stateJson(*before)}, {"after", stateJson(*after)}};
+    return {{"before", stateJson(*before)},
+            {"after", stateJson(*after)},
+            {"energy_lost_j", after->output.model.contact.energyLost}};
 }
 
 Json flagsJson(const RunEvents& events) {

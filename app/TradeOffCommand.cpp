@@ -105,12 +105,12 @@ void drawFigure(const std::filesystem::path& path, const std::vector<TierResult>
 }
 
 void tradeOff(const TradeOffOptions& options) {
+    const VirtualDisplay display;  // before anything is written: the figure needs it at the end
     const LoadedScene loaded = loadScene(options.scene, {});
     const std::filesystem::path out = options.out;
     makeOutputFolder(out);
     const std::vector<TierResult> results = studyTradeOff(loaded.scene, {});
     writeTable(out / "tradeoff.csv", results);
-    const VirtualDisplay display;
     drawFigure(out / "tradeoff.png", results);
     printTable(results);
 }

@@ -39,7 +39,12 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
-        return run(argc, argv);
+        const int status = run(argc, argv);
+        std::cout.flush();
+        if (!std::cout) {
+            throw asperity::Error("standard output could not be written");
+        }
+        return status;
     } catch (const asperity::InputError& error) {
         std::cerr << "asperity: " << error.what() << '\n';
         return kUnreadableInput;

@@ -1,5 +1,8 @@
 #include "core/haptics/HapticTick.h"
 
+#include "core/surface/Curvature.h"
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr double kLargeContact = 0.3;   // a/R up to which the half-space is credible
+constexpr double kCurvedSample = 0.1;   // curvature times tip radius taken as flat
 constexpr double kModelSpread = 0.2;    // share of N that the model may be off
 constexpr double kModelFloor = 0.1e-9;  // [N]
 constexpr double kContradictionSigmas = 3.0;
@@ -53,6 +57,17 @@ DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, cons
             .normalForceSigma = prior.sigma};
 }
 
+/// Bonded to a sample so curved that the effective radius differs from the tip's by some 10 %.
+bool isCurved(const Scene& scene, const TipState& model) {
+    if (model.contact.branch == ContactBranch::Far) {
+        return false;
+    }
+    const Vector3& foot = model.foot.point;
+    const PrincipalCurvatures found = principalCurvatures(scene.surface.at(foot.x(), foot.y()));
+    const double strongest = std::max(std::abs(found.largest), std::abs(found.smallest));
+    return strongest * scene.belief.tipRadius() > kCurvedSample;
+}
+
 ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradicted) {
     const Vector3& foot = out.model.foot.point;
     ValidityFlags flags;
@@ -64,6 +79,7 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     flags.set(Validity::NotInEquilibrium, !out.model.converged || !out.model.contact.solved);
     flags.set(Validity::FrictionLock, out.model.locked);
     flags.set(Validity::ModelContradicted, contradicted);
+    flags.set(Validity::CurvedSample, isCurved(scene, out.model));
     // At rest friction has no direction, and that the geometry is singular tells nothing.
     flags.set(Validity::SingularGeometry, out.estimate.kind == DecouplingCase::NearSingular &&
                                               out.model.slip.norm() > kSliding);

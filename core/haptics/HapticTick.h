@@ -27,7 +27,4 @@ struct TickMemory {
 [[nodiscard]] TickOutput tick(const Scene& scene, const TickInput& input,
                               TickMemory& memory) noexcept;
 
-/// Lets the hand feel forces again after a fault.
-void rearm(TickMemory& memory) noexcept;
-
 }  // namespace asperity

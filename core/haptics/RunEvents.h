@@ -7,7 +7,8 @@
 
 namespace asperity {
 
-/// What is worth telling of a run afterwards.
+/// What is worth telling of a run afterwards. Jumps and indentation are those of the contact model
+/// that the operator's side believes, as all of the tick's states are.
 struct RunEvents {
     long ticks = 0;
     std::optional<TickSample> beforeSnapIn;

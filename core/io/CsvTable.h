@@ -20,7 +20,6 @@ public:
 
     [[nodiscard]] std::size_t rows() const { return lines_.size(); }
     [[nodiscard]] const std::vector<std::string>& columns() const { return names_; }
-    [[nodiscard]] bool hasColumn(const std::string& name) const { return index_.contains(name); }
 
     /// @throw InputError when there is no such column
     [[nodiscard]] const std::string& text(std::size_t row, const std::string& column) const;

@@ -24,7 +24,7 @@ std::string_view headerText(std::string_view bytes, const std::string& file) {
                          "it ends with a bare line feed: a transfer in text mode has damaged the "
                          "file; copy it again in binary mode");
     }
-    const std::size_t end = std::min(bytes.find(kHeaderEnd), bytes.find(kPadding));
+    const std::size_t end = nanoscopeHeaderSize(bytes);
     if (end == std::string_view::npos) {
         throw InputError(file, "header",
                          "it has no '\\*File list end'; the file is truncated or damaged");
@@ -98,6 +98,10 @@ std::optional<CiaoValue> parseCiaoValue(std::string_view value) {
         result.unit = number->rest;
     }
     return result;
+}
+
+std::size_t nanoscopeHeaderSize(std::string_view bytes) {
+    return std::min(bytes.find(kHeaderEnd), bytes.find(kPadding));
 }
 
 std::vector<NanoscopeSection> readNanoscopeHeader(std::string_view bytes, const std::string& file) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -34,6 +35,9 @@ struct CiaoValue {
 
 /// @return empty when a bracket is not closed or the type letter is missing
 [[nodiscard]] std::optional<CiaoValue> parseCiaoValue(std::string_view value);
+
+/// Where the header ends, in bytes: the samples cannot start before.
+[[nodiscard]] std::size_t nanoscopeHeaderSize(std::string_view bytes);
 
 /// Reads the sections up to the end of the header.
 /// @throw InputError when the header has no end or its line ends were changed on the way

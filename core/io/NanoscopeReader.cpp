@@ -29,6 +29,7 @@ public:
     HeightMapFile read() {
         refuseRelatives();
         sections_ = readNanoscopeHeader(bytes_, file_);
+        headerEnd_ = nanoscopeHeaderSize(bytes_);
         for (const NanoscopeSection& section : sections_) {
             if (lowerCase(section.name) == "ciao image list") {
                 addChannel(section);
@@ -82,6 +83,11 @@ private:
                              "its data end at byte " + std::to_string(layout.offset + length) +
                                  ", but the file has " + std::to_string(bytes_.size()) +
                                  "; it is truncated");
+        }
+        if (layout.offset < headerEnd_) {
+            throw InputError(file_, place,
+                             "its data start at byte " + std::to_string(layout.offset) +
+                                 ", but the header ends at " + std::to_string(headerEnd_));
         }
         for (const auto& [start, end] : taken_) {
             if (layout.offset < end && start < layout.offset + length) {
@@ -145,6 +151,7 @@ private:
     const std::string& file_;
     std::vector<NanoscopeSection> sections_;
     /// First and past-the-last byte of each image so far.
+    std::size_t headerEnd_ = 0;
     std::vector<std::pair<std::uint64_t, std::uint64_t>> taken_;
     HeightMapFile result_;
 };

@@ -4,6 +4,14 @@
 
 namespace asperity {
 
+namespace {
+
+double shareOfSample(const Scene& scene) {
+    return sampleShare(scene.description.sample.material.elastic, scene.description.tip.elastic);
+}
+
+}  // namespace
+
 SurfacePatch contactPatch(const Scene& scene, const TipState& state, DeformationTier tier,
                           const PatchGrid& grid) {
     const double radius = scene.belief.tipRadius();
@@ -13,12 +21,27 @@ SurfacePatch contactPatch(const Scene& scene, const TipState& state, Deformation
                              .tipRadius = radius,
                              .contactRadius = state.contact.contactRadius,
                              .indentation = state.contact.indentation};
-    const SceneDescription& description = scene.description;
-    const double share = sampleShare(description.sample.material.elastic, description.tip.elastic);
+    const double share = shareOfSample(scene);
     const auto displacement = [&](double distance) {
         return share * surfaceDisplacement(scene.belief.contact, state.contact, distance);
     };
     return deformedPatch(scene.surface, contact, grid, tier, displacement);
+}
+
+Vector3 displacedFoot(const Scene& scene, const TipState& state, DeformationTier tier) {
+    const double share = tier == DeformationTier::ClosedForm ? shareOfSample(scene) : 1.0;
+    return state.foot.point - share * state.contact.indentation * state.foot.normal;
+}
+
+RadialDisplacement tipDisplacement(const Scene& scene, const TipState& state,
+                                   DeformationTier tier) {
+    if (tier != DeformationTier::ClosedForm) {
+        return [](double) { return 0.0; };
+    }
+    const double share = 1.0 - shareOfSample(scene);
+    return [share, contact = state.contact, model = scene.belief.contact](double distance) {
+        return share * surfaceDisplacement(model, contact, distance);
+    };
 }
 
 }  // namespace asperity

@@ -12,4 +12,14 @@ namespace asperity {
 [[nodiscard]] SurfacePatch contactPatch(const Scene& scene, const TipState& state,
                                         DeformationTier tier, const PatchGrid& grid);
 
+/// Where the foot lies once the surface has moved, world [m].
+[[nodiscard]] Vector3 displacedFoot(const Scene& scene, const TipState& state,
+                                    DeformationTier tier);
+
+/// The tip's share of the displacement: its surface moves by so much into the tip, at a distance
+/// from the contact's axis [m -> m]. Zero but for the closed form: the other tiers move the sample
+/// alone.
+[[nodiscard]] RadialDisplacement tipDisplacement(const Scene& scene, const TipState& state,
+                                                 DeformationTier tier);
+
 }  // namespace asperity

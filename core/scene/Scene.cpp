@@ -1,8 +1,12 @@
 #include "core/scene/Scene.h"
 
+#include "core/Error.h"
 #include "core/surface/BSplineFit.h"
 #include "core/surface/GaussianFilter.h"
 #include "core/surface/InvalidPixels.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace asperity {
 
@@ -14,6 +18,22 @@ ProbeSystem probeSystem(const SceneDescription& scene, const SampleMaterial& mat
                            .reducedModulus = reducedModulus(material.elastic, scene.tip.elastic),
                            .workOfAdhesion = material.workOfAdhesion};
     return {ContactModel(scene.law, pair), Cantilever(probe), material.friction};
+}
+
+/// Beyond these bounds a map is no scan of a microscope, and rounding would be all that is left.
+void checkMap(const HeightMap& map) {
+    constexpr double kSmallestPitch = 1e-13;  // [m]
+    constexpr double kLargestLength = 1.0;    // [m]
+    if (!(std::min(map.pitchX, map.pitchY) >= kSmallestPitch) ||
+        !(std::max(map.sizeX(), map.sizeY()) <= kLargestLength)) {
+        throw Error("the scan's pixels must be 0.1 pm or wider and the whole at most 1 m wide");
+    }
+    const bool tooHigh = std::any_of(map.heights.begin(), map.heights.end(), [](double height) {
+        return std::abs(height) > kLargestLength;
+    });
+    if (tooHigh) {
+        throw Error("the scan's heights must lie within 1 m of zero");
+    }
 }
 
 InstrumentTruth instrumentTruth(const SceneDescription& scene) {
@@ -29,6 +49,7 @@ InstrumentTruth instrumentTruth(const SceneDescription& scene) {
 
 Scene buildScene(const SceneDescription& description, const HeightMap& map) {
     checkScene(description);
+    checkMap(map);
     const HeightMap filled = withInvalidPixelsFilled(levelled(map, description.sample.levelling));
     return {.description = description,
             .removedPlane = fitPlane(map),

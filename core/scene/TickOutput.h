@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// Why the force at the hand was switched off; latched until re-armed.
+/// Why the force at the hand was switched off; latched for the rest of the run.
 enum class Fault : std::uint8_t {
     None,
     NotFinite,  ///< a value of the input or of the result was NaN or infinite

@@ -18,6 +18,8 @@ const char* validityName(Validity flag) noexcept {
         return "friction_lock";
     case Validity::ModelContradicted:
         return "model_contradicted";
+    case Validity::CurvedSample:
+        return "curved_sample";
     case Validity::SingularGeometry:
         return "singular_geometry";
     }

@@ -15,6 +15,7 @@ enum class Validity : std::uint32_t {
     FrictionLock = 1U << 5U,       ///< friction would lock the lever
     ModelContradicted = 1U << 6U,  ///< the signals differ from the model by more than 3 sigma
     SingularGeometry = 1U << 7U,   ///< signals say little about one force direction
+    CurvedSample = 1U << 8U,       ///< the sample's curvature is above 0.1 / R: taken as flat
 };
 
 /// A set of validity flags.
@@ -34,7 +35,7 @@ private:
     std::uint32_t bits_ = 0;
 };
 
-inline constexpr int kValidityFlagCount = 8;
+inline constexpr int kValidityFlagCount = 9;
 
 /// Name of one flag as logs and panels show it, e.g. "large_contact".
 [[nodiscard]] const char* validityName(Validity flag) noexcept;

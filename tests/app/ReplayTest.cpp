@@ -104,6 +104,20 @@ TEST_F(Replay, NamesTheFirstTickAfterAnAlteredScene) {
     EXPECT_NE(again.output.find("first differing tick: 0 "), std::string::npos) << again.output;
 }
 
+TEST_F(Replay, NamesASettingThatWasAlteredInTheScene) {
+    for (const char* key : {"correction_hz", "force_gain", "rate_hz"}) {
+        const std::string original = test::contentOf(run_ / "scene.toml");
+        std::string altered = original;
+        const std::size_t value = altered.find(std::string(key) + " = ") + std::string(key).size();
+        altered.insert(value + 3, "1");
+        std::ofstream(run_ / "scene.toml") << altered;
+        const auto again = replay();
+        EXPECT_EQ(again.exitCode, 1) << again.output;
+        EXPECT_NE(again.output.find(key), std::string::npos) << again.output;
+        std::ofstream(run_ / "scene.toml") << original;
+    }
+}
+
 TEST_F(Replay, RefusesAScanThatHasChanged) {
     const auto scan = scratch_.path() / "data/samples/particles.gsf";
     std::string bytes = test::contentOf(scan);

@@ -24,7 +24,8 @@ TEST(Usage, EverySubcommandHasHelp) {
 TEST(Usage, WrongCallsExitWith2) {
     for (const std::string call :
          {"", "fly", "explore", "explore x.gsf", "explore a --out b --duration -1",
-          "explore a --out b --duration x", "explore a --out b --level flat", "info"}) {
+          "explore a --out b --duration x", "explore a --out b --duration nan",
+          "explore a --out b --level flat", "info"}) {
         const auto run = test::runProgram(call);
         EXPECT_EQ(run.exitCode, 2) << call << "\n" << run.output;
     }
@@ -70,7 +71,10 @@ TEST(Info, GivesTheSameInJsonAsTheFileHolds) {
                                       "/samples/egg_box.gsf");
     ASSERT_EQ(run.exitCode, 0) << run.output;
     const nlohmann::json info = nlohmann::json::parse(run.output);
-    EXPECT_FALSE(info.empty());
+    const nlohmann::json& channel = info["channels"][0];
+    EXPECT_NEAR(channel["max"].get<double>() - channel["min"].get<double>(), 1e-8, 1e-10);
+    EXPECT_TRUE(channel["corners"]["top_left"].is_number());
+    EXPECT_EQ(channel["unit"], "m");
 }
 
 TEST(Convert, WritesEveryFormatItNames) {

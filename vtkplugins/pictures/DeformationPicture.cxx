@@ -70,18 +70,15 @@ void writeDeformationPicture(const std::filesystem::path& path,
     if (views.empty()) {
         throw Error("The deformation picture needs at least one view.");
     }
-    double largestForce = 0.0;
     for (const DeformationView& view : views) {
         check(view);
-        largestForce = std::max(largestForce, view.force.stableNorm());
     }
     OffscreenPicture picture(size);
     const double width = static_cast<double>(size.width) / static_cast<double>(views.size());
     double left = 0.0;
     for (const DeformationView& view : views) {
         const ScenePanel panel({left, 0.0, width, static_cast<double>(size.height)});
-        const auto scene =
-            std::make_shared<DeformationScene>(picture, view, panel.scene(), largestForce);
+        const auto scene = std::make_shared<DeformationScene>(picture, view, panel.scene());
         const PanelText text{view.title, legendOf(view), scene->colourBar(),
                              view.caption + "\n" + scaleNote(scene->magnification())};
         picture.paint([scene, panel, text](Painter& painter) {

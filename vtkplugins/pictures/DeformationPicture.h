@@ -13,10 +13,13 @@ namespace asperity {
 /// One moment of a contact, as one panel shows it. World frame, SI units.
 struct DeformationView {
     std::string title;
-    std::string caption;                     ///< below the panel; wrapped
-    SurfacePatch patch;                      ///< its grid runs along x and y
-    Vector3 tipCentre = Vector3::Zero();     ///< centre of the tip's sphere [m]
-    double tipRadius = 0.0;                  ///< [m]
+    std::string caption;                  ///< below the panel; wrapped
+    SurfacePatch patch;                   ///< its grid runs along x and y
+    Vector3 tipCentre = Vector3::Zero();  ///< centre of the tip's sphere [m]
+    double tipRadius = 0.0;               ///< [m]
+    /// How far the tip's own surface gives way, at a distance from the contact's axis [m -> m];
+    /// empty: the tip is rigid.
+    RadialDisplacement tipDisplacement = {};
     Vector3 contactPoint = Vector3::Zero();  ///< middle of the contact, on the surface [m]
     Vector3 force = Vector3::Zero();         ///< of the sample on the tip [N]
     double contactRadius = 0.0;              ///< 0: no contact circle is drawn [m]

@@ -27,7 +27,7 @@ namespace asperity {
 
 namespace {
 
-const Vector3 kEye(-0.28, -0.78, 0.62);  // from the contact: into the dent, and the neck in profile
+const Vector3 kEye(-0.28, -0.78, 0.5);  // from the contact: into the dent, and the neck in profile
 
 // Parts of the patch's width.
 constexpr double kShownDisplacement = 0.2;
@@ -36,6 +36,39 @@ constexpr double kArrowLength = 0.42;
 constexpr double kBlockDepth = 0.07;
 
 constexpr int kGridLines = 24;
+
+/// On a slope the eye looks across it, so that dent, neck and force show from the side.
+Vector3 eyeFor(const Vector3& outward) {
+    const double tilt = std::hypot(outward.x(), outward.y());
+    if (tilt == 0.0) {
+        return kEye;
+    }
+    constexpr double kPlainSlope = 0.25;  // from here on the slope alone decides
+    Vector3 across = Vector3(-outward.y(), outward.x(), 0.0) / tilt;
+    across *= across.dot(kEye) < 0.0 ? -1.0 : 1.0;
+    const Vector3 level(kEye.x(), kEye.y(), 0.0);
+    const double weight = std::min(1.0, tilt / kPlainSlope);
+    const Vector3 chosen = (1.0 - weight) * level.normalized() + weight * across;
+    return level.norm() * chosen.normalized() + kEye.z() * Vector3::UnitZ();
+}
+
+/// A copy of the tip with its surface moved by its own share of the displacement.
+vtkSmartPointer<vtkPolyData> deformedTip(const DeformationView& view, const Vector3& outward,
+                                         vtkPolyData* tip) {
+    auto deformed = vtkSmartPointer<vtkPolyData>::New();
+    deformed->DeepCopy(tip);
+    if (!view.tipDisplacement) {
+        return deformed;
+    }
+    for (vtkIdType id = 0; id < tip->GetNumberOfPoints(); ++id) {
+        const Vector3 point(tip->GetPoint(id));
+        const Vector3 arm = point - view.tipCentre;
+        const double distance = (arm - arm.dot(outward) * outward).norm();
+        const Vector3 moved = point + view.tipDisplacement(distance) * outward;
+        deformed->GetPoints()->SetPoint(id, moved.data());
+    }
+    return deformed;
+}
 
 /// A round factor that makes displacements plain to see; 1 when they are.
 double magnificationFor(double displacement, double width) {
@@ -46,7 +79,7 @@ double magnificationFor(double displacement, double width) {
 }  // namespace
 
 DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationView& view,
-                                   const PixelRect& area, double largestForce)
+                                   const PixelRect& area)
     : data_(view)
     , area_(area)
     , solid_(picture.addView(area, 1))
@@ -69,12 +102,12 @@ DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationV
     addSample(source->GetOutput());
     addTip(stretch);
     addContactCircle(stretch);
-    addForce(stretch, largestForce);
+    addForce(stretch);
     addScaleBars();
     addLights(solid_);
     addLights(through_);
     const std::array<vtkRenderer*, 2> views{solid_, through_};
-    fitCamera(views, kEye, area.width / area.height);
+    fitCamera(views, eyeFor(outward_), area.width / area.height);
 }
 
 void DeformationScene::addSample(vtkPolyData* surface) {
@@ -106,7 +139,7 @@ void DeformationScene::addTip(const Stretch& stretch) {
     top->SetOrigin(Vector3(stretch.point(data_.contactPoint) + shownHeight * outward_).data());
     top->SetNormal(Vector3(-outward_).data());
     vtkNew<vtkClipPolyData> shown;
-    shown->SetInputData(stretch.apply(tip->GetOutput()));
+    shown->SetInputData(stretch.apply(deformedTip(data_, outward_, tip->GetOutput())));
     shown->SetClipFunction(top);
     shown->Update();
     for (const bool back : {true, false}) {  // the far wall first: it shows through the near one
@@ -144,13 +177,14 @@ void DeformationScene::addContactCircle(const Stretch& stretch) {
     through_->AddActor(lines(polyline(circle), palette::kContact, 2.2));
 }
 
-void DeformationScene::addForce(const Stretch& stretch, double largestForce) {
+void DeformationScene::addForce(const Stretch& stretch) {
     const Vector3 start = stretch.point(data_.contactPoint);
     forceEnd_ = start;
-    if (!(largestForce > 0.0)) {
+    const double magnitude = data_.force.stableNorm();
+    if (!(magnitude > 0.0)) {
         return;
     }
-    const double scale = kArrowLength * width_ / largestForce;
+    const double scale = kArrowLength * width_ / magnitude;
     forceEnd_ += scale * data_.force;
     vtkNew<vtkAspForceGlyphSource> arrow;
     arrow->SetContactPoint(start.x(), start.y(), start.z());
@@ -164,16 +198,33 @@ void DeformationScene::addForce(const Stretch& stretch, double largestForce) {
 }
 
 void DeformationScene::addScaleBars() {
-    const Vector3& corner = data_.patch.rest.front();
+    const Vector3& low = data_.patch.rest.front();
+    const Vector3& high = data_.patch.rest.back();
     const double gap = 0.05 * width_;
+    const Vector3 eye = eyeFor(outward_);
+    const Vector3 right = Vector3(-eye.y(), eye.x(), 0.0).normalized();
+    const double frontX = eye.x() < 0.0 ? low.x() : high.x();
+    const double frontY = eye.y() < 0.0 ? low.y() : high.y();
+
+    // Along the lower edge that faces the eye most, from its left end.
     horizontalBar_ = niceBelow(0.3 * width_);
-    const Vector3 start(corner.x(), corner.y() - gap, bottom_);
-    const Vector3 end = start + horizontalBar_ * Vector3::UnitX();
+    const bool alongX = std::abs(right.x()) >= std::abs(right.y());
+    const Vector3 along = alongX ? Vector3(std::copysign(1.0, right.x()), 0.0, 0.0)
+                                 : Vector3(0.0, std::copysign(1.0, right.y()), 0.0);
+    const Vector3 outside = alongX ? Vector3(0.0, std::copysign(gap, eye.y()), 0.0)
+                                   : Vector3(std::copysign(gap, eye.x()), 0.0, 0.0);
+    const Vector3 leftEnd = alongX ? Vector3(right.x() > 0.0 ? low.x() : high.x(), frontY, bottom_)
+                                   : Vector3(frontX, right.y() > 0.0 ? low.y() : high.y(), bottom_);
+    const Vector3 start = leftEnd + outside;
+    const Vector3 end = start + horizontalBar_ * along;
     horizontalBarAt_ = 0.5 * (start + end);
     solid_->AddActor(lines(polyline({start, end}), palette::kInk, 3.0));
 
+    // Beside the rightmost lower corner.
     verticalBar_ = niceBelow(0.2 * width_ / magnification_);
-    const Vector3 foot(data_.patch.rest.back().x() + gap, corner.y(), bottom_);
+    const Vector3 corner(right.x() > 0.0 ? high.x() : low.x(), right.y() > 0.0 ? high.y() : low.y(),
+                         bottom_);
+    const Vector3 foot = corner + gap * right;
     const Vector3 top = foot + magnification_ * verticalBar_ * outward_;
     verticalBarAt_ = top;
     solid_->AddActor(lines(polyline({foot, top}), palette::kInk, 3.0));
@@ -184,7 +235,7 @@ void DeformationScene::paintLabels(Painter& painter) const {
         const PixelPoint at = OffscreenPicture::project(solid_, point);
         return PixelPoint{at.x + right, at.y + up};
     };
-    painter.text(place(horizontalBarAt_, 0.0, -20.0), formatSi(horizontalBar_, "m"),
+    painter.text(place(horizontalBarAt_, 0.0, -26.0), formatSi(horizontalBar_, "m"),
                  {.align = Align::Centre});
     painter.text(place(verticalBarAt_, 0.0, 16.0), formatSi(verticalBar_, "m"),
                  {.align = Align::Centre});

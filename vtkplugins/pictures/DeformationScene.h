@@ -16,9 +16,7 @@ class Stretch;
 class DeformationScene {
 public:
     /// @param area         where the scene lies in the picture
-    /// @param largestForce force whose arrow has full length [N]
-    DeformationScene(OffscreenPicture& picture, const DeformationView& view, const PixelRect& area,
-                     double largestForce);
+    DeformationScene(OffscreenPicture& picture, const DeformationView& view, const PixelRect& area);
 
     /// Labels of the scale bars and of the force.
     void paintLabels(Painter& painter) const;
@@ -30,7 +28,7 @@ private:
     void addSample(vtkPolyData* surface);
     void addTip(const Stretch& stretch);
     void addContactCircle(const Stretch& stretch);
-    void addForce(const Stretch& stretch, double largestForce);
+    void addForce(const Stretch& stretch);
     void addScaleBars();
 
     const DeformationView& data_;

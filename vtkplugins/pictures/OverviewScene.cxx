@@ -66,7 +66,7 @@ void OverviewScene::addSurface() {
     source->GetOutput()->GetScalarRange(range.data());
     low_ = range[0];
     high_ = range[1] > range[0] ? range[1] : range[0] + 1e-12;
-    const double wanted = kShownRelief * side_ / (high_ - low_);
+    const double wanted = range[1] > range[0] ? kShownRelief * side_ / (high_ - low_) : 1.0;
     magnification_ = wanted >= 2.0 ? niceBelow(wanted) : 1.0;
     bottom_ = magnification_ * low_ - kBlockDepth * side_;
     colours_ = heightTable(low_, high_);
@@ -116,6 +116,7 @@ void OverviewScene::addZoomFrame() {
 
 void OverviewScene::addPath() {
     const double ceiling = magnification_ * high_ + kPathCeiling * side_;
+    const double floor = magnification_ * low_ - kPathCeiling * side_;
     std::vector<Vector3> run;  // of neighbouring points below the ceiling
     const auto finish = [this, &run] {
         if (run.size() > 1) {
@@ -124,8 +125,9 @@ void OverviewScene::addPath() {
         run.clear();
     };
     for (const Vector3& point : data_.path) {
-        if (magnification_ * point.z() <= ceiling) {
-            run.emplace_back(point.x(), point.y(), magnification_ * point.z() + kLift * side_);
+        const double height = magnification_ * point.z();
+        if (height >= floor && height <= ceiling) {
+            run.emplace_back(point.x(), point.y(), height + kLift * side_);
         } else {
             finish();
         }

@@ -105,7 +105,7 @@ TEST(HapticTick, SwitchesTheForceOffOnRequest) {
     EXPECT_EQ(tick(scene, input, memory).handForce, Vector3::Zero());
 }
 
-TEST(HapticTick, LatchesAFaultOnANonFiniteHandUntilRearmed) {
+TEST(HapticTick, LatchesAFaultOnANonFiniteHand) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     TickMemory memory;
     const TickInput good = inputAt({64.0_nm, 64.0_nm, -1.0_nm});
@@ -117,10 +117,8 @@ TEST(HapticTick, LatchesAFaultOnANonFiniteHandUntilRearmed) {
         EXPECT_EQ(faulted.handForce, Vector3::Zero());
     }
     EXPECT_EQ(tick(scene, good, memory).handForce, Vector3::Zero()) << "latched";
-    rearm(memory);
-    const TickOutput after = tick(scene, good, memory);
-    EXPECT_EQ(after.fault, Fault::None);
-    EXPECT_GT(after.handForce.norm(), 1.0_nN);
+    TickMemory fresh;
+    EXPECT_GT(tick(scene, good, fresh).handForce.norm(), 1.0_nN) << "of a run without a fault";
 }
 
 TEST(HapticTick, IsAPureFunctionOfSceneInputAndMemory) {
@@ -140,8 +138,13 @@ TEST(HapticTick, FlagsWhatTheModelDoesNotHoldFor) {
     description.sample.material.workOfAdhesion = 0.022;
     const Scene scene = buildScene(description, test::flatMap());
     TickMemory memory;
-    EXPECT_TRUE(tick(scene, inputAt({64.0_nm, 64.0_nm, -2.0_nm}), memory)
-                    .flags.has(Validity::LargeContact));
+    const ValidityFlags pressed = tick(scene, inputAt({64.0_nm, 64.0_nm, -2.0_nm}), memory).flags;
+    EXPECT_TRUE(pressed.has(Validity::LargeContact));
+    EXPECT_FALSE(pressed.has(Validity::CurvedSample)) << "flat";
+    const Scene hills = buildScene(test::plainScene(), test::hillyMap());
+    TickMemory onHill;
+    EXPECT_TRUE(
+        tick(hills, inputAt({15.0_nm, 15.0_nm, 4.0_nm}), onHill).flags.has(Validity::CurvedSample));
     EXPECT_TRUE(
         tick(scene, inputAt({-50.0_nm, 64.0_nm, 1.0_nm}), memory).flags.has(Validity::OutsideScan));
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace asperity {
@@ -28,75 +29,96 @@ SensedForce sensedSigma(const Matrix3& covariance, double kappa) {
 
 /// Deviations from truth in units of the estimate's own standard deviation.
 struct Consistency {
-    double meanSquareLateral = 0.0;
-    double meanSquareBending = 0.0;
-    double within3Sigma = 0.0;  ///< share of ticks with both deviations inside
+    double lateral = 0.0;       ///< mean square while touching
+    double bending = 0.0;       ///< mean square while touching
+    double within3Sigma = 0.0;  ///< share of all ticks with both deviations inside
 };
 
-/// A run of 10,000 ticks over soft hills, in and out of contact, with a sample that is 30 % stiffer
-/// and more adhesive and half as slippery again as believed.
-class TruthAndBelief : public ::testing::Test {
+/// How far the true sample is from the believed one, as factors.
+struct Mismatch {
+    double stiffness = 1.0;
+    double adhesion = 1.0;
+    double friction = 1.0;
+};
+
+/// A run of 10,000 ticks over soft hills, in and out of contact, on a sample that is not what the
+/// operator's side believes.
+class TruthAndBelief : public ::testing::TestWithParam<Mismatch> {
 protected:
     struct Tick {
         TickOutput output;
         Vector3 trueForce;
+        bool touching;
     };
 
-    static void SetUpTestSuite() {
+    void SetUp() override {
         SceneDescription description = test::plainScene();
-        description.truth.material.elastic.youngsModulus *= 1.3;
-        description.truth.material.workOfAdhesion *= 1.3;
-        description.truth.material.friction.coefficient *= 1.5;
+        description.truth.material.elastic.youngsModulus *= GetParam().stiffness;
+        description.truth.material.workOfAdhesion *= GetParam().adhesion;
+        description.truth.material.friction.coefficient *= GetParam().friction;
         const Scene scene = buildScene(description, test::hillyMap());
         kappa_ = scene.belief.cantilever.couplingRatio();
         SimulatedAfm afm(scene.surface, scene.truth);
-        const HandPath path = approachPath(scene, {.duration = 10.0});
+        const HandPath path = approachPath(scene, {.duration = 10.0, .slideLength = 60.0_nm});
         runVirtually(scene, path, afm, 10000, [&](const TickSample& sample) {
-            ticks_.push_back({sample.output, afm.trueState().force});
+            const TipState& truth = afm.trueState();
+            ticks_.push_back({sample.output, truth.force, truth.contact.contactRadius > 0.0});
         });
     }
 
     /// @param force which force of a tick to hold against the truth
     template <class Force>
-    static Consistency consistencyOf(const Force& force) {
+    Consistency consistencyOf(const Force& force) const {
         Consistency result;
-        const auto count = static_cast<double>(ticks_.size());
+        double touching = 0.0;
         for (const Tick& tick : ticks_) {
             const SensedForce truth = sensed(tick.trueForce, kappa_);
             const SensedForce found = sensed(force(tick), kappa_);
             const SensedForce sigma = sensedSigma(tick.output.estimate.covariance, kappa_);
             const double lateral = (found.lateral - truth.lateral) / sigma.lateral;
             const double bending = (found.bending - truth.bending) / sigma.bending;
-            result.meanSquareLateral += lateral * lateral / count;
-            result.meanSquareBending += bending * bending / count;
+            if (tick.touching) {
+                result.lateral += lateral * lateral;
+                result.bending += bending * bending;
+                touching += 1.0;
+            }
             if (std::abs(lateral) < 3.0 && std::abs(bending) < 3.0) {
-                result.within3Sigma += 1.0 / count;
+                result.within3Sigma += 1.0 / static_cast<double>(ticks_.size());
             }
         }
+        result.lateral /= touching;
+        result.bending /= touching;
         return result;
     }
 
-    static inline std::vector<Tick> ticks_;
-    static inline double kappa_ = 0.0;
+    std::vector<Tick> ticks_;
+    double kappa_ = 0.0;
 };
 
-TEST_F(TruthAndBelief, EstimateAgreesWithTruthWithinItsCovariance) {
+TEST_P(TruthAndBelief, EstimateAgreesWithTruthWithinItsCovariance) {
     const Consistency estimate =
         consistencyOf([](const Tick& tick) { return tick.output.estimate.force; });
-    EXPECT_LT(estimate.meanSquareLateral, 1.5);
-    EXPECT_LT(estimate.meanSquareBending, 1.5);
-    EXPECT_GT(estimate.within3Sigma, 0.99);
-    RecordProperty("mean_square_lateral", std::to_string(estimate.meanSquareLateral));
-    RecordProperty("mean_square_bending", std::to_string(estimate.meanSquareBending));
-    RecordProperty("within_3_sigma", std::to_string(estimate.within3Sigma));
+    // 1 is a perfectly stated covariance. Friction off by 50 % is 1.7 of the 30 % that the
+    // estimator allows its friction law, and so may weigh in with up to 1.7^2.
+    EXPECT_LT(estimate.lateral, 2.8);
+    EXPECT_GT(estimate.lateral, 0.5) << "a covariance far too wide would hide any error";
+    EXPECT_LT(estimate.bending, 1.2);
+    EXPECT_GT(estimate.bending, 0.8);
+    EXPECT_GT(estimate.within3Sigma, 0.98);
 }
 
-TEST_F(TruthAndBelief, ModelForceInItsPlaceWouldFailTheSameTest) {
+TEST_P(TruthAndBelief, ModelForceInItsPlaceFails) {
     const Consistency model =
         consistencyOf([](const Tick& tick) { return tick.output.model.force; });
-    EXPECT_GT(model.meanSquareBending, 10.0);
+    EXPECT_GT(model.bending, 10.0);
     EXPECT_LT(model.within3Sigma, 0.9);
 }
+
+INSTANTIATE_TEST_SUITE_P(OffByThirtyAndFiftyPercent, TruthAndBelief,
+                         ::testing::Values(Mismatch{1.3, 1.3, 1.5}, Mismatch{1.3, 1.3, 0.5},
+                                           Mismatch{1.3, 0.7, 1.5}, Mismatch{1.3, 0.7, 0.5},
+                                           Mismatch{0.7, 1.3, 1.5}, Mismatch{0.7, 1.3, 0.5},
+                                           Mismatch{0.7, 0.7, 1.5}, Mismatch{0.7, 0.7, 0.5}));
 
 }  // namespace
 }  // namespace asperity

@@ -99,6 +99,12 @@ TEST(NanoscopeReader, MissingSoftScaleKeepsTheHardUnit) {
     EXPECT_DOUBLE_EQ(readOne(text).map.at(1, 0), 1e-9);
 }
 
+TEST(NanoscopeReader, SamplesCannotStartInsideTheHeader) {
+    NanoscopeText text;
+    text.dataOffset = "100";
+    EXPECT_THROW((void)readOne(text), InputError);
+}
+
 TEST(NanoscopeReader, ParenthesesMayNest) {
     NanoscopeText text;
     text.scanList = "\\@Sens. Log: V 1.000000 log(Pa)/log(Arb)\r\n";

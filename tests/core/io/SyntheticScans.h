@@ -15,6 +15,7 @@ struct NanoscopeText {
     std::string lines = "2";
     std::string scanSize = "30 20 nm";
     std::string bytesPerPixel = "2";
+    std::string dataOffset;  ///< empty: where the samples are
     std::string dataLength = "12";
     std::string aspectRatio = "3:2";
     std::string zScale = "V [Sens. ZsensSens] (0.123 V/LSB) 2.000000 V";

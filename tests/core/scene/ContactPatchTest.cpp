@@ -54,5 +54,21 @@ TEST_F(ContactPatchOnAFlatSample, ContactRadiusLeavesTheSurfaceOutsideAlone) {
     EXPECT_NEAR(inside, state.contact.indentation, 0.02 * state.contact.indentation);
 }
 
+TEST(ContactPatch, SampleAndTipMeetInTheContactWhateverTheirShares) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.elastic = {.youngsModulus = 169.0_GPa, .poissonRatio = 0.27};
+    const Scene scene = buildScene(description, test::flatMap());
+    EquilibriumMemory memory;
+    const BaseMotion base{.position = {64.0_nm, 64.0_nm, -3.0_nm}};
+    const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+    const auto tip = tipDisplacement(scene, state, DeformationTier::ClosedForm);
+    const Vector3 foot = displacedFoot(scene, state, DeformationTier::ClosedForm);
+    const double half = 0.5 * state.contact.indentation;  // two bodies of one material
+    EXPECT_NEAR(state.foot.point.z() - foot.z(), half, 1e-9 * half);
+    EXPECT_NEAR(tip(0.0), half, 1e-9 * half);
+    // The sphere, deformed by its share, touches the sample at the middle of the contact.
+    EXPECT_NEAR(state.tip.z() + tip(0.0), foot.z(), 1e-9 * half);
+}
+
 }  // namespace
 }  // namespace asperity

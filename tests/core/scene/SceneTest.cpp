@@ -44,6 +44,18 @@ TEST(Scene, LevelsTheMapAndKeepsWhatItRemoved) {
     EXPECT_NEAR(scene.surface.at(60.0_nm, 60.0_nm).dx, 0.0, 1e-12);
 }
 
+TEST(Scene, RefusesWhatIsNoScan) {
+    HeightMap high = test::flatMap();
+    high.heights[5] = 1e30;
+    EXPECT_THROW((void)buildScene(test::plainScene(), high), Error);
+    HeightMap wide = test::flatMap();
+    wide.pitchX = 1e300;
+    EXPECT_THROW((void)buildScene(test::plainScene(), wide), Error);
+    HeightMap narrow = test::flatMap();
+    narrow.pitchY = 1e-300;
+    EXPECT_THROW((void)buildScene(test::plainScene(), narrow), Error);
+}
+
 TEST(Scene, RefusesEachValueOutsideItsRange) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::function<void(SceneDescription&)> mistakes[] = {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/surface/BSplineSurface.h"
+
+namespace asperity {
+
+/// Principal curvatures of a surface at one place, positive for a bump [1/m].
+struct PrincipalCurvatures {
+    double largest = 0.0;
+    double smallest = 0.0;
+};
+
+/// Source: docs/synthetic_surfaces.md (mean and Gaussian curvature of a height field).
+[[nodiscard]] PrincipalCurvatures principalCurvatures(const HeightSample& sample) noexcept;
+
+}  // namespace asperity
