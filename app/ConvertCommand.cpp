@@ -44,8 +44,10 @@ void writeInAnyFormat(const std::filesystem::path& path, const HeightMap& map,
     for (const std::string& extension : heightMapExtensions()) {
         known += extension + " ";
     }
-    throw Error(path.string() + ": no height map can be written with this extension; known are " +
-                known + ".vti .vtp .stl");
+    throw CLI::ValidationError("OUT", path.string() +
+                                          ": no height map can be written with this extension; "
+                                          "known are " +
+                                          known + ".vti .vtp .stl");
 }
 
 void convert(const ConvertOptions& options) {

@@ -2,6 +2,7 @@
 
 #include "app/LevellingOption.h"
 #include "app/LoadedScene.h"
+#include "app/OptionChecks.h"
 #include "app/RunCurves.h"
 #include "app/RunFolder.h"
 #include "app/RunPictures.h"
@@ -18,7 +19,6 @@
 #include <CLI/CLI.hpp>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 
@@ -36,15 +36,6 @@ struct ExploreOptions {
     double duration = 0.0;  // [s]; 0: the path's own
     SceneOverrides overrides;
 };
-
-/// CLI11's own range check lets NaN through.
-CLI::Validator finiteNumber() {
-    return {[](const std::string& text) {
-                const bool finite = std::isfinite(std::strtod(text.c_str(), nullptr));
-                return finite ? std::string() : "expected a finite number, not " + text;
-            },
-            ""};
-}
 
 struct PlannedRun {
     HandPath hand;
@@ -140,7 +131,7 @@ void addExploreCommand(CLI::App& program) {
         "Approach, indent, slide, retract by a scripted hand; pictures, fields, force log");
     const auto options = std::make_shared<ExploreOptions>();
     command->add_option("INPUT", options->input, "height map or scene.toml")->required();
-    command->add_option("--out", options->out, "folder for the results")->required();
+    addOutputFolder(*command, options->out, "folder for the results");
     command
         ->add_option("--path", options->path,
                      "approach, raster, scratch, or a CSV file with time_s, x_m, y_m, z_m")

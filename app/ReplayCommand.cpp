@@ -1,6 +1,7 @@
 #include "app/ReplayCommand.h"
 
 #include "app/LoadedScene.h"
+#include "app/OptionChecks.h"
 #include "app/RunFolder.h"
 #include "core/Error.h"
 #include "core/haptics/HapticTick.h"
@@ -115,7 +116,7 @@ void addReplayCommand(CLI::App& program) {
         "replay", "Run a recorded input again; say whether every tick is bit-identical");
     const auto options = std::make_shared<ReplayOptions>();
     command->add_option("RUN", options->run, "folder that explore wrote")->required();
-    command->add_option("--out", options->out, "folder for the replayed logs")->required();
+    addOutputFolder(*command, options->out, "folder for the replayed logs");
     command->callback([options] { replay(*options); });
 }
 

@@ -1,6 +1,7 @@
 #include "app/TradeOffCommand.h"
 
 #include "app/LoadedScene.h"
+#include "app/OptionChecks.h"
 #include "app/RunFolder.h"
 #include "app/VirtualDisplay.h"
 #include "core/Version.h"
@@ -122,7 +123,7 @@ void addTradeOffCommand(CLI::App& program) {
         program.add_subcommand("tradeoff", "Measured cost and error of every fidelity tier");
     const auto options = std::make_shared<TradeOffOptions>();
     command->add_option("SCENE", options->scene, "scene.toml or height map")->required();
-    command->add_option("--out", options->out, "folder for the table and the figure")->required();
+    addOutputFolder(*command, options->out, "folder for the table and the figure");
     command->callback([options] { tradeOff(*options); });
 }
 

@@ -25,7 +25,7 @@ TEST(Usage, WrongCallsExitWith2) {
     for (const std::string call :
          {"", "fly", "explore", "explore x.gsf", "explore a --out b --duration -1",
           "explore a --out b --duration x", "explore a --out b --duration nan",
-          "explore a --out b --level flat", "info"}) {
+          "explore a --out ''", "replay a --out ''", "explore a --out b --level flat", "info"}) {
         const auto run = test::runProgram(call);
         EXPECT_EQ(run.exitCode, 2) << call << "\n" << run.output;
     }
@@ -88,6 +88,15 @@ TEST(Convert, WritesEveryFormatItNames) {
         EXPECT_EQ(run.exitCode, 0) << run.output;
         EXPECT_GT(std::filesystem::file_size(scratch.file(name)), 1000U) << name;
     }
+}
+
+TEST(Convert, RefusesAnExtensionThatItDoesNotKnow) {
+    const test::ScratchFolder scratch;
+    const auto run =
+        test::runProgram("convert " + test::shippedScene("x").parent_path().parent_path().string() +
+                         "/samples/egg_box.gsf " + scratch.file("a.doc").string());
+    EXPECT_EQ(run.exitCode, 2) << run.output;
+    EXPECT_NE(run.output.find(".gwy"), std::string::npos) << "names what it knows";
 }
 
 TEST(TradeOff, WritesATableAndAFigureAndPrintsThem) {
