@@ -4,6 +4,7 @@
 #include "core/io/TomlFile.h"
 
 #include <array>
+#include <fstream>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -172,6 +173,19 @@ void refuseUnknownSections(const toml::table& table, const std::filesystem::path
     root.refuseUnknownKeys();
 }
 
+/// Whether a file of another extension is a scene: a line of it opens the section [sample].
+bool hasSampleSection(const std::filesystem::path& path) {
+    constexpr std::streamsize kSearched = 1 << 16;
+    if (!std::filesystem::is_regular_file(path)) {
+        return false;
+    }
+    std::string start(kSearched, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), kSearched);
+    start.resize(static_cast<std::size_t>(file.gcount()));
+    return start.starts_with("[sample]") || start.find("\n[sample]") != std::string::npos;
+}
+
 toml::table materialTable(const SampleMaterial& material) {
     return toml::table{{"name", material.name},
                        {"youngs_modulus_pa", material.elastic.youngsModulus},
@@ -233,7 +247,7 @@ SceneDescription readScene(const std::filesystem::path& path) {
 }
 
 SceneDescription sceneFromInput(const std::filesystem::path& path) {
-    if (path.extension() == ".toml") {
+    if (path.extension() == ".toml" || hasSampleSection(path)) {
         return readScene(path);
     }
     SceneDescription scene = defaultScene();

@@ -11,8 +11,8 @@ namespace asperity {
 /// @throw InputError on a mistake, an unknown key, or a file it names that cannot be read
 [[nodiscard]] SceneDescription readScene(const std::filesystem::path& path);
 
-/// A scene from either a scene file (.toml) or a height map, which stands for a scene with
-/// defaults.
+/// A scene from either a scene file (by content or extension) or a height map, which stands for a
+/// scene with defaults.
 [[nodiscard]] SceneDescription sceneFromInput(const std::filesystem::path& path);
 
 /// The whole description as TOML text, every value spelled out: reading it back gives the same.

@@ -42,6 +42,13 @@ TEST_F(SceneFile, FillsInDefaultsAndResolvesPathsAgainstItself) {
     EXPECT_EQ(scene.truth.material.workOfAdhesion, scene.sample.material.workOfAdhesion);
 }
 
+TEST_F(SceneFile, IsKnownByItsContentAlso) {
+    const auto scene = write("scene.txt", "# a scene\n[sample]\nfile = \"map.gsf\"\n");
+    EXPECT_EQ(sceneFromInput(scene).sample.file, (scratch_.path() / "map.gsf").string());
+    const auto map = write("map.txt", "no scene, [sample] or not");
+    EXPECT_EQ(sceneFromInput(map).sample.file, map.string()) << "taken as a height map";
+}
+
 TEST_F(SceneFile, TakesAMaterialFileAndSingleKeysOverIt) {
     write("soft.toml", "name = \"soft\"\nyoungs_modulus_pa = 1e6\npoisson_ratio = 0.5\n");
     const SceneDescription scene = readScene(write("scene.toml", R"(
