@@ -14,6 +14,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace asperity {
 
@@ -26,11 +27,10 @@ struct ReplayOptions {
 
 /// The hash of the scan that the run was made on.
 std::string recordedHash(const std::filesystem::path& folder) {
-    using namespace nlohmann::literals;
     const std::filesystem::path path = folder / run_files::kSummary;
     std::ifstream file(path);
     const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
-    const auto pointer = "/input/sha256"_json_pointer;
+    const nlohmann::json::json_pointer pointer("/input/sha256");
     if (summary.is_discarded() || !summary.contains(pointer) || !summary[pointer].is_string()) {
         throw InputError(path.string(), "input.sha256", "expected the hash of the scan");
     }
@@ -78,9 +78,11 @@ void compare(const CsvTable& recorded, const CsvTable& replayed) {
             const std::string& before = recorded.text(row, column);
             const std::string& now = replayed.text(row, column);
             if (before != now) {
-                throw Error("first differing tick: " + std::to_string(row) + " (time " +
-                            replayed.text(row, "time_s") + " s): " + column + " was " + before +
-                            ", is now " + now);
+                std::ostringstream difference;
+                difference << "first differing tick: " << row << " (time "
+                           << replayed.text(row, "time_s") << " s): " << column << " was " << before
+                           << ", is now " << now;
+                throw Error(difference.str());
             }
         }
     }

@@ -41,14 +41,14 @@ protected:
         return GetParam() == "real scan" ? test::sharedData("afm/nanoscope/di-3_v9.01.di")
                                          : test::shippedScene(GetParam());
     }
-    test::ScratchFolder scratch_;
+    test::ScratchFolder scratch;
 };
 
 TEST_P(Explore, LeavesPicturesFieldsLogAndSummary) {
     if (GetParam() == "real scan") {
         ASPERITY_NEEDS_SHARED_DATA();
     }
-    const auto out = scratch_.path() / "out";
+    const auto out = scratch.path() / "out";
     const auto run =
         test::runProgram("explore " + input().string() + " --duration 2 --out " + out.string());
     ASSERT_EQ(run.exitCode, 0) << run.output;

@@ -16,22 +16,22 @@ class Replay : public ::testing::Test {
 protected:
     void SetUp() override {
         std::filesystem::copy(test::shippedScene("polystyrene").parent_path().parent_path(),
-                              scratch_.path() / "data", std::filesystem::copy_options::recursive);
+                              scratch.path() / "data", std::filesystem::copy_options::recursive);
         const auto made = test::runProgram(
-            "explore " + (scratch_.path() / "data/scenes/polystyrene.toml").string() +
-            " --duration 0.5 --out " + run_.string());
+            "explore " + (scratch.path() / "data/scenes/polystyrene.toml").string() +
+            " --duration 0.5 --out " + run.string());
         ASSERT_EQ(made.exitCode, 0) << made.output;
     }
 
     [[nodiscard]] test::ProgramRun replay() const {
-        return test::runProgram("replay " + run_.string() + " --out " +
-                                scratch_.file("again").string());
+        return test::runProgram("replay " + run.string() + " --out " +
+                                scratch.file("again").string());
     }
 
     /// Changes one cell of the recorded input.
     void alter(std::size_t row, const std::string& column, const std::string& value) {
-        std::stringstream text(test::contentOf(run_ / "tick_input.csv"));
-        std::ofstream out(run_ / "tick_input.csv");
+        std::stringstream text(test::contentOf(run / "tick_input.csv"));
+        std::ofstream out(run / "tick_input.csv");
         std::vector<std::string> names;
         std::size_t tick = 0;
         for (std::string line; std::getline(text, line);) {
@@ -46,8 +46,8 @@ protected:
         }
     }
 
-    test::ScratchFolder scratch_;
-    std::filesystem::path run_ = scratch_.path() / "run";
+    test::ScratchFolder scratch;
+    std::filesystem::path run = scratch.path() / "run";
 
 private:
     static std::vector<std::string> split(const std::string& line) {
@@ -74,8 +74,8 @@ TEST_F(Replay, IsBitIdentical) {
     const auto again = replay();
     EXPECT_EQ(again.exitCode, 0) << again.output;
     EXPECT_NE(again.output.find("bit-identical: 501 ticks"), std::string::npos) << again.output;
-    EXPECT_EQ(test::contentOf(run_ / "force_log.csv"),
-              test::contentOf(scratch_.path() / "again/force_log.csv"));
+    EXPECT_EQ(test::contentOf(run / "force_log.csv"),
+              test::contentOf(scratch.path() / "again/force_log.csv"));
 }
 
 TEST_F(Replay, NamesTheTickOfAnAlteredHandSample) {
@@ -94,11 +94,11 @@ TEST_F(Replay, NamesTheTickOfAnAlteredSetting) {
 }
 
 TEST_F(Replay, NamesTheFirstTickAfterAnAlteredScene) {
-    std::string scene = test::contentOf(run_ / "scene.toml");
+    std::string scene = test::contentOf(run / "scene.toml");
     const std::string key = "work_of_adhesion_j_m2 = 0.066";
     ASSERT_NE(scene.find(key), std::string::npos);
     scene.replace(scene.find(key), key.size(), "work_of_adhesion_j_m2 = 0.067");
-    std::ofstream(run_ / "scene.toml") << scene;
+    std::ofstream(run / "scene.toml") << scene;
     const auto again = replay();
     EXPECT_EQ(again.exitCode, 1);
     EXPECT_NE(again.output.find("first differing tick: 0 "), std::string::npos) << again.output;
@@ -106,20 +106,20 @@ TEST_F(Replay, NamesTheFirstTickAfterAnAlteredScene) {
 
 TEST_F(Replay, NamesASettingThatWasAlteredInTheScene) {
     for (const char* key : {"correction_hz", "force_gain", "rate_hz"}) {
-        const std::string original = test::contentOf(run_ / "scene.toml");
+        const std::string original = test::contentOf(run / "scene.toml");
         std::string altered = original;
         const std::size_t value = altered.find(std::string(key) + " = ") + std::string(key).size();
         altered.insert(value + 3, "1");
-        std::ofstream(run_ / "scene.toml") << altered;
+        std::ofstream(run / "scene.toml") << altered;
         const auto again = replay();
         EXPECT_EQ(again.exitCode, 1) << again.output;
         EXPECT_NE(again.output.find(key), std::string::npos) << again.output;
-        std::ofstream(run_ / "scene.toml") << original;
+        std::ofstream(run / "scene.toml") << original;
     }
 }
 
 TEST_F(Replay, RefusesAScanThatHasChanged) {
-    const auto scan = scratch_.path() / "data/samples/particles.gsf";
+    const auto scan = scratch.path() / "data/samples/particles.gsf";
     std::string bytes = test::contentOf(scan);
     bytes[bytes.size() - 100] = static_cast<char>(bytes[bytes.size() - 100] ^ 1);
     std::ofstream(scan, std::ios::binary) << bytes;
@@ -129,10 +129,10 @@ TEST_F(Replay, RefusesAScanThatHasChanged) {
 }
 
 TEST_F(Replay, RefusesWhatIsNoRunAndToOverwriteTheRun) {
-    const auto onto = test::runProgram("replay " + run_.string() + " --out " + run_.string());
+    const auto onto = test::runProgram("replay " + run.string() + " --out " + run.string());
     EXPECT_EQ(onto.exitCode, 1) << onto.output;
-    const auto none = test::runProgram("replay " + scratch_.path().string() + " --out " +
-                                       scratch_.file("again").string());
+    const auto none = test::runProgram("replay " + scratch.path().string() + " --out " +
+                                       scratch.file("again").string());
     EXPECT_EQ(none.exitCode, 3) << none.output;
 }
 

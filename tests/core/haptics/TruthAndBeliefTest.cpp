@@ -57,24 +57,24 @@ protected:
         description.truth.material.workOfAdhesion *= GetParam().adhesion;
         description.truth.material.friction.coefficient *= GetParam().friction;
         const Scene scene = buildScene(description, test::hillyMap());
-        kappa_ = scene.belief.cantilever.couplingRatio();
+        kappa = scene.belief.cantilever.couplingRatio();
         SimulatedAfm afm(scene.surface, scene.truth);
         const HandPath path = approachPath(scene, {.duration = 10.0, .slideLength = 60.0_nm});
         runVirtually(scene, path, afm, 10000, [&](const TickSample& sample) {
             const TipState& truth = afm.trueState();
-            ticks_.push_back({sample.output, truth.force, truth.contact.contactRadius > 0.0});
+            ticks.push_back({sample.output, truth.force, truth.contact.contactRadius > 0.0});
         });
     }
 
     /// @param force which force of a tick to hold against the truth
     template <class Force>
-    Consistency consistencyOf(const Force& force) const {
+    [[nodiscard]] Consistency consistencyOf(const Force& force) const {
         Consistency result;
         double touching = 0.0;
-        for (const Tick& tick : ticks_) {
-            const SensedForce truth = sensed(tick.trueForce, kappa_);
-            const SensedForce found = sensed(force(tick), kappa_);
-            const SensedForce sigma = sensedSigma(tick.output.estimate.covariance, kappa_);
+        for (const Tick& tick : ticks) {
+            const SensedForce truth = sensed(tick.trueForce, kappa);
+            const SensedForce found = sensed(force(tick), kappa);
+            const SensedForce sigma = sensedSigma(tick.output.estimate.covariance, kappa);
             const double lateral = (found.lateral - truth.lateral) / sigma.lateral;
             const double bending = (found.bending - truth.bending) / sigma.bending;
             if (tick.touching) {
@@ -83,7 +83,7 @@ protected:
                 touching += 1.0;
             }
             if (std::abs(lateral) < 3.0 && std::abs(bending) < 3.0) {
-                result.within3Sigma += 1.0 / static_cast<double>(ticks_.size());
+                result.within3Sigma += 1.0 / static_cast<double>(ticks.size());
             }
         }
         result.lateral /= touching;
@@ -91,8 +91,8 @@ protected:
         return result;
     }
 
-    std::vector<Tick> ticks_;
-    double kappa_ = 0.0;
+    std::vector<Tick> ticks;
+    double kappa = 0.0;
 };
 
 TEST_P(TruthAndBelief, EstimateAgreesWithTruthWithinItsCovariance) {

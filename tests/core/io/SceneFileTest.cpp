@@ -16,7 +16,7 @@ namespace {
 class SceneFile : public ::testing::Test {
 protected:
     std::filesystem::path write(const std::string& name, const std::string& text) {
-        const std::filesystem::path path = scratch_.path() / name;
+        std::filesystem::path path = scratch.path() / name;
         std::ofstream(path) << text;
         return path;
     }
@@ -31,12 +31,12 @@ protected:
         return "";
     }
 
-    test::ScratchFolder scratch_;
+    test::ScratchFolder scratch;
 };
 
 TEST_F(SceneFile, FillsInDefaultsAndResolvesPathsAgainstItself) {
     const SceneDescription scene = readScene(write("scene.toml", "[sample]\nfile = \"map.gsf\"\n"));
-    EXPECT_EQ(scene.sample.file, (scratch_.path() / "map.gsf").string());
+    EXPECT_EQ(scene.sample.file, (scratch.path() / "map.gsf").string());
     EXPECT_EQ(scene.sample.levelling, Levelling::Plane);
     EXPECT_NEAR(Cantilever(scene.probe).stiffness(), 14.0, 1e-12);
     EXPECT_EQ(scene.truth.material.workOfAdhesion, scene.sample.material.workOfAdhesion);
@@ -44,7 +44,7 @@ TEST_F(SceneFile, FillsInDefaultsAndResolvesPathsAgainstItself) {
 
 TEST_F(SceneFile, IsKnownByItsContentAlso) {
     const auto scene = write("scene.txt", "# a scene\n[sample]\nfile = \"map.gsf\"\n");
-    EXPECT_EQ(sceneFromInput(scene).sample.file, (scratch_.path() / "map.gsf").string());
+    EXPECT_EQ(sceneFromInput(scene).sample.file, (scratch.path() / "map.gsf").string());
     const auto map = write("map.txt", "no scene, [sample] or not");
     EXPECT_EQ(sceneFromInput(map).sample.file, map.string()) << "taken as a height map";
 }
@@ -121,8 +121,8 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
             << "for:\n"
             << text << "\nsaid: " << refusal(text);
     }
-    EXPECT_THROW((void)readScene(scratch_.path() / "none.toml"), InputError);
-    EXPECT_THROW((void)readScene(scratch_.path()), InputError);
+    EXPECT_THROW((void)readScene(scratch.path() / "none.toml"), InputError);
+    EXPECT_THROW((void)readScene(scratch.path()), InputError);
 }
 
 TEST(ShippedScenes, AllReadAndNameFilesThatAreThere) {

@@ -16,19 +16,19 @@ protected:
     TipState indented() const {
         EquilibriumMemory memory;
         const BaseMotion base{.position = {64.0_nm, 64.0_nm, -2.0_nm}};
-        return tipEquilibrium(scene_.surface, scene_.belief, base, memory);
+        return tipEquilibrium(scene.surface, scene.belief, base, memory);
     }
 
-    Scene scene_ = buildScene(test::plainScene(), test::flatMap());
-    PatchGrid grid_{.halfWidth = 30.0_nm, .samples = 121};
+    Scene scene = buildScene(test::plainScene(), test::flatMap());
+    PatchGrid grid{.halfWidth = 30.0_nm, .samples = 121};
 };
 
 TEST_F(ContactPatchOnAFlatSample, ClosedFormPushesTheSampleByItsShareOfTheIndentation) {
     const TipState state = indented();
-    const SurfacePatch patch = contactPatch(scene_, state, DeformationTier::ClosedForm, grid_);
+    const SurfacePatch patch = contactPatch(scene, state, DeformationTier::ClosedForm, grid);
     const std::size_t middle = patch.index(patch.rows / 2, patch.columns / 2);
     const double share =
-        sampleShare(scene_.description.sample.material.elastic, scene_.description.tip.elastic);
+        sampleShare(scene.description.sample.material.elastic, scene.description.tip.elastic);
     EXPECT_NEAR(patch.points[middle].z(), -share * state.contact.indentation,
                 1e-9 * state.contact.indentation);
     EXPECT_GT(share, 0.98) << "polystyrene under silicon takes nearly all";
@@ -36,7 +36,7 @@ TEST_F(ContactPatchOnAFlatSample, ClosedFormPushesTheSampleByItsShareOfTheIndent
 
 TEST_F(ContactPatchOnAFlatSample, ContactRadiusLeavesTheSurfaceOutsideAlone) {
     const TipState state = indented();
-    const SurfacePatch patch = contactPatch(scene_, state, DeformationTier::ContactRadius, grid_);
+    const SurfacePatch patch = contactPatch(scene, state, DeformationTier::ContactRadius, grid);
     double outside = 0.0;
     double inside = 0.0;
     for (std::size_t i = 0; i < patch.points.size(); ++i) {
