@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 namespace asperity {
@@ -96,8 +97,9 @@ TEST(ExplorePaths, RasterScratchAndFileRunToTheirEnd) {
         {"raster --duration 1", 1001}, {"scratch --duration 1", 1001}, {file.string(), 401}};
     for (const auto& [path, ticks] : paths) {
         const auto out = scratch.path() / "out";
-        const auto run =
-            test::runProgram("explore " + scene + " --path " + path + " --out " + out.string());
+        std::ostringstream call;
+        call << "explore " << scene << " --path " << path << " --out " << out.string();
+        const auto run = test::runProgram(call.str());
         ASSERT_EQ(run.exitCode, 0) << run.output;
         expectWholeLog(out, ticks, 1000.0);
     }

@@ -22,8 +22,8 @@ SurfacePatch smallPatch() {
         for (int column = 0; column < 3; ++column) {
             const Vector3 rest(10e-9 + column * 2e-9, 20e-9 + row * 2e-9, column * 1e-9);
             patch.rest.push_back(rest);
-            patch.points.push_back(rest + Vector3(0.0, 0.0, row * 0.5e-9));
-            patch.normals.push_back(Vector3::UnitZ());
+            patch.points.emplace_back(rest + Vector3(0.0, 0.0, row * 0.5e-9));
+            patch.normals.emplace_back(Vector3::UnitZ());
         }
     }
     return patch;

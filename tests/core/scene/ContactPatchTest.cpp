@@ -13,7 +13,7 @@ namespace {
 
 class ContactPatchOnAFlatSample : public ::testing::Test {
 protected:
-    TipState indented() const {
+    [[nodiscard]] TipState indented() const {
         EquilibriumMemory memory;
         const BaseMotion base{.position = {64.0_nm, 64.0_nm, -2.0_nm}};
         return tipEquilibrium(scene.surface, scene.belief, base, memory);
