@@ -2,6 +2,7 @@
 
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)
+find_package(Boost 1.74 REQUIRED)  # headers: lock-free queue
 find_package(OpenEXR 3.1 CONFIG REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 find_package(tomlplusplus 3.3 REQUIRED)
@@ -14,9 +15,13 @@ find_package(
   COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral
              FiltersSources InteractionStyle IOImage IOXML IOGeometry RenderingCore
              RenderingOpenGL2 RenderingFreeType RenderingAnnotation RenderingContextOpenGL2
-             ChartsCore ViewsContext2D)
+             ChartsCore ViewsContext2D GUISupportQt)
+find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets)
+pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
 if(ASPERITY_TESTS)
   find_package(GTest REQUIRED)
   find_package(rapidcheck REQUIRED)
+  find_package(Qt5 5.15 REQUIRED COMPONENTS Test)
+  pkg_check_modules(UMOCKDEV REQUIRED IMPORTED_TARGET umockdev-1.0)
   include(GoogleTest)
 endif()

@@ -146,4 +146,24 @@ HandPath scratchPath(const Scene& scene, const PathPlan& plan) {
     return path.take();
 }
 
+Vector3 waitingPlace(const Scene& scene, const Vector2& place) {
+    return above(scene, place.x(), place.y(), clearanceFor(scene, {}));
+}
+
+HandPath journey(const Scene& scene, const Vector3& from, const Vector2& to, double duration) {
+    const Vector3 end = waitingPlace(scene, to);
+    const Vector2 way = to - from.head<2>();
+    const int steps = 1 + static_cast<int>(way.norm() / scene.description.tip.radius);
+    double height = std::max(from.z(), end.z());
+    for (int i = 0; i <= steps; ++i) {
+        const Vector2 place = from.head<2>() + i * way / steps;
+        height = std::max(height, waitingPlace(scene, place).z());
+    }
+    PathBuilder path(scene, {.duration = duration}, from);
+    path.moveTo({from.x(), from.y(), height}, 0.3);
+    path.moveTo({end.x(), end.y(), height}, 0.4);
+    path.moveTo(end, 0.3);
+    return path.take();
+}
+
 }  // namespace asperity

@@ -37,4 +37,11 @@ struct PathPlan {
 /// One long line across the middle of the scan, ever deeper.
 [[nodiscard]] HandPath scratchPath(const Scene& scene, const PathPlan& plan);
 
+/// Where the base waits above a place of the scan (x, y), out of the sample's reach [m].
+[[nodiscard]] Vector3 waitingPlace(const Scene& scene, const Vector2& place);
+
+/// Up over everything on the way, across, and down to the waiting place above (x, y) [m].
+[[nodiscard]] HandPath journey(const Scene& scene, const Vector3& from, const Vector2& to,
+                               double duration);
+
 }  // namespace asperity

@@ -103,12 +103,18 @@ bool allFinite(const TickOutput& out) {
 
 BaseMotion commandBase(const HandState& hand, const Settings& settings, double timeStep,
                        const TickMemory& memory) noexcept {
-    const Vector3 position = settings.positionGain * hand.position;
-    const Vector3 step = memory.started ? Vector3(position - memory.base) : Vector3::Zero();
-    return {position, step / timeStep};
+    if (!memory.started) {
+        return {settings.positionGain * hand.position, Vector3::Zero()};
+    }
+    const Vector3 step = settings.positionGain * (hand.position - memory.hand);
+    return {memory.base + step, step / timeStep};
 }
 
 TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) noexcept {
+    if (input.settings.rearms != memory.rearms) {
+        memory.fault = Fault::None;
+        memory.rearms = input.settings.rearms;
+    }
     const TickMemory before = memory;
     TickOutput out;
     out.base = commandBase(input.hand, input.settings, input.timeStep, memory);
@@ -121,10 +127,13 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     out.handForce = input.settings.forceGain * (out.model.force + memory.correction);
     out.flags = validity(scene, out, prior.contradicted);
     memory.base = out.base.position;
+    memory.hand = input.hand.position;
     memory.started = true;
     if (!allFinite(out)) {
         memory = before;  // nothing non-finite may live on into the next tick
         memory.fault = Fault::NotFinite;
+    } else if (!input.hand.connected) {
+        memory.fault = Fault::DeviceLost;
     }
     out.fault = memory.fault;
     if (out.fault != Fault::None || !input.settings.forcesOn) {
@@ -132,7 +141,5 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     }
     return out;
 }
-
-void rearm(TickMemory& memory) noexcept { memory.fault = Fault::None; }
 
 }  // namespace asperity

@@ -13,11 +13,14 @@ struct TickMemory {
     EquilibriumMemory model;
     Vector3 base = Vector3::Zero();        ///< commanded in the last tick [m]
     Vector3 correction = Vector3::Zero();  ///< slow part of estimate minus model [N]
-    bool started = false;                  ///< false: `base` holds nothing yet
+    Vector3 hand = Vector3::Zero();        ///< its position in the last tick [m]
+    bool started = false;                  ///< false: `base` and `hand` hold nothing yet
     Fault fault = Fault::None;             ///< latched
+    std::uint32_t rearms = 0;              ///< as the last tick's settings had them
 };
 
-/// Where the hand sends the cantilever's base in this tick, and how fast it moves there.
+/// Where the hand sends the cantilever's base in this tick, and how fast it moves there. The base
+/// follows the hand's displacements times the gain, so that a changed gain moves nothing by itself.
 [[nodiscard]] BaseMotion commandBase(const HandState& hand, const Settings& settings,
                                      double timeStep, const TickMemory& memory) noexcept;
 

@@ -66,14 +66,16 @@ void ForceLogWriter::take(const TickSample& sample) {
 
 TickInputWriter::TickInputWriter(const std::filesystem::path& path)
     : csv_(path, comments("all that the run depended on besides scene.toml, one row a tick"),
-           {"time_s", "time_step_s", "hand_x_m", "hand_y_m", "hand_z_m", "buttons", "alpha_rad",
-            "theta_rad", "age_s", "position_gain", "force_gain", "correction_hz", "forces_on"}) {}
+           {"time_s", "time_step_s", "hand_x_m", "hand_y_m", "hand_z_m", "buttons", "connected",
+            "alpha_rad", "theta_rad", "age_s", "position_gain", "force_gain", "correction_hz",
+            "forces_on", "rearms"}) {}
 
 void TickInputWriter::take(const TickSample& sample) {
     const TickInput& input = sample.input;
     csv_.add(sample.time).add(input.timeStep);
     add(csv_, input.hand.position);
     csv_.add(static_cast<double>(input.hand.buttons))
+        .add(input.hand.connected ? 1.0 : 0.0)
         .add(input.measurement.signals.bending)
         .add(input.measurement.signals.torsion)
         .add(input.measurement.age)
@@ -81,6 +83,7 @@ void TickInputWriter::take(const TickSample& sample) {
         .add(input.settings.forceGain)
         .add(input.settings.correctionBandwidth)
         .add(input.settings.forcesOn ? 1.0 : 0.0)
+        .add(static_cast<double>(input.settings.rearms))
         .endRow();
 }
 
@@ -98,11 +101,13 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
         }
         input.hand.position = {cell("hand_x_m"), cell("hand_y_m"), cell("hand_z_m")};
         input.hand.buttons = static_cast<std::uint32_t>(cell("buttons"));
+        input.hand.connected = cell("connected") != 0.0;
         input.measurement = {{cell("alpha_rad"), cell("theta_rad")}, cell("age_s")};
         input.settings = {.positionGain = cell("position_gain"),
                           .forceGain = cell("force_gain"),
                           .correctionBandwidth = cell("correction_hz"),
-                          .forcesOn = cell("forces_on") != 0.0};
+                          .forcesOn = cell("forces_on") != 0.0,
+                          .rearms = static_cast<std::uint32_t>(cell("rearms"))};
     }
     return samples;
 }

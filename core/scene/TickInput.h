@@ -12,6 +12,7 @@ namespace asperity {
 struct HandState {
     Vector3 position = Vector3::Zero();  ///< [m]
     std::uint32_t buttons = 0;           ///< bit i: button i is down
+    bool connected = true;               ///< false: the device is lost, the position its last
 };
 
 /// All that one tick depends on besides the scene and its memory: what a recording holds.

@@ -27,6 +27,8 @@ const char* faultName(Fault fault) noexcept {
         return "none";
     case Fault::NotFinite:
         return "not_finite";
+    case Fault::DeviceLost:
+        return "device_lost";
     }
     return "unknown";
 }

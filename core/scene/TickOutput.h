@@ -9,10 +9,12 @@
 
 namespace asperity {
 
-/// Why the force at the hand was switched off; latched for the rest of the run.
+/// Why the force at the hand was switched off; latched until a person takes
+/// it back.
 enum class Fault : std::uint8_t {
     None,
-    NotFinite,  ///< a value of the input or of the result was NaN or infinite
+    NotFinite,   ///< a value of the input or of the result was NaN or infinite
+    DeviceLost,  ///< the hand's device was unplugged
 };
 
 /// Where the tip is, for logs and people.

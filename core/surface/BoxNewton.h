@@ -10,7 +10,6 @@
 
 namespace asperity {
 
-using Vector2 = Eigen::Vector2d;
 using Matrix2 = Eigen::Matrix2d;
 
 /// A function of a place on the surface, expanded to second order. Its unit is the caller's.

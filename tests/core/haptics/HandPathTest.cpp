@@ -44,6 +44,20 @@ TEST_P(PlannedPath, RisesInTimeStaysInTheScanAndLeavesTheSampleAtTheEnd) {
 INSTANTIATE_TEST_SUITE_P(All, PlannedPath,
                          ::testing::Values(&approachPath, &rasterPath, &scratchPath));
 
+TEST(HandPath, AJourneyClearsTheHillsOnItsWay) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    const Vector3 from = waitingPlace(scene, {15.0_nm, 15.0_nm});
+    const HandPath path = journey(scene, from, {110.0_nm, 80.0_nm}, 2.0);
+    EXPECT_EQ(path.front().position, from);
+    EXPECT_EQ(path.back().position, waitingPlace(scene, {110.0_nm, 80.0_nm}));
+    EXPECT_NEAR(path.back().time, 2.0, 1e-12);
+    for (int i = 0; i <= 200; ++i) {
+        const Vector3 p = positionAt(path, 0.01 * i);
+        const double touch = tipContactHeight(scene.surface, p.x(), p.y(), 15.0_nm) - 15.0_nm;
+        ASSERT_GT(p.z(), touch + 1.0_nm) << i;
+    }
+}
+
 TEST(HandPath, ApproachesTheHighestFeature) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
     const HandPath path = approachPath(scene, {});

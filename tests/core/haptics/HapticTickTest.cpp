@@ -41,6 +41,35 @@ TEST(HapticTick, LoadsTheLeverOnAFlatSample) {
     EXPECT_NEAR(deepest.model.force.z(), deepest.model.contact.force, 1e-20);
 }
 
+TEST(HapticTick, AChangedGainMovesNothingByItself) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    TickMemory memory;
+    TickInput input = inputAt({50.0_nm, 50.0_nm, 20.0_nm});
+    const Vector3 start = tick(scene, input, memory).base.position;
+    input.settings.positionGain = 0.25;
+    const BaseMotion still = tick(scene, input, memory).base;
+    EXPECT_EQ(still.position, start);
+    EXPECT_EQ(still.velocity, Vector3::Zero());
+    input.hand.position.x() += 4.0_nm;
+    EXPECT_NEAR(tick(scene, input, memory).base.position.x() - start.x(), 1.0_nm, 1e-18);
+}
+
+TEST(HapticTick, ALostDeviceIsAFaultUntilAPersonTakesItBack) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    TickMemory memory;
+    TickInput input = inputAt({50.0_nm, 50.0_nm, -1.0_nm});
+    EXPECT_NE(tick(scene, input, memory).handForce, Vector3::Zero());
+    input.hand.connected = false;
+    EXPECT_EQ(tick(scene, input, memory).fault, Fault::DeviceLost);
+    input.settings.rearms = 1;
+    EXPECT_EQ(tick(scene, input, memory).fault, Fault::DeviceLost) << "it is still lost";
+    input.hand.connected = true;
+    EXPECT_EQ(tick(scene, input, memory).handForce, Vector3::Zero()) << "latched";
+    input.settings.rearms = 2;
+    EXPECT_EQ(tick(scene, input, memory).fault, Fault::None);
+    EXPECT_NE(tick(scene, input, memory).handForce, Vector3::Zero());
+}
+
 TEST(HapticTick, SnapsInAndPullsOffWithHysteresis) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     const auto samples = approachAndRetract(scene, 2.0_nm);

@@ -1,5 +1,7 @@
 #include "core/Units.h"
+#include "core/haptics/HapticLoop.h"
 #include "core/haptics/HapticTick.h"
+#include "core/haptics/ScriptedHand.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/probe/SimulatedAfm.h"
 #include "tests/support/AllocationCounter.h"
@@ -31,6 +33,23 @@ TEST(TickAllocation, TickAndSimulatedInstrumentAllocateNothingInAnyState) {
         released = touched && output.region() == TipRegion::Far;
     }
     EXPECT_TRUE(touched && released) << "the run must pass through all states";
+}
+
+TEST(TickAllocation, TheRunningLoopAllocatesNothing) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    ScriptedHand hand(approachPath(scene, {.duration = 0.5}), scene.settings.positionGain);
+    SimulatedAfm afm(scene.surface, scene.truth);
+    HapticLoop loop(scene, hand, afm);
+    loop.start();
+    while (loop.snapshot().statistics.ticks == 0) {
+    }
+    const std::size_t before = test::allocationCount();
+    bool touched = false;
+    while (loop.snapshot().statistics.ticks < 1010) {
+        touched = touched || loop.snapshot().sample.output.region() == TipRegion::Contact;
+    }
+    EXPECT_EQ(test::allocationCount(), before);
+    EXPECT_TRUE(touched);
 }
 
 TEST(TickAllocation, CounterSeesOperatorNewAndEigen) {

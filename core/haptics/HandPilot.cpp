@@ -1,0 +1,37 @@
+#include "core/haptics/HandPilot.h"
+
+#include <utility>
+
+namespace asperity {
+
+void HandPilot::displace(const Vector3& displacement) {
+    journey_.clear();
+    target_ += displacement;
+}
+
+void HandPilot::setVelocity(const Vector3& velocity) {
+    if (!velocity.isZero()) {
+        journey_.clear();
+    }
+    velocity_ = velocity;
+}
+
+void HandPilot::follow(HandPath journey) {
+    journey_ = std::move(journey);
+    journeyTime_ = journey_.front().time;
+}
+
+Vector3 HandPilot::advance(double seconds) {
+    target_ += seconds * velocity_;
+    if (travelling()) {
+        const Vector3 before = positionAt(journey_, journeyTime_);
+        journeyTime_ += seconds;
+        target_ += positionAt(journey_, journeyTime_) - before;
+        if (journeyTime_ >= journey_.back().time) {
+            journey_.clear();
+        }
+    }
+    return target_;
+}
+
+}  // namespace asperity

@@ -1,0 +1,7 @@
+#include "core/haptics/HapticDevice.h"
+
+namespace asperity {
+
+void HapticDevice::setForce(const Vector3& /*force*/) noexcept {}
+
+}  // namespace asperity

@@ -1,0 +1,78 @@
+#include "core/haptics/HapticLoop.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kKeptSeconds = 2.0;       // of samples until somebody fetches them [s]
+constexpr double kStatisticsPeriod = 1.0;  // [s]
+
+std::size_t ringSize(const Scene& scene) {
+    return static_cast<std::size_t>(kKeptSeconds * scene.description.tickRate);
+}
+
+}  // namespace
+
+HapticLoop::HapticLoop(const Scene& scene, HapticDevice& hand, AfmController& afm)
+    : scene_(scene), hand_(hand), afm_(afm), settings_(scene.settings), samples_(ringSize(scene)) {}
+
+HapticLoop::~HapticLoop() { stop(); }
+
+void HapticLoop::start() {
+    if (!thread_) {
+        thread_.emplace(scene_.description.tickRate, [this](const Beat& now) { beat(now); });
+    }
+}
+
+void HapticLoop::stop() {
+    thread_.reset();
+    hand_.setForce(Vector3::Zero());
+}
+
+void HapticLoop::drain(const std::function<void(const TickSample&)>& sink) {
+    samples_.consume_all([&sink](const TickSample& sample) { sink(sample); });
+}
+
+void HapticLoop::beat(const Beat& beat) noexcept {
+    const double begin = monotonicSeconds();
+    tickOnce(static_cast<double>(1 + beat.skipped) * scene_.timeStep());
+    measure(beat, begin);
+    if (!samples_.push(latest_.sample)) {
+        ++latest_.statistics.lostSamples;
+    }
+    snapshot_.write(latest_);
+}
+
+void HapticLoop::tickOnce(double timeStep) noexcept {
+    TickSample& sample = latest_.sample;
+    if (memory_.started) {
+        sample.time += timeStep;
+    }
+    TickInput& input = sample.input;
+    input.settings = settings_.read();
+    input.timeStep = timeStep;
+    input.hand = hand_.advance(timeStep);
+    input.measurement = afm_.exchange(commandBase(input.hand, input.settings, timeStep, memory_));
+    sample.output = tick(scene_, input, memory_);
+    hand_.setForce(sample.output.handForce);
+}
+
+void HapticLoop::measure(const Beat& beat, double begin) noexcept {
+    LoopStatistics& statistics = latest_.statistics;
+    tickTimes_.add(monotonicSeconds() - begin);
+    latenesses_.add(beat.lateness);
+    ++statistics.ticks;
+    statistics.overruns += beat.skipped;
+    statistics.policy = beat.policy;
+    if (static_cast<double>(latenesses_.count()) >=
+        kStatisticsPeriod * scene_.description.tickRate) {
+        statistics.tickTime = tickTimes_.quantiles();
+        statistics.lateness = latenesses_.quantiles();
+        tickTimes_.clear();
+        latenesses_.clear();
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/haptics/HapticDevice.h"
+#include "core/haptics/HapticTick.h"
+#include "core/haptics/Snapshot.h"
+#include "core/probe/AfmController.h"
+#include "core/realtime/PacedThread.h"
+#include "core/realtime/TripleBuffer.h"
+
+#include <boost/lockfree/spsc_queue.hpp>
+#include <functional>
+#include <optional>
+
+namespace asperity {
+
+/// The real-time loop: hand, instrument and tick at the scene's rate on a thread of its own. One
+/// other thread (the owner's) starts and stops it, turns the knobs and fetches what it made.
+/// Time is that of the ticks: a skipped due time makes the next step longer, a stop adds none.
+class HapticLoop {
+public:
+    /// All three must outlive the loop.
+    HapticLoop(const Scene& scene, HapticDevice& hand, AfmController& afm);
+    ~HapticLoop();
+    HapticLoop(const HapticLoop&) = delete;
+    HapticLoop& operator=(const HapticLoop&) = delete;
+
+    /// Starts, or goes on from where it stopped. @throw Error when there can be no more threads
+    void start();
+    /// Lets the present tick end; the hand feels nothing from then on.
+    void stop();
+    [[nodiscard]] bool running() const noexcept { return thread_.has_value(); }
+
+    /// The knobs for the next tick. Wait-free.
+    void setSettings(const Settings& settings) noexcept { settings_.write(settings); }
+
+    /// The latest tick. Wait-free; holds until the next call.
+    const Snapshot& snapshot() noexcept { return snapshot_.read(); }
+
+    /// Gives every tick since the last call to `sink`, in order. Ticks are kept for a second or
+    /// more; older ones are counted as lost.
+    void drain(const std::function<void(const TickSample&)>& sink);
+
+    /// What the next tick starts from; only while the loop does not run.
+    [[nodiscard]] const TickMemory& memory() const noexcept { return memory_; }
+    void setMemory(const TickMemory& memory) noexcept { memory_ = memory; }
+
+private:
+    void beat(const Beat& beat) noexcept;
+    void tickOnce(double timeStep) noexcept;
+    void measure(const Beat& beat, double begin) noexcept;
+
+    const Scene& scene_;
+    HapticDevice& hand_;
+    AfmController& afm_;
+
+    // The loop thread's own while it runs.
+    TickMemory memory_;
+    Snapshot latest_;
+    LatencyHistogram tickTimes_;
+    LatencyHistogram latenesses_;
+
+    TripleBuffer<Settings> settings_;
+    TripleBuffer<Snapshot> snapshot_;
+    boost::lockfree::spsc_queue<TickSample> samples_;
+    std::optional<PacedThread> thread_;
+};
+
+}  // namespace asperity

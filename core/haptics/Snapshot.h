@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/haptics/VirtualRun.h"
+#include "core/realtime/LatencyHistogram.h"
+#include "core/realtime/PacedThread.h"
+
+namespace asperity {
+
+/// How well the loop keeps its time. Quantiles are those of the last full second.
+struct LoopStatistics {
+    LatencyQuantiles tickTime;  ///< from the hand's position to its force [s]
+    LatencyQuantiles lateness;  ///< begin of a tick after its due time [s]
+    long ticks = 0;             ///< since the loop began
+    long overruns = 0;          ///< due times missed and skipped since then
+    long lostSamples = 0;       ///< ticks that nobody fetched in time: they miss in logs and curves
+    SchedulingPolicy policy = SchedulingPolicy::Ordinary;
+};
+
+/// The latest tick as the rest of the program sees it.
+struct Snapshot {
+    TickSample sample;
+    LoopStatistics statistics;
+};
+
+}  // namespace asperity

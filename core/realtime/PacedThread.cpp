@@ -1,0 +1,78 @@
+#include "core/realtime/PacedThread.h"
+
+#include "core/Error.h"
+
+#include <cmath>
+#include <ctime>
+#include <pthread.h>
+#include <system_error>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPriority = 80;        // below the kernel's own threads, above everything of ours
+constexpr double kSpin = 40e-6;      // a sleep wakes up late by about this much [s]
+constexpr double kFirstBeat = 1e-3;  // after the thread has started [s]
+
+SchedulingPolicy claimRealtime() {
+    sched_param parameters{};
+    parameters.sched_priority = kPriority;
+    return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0
+               ? SchedulingPolicy::Realtime
+               : SchedulingPolicy::Ordinary;
+}
+
+timespec toTimespec(double seconds) {
+    const double whole = std::floor(seconds);
+    return {.tv_sec = static_cast<time_t>(whole),
+            .tv_nsec = static_cast<long>((seconds - whole) * 1e9)};
+}
+
+void waitUntil(double time) {
+    const timespec wake = toTimespec(time - kSpin);
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) != 0) {
+    }
+    while (monotonicSeconds() < time) {
+    }
+}
+
+}  // namespace
+
+const char* policyName(SchedulingPolicy policy) noexcept {
+    return policy == SchedulingPolicy::Realtime ? "real-time" : "ordinary";
+}
+
+double monotonicSeconds() noexcept {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+PacedThread::PacedThread(double rate, Body body) : period_(1.0 / rate), body_(std::move(body)) {
+    try {
+        thread_ = std::thread([this] { run(); });
+    } catch (const std::system_error& error) {
+        throw Error(std::string("the loop's thread could not be started: ") + error.what());
+    }
+}
+
+PacedThread::~PacedThread() {
+    stop_.store(true, std::memory_order_relaxed);
+    thread_.join();
+}
+
+void PacedThread::run() const {
+    Beat beat{.policy = claimRealtime()};
+    double due = monotonicSeconds() + kFirstBeat;
+    while (!stop_.load(std::memory_order_relaxed)) {
+        waitUntil(due);
+        beat.lateness = monotonicSeconds() - due;
+        beat.skipped = static_cast<long>(beat.lateness / period_);
+        due += static_cast<double>(beat.skipped) * period_;
+        body_(beat);
+        due += period_;
+    }
+}
+
+}  // namespace asperity

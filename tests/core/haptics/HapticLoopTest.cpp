@@ -1,0 +1,236 @@
+#include "core/haptics/HapticLoop.h"
+
+#include "core/Units.h"
+#include "core/haptics/PointerHand.h"
+#include "core/haptics/ScriptedHand.h"
+#include "core/probe/SimulatedAfm.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+/// Waits until the loop has made so many ticks.
+void waitForTicks(HapticLoop& loop, long ticks) {
+    while (loop.snapshot().statistics.ticks < ticks) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+Scene flatScene() { return buildScene(test::plainScene(), test::flatMap()); }
+
+Vector3 middleAbove(const Scene& scene, double height) {
+    const double x = 0.5 * scene.surface.sizeX();
+    const double y = 0.5 * scene.surface.sizeY();
+    return {x, y, scene.surface.at(x, y).height + height};
+}
+
+/// A device that can push back, and be pulled out.
+class FakeDevice final : public HapticDevice {
+public:
+    explicit FakeDevice(const Vector3& position) : position_(position) {}
+    HandState advance(double /*timeStep*/) noexcept override {
+        return {.position = position_, .connected = connected.load()};
+    }
+    void setForce(const Vector3& force) noexcept override { forceZ = force.z(); }
+
+    std::atomic<bool> connected{true};
+    std::atomic<double> forceZ{0.0};
+
+private:
+    Vector3 position_;
+};
+
+/// One scene, one hand, its loop.
+struct Bench {
+    Scene scene = flatScene();
+    FakeDevice hand{middleAbove(scene, -2.0_nm)};
+    SimulatedAfm afm{scene.surface, scene.truth};
+    HapticLoop loop{scene, hand, afm};
+};
+
+TEST(HapticLoop, MakesTheSameTicksAsAVirtualRun) {
+    const Scene scene = flatScene();
+    const HandPath path{{0.0, middleAbove(scene, 3.0_nm)}, {0.2, middleAbove(scene, -2.0_nm)}};
+    ScriptedHand hand(path, scene.settings.positionGain);
+    SimulatedAfm afm(scene.surface, scene.truth);
+    HapticLoop loop(scene, hand, afm);
+    loop.start();
+    waitForTicks(loop, 250);
+    loop.stop();
+    std::vector<TickSample> live;
+    loop.drain([&live](const TickSample& sample) { live.push_back(sample); });
+    ASSERT_GE(live.size(), 250U);
+
+    TickMemory memory;
+    for (const TickSample& sample : live) {
+        const TickOutput again = tick(scene, sample.input, memory);
+        ASSERT_EQ(again.handForce, sample.output.handForce);
+        ASSERT_EQ(again.tip, sample.output.tip);
+        const Vector3 wanted = positionAt(path, sample.time);
+        ASSERT_NEAR((sample.output.base.position - wanted).norm(), 0.0, 1e-18);
+    }
+    EXPECT_EQ(live.back().output.region(), TipRegion::Contact);
+}
+
+TEST(HapticLoop, TimeIsThatOfTheSteps) {
+    Bench bench;
+    bench.loop.start();
+    waitForTicks(bench.loop, 100);
+    bench.loop.stop();
+    double time = 0.0;
+    long ticks = 0;
+    bench.loop.drain([&](const TickSample& sample) {
+        time += ticks++ == 0 ? 0.0 : sample.input.timeStep;
+        EXPECT_NEAR(sample.time, time, 1e-12);
+        const double periods = sample.input.timeStep / bench.scene.timeStep();
+        EXPECT_NEAR(periods, std::round(periods), 1e-9);
+    });
+    const LoopStatistics& statistics = bench.loop.snapshot().statistics;
+    EXPECT_EQ(ticks, statistics.ticks);
+    EXPECT_EQ(statistics.lostSamples, 0);
+}
+
+TEST(HapticLoop, PushesTheHandAndLetsGoWhenStopped) {
+    Bench bench;
+    bench.loop.start();
+    waitForTicks(bench.loop, 50);
+    EXPECT_GT(bench.hand.forceZ, 1e-9);
+    bench.loop.stop();
+    EXPECT_EQ(bench.hand.forceZ, 0.0);
+}
+
+TEST(HapticLoop, GoesOnWhereItStopped) {
+    Bench bench;
+    bench.loop.start();
+    waitForTicks(bench.loop, 20);
+    bench.loop.stop();
+    const Snapshot before = bench.loop.snapshot();
+    bench.loop.start();
+    waitForTicks(bench.loop, before.statistics.ticks + 1);
+    bench.loop.stop();
+    std::vector<TickSample> all;
+    bench.loop.drain([&all](const TickSample& sample) { all.push_back(sample); });
+    const auto at = static_cast<std::size_t>(before.statistics.ticks);
+    ASSERT_GT(all.size(), at);
+    EXPECT_NEAR(all[at].time - all[at - 1].time, all[at].input.timeStep, 1e-12);
+    EXPECT_EQ(all[at].output.region(), TipRegion::Contact);
+    EXPECT_LT(all[at].output.base.velocity.norm(), 1e-20);
+}
+
+TEST(HapticLoop, TurnsKnobsWhileItRuns) {
+    Bench bench;
+    bench.loop.start();
+    waitForTicks(bench.loop, 50);
+    const double force = bench.hand.forceZ;
+    Settings settings = bench.scene.settings;
+    settings.forceGain = 10.0;
+    bench.loop.setSettings(settings);
+    waitForTicks(bench.loop, bench.loop.snapshot().statistics.ticks + 2);
+    EXPECT_NEAR(bench.hand.forceZ, 10.0 * force, 0.5 * force);
+    settings.forcesOn = false;
+    bench.loop.setSettings(settings);
+    waitForTicks(bench.loop, bench.loop.snapshot().statistics.ticks + 2);
+    EXPECT_EQ(bench.hand.forceZ, 0.0);
+}
+
+TEST(HapticLoop, ALostDeviceFeelsNothingUntilAPersonTakesItBack) {
+    Bench bench;
+    bench.loop.start();
+    waitForTicks(bench.loop, 20);
+    bench.hand.connected = false;
+    waitForTicks(bench.loop, bench.loop.snapshot().statistics.ticks + 2);
+    EXPECT_EQ(bench.loop.snapshot().sample.output.fault, Fault::DeviceLost);
+    EXPECT_EQ(bench.hand.forceZ, 0.0);
+    bench.hand.connected = true;
+    waitForTicks(bench.loop, bench.loop.snapshot().statistics.ticks + 2);
+    EXPECT_EQ(bench.loop.snapshot().sample.output.fault, Fault::DeviceLost);
+    Settings settings = bench.scene.settings;
+    settings.rearms = 1;
+    bench.loop.setSettings(settings);
+    waitForTicks(bench.loop, bench.loop.snapshot().statistics.ticks + 2);
+    EXPECT_EQ(bench.loop.snapshot().sample.output.fault, Fault::None);
+    EXPECT_GT(bench.hand.forceZ, 1e-9);
+}
+
+TEST(HapticLoop, CountsSamplesThatNobodyFetched) {
+    SceneDescription description = test::plainScene();
+    description.tickRate = 10000.0;
+    const Scene scene = buildScene(description, test::flatMap());
+    FakeDevice hand(middleAbove(scene, 1.0_nm));
+    SimulatedAfm afm(scene.surface, scene.truth);
+    HapticLoop loop(scene, hand, afm);
+    loop.start();
+    while (loop.snapshot().statistics.lostSamples == 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    loop.stop();
+    long fetched = 0;
+    loop.drain([&fetched](const TickSample&) { ++fetched; });
+    const LoopStatistics& statistics = loop.snapshot().statistics;
+    EXPECT_EQ(fetched + statistics.lostSamples, statistics.ticks);
+}
+
+TEST(HapticLoop, TellsHowItKeepsTimeOnceASecond) {
+    Bench bench;
+    bench.loop.start();
+    waitForTicks(bench.loop, 1010);
+    const LoopStatistics statistics = bench.loop.snapshot().statistics;
+    EXPECT_GT(statistics.tickTime.median, 0.0);
+    EXPECT_LE(statistics.tickTime.median, statistics.tickTime.p99);
+    EXPECT_LE(statistics.tickTime.p99, statistics.tickTime.largest);
+    EXPECT_GT(statistics.lateness.largest, 0.0);
+}
+
+TEST(HapticLoop, StartsAndStopsOverAndOver) {
+    Bench bench;
+    for (int i = 0; i < 100; ++i) {
+        bench.loop.start();
+        bench.loop.stop();
+    }
+    EXPECT_FALSE(bench.loop.running());
+}
+
+TEST(PointerHand, FollowsItsTargetWithoutOvershoot) {
+    PointerHand hand(Vector3::Zero());
+    hand.moveTo({1.0_nm, 0.0, -2.0_nm});
+    double last = 0.0;
+    for (int i = 0; i < 500; ++i) {
+        const double x = hand.advance(1e-3).position.x();
+        EXPECT_GE(x, last);
+        EXPECT_LE(x, 1.0_nm);
+        last = x;
+    }
+    EXPECT_NEAR(last, 1.0_nm, 1e-6 * 1.0_nm);
+}
+
+TEST(PointerHand, MovesAsFarInOneLongStepAsInManyShortOnes) {
+    PointerHand coarse(Vector3::Zero());
+    PointerHand fine(Vector3::Zero());
+    coarse.moveTo({1.0_nm, 0.0, 0.0});
+    fine.moveTo({1.0_nm, 0.0, 0.0});
+    const double once = coarse.advance(0.05).position.x();
+    double often = 0.0;
+    for (int i = 0; i < 50; ++i) {
+        often = fine.advance(1e-3).position.x();
+    }
+    EXPECT_NEAR(once, often, 1e-9 * often);
+}
+
+TEST(ScriptedHand, LeadsTheBaseAlongItsPathWhateverTheGain) {
+    ScriptedHand hand({{0.0, {0.0, 0.0, 0.0}}, {1.0, {4.0_nm, 0.0, 0.0}}}, 2.0);
+    EXPECT_EQ(hand.advance(0.5).position.x(), 0.0);
+    EXPECT_NEAR(hand.advance(0.5).position.x(), 1.0_nm, 1e-18);
+    EXPECT_NEAR(hand.advance(0.5).position.x(), 2.0_nm, 1e-18);
+    EXPECT_NEAR(hand.advance(0.5).position.x(), 2.0_nm, 1e-18);
+}
+
+}  // namespace
+}  // namespace asperity
