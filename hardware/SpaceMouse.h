@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/haptics/HapticDevice.h"
+#include "core/realtime/TripleBuffer.h"
+#include "hardware/HidTransport.h"
+#include "hardware/SpaceMouseReports.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace asperity {
+
+/// A hand led by a SpaceMouse: the knob's deflection is the hand's velocity. It senses only and
+/// renders no force. A thread of its own reads the device, and without one looks for it twice a
+/// second; meanwhile the hand rests and is not connected.
+class SpaceMouse final : public HapticDevice {
+public:
+    static constexpr double kDefaultSpeed = 20e-9;  ///< [m/s]
+
+    /// Takes the first SpaceMouse that can be opened; one that is there is connected at once.
+    /// @param transport must outlive the hand
+    /// @param start     where the hand is at first [m]
+    /// @param fullSpeed of the hand when the knob is pushed to its end [m/s]
+    SpaceMouse(HidTransport& transport, Vector3 start, double fullSpeed = kDefaultSpeed);
+    /// Puts the light out and joins the thread, in some hundredths of a second.
+    ~SpaceMouse() override;
+    SpaceMouse(const SpaceMouse&) = delete;
+    SpaceMouse& operator=(const SpaceMouse&) = delete;
+
+    HandState advance(double timeStep) noexcept override;
+
+    /// The hand's speed at full deflection [m/s]. Any thread; wait-free.
+    void setSpeed(double fullSpeed) noexcept {
+        fullSpeed_.store(fullSpeed, std::memory_order_relaxed);
+    }
+
+    /// For people: which device it is, or why there is none. Any thread but the loop's.
+    [[nodiscard]] std::string status() const;
+
+private:
+    struct Reading {
+        SpaceMouseState state;
+        bool connected = false;
+    };
+
+    [[nodiscard]] std::unique_ptr<HidConnection> find();
+    void run(const std::stop_token& stop);
+    void follow(HidConnection& device, const std::stop_token& stop);
+    bool pauseUnlessStopped(const std::stop_token& stop);
+    void setStatus(std::string status);
+
+    HidTransport& transport_;
+    Vector3 position_;  ///< of the hand; the loop thread's own [m]
+    std::atomic<double> fullSpeed_;
+
+    mutable std::mutex mutex_;  ///< guards the status
+    std::string status_;
+    std::condition_variable_any wakeUp_;
+
+    std::unique_ptr<HidConnection> device_;  ///< the thread's own once that runs
+    TripleBuffer<Reading> reading_;
+    std::jthread thread_;  ///< last: it uses all the others
+};
+
+}  // namespace asperity

@@ -1,0 +1,148 @@
+#include "hardware/DeviceRegistry.h"
+
+#include "tests/hardware/FakeHid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fnmatch.h>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace asperity::test {
+namespace {
+
+HidDeviceInfo withIds(std::uint16_t vendorId, std::uint16_t productId) {
+    HidDeviceInfo device = spaceMouseInfo();
+    device.vendorId = vendorId;
+    device.productId = productId;
+    return device;
+}
+
+TEST(DeviceRegistry, KnowsSpaceMiceOfBothVendorIds) {
+    for (const auto& [vendor, product] : {std::pair{0x046d, 0xc603},
+                                          {0x046d, 0xc626},
+                                          {0x046d, 0xc62b},
+                                          {0x046d, 0xc640},
+                                          {0x256f, 0xc62e},
+                                          {0x256f, 0xc633},
+                                          {0x256f, 0xc635},
+                                          {0x256f, 0xc652}}) {
+        EXPECT_TRUE(isSpaceMouse(
+            withIds(static_cast<std::uint16_t>(vendor), static_cast<std::uint16_t>(product))))
+            << std::hex << vendor << ':' << product;
+    }
+}
+
+TEST(DeviceRegistry, CadMiceAndOtherDevicesOfTheSameVendorsAreNoSpaceMice) {
+    for (const auto& [vendor, product] : {std::pair{0x046d, 0xc602},
+                                          {0x046d, 0xc641},
+                                          {0x046d, 0xc283},
+                                          {0x256f, 0xc62d},
+                                          {0x256f, 0xc650},
+                                          {0x256f, 0xc651},
+                                          {0x256f, 0xc653},
+                                          {0x256f, 0xc658},
+                                          {0x16c0, 0xc635}}) {
+        EXPECT_FALSE(isSpaceMouse(
+            withIds(static_cast<std::uint16_t>(vendor), static_cast<std::uint16_t>(product))))
+            << std::hex << vendor << ':' << product;
+    }
+}
+
+TEST(DeviceRegistry, ANodeWithoutSixAxesIsNoSpaceMouse) {
+    HidDeviceInfo receiver = withIds(0x256f, 0xc652);
+    receiver.usages = {{.page = 1, .id = 6}, {.page = 12, .id = 1}};
+    EXPECT_FALSE(isSpaceMouse(receiver));
+    receiver.usages.push_back({.page = 1, .id = 8});
+    EXPECT_TRUE(isSpaceMouse(receiver));
+}
+
+TEST(DeviceRegistry, SaysWhatASpaceMouseCanDo) {
+    FakeHid hid;
+    hid.plug(spaceMouseInfo());
+    const std::vector<DeviceDescription> list = listDevices(hid);
+    ASSERT_EQ(list.size(), 1U);
+    EXPECT_EQ(list[0].name, "SpaceMouse Compact");
+    EXPECT_EQ(list[0].driver, kSpaceMouseDriver);
+    EXPECT_EQ(list[0].path, "/dev/hidraw7");
+    EXPECT_EQ(list[0].vendorId, 0x256f);
+    EXPECT_EQ(list[0].productId, 0xc635);
+    EXPECT_EQ(list[0].senses,
+              (std::vector<std::string>{"x", "y", "z", "rx", "ry", "rz", "buttons"}));
+    EXPECT_FALSE(list[0].rendersForce);
+    EXPECT_TRUE(list[0].usable());
+}
+
+TEST(DeviceRegistry, ListsUnknownDevicesAsNotUsable) {
+    FakeHid hid;
+    hid.plug({.path = "/dev/hidraw0", .vendorId = 0x1234, .productId = 1, .manufacturer = "Acme"});
+    hid.plug(spaceMouseInfo());
+    const std::vector<DeviceDescription> list = listDevices(hid);
+    ASSERT_EQ(list.size(), 2U);
+    EXPECT_EQ(list[0].name, "Acme HID device");
+    EXPECT_EQ(list[0].driver, "");
+    EXPECT_EQ(list[0].obstacle, "no driver for this device");
+    EXPECT_TRUE(list[1].usable());
+}
+
+TEST(DeviceRegistry, NamesTheRulesFileWhenPermissionIsMissing) {
+    FakeHid hid;
+    HidDeviceInfo device = spaceMouseInfo();
+    device.permitted = false;
+    hid.plug(device);
+    const std::vector<DeviceDescription> list = listDevices(hid);
+    ASSERT_EQ(list.size(), 1U);
+    EXPECT_FALSE(list[0].usable());
+    EXPECT_NE(list[0].obstacle.find("70-asperity-hid.rules"), std::string::npos);
+    EXPECT_EQ(list[0].driver, kSpaceMouseDriver);
+}
+
+/// The value that a rule asks of a key; empty: the rule does not ask for it.
+std::string askedOf(const std::string& key, const std::string& rule) {
+    const std::string opening = key + "==\"";
+    const std::size_t begin = rule.find(opening);
+    if (begin == std::string::npos) {
+        return "";
+    }
+    const std::size_t value = begin + opening.size();
+    return rule.substr(value, rule.find('"', value) - value);
+}
+
+/// What the shipped rules let the person at the screen open: vendor id and pattern for product ids.
+std::vector<std::pair<std::string, std::string>> shippedRules() {
+    std::ifstream file(std::filesystem::path(ASPERITY_DATA_DIR) / "udev/70-asperity-hid.rules");
+    std::vector<std::pair<std::string, std::string>> rules;
+    for (std::string line; std::getline(file, line);) {
+        if (askedOf("KERNEL", line) == "hidraw*" &&
+            line.find("TAG+=\"uaccess\"") != std::string::npos) {
+            rules.emplace_back(askedOf("ATTRS{idVendor}", line), askedOf("ATTRS{idProduct}", line));
+        }
+    }
+    return rules;
+}
+
+/// udev's patterns are those of the shell, with alternatives.
+bool udevMatches(const std::string& pattern, unsigned product) {
+    std::ostringstream id;
+    id << std::hex << std::setw(4) << std::setfill('0') << product;
+    return fnmatch(("@(" + pattern + ")").c_str(), id.str().c_str(), FNM_EXTMATCH) == 0;
+}
+
+TEST(DeviceRegistry, TheUdevRulesOpenTheSpaceMiceAndNothingElse) {
+    const auto rules = shippedRules();
+    ASSERT_EQ(rules.size(), 2U);
+    for (const auto& [vendor, pattern] : rules) {
+        const auto vendorId = static_cast<std::uint16_t>(std::stoul(vendor, nullptr, 16));
+        for (unsigned product = 0; product <= 0xFFFF; ++product) {
+            const auto productId = static_cast<std::uint16_t>(product);
+            ASSERT_EQ(udevMatches(pattern, product), isSpaceMouse(withIds(vendorId, productId)))
+                << vendor << ':' << std::hex << product;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace asperity::test

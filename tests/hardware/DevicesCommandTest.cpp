@@ -1,0 +1,76 @@
+#include "app/DevicesCommand.h"
+
+#include "tests/hardware/VirtualSpaceMouse.h"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace asperity::test {
+namespace {
+
+/// What `asperity` prints on the standard output for these words.
+std::string printed(const std::string& words) {
+    CLI::App program;
+    addDevicesCommand(program);
+    testing::internal::CaptureStdout();
+    program.parse(words);
+    return testing::internal::GetCapturedStdout();
+}
+
+nlohmann::json deviceNamed(const std::string& name) {
+    const nlohmann::json devices = nlohmann::json::parse(printed("devices --json")).at("devices");
+    const auto found = std::find_if(devices.begin(), devices.end(), [&name](const auto& device) {
+        return device.at("name") == name;
+    });
+    return found == devices.end() ? nlohmann::json() : *found;
+}
+
+TEST(DevicesCommand, ListsMouseAndKeyboardFirst) {
+    const VirtualSpaceMouse device;
+    const nlohmann::json first =
+        nlohmann::json::parse(printed("devices --json")).at("devices").at(0);
+    EXPECT_EQ(first.at("name"), "mouse and keyboard");
+    EXPECT_EQ(first.at("usable"), true);
+    EXPECT_EQ(first.at("path"), nullptr);
+}
+
+TEST(DevicesCommand, SaysWhatTheSpaceMouseCanDo) {
+    const VirtualSpaceMouse device;
+    EXPECT_EQ(deviceNamed("SpaceMouse Compact"), nlohmann::json::parse(R"({
+        "name": "SpaceMouse Compact", "vendor_id": "256f", "product_id": "c635",
+        "path": "/dev/hidraw7", "driver": "SpaceMouse",
+        "senses": ["x", "y", "z", "rx", "ry", "rz", "buttons"],
+        "renders_force": false, "usable": true, "obstacle": null})"));
+}
+
+TEST(DevicesCommand, SaysWhyAnUnknownDeviceCannotBeUsed) {
+    const VirtualSpaceMouse device;
+    const nlohmann::json unknown = deviceNamed("Acme Maus");
+    EXPECT_EQ(unknown.at("driver"), nullptr);
+    EXPECT_EQ(unknown.at("usable"), false);
+    EXPECT_EQ(unknown.at("obstacle"), "no driver for this device");
+}
+
+TEST(DevicesCommand, PrintsALineForEachDeviceForPeople) {
+    const VirtualSpaceMouse device;
+    const std::string text = printed("devices");
+    EXPECT_NE(text.find("mouse and keyboard\n  usable\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("SpaceMouse Compact, 256f:c635, /dev/hidraw7\n  usable\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("not usable: no driver for this device"), std::string::npos) << text;
+    EXPECT_EQ(text.find("No HID device"), std::string::npos) << text;
+}
+
+TEST(DevicesCommand, SaysWhenNoHidDeviceIsThere) {
+    const std::unique_ptr<UMockdevTestbed, decltype(&g_object_unref)> empty(umockdev_testbed_new(),
+                                                                            &g_object_unref);
+    EXPECT_NE(printed("devices").find("No HID device is plugged in.\n"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(printed("devices --json")).at("devices").size(), 1U);
+}
+
+}  // namespace
+}  // namespace asperity::test
