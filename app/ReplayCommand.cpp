@@ -7,6 +7,7 @@
 #include "core/haptics/HapticTick.h"
 #include "core/io/CsvTable.h"
 #include "core/io/TextValue.h"
+#include "core/io/TickMemoryFile.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -37,20 +38,32 @@ std::string recordedHash(const std::filesystem::path& folder) {
     return summary[pointer].get<std::string>();
 }
 
-/// A run starts with its scene's settings and keeps its rate: where the recorded input says
-/// otherwise, one of the two files was altered. @throw Error naming the key
-void requireSameSettings(const Scene& scene, const TickInput& first) {
+/// A run starts with its scene's settings and keeps its rate, but for whole periods that a live one
+/// skips now and then: where the recorded input says otherwise, one of the two files was altered.
+/// @throw Error naming the key
+void requireSameSettings(const Scene& scene, const std::vector<TickSample>& samples) {
     const auto require = [](const std::string& key, double ofScene, double ofInput) {
         if (ofScene != ofInput) {
             throw Error("first differing tick: 0: " + key + " is " + exactText(ofScene) +
                         " in scene.toml, " + exactText(ofInput) + " in tick_input.csv");
         }
     };
-    require("time step (1 / rate_hz)", scene.timeStep(), first.timeStep);
+    const auto shortest = std::min_element(samples.begin(), samples.end(),
+                                           [](const TickSample& one, const TickSample& other) {
+                                               return one.input.timeStep < other.input.timeStep;
+                                           });
+    require("time step (1 / rate_hz)", scene.timeStep(), shortest->input.timeStep);
+    const TickInput& first = samples.front().input;
     require("position_gain", scene.settings.positionGain, first.settings.positionGain);
     require("force_gain", scene.settings.forceGain, first.settings.forceGain);
     require("correction_hz", scene.settings.correctionBandwidth,
             first.settings.correctionBandwidth);
+}
+
+/// What the first tick starts from: a recording may begin in the middle of a run.
+TickMemory startMemory(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / run_files::kMemory;
+    return std::filesystem::exists(file) ? readTickMemory(file) : TickMemory{};
 }
 
 /// Runs the recorded inputs through the tick again and writes what comes out.
@@ -58,10 +71,10 @@ void runAgain(const Scene& scene, const std::filesystem::path& from,
               const std::filesystem::path& out) {
     std::vector<TickSample> samples = readTickInputs(from / run_files::kInput);
     if (!samples.empty()) {
-        requireSameSettings(scene, samples.front().input);
+        requireSameSettings(scene, samples);
     }
     RunRecorder recorder(out);
-    TickMemory memory;
+    TickMemory memory = startMemory(from);
     for (TickSample& sample : samples) {
         sample.output = tick(scene, sample.input, memory);
         recorder.take(sample);

@@ -12,6 +12,7 @@ namespace asperity {
 namespace run_files {
 inline constexpr const char* kScene = "scene.toml";
 inline constexpr const char* kInput = "tick_input.csv";
+inline constexpr const char* kMemory = "tick_memory.csv";  ///< absent: the run began afresh
 inline constexpr const char* kLog = "force_log.csv";
 inline constexpr const char* kSummary = "summary.json";
 }  // namespace run_files

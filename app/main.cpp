@@ -1,8 +1,11 @@
 #include "app/ConvertCommand.h"
+#include "app/DevicesCommand.h"
 #include "app/ExploreCommand.h"
 #include "app/InfoCommand.h"
+#include "app/LoopCommand.h"
 #include "app/ReplayCommand.h"
 #include "app/TradeOffCommand.h"
+#include "app/WindowCommand.h"
 #include "core/Error.h"
 #include "core/Version.h"
 
@@ -21,18 +24,21 @@ constexpr int kUnreadableInput = 3;
 int run(int argc, char** argv) {
     CLI::App program("Asperity: touch a real AFM scan, in forces and in pictures");
     program.set_version_flag("--version", std::string("asperity ") + asperity::kVersion);
-    program.require_subcommand(1);
+    program.require_subcommand(0, 1);
+    const auto window = asperity::addWindowOptions(program);
     asperity::addExploreCommand(program);
     asperity::addInfoCommand(program);
     asperity::addConvertCommand(program);
     asperity::addTradeOffCommand(program);
     asperity::addReplayCommand(program);
+    asperity::addLoopCommand(program);
+    asperity::addDevicesCommand(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? 0 : kWrongUsage;
     }
-    return 0;
+    return program.get_subcommands().empty() ? asperity::openWindow(*window) : 0;
 }
 
 }  // namespace

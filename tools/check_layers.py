@@ -31,7 +31,7 @@ ALLOWED["app"] = CORE | {"core/io", "vtkplugins", "hardware", "ui"}
 # system headers that belong to one place only
 FOREIGN = {
     re.compile(r"^(vtk|QVTK)"): {"vtkplugins", "ui"},
-    re.compile(r"^Q[A-Z]"): {"ui"},
+    re.compile(r"^Q[A-Z]"): {"ui", "app"},
     re.compile(r"^hidapi"): {"hardware"},
     re.compile(r"^(Imf|OpenEXR|tiff|png|toml|nlohmann|openssl)"): {"core/io", "app"},
     re.compile(r"^CLI/"): {"app"},

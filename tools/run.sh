@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds Asperity and does its main job on a scan.
+# Installs what is missing, builds Asperity and does its main job on a scan: the live window where
+# there is a display, else a scripted run with pictures, fields and a force log in out/.
 # Usage: tools/run.sh [FILE or SCENE.toml]        default: data/scenes/polystyrene.toml
-# Leaves pictures, fields and a force log in out/.
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -9,5 +9,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 "$top/tools/build.sh" release asperity
 
 input=${1:-$top/data/scenes/polystyrene.toml}
-out=$PWD/out
-"$top/build/release/bin/asperity" explore "$input" --out "$out"
+if [ -n "${DISPLAY:-}" ]; then
+    exec "$top/build/release/bin/asperity" "$input"
+fi
+"$top/build/release/bin/asperity" explore "$input" --out "$PWD/out"

@@ -6,6 +6,8 @@ namespace asperity {
 struct Elastic {
     double youngsModulus = 0.0;  ///< [Pa], > 0
     double poissonRatio = 0.0;   ///< 0 .. 0.5
+
+    bool operator==(const Elastic&) const = default;
 };
 
 /// Sample and tip as one pair: what every contact law needs.

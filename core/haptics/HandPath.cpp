@@ -28,6 +28,20 @@ double clearanceFor(const Scene& scene, const PathPlan& plan) {
     return std::max(plan.clearance, plan.clearance + 1.5 * std::abs(pullOff));
 }
 
+/// Keeps a coordinate inside the scan.
+double inside(double coordinate, double size) {
+    return std::clamp(coordinate, 0.02 * size, 0.98 * size);
+}
+
+Vector2 featureFor(const Scene& scene, const PathPlan& plan) {
+    if (plan.place) {
+        return {inside(plan.place->x(), scene.surface.sizeX()),
+                inside(plan.place->y(), scene.surface.sizeY())};
+    }
+    const SurfacePlace top = highestPlace(scene.surface, kFeatureMargin);
+    return {top.x, top.y};
+}
+
 /// Builds a path in phases, each given as a share of the whole duration.
 class PathBuilder {
 public:
@@ -73,11 +87,6 @@ Vector3 above(const Scene& scene, double x, double y, double height) {
     return {x, y, touchHeight(scene, x, y) + height};
 }
 
-/// Keeps a coordinate inside the scan.
-double inside(double coordinate, double size) {
-    return std::clamp(coordinate, 0.02 * size, 0.98 * size);
-}
-
 }  // namespace
 
 Vector3 positionAt(const HandPath& path, double time) {
@@ -96,15 +105,15 @@ Vector3 positionAt(const HandPath& path, double time) {
 }
 
 HandPath approachPath(const Scene& scene, const PathPlan& plan) {
-    const SurfacePlace top = highestPlace(scene.surface, kFeatureMargin);
+    const Vector2 top = featureFor(scene, plan);
     const double clearance = clearanceFor(scene, plan);
-    PathBuilder path(scene, plan, above(scene, top.x, top.y, clearance));
-    path.moveTo(above(scene, top.x, top.y, -plan.indentation), 0.3);
+    PathBuilder path(scene, plan, above(scene, top.x(), top.y(), clearance));
+    path.moveTo(above(scene, top.x(), top.y(), -plan.indentation), 0.3);
     path.hold(0.05);
     const double endX =
-        inside(top.x + plan.slideLength * std::cos(kSlideDirection), scene.surface.sizeX());
+        inside(top.x() + plan.slideLength * std::cos(kSlideDirection), scene.surface.sizeX());
     const double endY =
-        inside(top.y + plan.slideLength * std::sin(kSlideDirection), scene.surface.sizeY());
+        inside(top.y() + plan.slideLength * std::sin(kSlideDirection), scene.surface.sizeY());
     path.follow(endX, endY, plan.indentation, 0.3);
     path.hold(0.05);
     path.moveTo(above(scene, endX, endY, clearance), 0.3);
@@ -112,11 +121,11 @@ HandPath approachPath(const Scene& scene, const PathPlan& plan) {
 }
 
 HandPath rasterPath(const Scene& scene, const PathPlan& plan) {
-    const SurfacePlace top = highestPlace(scene.surface, kFeatureMargin);
+    const Vector2 top = featureFor(scene, plan);
     const double half = 0.5 * plan.slideLength;
-    const double left = inside(top.x - half, scene.surface.sizeX());
-    const double right = inside(top.x + half, scene.surface.sizeX());
-    const double bottom = inside(top.y - half, scene.surface.sizeY());
+    const double left = inside(top.x() - half, scene.surface.sizeX());
+    const double right = inside(top.x() + half, scene.surface.sizeX());
+    const double bottom = inside(top.y() - half, scene.surface.sizeY());
     const double pitch = plan.slideLength / (kRasterLines - 1);
     const double clearance = clearanceFor(scene, plan);
     PathBuilder path(scene, plan, above(scene, left, bottom, clearance));
@@ -136,8 +145,11 @@ HandPath rasterPath(const Scene& scene, const PathPlan& plan) {
 
 HandPath scratchPath(const Scene& scene, const PathPlan& plan) {
     const double length = std::min(5.0 * plan.slideLength, 0.8 * scene.surface.sizeX());
-    const double startX = 0.5 * (scene.surface.sizeX() - length);
-    const double y = 0.5 * scene.surface.sizeY();
+    const Vector2 middle =
+        plan.place.value_or(0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
+    const double startX = std::clamp(middle.x() - 0.5 * length, 0.02 * scene.surface.sizeX(),
+                                     0.98 * scene.surface.sizeX() - length);
+    const double y = inside(middle.y(), scene.surface.sizeY());
     const double clearance = clearanceFor(scene, plan);
     PathBuilder path(scene, plan, above(scene, startX, y, clearance));
     path.moveTo(above(scene, startX, y, 0.0), 0.15);

@@ -3,6 +3,7 @@
 #include "core/Vector.h"
 #include "core/scene/Scene.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,19 +23,20 @@ using HandPath = std::vector<PathPoint>;
 
 /// How far a scripted hand goes; lengths are those of the base.
 struct PathPlan {
-    double duration = 10.0;      ///< [s]
-    double clearance = 6e-9;     ///< above first geometric contact, at start and end [m]
-    double indentation = 3e-9;   ///< of the base below first geometric contact [m]
-    double slideLength = 24e-9;  ///< [m]
+    double duration = 10.0;             ///< [s]
+    double clearance = 6e-9;            ///< above first geometric contact, at start and end [m]
+    double indentation = 3e-9;          ///< of the base below first geometric contact [m]
+    double slideLength = 24e-9;         ///< [m]
+    std::optional<Vector2> place = {};  ///< in the scan [m]; empty: each path's own
 };
 
-/// Approach, indent, slide and retract at the highest feature of the scan.
+/// Approach, indent, slide and retract; by itself at the highest feature of the scan.
 [[nodiscard]] HandPath approachPath(const Scene& scene, const PathPlan& plan);
 
-/// Lines to and fro over a square around the highest feature, in contact.
+/// Lines to and fro over a square, in contact; by itself around the highest feature.
 [[nodiscard]] HandPath rasterPath(const Scene& scene, const PathPlan& plan);
 
-/// One long line across the middle of the scan, ever deeper.
+/// One long line along x, ever deeper; by itself across the middle of the scan.
 [[nodiscard]] HandPath scratchPath(const Scene& scene, const PathPlan& plan);
 
 /// Where the base waits above a place of the scan (x, y), out of the sample's reach [m].

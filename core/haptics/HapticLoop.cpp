@@ -16,19 +16,25 @@ std::size_t ringSize(const Scene& scene) {
 }  // namespace
 
 HapticLoop::HapticLoop(const Scene& scene, HapticDevice& hand, AfmController& afm)
-    : scene_(scene), hand_(hand), afm_(afm), settings_(scene.settings), samples_(ringSize(scene)) {}
+    : scene_(scene)
+    , hand_(&hand)
+    , afm_(afm)
+    , settings_(scene.settings)
+    , samples_(ringSize(scene)) {}
 
 HapticLoop::~HapticLoop() { stop(); }
 
 void HapticLoop::start() {
     if (!thread_) {
+        thisSecond_ = {};
+        sinceStart_ = {};
         thread_.emplace(scene_.description.tickRate, [this](const Beat& now) { beat(now); });
     }
 }
 
 void HapticLoop::stop() {
     thread_.reset();
-    hand_.setForce(Vector3::Zero());
+    hand_->setForce(Vector3::Zero());
 }
 
 void HapticLoop::drain(const std::function<void(const TickSample&)>& sink) {
@@ -53,25 +59,25 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     TickInput& input = sample.input;
     input.settings = settings_.read();
     input.timeStep = timeStep;
-    input.hand = hand_.advance(timeStep);
+    input.hand = hand_->advance(timeStep);
     input.measurement = afm_.exchange(commandBase(input.hand, input.settings, timeStep, memory_));
     sample.output = tick(scene_, input, memory_);
-    hand_.setForce(sample.output.handForce);
+    hand_->setForce(sample.output.handForce);
 }
 
 void HapticLoop::measure(const Beat& beat, double begin) noexcept {
     LoopStatistics& statistics = latest_.statistics;
-    tickTimes_.add(monotonicSeconds() - begin);
-    latenesses_.add(beat.lateness);
+    const double tickTime = monotonicSeconds() - begin;
+    thisSecond_.add(tickTime, beat.lateness);
+    sinceStart_.add(tickTime, beat.lateness);
     ++statistics.ticks;
     statistics.overruns += beat.skipped;
     statistics.policy = beat.policy;
-    if (static_cast<double>(latenesses_.count()) >=
-        kStatisticsPeriod * scene_.description.tickRate) {
-        statistics.tickTime = tickTimes_.quantiles();
-        statistics.lateness = latenesses_.quantiles();
-        tickTimes_.clear();
-        latenesses_.clear();
+    const double counted = static_cast<double>(thisSecond_.tick.count());
+    if (counted >= kStatisticsPeriod * scene_.description.tickRate) {
+        statistics.tickTime = thisSecond_.tick.quantiles();
+        statistics.lateness = thisSecond_.lateness.quantiles();
+        thisSecond_ = {};
     }
 }
 

@@ -13,6 +13,17 @@
 
 namespace asperity {
 
+/// How long ticks took and how late they began.
+struct LoopTimes {
+    LatencyHistogram tick;
+    LatencyHistogram lateness;
+
+    void add(double tickTime, double late) noexcept {
+        tick.add(tickTime);
+        lateness.add(late);
+    }
+};
+
 /// The real-time loop: hand, instrument and tick at the scene's rate on a thread of its own. One
 /// other thread (the owner's) starts and stops it, turns the knobs and fetches what it made.
 /// Time is that of the ticks: a skipped due time makes the next step longer, a stop adds none.
@@ -26,6 +37,8 @@ public:
 
     /// Starts, or goes on from where it stopped. @throw Error when there can be no more threads
     void start();
+    /// Another hand takes over; only while the loop does not run. It outlives the loop.
+    void setHand(HapticDevice& hand) noexcept { hand_ = &hand; }
     /// Lets the present tick end; the hand feels nothing from then on.
     void stop();
     [[nodiscard]] bool running() const noexcept { return thread_.has_value(); }
@@ -40,6 +53,8 @@ public:
     /// more; older ones are counted as lost.
     void drain(const std::function<void(const TickSample&)>& sink);
 
+    /// Times since the last start; only while the loop does not run.
+    [[nodiscard]] const LoopTimes& times() const noexcept { return sinceStart_; }
     /// What the next tick starts from; only while the loop does not run.
     [[nodiscard]] const TickMemory& memory() const noexcept { return memory_; }
     void setMemory(const TickMemory& memory) noexcept { memory_ = memory; }
@@ -50,14 +65,14 @@ private:
     void measure(const Beat& beat, double begin) noexcept;
 
     const Scene& scene_;
-    HapticDevice& hand_;
+    HapticDevice* hand_;
     AfmController& afm_;
 
     // The loop thread's own while it runs.
     TickMemory memory_;
     Snapshot latest_;
-    LatencyHistogram tickTimes_;
-    LatencyHistogram latenesses_;
+    LoopTimes thisSecond_;
+    LoopTimes sinceStart_;
 
     TripleBuffer<Settings> settings_;
     TripleBuffer<Snapshot> snapshot_;

@@ -5,14 +5,20 @@
 namespace asperity {
 
 ScriptedHand::ScriptedHand(HandPath path, double positionGain)
-    : path_(std::move(path)), positionGain_(positionGain) {}
+    : path_(std::move(path))
+    , positionGain_(positionGain)
+    , start_(path_.front().position / positionGain) {}
+
+ScriptedHand::ScriptedHand(HandPath path, double positionGain, const Vector3& start)
+    : path_(std::move(path)), positionGain_(positionGain), start_(start) {}
 
 HandState ScriptedHand::advance(double timeStep) noexcept {
     if (started_) {
         time_ += timeStep;
     }
     started_ = true;
-    return {.position = positionAt(path_, time_) / positionGain_};
+    const Vector3 way = positionAt(path_, time_) - path_.front().position;
+    return {.position = start_ + way / positionGain_};
 }
 
 }  // namespace asperity

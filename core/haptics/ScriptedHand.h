@@ -8,15 +8,20 @@ namespace asperity {
 /// A hand that follows a path, then rests at its end.
 class ScriptedHand final : public HapticDevice {
 public:
-    /// @param path         of the base, world
+    /// For a run that begins with it.
+    /// @param path         of the base, world [m]
     /// @param positionGain base displacement per hand displacement while the path runs
     ScriptedHand(HandPath path, double positionGain);
+    /// For a hand that takes over from another one.
+    /// @param start where that one is, in the hand's frame, while the base is where `path` begins
+    ScriptedHand(HandPath path, double positionGain, const Vector3& start);
 
     HandState advance(double timeStep) noexcept override;
 
 private:
     HandPath path_;
     double positionGain_;
+    Vector3 start_;         ///< of the hand [m]
     double time_ = 0.0;     ///< along the path [s]
     bool started_ = false;  ///< the first step only begins
 };

@@ -8,16 +8,19 @@
 
 namespace asperity {
 
-HandPath readHandPath(const std::filesystem::path& path) {
+namespace {
+
+/// @param prefix of the columns of the place: "" or "base_"
+HandPath readPath(const std::filesystem::path& path, const std::string& prefix) {
     const CsvTable table = readCsv(path);
     if (table.rows() == 0) {
         throw InputError(path.string(), "", "holds no row of a path");
     }
     HandPath hand(table.rows());
     for (std::size_t row = 0; row < hand.size(); ++row) {
-        hand[row] = {
-            table.number(row, "time_s"),
-            {table.number(row, "x_m"), table.number(row, "y_m"), table.number(row, "z_m")}};
+        hand[row] = {table.number(row, "time_s"),
+                     {table.number(row, prefix + "x_m"), table.number(row, prefix + "y_m"),
+                      table.number(row, prefix + "z_m")}};
         const std::string place = "line " + std::to_string(table.line(row));
         if (!hand[row].position.allFinite() || !std::isfinite(hand[row].time)) {
             throw InputError(path.string(), place, "time and place must be finite numbers");
@@ -27,6 +30,14 @@ HandPath readHandPath(const std::filesystem::path& path) {
         }
     }
     return hand;
+}
+
+}  // namespace
+
+HandPath readHandPath(const std::filesystem::path& path) { return readPath(path, ""); }
+
+HandPath readRecordedPath(const std::filesystem::path& forceLog) {
+    return readPath(forceLog, "base_");
 }
 
 }  // namespace asperity

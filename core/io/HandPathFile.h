@@ -10,4 +10,7 @@ namespace asperity {
 /// @throw InputError when a value is missing or not finite, or time does not rise
 [[nodiscard]] HandPath readHandPath(const std::filesystem::path& path);
 
+/// The way of the base in a recorded force log. @throw InputError as readHandPath()
+[[nodiscard]] HandPath readRecordedPath(const std::filesystem::path& forceLog);
+
 }  // namespace asperity

@@ -63,14 +63,6 @@ SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwis
     return material;
 }
 
-SampleMaterial readMaterialFile(const std::filesystem::path& path) {
-    const toml::table table = readToml(path);
-    TomlSection root(table, path, "");
-    SampleMaterial material = readMaterial(root, {});
-    root.refuseUnknownKeys();
-    return material;
-}
-
 /// A material by the key `material` (a file), with single keys of the section over it.
 SampleMaterial readMaterialOf(TomlSection& section, const SampleMaterial& otherwise) {
     const std::filesystem::path file = section.path("material");
@@ -281,6 +273,14 @@ CantileverGeometry readProbe(const std::filesystem::path& path) {
     const CantileverGeometry probe = readGeometry(root, defaultScene().probe);
     root.refuseUnknownKeys();
     return probe;
+}
+
+SampleMaterial readMaterialFile(const std::filesystem::path& path) {
+    const toml::table table = readToml(path);
+    TomlSection root(table, path, "");
+    SampleMaterial material = readMaterial(root, {});
+    root.refuseUnknownKeys();
+    return material;
 }
 
 }  // namespace asperity

@@ -21,4 +21,7 @@ namespace asperity {
 /// A lever from a probe file. @throw InputError
 [[nodiscard]] CantileverGeometry readProbe(const std::filesystem::path& path);
 
+/// A sample from a material file. @throw InputError
+[[nodiscard]] SampleMaterial readMaterialFile(const std::filesystem::path& path);
+
 }  // namespace asperity

@@ -9,6 +9,8 @@ namespace asperity {
 struct Friction {
     double coefficient = 0.0;    ///< mu
     double shearStrength = 0.0;  ///< tau [Pa]
+
+    bool operator==(const Friction&) const = default;
 };
 
 /// Tip, lever and sample material taken together: what decides the force at a given base position.

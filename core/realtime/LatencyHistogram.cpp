@@ -36,6 +36,14 @@ void LatencyHistogram::add(double seconds) noexcept {
     largest_ = std::max(largest_, time);
 }
 
+void LatencyHistogram::add(const LatencyHistogram& other) noexcept {
+    for (std::size_t bucket = 0; bucket < counts_.size(); ++bucket) {
+        counts_[bucket] += other.counts_[bucket];
+    }
+    count_ += other.count_;
+    largest_ = std::max(largest_, other.largest_);
+}
+
 double LatencyHistogram::quantile(double share) const noexcept {
     const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(count_)));
     std::uint64_t seen = 0;

@@ -17,6 +17,8 @@ class LatencyHistogram {
 public:
     /// A time [s]; those below zero count as zero.
     void add(double seconds) noexcept;
+    /// All times of another one.
+    void add(const LatencyHistogram& other) noexcept;
     void clear() noexcept { *this = {}; }
 
     [[nodiscard]] std::uint64_t count() const noexcept { return count_; }

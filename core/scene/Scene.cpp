@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity {
 
@@ -45,15 +46,11 @@ InstrumentTruth instrumentTruth(const SceneDescription& scene) {
             .seed = scene.truth.noiseSeed};
 }
 
-}  // namespace
-
-Scene buildScene(const SceneDescription& description, const HeightMap& map) {
-    checkScene(description);
-    checkMap(map);
-    const HeightMap filled = withInvalidPixelsFilled(levelled(map, description.sample.levelling));
+Scene assemble(const SceneDescription& description, const PlaneFit& removedPlane,
+               BSplineSurface surface) {
     return {.description = description,
-            .removedPlane = fitPlane(map),
-            .surface = fitSurface(smoothed(filled, description.sample.smoothingPixels)),
+            .removedPlane = removedPlane,
+            .surface = std::move(surface),
             .belief = probeSystem(description, description.sample.material, description.probe),
             .truth = instrumentTruth(description),
             .signalSigma = {.bending = description.signalSigma, .torsion = description.signalSigma},
@@ -61,6 +58,26 @@ Scene buildScene(const SceneDescription& description, const HeightMap& map) {
                          .forceGain = description.forceGain,
                          .correctionBandwidth = description.correctionBandwidth,
                          .forcesOn = true}};
+}
+
+}  // namespace
+
+Scene buildScene(const SceneDescription& description, const HeightMap& map) {
+    checkScene(description);
+    checkMap(map);
+    const HeightMap filled = withInvalidPixelsFilled(levelled(map, description.sample.levelling));
+    return assemble(description, fitPlane(map),
+                    fitSurface(smoothed(filled, description.sample.smoothingPixels)));
+}
+
+Scene withMaterial(Scene scene, const SampleMaterial& material) {
+    SceneDescription description = scene.description;
+    if (description.truth.material == description.sample.material) {
+        description.truth.material = material;
+    }
+    description.sample.material = material;
+    checkScene(description);
+    return assemble(description, scene.removedPlane, std::move(scene.surface));
 }
 
 }  // namespace asperity

@@ -27,4 +27,8 @@ struct Scene {
 /// @throw Error when a value of the description is outside its range
 [[nodiscard]] Scene buildScene(const SceneDescription& description, const HeightMap& map);
 
+/// The same scan of another material. The instrument's truth goes along where it was the same as
+/// what the scene said. @throw Error as buildScene()
+[[nodiscard]] Scene withMaterial(Scene scene, const SampleMaterial& material);
+
 }  // namespace asperity

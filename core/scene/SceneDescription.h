@@ -18,6 +18,8 @@ struct SampleMaterial {
     Elastic elastic{.youngsModulus = 2e9, .poissonRatio = 0.4};
     double workOfAdhesion = 0.066;  ///< w of the pair tip-sample [J/m^2]
     Friction friction{.coefficient = 0.3, .shearStrength = 0.0};
+
+    bool operator==(const SampleMaterial&) const = default;
 };
 
 /// The map under the tip and what is done to it on load.

@@ -6,8 +6,9 @@
 
 namespace asperity::test {
 
-ProgramRun runProgram(const std::string& arguments) {
-    const std::string command = std::string(ASPERITY_PROGRAM) + " " + arguments + " 2>&1";
+ProgramRun runProgram(const std::string& arguments, const std::string& environment) {
+    const std::string command =
+        environment + " " + std::string(ASPERITY_PROGRAM) + " " + arguments + " 2>&1";
     std::FILE* pipe = popen(command.c_str(), "r");  // NOLINT(cert-env33-c): that is the test
     ProgramRun run;
     if (pipe == nullptr) {

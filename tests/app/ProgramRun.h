@@ -12,7 +12,9 @@ struct ProgramRun {
 };
 
 /// Runs `asperity` with the arguments of a shell command line.
-[[nodiscard]] ProgramRun runProgram(const std::string& arguments);
+/// @param environment variables to set, as in "DISPLAY= CI=true"
+[[nodiscard]] ProgramRun runProgram(const std::string& arguments,
+                                    const std::string& environment = {});
 
 /// A scene that ships with the program, e.g. "polystyrene".
 [[nodiscard]] std::filesystem::path shippedScene(const std::string& name);

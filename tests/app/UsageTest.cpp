@@ -14,7 +14,8 @@ namespace {
 
 TEST(Usage, EverySubcommandHasHelp) {
     EXPECT_EQ(test::runProgram("--help").exitCode, 0);
-    for (const std::string command : {"explore", "info", "convert", "tradeoff", "replay"}) {
+    for (const std::string command :
+         {"explore", "info", "convert", "tradeoff", "replay", "loop", "devices"}) {
         const auto run = test::runProgram(command + " --help");
         EXPECT_EQ(run.exitCode, 0);
         EXPECT_NE(run.output.find("Usage"), std::string::npos) << run.output;
@@ -23,9 +24,10 @@ TEST(Usage, EverySubcommandHasHelp) {
 
 TEST(Usage, WrongCallsExitWith2) {
     for (const std::string call :
-         {"", "fly", "explore", "explore x.gsf", "explore a --out b --duration -1",
-          "explore a --out b --duration x", "explore a --out b --duration nan",
-          "explore a --out ''", "replay a --out ''", "explore a --out b --level flat", "info"}) {
+         {"fly", "loop --rate 1", "loop --duration nan", "devices now", "explore", "explore x.gsf",
+          "explore a --out b --duration -1", "explore a --out b --duration x",
+          "explore a --out b --duration nan", "explore a --out ''", "replay a --out ''",
+          "explore a --out b --level flat", "info"}) {
         const auto run = test::runProgram(call);
         EXPECT_EQ(run.exitCode, 2) << call << "\n" << run.output;
     }
@@ -39,6 +41,9 @@ TEST(Usage, UnreadableInputExitsWith3AndOneSentence) {
     const std::vector<std::string> calls = {
         "info " + noise.string(),
         "info /nonexistent",
+        noise.string(),
+        "/nonexistent.gsf",
+        "loop " + noise.string(),
         "explore " + noise.string() + out,
         "explore " + scene.string() + out,
         "tradeoff " + noise.string() + out,
@@ -50,6 +55,36 @@ TEST(Usage, UnreadableInputExitsWith3AndOneSentence) {
         const std::size_t message = run.output.find("asperity: ");
         ASSERT_NE(message, std::string::npos) << run.output;
         EXPECT_EQ(run.output.find('\n', message), run.output.size() - 1) << run.output;
+    }
+}
+
+TEST(Usage, WithoutADisplayTheWindowSaysWhatWorksInstead) {
+    const auto run = test::runProgram(test::shippedScene("silicon").string(), "DISPLAY=");
+    EXPECT_EQ(run.exitCode, 1) << run.output;
+    EXPECT_NE(run.output.find("asperity explore"), std::string::npos) << run.output;
+}
+
+TEST(Loop, MeasuresItselfBesideABareLoop) {
+    const auto run = test::runProgram("loop --rate 2000 --duration 2.5 --json");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const auto report = nlohmann::json::parse(run.output);
+    EXPECT_EQ(report["rate_hz"], 2000.0);
+    EXPECT_EQ(report["pairs_of_blocks"], 1);
+    EXPECT_GT(report["ticks"], 1000);
+    EXPECT_GT(report["bare_loop"]["ticks"], 500);
+    EXPECT_GT(report["tick_time"]["p50_s"], 0.0);
+    EXPECT_GE(report["tick_time"]["p99_s"], report["tick_time"]["p50_s"]);
+    EXPECT_GE(report["lateness"]["largest_s"], report["lateness"]["p99_s"]);
+    EXPECT_GT(report["median_block_p99_lateness_ratio"], 0.0);
+    EXPECT_FALSE(report.contains("frames_per_second"));
+}
+
+TEST(Loop, DrawsEveryViewMeanwhile) {
+    const auto run = test::runProgram("loop --duration 2.5 --window --json", "DISPLAY=");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const auto report = nlohmann::json::parse(run.output.substr(run.output.find('{')));
+    for (const std::string view : {"zoom", "forces", "cantilever", "overview"}) {
+        EXPECT_GT(report["frames_per_second"][view], 0.0) << view;
     }
 }
 

@@ -52,6 +52,22 @@ void expectFrontsAlongNormals(vtkPolyData* data) {
     }
 }
 
+double areaOf(vtkPolyData* data) {
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputData(data);
+    triangles->Update();
+    vtkPolyData* mesh = triangles->GetOutput();
+    double area = 0.0;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell) {
+        vtkNew<vtkIdList> ids;
+        mesh->GetCellPoints(cell, ids);
+        const Vector3 a = pointOf(mesh, ids->GetId(0));
+        area +=
+            0.5 * (pointOf(mesh, ids->GetId(1)) - a).cross(pointOf(mesh, ids->GetId(2)) - a).norm();
+    }
+    return area;
+}
+
 }  // namespace
 
 TEST(SurfaceSource, SamplesAParaboloidWithItsAnalyticNormals) {
@@ -78,6 +94,30 @@ TEST(SurfaceSource, SamplesAParaboloidWithItsAnalyticNormals) {
         EXPECT_LT((normalOf(output, id) - expected).norm(), 1e-6);
     }
     expectFrontsAlongNormals(output);
+}
+
+TEST(SurfaceSource, LeavesAHoleOpenExactlyWhereItIsAsked) {
+    const BSplineSurface surface = test::splineOf(64, 10.0_nm, [](double, double) { return 0.0; });
+    vtkNew<vtkAspSurfaceSource> source;
+    source->SetSurface(&surface);
+    source->SetWindow(100.0_nm, 400.0_nm, 200.0_nm, 500.0_nm);
+    source->SetResolution(40, 40);
+    const auto area = [&source](double left, double right, double bottom, double top) {
+        source->SetHole(left, right, bottom, top);
+        source->Update();
+        EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 40 * 40);
+        expectFrontsAlongNormals(source->GetOutput());
+        return areaOf(source->GetOutput());
+    };
+    constexpr double kAll = 300.0_nm * 300.0_nm;
+    constexpr double kRounding = 1e-5 * kAll;  // points are single precision
+    EXPECT_NEAR(area(0.0, 0.0, 0.0, 0.0), kAll, kRounding);
+    EXPECT_NEAR(area(151.3_nm, 212.7_nm, 333.3_nm, 340.1_nm), kAll - 61.4_nm * 6.8_nm, kRounding);
+    EXPECT_NEAR(area(100.0_nm, 150.0_nm, 300.0_nm, 500.0_nm), kAll - 50.0_nm * 200.0_nm, kRounding)
+        << "along the window's edges";
+    EXPECT_NEAR(area(0.0, 1.0_um, 300.0_nm, 350.0_nm), kAll - 300.0_nm * 50.0_nm, kRounding)
+        << "across the whole window";
+    EXPECT_NEAR(area(100.0_nm, 400.0_nm, 200.0_nm, 500.0_nm), 0.0, kRounding);
 }
 
 TEST(SurfaceSource, BoundsAreTheWindow) {

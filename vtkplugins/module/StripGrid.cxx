@@ -14,15 +14,26 @@
 
 namespace asperity {
 
-vtkSmartPointer<vtkCellArray> gridStrips(int columns, int rows) {
+vtkSmartPointer<vtkCellArray> gridStrips(int columns, int rows, const GridHole& hole) {
     auto strips = vtkSmartPointer<vtkCellArray>::New();
-    strips->AllocateExact(rows - 1, static_cast<vtkIdType>(rows - 1) * 2 * columns);
-    for (int row = 0; row + 1 < rows; ++row) {
-        strips->InsertNextCell(2 * columns);
+    strips->AllocateEstimate(rows, 2 * static_cast<vtkIdType>(columns));
+    const auto addStrip = [&](int row, int first, int last) {
+        if (first >= last) {
+            return;
+        }
+        strips->InsertNextCell(2 * (last - first + 1));
         const vtkIdType lower = static_cast<vtkIdType>(row) * columns;
-        for (int column = 0; column < columns; ++column) {
+        for (int column = first; column <= last; ++column) {
             strips->InsertCellPoint(lower + columns + column);
             strips->InsertCellPoint(lower + column);
+        }
+    };
+    for (int row = 0; row + 1 < rows; ++row) {
+        if (hole.left < hole.right && row >= hole.bottom && row < hole.top) {
+            addStrip(row, 0, hole.left);
+            addStrip(row, hole.right, columns - 1);
+        } else {
+            addStrip(row, 0, columns - 1);
         }
     }
     return strips;

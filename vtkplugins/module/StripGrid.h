@@ -11,9 +11,17 @@ class vtkPolyData;
 
 namespace asperity {
 
-/// Triangle strips over a grid of points numbered row by row, one strip between two rows. Fronts
-/// face the side from which columns run right and rows run up.
-vtkSmartPointer<vtkCellArray> gridStrips(int columns, int rows);
+/// A rectangle of a grid whose cells are left out, by the points on its edges.
+struct GridHole {
+    int left = 0;    ///< first column
+    int right = 0;   ///< last column; not beyond the first: no hole
+    int bottom = 0;  ///< first row
+    int top = 0;     ///< last row
+};
+
+/// Triangle strips over a grid of points numbered row by row, one strip between two rows (two where
+/// a hole parts them). Fronts face the side from which columns run right and rows run up.
+vtkSmartPointer<vtkCellArray> gridStrips(int columns, int rows, const GridHole& hole = {});
 
 /// One ring of a body of revolution.
 struct ProfilePoint {

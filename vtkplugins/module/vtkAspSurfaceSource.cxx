@@ -10,7 +10,54 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 vtkStandardNewMacro(vtkAspSurfaceSource)
+
+namespace {
+
+/// Places of grid lines along one axis, about evenly spread, and which of them bound the hole.
+struct GridAxis {
+    std::vector<double> places;
+    int holeFirst = 0;
+    int holeLast = 0;
+};
+
+void addPlaces(std::vector<double>& places, double end, int cells) {
+    const double start = places.back();
+    for (int cell = 1; cell <= cells; ++cell) {
+        places.push_back(std::lerp(start, end, static_cast<double>(cell) / cells));
+    }
+}
+
+/// @param window  where the axis begins and ends
+/// @param hole    where the hole does; empty: none
+GridAxis gridAxis(const double* window, const double* hole, int count) {
+    GridAxis axis{.places = {window[0]}};
+    const double from = std::clamp(hole[0], window[0], window[1]);
+    const double to = std::clamp(hole[1], window[0], window[1]);
+    int left = count - 1;  // cells to be given out
+    if (from < to && left >= 3) {
+        const double perLength = left / (window[1] - window[0]);
+        const auto cellsFor = [&](double length, int leave) {
+            const int wanted = static_cast<int>(std::lround(length * perLength));
+            const int given = length > 0.0 ? std::clamp(wanted, 1, left - leave) : 0;
+            left -= given;
+            return given;
+        };
+        axis.holeFirst = cellsFor(from - window[0], 2);
+        addPlaces(axis.places, from, axis.holeFirst);
+        axis.holeLast = axis.holeFirst + (to < window[1] ? cellsFor(to - from, 1) : left);
+        addPlaces(axis.places, to, axis.holeLast - axis.holeFirst);
+        left = count - 1 - axis.holeLast;
+    }
+    addPlaces(axis.places, window[1], left);
+    return axis;
+}
+
+}  // namespace
 
 vtkAspSurfaceSource::vtkAspSurfaceSource() { this->SetNumberOfInputPorts(0); }
 
@@ -20,6 +67,8 @@ void vtkAspSurfaceSource::PrintSelf(ostream& os, vtkIndent indent) {
     os << indent << "Window: " << this->Window[0] << " " << this->Window[1] << " "
        << this->Window[2] << " " << this->Window[3] << "\n";
     os << indent << "Resolution: " << this->Resolution[0] << " " << this->Resolution[1] << "\n";
+    os << indent << "Hole: " << this->Hole[0] << " " << this->Hole[1] << " " << this->Hole[2] << " "
+       << this->Hole[3] << "\n";
 }
 
 void vtkAspSurfaceSource::SetSurface(const asperity::BSplineSurface* surface) {
@@ -47,22 +96,22 @@ int vtkAspSurfaceSource::RequestData(vtkInformation* /*request*/, vtkInformation
     heights->SetName("height");
     heights->SetNumberOfTuples(count);
 
-    const double stepX = (this->Window[1] - this->Window[0]) / (columns - 1);
-    const double stepY = (this->Window[3] - this->Window[2]) / (rows - 1);
+    const GridAxis across = gridAxis(this->Window, this->Hole, columns);
+    const GridAxis up = gridAxis(this->Window + 2, this->Hole + 2, rows);
     vtkIdType id = 0;
-    for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column, ++id) {
-            const double x = this->Window[0] + column * stepX;
-            const double y = this->Window[2] + row * stepY;
+    for (const double y : up.places) {
+        for (const double x : across.places) {
             const asperity::HeightSample sample = this->Surface->at(x, y);
             points->SetPoint(id, x, y, sample.height);
             normals->SetTuple(id, sample.normal().data());
             heights->SetValue(id, static_cast<float>(sample.height));
+            ++id;
         }
     }
     vtkPolyData* output = vtkPolyData::GetData(outputVector);
     output->SetPoints(points);
-    output->SetStrips(asperity::gridStrips(columns, rows));
+    output->SetStrips(asperity::gridStrips(
+        columns, rows, {across.holeFirst, across.holeLast, up.holeFirst, up.holeLast}));
     output->GetPointData()->SetNormals(normals);
     output->GetPointData()->SetScalars(heights);
     return 1;

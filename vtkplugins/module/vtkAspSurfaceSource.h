@@ -27,6 +27,11 @@ public:
     vtkSetVector2Macro(Resolution, int);
     vtkGetVector2Macro(Resolution, int);
 
+    /// A part of the window to leave open: x from, x to, y from, y to [m]. Grid lines run along its
+    /// edges, so that something else can fill it. Empty (the default): no hole.
+    vtkSetVector4Macro(Hole, double);
+    vtkGetVector4Macro(Hole, double);
+
 protected:
     vtkAspSurfaceSource();
     ~vtkAspSurfaceSource() override = default;
@@ -37,6 +42,7 @@ private:
     const asperity::BSplineSurface* Surface = nullptr;
     double Window[4] = {0.0, 0.0, 0.0, 0.0};
     int Resolution[2] = {128, 128};
+    double Hole[4] = {0.0, 0.0, 0.0, 0.0};
 };
 
 #endif

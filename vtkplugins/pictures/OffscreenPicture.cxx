@@ -3,14 +3,13 @@
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 #include "vtkplugins/pictures/Display.h"
+#include "vtkplugins/pictures/PainterItem.h"
 
 #include <vtkContextActor.h>
-#include <vtkContextItem.h>
 #include <vtkContextScene.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkImageShrink3D.h>
-#include <vtkObjectFactory.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -26,26 +25,6 @@ namespace {
 constexpr int kLayers = 4;  // paper, solid things, things that show through, painting
 constexpr int kSmallestSide = 64;
 constexpr int kLargestSide = 4096;
-
-/// Hands VTK's 2-D context to a function.
-class PainterItem : public vtkContextItem {
-public:
-    static PainterItem* New();
-    vtkTypeMacro(PainterItem, vtkContextItem)
-
-    bool Paint(vtkContext2D* context) override {
-        Painter painter(context, OffscreenPicture::kOversampling);
-        draw_(painter);
-        return true;
-    }
-
-    void setDraw(std::function<void(Painter&)> draw) { draw_ = std::move(draw); }
-
-private:
-    std::function<void(Painter&)> draw_;
-};
-
-vtkStandardNewMacro(PainterItem)
 
 void checkSize(PictureSize size) {
     const auto good = [](int side) { return side >= kSmallestSide && side <= kLargestSide; };
@@ -94,7 +73,7 @@ void OffscreenPicture::addItem(vtkAbstractContextItem* item) {
 
 void OffscreenPicture::paint(std::function<void(Painter&)> draw) {
     vtkNew<PainterItem> item;
-    item->setDraw(std::move(draw));
+    item->setDraw(std::move(draw), kOversampling);
     addItem(item);
 }
 

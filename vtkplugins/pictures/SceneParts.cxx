@@ -28,6 +28,10 @@ namespace {
 
 constexpr double kMargin = 1.04;  // of the view around the scene
 
+const Vector3 kKeyLight(-0.9, 1.0, 0.6);  // rightwards, upwards, to the eye
+constexpr double kKeyIntensity = 0.8;
+constexpr double kFillIntensity = 0.42;
+
 vtkSmartPointer<vtkActor> actorOf(vtkPolyData* data) {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(data);
@@ -35,8 +39,8 @@ vtkSmartPointer<vtkActor> actorOf(vtkPolyData* data) {
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
     actor->GetProperty()->SetInterpolationToPhong();
-    actor->GetProperty()->SetAmbient(0.36);
-    actor->GetProperty()->SetDiffuse(0.66);
+    actor->GetProperty()->SetAmbient(kPlainMatt.ambient);
+    actor->GetProperty()->SetDiffuse(kPlainMatt.diffuse);
     actor->GetProperty()->SetSpecular(0.08);
     actor->GetProperty()->SetSpecularPower(20.0);
     return actor;
@@ -87,7 +91,24 @@ std::vector<int> spread(int count, int wanted) {
     return places;
 }
 
-/// Walls from the border of a grid surface straight down.
+}  // namespace
+
+vtkSmartPointer<vtkActor> colouredSurface(vtkPolyData* data, vtkLookupTable* table) {
+    vtkSmartPointer<vtkActor> actor = actorOf(data);
+    vtkMapper* mapper = actor->GetMapper();
+    mapper->ScalarVisibilityOn();
+    mapper->SetLookupTable(table);
+    mapper->UseLookupTableScalarRangeOn();
+    mapper->InterpolateScalarsBeforeMappingOn();
+    return actor;
+}
+
+vtkSmartPointer<vtkActor> plainSurface(vtkPolyData* data, const Color& color) {
+    vtkSmartPointer<vtkActor> actor = actorOf(data);
+    actor->GetProperty()->SetColor(color.fractions().data());
+    return actor;
+}
+
 vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size, double bottom) {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
@@ -111,36 +132,22 @@ vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size, dou
     return data;
 }
 
-}  // namespace
-
-vtkSmartPointer<vtkActor> colouredSurface(vtkPolyData* data, vtkLookupTable* table) {
-    vtkSmartPointer<vtkActor> actor = actorOf(data);
-    vtkMapper* mapper = actor->GetMapper();
-    mapper->ScalarVisibilityOn();
-    mapper->SetLookupTable(table);
-    mapper->UseLookupTableScalarRangeOn();
-    mapper->InterpolateScalarsBeforeMappingOn();
-    return actor;
-}
-
-vtkSmartPointer<vtkActor> plainSurface(vtkPolyData* data, const Color& color) {
-    vtkSmartPointer<vtkActor> actor = actorOf(data);
-    actor->GetProperty()->SetColor(color.fractions().data());
-    return actor;
-}
-
 vtkSmartPointer<vtkActor> blockWalls(vtkPolyData* surface, GridSize size, double bottom) {
     vtkSmartPointer<vtkActor> actor =
         plainSurface(blockSides(surface, size, bottom), palette::kSide);
-    actor->GetProperty()->SetAmbient(0.8);
-    actor->GetProperty()->SetDiffuse(0.25);
+    actor->GetProperty()->SetAmbient(kWallMatt.ambient);
+    actor->GetProperty()->SetDiffuse(kWallMatt.diffuse);
     return actor;
 }
 
 vtkSmartPointer<vtkActor> lines(vtkPolyData* data, const Color& color, double width) {
+    return linesAsDrawn(data, color, width * OffscreenPicture::kOversampling);
+}
+
+vtkSmartPointer<vtkActor> linesAsDrawn(vtkPolyData* data, const Color& color, double width) {
     vtkSmartPointer<vtkActor> actor = plainSurface(data, color);
     actor->GetProperty()->LightingOff();
-    actor->GetProperty()->SetLineWidth(static_cast<float>(width * OffscreenPicture::kOversampling));
+    actor->GetProperty()->SetLineWidth(static_cast<float>(width));
     vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
     actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -8.0);
     return actor;
@@ -183,15 +190,22 @@ vtkSmartPointer<vtkPolyData> drapedGrid(vtkPolyData* surface, GridSize size, int
 void addLights(vtkRenderer* renderer) {
     vtkNew<vtkLight> key;
     key->SetLightTypeToCameraLight();
-    key->SetPosition(-0.9, 1.0, 0.6);
+    key->SetPosition(Vector3(kKeyLight).data());
     key->SetFocalPoint(0.0, 0.0, 0.0);
-    key->SetIntensity(0.8);
+    key->SetIntensity(kKeyIntensity);
     vtkNew<vtkLight> fill;
     fill->SetLightTypeToHeadlight();
-    fill->SetIntensity(0.42);
+    fill->SetIntensity(kFillIntensity);
     renderer->AutomaticLightCreationOff();
     renderer->AddLight(key);
     renderer->AddLight(fill);
+}
+
+double brightness(const Vector3& normal, const Matt& matt) {
+    static const Vector3 kToKey = kKeyLight.normalized();
+    const double key = kKeyIntensity * std::max(0.0, normal.dot(kToKey));
+    const double fill = kFillIntensity * std::max(0.0, normal.z());
+    return matt.ambient + matt.diffuse * (key + fill);
 }
 
 void fitCamera(std::span<vtkRenderer* const> views, const Vector3& direction, double aspect) {

@@ -21,6 +21,15 @@ struct GridSize {
     int rows = 0;
 };
 
+/// How a matt surface answers to light.
+struct Matt {
+    double ambient = 0.0;
+    double diffuse = 0.0;
+};
+
+inline constexpr Matt kPlainMatt{0.36, 0.66};
+inline constexpr Matt kWallMatt{0.8, 0.25};  ///< of blockWalls()
+
 /// A surface coloured by its scalars.
 [[nodiscard]] vtkSmartPointer<vtkActor> colouredSurface(vtkPolyData* data, vtkLookupTable* table);
 /// A surface of one colour.
@@ -28,8 +37,14 @@ struct GridSize {
 /// Walls from the border of a grid surface straight down to z = bottom: a solid block.
 [[nodiscard]] vtkSmartPointer<vtkActor> blockWalls(vtkPolyData* surface, GridSize size,
                                                    double bottom);
+/// What they are made of.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size,
+                                                      double bottom);
 /// Lines of one colour that win against the surface they lie on; width in pixels of the picture.
 [[nodiscard]] vtkSmartPointer<vtkActor> lines(vtkPolyData* data, const Color& color, double width);
+/// The same; width in pixels as they are drawn.
+[[nodiscard]] vtkSmartPointer<vtkActor> linesAsDrawn(vtkPolyData* data, const Color& color,
+                                                     double width);
 
 /// One line through the points.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> polyline(const std::vector<Vector3>& points);
@@ -38,6 +53,9 @@ struct GridSize {
                                                       int count);
 /// Lights from the upper left and a weak one from the camera.
 void addLights(vtkRenderer* renderer);
+/// How bright a matt surface is under these lights, about 0 ... 1, for colours that are lit before
+/// they are drawn. @param normal unit; rightwards, upwards and to the eye
+[[nodiscard]] double brightness(const Vector3& normal, const Matt& matt);
 
 /// Gives all views one camera without perspective, `direction` pointing from the scene to the eye,
 /// such that all their actors fill a view whose sides have the ratio `aspect` (width / height).

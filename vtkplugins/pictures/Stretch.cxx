@@ -74,9 +74,11 @@ Vector3 RestingPatch::foot(const Vector3& point, const Vector3& direction) const
     // Each step moves along the line by the height that is left; it shrinks with the surface's
     // slope against the plane normal to the line, which is small around a contact.
     constexpr int kSteps = 12;
+    constexpr double kNothing = 1e-16;  // [m]
     Vector3 place = point;
-    for (int step = 0; step < kSteps; ++step) {
-        const double above = place.z() - at(rest_, place.x(), place.y()).z();
+    double above = 1.0;
+    for (int step = 0; step < kSteps && std::abs(above) > kNothing; ++step) {
+        above = place.z() - at(rest_, place.x(), place.y()).z();
         place -= above * direction.z() * direction;
     }
     return place;
@@ -91,9 +93,12 @@ Vector3 Stretch::point(const Vector3& point) const {
 }
 
 Vector3 Stretch::normal(const Vector3& point, const Vector3& normal) const {
+    return normalAbove(resting_.foot(point, direction_), normal);
+}
+
+Vector3 Stretch::normalAbove(const Vector3& foot, const Vector3& normal) const {
     // The inverse transpose of the stretch's Jacobian, the resting surface taken as its tangent
     // plane at the foot.
-    const Vector3 foot = resting_.foot(point, direction_);
     const Vector3 rest = resting_.normal(foot.x(), foot.y());
     const double share = (factor_ - 1.0) / factor_ * normal.dot(direction_) / rest.dot(direction_);
     return (normal - share * rest).normalized();
@@ -113,9 +118,10 @@ vtkSmartPointer<vtkPolyData> Stretch::apply(vtkPolyData* data) const {
     vtkDataArray* oldNormals = data->GetPointData()->GetNormals();
     for (vtkIdType id = 0; id < count; ++id) {
         const Vector3 place(data->GetPoint(id));
-        points->SetPoint(id, point(place).data());
+        const Vector3 foot = resting_.foot(place, direction_);
+        points->SetPoint(id, Vector3(foot + factor_ * (place - foot)).data());
         if (oldNormals != nullptr) {
-            normals->SetTuple(id, normal(place, Vector3(oldNormals->GetTuple(id))).data());
+            normals->SetTuple(id, normalAbove(foot, Vector3(oldNormals->GetTuple(id))).data());
         }
     }
     stretched->SetPoints(points);

@@ -46,6 +46,8 @@ public:
     [[nodiscard]] vtkSmartPointer<vtkPolyData> apply(vtkPolyData* data) const;
 
 private:
+    [[nodiscard]] Vector3 normalAbove(const Vector3& foot, const Vector3& normal) const;
+
     RestingPatch resting_;
     Vector3 direction_;
     double factor_;

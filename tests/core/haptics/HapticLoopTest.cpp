@@ -232,5 +232,12 @@ TEST(ScriptedHand, LeadsTheBaseAlongItsPathWhateverTheGain) {
     EXPECT_NEAR(hand.advance(0.5).position.x(), 2.0_nm, 1e-18);
 }
 
+TEST(ScriptedHand, TakesOverFromWhereAnotherHandIs) {
+    ScriptedHand hand({{0.0, {7.0_nm, 0.0, 0.0}}, {1.0, {9.0_nm, 0.0, 0.0}}}, 2.0,
+                      {100.0_nm, 0.0, 0.0});
+    EXPECT_EQ(hand.advance(0.5).position.x(), 100.0_nm);
+    EXPECT_NEAR(hand.advance(1.0).position.x(), 101.0_nm, 1e-18);
+}
+
 }  // namespace
 }  // namespace asperity

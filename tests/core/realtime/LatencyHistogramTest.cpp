@@ -36,6 +36,19 @@ TEST(LatencyHistogram, TakesAnyTime) {
     EXPECT_DOUBLE_EQ(histogram.quantiles().largest, 1e6);
 }
 
+TEST(LatencyHistogram, AddsUp) {
+    LatencyHistogram fast;
+    LatencyHistogram slow;
+    for (int i = 0; i < 99; ++i) {
+        fast.add(10e-9);
+    }
+    slow.add(1e-3);
+    fast.add(slow);
+    EXPECT_EQ(fast.count(), 100U);
+    EXPECT_DOUBLE_EQ(fast.quantile(0.99), 10e-9);
+    EXPECT_DOUBLE_EQ(fast.quantile(1.0), 1e-3);
+}
+
 TEST(LatencyHistogram, ForgetsWhenCleared) {
     LatencyHistogram histogram;
     histogram.add(1.0);

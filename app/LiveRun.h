@@ -1,0 +1,50 @@
+#pragma once
+
+#include "app/LoadedScene.h"
+#include "core/haptics/HapticLoop.h"
+#include "core/probe/SimulatedAfm.h"
+
+#include <functional>
+#include <memory>
+
+namespace asperity {
+
+/// A scene with its instrument, its hand and its loop: everything that lives and ends together.
+class LiveRun {
+public:
+    /// @param start where the base waits at first [m]
+    LiveRun(LoadedScene loaded, const Vector3& start);
+
+    [[nodiscard]] const LoadedScene& loaded() const noexcept { return loaded_; }
+    [[nodiscard]] const Scene& scene() const noexcept { return loaded_.scene; }
+    [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
+
+    /// The knobs as they are now; they begin as the scene says.
+    [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
+    void setSettings(const Settings& settings) noexcept;
+
+    using MakeHand = std::function<std::unique_ptr<HapticDevice>()>;
+    /// Another hand takes over. `make` is called while the loop rests: what it reads of the present
+    /// hand and base is exact. @throw what `make` throws; the present hand stays then
+    void takeHand(const MakeHand& make);
+    /// Where the hand is, in its own frame [m].
+    [[nodiscard]] Vector3 handPosition() noexcept;
+    /// Where the base is [m].
+    [[nodiscard]] Vector3 basePosition() noexcept;
+
+    /// Ends the run and gives the scene back, for another material.
+    [[nodiscard]] static LoadedScene release(std::unique_ptr<LiveRun> run);
+
+private:
+    LoadedScene loaded_;
+    Vector3 start_;  ///< of the base [m]
+    Settings settings_;
+    SimulatedAfm afm_;
+    std::unique_ptr<HapticDevice> hand_;
+    HapticLoop loop_;
+};
+
+/// In the middle of the scan, above the sample [m].
+[[nodiscard]] Vector3 startPlace(const Scene& scene);
+
+}  // namespace asperity

@@ -1,0 +1,33 @@
+#include "app/LiveWindow.h"
+
+#include "app/QuitOnSignal.h"
+#include "core/Error.h"
+#include "ui/panels/Theme.h"
+#include "vtkplugins/pictures/Display.h"
+
+namespace asperity {
+
+namespace {
+
+char programName[] = "asperity";  // NOLINT: Qt wants it writable
+
+}  // namespace
+
+LiveWindow::Display::Display() {
+    if (!haveDisplay()) {
+        throw Error("no display to open the window on; `asperity explore` works without one");
+    }
+}
+
+LiveWindow::LiveWindow()
+    : arguments_{programName, nullptr}
+    , application_(argumentCount_, arguments_)
+    , session_((applyTheme(application_), window_)) {}
+
+int LiveWindow::exec() {
+    const QuitOnSignal quitOnSignal;
+    window_.show();
+    return QApplication::exec();
+}
+
+}  // namespace asperity

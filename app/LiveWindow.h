@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/Session.h"
+#include "ui/MainWindow.h"
+
+#include <QApplication>
+
+namespace asperity {
+
+/// The program with its window, from the display to the session behind it.
+class LiveWindow {
+public:
+    /// @throw Error when there is no display
+    LiveWindow();
+
+    [[nodiscard]] Session& session() { return session_; }
+    [[nodiscard]] MainWindow& window() { return window_; }
+
+    /// Shows the window and stays until it is closed, or the program is asked to end by SIGINT or
+    /// SIGTERM. @return the exit status
+    int exec();
+
+private:
+    struct Display {
+        Display();
+    };
+
+    Display display_;
+    int argumentCount_ = 1;
+    char* arguments_[2];
+    QApplication application_;
+    MainWindow window_;
+    Session session_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,128 @@
+#include "app/LoopCommand.h"
+
+#include "app/AlternatingBlocks.h"
+#include "app/DataFolder.h"
+#include "app/LiveWindow.h"
+#include "app/LoopReport.h"
+#include "app/OptionChecks.h"
+#include "app/VirtualDisplay.h"
+#include "core/Error.h"
+#include "core/haptics/ScriptedHand.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPoll{20};
+constexpr double kOnePath = 10.0;  // approach, slide and retract [s]
+
+struct LoopOptions {
+    std::string input;
+    double rate = 0.0;       // [Hz]; 0: the scene's own
+    double duration = 10.0;  // [s]
+    bool window = false;
+    bool json = false;
+};
+
+LoadedScene loadForLoop(const LoopOptions& options) {
+    const std::filesystem::path input =
+        options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
+    if (input.empty()) {
+        throw Error("the data that comes with the program is not there: name a scan or a scene");
+    }
+    LoadedScene loaded = loadScene(input, {});
+    if (options.rate > 0.0) {
+        loaded.scene.description.tickRate = options.rate;
+    }
+    return loaded;
+}
+
+/// The same approach again and again; the way back from its end leads high over the sample.
+HandPath repeatedApproach(const Scene& scene, double duration) {
+    const HandPath once = approachPath(scene, {.duration = kOnePath});
+    HandPath path = once;
+    while (path.back().time < duration) {
+        const HandPath back =
+            journey(scene, path.back().position, once.front().position.head<2>(), 1.0);
+        const double leave = path.back().time;
+        for (std::size_t i = 1; i < back.size(); ++i) {
+            path.push_back({leave + back[i].time, back[i].position});
+        }
+        const double begin = path.back().time + 0.1;
+        for (const PathPoint& point : once) {
+            path.push_back({begin + point.time, point.position});
+        }
+    }
+    return path;
+}
+
+void print(const LoopOptions& options, LiveRun& run, const AlternatingBlocks& blocks,
+           std::vector<ViewRate> views) {
+    const LoopReport report{.rate = run.scene().description.tickRate,
+                            .duration = options.duration,
+                            .statistics = run.loop().snapshot().statistics,
+                            .blocks = blocks,
+                            .views = std::move(views)};
+    std::cout << (options.json ? loopReportJson(report) : loopReportText(report)) << '\n';
+}
+
+void runBare(const LoopOptions& options) {
+    LoadedScene loaded = loadForLoop(options);
+    const HandPath path = repeatedApproach(loaded.scene, options.duration);
+    LiveRun run(std::move(loaded), path.front().position);
+    run.takeHand([&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
+    AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
+    const double end = monotonicSeconds() + options.duration;
+    while (monotonicSeconds() < end) {
+        std::this_thread::sleep_for(kPoll);
+        run.loop().drain([](const TickSample&) {});
+        blocks.poll();
+    }
+    blocks.finish();
+    print(options, run, blocks, {});
+}
+
+void runInWindow(const LoopOptions& options) {
+    const VirtualDisplay display;
+    LiveWindow live;
+    live.session().use(loadForLoop(options));
+    LiveRun& run = *live.session().run();
+    live.session().follow(repeatedApproach(run.scene(), options.duration));
+    AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
+    QTimer poll;
+    QObject::connect(&poll, &QTimer::timeout, [&blocks] { blocks.poll(); });
+    poll.start(kPoll);
+    QTimer::singleShot(std::chrono::milliseconds(std::lround(1e3 * options.duration)),
+                       &live.window(), &QWidget::close);
+    live.exec();
+    blocks.finish();
+    print(options, run, blocks, live.session().viewRates());
+}
+
+}  // namespace
+
+void addLoopCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "loop", "Measure the real-time loop in wall time beside a bare loop in the same run");
+    const auto options = std::make_shared<LoopOptions>();
+    command->add_option("INPUT", options->input,
+                        "height map or scene.toml; default: the scene that comes with the program");
+    command->add_option("--rate", options->rate, "of the loop [Hz]; default: as the scene says")
+        ->check(CLI::Range(100.0, 20000.0))
+        ->check(finiteNumber());
+    command->add_option("--duration", options->duration, "of the measurement [s]")
+        ->capture_default_str()
+        ->check(CLI::Range(0.1, 3600.0))
+        ->check(finiteNumber());
+    command->add_flag("--window", options->window, "with the window open and every view drawn");
+    command->add_flag("--json", options->json, "as JSON");
+    command->callback([options] { options->window ? runInWindow(*options) : runBare(*options); });
+}
+
+}  // namespace asperity

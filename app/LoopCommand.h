@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace asperity {
+
+/// `asperity loop`: the real-time loop in wall time beside a bare loop in the same run.
+void addLoopCommand(CLI::App& program);
+
+}  // namespace asperity

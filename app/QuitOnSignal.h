@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QObject>
+#include <QSocketNotifier>
+
+namespace asperity {
+
+/// Ends the event loop in good order on SIGINT and SIGTERM, so that recordings are kept and the
+/// hand feels nothing any more. One of them at a time.
+class QuitOnSignal : public QObject {
+public:
+    QuitOnSignal();
+    ~QuitOnSignal() override;
+
+private:
+    QSocketNotifier arrival_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,47 @@
+#include "app/Recording.h"
+
+#include "app/RunSummary.h"
+#include "core/io/SceneFile.h"
+#include "core/io/TickMemoryFile.h"
+
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+/// Made before the tables that go into it.
+std::filesystem::path made(std::filesystem::path folder) {
+    makeOutputFolder(folder);
+    return folder;
+}
+
+/// The scene with the knobs as they are now.
+SceneDescription withSettings(SceneDescription scene, const Settings& settings) {
+    scene.positionGain = settings.positionGain;
+    scene.forceGain = settings.forceGain;
+    scene.correctionBandwidth = settings.correctionBandwidth;
+    return scene;
+}
+
+}  // namespace
+
+Recording::Recording(std::filesystem::path folder, const LoadedScene& loaded,
+                     const Settings& settings, const TickMemory& memory)
+    : folder_(made(std::move(folder))), loaded_(loaded), recorder_(folder_) {
+    writeTextFile(folder_ / run_files::kScene,
+                  sceneText(withSettings(loaded.scene.description, settings)));
+    writeTickMemory(folder_ / run_files::kMemory, memory);
+}
+
+void Recording::take(const TickSample& sample) {
+    recorder_.take(sample);
+    events_.take(sample);
+}
+
+void Recording::finish() {
+    recorder_.close();
+    writeTextFile(folder_ / run_files::kSummary, runSummary(loaded_, events_.events()));
+}
+
+}  // namespace asperity

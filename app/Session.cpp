@@ -1,0 +1,387 @@
+#include "app/Session.h"
+
+#include "app/DataFolder.h"
+#include "core/Error.h"
+#include "core/io/HandPathFile.h"
+#include "core/io/SceneFile.h"
+#include "ui/HeldKeys.h"
+#include "ui/MainWindow.h"
+#include "ui/WindowMenus.h"
+#include "ui/panels/ControlBar.h"
+#include "ui/panels/OverviewPanel.h"
+#include "ui/panels/StateBanner.h"
+#include "ui/view/ZoomView.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QPixmap>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kFramePeriod = 25;       // [ms]
+constexpr double kKeySpeed = 0.25;     // along the sample, of held keys [half widths/s]
+constexpr double kKeySpeedUp = 0.05;   // and across it [half widths/s]
+constexpr double kLongestFrame = 0.1;  // that a held key moves the hand for [s]
+
+enum Hand : int { kPointer, kScript, kSpaceMouse };
+
+using PlanPath = HandPath (*)(const Scene&, const PathPlan&);
+constexpr std::array<PlanPath, 3> kPaths{approachPath, rasterPath, scratchPath};
+
+std::filesystem::path standardRecordingsFolder() {
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return std::filesystem::path(documents.toStdString()) / "Asperity";
+}
+
+std::filesystem::path folderOfThisMoment(const std::filesystem::path& parent) {
+    const QString now = QDateTime::currentDateTime().toString("yyyy-MM-dd_HH-mm-ss.zzz");
+    return parent / now.toStdString();
+}
+
+/// Where held keys send the hand, world frame [half widths/s].
+Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
+    const Vector3 forward = Vector3::UnitZ().cross(camera.right());
+    return kKeySpeed * (keys.right * camera.right() + keys.forward * forward) +
+           kKeySpeedUp * keys.up * Vector3::UnitZ();
+}
+
+}  // namespace
+
+Session::Session(MainWindow& window)
+    : window_(window)
+    , show_(window)
+    , keys_(new HeldKeys(&window.view()))
+    , recordings_(standardRecordingsFolder()) {
+    fillChoices();
+    connectControls();
+    connectMenus();
+    connectViews();
+    connect(&loader_, &SceneLoader::loaded, this,
+            [this](const std::shared_ptr<LoadedScene>& scene) { use(std::move(*scene)); });
+    connect(&loader_, &SceneLoader::failed, this, [this](const QString& reason) {
+        window_.complain(reason);
+        Q_EMIT openFailed(reason);
+    });
+    frames_.setTimerType(Qt::PreciseTimer);
+    connect(&frames_, &QTimer::timeout, this, &Session::onFrame);
+    frames_.start(kFramePeriod);
+}
+
+Session::~Session() { endRun(); }
+
+void Session::fillChoices() {
+    ControlBar& controls = window_.controls();
+    controls.setHands({tr("Mouse and keyboard"), tr("Scripted path"), tr("SpaceMouse")});
+    controls.setPaths({tr("Approach"), tr("Raster"), tr("Scratch")});
+    for (const std::filesystem::path& file : dataFiles("materials")) {
+        try {
+            SceneDescription scene = defaultScene();
+            scene.sample.material = readMaterialFile(file);
+            scene.truth.material = scene.sample.material;
+            checkScene(scene);
+            materials_.push_back(scene.sample.material);
+        } catch (const Error& error) {
+            window_.tell(QString::fromUtf8(error.what()));
+        }
+    }
+}
+
+void Session::connectControls() {
+    ControlBar& controls = window_.controls();
+    connect(&controls, &ControlBar::runningChosen, this,
+            [this](bool running) { running ? start() : pause(); });
+    connect(&controls, &ControlBar::forcesChosen, this, &Session::setForces);
+    connect(&controls, &ControlBar::materialChosen, this, &Session::chooseMaterial);
+    connect(&controls, &ControlBar::handChosen, this, &Session::chooseHand);
+    connect(&controls, &ControlBar::pathChosen, this, &Session::choosePath);
+    connect(&controls, &ControlBar::forceGainChosen, this, [this](double gain) {
+        changeSettings([gain](Settings& settings) { settings.forceGain = gain; });
+    });
+    connect(&controls, &ControlBar::positionGainChosen, this, &Session::choosePositionGain);
+    connect(&controls, &ControlBar::recordingChosen, this, &Session::record);
+    connect(&window_.banner(), &StateBanner::rearmRequested, this, &Session::takeBackFault);
+}
+
+void Session::connectMenus() {
+    WindowMenus& menus = window_.menus();
+    connect(menus.startPause, &QAction::triggered, this, [this] {
+        if (run_) {
+            run_->loop().running() ? pause() : start();
+        }
+    });
+    connect(menus.forcesOff, &QAction::triggered, this, [this] { setForces(false); });
+    connect(menus.takeBackFault, &QAction::triggered, this, &Session::takeBackFault);
+    connect(menus.record, &QAction::triggered, this, &Session::record);
+    connect(&window_, &MainWindow::openRequested, this,
+            [this](const QString& file) { open(file.toStdString()); });
+    connect(&window_, &MainWindow::pathFileChosen, this,
+            [this](const QString& file) { followFile(file, readHandPath); });
+    connect(&window_, &MainWindow::recordingChosen, this,
+            [this](const QString& file) { followFile(file, readRecordedPath); });
+    connect(&window_, &MainWindow::pictureFileChosen, this, &Session::savePicture);
+}
+
+void Session::connectViews() {
+    connect(&window_.view(), &ZoomView::tipDragged, this, [this](double dx, double dy, double dz) {
+        hand_.displace({dx, dy, dz});
+    });
+    connect(&window_.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
+        travelTo({x, y});
+    });
+}
+
+void Session::open(const std::filesystem::path& input) {
+    window_.tell(tr("Loading %1 …").arg(QString::fromStdString(input.filename().string())));
+    loader_.load(input);
+}
+
+void Session::use(LoadedScene scene) {
+    const Vector3 place = startPlace(scene.scene);
+    begin(std::move(scene), place);
+}
+
+void Session::begin(LoadedScene scene, const Vector3& start) {
+    endRun();
+    run_ = std::make_unique<LiveRun>(std::move(scene), start);
+    hand_.attach(*run_);
+    const SceneDescription& description = run_->scene().description;
+    const std::filesystem::path file = description.sample.file;
+    window_.showScene(&run_->scene(), QString::fromStdString(file.filename().string()));
+    showKnobs();
+    this->start();
+    Q_EMIT sceneShown();
+}
+
+void Session::showKnobs() {
+    const SampleMaterial& own = run_->scene().description.sample.material;
+    if (std::find(materials_.begin(), materials_.end(), own) == materials_.end()) {
+        materials_.push_back(own);
+    }
+    QStringList names;
+    for (const SampleMaterial& material : materials_) {
+        names.push_back(QString::fromStdString(material.name).replace('_', ' '));
+    }
+    ControlBar& controls = window_.controls();
+    controls.setMaterials(names);
+    controls.setMaterial(static_cast<int>(std::find(materials_.begin(), materials_.end(), own) -
+                                          materials_.begin()));
+    controls.setHand(kPointer);
+    controls.setForcesOn(run_->settings().forcesOn);
+    controls.setForceGain(run_->settings().forceGain);
+    controls.setPositionGain(run_->settings().positionGain);
+}
+
+void Session::endRun() {
+    finishRecording();
+    window_.showScene(nullptr, {});
+    hand_.detach();
+    run_.reset();
+}
+
+void Session::start() {
+    if (run_) {
+        run_->loop().start();
+        window_.controls().setRunning(true);
+        window_.banner().setPaused(false);
+    }
+}
+
+void Session::pause() {
+    if (run_) {
+        run_->loop().stop();
+        window_.controls().setRunning(false);
+        window_.banner().setPaused(true);
+    }
+}
+
+void Session::changeSettings(const std::function<void(Settings&)>& change) {
+    if (run_) {
+        Settings settings = run_->settings();
+        change(settings);
+        run_->setSettings(settings);
+    }
+}
+
+void Session::setForces(bool on) {
+    changeSettings([on](Settings& settings) { settings.forcesOn = on; });
+    window_.controls().setForcesOn(on);
+}
+
+void Session::takeBackFault() {
+    changeSettings([](Settings& settings) { ++settings.rearms; });
+}
+
+void Session::choosePositionGain(double gain) {
+    if (hand_.scripted()) {
+        window_.controls().setPositionGain(run_->settings().positionGain);
+        window_.tell(tr("A path is in places of the scan: the position gain waits for a hand"));
+        return;
+    }
+    changeSettings([gain](Settings& settings) { settings.positionGain = gain; });
+}
+
+void Session::chooseMaterial(int index) {
+    if (!run_) {
+        return;
+    }
+    const double halfWidth = window_.view().halfWidth();
+    const Vector2 place = run_->basePosition().head<2>();
+    finishRecording();
+    window_.showScene(nullptr, {});
+    hand_.detach();
+    LoadedScene scene = LiveRun::release(std::move(run_));
+    scene.scene = withMaterial(std::move(scene.scene), materials_.at(index));
+    const Vector3 start = waitingPlace(scene.scene, place);
+    begin(std::move(scene), start);
+    window_.view().setHalfWidth(halfWidth);
+}
+
+void Session::chooseHand(int index) {
+    if (!run_) {
+        return;
+    }
+    if (index == kScript) {
+        choosePath(0);
+        return;
+    }
+    try {
+        index == kSpaceMouse ? hand_.useSpaceMouse() : hand_.usePointer();
+    } catch (const Error& error) {
+        window_.controls().setHand(kPointer);
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+}
+
+void Session::choosePath(int index) {
+    if (run_) {
+        const Vector2 here = run_->basePosition().head<2>();
+        window_.controls().setPath(index);
+        follow(kPaths.at(static_cast<std::size_t>(index))(run_->scene(), {.place = here}));
+    }
+}
+
+void Session::followFile(const QString& file, const ReadPath& read) {
+    if (!run_) {
+        return;
+    }
+    try {
+        const HandPath path = read(file.toStdString());
+        window_.controls().setPath(-1);
+        follow(path);
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+}
+
+void Session::follow(const HandPath& path) {
+    hand_.follow(path);
+    window_.controls().setHand(kScript);
+    QPolygonF way;
+    for (const PathPoint& point : path) {
+        way << QPointF(point.position.x(), point.position.y());
+    }
+    window_.overview().showPath(way);
+}
+
+void Session::travelTo(const Vector2& place) {
+    if (!run_) {
+        return;
+    }
+    if (!hand_.pointing()) {
+        hand_.usePointer();
+        window_.controls().setHand(kPointer);
+    }
+    hand_.travelTo(place);
+}
+
+void Session::record(bool on) {
+    if (!on || !run_) {
+        finishRecording();
+        return;
+    }
+    const bool running = run_->loop().running();
+    pause();
+    fetchTicks();  // those before the recording belong to nobody
+    try {
+        recording_ = std::make_unique<Recording>(folderOfThisMoment(recordings_), run_->loaded(),
+                                                 run_->settings(), run_->loop().memory());
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+    showRecording();
+    if (running) {
+        start();
+    }
+}
+
+void Session::finishRecording() {
+    if (recording_) {
+        fetchTicks();
+        const std::unique_ptr<Recording> finished = std::move(recording_);
+        try {
+            finished->finish();
+            const QString folder = QString::fromStdString(finished->folder().string());
+            window_.tell(tr("%1 ticks recorded in %2").arg(finished->ticks()).arg(folder));
+            Q_EMIT recordingFinished(folder);
+        } catch (const Error& error) {
+            window_.complain(QString::fromUtf8(error.what()));
+        }
+    }
+    showRecording();
+}
+
+void Session::showRecording() {
+    window_.controls().setRecording(recording_ != nullptr);
+    window_.menus().record->setChecked(recording_ != nullptr);
+}
+
+void Session::savePicture(const QString& file) {
+    if (window_.grab().save(file)) {
+        window_.tell(tr("Saved as %1").arg(file));
+    } else {
+        window_.complain(tr("%1: the picture cannot be written").arg(file));
+    }
+}
+
+void Session::onFrame() {
+    const double now = monotonicSeconds();
+    const double elapsed = std::min(now - std::exchange(lastFrame_, now), kLongestFrame);
+    if (run_) {
+        moveHand(elapsed);
+        fetchTicks();
+        show_.show(run_->loop().snapshot(), now);
+    }
+}
+
+void Session::moveHand(double seconds) {
+    const double halfWidth = window_.view().halfWidth();
+    hand_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
+    hand_.advance(seconds, halfWidth);
+    const std::string status = hand_.deviceStatus();
+    if (status != std::exchange(deviceStatus_, status) && !status.empty()) {
+        window_.tell(QString::fromStdString(status));
+    }
+}
+
+void Session::fetchTicks() {
+    try {
+        run_->loop().drain([this](const TickSample& sample) {
+            show_.take(sample);
+            if (recording_) {
+                recording_->take(sample);
+            }
+        });
+    } catch (const Error& error) {
+        recording_.reset();
+        showRecording();
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+}
+
+}  // namespace asperity

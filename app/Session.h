@@ -1,0 +1,96 @@
+#pragma once
+
+#include "app/FrameShow.h"
+#include "app/HandControl.h"
+#include "app/LiveRun.h"
+#include "app/Recording.h"
+#include "app/SceneLoader.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+class MainWindow;
+class HeldKeys;
+
+/// Wires the window to the run behind it: panels' signals to the loop's knobs, ticks to the panels.
+class Session : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Session(MainWindow& window);
+    ~Session() override;
+
+    /// Loads in the background, then shows; says so in the window when that fails.
+    void open(const std::filesystem::path& input);
+    /// Shows a scene that is loaded, and starts its loop.
+    void use(LoadedScene scene);
+
+    /// The hand follows a path of the base from its start.
+    void follow(const HandPath& path);
+    void start();
+    void pause();
+
+    /// The present run; null before the first scene.
+    [[nodiscard]] LiveRun* run() { return run_.get(); }
+    /// Frames a second of each view since the window was opened.
+    [[nodiscard]] std::vector<ViewRate> viewRates() const { return show_.rates(); }
+    /// Where recordings go: a folder each, named by date and time.
+    void setRecordingsFolder(const std::filesystem::path& folder) { recordings_ = folder; }
+
+Q_SIGNALS:
+    /// Another scene is shown.
+    void sceneShown();
+    void openFailed(QString reason);
+    void recordingFinished(QString folder);
+
+private:
+    void connectControls();
+    void connectMenus();
+    void connectViews();
+    void fillChoices();
+
+    void begin(LoadedScene scene, const Vector3& start);
+    void endRun();
+    void chooseMaterial(int index);
+    void chooseHand(int index);
+    void choosePath(int index);
+    void choosePositionGain(double gain);
+    using ReadPath = std::function<HandPath(const std::filesystem::path&)>;
+    void followFile(const QString& file, const ReadPath& read);
+    void travelTo(const Vector2& place);
+    void changeSettings(const std::function<void(Settings&)>& change);
+    void setForces(bool on);
+    void takeBackFault();
+    void record(bool on);
+    void finishRecording();
+    void savePicture(const QString& file);
+
+    void onFrame();
+    void moveHand(double seconds);
+    void fetchTicks();
+    void showKnobs();
+    void showRecording();
+
+    MainWindow& window_;
+    FrameShow show_;
+    HeldKeys* keys_;
+    SceneLoader loader_;
+    QTimer frames_;
+    std::unique_ptr<LiveRun> run_;
+    HandControl hand_;
+    std::unique_ptr<Recording> recording_;
+    std::filesystem::path recordings_;
+    std::vector<SampleMaterial> materials_;
+    std::string deviceStatus_;  ///< as told last
+    double lastFrame_ = 0.0;    ///< [s]
+};
+
+}  // namespace asperity

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+}
+
+namespace asperity {
+
+/// What `asperity [FILE or SCENE.toml]` was given.
+struct WindowOptions {
+    std::string input;  ///< empty: the scene that comes with the program
+};
+
+/// Adds the options of the program itself, without a subcommand.
+[[nodiscard]] std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program);
+
+/// Opens the window and stays until it is closed. @return the program's exit status
+/// @throw Error without a display, InputError when the input cannot be read
+[[nodiscard]] int openWindow(const WindowOptions& options);
+
+}  // namespace asperity

@@ -1,0 +1,198 @@
+// Frames per second of the zoomed view with the haptic loop running: docs of the target in
+// shared/docs/performance.md, 8. Run it under a display: xvfb-run -a -s "-screen 0 1600x1000x24".
+#include "core/haptics/HapticLoop.h"
+#include "core/haptics/ScriptedHand.h"
+#include "core/probe/SimulatedAfm.h"
+#include "core/surface/SyntheticSurface.h"
+#include "ui/view/ZoomView.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkActor.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QGridLayout>
+#include <QMouseEvent>
+#include <QTimer>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <vector>
+
+using namespace asperity;
+
+namespace {
+
+constexpr int kWidth = 1200;
+constexpr int kHeight = 800;
+constexpr double kWarmUp = 1.0;    // [s]
+constexpr double kDuration = 5.0;  // of one measurement [s]
+
+/// What was measured of one way to draw.
+struct Timing {
+    double framesPerSecond = 0.0;
+    std::vector<double> calls;  ///< time that each drawing call took, rising [s]
+
+    [[nodiscard]] double quantile(double part) const {
+        return calls.at(static_cast<std::size_t>(part * static_cast<double>(calls.size() - 1)));
+    }
+};
+
+/// Draws again whenever `swapped` (which must be emitted once a frame) says that a frame is out.
+Timing measure(QOpenGLWidget& swapped, const std::function<void()>& draw) {
+    QEventLoop loop;
+    QElapsedTimer clock;
+    Timing timing;
+    double begin = 0.0;
+    clock.start();
+    const auto now = [&clock] { return static_cast<double>(clock.nsecsElapsed()) * 1e-9; };
+    const auto next = [&] {
+        const double start = now();
+        draw();
+        const double end = now();
+        if (start < kWarmUp) {
+            begin = end;
+        } else {
+            timing.calls.push_back(end - start);
+        }
+        if (end > kWarmUp + kDuration) {
+            loop.quit();
+        }
+    };
+    const auto connection = QObject::connect(&swapped, &QOpenGLWidget::frameSwapped, &loop,
+                                             [&] { QTimer::singleShot(0, &loop, next); });
+    QTimer::singleShot(0, &loop, next);
+    loop.exec();
+    QObject::disconnect(connection);
+    timing.framesPerSecond = static_cast<double>(timing.calls.size()) / (now() - begin);
+    std::sort(timing.calls.begin(), timing.calls.end());
+    return timing;
+}
+
+void print(const char* what, const Timing& timing) {
+    std::printf("%-44s %6.1f frames/s   call p50 %5.1f  p99 %5.1f  max %5.1f ms\n", what,
+                timing.framesPerSecond, 1e3 * timing.quantile(0.5), 1e3 * timing.quantile(0.99),
+                1e3 * timing.calls.back());
+    std::fflush(stdout);
+}
+
+/// One widget with next to nothing in it.
+struct EmptyView {
+    QVTKOpenGLNativeWidget widget;
+    vtkNew<vtkGenericOpenGLRenderWindow> window;
+    vtkNew<vtkSphereSource> ball;
+
+    EmptyView() {
+        QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+        format.setSamples(0);
+        widget.setFormat(format);
+        window->SetMultiSamples(0);
+        widget.setRenderWindow(window.Get());
+        vtkNew<vtkRenderer> renderer;
+        vtkNew<vtkPolyDataMapper> mapper;
+        mapper->SetInputConnection(ball->GetOutputPort());
+        vtkNew<vtkActor> actor;
+        actor->SetMapper(mapper);
+        renderer->AddActor(actor);
+        window->AddRenderer(renderer);
+    }
+};
+
+double fourEmptyViews() {
+    QWidget all;
+    auto* grid = new QGridLayout(&all);
+    std::vector<std::unique_ptr<EmptyView>> views;
+    for (int i = 0; i < 4; ++i) {
+        views.push_back(std::make_unique<EmptyView>());
+        grid->addWidget(&views.back()->widget, i / 2, i % 2);
+    }
+    all.resize(kWidth, kHeight);
+    all.show();
+    const Timing timing = measure(views.front()->widget, [&] {
+        for (const auto& view : views) {
+            view->window->Render();
+        }
+    });
+    print("four nearly empty QVTK widgets", timing);
+    for (const auto& view : views) {
+        view->widget.setParent(nullptr);
+    }
+    return timing.framesPerSecond;
+}
+
+Scene benchScene() {
+    const ScanSize size{.columns = 1024, .rows = 1024, .sizeX = 4e-6, .sizeY = 4e-6};
+    const SelfAffine roughness{
+        .rms = 15e-9, .longestWave = 4e-6, .rollOffWave = 1e-6, .shortestWave = 3e-8};
+    return buildScene(defaultScene(), selfAffineMap(size, roughness));
+}
+
+/// Turns the view as a person's mouse would.
+void turn(ZoomView& view, int& pixel) {
+    const auto send = [&view](QEvent::Type type, int x) {
+        QMouseEvent event(type, QPointF(x, 300.0), Qt::RightButton, Qt::RightButton,
+                          Qt::NoModifier);
+        QApplication::sendEvent(&view, &event);
+    };
+    send(QEvent::MouseButtonPress, pixel);
+    send(QEvent::MouseMove, pixel + 3);
+    pixel = (pixel + 3) % 600;
+}
+
+void measureView(ZoomView& view, HapticLoop& loop, double empty) {
+    const auto frame = [&] { view.showSnapshot(loop.snapshot()); };
+    int pixel = 0;
+    const auto turnedFrame = [&] {
+        turn(view, pixel);
+        frame();
+    };
+    for (const bool cached : {true, false}) {
+        view.setCacheEnabled(cached);
+        const Timing still = measure(view, frame);
+        print(cached ? "  camera still, cached" : "  camera still, no cache", still);
+        const Timing moving = measure(view, turnedFrame);
+        print(cached ? "  camera moving, cached" : "  camera moving, no cache", moving);
+        std::printf("  ratio to four empty widgets: still %.2f, moving %.2f\n",
+                    still.framesPerSecond / empty, moving.framesPerSecond / empty);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+    format.setSamples(0);
+    format.setSwapInterval(0);
+    QSurfaceFormat::setDefaultFormat(format);
+    const QApplication app(argc, argv);
+    const double empty = fourEmptyViews();
+
+    const Scene scene = benchScene();
+    ScriptedHand hand(rasterPath(scene, {.duration = 60.0}), 1.0);
+    SimulatedAfm afm(scene.surface, scene.truth);
+    HapticLoop loop(scene, hand, afm);
+    loop.start();
+    ZoomView view;
+    view.resize(kWidth, kHeight);
+    view.show();
+    view.setScene(&scene);
+    for (const double zoom : {1.0, 15.0}) {
+        view.resetCamera();
+        view.setHalfWidth(zoom * view.halfWidth());
+        std::printf("view of %.0f nm, %d x %d pixels, loop at %.0f Hz:\n", 2e9 * view.halfWidth(),
+                    kWidth, kHeight, scene.description.tickRate);
+        measureView(view, loop, empty);
+    }
+    loop.stop();
+    const LoopStatistics statistics = loop.snapshot().statistics;
+    std::printf("loop: %ld ticks, %ld overruns\n", statistics.ticks, statistics.overruns);
+    return 0;
+}

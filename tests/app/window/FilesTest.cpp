@@ -1,0 +1,137 @@
+#include "tests/app/ProgramRun.h"
+#include "tests/app/window/WindowFixture.h"
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QUrl>
+#include <QtTest>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+namespace asperity::test {
+namespace {
+
+/// Memory that is really in use [bytes].
+double residentBytes() {
+    std::ifstream file("/proc/self/statm");
+    long total = 0;
+    long resident = 0;
+    file >> total >> resident;
+    return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+std::ptrdiff_t threadCount() {
+    const std::filesystem::directory_iterator tasks("/proc/self/task");
+    return std::distance(begin(tasks), end(tasks));
+}
+
+std::filesystem::path sample(const std::string& name) {
+    return std::filesystem::path(ASPERITY_DATA_DIR) / "samples" / name;
+}
+
+TEST_F(Window, OpensADroppedFile) {
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(QString::fromStdString(sample("steps.gsf").string()))});
+    const QPoint place(200, 200);
+    QDragEnterEvent enter(place, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &enter);
+    ASSERT_TRUE(enter.isAccepted());
+    QDropEvent drop(place, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &drop);
+    EXPECT_TRUE(eventually([this] { return window.windowTitle().startsWith("steps.gsf"); }));
+    EXPECT_TRUE(eventually([this] { return far(); })) << state();
+}
+
+TEST_F(Window, SaysWhatIsWrongWithAFileAndKeepsTheScene) {
+    openFlatScene();
+    const std::filesystem::path bad = folder.write("broken.gsf", "no scan at all");
+    QSignalSpy failed(&session, &Session::openFailed);
+    session.open(bad);
+    ASSERT_TRUE(eventually([&] { return failed.count() == 1; }));
+    EXPECT_TRUE(failed[0][0].toString().contains("broken.gsf"));
+    const auto boxes = window.findChildren<QMessageBox*>();
+    ASSERT_EQ(boxes.size(), 1);
+    EXPECT_TRUE(boxes.front()->text().contains("broken.gsf"));
+    EXPECT_NE(session.run(), nullptr);
+    EXPECT_TRUE(far());
+}
+
+TEST_F(Window, ARecordingReplaysToTheSameBits) {
+    session.open(sample("particles.gsf"));
+    ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
+    press(Qt::Key_PageDown);
+    ASSERT_TRUE(eventually([this] { return inContact(); }));
+    release(Qt::Key_PageDown);
+    QSignalSpy finished(&session, &Session::recordingFinished);
+    QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
+    press(Qt::Key_PageUp);
+    live(700);
+    release(Qt::Key_PageUp);
+    QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
+    ASSERT_EQ(finished.count(), 1);
+    const std::string recording = finished[0][0].toString().toStdString();
+    const ProgramRun replay =
+        runProgram("replay '" + recording + "' --out '" + (folder.path() / "again").string() + "'");
+    EXPECT_EQ(replay.exitCode, 0) << replay.output;
+    EXPECT_NE(replay.output.find("bit-identical"), std::string::npos) << replay.output;
+}
+
+TEST_F(Window, RepeatsARecording) {
+    const std::filesystem::path log = folder.write(
+        "force_log.csv",
+        "time_s,base_x_m,base_y_m,base_z_m\n0.5,50e-9,60e-9,3e-9\n1.5,50e-9,60e-9,-3e-9\n"
+        "2.5,50e-9,60e-9,9e-9\n");
+    openFlatScene();
+    Q_EMIT window.recordingChosen(QString::fromStdString(log.string()));
+    ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
+    EXPECT_NEAR(session.run()->basePosition().x(), 50e-9, 1e-13);
+    EXPECT_NEAR(session.run()->basePosition().y(), 60e-9, 1e-13);
+    EXPECT_TRUE(eventually([this] { return far(); })) << state();
+}
+
+TEST_F(Window, SaysWhatIsWrongWithAPathAndKeepsTheHand) {
+    openFlatScene();
+    const std::filesystem::path bad = folder.write("path.csv", "time_s,x_m,y_m\n0,0,0\n");
+    Q_EMIT window.pathFileChosen(QString::fromStdString(bad.string()));
+    const auto boxes = window.findChildren<QMessageBox*>();
+    ASSERT_EQ(boxes.size(), 1);
+    EXPECT_TRUE(boxes.front()->text().contains("path.csv"));
+    EXPECT_TRUE(boxes.front()->text().contains("z_m"));
+}
+
+TEST_F(Window, SavesAPictureOfItself) {
+    openFlatScene();
+    const std::filesystem::path file = folder.path() / "window.png";
+    Q_EMIT window.pictureFileChosen(QString::fromStdString(file.string()));
+    const QImage picture(QString::fromStdString(file.string()));
+    EXPECT_EQ(picture.size(), window.size());
+}
+
+TEST_F(Window, ChangesScenesTwoHundredTimesWithoutALeak) {
+    const std::array<std::filesystem::path, 2> scans{sample("steps.gsf"), sample("particles.gsf")};
+    QSignalSpy shown(&session, &Session::sceneShown);
+    double settled = 0.0;
+    std::ptrdiff_t threads = 0;
+    for (int change = 0; change < 200; ++change) {
+        session.open(scans[static_cast<std::size_t>(change % 2)]);
+        ASSERT_TRUE(eventually([&] { return shown.count() == change + 1; })) << change;
+        live(30);
+        if (change == 40) {
+            settled = residentBytes();
+            threads = threadCount();
+        }
+    }
+    EXPECT_TRUE(eventually([this] { return far(); })) << state();
+    constexpr double kScene = 256.0 * 256.0 * 8.0;  // control heights of the smaller scan [bytes]
+    EXPECT_EQ(threadCount(), threads);
+    EXPECT_LT(residentBytes() - settled, 0.25 * 160 * kScene);
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,110 @@
+#include "tests/app/window/WindowFixture.h"
+#include "ui/panels/OverviewMap.h"
+#include "ui/panels/OverviewPanel.h"
+#include "ui/view/ZoomView.h"
+
+#include <QComboBox>
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::test {
+namespace {
+
+TEST_F(Window, KeysBringTheTipIntoContactAndBack) {
+    openFlatScene();
+    EXPECT_NEAR(number("forceZ"), 0.0, 0.5e-9);
+    press(Qt::Key_PageDown);
+    ASSERT_TRUE(eventually([this] { return inContact() && number("forceZ") > 5e-9; })) << state();
+    release(Qt::Key_PageDown);
+    EXPECT_LT(number("gap"), 0.0);
+    EXPECT_GT(number("contactRadius"), 0.5e-9);
+
+    double strongestPull = 0.0;
+    press(Qt::Key_PageUp);
+    ASSERT_TRUE(eventually([&] {
+        strongestPull = std::min(strongestPull, number("forceZ"));
+        return far();
+    })) << state();
+    release(Qt::Key_PageUp);
+    EXPECT_LT(strongestPull, -2e-9) << "the sample holds on before it lets go";
+    EXPECT_TRUE(eventually([this] { return std::abs(number("forceZ")) < 0.5e-9; }));
+}
+
+TEST_F(Window, TheWheelBringsTheTipIntoContactAndBack) {
+    openFlatScene();
+    ASSERT_TRUE(eventually([this] {
+        turnWheel(-1);
+        return inContact();
+    })) << state();
+    ASSERT_TRUE(eventually([this] {
+        turnWheel(1);
+        return far();
+    })) << state();
+}
+
+TEST_F(Window, ShiftMakesTheWheelTenTimesFiner) {
+    openFlatScene();
+    const auto climb = [this](Qt::KeyboardModifiers modifiers) {
+        live(400);
+        const double before = session.run()->basePosition().z();
+        turnWheel(4, modifiers);
+        live(400);
+        return session.run()->basePosition().z() - before;
+    };
+    const double coarse = climb(Qt::NoModifier);
+    const double fine = climb(Qt::ShiftModifier);
+    EXPECT_GT(coarse, 0.0);
+    EXPECT_NEAR(fine, 0.1 * coarse, 1e-3 * coarse);
+}
+
+TEST_F(Window, AReleasedKeyStopsTheTip) {
+    openFlatScene();
+    const double start = session.run()->basePosition().x();
+    press(Qt::Key_Right);
+    ASSERT_TRUE(
+        eventually([&] { return std::abs(session.run()->basePosition().x() - start) > 1e-9; }));
+    release(Qt::Key_Right);
+    live(400);
+    const double rest = session.run()->basePosition().x();
+    live(200);
+    EXPECT_NEAR(session.run()->basePosition().x(), rest, 1e-13);
+}
+
+TEST_F(Window, DraggingMovesTheTipAlongTheSample) {
+    openFlatScene();
+    const Vector3 before = session.run()->basePosition();
+    const QPoint middle = window.view().rect().center();
+    drag(middle, middle + QPoint(40, 0));
+    live(500);
+    const Vector3 way = session.run()->basePosition() - before;
+    EXPECT_GT(way.head<2>().norm(), 1e-9);
+    EXPECT_NEAR(way.z(), 0.0, 1e-13);
+}
+
+TEST_F(Window, ADoubleClickOnTheScanTravelsThere) {
+    openFlatScene();
+    OverviewMap& map = window.overview().map();
+    const QPoint corner(map.width() / 2 + map.height() / 4, map.height() / 4);
+    QSignalSpy chosen(&window.overview(), &OverviewPanel::placeChosen);
+    QTest::mouseDClick(&map, Qt::LeftButton, Qt::NoModifier, corner);
+    ASSERT_EQ(chosen.count(), 1);
+    const Vector2 place(chosen[0][0].toDouble(), chosen[0][1].toDouble());
+    EXPECT_TRUE(eventually(
+        [&] { return (session.run()->basePosition().head<2>() - place).norm() < 0.05e-9; }));
+    EXPECT_TRUE(far());
+}
+
+TEST_F(Window, AScriptedPathGoesIntoContactAndBack) {
+    openFlatScene();
+    auto* hand = child<QComboBox>("hand");
+    hand->setFocus();
+    QTest::keyClick(hand, Qt::Key_Down);
+    EXPECT_EQ(hand->currentText().toStdString(), "Scripted path");
+    ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
+    EXPECT_TRUE(eventually([this] { return far(); })) << state();
+}
+
+}  // namespace
+}  // namespace asperity::test

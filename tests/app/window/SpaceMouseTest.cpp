@@ -1,0 +1,58 @@
+#include "tests/app/window/WindowFixture.h"
+#include "tests/hardware/VirtualSpaceMouse.h"
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QtTest>
+
+namespace asperity::test {
+namespace {
+
+using Report = VirtualSpaceMouse::Report;
+
+const Report kPressedDown = {1, 0, 0, 0, 0, 0x5E, 0x01, 0, 0, 0, 0, 0, 0};
+const Report kPulledUp = {1, 0, 0, 0, 0, 0xA2, 0xFE, 0, 0, 0, 0, 0, 0};
+const Report kAtRest = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+
+/// The window with the loop, and a SpaceMouse with its own thread: all that runs at once.
+class WindowWithSpaceMouse : public Window {
+protected:
+    void chooseSpaceMouse() {
+        auto* hand = child<QComboBox>("hand");
+        hand->setFocus();
+        QTest::keyClick(hand, Qt::Key_End);
+        ASSERT_EQ(hand->currentText().toStdString(), "SpaceMouse");
+    }
+
+    VirtualSpaceMouse device;
+};
+
+TEST_F(WindowWithSpaceMouse, BringsTheTipIntoContactAndBack) {
+    openFlatScene();
+    chooseSpaceMouse();
+    device.send({kPressedDown});
+    ASSERT_TRUE(eventually([this] { return inContact() && number("forceZ") > 2e-9; })) << state();
+    device.send({kPulledUp});
+    ASSERT_TRUE(eventually([this] { return far(); })) << state();
+    device.send({kAtRest});
+}
+
+TEST_F(WindowWithSpaceMouse, AnUnplugTakesTheForcesAwayUntilAPersonTakesItBack) {
+    openFlatScene();
+    chooseSpaceMouse();
+    device.send({kAtRest});
+    ASSERT_TRUE(eventually([this] { return far(); })) << state();
+    device.unplug();
+    ASSERT_TRUE(eventually([this] { return state().starts_with("fault"); })) << state();
+    EXPECT_NE(state().find("unplugged"), std::string::npos) << state();
+    device.plug();
+    live(1500);
+    EXPECT_TRUE(state().starts_with("fault")) << "latched";
+    QTest::mouseClick(child<QPushButton>("rearm"), Qt::LeftButton);
+    EXPECT_TRUE(eventually([this] { return far(); })) << state();
+    device.send({kPressedDown});
+    EXPECT_TRUE(eventually([this] { return inContact(); })) << state();
+}
+
+}  // namespace
+}  // namespace asperity::test

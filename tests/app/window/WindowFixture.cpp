@@ -1,0 +1,73 @@
+#include "tests/app/window/WindowFixture.h"
+
+#include "tests/support/TestScenes.h"
+#include "ui/view/ZoomView.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QStringList>
+#include <QWheelEvent>
+#include <QtTest>
+
+#include <limits>
+#include <map>
+
+namespace asperity::test {
+
+bool Window::eventually(const std::function<bool()>& holds, int milliseconds) {
+    return QTest::qWaitFor(holds, milliseconds);
+}
+
+void Window::live(int milliseconds) { QTest::qWait(milliseconds); }
+
+void Window::SetUp() {
+    session.setRecordingsFolder(folder.path() / "recordings");
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    QApplication::setActiveWindow(&window);  // a bare X server has nobody who does so
+}
+
+void Window::openFlatScene() {
+    session.use({.scene = buildScene(plainScene(), flatMap()),
+                 .format = "made for the test",
+                 .sha256 = "",
+                 .notes = {}});
+    ASSERT_TRUE(eventually([this] { return far(); })) << state();
+}
+
+std::string Window::text(const char* label) { return child<QLabel>(label)->text().toStdString(); }
+
+double Window::number(const char* label) {
+    static const std::map<QString, double> kUnits{
+        {"fN", 1e-15}, {"pN", 1e-12}, {"nN", 1e-9}, {"µN", 1e-6}, {"fm", 1e-15},
+        {"pm", 1e-12}, {"nm", 1e-9},  {"µm", 1e-6}, {"N", 1.0},   {"m", 1.0}};
+    const QStringList words = child<QLabel>(label)->text().replace("−", "-").split(' ');
+    if (words.size() != 2 || !kUnits.contains(words[1])) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    return words[0].toDouble() * kUnits.at(words[1]);
+}
+
+void Window::press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    QTest::keyPress(&window.view(), key, modifiers);
+}
+
+void Window::release(Qt::Key key) { QTest::keyRelease(&window.view(), key); }
+
+// QTest::mouseMove() tells of no pressed button.
+void Window::drag(const QPoint& from, const QPoint& to) {
+    QTest::mousePress(&window.view(), Qt::LeftButton, Qt::NoModifier, from);
+    QMouseEvent move(QEvent::MouseMove, to, window.view().mapToGlobal(to), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window.view(), &move);
+    QTest::mouseRelease(&window.view(), Qt::LeftButton, Qt::NoModifier, to);
+}
+
+void Window::turnWheel(int notches, Qt::KeyboardModifiers modifiers) {
+    const QPointF middle = window.view().rect().center();
+    QWheelEvent event(middle, window.view().mapToGlobal(middle.toPoint()), {}, {0, 120 * notches},
+                      Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&window.view(), &event);
+}
+
+}  // namespace asperity::test

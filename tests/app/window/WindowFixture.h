@@ -1,0 +1,56 @@
+#pragma once
+
+#include "app/Session.h"
+#include "tests/support/ScratchFolder.h"
+#include "ui/MainWindow.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace asperity::test {
+
+/// The real window with its session, on a display. Tests act by mouse and key events, and read what
+/// the window shows.
+class Window : public ::testing::Test {
+protected:
+    /// Waits, while the window lives, until something holds; false: it never did.
+    static bool eventually(const std::function<bool()>& holds, int milliseconds = 20000);
+    /// Lets the window live for a while.
+    static void live(int milliseconds);
+
+    void SetUp() override;
+
+    /// Opens a small scene whose sample is flat and waits until it runs.
+    void openFlatScene();
+
+    template <typename Widget>
+    Widget* child(const char* name) {
+        auto* found = window.findChild<Widget*>(QString::fromUtf8(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    /// What a label shows.
+    std::string text(const char* label);
+    /// The number a label shows, in SI units; NaN when it shows none.
+    double number(const char* label);
+    /// What the window says of the tip, faults and forces.
+    std::string state() { return text("state"); }
+    [[nodiscard]] bool inContact() { return state().starts_with("in contact"); }
+    [[nodiscard]] bool far() { return state().starts_with("far"); }
+
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+    void release(Qt::Key key);
+    void drag(const QPoint& from, const QPoint& to);
+    void turnWheel(int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+
+    ScratchFolder folder;
+    MainWindow window;
+    Session session{window};
+};
+
+}  // namespace asperity::test

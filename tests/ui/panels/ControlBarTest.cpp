@@ -1,0 +1,174 @@
+#include "ui/panels/ControlBar.h"
+
+#include "tests/ui/panels/PanelSamples.h"
+#include "ui/panels/GainSpinBox.h"
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+class ControlBarTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        bar.setMaterials({QStringLiteral("polystyrene"), QStringLiteral("silicon")});
+        bar.setHands({QStringLiteral("mouse and keyboard"), QStringLiteral("scripted")});
+        bar.setPaths({QStringLiteral("approach"), QStringLiteral("raster")});
+    }
+
+    template <class Widget>
+    Widget& child(const char* name) {
+        auto* widget = bar.findChild<Widget*>(QString::fromUtf8(name));
+        EXPECT_NE(widget, nullptr) << name;
+        return *widget;
+    }
+
+    ControlBar bar;
+};
+
+TEST_F(ControlBarTest, WhatAProgramSetsEmitsNothing) {
+    const QSignalSpy running(&bar, &ControlBar::runningChosen);
+    const QSignalSpy forces(&bar, &ControlBar::forcesChosen);
+    const QSignalSpy material(&bar, &ControlBar::materialChosen);
+    const QSignalSpy hand(&bar, &ControlBar::handChosen);
+    const QSignalSpy path(&bar, &ControlBar::pathChosen);
+    const QSignalSpy forceGain(&bar, &ControlBar::forceGainChosen);
+    const QSignalSpy positionGain(&bar, &ControlBar::positionGainChosen);
+    const QSignalSpy recording(&bar, &ControlBar::recordingChosen);
+    bar.setMaterials({QStringLiteral("a"), QStringLiteral("b")});
+    bar.setRunning(true);
+    bar.setForcesOn(false);
+    bar.setMaterial(1);
+    bar.setHand(1);
+    bar.setPath(1);
+    bar.setForceGain(1e8);
+    bar.setPositionGain(2e-6);
+    bar.setRecording(true);
+    for (const QSignalSpy* spy :
+         {&running, &forces, &material, &hand, &path, &forceGain, &positionGain, &recording}) {
+        EXPECT_EQ(spy->count(), 0);
+    }
+    EXPECT_EQ(child<QPushButton>("startPause").text(), QStringLiteral("Pause"));
+    EXPECT_EQ(child<QPushButton>("forces").text(), QStringLiteral("Forces are off"));
+    EXPECT_FALSE(child<QPushButton>("forces").isChecked());
+    EXPECT_EQ(child<QComboBox>("material").currentText(), QStringLiteral("b"));
+    EXPECT_EQ(child<QComboBox>("hand").currentText(), QStringLiteral("scripted"));
+    EXPECT_EQ(child<QComboBox>("path").currentText(), QStringLiteral("raster"));
+    EXPECT_DOUBLE_EQ(child<GainSpinBox>("forceGain").value(), 1e8);
+    EXPECT_DOUBLE_EQ(child<GainSpinBox>("positionGain").value(), 2e-6);
+    EXPECT_EQ(child<QPushButton>("record").text(), QStringLiteral("Recording"));
+}
+
+TEST_F(ControlBarTest, StartAndPauseTakeTurns) {
+    QSignalSpy chosen(&bar, &ControlBar::runningChosen);
+    auto& button = child<QPushButton>("startPause");
+    EXPECT_EQ(button.text(), QStringLiteral("Start"));
+    QTest::mouseClick(&button, Qt::LeftButton);
+    QTest::mouseClick(&button, Qt::LeftButton);
+    ASSERT_EQ(chosen.count(), 2);
+    EXPECT_TRUE(chosen[0][0].toBool());
+    EXPECT_FALSE(chosen[1][0].toBool());
+    EXPECT_EQ(button.text(), QStringLiteral("Start"));
+}
+
+TEST_F(ControlBarTest, AClickSwitchesForcesAndRecording) {
+    QSignalSpy forces(&bar, &ControlBar::forcesChosen);
+    QSignalSpy recording(&bar, &ControlBar::recordingChosen);
+    QTest::mouseClick(&child<QPushButton>("forces"), Qt::LeftButton);
+    QTest::mouseClick(&child<QPushButton>("record"), Qt::LeftButton);
+    ASSERT_EQ(forces.count(), 1);
+    EXPECT_FALSE(forces[0][0].toBool());
+    EXPECT_EQ(child<QPushButton>("forces").text(), QStringLiteral("Forces are off"));
+    ASSERT_EQ(recording.count(), 1);
+    EXPECT_TRUE(recording[0][0].toBool());
+}
+
+TEST_F(ControlBarTest, AChoiceWithTheKeyboardIsThePersons) {
+    QSignalSpy material(&bar, &ControlBar::materialChosen);
+    QSignalSpy hand(&bar, &ControlBar::handChosen);
+    QSignalSpy path(&bar, &ControlBar::pathChosen);
+    QSignalSpy file(&bar, &ControlBar::pathFileRequested);
+    QTest::keyClick(&child<QComboBox>("material"), Qt::Key_Down);
+    QTest::keyClick(&child<QComboBox>("hand"), Qt::Key_Down);
+    QTest::keyClick(&child<QComboBox>("path"), Qt::Key_Down);
+    QTest::mouseClick(&child<QToolButton>("pathFile"), Qt::LeftButton);
+    for (QSignalSpy* spy : {&material, &hand, &path}) {
+        ASSERT_EQ(spy->count(), 1);
+        EXPECT_EQ((*spy)[0][0].toInt(), 1);
+    }
+    EXPECT_EQ(file.count(), 1);
+}
+
+TEST_F(ControlBarTest, GainsStepLikeOneTwoFive) {
+    bar.setForceGain(1e8);
+    QSignalSpy chosen(&bar, &ControlBar::forceGainChosen);
+    auto& box = child<GainSpinBox>("forceGain");
+    for (int i = 0; i < 4; ++i) {
+        QTest::keyClick(&box, Qt::Key_Up);
+    }
+    ASSERT_EQ(chosen.count(), 4);
+    EXPECT_DOUBLE_EQ(chosen[0][0].toDouble(), 2e8);
+    EXPECT_DOUBLE_EQ(chosen[1][0].toDouble(), 5e8);
+    EXPECT_DOUBLE_EQ(chosen[2][0].toDouble(), 1e9);
+    EXPECT_DOUBLE_EQ(chosen[3][0].toDouble(), 2e9);
+    for (int i = 0; i < 5; ++i) {
+        QTest::keyClick(&box, Qt::Key_Down);
+    }
+    EXPECT_DOUBLE_EQ(box.value(), 5e7);
+}
+
+TEST_F(ControlBarTest, BetweenTheStepsTheNextStepComes) {
+    GainSpinBox box(1e-12, 1e3);
+    box.setValue(3e-6);
+    box.stepBy(1);
+    EXPECT_DOUBLE_EQ(box.value(), 5e-6);
+    box.setValue(3e-6);
+    box.stepBy(-1);
+    EXPECT_DOUBLE_EQ(box.value(), 2e-6);
+    box.setValue(7.0);
+    box.stepBy(1);
+    EXPECT_DOUBLE_EQ(box.value(), 10.0);
+    box.setValue(1e-12);
+    box.stepBy(-1);
+    EXPECT_DOUBLE_EQ(box.value(), 1e-12) << "the least";
+}
+
+TEST_F(ControlBarTest, AGainCanBeTyped) {
+    QSignalSpy chosen(&bar, &ControlBar::positionGainChosen);
+    auto& box = child<GainSpinBox>("positionGain");
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("3.5e-5"));
+    EXPECT_EQ(chosen.count(), 0) << "not before it is whole";
+    QTest::keyClick(&box, Qt::Key_Return);
+    ASSERT_EQ(chosen.count(), 1);
+    EXPECT_DOUBLE_EQ(chosen[0][0].toDouble(), 3.5e-5);
+    EXPECT_EQ(box.text(), QStringLiteral("3.5e-5"));
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("oops"));
+    QTest::keyClick(&box, Qt::Key_Return);
+    EXPECT_DOUBLE_EQ(box.value(), 3.5e-5);
+    EXPECT_EQ(chosen.count(), 1);
+}
+
+TEST_F(ControlBarTest, FitsASmallWindowWithNothingCutOff) {
+    bar.resize(1280, bar.sizeHint().height());
+    EXPECT_LE(bar.minimumSizeHint().width(), 1280);
+    bar.setRunning(true);
+    bar.setForcesOn(false);
+    bar.setRecording(true);
+    bar.grab();
+    for (const char* name : {"startPause", "forces", "record"}) {
+        auto& button = child<QPushButton>(name);
+        EXPECT_GE(button.width(), button.sizeHint().width()) << name;
+        EXPECT_LE(button.mapTo(&bar, button.rect().bottomRight()).x(), bar.width()) << name;
+    }
+}
+
+}  // namespace
+}  // namespace asperity

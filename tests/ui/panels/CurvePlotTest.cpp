@@ -1,0 +1,135 @@
+#include "ui/panels/CurvePlot.h"
+
+#include "tests/ui/panels/PanelSamples.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+const QColor kFirst(0, 114, 178);
+const QColor kSecond(213, 94, 0);
+
+CurvePlotSetup setupOf(ZeroLine zero) {
+    return {.title = QStringLiteral("Force"),
+            .unit = QStringLiteral("N"),
+            .smallest = 1e-12,
+            .curves = {{QStringLiteral("Fx"), kFirst.rgb()}, {QStringLiteral("Fz"), kSecond.rgb()}},
+            .zero = zero};
+}
+
+/// How many pixels have this hue: the curves' edges are blended with the paper.
+int pixelsOfHue(const QImage& image, const QColor& colour) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            const bool sameHue = std::abs(pixel.hsvHue() - colour.hsvHue()) < 12;
+            count += sameHue && pixel.hsvSaturation() > 90 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+QImage picture(CurvePlot& plot) {
+    plot.resize(400, 160);
+    plot.refresh();
+    return plot.grab().toImage();
+}
+
+TEST(CurvePlot, NamesItsUnitWithTheFittingPrefix) {
+    CurvePlot plot(setupOf(ZeroLine::Shown));
+    plot.take(0.0, {1e-9, 20e-9});
+    plot.refresh();
+    EXPECT_EQ(plot.shownUnit(), "nN");
+    const auto* title = plot.findChild<QLabel*>();
+    ASSERT_NE(title, nullptr);
+    EXPECT_TRUE(title->text().contains(QStringLiteral("[nN]"))) << title->text().toStdString();
+    EXPECT_TRUE(title->text().contains(QStringLiteral("Fz")));
+    plot.take(0.1, {1e-9, 3e-6});
+    plot.refresh();
+    EXPECT_EQ(plot.shownUnit(), "µN");
+}
+
+TEST(CurvePlot, RangeHoldsAPeakOfOneTickUntilItIsTenSecondsOld) {
+    CurvePlot plot(setupOf(ZeroLine::Shown));
+    for (int i = 0; i < 20000; ++i) {
+        plot.take(1e-3 * i, {0.0, i == 5000 ? -40e-9 : 1e-9});
+        if (i == 14000) {
+            plot.refresh();
+            EXPECT_LE(plot.valueRange().low, -40e-9);
+        }
+    }
+    plot.refresh();
+    EXPECT_GT(plot.valueRange().low, -2e-9);
+    EXPECT_GE(plot.valueRange().high, 1e-9);
+    EXPECT_LE(plot.valueRange().low, 0.0) << "zero stays in sight";
+}
+
+TEST(CurvePlot, RangeDoesNotFlickerWithNoise) {
+    CurvePlot plot(setupOf(ZeroLine::Shown));
+    int changes = 0;
+    AxisRange last{};
+    for (int i = 0; i < 3000; ++i) {
+        plot.take(0.01 * i, {1e-9 * std::sin(0.31 * i), 1e-9 + 0.2e-9 * std::sin(12.9 * i)});
+        plot.refresh();
+        changes += last.low == plot.valueRange().low && last.high == plot.valueRange().high ? 0 : 1;
+        last = plot.valueRange();
+    }
+    EXPECT_LE(changes, 6);
+}
+
+TEST(CurvePlot, FarFromZeroItShowsDifferencesInTheirOwnUnit) {
+    CurvePlot plot(setupOf(ZeroLine::None));
+    for (int i = 0; i < 100; ++i) {
+        plot.take(0.1 * i, {7e-6 + 1e-9 * (i % 7), 7e-6});
+    }
+    plot.refresh();
+    EXPECT_GT(plot.valueRange().low, 6.9e-6) << "zero need not be in sight";
+    EXPECT_EQ(plot.shownUnit(), "nN") << "not 7.000 µN";
+}
+
+TEST(CurvePlot, DrawsEachCurveInItsColour) {
+    CurvePlot plot(setupOf(ZeroLine::Shown));
+    const int legendFirst = pixelsOfHue(picture(plot), kFirst);
+    const int legendSecond = pixelsOfHue(picture(plot), kSecond);
+    for (int i = 0; i < 1000; ++i) {
+        plot.take(0.01 * i, {1e-9, -1e-9});
+    }
+    const QImage full = picture(plot);
+    EXPECT_GT(pixelsOfHue(full, kFirst), legendFirst + 200);
+    EXPECT_GT(pixelsOfHue(full, kSecond), legendSecond + 200);
+    plot.clear();
+    EXPECT_EQ(pixelsOfHue(picture(plot), kFirst), legendFirst);
+}
+
+TEST(CurvePlot, DrawsNothingAcrossTimeThatWasLeaptOver) {
+    CurvePlot plot(setupOf(ZeroLine::Shown));
+    const auto takeFor = [&plot](double begin, int ticks) {
+        for (int tick = 0; tick < ticks; ++tick) {
+            plot.take(begin + 0.01 * tick, {1e-9, -1e-9});
+        }
+    };
+    takeFor(0.0, 1000);
+    const int whole = pixelsOfHue(picture(plot), kFirst);
+    plot.clear();
+    takeFor(0.0, 250);
+    takeFor(7.5, 250);
+    const int half = pixelsOfHue(picture(plot), kFirst);
+    EXPECT_LT(half, 0.75 * whole);
+    EXPECT_GT(half, 0.3 * whole);
+}
+
+TEST(CurvePlot, LeavesOutValuesThatAreNotNumbers) {
+    CurvePlot plot(setupOf(ZeroLine::Shown));
+    plot.take(0.0, {NAN, 1e-9});
+    plot.refresh();
+    EXPECT_TRUE(plot.history(0).isEmpty());
+    EXPECT_FALSE(plot.history(1).isEmpty());
+    EXPECT_TRUE(std::isfinite(plot.valueRange().low));
+}
+
+}  // namespace
+}  // namespace asperity

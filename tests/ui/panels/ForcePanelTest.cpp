@@ -1,0 +1,159 @@
+#include "ui/panels/ForcePanel.h"
+
+#include "core/Units.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/probe/SimulatedAfm.h"
+#include "tests/support/TestScenes.h"
+#include "tests/ui/panels/PanelSamples.h"
+
+#include <QApplication>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+TickSample indented() {
+    TickSample sample = test::tickWithForce(1.0, Vector3(1.5e-9, -2.25e-9, 12.3e-9));
+    sample.output.estimate.covariance.diagonal() << 0.01e-18, 0.04e-18, 0.09e-18;
+    sample.output.tip = Vector3(1.23456e-6, 0.5e-6, 34.56e-9);
+    sample.output.model.contact.indentation = 1.63e-9;
+    sample.output.model.contact.contactRadius = 5.79e-9;
+    return sample;
+}
+
+TEST(ForcePanel, ShowsForcesWithTheirStandardDeviations) {
+    ForcePanel panel;
+    panel.show(test::snapshotOf(indented()));
+    EXPECT_EQ(test::textOf(panel, "forceX"), QStringLiteral("1.50 nN"));
+    EXPECT_EQ(test::textOf(panel, "forceY"), QStringLiteral("-2.25 nN"));
+    EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("12.30 nN"));
+    EXPECT_EQ(test::textOf(panel, "forceMagnitude"), QStringLiteral("12.59 nN"));
+    EXPECT_EQ(test::textOf(panel, "forceXSigma"), QStringLiteral("± 0.10"));
+    EXPECT_EQ(test::textOf(panel, "forceYSigma"), QStringLiteral("± 0.20"));
+    EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 0.30"));
+}
+
+TEST(ForcePanel, ShowsPlaceGapAndContactRadius) {
+    ForcePanel panel;
+    panel.show(test::snapshotOf(indented()));
+    EXPECT_EQ(test::textOf(panel, "tipX"), QStringLiteral("1.2346 µm"));
+    EXPECT_EQ(test::textOf(panel, "tipY"), QStringLiteral("0.5000 µm")) << "one unit for x and y";
+    EXPECT_EQ(test::textOf(panel, "tipZ"), QStringLiteral("34.56 nm"));
+    EXPECT_EQ(test::textOf(panel, "gap"), QStringLiteral("-1.63 nm")) << "indented";
+    EXPECT_EQ(test::textOf(panel, "contactRadius"), QStringLiteral("5.79 nm"));
+    panel.show(test::snapshotOf(test::tickWithForce(2.0, Vector3::Zero())));
+    EXPECT_EQ(test::textOf(panel, "contactRadius"), QStringLiteral("0.00 nm"));
+}
+
+TEST(ForcePanel, TheUnitIsThatOfTheLargestForceOrOfItsUncertainty) {
+    ForcePanel panel;
+    TickSample sample = test::tickWithForce(0.0, Vector3(0.0, 0.0, 20e-12));
+    panel.show(test::snapshotOf(sample));
+    EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("20.00 pN"));
+    sample.output.estimate.covariance(2, 2) = 4e-18;
+    panel.show(test::snapshotOf(sample));
+    EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("0.02 nN"));
+    EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 2.00"));
+}
+
+TEST(ForcePanel, NothingMovesWhenTheNumbersChange) {
+    ForcePanel panel;
+    panel.resize(370, 270);
+    panel.show(test::snapshotOf(indented()));
+    const auto* force = panel.findChild<QLabel*>(QStringLiteral("forceX"));
+    const auto* gap = panel.findChild<QLabel*>(QStringLiteral("gap"));
+    ASSERT_NE(force, nullptr);
+    const QSize size = force->size();
+    const QSize hint = panel.minimumSizeHint();
+    TickSample other = indented();
+    other.output.estimate.force = Vector3(-654.32e-9, -765.43e-9, -888.88e-9);
+    other.output.model.contact.indentation = 333.3e-9;
+    panel.show(test::snapshotOf(other));
+    EXPECT_EQ(force->size(), size);
+    EXPECT_EQ(force->minimumSize(), force->maximumSize()) << "a new number lays out nothing anew";
+    EXPECT_EQ(panel.minimumSizeHint(), hint);
+    for (const QLabel* label : {force, gap}) {
+        EXPECT_LE(label->fontMetrics().horizontalAdvance(label->text()), label->width())
+            << label->text().toStdString() << " is cut off";
+    }
+}
+
+TEST(ForcePanel, PlacesOnLargeScansFitToo) {
+    ForcePanel panel;
+    TickSample sample = indented();
+    for (const double x : {123.4567e-6, -99.99876e-6, 87.6543e-6}) {
+        sample.output.tip.x() = x;
+        panel.show(test::snapshotOf(sample));
+        const auto* label = panel.findChild<QLabel*>(QStringLiteral("tipX"));
+        EXPECT_LE(label->fontMetrics().horizontalAdvance(label->text()), label->width())
+            << label->text().toStdString() << " is cut off";
+    }
+}
+
+TEST(ForcePanel, FitsTheColumnOfASmallWindow) {
+    const ForcePanel panel;
+    EXPECT_LE(panel.minimumSizeHint().width(), 360);
+    EXPECT_LE(panel.minimumSizeHint().height(), 270);
+}
+
+TEST(ForcePanel, ShowsADashForWhatIsNotANumber) {
+    ForcePanel panel;
+    TickSample sample = indented();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    sample.output.estimate.force = Vector3(nan, 1e-9, INFINITY);
+    sample.output.estimate.covariance.setConstant(nan);
+    sample.output.tip.setConstant(nan);
+    sample.output.model.contact.indentation = nan;
+    panel.take(sample);
+    panel.show(test::snapshotOf(sample));
+    EXPECT_FALSE(test::showsNan(panel));
+    EXPECT_TRUE(test::textOf(panel, "forceX").startsWith(QStringLiteral("–")));
+    EXPECT_TRUE(panel.forcePlot().history(0).isEmpty());
+    EXPECT_FALSE(panel.forcePlot().history(1).isEmpty());
+}
+
+TEST(ForcePanel, ClearForgetsNumbersAndCurves) {
+    ForcePanel panel;
+    panel.take(indented());
+    panel.show(test::snapshotOf(indented()));
+    panel.clear();
+    EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("–"));
+    EXPECT_EQ(test::textOf(panel, "forceZSigma"), QString());
+    EXPECT_EQ(test::textOf(panel, "gap"), QStringLiteral("–"));
+    EXPECT_TRUE(panel.forcePlot().history(2).isEmpty());
+    EXPECT_TRUE(panel.heightPlot().history(0).isEmpty());
+}
+
+TEST(ForcePanel, CurvesShowARunFromContactToPullOff) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    SimulatedAfm afm(scene.surface, scene.truth);
+    ForcePanel panel;
+    double strongest = 0.0;
+    double weakest = 0.0;
+    double lowest = INFINITY;
+    TickSample last;
+    const HandPath path = approachPath(scene, {.duration = 9.0});
+    runVirtually(scene, path, afm, 9000, [&](const TickSample& sample) {
+        panel.take(sample);
+        strongest = std::max(strongest, sample.output.estimate.force.z());
+        weakest = std::min(weakest, sample.output.estimate.force.z());
+        lowest = std::min(lowest, sample.output.tip.z());
+        last = sample;
+    });
+    panel.show(test::snapshotOf(last));
+    EXPECT_GT(strongest, 10.0_nN);
+    EXPECT_LT(weakest, -1.0_nN) << "adhesion";
+    EXPECT_EQ(panel.forcePlot().history(2).extent().high, strongest) << "every peak stays";
+    EXPECT_EQ(panel.forcePlot().history(2).extent().low, weakest);
+    EXPECT_EQ(panel.heightPlot().history(0).extent().low, lowest);
+    EXPECT_GE(panel.forcePlot().valueRange().high, strongest);
+    EXPECT_LE(panel.forcePlot().valueRange().low, weakest);
+}
+
+}  // namespace
+}  // namespace asperity

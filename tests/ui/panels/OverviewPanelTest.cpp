@@ -1,0 +1,228 @@
+#include "ui/panels/OverviewPanel.h"
+
+#include "core/Units.h"
+#include "core/surface/BSplineFit.h"
+#include "tests/support/TestScenes.h"
+#include "tests/ui/panels/PanelSamples.h"
+#include "ui/panels/AxisTicks.h"
+#include "ui/panels/ColourBarWidget.h"
+#include "ui/panels/OverviewMap.h"
+#include "ui/panels/Theme.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+/// Level but for one hill near the upper left corner; twice as wide as high.
+BSplineSurface wideSurface() {
+    HeightMap map{.columns = 128, .rows = 64, .pitchX = 2.0_nm, .pitchY = 2.0_nm};
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            const double distance = std::hypot(column - 16.0, row - 12.0);
+            map.heights.push_back(10.0_nm * std::exp(-distance * distance / 40.0));
+        }
+    }
+    return fitSurface(map);
+}
+
+void doubleClick(OverviewMap& map, const QPointF& pixel) {
+    QTest::mouseDClick(&map, Qt::LeftButton, Qt::NoModifier, pixel.toPoint());
+}
+
+TEST(OverviewPanel, DoubleClickGivesThePlaceInMetresYUp) {
+    OverviewPanel panel;
+    panel.resize(480, 300);
+    panel.setSurface(wideSurface());
+    panel.grab();  // lays out
+    const QRectF map = panel.map().mapRect();
+    QSignalSpy chosen(&panel, &OverviewPanel::placeChosen);
+    doubleClick(panel.map(), map.topLeft() + QPointF(0.25 * map.width(), 0.2 * map.height()));
+    ASSERT_EQ(chosen.count(), 1);
+    const double pixel = 256.0_nm / map.width();
+    EXPECT_NEAR(chosen[0][0].toDouble(), 64.0_nm, pixel);
+    EXPECT_NEAR(chosen[0][1].toDouble(), 0.8 * 128.0_nm, pixel);
+}
+
+TEST(OverviewPanel, ADoubleClickBesideTheScanOrWithAnotherButtonDoesNothing) {
+    OverviewPanel panel;
+    panel.resize(480, 300);
+    QSignalSpy chosen(&panel, &OverviewPanel::placeChosen);
+    panel.grab();
+    doubleClick(panel.map(), {20.0, 20.0});
+    EXPECT_EQ(chosen.count(), 0) << "no scan yet";
+    panel.setSurface(wideSurface());
+    const QRectF map = panel.map().mapRect();
+    doubleClick(panel.map(), {map.center().x(), map.top() - 4.0});
+    QTest::mouseDClick(&panel.map(), Qt::RightButton, Qt::NoModifier, map.center().toPoint());
+    EXPECT_EQ(chosen.count(), 0);
+}
+
+TEST(OverviewPanel, ShowsTheScansSizeAndTheUnitOfItsHeights) {
+    OverviewPanel panel;
+    panel.setSurface(wideSurface());
+    bool hasSize = false;
+    for (const QLabel* label : panel.findChildren<QLabel*>()) {
+        hasSize = hasSize || label->text() == QStringLiteral("256 × 128 nm");
+    }
+    EXPECT_TRUE(hasSize);
+    EXPECT_EQ(panel.colourBar().heading(), QStringLiteral("height [nm]"));
+}
+
+TEST(OverviewMap, KeepsTheAspectRatioAndStaysInside) {
+    OverviewMap map;
+    map.setSurface(wideSurface());
+    for (const QSize& size : {QSize(300, 300), QSize(400, 120), QSize(137, 211)}) {
+        map.resize(size);
+        const QRectF drawn = map.mapRect();
+        EXPECT_NEAR(drawn.width() / drawn.height(), 2.0, 0.05);
+        EXPECT_TRUE(QRectF(map.rect()).contains(drawn));
+    }
+}
+
+TEST(OverviewMap, PlacesAndPixelsAreInverse) {
+    OverviewMap map;
+    map.resize(300, 200);
+    map.setSurface(wideSurface());
+    const QPointF place(37.0_nm, 101.0_nm);
+    const QPointF back = map.toPlace(map.toPixel(place));
+    EXPECT_NEAR(back.x(), place.x(), 1e-18);
+    EXPECT_NEAR(back.y(), place.y(), 1e-18);
+    EXPECT_EQ(map.toPixel({0.0, 0.0}), map.mapRect().bottomLeft());
+}
+
+TEST(OverviewMap, TheHillIsWhereItIsInTheScan) {
+    OverviewMap map;
+    map.resize(400, 200);
+    map.setSurface(wideSurface());
+    const QImage image = map.grab().toImage();
+    const QPoint hill = map.toPixel({33.0_nm, 103.0_nm}).toPoint();
+    const QPoint level = map.toPixel({200.0_nm, 40.0_nm}).toPoint();
+    EXPECT_GT(image.pixelColor(hill).lightness(), image.pixelColor(level).lightness() + 50);
+    EXPECT_TRUE(map.toolTipAt(hill).contains(QStringLiteral("height 9."))) << "10 nm high";
+    const QString words = map.toolTipAt(map.toPixel({200.0_nm, 40.0_nm}));
+    EXPECT_TRUE(words.startsWith(QStringLiteral("height 0.00 nm\nx 200.00 nm, y 40.00 nm")))
+        << words.toStdString();
+    EXPECT_TRUE(map.toolTipAt({-5.0, 20.0}).isEmpty());
+}
+
+TEST(OverviewMap, MarksTheTipAndKeepsTheMarkInSightOutsideTheScan) {
+    OverviewMap map;
+    map.resize(400, 200);
+    map.setSurface(wideSurface());
+    const auto marked = [&map] {
+        return test::pixelsLike(map.grab().toImage(), QColor(theme::kMarker));
+    };
+    EXPECT_EQ(marked(), 0);
+    map.showTip({128.0_nm, 64.0_nm});
+    const int inside = marked();
+    EXPECT_GT(inside, 30);
+    const QPoint ring = map.toPixel({128.0_nm, 64.0_nm}).toPoint() + QPoint(5, 0);
+    EXPECT_LT(std::abs(map.grab().toImage().pixelColor(ring).red() - QColor(theme::kMarker).red()),
+              40);
+    map.showTip({900.0_nm, 64.0_nm});
+    EXPECT_GT(marked(), inside / 4);
+    map.showTip({NAN, 64.0_nm});
+    EXPECT_EQ(marked(), 0);
+}
+
+TEST(OverviewMap, DrawsTheZoomsFrameAndThePathWhereTheyAre) {
+    OverviewMap map;
+    map.resize(400, 200);
+    map.setSurface(wideSurface());
+    map.showFrame({100.0_nm, 20.0_nm, 60.0_nm, 40.0_nm});
+    const QImage framed = map.grab().toImage();
+    EXPECT_GT(test::pixelsLike(framed, QColor(theme::kZoom)), 100);
+    const QPoint onEdge = map.toPixel({130.0_nm, 60.0_nm}).toPoint();
+    int found = 0;
+    for (int dy = -2; dy <= 2; ++dy) {
+        found +=
+            test::pixelsLike(framed.copy(onEdge.x(), onEdge.y() + dy, 1, 1), QColor(theme::kZoom));
+    }
+    EXPECT_GE(found, 1) << "its upper edge";
+    const int before = test::pixelsLike(framed, QColor(theme::kInk));
+    map.showPath(QVector<QPointF>{{20.0_nm, 20.0_nm}, {240.0_nm, 110.0_nm}});
+    EXPECT_GT(test::pixelsLike(map.grab().toImage(), QColor(theme::kInk)), before + 50);
+}
+
+TEST(OverviewMap, ANewSurfaceForgetsTheOldOnesMarks) {
+    OverviewMap map;
+    map.resize(400, 200);
+    map.setSurface(wideSurface());
+    map.showTip({128.0_nm, 64.0_nm});
+    map.showFrame({100.0_nm, 20.0_nm, 60.0_nm, 40.0_nm});
+    map.setSurface(wideSurface());
+    const QImage image = map.grab().toImage();
+    EXPECT_EQ(test::pixelsLike(image, QColor(theme::kMarker)), 0);
+    EXPECT_EQ(test::pixelsLike(image, QColor(theme::kZoom)), 0);
+}
+
+TEST(ReliefImage, IsAtMost512PixelsAndCoversTheHeights) {
+    const ReliefImage relief = reliefImage(wideSurface());
+    EXPECT_EQ(relief.image.size(), QSize(512, 256));
+    EXPECT_EQ(relief.heights.size(), 512U * 256U);
+    EXPECT_NEAR(relief.colours.high, 10.0_nm, 0.1_nm);
+    EXPECT_NEAR(relief.colours.low, 0.0, 0.1_nm);
+}
+
+TEST(ReliefImage, IsLitFromTheUpperLeft) {
+    const BSplineSurface surface = fitSurface(test::hillyMap());
+    const ReliefImage relief = reliefImage(surface);
+    const auto lightness = [&](double x, double y) {
+        const int column = static_cast<int>(x / surface.sizeX() * relief.image.width());
+        const int row = static_cast<int>((1.0 - y / surface.sizeY()) * relief.image.height());
+        return relief.image.pixelColor(column, row).lightness();
+    };
+    // A hill's flanks at equal height, on either side of its top at 15 nm, 15 nm.
+    EXPECT_GT(lightness(8.0_nm, 22.0_nm), lightness(22.0_nm, 8.0_nm) + 20);
+}
+
+TEST(ReliefImage, ALevelScanHasOneColour) {
+    const ReliefImage relief = reliefImage(fitSurface(test::flatMap()));
+    EXPECT_EQ(relief.image.pixel(0, 0), relief.image.pixel(300, 200));
+}
+
+TEST(ColourBarWidget, NamesTheQuantityWithItsPrefix) {
+    ColourBarWidget bar;
+    EXPECT_TRUE(bar.heading().isEmpty());
+    bar.setScale({.quantity = QStringLiteral("displacement"),
+                  .unit = QStringLiteral("m"),
+                  .low = -400e-12,
+                  .high = 0.0,
+                  .colours = {Qt::red, Qt::white}});
+    EXPECT_EQ(bar.heading(), QStringLiteral("displacement [pm]"));
+}
+
+TEST(AxisTicks, AreNeverOnlyOne) {
+    EXPECT_EQ(axisTicks(0.0, 10.0, 5), (std::vector<double>{0.0, 2.0, 4.0, 6.0, 8.0, 10.0}));
+    EXPECT_GE(axisTicks(-8.0, 8.0, 2).size(), 2U);
+    EXPECT_GE(axisTicks(1.1, 13.9, 1).size(), 2U);
+}
+
+TEST(ColourBarWidget, RunsFromTheFirstColourToTheLast) {
+    ColourBarWidget bar;
+    bar.resize(200, bar.sizeHint().height());
+    EXPECT_EQ(test::pixelsLike(bar.grab().toImage(), Qt::red), 0) << "nothing to show yet";
+    bar.setScale({.quantity = QStringLiteral("height"),
+                  .unit = QStringLiteral("m"),
+                  .low = 0.0,
+                  .high = 1e-9,
+                  .colours = {Qt::red, Qt::blue}});
+    const QImage image = bar.grab().toImage();
+    int reds = 0;
+    int blues = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        reds += test::pixelsLike(image.copy(15, y, 1, 1), Qt::red);
+        blues += test::pixelsLike(image.copy(184, y, 1, 1), Qt::blue);
+    }
+    EXPECT_GE(reds, 8);
+    EXPECT_GE(blues, 8);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/haptics/Snapshot.h"
+
+#include <QLabel>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
+namespace asperity::test {
+
+/// A tick at `time` [s] with an estimated force [N] and nothing else.
+inline TickSample tickWithForce(double time, const Vector3& force) {
+    TickSample sample;
+    sample.time = time;
+    sample.output.estimate.force = force;
+    return sample;
+}
+
+inline Snapshot snapshotOf(const TickSample& sample) {
+    Snapshot snapshot;
+    snapshot.sample = sample;
+    return snapshot;
+}
+
+/// What a person reads in the label of this name.
+inline QString textOf(const QWidget& widget, const char* objectName) {
+    const auto* label = widget.findChild<QLabel*>(QString::fromUtf8(objectName));
+    if (label == nullptr) {
+        ADD_FAILURE() << "no label is called " << objectName;
+        return {};
+    }
+    return label->text();
+}
+
+/// Whether any label shows a value that is not a number.
+inline bool showsNan(const QWidget& widget) {
+    for (const QLabel* label : widget.findChildren<QLabel*>()) {
+        const QString text = label->text();
+        if (text.contains(QStringLiteral("nan"), Qt::CaseInsensitive) ||
+            text.contains(QStringLiteral("inf"), Qt::CaseInsensitive)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// How many pixels of a picture are nearly of this colour.
+inline int pixelsLike(const QImage& image, const QColor& colour) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            const int difference = std::abs(pixel.red() - colour.red()) +
+                                   std::abs(pixel.green() - colour.green()) +
+                                   std::abs(pixel.blue() - colour.blue());
+            count += difference < 24 ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+}  // namespace asperity::test
+
+/// Lets a failed comparison of Qt's strings be read.
+// NOLINTNEXTLINE(readability-identifier-naming): the name is GoogleTest's
+inline void PrintTo(const QString& text, std::ostream* out) { *out << text.toStdString(); }

@@ -1,0 +1,173 @@
+#include "ui/panels/StateBanner.h"
+
+#include "tests/ui/panels/PanelSamples.h"
+
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QVBoxLayout>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace asperity {
+namespace {
+
+TickSample far() { return {.time = 1.0, .input = {}, .output = {}}; }
+
+TickSample bonded(double contactRadius) {
+    TickSample sample = far();
+    sample.output.model.contact.branch = ContactBranch::Bonded;
+    sample.output.model.contact.contactRadius = contactRadius;
+    return sample;
+}
+
+TickSample flagged(double time, Validity flag) {
+    TickSample sample = far();
+    sample.time = time;
+    sample.output.flags.set(flag, true);
+    return sample;
+}
+
+QString stateOf(const StateBanner& banner) { return test::textOf(banner, "state"); }
+
+const QPushButton& rearmButton(const StateBanner& banner) {
+    return *banner.findChild<QPushButton*>(QStringLiteral("rearm"));
+}
+
+TEST(StateBanner, SaysWhereTheTipIs) {
+    StateBanner banner;
+    EXPECT_EQ(stateOf(banner), QStringLiteral("not started"));
+    banner.show(test::snapshotOf(far()));
+    EXPECT_EQ(stateOf(banner), QStringLiteral("far"));
+    banner.show(test::snapshotOf(bonded(0.0)));
+    EXPECT_EQ(stateOf(banner), QStringLiteral("cohesive (bonded across a gap)"));
+    banner.show(test::snapshotOf(bonded(3e-9)));
+    EXPECT_EQ(stateOf(banner), QStringLiteral("in contact"));
+    banner.clear();
+    EXPECT_EQ(stateOf(banner), QStringLiteral("not started"));
+}
+
+TEST(StateBanner, SaysThatTheRunIsPausedOrTheForcesAreOff) {
+    StateBanner banner;
+    TickSample sample = bonded(3e-9);
+    sample.input.settings.forcesOn = false;
+    banner.show(test::snapshotOf(sample));
+    EXPECT_EQ(stateOf(banner), QStringLiteral("forces off (Esc) · in contact"));
+    banner.setPaused(true);
+    EXPECT_EQ(stateOf(banner), QStringLiteral("paused · forces off (Esc) · in contact"));
+    banner.setPaused(false);
+    EXPECT_EQ(stateOf(banner), QStringLiteral("forces off (Esc) · in contact"));
+}
+
+TEST(StateBanner, AFaultStandsAboveAllAndCanBeTakenBack) {
+    StateBanner banner;
+    banner.resize(800, banner.height());
+    banner.show(test::snapshotOf(far()));
+    EXPECT_TRUE(rearmButton(banner).isHidden());
+    TickSample sample = bonded(3e-9);
+    sample.output.fault = Fault::DeviceLost;
+    banner.setPaused(true);
+    banner.show(test::snapshotOf(sample));
+    EXPECT_EQ(stateOf(banner),
+              QStringLiteral("fault: the hand's device was unplugged: forces are off"));
+    EXPECT_FALSE(rearmButton(banner).isHidden());
+    QSignalSpy asked(&banner, &StateBanner::rearmRequested);
+    banner.findChild<QPushButton*>(QStringLiteral("rearm"))->click();
+    EXPECT_EQ(asked.count(), 1);
+    banner.setPaused(false);
+    banner.show(test::snapshotOf(far()));
+    EXPECT_EQ(stateOf(banner), QStringLiteral("far"));
+    EXPECT_TRUE(rearmButton(banner).isHidden());
+}
+
+TEST(StateBanner, EachStateHasAColourOfItsOwn) {
+    StateBanner banner;
+    banner.resize(800, banner.height());
+    TickSample off = far();
+    off.input.settings.forcesOn = false;
+    TickSample fault = far();
+    fault.output.fault = Fault::NotFinite;
+    std::set<QRgb> colours;
+    for (const TickSample& sample : {far(), bonded(0.0), bonded(3e-9), off, fault}) {
+        banner.show(test::snapshotOf(sample));
+        colours.insert(banner.grab().toImage().pixel(2, banner.height() / 2));
+    }
+    EXPECT_EQ(colours.size(), 5U);
+}
+
+TEST(StateBanner, NeverChangesItsHeight) {
+    QWidget window;
+    window.resize(800, 300);
+    StateBanner banner;
+    auto* layout = new QVBoxLayout(&window);
+    layout->addWidget(&banner);
+    layout->addWidget(new QWidget, 1);
+    window.grab();
+    const int height = banner.height();
+    TickSample sample = far();
+    sample.output.fault = Fault::NotFinite;
+    for (int flag = 0; flag < kValidityFlagCount; ++flag) {
+        sample.output.flags.set(static_cast<Validity>(1U << static_cast<unsigned>(flag)), true);
+    }
+    banner.show(test::snapshotOf(sample));
+    window.grab();
+    EXPECT_EQ(banner.height(), height);
+    EXPECT_LE(banner.minimumSizeHint().width(), 700) << "many flags do not widen the window";
+}
+
+TEST(StateBanner, SaysInWordsWhatAResultDoesNotHoldFor) {
+    StateBanner banner;
+    banner.resize(1200, banner.height());
+    banner.grab();
+    banner.show(test::snapshotOf(flagged(1.0, Validity::LargeContact)));
+    EXPECT_EQ(test::textOf(banner, "flags"),
+              QStringLiteral("contact radius above 0.3 tip radii: beyond half-space theory"));
+    banner.show(test::snapshotOf(far()));
+    EXPECT_EQ(test::textOf(banner, "flags"), QString());
+}
+
+TEST(StateBanner, AFlagOfASingleTickStaysLongEnoughToBeRead) {
+    StateBanner banner;
+    banner.resize(1200, banner.height());
+    banner.grab();
+    banner.take(flagged(1.0, Validity::OutsideScan));
+    TickSample later = far();
+    later.time = 1.3;
+    banner.take(later);
+    banner.show(test::snapshotOf(later));
+    EXPECT_EQ(test::textOf(banner, "flags"), QStringLiteral("tip outside the scan"));
+    later.time = 1.6;
+    banner.show(test::snapshotOf(later));
+    EXPECT_EQ(test::textOf(banner, "flags"), QString());
+}
+
+TEST(StateBanner, FlagsThatDoNotFitAreWholeInTheToolTip) {
+    StateBanner banner;
+    banner.resize(500, banner.height());
+    banner.grab();
+    TickSample sample = flagged(1.0, Validity::LargeContact);
+    sample.output.flags.set(Validity::ModelContradicted, true);
+    banner.show(test::snapshotOf(sample));
+    const auto* flags = banner.findChild<QLabel*>(QStringLiteral("flags"));
+    ASSERT_NE(flags, nullptr);
+    EXPECT_LE(flags->fontMetrics().horizontalAdvance(flags->text()), flags->width());
+    EXPECT_TRUE(flags->text().endsWith(QStringLiteral("…")));
+    EXPECT_TRUE(flags->toolTip().contains(validityWords(Validity::ModelContradicted)));
+    EXPECT_TRUE(flags->toolTip().contains(validityWords(Validity::LargeContact)));
+}
+
+TEST(StateBanner, EveryFlagAndFaultHasWords) {
+    std::set<QString> words;
+    for (int flag = 0; flag < kValidityFlagCount; ++flag) {
+        words.insert(validityWords(static_cast<Validity>(1U << static_cast<unsigned>(flag))));
+    }
+    EXPECT_EQ(words.size(), static_cast<std::size_t>(kValidityFlagCount));
+    EXPECT_EQ(words.count(QString()), 0U);
+    EXPECT_TRUE(faultWords(Fault::None).isEmpty());
+    EXPECT_FALSE(faultWords(Fault::NotFinite).isEmpty());
+    EXPECT_NE(faultWords(Fault::NotFinite), faultWords(Fault::DeviceLost));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,127 @@
+#include "ui/view/ContactShape.h"
+
+#include "core/Units.h"
+#include "core/scene/ContactPatch.h"
+#include "tests/support/TestScenes.h"
+#include "tests/ui/view/ViewMoments.h"
+#include "ui/view/RadialTable.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSamples = 65;
+
+ScanWindow around(const Vector3& place, double reach) {
+    return {.left = place.x() - reach,
+            .right = place.x() + reach,
+            .bottom = place.y() - reach,
+            .top = place.y() + reach};
+}
+
+class ContactShapeOnHills : public ::testing::TestWithParam<DeformationTier> {
+protected:
+    static Scene sceneOf(DeformationTier tier) {
+        SceneDescription description = test::plainScene();
+        description.deformation = tier;
+        return buildScene(description, test::hillyMap());
+    }
+};
+
+}  // namespace
+
+TEST(RadialTable, FollowsAFunctionWithACuspAtTheRim) {
+    constexpr double kRim = 5.0_nm;
+    const auto function = [](double r) {
+        return r < kRim ? 1.0_nm - r * r / 30.0_nm : 0.2_nm / std::sqrt(1.0 + (r - kRim) / 1.0_nm);
+    };
+    const RadialTable table(function, kRim, 60.0_nm);
+    for (double r = 0.0; r < 60.0_nm; r += 0.07_nm) {
+        EXPECT_NEAR(table.at(r), function(r), 2e-3 * 1.0_nm) << r;
+    }
+    EXPECT_DOUBLE_EQ(table.at(100.0_nm), function(60.0_nm));
+}
+
+TEST(RadialTable, NeedsNoRim) {
+    const RadialTable table([](double r) { return r; }, 0.0, 1.0);
+    EXPECT_NEAR(table.at(0.5), 0.5, 1e-4);
+    EXPECT_DOUBLE_EQ(table.at(0.0), 0.0);
+}
+
+TEST_P(ContactShapeOnHills, DeformsTheSurfaceAsTheContactPatchDoes) {
+    const Scene scene = sceneOf(GetParam());
+    const test::ViewMoments moments = test::momentsOf(scene);
+    for (const Snapshot& moment : {moments.deep, moments.neck}) {
+        const TipState& state = moment.sample.output.model;
+        const ContactShape shape(scene, state, around(state.tip, 30.0_nm), kSamples);
+        const SurfacePatch patch =
+            contactPatch(scene, state, GetParam(), {.halfWidth = 12.0_nm, .samples = 41});
+        for (std::size_t i = 0; i < patch.rest.size(); ++i) {
+            EXPECT_LT((shape.moved(patch.rest[i]) - patch.points[i]).norm(), 5e-12);
+        }
+        EXPECT_GT(shape.largestDisplacement(), 0.1_nm);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryTier, ContactShapeOnHills,
+                         ::testing::Values(DeformationTier::ClosedForm,
+                                           DeformationTier::ContactRadius,
+                                           DeformationTier::FourPoint));
+
+TEST(ContactShape, IsAtRestAlongItsBorder) {
+    const Scene scene = test::hillyScene();
+    const TipState state = test::momentsOf(scene).deep.sample.output.model;
+    const ContactShape shape(scene, state, around(state.tip, 20.0_nm), kSamples);
+    const SurfacePatch& patch = shape.patch();
+    for (int i = 0; i < kSamples; ++i) {
+        for (const std::size_t index : {patch.index(0, i), patch.index(kSamples - 1, i),
+                                        patch.index(i, 0), patch.index(i, kSamples - 1)}) {
+            EXPECT_EQ(patch.points[index], patch.rest[index]);
+            EXPECT_EQ(shape.displacements()[index], 0.0);
+        }
+    }
+}
+
+TEST(ContactShape, SamplesTheContactMostFinely) {
+    const Scene scene = test::flatScene();
+    const TipState state = test::momentsOf(scene).neck.sample.output.model;
+    const ContactShape shape(scene, state, around(state.tip, 30.0_nm), kSamples);
+    const SurfacePatch& patch = shape.patch();
+    int inContact = 0;
+    for (int column = 0; column < kSamples; ++column) {
+        const Vector3& rest = patch.rest[patch.index(kSamples / 2, column)];
+        inContact += std::abs(rest.x() - state.foot.point.x()) <= state.contact.contactRadius;
+        EXPECT_TRUE(column == 0 ||
+                    rest.x() > patch.rest[patch.index(kSamples / 2, column - 1)].x());
+    }
+    EXPECT_GE(inContact, 8) << "across a neck of " << state.contact.contactRadius << " m";
+}
+
+TEST(ContactShape, GivesTheTipItsShareOfTheDisplacement) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.elastic = description.tip.elastic;  // equals share alike
+    const Scene scene = buildScene(description, test::flatMap());
+    const TipState state = test::momentsOf(scene).deep.sample.output.model;
+    const ContactShape shape(scene, state, around(state.tip, 30.0_nm), kSamples);
+    EXPECT_NEAR(shape.tipDisplacement(0.0), 0.5 * state.contact.indentation,
+                0.02 * state.contact.indentation);
+    EXPECT_NEAR((shape.contact().foot - shape.contactPoint()).z(), shape.tipDisplacement(0.0),
+                1e-15);
+}
+
+TEST(ContactShape, OnlyFiniteStatesAreDrawable) {
+    TipState state;
+    EXPECT_TRUE(isDrawable(state));
+    state.tip.y() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(isDrawable(state));
+    state = {};
+    state.contact.indentation = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(isDrawable(state));
+}
+
+}  // namespace asperity

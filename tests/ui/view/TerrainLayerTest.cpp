@@ -1,0 +1,110 @@
+#include "ui/view/TerrainLayer.h"
+
+#include "core/Units.h"
+#include "tests/ui/view/ViewMoments.h"
+
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkMapper.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+const TerrainPlace kPlace{
+    .window = {.left = 20.0_nm, .right = 100.0_nm, .bottom = 20.0_nm, .top = 100.0_nm},
+    .hole = {.left = 45.0_nm, .right = 75.0_nm, .bottom = 40.0_nm, .top = 70.0_nm},
+    .patch = {.left = 44.0_nm, .right = 76.0_nm, .bottom = 39.0_nm, .top = 71.0_nm}};
+
+/// Whether any visible triangle or line covers the place, seen from above.
+class SeenFromAbove {
+public:
+    explicit SeenFromAbove(vtkRenderer* renderer) : renderer_(renderer) {}
+
+    [[nodiscard]] double areaOfStrips() const {
+        double area = 0.0;
+        forEachCell([&](vtkPolyData* data, vtkIdType count, const vtkIdType* ids) {
+            for (vtkIdType i = 0; i + 2 < count; ++i) {
+                const Vector3 a(data->GetPoint(ids[i]));
+                const Vector3 b = Vector3(data->GetPoint(ids[i + 1])) - a;
+                const Vector3 c = Vector3(data->GetPoint(ids[i + 2])) - a;
+                area += 0.5 * std::abs(b.x() * c.y() - b.y() * c.x());
+            }
+        });
+        return area;
+    }
+
+    [[nodiscard]] vtkIdType points() const {
+        vtkIdType most = 0;
+        forEachCell([&](vtkPolyData* data, vtkIdType, const vtkIdType*) {
+            most = std::max(most, data->GetNumberOfPoints());
+        });
+        return most;
+    }
+
+private:
+    template <class Visit>
+    void forEachCell(const Visit& visit) const {
+        vtkActorCollection* actors = renderer_->GetActors();
+        actors->InitTraversal();
+        while (vtkActor* actor = actors->GetNextActor()) {
+            auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput());
+            if (actor->GetVisibility() == 0 || data->GetNumberOfStrips() == 0) {
+                continue;
+            }
+            vtkIdType count = 0;
+            const vtkIdType* ids = nullptr;
+            vtkCellArray* strips = data->GetStrips();
+            for (strips->InitTraversal(); strips->GetNextCell(count, ids) != 0;) {
+                visit(data, count, ids);
+            }
+        }
+    }
+
+    vtkRenderer* renderer_;
+};
+
+}  // namespace
+
+TEST(TerrainLayer, CoversItsWindowButForTheHole) {
+    const Scene scene = test::hillyScene();
+    vtkNew<vtkRenderer> renderer;
+    TerrainLayer terrain(renderer);
+    EXPECT_EQ(SeenFromAbove(renderer).areaOfStrips(), 0.0);
+    terrain.setPlace(scene.surface, kPlace);
+    for (const TerrainDetail detail : {TerrainDetail::Coarse, TerrainDetail::Fine}) {
+        terrain.show(detail, SurfaceColours(), Shading(ViewCamera()));
+        EXPECT_NEAR(SeenFromAbove(renderer).areaOfStrips(), 5500e-18, 1e-20);
+    }
+    terrain.hide();
+    EXPECT_EQ(SeenFromAbove(renderer).areaOfStrips(), 0.0);
+}
+
+TEST(TerrainLayer, IsCoarseOrFineAsAsked) {
+    const Scene scene = test::hillyScene();
+    vtkNew<vtkRenderer> renderer;
+    TerrainLayer terrain(renderer);
+    terrain.setPlace(scene.surface, kPlace);
+    terrain.show(TerrainDetail::Coarse, SurfaceColours(), Shading(ViewCamera()));
+    EXPECT_LE(SeenFromAbove(renderer).points(), 80 * 80);
+    terrain.show(TerrainDetail::Fine, SurfaceColours(), Shading(ViewCamera()));
+    EXPECT_EQ(SeenFromAbove(renderer).points(), 160 * 160) << "four samples a pixel";
+}
+
+TEST(TerrainLayer, KnowsTheHeightsInItsWindow) {
+    const Scene scene = test::hillyScene();
+    vtkNew<vtkRenderer> renderer;
+    TerrainLayer terrain(renderer);
+    terrain.setPlace(scene.surface, kPlace);
+    EXPECT_NEAR(terrain.heightRange()[0], -6.0_nm, 0.1_nm);
+    EXPECT_NEAR(terrain.heightRange()[1], 6.0_nm, 0.1_nm);
+}
+
+}  // namespace asperity

@@ -1,0 +1,105 @@
+#include "ui/view/ViewCamera.h"
+
+#include "core/Units.h"
+
+#include <vtkCamera.h>
+#include <vtkNew.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kAspect = 1.4;
+
+const FrameBox kBox{.middle = {500.0_nm, 300.0_nm, 20.0_nm},
+                    .halfWidth = 40.0_nm,
+                    .below = 12.0_nm,
+                    .above = 6.0_nm,
+                    .tipTop = 45.0_nm};
+
+/// Where a place is seen: -1 ... 1 from left to right and from bottom to top.
+Vector2 seenAt(const ViewCamera& view, const Vector3& place) {
+    vtkNew<vtkCamera> camera;
+    view.apply(camera, kBox, kAspect);
+    const Vector3 arm = place - Vector3(camera->GetFocalPoint());
+    const double halfHeight = camera->GetParallelScale();
+    return {arm.dot(view.right()) / (halfHeight * kAspect), arm.dot(view.up()) / halfHeight};
+}
+
+}  // namespace
+
+TEST(ViewCamera, SeesTheWholeFrameFromEverySide) {
+    for (double azimuth = 0.0; azimuth < 6.3; azimuth += 0.2) {
+        for (const double elevation : {-3.0, 0.0, 0.3, 3.0}) {
+            ViewCamera view;
+            view.turn(azimuth, elevation);
+            for (const double x : {-40.0_nm, 40.0_nm}) {
+                for (const double y : {-40.0_nm, 40.0_nm}) {
+                    for (const double z : {-12.0_nm, 6.0_nm}) {
+                        const Vector2 seen = seenAt(view, kBox.middle + Vector3(x, y, z));
+                        EXPECT_LE(seen.cwiseAbs().maxCoeff(), 1.0) << azimuth << " " << elevation;
+                    }
+                }
+            }
+            EXPECT_LE(seenAt(view, kBox.middle + Vector3(0.0, 0.0, 45.0_nm)).y(), 1.0);
+        }
+    }
+}
+
+TEST(ViewCamera, FillsTheView) {
+    const ViewCamera view;
+    double widest = 0.0;
+    for (const double x : {-40.0_nm, 40.0_nm}) {
+        for (const double y : {-40.0_nm, 40.0_nm}) {
+            widest = std::max(widest, seenAt(view, kBox.middle + Vector3(x, y, 0.0)).x());
+        }
+    }
+    EXPECT_GT(widest, 0.75);
+}
+
+TEST(ViewCamera, StaysAboveTheSurface) {
+    ViewCamera view;
+    view.turn(0.0, -10.0);
+    EXPECT_GT(view.out().z(), 0.1);
+    view.turn(0.0, 10.0);
+    EXPECT_GT(view.out().z(), 0.9);
+    EXPECT_GT(view.up().z(), 0.0) << "never upside down";
+}
+
+TEST(ViewCamera, LooksThroughVtksCameraTheSameWay) {
+    vtkNew<vtkCamera> camera;
+    ViewCamera view;
+    view.turn(0.7, 0.2);
+    view.apply(camera, kBox, kAspect);
+    const Vector3 towards(camera->GetDirectionOfProjection());
+    EXPECT_LT((towards + view.out()).norm(), 1e-12);
+    const std::array<double, 2> range{camera->GetClippingRange()[0], camera->GetClippingRange()[1]};
+    EXPECT_GT(range[1] - range[0], 4.0 * kBox.halfWidth);
+}
+
+TEST(ViewCamera, FindsTheHorizontalMoveThatLooksLikeAMoveInTheView) {
+    for (const double azimuth : {0.0, 1.0, 2.5, 4.0}) {
+        ViewCamera view;
+        view.turn(azimuth, 0.1);
+        const Vector3 move = view.horizontalMove(3.0_nm, -2.0_nm);
+        EXPECT_EQ(move.z(), 0.0);
+        EXPECT_NEAR(move.dot(view.right()), 3.0_nm, 1e-20);
+        EXPECT_NEAR(move.dot(view.up()), -2.0_nm, 1e-20);
+    }
+}
+
+TEST(ViewCamera, ResetsToItsFirstDirection) {
+    ViewCamera view;
+    const Vector3 first = view.out();
+    view.turn(1.0, 0.3);
+    EXPECT_GT((view.out() - first).norm(), 0.3);
+    view.reset();
+    EXPECT_EQ(view.out(), first);
+}
+
+}  // namespace asperity

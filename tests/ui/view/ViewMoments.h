@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/haptics/Snapshot.h"
+#include "core/scene/Scene.h"
+
+namespace asperity::test {
+
+/// What is worth seeing of a run that approaches, indents and retracts.
+struct ViewMoments {
+    Snapshot away;  ///< at the beginning
+    Snapshot deep;  ///< largest indentation
+    Snapshot neck;  ///< last one before pull-off
+};
+
+[[nodiscard]] ViewMoments momentsOf(const Scene& scene);
+
+/// The same tick with tip and contact elsewhere on a level surface.
+[[nodiscard]] Snapshot movedBy(Snapshot snapshot, const Vector3& way);
+
+[[nodiscard]] Scene flatScene();
+[[nodiscard]] Scene hillyScene();
+
+}  // namespace asperity::test

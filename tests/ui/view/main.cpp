@@ -1,0 +1,37 @@
+#include "vtkplugins/pictures/Display.h"
+
+#include <QApplication>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace {
+
+/// The program's QApplication; made before the first test, not when tests are merely listed. Tests
+/// that need none run without a display, too.
+class GuiEnvironment : public ::testing::Environment {
+public:
+    GuiEnvironment(int& argc, char** argv) : argc_(argc), argv_(argv) {}
+
+    void SetUp() override {
+        if (asperity::haveDisplay()) {
+            application_ = std::make_unique<QApplication>(argc_, argv_);
+        }
+    }
+    void TearDown() override { application_.reset(); }
+
+private:
+    int& argc_;
+    char** argv_;
+    std::unique_ptr<QApplication> application_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    ::testing::InitGoogleTest(&argc, argv);
+    // GoogleTest takes the environment over.
+    ::testing::AddGlobalTestEnvironment(new GuiEnvironment(argc, argv));
+    return RUN_ALL_TESTS();
+}

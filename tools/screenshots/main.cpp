@@ -1,0 +1,100 @@
+/// Opens the live window, lets a scripted hand indent and retract, and saves what the window shows
+/// at the deepest indentation and shortly before pull-off.
+/// Usage: asperity_screenshots SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX
+
+#include "app/LiveWindow.h"
+#include "app/VirtualDisplay.h"
+
+#include <QTimer>
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kIndent = 3.0;  // time to go in, and again to come out [s]
+constexpr double kDepth = 4e-9;  // of the base below first touch [m]
+
+/// Straight down in the middle of the scan, a slide, and slowly up again.
+HandPath path(const Scene& scene) {
+    const Vector3 above = startPlace(scene);
+    PathPlan plan{.duration = 4.0 * kIndent, .indentation = kDepth, .slideLength = 12e-9};
+    plan.place = above.head<2>();
+    return approachPath(scene, plan);
+}
+
+/// Watches the run from frame to frame and saves each picture once.
+class Photographer {
+public:
+    Photographer(LiveWindow& live, std::string prefix) : live_(live), prefix_(std::move(prefix)) {}
+
+    void look() {
+        const TickOutput& now = live_.session().run()->loop().snapshot().sample.output;
+        const double indentation = now.model.contact.indentation;
+        const bool bonded = now.model.contact.branch == ContactBranch::Bonded;
+        if (!indented_ && bonded && indentation > 0.0 && settled(indentation)) {
+            save("indenting");
+            indented_ = true;
+        }
+        if (indented_ && bonded && now.model.contact.force < 0.9 * pull()) {
+            save("retracting");
+            live_.window().close();
+        }
+        last_ = indentation;
+    }
+
+private:
+    [[nodiscard]] bool settled(double indentation) const {
+        return indentation > 0.5e-9 && indentation <= last_;
+    }
+    /// Force at which the tip lets go, about [N].
+    [[nodiscard]] double pull() const {
+        const Scene& scene = live_.session().run()->scene();
+        return -1.3 * 3.14159 * scene.belief.tipRadius() *
+               scene.description.sample.material.workOfAdhesion;
+    }
+    void save(const std::string& name) {
+        const std::string file = prefix_ + name + ".png";
+        std::cout << file << (live_.window().grab().save(file.c_str()) ? "" : " FAILED") << '\n';
+    }
+
+    LiveWindow& live_;
+    std::string prefix_;
+    double last_ = 0.0;
+    bool indented_ = false;
+};
+
+int run(char** argv) {
+    const VirtualDisplay display;
+    LiveWindow live;
+    live.window().resize(std::atoi(argv[2]), std::atoi(argv[3]));
+    live.session().use(loadScene(argv[1], {}));
+    live.session().follow(path(live.session().run()->scene()));
+    Photographer photographer(live, argv[4]);
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&photographer] { photographer.look(); });
+    timer.start(30);
+    QTimer::singleShot(40000, &live.window(), &QWidget::close);
+    return live.exec();
+}
+
+}  // namespace
+
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+    if (argc != 5) {
+        std::cerr << "usage: asperity_screenshots SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX\n";
+        return 2;
+    }
+    try {
+        return asperity::run(argv);
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        return 1;
+    }
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+#include <QSet>
+
+namespace asperity {
+
+/// Where held keys send the hand, as seen on the screen; each part is a share of full speed.
+struct KeyDirection {
+    double right = 0.0;
+    double forward = 0.0;  ///< away from the person, in the horizontal plane
+    double up = 0.0;
+};
+
+/// Keeps track of the keys that move the hand while they are held on one widget: arrows along the
+/// sample, Page Up and Page Down away from it and into it; Shift: a tenth of the speed, Ctrl: five
+/// times as fast. Losing the focus lets go of all of them.
+class HeldKeys : public QObject {
+    Q_OBJECT
+
+public:
+    /// Watches `watched`, and lives as long.
+    explicit HeldKeys(QObject* watched);
+
+    [[nodiscard]] KeyDirection direction() const;
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    [[nodiscard]] double pull(int positive, int negative) const;
+
+    QSet<int> held_;
+    Qt::KeyboardModifiers modifiers_ = Qt::NoModifier;
+};
+
+}  // namespace asperity

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/scene/Scene.h"
+
+#include <QMainWindow>
+
+class QLabel;
+
+namespace asperity {
+
+class CantileverPanel;
+class ColourBarWidget;
+class ControlBar;
+class ForcePanel;
+class LoopStatusBar;
+class OverviewPanel;
+class StateBanner;
+class WindowMenus;
+class ZoomView;
+
+/// Places the panels: knobs on top, the zoomed view large on the left, forces, cantilever and the
+/// whole scan in a column on the right, the loop's timing below.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow();
+
+    [[nodiscard]] WindowMenus& menus() { return *menus_; }
+    [[nodiscard]] ControlBar& controls() { return *controls_; }
+    [[nodiscard]] StateBanner& banner() { return *banner_; }
+    [[nodiscard]] ZoomView& view() { return *view_; }
+    [[nodiscard]] ForcePanel& forces() { return *forces_; }
+    [[nodiscard]] CantileverPanel& cantilever() { return *cantilever_; }
+    [[nodiscard]] OverviewPanel& overview() { return *overview_; }
+    [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
+
+    /// Gives all panels a scene; null: none. The scene outlives its use here.
+    void showScene(const Scene* scene, const QString& title);
+    /// A short message for a while.
+    void tell(const QString& message);
+    /// A message that must be read; the window goes on meanwhile.
+    void complain(const QString& message);
+
+Q_SIGNALS:
+    /// By menu or by drop.
+    void openRequested(QString file);
+    void pathFileChosen(QString file);
+    void recordingChosen(QString forceLog);
+    void pictureFileChosen(QString file);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    [[nodiscard]] QWidget* leftSide();
+    [[nodiscard]] QWidget* rightSide();
+    void placeAll();
+    void connectMenus();
+    void connectView();
+    void chooseScan();
+    void choosePath();
+    void chooseRecording();
+    void choosePictureFile();
+    void explainControls();
+    void explainProgram();
+
+    WindowMenus* menus_;
+    ControlBar* controls_;
+    StateBanner* banner_;
+    ZoomView* view_;
+    ColourBarWidget* heightBar_;
+    ColourBarWidget* displacementBar_;
+    QLabel* hint_;
+    ForcePanel* forces_;
+    CantileverPanel* cantilever_;
+    OverviewPanel* overview_;
+    LoopStatusBar* loopStatus_;
+};
+
+}  // namespace asperity

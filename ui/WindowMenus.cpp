@@ -1,0 +1,80 @@
+#include "ui/WindowMenus.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QMenuBar>
+
+namespace asperity {
+
+WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
+    addFileMenu(bar);
+    addRunMenu(bar);
+    addViewMenu(bar);
+    addHelpMenu(bar);
+}
+
+void WindowMenus::addFileMenu(QMenuBar& bar) {
+    QMenu* menu = bar.addMenu(tr("&File"));
+    open = menu->addAction(tr("&Open scan or scene…"));
+    open->setShortcut(QKeySequence::Open);
+    savePicture = menu->addAction(tr("&Save picture of the window…"));
+    savePicture->setShortcut(QKeySequence::Save);
+    record = menu->addAction(tr("&Record"));
+    record->setCheckable(true);
+    record->setShortcut(tr("Ctrl+R"));
+    menu->addSeparator();
+    quit = menu->addAction(tr("&Quit"));
+    quit->setShortcut(QKeySequence::Quit);
+}
+
+void WindowMenus::addRunMenu(QMenuBar& bar) {
+    QMenu* menu = bar.addMenu(tr("&Run"));
+    startPause = menu->addAction(tr("Start or &pause"));
+    startPause->setShortcut(tr("Space"));
+    forcesOff = menu->addAction(tr("&Forces off"));
+    forcesOff->setShortcut(tr("Esc"));
+    takeBackFault = menu->addAction(tr("Take &back a fault"));
+    menu->addSeparator();
+    followPathFile = menu->addAction(tr("Follow a path from a &file…"));
+    followRecording = menu->addAction(tr("Repeat a &recording…"));
+    for (QAction* action : {startPause, forcesOff}) {
+        action->setShortcutContext(Qt::ApplicationShortcut);
+    }
+}
+
+void WindowMenus::addViewMenu(QMenuBar& bar) {
+    QMenu* menu = bar.addMenu(tr("&View"));
+    zoomIn = menu->addAction(tr("Zoom &in"));
+    zoomIn->setShortcut(QKeySequence::ZoomIn);
+    zoomOut = menu->addAction(tr("Zoom &out"));
+    zoomOut->setShortcut(QKeySequence::ZoomOut);
+    resetView = menu->addAction(tr("&Reset the view"));
+    resetView->setShortcut(tr("Home"));
+    addMagnifications(*menu->addMenu(tr("&Displacement drawn larger")));
+}
+
+void WindowMenus::addMagnifications(QMenu& menu) {
+    auto* group = new QActionGroup(&menu);
+    const auto add = [&](const QString& text, std::optional<double> factor) {
+        QAction* action = group->addAction(text);
+        action->setCheckable(true);
+        menu.addAction(action);
+        connect(action, &QAction::triggered, this,
+                [this, factor] { Q_EMIT magnificationChosen(factor); });
+        return action;
+    };
+    add(tr("As fits"), std::nullopt)->setChecked(true);
+    for (const int factor : {1, 2, 5, 10, 20, 50}) {
+        add(QStringLiteral("×%1").arg(factor), factor);
+    }
+}
+
+void WindowMenus::addHelpMenu(QMenuBar& bar) {
+    QMenu* menu = bar.addMenu(tr("&Help"));
+    controls = menu->addAction(tr("&Mouse and keys"));
+    controls->setShortcut(QKeySequence::HelpContents);
+    about = menu->addAction(tr("&About Asperity"));
+}
+
+}  // namespace asperity

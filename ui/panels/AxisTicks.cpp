@@ -1,0 +1,16 @@
+#include "ui/panels/AxisTicks.h"
+
+#include "vtkplugins/pictures/Ticks.h"
+
+namespace asperity {
+
+std::vector<double> axisTicks(double low, double high, int room) {
+    constexpr int kTightest = 6;
+    std::vector<double> ticks = niceTicks(low, high, room);
+    for (int count = room + 1; ticks.size() < 2 && count <= kTightest; ++count) {
+        ticks = niceTicks(low, high, count);
+    }
+    return ticks;
+}
+
+}  // namespace asperity

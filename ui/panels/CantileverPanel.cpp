@@ -1,0 +1,130 @@
+#include "ui/panels/CantileverPanel.h"
+
+#include "ui/panels/CantileverSketch.h"
+#include "ui/panels/Theme.h"
+
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kSmallestAngle = 1e-9;    ///< numbers below are shown in its prefix [rad]
+constexpr double kSmallestLength = 1e-12;  ///< [m]
+constexpr int kIntervals = 100;            ///< of the histories that scale the drawing
+
+CurvePlotSetup angleSetup() {
+    return {.title = QStringLiteral("Lever signals"),
+            .unit = QStringLiteral("rad"),
+            .smallest = 1e-6,
+            .curves = {{QStringLiteral("bending"), theme::kBlue},
+                       {QStringLiteral("torsion"), theme::kOrange}},
+            .timeLabels = TimeLabels::Shown};
+}
+
+QString text(double value, const SiScale& scale) {
+    return QString::fromStdString(scaledText(value, scale));
+}
+
+double largestOf(const CurveHistory& history) {
+    const CurveExtent extent = history.extent();
+    return std::max(std::abs(extent.low), std::abs(extent.high));
+}
+
+}  // namespace
+
+CantileverPanel::CantileverPanel(QWidget* parent)
+    : Card(QStringLiteral("Cantilever"), parent)
+    , deflections_(CurvePlot::kSpan, kIntervals)
+    , torsions_(CurvePlot::kSpan, kIntervals)
+    , angleScale_("rad", kSmallestAngle)
+    , lengthScale_("m", kSmallestLength)
+    , sketch_(new CantileverSketch(this))
+    , plot_(new CurvePlot(angleSetup(), this)) {
+    buildNumbers();
+    body().addWidget(sketch_, 4);
+    body().addWidget(plot_, 5);
+    clear();
+}
+
+void CantileverPanel::buildNumbers() {
+    const auto value = [this](const char* name, const char* widest) {
+        return valueLabel(QString::fromUtf8(name), QString::fromUtf8(widest), this);
+    };
+    bending_ = value("bending", "-888.88 µrad");
+    torsion_ = value("torsion", "-888.88 µrad");
+    deflection_ = value("deflection", "-888.88 nm");
+    lateral_ = value("lateral", "-888.88 nm");
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(4);
+    grid->setVerticalSpacing(1);
+    grid->addWidget(captionLabel(QStringLiteral("bending"), this), 0, 0);
+    grid->addWidget(bending_, 0, 1);
+    grid->addWidget(captionLabel(QStringLiteral("torsion"), this), 1, 0);
+    grid->addWidget(torsion_, 1, 1);
+    grid->addWidget(captionLabel(QStringLiteral("deflection z"), this), 0, 3);
+    grid->addWidget(deflection_, 0, 4);
+    grid->addWidget(captionLabel(QStringLiteral("sideways"), this), 1, 3);
+    grid->addWidget(lateral_, 1, 4);
+    grid->setColumnStretch(2, 1);
+    body().addLayout(grid);
+}
+
+void CantileverPanel::setCantilever(const Cantilever& cantilever) {
+    cantilever_ = cantilever;
+    sketch_->setCantilever(cantilever);
+    setNote(QString::fromStdString(formatSi(cantilever.stiffness(), "N/m")) +
+            QStringLiteral(", length ") +
+            QString::fromStdString(formatSi(cantilever.geometry().length, "m")));
+    clear();
+}
+
+void CantileverPanel::take(const TickSample& sample) noexcept {
+    const LeverSignals& signals = sample.input.measurement.signals;
+    plot_->take(sample.time, {signals.bending, signals.torsion});
+    if (cantilever_) {
+        const CantileverShape end = cantileverShape(*cantilever_, sample.output.estimate.force,
+                                                    cantilever_->geometry().length);
+        deflections_.add(sample.time, end.deflection);
+        torsions_.add(sample.time, end.torsion);
+    }
+}
+
+CantileverShape CantileverPanel::largestShape() const {
+    return {.deflection = largestOf(deflections_), .torsion = largestOf(torsions_)};
+}
+
+void CantileverPanel::show(const Snapshot& snapshot) {
+    const LeverSignals& signals = snapshot.sample.input.measurement.signals;
+    const SiScale& angle =
+        angleScale_.fit(std::max(std::abs(signals.bending), std::abs(signals.torsion)));
+    bending_->setText(text(signals.bending, angle));
+    torsion_->setText(text(signals.torsion, angle));
+    if (cantilever_) {
+        const Vector3& force = snapshot.sample.output.estimate.force;
+        const Vector3 moved =
+            cantilever_->complianceInCantileverFrame() * (cantilever_->rotation() * force);
+        const SiScale& length =
+            lengthScale_.fit(std::max(std::abs(moved.y()), std::abs(moved.z())));
+        deflection_->setText(text(moved.z(), length));
+        lateral_->setText(text(moved.y(), length));
+        sketch_->showForce(force, largestShape());
+    }
+    plot_->refresh();
+}
+
+void CantileverPanel::clear() {
+    for (QLabel* label : {bending_, torsion_, deflection_, lateral_}) {
+        label->setText(QStringLiteral("–"));
+    }
+    deflections_.clear();
+    torsions_.clear();
+    sketch_->showForce(Vector3::Zero(), {});
+    plot_->clear();
+}
+
+}  // namespace asperity

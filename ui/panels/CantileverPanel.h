@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/haptics/Snapshot.h"
+#include "core/probe/Cantilever.h"
+#include "core/probe/CantileverShape.h"
+#include "ui/panels/Card.h"
+#include "ui/panels/CurvePlot.h"
+#include "ui/panels/Steady.h"
+
+#include <optional>
+
+namespace asperity {
+
+class CantileverSketch;
+
+/// What the cantilever does: a drawing of the bent and twisted beam, the measured bending and
+/// torsion as numbers and curves, and the tip's deflection by the estimated force.
+class CantileverPanel : public Card {
+public:
+    explicit CantileverPanel(QWidget* parent = nullptr);
+
+    /// The believed lever of a new scene; forgets what was shown of the old one.
+    void setCantilever(const Cantilever& cantilever);
+    /// Keeps one tick for the curves; every tick, cheap.
+    void take(const TickSample& sample) noexcept;
+    /// Shows the numbers of the latest tick and draws; once a frame.
+    void show(const Snapshot& snapshot);
+    using QWidget::show;
+    void clear();
+
+    [[nodiscard]] const CurvePlot& plot() const { return *plot_; }
+    [[nodiscard]] const CantileverSketch& sketch() const { return *sketch_; }
+
+private:
+    void buildNumbers();
+    [[nodiscard]] CantileverShape largestShape() const;
+
+    std::optional<Cantilever> cantilever_;
+    CurveHistory deflections_;  ///< of the free end [m]
+    CurveHistory torsions_;     ///< of the free end, by the estimated force [rad]
+    SteadyScale angleScale_;
+    SteadyScale lengthScale_;
+    QLabel* bending_ = nullptr;
+    QLabel* torsion_ = nullptr;
+    QLabel* deflection_ = nullptr;
+    QLabel* lateral_ = nullptr;
+    CantileverSketch* sketch_;
+    CurvePlot* plot_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,235 @@
+#include "ui/panels/CantileverSketch.h"
+
+#include "ui/panels/Theme.h"
+
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kSideShare = 0.66;            ///< of the width, for the side view
+constexpr double kClampWidth = 14.0;           ///< [px]
+constexpr double kCaptionHeight = 15.0;        ///< [px]
+constexpr double kThinnestBeam = 3.0;          ///< [px]
+constexpr double kLongestArrow = 26.0;         ///< [px]
+constexpr double kArrowShare = 0.28;           ///< of the height, at most
+constexpr double kDropShare = 0.55;            ///< of the height, for the resting beam and its tip
+constexpr double kSmallestDeflection = 2e-10;  ///< noise below this stays small [m]
+constexpr double kSmallestTorsion = 5e-7;      ///< [rad]
+constexpr double kLargestShownTorsion = 0.4;   ///< [rad]
+constexpr int kBeamPieces = 32;
+
+/// From the cantilever's x, z to the drawing: turned by the mount tilt, free end down.
+struct SideMap {
+    QPointF origin;  ///< of the beam's axis at the clamp [px]
+    double scale;    ///< [px/m]
+    double sine;
+    double cosine;
+
+    [[nodiscard]] QPointF turned(double x, double z) const {
+        return {(x * cosine) + (z * sine), (x * sine) - (z * cosine)};
+    }
+    [[nodiscard]] QPointF at(double x, double z) const { return origin + scale * turned(x, z); }
+};
+
+/// What the drawing of a bent beam is made of [px].
+struct BeamDrawing {
+    QPolygonF axis;
+    QPolygonF tip;  ///< its base's corners, then its apex
+};
+
+/// The beam under a force (lab frame [N]), its deflection times `factor`.
+BeamDrawing bentBeam(const Cantilever& cantilever, const Vector3& force, double factor,
+                     const SideMap& map) {
+    const CantileverGeometry& beam = cantilever.geometry();
+    BeamDrawing drawing;
+    for (int i = 0; i <= kBeamPieces; ++i) {
+        const double x = beam.length * i / kBeamPieces;
+        drawing.axis << map.at(x, factor * cantileverShape(cantilever, force, x).deflection);
+    }
+    const CantileverShape end = cantileverShape(cantilever, force, beam.length);
+    const double slope = std::atan(factor * end.slope);
+    // The tip stands on the free end and turns with it.
+    const double half = 0.35 * beam.tipHeight;
+    const QPointF along = half * map.scale * map.turned(std::cos(slope), std::sin(slope));
+    const QPointF down = beam.tipHeight * map.scale * map.turned(std::sin(slope), -std::cos(slope));
+    const QPointF root = drawing.axis.last() - along;
+    drawing.tip << root - along << root + along << root + down;
+    return drawing;
+}
+
+QString timesText(double factor) {
+    return QStringLiteral(" ×") + QLocale(QLocale::English).toString(factor, 'f', 0);
+}
+
+void drawArrow(QPainter& painter, const QPointF& from, const QPointF& way) {
+    const double length = std::hypot(way.x(), way.y());
+    if (length < 3.0) {
+        return;
+    }
+    const QPointF ahead = way / length;
+    const QPointF aside(-ahead.y(), ahead.x());
+    const QPointF head = from + way;
+    const double headLength = std::min(8.0, length);
+    painter.setPen(QPen(QColor(theme::kForce), 2.0));
+    painter.drawLine(from, head - ahead * headLength);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(theme::kForce));
+    const QPointF back = head - headLength * ahead;
+    const QPointF half = 0.5 * headLength * aside;
+    painter.drawPolygon(QPolygonF({head, back + half, back - half}));
+}
+
+void drawClamp(QPainter& painter, const QPointF& beamStart) {
+    const QRectF block(beamStart.x() - kClampWidth, beamStart.y() - 14.0, kClampWidth, 28.0);
+    painter.setPen(Qt::NoPen);
+    painter.fillRect(block, QColor(theme::kFaint));
+    painter.fillRect(block, QBrush(QColor(theme::kMuted), Qt::BDiagPattern));
+    painter.setPen(QPen(QColor(theme::kMuted), 1.5));
+    painter.drawLine(block.topRight(), block.bottomRight());
+}
+
+QPen ghostPen() {
+    QPen pen(QColor(theme::kMuted), 1.0);
+    pen.setDashPattern({4.0, 3.0});
+    return pen;
+}
+
+}  // namespace
+
+CantileverSketch::CantileverSketch(QWidget* parent)
+    : QWidget(parent), bendingFactor_(kSmallestDeflection), torsionFactor_(kSmallestTorsion) {
+    setMinimumSize(200, 64);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void CantileverSketch::setCantilever(const Cantilever& cantilever) {
+    cantilever_ = cantilever;
+    showForce(Vector3::Zero(), {});
+}
+
+void CantileverSketch::showForce(const Vector3& force, const CantileverShape& largest) {
+    force_ = force.allFinite() ? force : Vector3::Zero();
+    largest_ = largest;
+    fitFactors();
+    update();
+}
+
+void CantileverSketch::resizeEvent(QResizeEvent* /*event*/) { fitFactors(); }
+
+CantileverSketch::View CantileverSketch::sideView() const {
+    const CantileverGeometry& beam = cantilever_->geometry();
+    const QRectF box(0.0, kCaptionHeight, kSideShare * width(), height() - kCaptionHeight);
+    const double run = beam.length * std::cos(beam.mountTilt);
+    const double drop = (beam.length * std::sin(std::abs(beam.mountTilt))) + beam.tipHeight;
+    return {box,
+            std::min((box.width() - kClampWidth - 22.0) / run, kDropShare * box.height() / drop)};
+}
+
+CantileverSketch::View CantileverSketch::endView() const {
+    const CantileverGeometry& beam = cantilever_->geometry();
+    const QRectF box(kSideShare * width(), kCaptionHeight, (1.0 - kSideShare) * width(),
+                     height() - kCaptionHeight);
+    return {box, std::min(0.6 * box.width() / beam.width,
+                          0.6 * box.height() / (beam.tipHeight + (2.0 * beam.thickness)))};
+}
+
+void CantileverSketch::fitFactors() {
+    if (!cantilever_) {
+        return;
+    }
+    const CantileverGeometry& beam = cantilever_->geometry();
+    const View side = sideView();
+    const double drop = (beam.length * std::sin(std::abs(beam.mountTilt))) + beam.tipHeight;
+    const double room = std::max(6.0, ((side.box.height() - (drop * side.scale)) / 2.0) - 6.0);
+    bendingFactor_.fit(largest_.deflection, room / side.scale);
+    torsionFactor_.fit(largest_.torsion, kLargestShownTorsion);
+}
+
+void CantileverSketch::paintEvent(QPaintEvent* /*event*/) {
+    if (!cantilever_) {
+        return;
+    }
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(theme::textFont(theme::kSmallSize));
+    drawSide(painter, sideView());
+    drawEnd(painter, endView());
+}
+
+void CantileverSketch::drawSide(QPainter& painter, const View& view) const {
+    const CantileverGeometry& beam = cantilever_->geometry();
+    const double tilt = beam.mountTilt;
+    const double drop = ((beam.length * std::sin(tilt)) + beam.tipHeight) * view.scale;
+    const SideMap map{view.box.center() - QPointF((view.box.width() / 2.0) - kClampWidth, drop / 2),
+                      view.scale, std::sin(tilt), std::cos(tilt)};
+    painter.setPen(QColor(theme::kMuted));
+    painter.drawText(QRectF(0.0, 0.0, view.box.width(), kCaptionHeight), Qt::AlignLeft,
+                     QStringLiteral("from the side, bending") + timesText(bendingFactor()));
+
+    const BeamDrawing resting = bentBeam(*cantilever_, Vector3::Zero(), 0.0, map);
+    painter.setPen(ghostPen());
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(resting.axis);
+    painter.drawPolyline(resting.tip);
+
+    const BeamDrawing bent = bentBeam(*cantilever_, force_, bendingFactor(), map);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(theme::kTip).darker(125));
+    painter.drawPolygon(bent.tip);
+    painter.setPen(QPen(QColor(theme::kTip), std::max(kThinnestBeam, beam.thickness * view.scale),
+                        Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(bent.axis);
+    drawClamp(painter, map.origin);
+    drawArrow(painter, bent.tip.last(), forceArrow(map.sine, map.cosine));
+}
+
+QPointF CantileverSketch::forceArrow(double sine, double cosine) const {
+    const Vector3 local = cantilever_->rotation() * force_;
+    const double size = std::hypot(local.x(), local.z());
+    const double reference =
+        cantilever_->stiffness() * std::max(std::abs(largest_.deflection), kSmallestDeflection);
+    if (size <= 0.0) {
+        return {};
+    }
+    const double longest = std::min(kLongestArrow, kArrowShare * height());
+    const double length = longest * std::min(1.0, size / reference) / size;
+    const SideMap turn{{}, length, sine, cosine};
+    return turn.at(local.x(), local.z());
+}
+
+void CantileverSketch::drawEnd(QPainter& painter, const View& view) const {
+    const CantileverGeometry& beam = cantilever_->geometry();
+    painter.setPen(QColor(theme::kMuted));
+    painter.drawText(QRectF(view.box.left(), 0.0, view.box.width(), kCaptionHeight),
+                     Qt::AlignHCenter, QStringLiteral("torsion") + timesText(torsionFactor()));
+    const double half = beam.width / 2.0 * view.scale;
+    const double thick = std::max(kThinnestBeam, beam.thickness * view.scale);
+    const double height = beam.tipHeight * view.scale;
+    const QRectF section(-half, -thick / 2.0, 2.0 * half, thick);
+    const QPolygonF tip({{-0.35 * height, 0.0}, {0.35 * height, 0.0}, {0.0, height}});
+
+    painter.save();
+    painter.translate(view.box.center().x(), view.box.center().y() - (height / 2.0));
+    painter.setPen(ghostPen());
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(section.adjusted(0.7, 0.7, -0.7, -0.7));  // hidden while nothing is twisted
+    painter.drawPolyline(tip);
+    const double torsion = cantileverShape(*cantilever_, force_, beam.length).torsion;
+    // Seen from the free end with y to the right, a positive turn about x is anticlockwise.
+    painter.rotate(-torsion * torsionFactor() * 180.0 / M_PI);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(theme::kTip).darker(125));
+    painter.drawPolygon(tip);
+    painter.setBrush(QColor(theme::kTip));
+    painter.drawRect(section);
+    painter.restore();
+}
+
+}  // namespace asperity

@@ -1,0 +1,57 @@
+#include "ui/panels/Card.h"
+
+#include "ui/panels/Theme.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kMargin = 8;  ///< [px]
+
+void colourText(QLabel& label, QRgb colour) {
+    QPalette palette = label.palette();
+    palette.setColor(QPalette::WindowText, colour);
+    label.setPalette(palette);
+}
+
+}  // namespace
+
+Card::Card(const QString& title, QWidget* parent)
+    : QFrame(parent), body_(new QVBoxLayout(this)), note_(captionLabel(QString(), this)) {
+    setProperty("card", true);
+    auto* heading = new QLabel(title, this);
+    heading->setFont(theme::boldFont());
+    note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    auto* top = new QHBoxLayout;
+    top->addWidget(heading);
+    top->addWidget(note_, 1);
+    body_->setContentsMargins(kMargin, kMargin / 2, kMargin, kMargin - 2);
+    body_->setSpacing(kMargin / 2);
+    body_->addLayout(top);
+}
+
+QLabel* captionLabel(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setTextFormat(Qt::PlainText);
+    label->setFont(theme::textFont(theme::kSmallSize));
+    colourText(*label, theme::kMuted);
+    return label;
+}
+
+QLabel* valueLabel(const QString& objectName, const QString& widest, QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(objectName);
+    label->setTextFormat(Qt::PlainText);
+    label->setFont(theme::textFont());
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    const QFontMetrics metrics(label->font());
+    label->setFixedSize(metrics.horizontalAdvance(widest) + 2, metrics.height());
+    return label;
+}
+
+}  // namespace asperity

@@ -1,0 +1,100 @@
+#include "ui/panels/ColourBarWidget.h"
+
+#include "core/SiFormat.h"
+#include "ui/panels/AxisTicks.h"
+#include "ui/panels/Theme.h"
+#include "vtkplugins/pictures/Ticks.h"
+
+#include <QLinearGradient>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kBarHeight = 10;      ///< [px]
+constexpr int kTickLength = 3;      ///< [px]
+constexpr int kSideMargin = 14;     ///< room for half a label at each end [px]
+constexpr int kLabelDistance = 30;  ///< between ticks, at least [px]
+
+/// The prefix that suits the whole range.
+SiScale siScaleOf(const ColourScale& scale) {
+    return siScaleFor(std::max(std::abs(scale.low), std::abs(scale.high)),
+                      scale.unit.toStdString());
+}
+
+QFont tickFont() { return theme::textFont(theme::kSmallSize - 1); }
+
+}  // namespace
+
+ColourBarWidget::ColourBarWidget(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void ColourBarWidget::setScale(const ColourScale& scale) {
+    scale_ = scale;
+    update();
+}
+
+QString ColourBarWidget::heading() const {
+    if (scale_.colours.empty()) {
+        return {};
+    }
+    return QStringLiteral("%1 [%2]").arg(scale_.quantity,
+                                         QString::fromStdString(siScaleOf(scale_).unit));
+}
+
+QSize ColourBarWidget::sizeHint() const {
+    const int heading = QFontMetrics(theme::textFont(theme::kSmallSize)).height();
+    const int labels = QFontMetrics(tickFont()).height();
+    return {160, heading + 2 + kBarHeight + kTickLength + 1 + labels};
+}
+
+QSize ColourBarWidget::minimumSizeHint() const { return {100, sizeHint().height()}; }
+
+void ColourBarWidget::paintEvent(QPaintEvent* /*event*/) {
+    if (scale_.colours.size() < 2) {
+        return;
+    }
+    QPainter painter(this);
+    painter.setFont(theme::textFont(theme::kSmallSize));
+    const int top = painter.fontMetrics().height() + 2;
+    painter.setPen(QColor(theme::kMuted));
+    painter.drawText(QRect(kSideMargin, 0, width() - kSideMargin, top), Qt::AlignLeft, heading());
+    const QRectF bar(kSideMargin, top, width() - (2 * kSideMargin), kBarHeight);
+    drawBar(painter, bar);
+    drawTicks(painter, bar);
+}
+
+void ColourBarWidget::drawBar(QPainter& painter, const QRectF& bar) const {
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    const auto last = static_cast<double>(scale_.colours.size() - 1);
+    for (std::size_t i = 0; i < scale_.colours.size(); ++i) {
+        gradient.setColorAt(static_cast<double>(i) / last, scale_.colours[i]);
+    }
+    painter.fillRect(bar, gradient);
+}
+
+void ColourBarWidget::drawTicks(QPainter& painter, const QRectF& bar) const {
+    const SiScale scale = siScaleOf(scale_);
+    const double low = scale_.low * scale.factor;
+    const double high = scale_.high * scale.factor;
+    const int count = std::max(1, static_cast<int>(bar.width()) / kLabelDistance);
+    const std::vector<double> ticks = axisTicks(low, high, count);
+    const std::vector<std::string> labels = tickLabels(ticks);
+    painter.setFont(tickFont());
+    painter.setPen(QColor(theme::kMuted));
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        const double share = high > low ? (ticks[i] - low) / (high - low) : 0.5;
+        const double x = bar.left() + (share * bar.width());
+        painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + kTickLength));
+        painter.drawText(QRectF(x - kLabelDistance, bar.bottom() + kTickLength + 1,
+                                2 * kLabelDistance, painter.fontMetrics().height()),
+                         Qt::AlignHCenter, QString::fromStdString(labels[i]));
+    }
+}
+
+}  // namespace asperity

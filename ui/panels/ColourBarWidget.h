@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ui/ColourScale.h"
+
+#include <QWidget>
+
+namespace asperity {
+
+/// A horizontal bar that says which colours stand for which values, with name, unit and ticks.
+class ColourBarWidget : public QWidget {
+public:
+    explicit ColourBarWidget(QWidget* parent = nullptr);
+
+    void setScale(const ColourScale& scale);
+
+    /// "height [nm]": what stands above the bar; empty when there is nothing to show.
+    [[nodiscard]] QString heading() const;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void drawBar(QPainter& painter, const QRectF& bar) const;
+    void drawTicks(QPainter& painter, const QRectF& bar) const;
+
+    ColourScale scale_;
+};
+
+}  // namespace asperity

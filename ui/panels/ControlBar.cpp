@@ -1,0 +1,187 @@
+#include "ui/panels/ControlBar.h"
+
+#include "ui/panels/Card.h"
+#include "ui/panels/ControlIcons.h"
+#include "ui/panels/GainSpinBox.h"
+#include "ui/panels/Theme.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kControlHeight = 26;  ///< [px]
+constexpr int kWidestCombo = 260;   ///< [px]
+
+void setNames(QComboBox& combo, const QStringList& names) {
+    const QSignalBlocker blocker(combo);
+    combo.clear();
+    combo.addItems(names);
+    for (int i = 0; i < names.size(); ++i) {
+        combo.setItemData(i, names.at(i), Qt::ToolTipRole);  // the box may be too narrow for it
+    }
+}
+
+void setQuietly(GainSpinBox& box, double value) {
+    const QSignalBlocker blocker(box);
+    box.setValue(value);
+}
+
+}  // namespace
+
+ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(this)) {
+    row_->setContentsMargins(8, 4, 8, 4);
+    row_->setSpacing(8);
+    startPause_ = addButton("startPause", QStringLiteral("Pause"));
+    startPause_->setToolTip(QStringLiteral("Let the run go on or stand still"));
+    forces_ = addButton("forces", QStringLiteral("Forces are off"));
+    forces_->setCheckable(true);
+    forces_->setToolTip(QStringLiteral("Whether the hand feels forces (Esc: off)"));
+    addSeparator();
+    material_ = addCombo("material", QStringLiteral("Material"));
+    hand_ = addCombo("hand", QStringLiteral("Hand"));
+    path_ = addCombo("path", QStringLiteral("Path"));
+    forceGain_ = addGain("forceGain", QStringLiteral("Force gain"), 1e-3, 1e12);
+    forceGain_->setToolTip(QStringLiteral("Force at the hand per force at the tip"));
+    positionGain_ = addGain("positionGain", QStringLiteral("Position gain"), 1e-12, 1e3);
+    positionGain_->setToolTip(QStringLiteral("Way of the tip per way of the hand"));
+    row_->addStretch(0);
+    addSeparator();
+    record_ = addButton("record", QStringLiteral("Recording"));
+    record_->setCheckable(true);
+    record_->setToolTip(QStringLiteral("Write every tick to a log"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setRunning(false);
+    setForcesOn(true);
+    setRecording(false);
+    connectPerson();
+}
+
+QPushButton* ControlBar::addButton(const char* objectName, const QString& widest) {
+    auto* button = new QPushButton(controlIcon(ControlIcon::Start), widest, this);
+    button->setObjectName(QString::fromUtf8(objectName));
+    button->ensurePolished();
+    button->setFixedSize(button->sizeHint().width(), kControlHeight);
+    row_->addWidget(button, 0, Qt::AlignBottom);
+    return button;
+}
+
+QComboBox* ControlBar::addCombo(const char* objectName, const QString& caption) {
+    auto* combo = new QComboBox(this);
+    combo->setObjectName(QString::fromUtf8(objectName));
+    combo->setFixedHeight(kControlHeight);
+    combo->setMinimumContentsLength(8);
+    combo->setMaximumWidth(kWidestCombo);
+    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    QList<QWidget*> widgets{combo};
+    if (combo->objectName() == QStringLiteral("path")) {
+        pathFile_ = new QToolButton(this);
+        pathFile_->setObjectName(QStringLiteral("pathFile"));
+        pathFile_->setText(QStringLiteral("…"));
+        pathFile_->setToolTip(QStringLiteral("Read a path from a file"));
+        pathFile_->setFixedHeight(kControlHeight);
+        widgets << pathFile_;
+    }
+    addWithCaption(caption, widgets, 1);
+    return combo;
+}
+
+GainSpinBox* ControlBar::addGain(const char* objectName, const QString& caption, double low,
+                                 double high) {
+    auto* box = new GainSpinBox(low, high, this);
+    box->setObjectName(QString::fromUtf8(objectName));
+    box->setFixedSize(96, kControlHeight);
+    addWithCaption(caption, {box}, 0);
+    return box;
+}
+
+void ControlBar::addWithCaption(const QString& caption, const QList<QWidget*>& widgets,
+                                int stretch) {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(1);
+    column->addWidget(captionLabel(caption, this));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(3);
+    for (QWidget* widget : widgets) {
+        row->addWidget(widget);
+    }
+    column->addLayout(row);
+    row_->addLayout(column, stretch);
+}
+
+void ControlBar::addSeparator() {
+    auto* line = new QFrame(this);
+    line->setFrameShape(QFrame::VLine);
+    QPalette palette = line->palette();
+    palette.setColor(QPalette::WindowText, theme::kFaint);
+    line->setFrameShadow(QFrame::Plain);
+    line->setPalette(palette);
+    row_->addWidget(line);
+}
+
+void ControlBar::connectPerson() {
+    connect(startPause_, &QPushButton::clicked, this, [this] {
+        const bool running = !startPause_->property("running").toBool();
+        setRunning(running);
+        Q_EMIT runningChosen(running);
+    });
+    connect(forces_, &QPushButton::clicked, this, [this](bool on) {
+        setForcesOn(on);
+        Q_EMIT forcesChosen(on);
+    });
+    connect(record_, &QPushButton::clicked, this, [this](bool recording) {
+        setRecording(recording);
+        Q_EMIT recordingChosen(recording);
+    });
+    // activated() and clicked() come from people only.
+    connect(material_, qOverload<int>(&QComboBox::activated), this, &ControlBar::materialChosen);
+    connect(hand_, qOverload<int>(&QComboBox::activated), this, &ControlBar::handChosen);
+    connect(path_, qOverload<int>(&QComboBox::activated), this, &ControlBar::pathChosen);
+    connect(pathFile_, &QToolButton::clicked, this, &ControlBar::pathFileRequested);
+    const auto changed = qOverload<double>(&QDoubleSpinBox::valueChanged);
+    connect(forceGain_, changed, this, &ControlBar::forceGainChosen);
+    connect(positionGain_, changed, this, &ControlBar::positionGainChosen);
+}
+
+void ControlBar::setMaterials(const QStringList& names) { setNames(*material_, names); }
+
+void ControlBar::setHands(const QStringList& names) { setNames(*hand_, names); }
+
+void ControlBar::setPaths(const QStringList& names) { setNames(*path_, names); }
+
+void ControlBar::setMaterial(int index) { material_->setCurrentIndex(index); }
+
+void ControlBar::setHand(int index) { hand_->setCurrentIndex(index); }
+
+void ControlBar::setPath(int index) { path_->setCurrentIndex(index); }
+
+void ControlBar::setRunning(bool running) {
+    startPause_->setProperty("running", running);
+    startPause_->setText(running ? QStringLiteral("Pause") : QStringLiteral("Start"));
+    startPause_->setIcon(controlIcon(running ? ControlIcon::Pause : ControlIcon::Start));
+}
+
+void ControlBar::setForcesOn(bool on) {
+    forces_->setChecked(on);
+    forces_->setIcon(controlIcon(on ? ControlIcon::ForcesOn : ControlIcon::ForcesOff));
+    forces_->setText(on ? QStringLiteral("Forces are on") : QStringLiteral("Forces are off"));
+}
+
+void ControlBar::setForceGain(double gain) { setQuietly(*forceGain_, gain); }
+
+void ControlBar::setPositionGain(double gain) { setQuietly(*positionGain_, gain); }
+
+void ControlBar::setRecording(bool recording) {
+    record_->setChecked(recording);
+    record_->setIcon(controlIcon(ControlIcon::Record));
+    record_->setText(recording ? QStringLiteral("Recording") : QStringLiteral("Record"));
+}
+
+}  // namespace asperity

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+class QComboBox;
+class QHBoxLayout;
+class QPushButton;
+class QToolButton;
+
+namespace asperity {
+
+class GainSpinBox;
+
+/// The knobs above the views. Setters show a state and emit nothing; signals tell what the person
+/// changed.
+class ControlBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ControlBar(QWidget* parent = nullptr);
+
+    void setMaterials(const QStringList& names);
+    void setHands(const QStringList& names);
+    void setPaths(const QStringList& names);
+
+    /// @param index into the names set before; -1: none of them
+    void setMaterial(int index);
+    void setHand(int index);
+    void setPath(int index);
+    void setRunning(bool running);
+    void setForcesOn(bool on);
+    void setForceGain(double gain);     ///< force at the hand per force at the tip
+    void setPositionGain(double gain);  ///< base displacement per hand displacement
+    void setRecording(bool recording);
+
+Q_SIGNALS:
+    void runningChosen(bool running);
+    void forcesChosen(bool on);
+    void materialChosen(int index);
+    void handChosen(int index);
+    void pathChosen(int index);
+    void pathFileRequested();  ///< a path shall be read from a file
+    void forceGainChosen(double gain);
+    void positionGainChosen(double gain);
+    void recordingChosen(bool recording);
+
+private:
+    QPushButton* addButton(const char* objectName, const QString& widest);
+    QComboBox* addCombo(const char* objectName, const QString& caption);
+    GainSpinBox* addGain(const char* objectName, const QString& caption, double low, double high);
+    void addWithCaption(const QString& caption, const QList<QWidget*>& widgets, int stretch);
+    void addSeparator();
+    void connectPerson();
+
+    QHBoxLayout* row_;
+    QPushButton* startPause_;
+    QPushButton* forces_;
+    QComboBox* material_;
+    QComboBox* hand_;
+    QComboBox* path_;
+    QToolButton* pathFile_;
+    GainSpinBox* forceGain_;
+    GainSpinBox* positionGain_;
+    QPushButton* record_;
+};
+
+}  // namespace asperity

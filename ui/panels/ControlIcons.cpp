@@ -1,0 +1,66 @@
+#include "ui/panels/ControlIcons.h"
+
+#include "ui/panels/Theme.h"
+
+#include <QPainter>
+#include <QPixmap>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSize = 16;  ///< [px]
+
+void drawStart(QPainter& painter) {
+    painter.setBrush(QColor(theme::kPaper));
+    painter.drawPolygon(QPolygonF({{4.0, 2.5}, {13.5, 8.0}, {4.0, 13.5}}));
+}
+
+void drawPause(QPainter& painter) {
+    painter.setBrush(QColor(theme::kPaper));
+    painter.drawRect(QRectF(4.0, 3.0, 3.0, 10.0));
+    painter.drawRect(QRectF(9.0, 3.0, 3.0, 10.0));
+}
+
+/// An arrow that pushes up against a line.
+void drawForces(QPainter& painter, QRgb colour) {
+    painter.setBrush(QColor(colour));
+    painter.drawRect(QRectF(7.0, 7.0, 2.0, 7.5));
+    painter.drawPolygon(QPolygonF({{8.0, 2.5}, {12.0, 8.0}, {4.0, 8.0}}));
+    painter.drawRect(QRectF(3.0, 1.0, 10.0, 1.2));
+}
+
+void drawRecord(QPainter& painter) {
+    painter.setBrush(QColor(theme::kFault));
+    painter.drawEllipse(QPointF(8.0, 8.0), 4.5, 4.5);
+}
+
+}  // namespace
+
+QIcon controlIcon(ControlIcon icon) {
+    QPixmap pixmap(kSize, kSize);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    switch (icon) {
+    case ControlIcon::Start:
+        drawStart(painter);
+        break;
+    case ControlIcon::Pause:
+        drawPause(painter);
+        break;
+    case ControlIcon::ForcesOn:
+        drawForces(painter, theme::kForce);
+        break;
+    case ControlIcon::ForcesOff:
+        drawForces(painter, theme::kFaint);
+        break;
+    case ControlIcon::Record:
+        drawRecord(painter);
+        break;
+    }
+    return pixmap;
+}
+
+}  // namespace asperity

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace asperity {
+
+/// One point of a curve.
+struct CurvePoint {
+    double time = 0.0;  ///< [s]
+    double value = 0.0;
+};
+
+/// The smallest and the largest value of a curve.
+struct CurveExtent {
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// The last seconds of a quantity. Time is cut into short intervals; each keeps its smallest and
+/// its largest value, so that every peak stays however many samples come. O(1) a sample.
+class CurveHistory {
+public:
+    /// @param span how far it reaches back [s], > 0
+    /// @param intervals into how many intervals that is cut, >= 1
+    CurveHistory(double span, int intervals);
+
+    /// Values and times that are not finite are left out. Time may leap ahead: nothing stands for
+    /// what was leapt over. When it goes back, a new run begins and the old curve is dropped.
+    void add(double time, double value) noexcept;
+    void clear() noexcept;
+
+    [[nodiscard]] bool isEmpty() const noexcept { return !started_; }
+    [[nodiscard]] double newestTime() const noexcept { return newestTime_; }  ///< [s]
+    /// Zeros when empty.
+    [[nodiscard]] CurveExtent extent() const noexcept;
+    /// The curve in the order of time; a value that is not a number parts two pieces between which
+    /// nothing is known for longer than a twentieth of the span.
+    [[nodiscard]] std::vector<CurvePoint> points() const;
+
+private:
+    struct Interval {
+        std::int64_t index = kUnused;  ///< which interval since time zero
+        CurvePoint low;
+        CurvePoint high;
+    };
+    static constexpr std::int64_t kUnused = INT64_MIN;
+
+    [[nodiscard]] std::size_t slotOf(std::int64_t index) const noexcept;
+    template <typename Visitor>
+    void visit(const Visitor& visitor) const;
+
+    double width_;        ///< of an interval [s]
+    double longestJoin_;  ///< time without samples over which the curve is still drawn [s]
+    std::vector<Interval> ring_;
+    std::int64_t newest_ = 0;  ///< index of the newest interval
+    double newestTime_ = 0.0;
+    bool started_ = false;
+};
+
+}  // namespace asperity

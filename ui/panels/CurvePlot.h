@@ -1,0 +1,73 @@
+#pragma once
+
+// Compiled as C++17 too: Qwt's headers are not C++20.
+#include "ui/panels/CurveHistory.h"
+#include "ui/panels/Steady.h"
+
+#include <QColor>
+#include <QString>
+#include <QWidget>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace asperity {
+
+/// Whether a plot labels its time axis; of plots above one another only the lowest needs to.
+enum class TimeLabels { Hidden, Shown };
+
+/// Whether zero is always in sight.
+enum class ZeroLine { Shown, None };
+
+/// What a plot shows and how.
+struct CurvePlotSetup {
+    struct Curve {
+        QString name;
+        QRgb colour = 0;
+    };
+
+    QString title;
+    QString unit;           ///< SI unit of the values
+    double smallest = 0.0;  ///< least extent of the value axis [unit]: smaller noise stays small
+    std::vector<Curve> curves;  ///< 1 to 3
+    ZeroLine zero = ZeroLine::Shown;
+    TimeLabels timeLabels = TimeLabels::Hidden;
+};
+
+/// Live curves of one to three quantities of the same unit over the last ten seconds of physics
+/// time. The value axis ranges itself and names its unit with the fitting prefix.
+class CurvePlot : public QWidget {
+public:
+    static constexpr double kSpan = 10.0;  ///< [s]
+    using Values = std::array<double, 3>;  ///< in the order of the curves; the rest is ignored
+
+    explicit CurvePlot(const CurvePlotSetup& setup, QWidget* parent = nullptr);
+    ~CurvePlot() override;
+    CurvePlot(const CurvePlot&) = delete;
+    CurvePlot& operator=(const CurvePlot&) = delete;
+
+    /// Keeps the values of one tick at `time` [s]; draws nothing.
+    void take(double time, const Values& values) noexcept;
+    /// Draws the curves up to the newest time.
+    void refresh();
+    /// Forgets all values.
+    void clear();
+
+    [[nodiscard]] const CurveHistory& history(std::size_t curve) const { return histories_[curve]; }
+    [[nodiscard]] const AxisRange& valueRange() const { return range_.range(); }        ///< [unit]
+    [[nodiscard]] const std::string& shownUnit() const { return scale_.scale().unit; }  ///< "nN"
+
+private:
+    class Canvas;  ///< what Qwt draws
+
+    void fitRange();
+
+    ZeroLine zero_;
+    std::vector<CurveHistory> histories_;
+    SteadyRange range_;
+    SteadyScale scale_;
+    std::unique_ptr<Canvas> canvas_;
+};
+
+}  // namespace asperity

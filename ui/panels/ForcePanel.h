@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/haptics/Snapshot.h"
+#include "ui/panels/Card.h"
+#include "ui/panels/CurvePlot.h"
+#include "ui/panels/Steady.h"
+
+#include <array>
+
+class QGridLayout;
+
+namespace asperity {
+
+/// The estimated force on the tip with its standard deviation, the tip's place, gap and contact
+/// radius: as numbers and as curves.
+class ForcePanel : public Card {
+public:
+    explicit ForcePanel(QWidget* parent = nullptr);
+
+    /// Keeps one tick for the curves; every tick, cheap.
+    void take(const TickSample& sample) noexcept;
+    /// Shows the numbers of the latest tick and draws the curves; once a frame.
+    void show(const Snapshot& snapshot);
+    using QWidget::show;
+    /// For a new scene: empty curves, no numbers.
+    void clear();
+
+    [[nodiscard]] const CurvePlot& forcePlot() const { return *forcePlot_; }
+    [[nodiscard]] const CurvePlot& heightPlot() const { return *heightPlot_; }
+
+private:
+    void buildForces(QGridLayout& grid);
+    void buildPosition(QGridLayout& grid);
+    void buildContact(QGridLayout& grid);
+    void showForces(const ForceEstimate& estimate);
+    void showPosition(const Vector3& tip);
+    void showContact(const ContactState& contact);
+
+    std::array<QLabel*, 3> force_{};
+    std::array<QLabel*, 3> sigma_{};
+    QLabel* magnitude_ = nullptr;
+    std::array<QLabel*, 3> tip_{};
+    QLabel* gap_ = nullptr;
+    QLabel* contactRadius_ = nullptr;
+    SteadyScale forceScale_;
+    SteadyScale placeScale_;   ///< of x and y
+    SteadyScale heightScale_;  ///< of z
+    SteadyScale gapScale_;
+    SteadyScale radiusScale_;
+    CurvePlot* forcePlot_;
+    CurvePlot* heightPlot_;
+};
+
+}  // namespace asperity

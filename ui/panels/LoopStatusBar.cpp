@@ -1,0 +1,83 @@
+#include "ui/panels/LoopStatusBar.h"
+
+#include "core/SiFormat.h"
+#include "ui/panels/Card.h"
+#include "ui/panels/Theme.h"
+
+#include <QHBoxLayout>
+#include <QLocale>
+
+namespace asperity {
+
+namespace {
+
+QString countText(long count) { return QLocale(QLocale::English).toString(qlonglong{count}); }
+
+QString timeText(double seconds) { return QString::fromStdString(formatSi(seconds, "s")); }
+
+/// The loop's thread as the system treats it; the second says what would help.
+QString schedulingText(SchedulingPolicy policy) {
+    return policy == SchedulingPolicy::Realtime
+               ? QStringLiteral("real-time")
+               : QStringLiteral("ordinary: no permission for SCHED_FIFO");
+}
+
+}  // namespace
+
+LoopStatusBar::LoopStatusBar(QWidget* parent) : QWidget(parent) {
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 1, 8, 1);
+    layout->setSpacing(4);
+    rate_ = addItem("rate", QStringLiteral("loop"), QStringLiteral("10,000 Hz"));
+    tickTime_ =
+        addItem("tickTime", QStringLiteral("tick p50 / p99"), QStringLiteral("88.8 µs / 88.8 µs"));
+    lateness_ = addItem("lateness", QStringLiteral("late p99"), QStringLiteral("88.8 µs"));
+    overruns_ = addItem("overruns", QStringLiteral("overruns"), QStringLiteral("88,888"));
+    lost_ = addItem("lost", QStringLiteral("lost"), QStringLiteral("88,888"));
+    ticks_ = addItem("ticks", QStringLiteral("ticks"), QStringLiteral("88,888,888"));
+    frames_ = addItem("frames", QStringLiteral("frames/s"), QStringLiteral("88.8"));
+    layout->addStretch(1);
+    scheduling_ = captionLabel(QString(), this);
+    scheduling_->setObjectName(QStringLiteral("scheduling"));
+    layout->addWidget(scheduling_);
+    clear();
+}
+
+QLabel* LoopStatusBar::addItem(const char* objectName, const QString& caption,
+                               const QString& widest) {
+    auto* value = valueLabel(QString::fromUtf8(objectName), widest, this);
+    value->setFont(theme::textFont(theme::kSmallSize));
+    value->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    auto* row = static_cast<QHBoxLayout*>(layout());
+    row->addWidget(captionLabel(caption, this));
+    row->addWidget(value);
+    row->addSpacing(6);
+    return value;
+}
+
+void LoopStatusBar::setRateAsked(double rate) {
+    rate_->setText(QLocale(QLocale::English).toString(rate, 'f', 0) + QStringLiteral(" Hz"));
+}
+
+void LoopStatusBar::setFramesPerSecond(double frames) {
+    frames_->setText(QString::number(frames, 'f', 1));
+}
+
+void LoopStatusBar::show(const LoopStatistics& statistics) {
+    ticks_->setText(countText(statistics.ticks));
+    tickTime_->setText(timeText(statistics.tickTime.median) + QStringLiteral(" / ") +
+                       timeText(statistics.tickTime.p99));
+    lateness_->setText(timeText(statistics.lateness.p99));
+    overruns_->setText(countText(statistics.overruns));
+    lost_->setText(countText(statistics.lostSamples));
+    scheduling_->setText(schedulingText(statistics.policy));
+}
+
+void LoopStatusBar::clear() {
+    for (QLabel* label : {rate_, ticks_, tickTime_, lateness_, overruns_, lost_, frames_}) {
+        label->setText(QStringLiteral("–"));
+    }
+    scheduling_->clear();
+}
+
+}  // namespace asperity

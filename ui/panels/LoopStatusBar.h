@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/haptics/Snapshot.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace asperity {
+
+/// How well the loop and the pictures keep their time: a line for the window's status bar.
+class LoopStatusBar : public QWidget {
+public:
+    explicit LoopStatusBar(QWidget* parent = nullptr);
+
+    void setRateAsked(double rate);          ///< of the loop [Hz]
+    void setFramesPerSecond(double frames);  ///< of the pictures [1/s]
+    /// Once a frame or less often.
+    void show(const LoopStatistics& statistics);
+    using QWidget::show;
+    void clear();
+
+private:
+    QLabel* addItem(const char* objectName, const QString& caption, const QString& widest);
+
+    QLabel* rate_;
+    QLabel* ticks_;
+    QLabel* tickTime_;
+    QLabel* lateness_;
+    QLabel* overruns_;
+    QLabel* lost_;
+    QLabel* scheduling_;
+    QLabel* frames_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,198 @@
+#include "ui/panels/OverviewMap.h"
+
+#include "core/SiFormat.h"
+#include "ui/panels/MapMarks.h"
+#include "ui/panels/Steady.h"
+#include "ui/panels/Theme.h"
+#include "vtkplugins/pictures/Ticks.h"
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kScaleBarShare = 0.34;  ///< of the map's width, at most
+
+/// In nanometres or larger units: what is smaller than a picometre is no height.
+QString lengthText(double metres) {
+    const SiScale scale = siScaleFor(std::max(std::abs(metres), 1e-9), "m");
+    return QString::fromStdString(scaledText(metres, scale));
+}
+
+}  // namespace
+
+OverviewMap::OverviewMap(QWidget* parent) : QWidget(parent) {
+    setMinimumSize(120, 100);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setCursor(Qt::CrossCursor);
+}
+
+void OverviewMap::setSurface(const BSplineSurface& surface) {
+    relief_ = reliefImage(surface);
+    size_ = {surface.sizeX(), surface.sizeY()};
+    scaled_ = {};
+    tip_.reset();
+    frame_ = {};
+    path_.clear();
+    update();
+}
+
+void OverviewMap::showTip(const QPointF& place) {
+    tip_.reset();
+    if (std::isfinite(place.x()) && std::isfinite(place.y())) {
+        tip_ = place;
+    }
+    update();
+}
+
+void OverviewMap::hideTip() {
+    tip_.reset();
+    update();
+}
+
+void OverviewMap::showFrame(const QRectF& frame) {
+    frame_ = frame;
+    update();
+}
+
+void OverviewMap::showPath(const QPolygonF& path) {
+    path_ = path;
+    update();
+}
+
+QRectF OverviewMap::mapRect() const {
+    if (size_.isEmpty()) {
+        return {};
+    }
+    const double scale = std::min(width() / size_.width(), height() / size_.height());
+    const QSize pixels(std::max(1, static_cast<int>(scale * size_.width())),
+                       std::max(1, static_cast<int>(scale * size_.height())));
+    const QPoint corner((width() - pixels.width()) / 2, (height() - pixels.height()) / 2);
+    return {corner, pixels};
+}
+
+QPointF OverviewMap::toPixel(const QPointF& place) const {
+    const QRectF map = mapRect();
+    return {map.left() + (map.width() * place.x() / size_.width()),
+            map.bottom() - (map.height() * place.y() / size_.height())};
+}
+
+QPointF OverviewMap::toPlace(const QPointF& pixel) const {
+    const QRectF map = mapRect();
+    return {(pixel.x() - map.left()) / map.width() * size_.width(),
+            (map.bottom() - pixel.y()) / map.height() * size_.height()};
+}
+
+double OverviewMap::heightAt(const QPointF& place) const {
+    const auto entry = [](double share, int count) {
+        return std::clamp(static_cast<int>(share * count), 0, count - 1);
+    };
+    const int column = entry(place.x() / size_.width(), relief_.image.width());
+    const int row = entry(1.0 - (place.y() / size_.height()), relief_.image.height());
+    return relief_
+        .heights[(static_cast<std::size_t>(row) * static_cast<std::size_t>(relief_.image.width())) +
+                 static_cast<std::size_t>(column)];
+}
+
+QString OverviewMap::toolTipAt(const QPointF& pixel) const {
+    if (!mapRect().contains(pixel)) {
+        return {};
+    }
+    const QPointF place = toPlace(pixel);
+    return QStringLiteral("height %1\nx %2, y %3\nDouble click: go there")
+        .arg(lengthText(heightAt(place)), lengthText(place.x()), lengthText(place.y()));
+}
+
+bool OverviewMap::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) {
+        return QWidget::event(event);
+    }
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), this);
+    return true;
+}
+
+void OverviewMap::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && mapRect().contains(event->localPos())) {
+        const QPointF place = toPlace(event->localPos());
+        Q_EMIT placeChosen(place.x(), place.y());
+    }
+}
+
+void OverviewMap::resizeEvent(QResizeEvent* /*event*/) { scaled_ = {}; }
+
+void OverviewMap::paintEvent(QPaintEvent* /*event*/) {
+    const QRectF map = mapRect();
+    if (map.isEmpty()) {
+        return;
+    }
+    if (scaled_.isNull()) {
+        scaled_ = QPixmap::fromImage(relief_.image.scaled(
+            map.size().toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    }
+    QPainter painter(this);
+    painter.drawPixmap(map.topLeft(), scaled_);
+    painter.setClipRect(map);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (path_.size() > 1) {
+        QPolygonF drawn;
+        for (const QPointF& place : path_) {
+            drawn << toPixel(place);
+        }
+        drawPathMark(painter, drawn);
+    }
+    drawScaleBar(painter, map);
+    drawFrame(painter);
+    drawTip(painter, map);
+}
+
+void OverviewMap::drawScaleBar(QPainter& painter, const QRectF& map) const {
+    const double length = niceBelow(kScaleBarShare * size_.width());
+    const double pixels = length / size_.width() * map.width();
+    painter.setFont(theme::textFont(theme::kSmallSize));
+    const QString text = QString::fromStdString(formatSi(length, "m"));
+    const int textWidth = painter.fontMetrics().horizontalAdvance(text);
+    const int textHeight = painter.fontMetrics().height();
+    const double width = std::max(pixels, static_cast<double>(textWidth)) + 12.0;
+    QRectF plate(map.left() + 5.0, map.bottom() - textHeight - 13.0, width, textHeight + 8.0);
+    if (tip_ && plate.adjusted(-12.0, -12.0, 12.0, 12.0).contains(toPixel(*tip_))) {
+        plate.moveRight(map.right() - 5.0);  // out of the tip's way
+    }
+    QColor paper(theme::kPaper);
+    paper.setAlphaF(0.82);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(paper);
+    painter.drawRoundedRect(plate, 3.0, 3.0);
+    painter.setPen(QColor(theme::kInk));
+    painter.drawText(plate.adjusted(0.0, 1.0, 0.0, -5.0), Qt::AlignCenter, text);
+    painter.fillRect(QRectF(plate.center().x() - (pixels / 2.0), plate.bottom() - 5.0, pixels, 2.0),
+                     QColor(theme::kInk));
+}
+
+void OverviewMap::drawFrame(QPainter& painter) const {
+    if (frame_.isEmpty()) {
+        return;
+    }
+    const QRectF drawn =
+        QRectF(toPixel(frame_.bottomLeft()), toPixel(frame_.topRight())).normalized();
+    drawFrameMark(painter, drawn);
+}
+
+void OverviewMap::drawTip(QPainter& painter, const QRectF& map) const {
+    if (!tip_) {
+        return;
+    }
+    // Outside the scan the mark stays at its edge, so that nobody loses the tip.
+    const QPointF place = toPixel(*tip_);
+    drawTipMark(painter, {std::clamp(place.x(), map.left(), map.right()),
+                          std::clamp(place.y(), map.top(), map.bottom())});
+}
+
+}  // namespace asperity

@@ -1,0 +1,107 @@
+#include "ui/panels/OverviewPanel.h"
+
+#include "core/SiFormat.h"
+#include "ui/panels/ColourBarWidget.h"
+#include "ui/panels/MapMarks.h"
+#include "ui/panels/OverviewMap.h"
+
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPixmap>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSideWidth = 140;    ///< of colour bar and legend [px]
+constexpr int kLegendIndent = 10;  ///< [px]
+constexpr int kMarkSize = 20;      ///< [px]
+
+template <typename Draw>
+QPixmap markPixmap(const Draw& draw) {
+    QPixmap pixmap(kMarkSize, kMarkSize);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    draw(painter);
+    return pixmap;
+}
+
+/// "1.00 x 0.50 µm"
+QString sizeText(double width, double height) {
+    const SiScale scale = siScaleFor(std::max(width, height), "m");
+    return QStringLiteral("%1 × %2 %3")
+        .arg(width * scale.factor, 0, 'g', 3)
+        .arg(height * scale.factor, 0, 'g', 3)
+        .arg(QString::fromStdString(scale.unit));
+}
+
+}  // namespace
+
+OverviewPanel::OverviewPanel(QWidget* parent)
+    : Card(QStringLiteral("Overview"), parent)
+    , map_(new OverviewMap(this))
+    , colourBar_(new ColourBarWidget(this)) {
+    auto* side = new QVBoxLayout;
+    side->setSpacing(3);
+    colourBar_->setFixedWidth(kSideWidth);
+    side->addWidget(colourBar_);
+    side->addSpacing(6);
+    addLegend(*side);
+    side->addStretch(1);
+    auto* hint = captionLabel(QStringLiteral("Double click: go there"), this);
+    hint->setContentsMargins(kLegendIndent, 0, 0, 0);
+    side->addWidget(hint);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->addWidget(map_, 1);
+    row->addLayout(side);
+    body().addLayout(row, 1);
+    connect(map_, &OverviewMap::placeChosen, this, &OverviewPanel::placeChosen);
+}
+
+void OverviewPanel::addLegend(QVBoxLayout& side) {
+    const auto add = [&](const QPixmap& mark, const QString& text) {
+        auto* row = new QHBoxLayout;
+        row->setContentsMargins(kLegendIndent, 0, 0, 0);
+        auto* sign = new QLabel(this);
+        sign->setPixmap(mark);
+        row->addWidget(sign);
+        row->addWidget(captionLabel(text, this), 1);
+        side.addLayout(row);
+    };
+    const QPointF centre(kMarkSize / 2.0, kMarkSize / 2.0);
+    add(markPixmap([&](QPainter& painter) { drawTipMark(painter, centre); }),
+        QStringLiteral("tip"));
+    add(markPixmap([](QPainter& painter) {
+            drawFrameMark(painter, QRectF(3, 4, kMarkSize - 6, kMarkSize - 8));
+        }),
+        QStringLiteral("zoomed view"));
+    add(markPixmap([&](QPainter& painter) {
+            drawPathMark(painter,
+                         QVector<QPointF>{{2.0, centre.y()}, {kMarkSize - 2.0, centre.y()}});
+        }),
+        QStringLiteral("path"));
+}
+
+void OverviewPanel::setSurface(const BSplineSurface& surface) {
+    map_->setSurface(surface);
+    colourBar_->setScale(map_->colours());
+    setNote(sizeText(surface.sizeX(), surface.sizeY()));
+}
+
+void OverviewPanel::showFrame(const QRectF& frame) { map_->showFrame(frame); }
+
+void OverviewPanel::showPath(const QPolygonF& path) { map_->showPath(path); }
+
+void OverviewPanel::show(const Snapshot& snapshot) {
+    const Vector3& tip = snapshot.sample.output.tip;
+    map_->showTip({tip.x(), tip.y()});
+}
+
+void OverviewPanel::clear() { map_->hideTip(); }
+
+}  // namespace asperity

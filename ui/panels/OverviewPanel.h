@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/haptics/Snapshot.h"
+#include "core/surface/BSplineSurface.h"
+#include "ui/panels/Card.h"
+
+#include <QPolygonF>
+#include <QRectF>
+
+class QVBoxLayout;
+
+namespace asperity {
+
+class ColourBarWidget;
+class OverviewMap;
+
+/// The whole scan from above with the tip's place and the frame of the zoomed view. Places are
+/// world x, y [m], y up.
+class OverviewPanel : public Card {
+    Q_OBJECT
+
+public:
+    explicit OverviewPanel(QWidget* parent = nullptr);
+
+    /// The surface of a new scene; forgets what was shown over the old one.
+    void setSurface(const BSplineSurface& surface);
+    /// Where the zoomed view looks.
+    void showFrame(const QRectF& frame);
+    /// The way a scripted hand goes; empty: none.
+    void showPath(const QPolygonF& path);
+    /// Marks the tip's place; once a frame.
+    void show(const Snapshot& snapshot);
+    using QWidget::show;
+    /// Takes the tip's mark away.
+    void clear();
+
+    [[nodiscard]] OverviewMap& map() { return *map_; }
+    [[nodiscard]] const ColourBarWidget& colourBar() const { return *colourBar_; }
+
+Q_SIGNALS:
+    /// A person wants to go there [m].
+    void placeChosen(double x, double y);
+
+private:
+    void addLegend(QVBoxLayout& side);
+
+    OverviewMap* map_;
+    ColourBarWidget* colourBar_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,110 @@
+#include "ui/panels/ReliefImage.h"
+
+#include "ui/panels/HeightColours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kLargestSide = 512;    ///< [pixel]
+constexpr int kColours = 256;        ///< of the table that stands for the scale
+constexpr double kShownSlope = 0.5;  ///< slopes are scaled until this is their root mean square
+constexpr double kShadeStrength = 0.55;
+
+struct Samples {
+    int columns = 0;
+    int rows = 0;
+    std::vector<HeightSample> values;  ///< top row first
+};
+
+Samples sampled(const BSplineSurface& surface) {
+    const double longer = std::max(surface.sizeX(), surface.sizeY());
+    const auto pixels = [longer](double size) {
+        return std::clamp(static_cast<int>(std::lround(kLargestSide * size / longer)), 1,
+                          kLargestSide);
+    };
+    Samples samples{.columns = pixels(surface.sizeX()), .rows = pixels(surface.sizeY())};
+    samples.values.reserve(static_cast<std::size_t>(samples.columns) *
+                           static_cast<std::size_t>(samples.rows));
+    for (int row = 0; row < samples.rows; ++row) {
+        const double y = surface.sizeY() * (samples.rows - row - 0.5) / samples.rows;
+        for (int column = 0; column < samples.columns; ++column) {
+            samples.values.push_back(
+                surface.at(surface.sizeX() * (column + 0.5) / samples.columns, y));
+        }
+    }
+    return samples;
+}
+
+/// Factor for slopes that makes flat and steep scans alike show their shape.
+double slopeScale(const Samples& samples) {
+    double squares = 0.0;
+    for (const HeightSample& sample : samples.values) {
+        squares += (sample.dx * sample.dx) + (sample.dy * sample.dy);
+    }
+    const double slope = std::sqrt(squares / static_cast<double>(samples.values.size()));
+    return slope > 0.0 ? kShownSlope / slope : 0.0;
+}
+
+/// Brightness, 1 for level ground. The light comes from the upper left, 45 degrees high.
+double shade(const HeightSample& sample, double scale) {
+    const double dx = scale * sample.dx;
+    const double dy = scale * sample.dy;
+    const double towardsLight = ((dx - dy) / std::sqrt(2.0)) + 1.0;
+    const double light = towardsLight / std::sqrt(1.0 + (dx * dx) + (dy * dy));
+    return std::clamp(1.0 + (kShadeStrength * (light - 1.0)), 0.35, 1.4);
+}
+
+std::array<QColor, kColours> colourTable(const ColourScale& scale) {
+    std::array<QColor, kColours> table;
+    for (int i = 0; i < kColours; ++i) {
+        table.at(static_cast<std::size_t>(i)) =
+            colourAt(scale, std::lerp(scale.low, scale.high, i / (kColours - 1.0)));
+    }
+    return table;
+}
+
+QRgb shaded(const QColor& colour, double brightness) {
+    const auto part = [brightness](int channel) {
+        return std::min(255, static_cast<int>(std::lround(channel * brightness)));
+    };
+    return qRgb(part(colour.red()), part(colour.green()), part(colour.blue()));
+}
+
+ColourScale coloursOf(const Samples& samples) {
+    const auto [low, high] = std::minmax_element(
+        samples.values.begin(), samples.values.end(),
+        [](const HeightSample& a, const HeightSample& b) { return a.height < b.height; });
+    return heightColours(low->height, high->height);
+}
+
+}  // namespace
+
+ReliefImage reliefImage(const BSplineSurface& surface) {
+    const Samples samples = sampled(surface);
+    ReliefImage relief{
+        QImage(samples.columns, samples.rows, QImage::Format_RGB32), {}, coloursOf(samples)};
+    relief.heights.reserve(samples.values.size());
+    const std::array<QColor, kColours> table = colourTable(relief.colours);
+    const double extent = relief.colours.high - relief.colours.low;
+    const double scale = slopeScale(samples);
+    std::size_t next = 0;
+    for (int row = 0; row < samples.rows; ++row) {
+        auto* line = reinterpret_cast<QRgb*>(relief.image.scanLine(row));
+        for (int column = 0; column < samples.columns; ++column, ++next) {
+            const HeightSample& sample = samples.values[next];
+            const double share = extent > 0.0 ? (sample.height - relief.colours.low) / extent : 0.5;
+            const auto entry = static_cast<std::size_t>(std::lround(share * (kColours - 1)));
+            relief.heights.push_back(sample.height);
+            line[column] = shaded(table.at(entry), shade(sample, scale));
+        }
+    }
+    return relief;
+}
+
+}  // namespace asperity

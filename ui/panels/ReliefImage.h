@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/surface/BSplineSurface.h"
+#include "ui/ColourScale.h"
+
+#include <QImage>
+
+#include <vector>
+
+namespace asperity {
+
+/// A surface seen from above: coloured by height and shaded as hills under light from the upper
+/// left. The top of the image is the far side, large y.
+struct ReliefImage {
+    QImage image;                 ///< at most 512 pixels along either side
+    std::vector<double> heights;  ///< of the pixels, top row first [m]
+    ColourScale colours;          ///< from the lowest to the highest height drawn
+};
+
+[[nodiscard]] ReliefImage reliefImage(const BSplineSurface& surface);
+
+}  // namespace asperity

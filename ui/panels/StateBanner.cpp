@@ -1,0 +1,210 @@
+#include "ui/panels/StateBanner.h"
+
+#include "ui/panels/Theme.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QStringList>
+
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kHeight = 32;        ///< [px]
+constexpr double kFlagHold = 0.5;  ///< how long a flag stays shown [s of physics time]
+constexpr double kNever = -std::numeric_limits<double>::infinity();
+
+Validity flagNumber(int index) { return static_cast<Validity>(1U << static_cast<unsigned>(index)); }
+
+QString regionWords(TipRegion region) {
+    switch (region) {
+    case TipRegion::Far:
+        return QStringLiteral("far");
+    case TipRegion::Cohesive:
+        return QStringLiteral("cohesive (bonded across a gap)");
+    case TipRegion::Contact:
+        return QStringLiteral("in contact");
+    }
+    return {};
+}
+
+}  // namespace
+
+QString validityWords(Validity flag) {
+    switch (flag) {
+    case Validity::LargeContact:
+        return QStringLiteral("contact radius above 0.3 tip radii: beyond half-space theory");
+    case Validity::OutsideScan:
+        return QStringLiteral("tip outside the scan");
+    case Validity::FilledPixel:
+        return QStringLiteral("the scan holds no data here: height filled in");
+    case Validity::FootNotFound:
+        return QStringLiteral("closest point of the surface not found");
+    case Validity::NotInEquilibrium:
+        return QStringLiteral("no equilibrium of tip and cantilever found");
+    case Validity::FrictionLock:
+        return QStringLiteral("friction would lock the cantilever");
+    case Validity::ModelContradicted:
+        return QStringLiteral("signals contradict the model by more than 3 standard deviations");
+    case Validity::SingularGeometry:
+        return QStringLiteral("signals say little about one direction of the force");
+    case Validity::CurvedSample:
+        return QStringLiteral("surface sharply curved: taken as flat under the tip");
+    }
+    return {};
+}
+
+QString faultWords(Fault fault) {
+    switch (fault) {
+    case Fault::None:
+        return {};
+    case Fault::NotFinite:
+        return QStringLiteral("a value was not a number: forces are off");
+    case Fault::DeviceLost:
+        return QStringLiteral("the hand's device was unplugged: forces are off");
+    }
+    return {};
+}
+
+StateBanner::StateBanner(QWidget* parent)
+    : QFrame(parent)
+    , state_(new QLabel(this))
+    , flags_(new QLabel(this))
+    , rearm_(new QPushButton(QStringLiteral("Take back"), this)) {
+    setObjectName(QStringLiteral("stateBanner"));
+    setFixedHeight(kHeight);
+    state_->setObjectName(QStringLiteral("state"));
+    state_->setTextFormat(Qt::PlainText);
+    state_->setFont(theme::boldFont(theme::kTextSize + 1));
+    flags_->setObjectName(QStringLiteral("flags"));
+    flags_->setTextFormat(Qt::PlainText);
+    flags_->setFont(theme::textFont());
+    flags_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    flags_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    QPalette palette = flags_->palette();
+    palette.setColor(QPalette::WindowText, theme::kCaution);
+    flags_->setPalette(palette);
+    rearm_->setObjectName(QStringLiteral("rearm"));
+    rearm_->setToolTip(QStringLiteral("Take back the fault: forces act again"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 2, 10, 2);
+    layout->setSpacing(12);
+    layout->addWidget(state_);
+    layout->addWidget(flags_, 1);
+    layout->addWidget(rearm_);
+    connect(rearm_, &QPushButton::clicked, this, &StateBanner::rearmRequested);
+    clear();
+}
+
+void StateBanner::take(const TickSample& sample) noexcept {
+    for (int flag = 0; flag < kValidityFlagCount; ++flag) {
+        if (sample.output.flags.has(flagNumber(flag))) {
+            lastSeen_.at(static_cast<std::size_t>(flag)) = sample.time;
+        }
+    }
+}
+
+void StateBanner::show(const Snapshot& snapshot) {
+    latest_ = snapshot;
+    hasRun_ = true;
+    showState();
+    showFlags();
+}
+
+void StateBanner::setPaused(bool paused) {
+    paused_ = paused;
+    showState();
+}
+
+void StateBanner::clear() {
+    latest_ = {};
+    hasRun_ = false;
+    lastSeen_.fill(kNever);
+    showState();
+    showFlags();
+}
+
+QString StateBanner::stateWords() const {
+    const TickOutput& output = latest_.sample.output;
+    if (output.fault != Fault::None) {
+        return QStringLiteral("fault: ") + faultWords(output.fault);
+    }
+    if (!hasRun_) {
+        return paused_ ? QStringLiteral("paused") : QStringLiteral("not started");
+    }
+    QStringList words;
+    if (paused_) {
+        words << QStringLiteral("paused");
+    }
+    if (!latest_.sample.input.settings.forcesOn) {
+        words << QStringLiteral("forces off (Esc)");
+    }
+    words << regionWords(output.region());
+    return words.join(QStringLiteral(" · "));
+}
+
+QRgb StateBanner::stateColour() const {
+    const TickOutput& output = latest_.sample.output;
+    if (output.fault != Fault::None) {
+        return theme::kFault;
+    }
+    if (paused_ || !hasRun_) {
+        return theme::kMuted;
+    }
+    if (!latest_.sample.input.settings.forcesOn) {
+        return theme::kCaution;
+    }
+    switch (output.region()) {
+    case TipRegion::Far:
+        return theme::kTip;
+    case TipRegion::Cohesive:
+        return theme::kOrange;
+    case TipRegion::Contact:
+        return theme::kGreen;
+    }
+    return theme::kInk;
+}
+
+void StateBanner::showState() {
+    state_->setText(stateWords());
+    rearm_->setVisible(latest_.sample.output.fault != Fault::None);
+    const QRgb colour = stateColour();
+    if (colour == shownColour_) {
+        return;  // style sheets are slow to set
+    }
+    shownColour_ = colour;
+    QColor wash(colour);
+    wash.setAlphaF(0.12);
+    setStyleSheet(QStringLiteral("#stateBanner { background: %1; border: none; border-left: 5px "
+                                 "solid %2; border-radius: 4px; } #state { color: %3; }")
+                      .arg(wash.name(QColor::HexArgb), QColor(colour).name(),
+                           QColor(colour).darker(125).name()));
+}
+
+bool StateBanner::isShown(int flag) const {
+    const double age = latest_.sample.time - lastSeen_.at(static_cast<std::size_t>(flag));
+    return latest_.sample.output.flags.has(flagNumber(flag)) || (age >= 0.0 && age < kFlagHold);
+}
+
+void StateBanner::showFlags() {
+    QStringList words;
+    for (int flag = 0; flag < kValidityFlagCount; ++flag) {
+        if (isShown(flag)) {
+            words << validityWords(flagNumber(flag));
+        }
+    }
+    const QString whole = words.join(QStringLiteral(" · "));
+    if (whole != caution_) {
+        caution_ = whole;
+        flags_->setToolTip(words.join(QLatin1Char('\n')));
+    }
+    flags_->setText(flags_->fontMetrics().elidedText(caution_, Qt::ElideRight, flags_->width()));
+}
+
+void StateBanner::resizeEvent(QResizeEvent* /*event*/) { showFlags(); }
+
+}  // namespace asperity

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/haptics/Snapshot.h"
+#include "core/scene/Validity.h"
+
+#include <QFrame>
+
+#include <array>
+
+class QLabel;
+class QPushButton;
+
+namespace asperity {
+
+/// What a validity flag means, for people.
+[[nodiscard]] QString validityWords(Validity flag);
+/// Why the forces were switched off, for people; empty when they were not.
+[[nodiscard]] QString faultWords(Fault fault);
+
+/// One line that always says in words and colour where the tip is, whether forces act, what went
+/// wrong, and what a result does not hold for. Its height never changes.
+class StateBanner : public QFrame {
+    Q_OBJECT
+
+public:
+    explicit StateBanner(QWidget* parent = nullptr);
+
+    /// Keeps the flags of one tick, so that one that comes and goes can be read; cheap.
+    void take(const TickSample& sample) noexcept;
+    /// Once a frame.
+    void show(const Snapshot& snapshot);
+    using QWidget::show;
+    /// The run stands still, or goes on.
+    void setPaused(bool paused);
+    void clear();
+
+Q_SIGNALS:
+    /// A person takes back the fault.
+    void rearmRequested();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void showState();
+    void showFlags();
+    [[nodiscard]] QString stateWords() const;
+    [[nodiscard]] QRgb stateColour() const;
+    [[nodiscard]] bool isShown(int flag) const;
+
+    Snapshot latest_;
+    bool hasRun_ = false;
+    bool paused_ = false;
+    std::array<double, kValidityFlagCount> lastSeen_{};  ///< time of each flag [s]
+    QRgb shownColour_ = 0;
+    QString caution_;  ///< all flags, whole
+    QLabel* state_;
+    QLabel* flags_;
+    QPushButton* rearm_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,173 @@
+#include "ui/view/ContactLayer.h"
+
+#include "ui/view/DrapedGrid.h"
+#include "vtkplugins/module/StripGrid.h"
+#include "vtkplugins/pictures/SceneParts.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+
+namespace {
+
+void setData(vtkActor* actor, vtkPolyData* data) {
+    vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
+    actor->VisibilityOn();
+}
+
+/// The sample before and the one after, along a line of a grid.
+struct Neighbours {
+    std::size_t before;
+    std::size_t after;
+};
+
+Neighbours neighbours(int place, int count, std::size_t index, std::size_t stride) {
+    return {place > 0 ? index - stride : index, place + 1 < count ? index + stride : index};
+}
+
+/// The surface's own normal at rest, turned by the slopes of what is drawn of the displacement.
+Vector3 drawnNormal(const ContactShape& shape, int row, int column, double factor) {
+    const SurfacePatch& patch = shape.patch();
+    const std::vector<double>& pushed = shape.displacements();
+    const std::size_t i = patch.index(row, column);
+    const Neighbours x = neighbours(column, patch.columns, i, 1);
+    const Neighbours y = neighbours(row, patch.rows, i, patch.index(1, 0));
+    const double slopeX = -factor * (pushed[x.after] - pushed[x.before]) /
+                          (patch.rest[x.after].x() - patch.rest[x.before].x());
+    const double slopeY = -factor * (pushed[y.after] - pushed[y.before]) /
+                          (patch.rest[y.after].y() - patch.rest[y.before].y());
+    const Vector3 rest = patch.normals[i] / patch.normals[i].z();
+    const Vector3 alongX(1.0, 0.0, -rest.x());
+    const Vector3 alongY(0.0, 1.0, -rest.y());
+    const Vector3& axis = shape.outward();
+    return (rest + slopeX * axis.cross(alongY) + slopeY * alongX.cross(axis)).normalized();
+}
+
+}  // namespace
+
+Vector3 drawnAt(const ContactShape& shape, const Vector3& rest, double factor) {
+    return rest + factor * (shape.moved(rest) - rest);
+}
+
+ContactLayer::ContactLayer(vtkRenderer* solid, vtkRenderer* through) {
+    points_->SetDataTypeToDouble();
+    rgb_->SetNumberOfComponents(3);
+    mesh_->SetPoints(points_);
+    mesh_->GetPointData()->SetScalars(rgb_);
+    surface_ = surfaceAsColoured(mesh_);
+    vtkNew<vtkPolyData> nothing;
+    grid_ = thinLines(nothing);
+    rim_ = linesAsDrawn(nothing, palette::kContact, 2.0);
+    solid->AddActor(surface_);
+    solid->AddActor(grid_);
+    through->AddActor(rim_);
+    hide();
+}
+
+ContactLayer::~ContactLayer() = default;
+
+void ContactLayer::hide() {
+    surface_->VisibilityOff();
+    grid_->VisibilityOff();
+    rim_->VisibilityOff();
+}
+
+void ContactLayer::show(const Scene& scene, const ContactShape& shape, const ContactStyle& style) {
+    fitSize(shape.patch());
+    showSurface(shape, style);
+    showGrid(scene, shape, style);
+    showRim(scene, shape, style.magnification);
+}
+
+void ContactLayer::fitSize(const SurfacePatch& patch) {
+    if (patch.columns == samples_) {
+        return;
+    }
+    samples_ = patch.columns;
+    const auto count = static_cast<vtkIdType>(patch.rest.size());
+    points_->SetNumberOfPoints(count);
+    rgb_->SetNumberOfTuples(count);
+    mesh_->SetStrips(gridStrips(patch.columns, patch.rows));
+}
+
+void ContactLayer::showSurface(const ContactShape& shape, const ContactStyle& style) {
+    const SurfacePatch& patch = shape.patch();
+    const double factor = style.magnification;
+    for (int row = 0; row < patch.rows; ++row) {
+        for (int column = 0; column < patch.columns; ++column) {
+            const std::size_t i = patch.index(row, column);
+            const auto id = static_cast<vtkIdType>(i);
+            const Vector3& rest = patch.rest[i];
+            points_->SetPoint(id, Vector3(rest + factor * (patch.points[i] - rest)).data());
+            const Color colour = style.colours.at(rest.z(), shape.displacements()[i]);
+            const Vector3 normal = drawnNormal(shape, row, column, factor);
+            rgb_->SetTypedTuple(id, style.shading.lit(colour, normal).data());
+        }
+    }
+    points_->Modified();
+    rgb_->Modified();
+    surface_->VisibilityOn();
+}
+
+void ContactLayer::showGrid(const Scene& scene, const ContactShape& shape,
+                            const ContactStyle& style) {
+    const SurfacePatch& patch = shape.patch();
+    const ScanWindow& area = style.gridArea;
+    const auto drawn = [&](double x, double y) {
+        const double inX = std::clamp(x, area.left, area.right);
+        const double inY = std::clamp(y, area.bottom, area.top);
+        return drawnAt(shape, {inX, inY, scene.surface.at(inX, inY).height}, style.magnification);
+    };
+    Polylines grid;
+    // The patch has as many rows as columns.
+    std::vector<Vector3> line(static_cast<std::size_t>(patch.columns));
+    for (const double x : gridPlaces(area.left, area.right, style.gridSpacing)) {
+        for (std::size_t row = 0; row < line.size(); ++row) {
+            line[row] = drawn(x, patch.rest[row * line.size()].y());
+        }
+        grid.add(line);
+    }
+    for (const double y : gridPlaces(area.bottom, area.top, style.gridSpacing)) {
+        for (std::size_t column = 0; column < line.size(); ++column) {
+            line[column] = drawn(patch.rest[column].x(), y);
+        }
+        grid.add(line);
+    }
+    setData(grid_, grid.data());
+}
+
+void ContactLayer::showRim(const Scene& scene, const ContactShape& shape, double factor) {
+    const TipContact& contact = shape.contact();
+    if (!(contact.contactRadius > 0.0)) {
+        rim_->VisibilityOff();
+        return;
+    }
+    constexpr int kPoints = 120;
+    const Vector3 across = contact.normal.unitOrthogonal();
+    const Vector3 third = contact.normal.cross(across);
+    std::vector<Vector3> rim;
+    for (int i = 0; i <= kPoints; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i % kPoints) / kPoints;
+        const Vector3 arm = std::cos(angle) * across + std::sin(angle) * third;
+        const Vector3 place = contact.foot + contact.contactRadius * arm;
+        rim.push_back(drawnAt(
+            shape, {place.x(), place.y(), scene.surface.at(place.x(), place.y()).height}, factor));
+    }
+    setData(rim_, polyline(rim));
+}
+
+}  // namespace asperity

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "ui/view/ContactShape.h"
+#include "ui/view/Shading.h"
+#include "ui/view/SurfaceColours.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+class vtkActor;
+class vtkPoints;
+class vtkPolyData;
+class vtkRenderer;
+class vtkUnsignedCharArray;
+
+namespace asperity {
+
+/// How the contact is drawn.
+struct ContactStyle {
+    const SurfaceColours& colours;
+    Shading shading;
+    double magnification = 1.0;  ///< of displacements
+    double gridSpacing = 0.0;    ///< of the draped grid [m]
+    ScanWindow gridArea;         ///< that the grid covers
+};
+
+/// The deformed surface around the contact with its draped grid, and the contact's rim.
+class ContactLayer {
+public:
+    /// @param solid   where the surface goes
+    /// @param through what is drawn there shows through everything in `solid`
+    ContactLayer(vtkRenderer* solid, vtkRenderer* through);
+    ~ContactLayer();
+    ContactLayer(const ContactLayer&) = delete;
+    ContactLayer& operator=(const ContactLayer&) = delete;
+
+    void show(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
+    void hide();
+
+private:
+    void fitSize(const SurfacePatch& patch);
+    void showSurface(const ContactShape& shape, const ContactStyle& style);
+    void showGrid(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
+    void showRim(const Scene& scene, const ContactShape& shape, double factor);
+
+    int samples_ = 0;
+    vtkNew<vtkPoints> points_;
+    vtkNew<vtkUnsignedCharArray> rgb_;
+    vtkNew<vtkPolyData> mesh_;
+    vtkSmartPointer<vtkActor> surface_;
+    vtkSmartPointer<vtkActor> grid_;
+    vtkSmartPointer<vtkActor> rim_;
+};
+
+/// Where a point of the surface at rest is drawn when displacements are drawn `factor` times as
+/// large [m].
+[[nodiscard]] Vector3 drawnAt(const ContactShape& shape, const Vector3& rest, double factor);
+
+}  // namespace asperity

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/scene/Scene.h"
+#include "core/surface/DisplacementField.h"
+#include "core/surface/SurfaceDeformation.h"
+#include "ui/view/RadialTable.h"
+#include "vtkplugins/pictures/OverviewPicture.h"
+
+#include <vector>
+
+namespace asperity {
+
+/// The surface around the contact, as one tick of the model deforms it: sampled most finely at the
+/// contact, and at rest along the border of its rectangle, where it joins the surface around it.
+/// World frame; derived afresh for every picture.
+class ContactShape {
+public:
+    /// @param area    rectangle to sample
+    /// @param samples along each side, at least 3
+    ContactShape(const Scene& scene, const TipState& state, const ScanWindow& area, int samples);
+    ~ContactShape() = default;
+    ContactShape(const ContactShape&) = delete;
+    ContactShape& operator=(const ContactShape&) = delete;
+
+    /// Rest and deformed points; the normals are those of the surface at rest.
+    [[nodiscard]] const SurfacePatch& patch() const { return patch_; }
+    /// Displacement of each sample into the surface [m].
+    [[nodiscard]] const std::vector<double>& displacements() const { return displacements_; }
+    [[nodiscard]] double largestDisplacement() const;  ///< magnitude [m]
+
+    /// Where a point of the surface at rest has gone [m].
+    [[nodiscard]] Vector3 moved(const Vector3& rest) const;
+    /// By how much the tip's own surface has moved into the tip, at this distance from the
+    /// contact's axis [m].
+    [[nodiscard]] double tipDisplacement(double distance) const;
+
+    /// Unit vector out of the sample, along the contact's axis.
+    [[nodiscard]] const Vector3& outward() const { return contact_.normal; }
+    [[nodiscard]] const TipContact& contact() const { return contact_; }
+    /// Of the contact's axis with the deformed surface [m].
+    [[nodiscard]] Vector3 contactPoint() const;
+
+private:
+    [[nodiscard]] DisplacementField fieldFor(const Scene& scene) const;
+    void sample(const BSplineSurface& surface, int samples);
+    [[nodiscard]] double blend(double x, double y) const;
+
+    ScanWindow area_;
+    TipContact contact_;
+    double share_;       ///< of the sample in the displacement, the tip takes the rest
+    RadialTable table_;  ///< displacement of sample and tip together
+    DisplacementField field_;
+    SurfacePatch patch_;
+    std::vector<double> displacements_;
+};
+
+/// Whether all of a model's state can be drawn.
+[[nodiscard]] bool isDrawable(const TipState& state);
+
+}  // namespace asperity

@@ -1,0 +1,55 @@
+#include "ui/view/ForceLayer.h"
+
+#include "vtkplugins/module/vtkAspForceGlyphSource.h"
+#include "vtkplugins/pictures/SceneParts.h"
+
+#include <vtkActor.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kFacets = 24;
+constexpr double kShortest = 0.06;  // shorter arrows are not drawn; part of their room
+
+}  // namespace
+
+ForceLayer::ForceLayer(vtkRenderer* renderer) {
+    source_->SetResolution(kFacets);
+    arrow_ = plainSurface(source_->GetOutput(), palette::kForce);
+    arrow_->GetProperty()->SetAmbient(0.55);  // red on any side
+    renderer->AddActor(arrow_);
+    hide();
+}
+
+ForceLayer::~ForceLayer() = default;
+
+void ForceLayer::hide() {
+    arrow_->VisibilityOff();
+    end_.reset();
+}
+
+void ForceLayer::show(const ForceEstimate& estimate, const Vector3& start, double time,
+                      double room) {
+    const Vector3& force = estimate.force;
+    const double magnitude = force.stableNorm();
+    const Vector3 direction = force.stableNormalized();
+    const double sigma = std::sqrt(direction.dot(estimate.covariance * direction));
+    const double metresPerNewton = scale_.fit(magnitude, sigma, time, room);
+    if (!(magnitude * metresPerNewton > kShortest * room) || !force.allFinite()) {
+        hide();
+        return;
+    }
+    source_->SetContactPoint(start.x(), start.y(), start.z());
+    source_->SetForce(force.x(), force.y(), force.z());
+    source_->SetMetresPerNewton(metresPerNewton);
+    source_->Update();
+    arrow_->VisibilityOn();
+    end_ = start + metresPerNewton * force;
+}
+
+}  // namespace asperity

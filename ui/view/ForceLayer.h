@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/probe/ForceDecoupling.h"
+#include "ui/view/ForceScale.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <optional>
+
+class vtkActor;
+class vtkAspForceGlyphSource;
+class vtkRenderer;
+
+namespace asperity {
+
+/// The force on the tip as an arrow from the contact.
+class ForceLayer {
+public:
+    explicit ForceLayer(vtkRenderer* renderer);
+    ~ForceLayer();
+    ForceLayer(const ForceLayer&) = delete;
+    ForceLayer& operator=(const ForceLayer&) = delete;
+
+    /// @param start where the arrow begins [m]
+    /// @param time  of the run [s]
+    /// @param room  length that the arrow may have [m]
+    void show(const ForceEstimate& estimate, const Vector3& start, double time, double room);
+    void hide();
+
+    /// Where the arrow ends; empty: the force is too small to show.
+    [[nodiscard]] const std::optional<Vector3>& end() const { return end_; }
+
+private:
+    vtkNew<vtkAspForceGlyphSource> source_;
+    vtkSmartPointer<vtkActor> arrow_;
+    ForceScale scale_;
+    std::optional<Vector3> end_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,41 @@
+#include "ui/view/Shading.h"
+
+#include <vtkActor.h>
+#include <vtkMapper.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+
+namespace asperity {
+
+Shading::Shading(const ViewCamera& camera) {
+    toView_.row(0) = camera.right();
+    toView_.row(1) = camera.up();
+    toView_.row(2) = camera.out();
+}
+
+std::array<unsigned char, 3> Shading::lit(const Color& colour, const Vector3& normal,
+                                          const Matt& matt) const {
+    const double light = brightness(toView_ * normal, matt);
+    const auto shade = [light](std::uint8_t part) {
+        return static_cast<unsigned char>(std::min(255.0, light * part + 0.5));
+    };
+    return {shade(colour.red), shade(colour.green), shade(colour.blue)};
+}
+
+vtkSmartPointer<vtkActor> surfaceAsColoured(vtkPolyData* data) {
+    vtkSmartPointer<vtkActor> actor = plainSurface(data, palette::kPaper);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetAmbient(0.0);
+    actor->GetProperty()->SetDiffuse(1.0);
+    actor->GetMapper()->ScalarVisibilityOn();
+    actor->GetMapper()->SetColorModeToDirectScalars();
+    double factor = 0.0;
+    double units = 0.0;
+    vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(factor, units);
+    actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-factor, -units);
+    return actor;
+}
+
+}  // namespace asperity

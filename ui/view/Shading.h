@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/Vector.h"
+#include "ui/view/ViewCamera.h"
+#include "vtkplugins/pictures/SceneParts.h"
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+
+class vtkActor;
+class vtkPolyData;
+
+namespace asperity {
+
+/// Lights the colours of a surface before they are drawn: on a computer without a graphics card,
+/// a light costs more for every pixel than for every point of the surface.
+class Shading {
+public:
+    explicit Shading(const ViewCamera& camera);
+
+    /// `colour` as it looks where the surface has this unit normal, world frame.
+    [[nodiscard]] std::array<unsigned char, 3> lit(const Color& colour, const Vector3& normal,
+                                                   const Matt& matt = kPlainMatt) const;
+
+private:
+    Matrix3 toView_;  ///< rightwards, upwards, to the eye
+};
+
+/// A surface that shows its points' RGB or RGBA scalars as they are.
+[[nodiscard]] vtkSmartPointer<vtkActor> surfaceAsColoured(vtkPolyData* data);
+
+}  // namespace asperity

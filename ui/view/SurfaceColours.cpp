@@ -1,0 +1,92 @@
+#include "ui/view/SurfaceColours.h"
+
+#include "vtkplugins/pictures/Palette.h"
+
+#include <vtkLookupTable.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kLeastHeightRange = 1e-10;        // [m]
+constexpr double kLeastDisplacementRange = 1e-10;  // [m]
+constexpr int kScaleColours = 64;
+constexpr double kFaint = 0.1;  // part of the range below which a displacement leaves no colour
+
+/// Fits a range and says whether that changed it.
+bool refit(SteadyRange& range, double low, double high) {
+    const AxisRange before = range.range();
+    const AxisRange& after = range.fit(low, high);
+    return before.low != after.low || before.high != after.high;
+}
+
+Color colourIn(vtkLookupTable* table, double value) {
+    const unsigned char* rgb = table->MapValue(value);
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+ColourScale scaleOf(const QString& quantity, vtkLookupTable* table) {
+    ColourScale scale{.quantity = quantity,
+                      .unit = "m",
+                      .low = table->GetRange()[0],
+                      .high = table->GetRange()[1]};
+    for (int i = 0; i < kScaleColours; ++i) {
+        const int entry =
+            i * (static_cast<int>(table->GetNumberOfColors()) - 1) / (kScaleColours - 1);
+        std::array<double, 4> rgba{};
+        table->GetTableValue(entry, rgba.data());
+        scale.colours.push_back(QColor::fromRgbF(rgba[0], rgba[1], rgba[2]));
+    }
+    return scale;
+}
+
+}  // namespace
+
+SurfaceColours::SurfaceColours()
+    : heightRange_(kLeastHeightRange)
+    , displacementRange_(kLeastDisplacementRange)
+    , heights_(heightTable(heightRange_.range().low, heightRange_.range().high))
+    , displacements_(divergingTable(displacementRange_.range().high)) {}
+
+bool SurfaceColours::fitHeights(double low, double high) {
+    if (!refit(heightRange_, low, high)) {
+        return false;
+    }
+    heights_ = heightTable(heightRange_.range().low, heightRange_.range().high);
+    return true;
+}
+
+bool SurfaceColours::fitDisplacement(double largest) {
+    if (!refit(displacementRange_, -largest, largest)) {
+        return false;
+    }
+    displacements_ = divergingTable(displacementRange_.range().high);
+    return true;
+}
+
+Color SurfaceColours::at(double height, double displacement) const {
+    const Color relief = colourIn(heights_, height);
+    const double part = std::min(1.0, std::abs(displacement) / displacementRange_.range().high);
+    if (part <= kFaint) {
+        return relief;
+    }
+    const double weight = 1.0 - std::pow((1.0 - part) / (1.0 - kFaint), 4);
+    const Color moved = colourIn(displacements_, displacement);
+    const auto mix = [weight](std::uint8_t from, std::uint8_t to) {
+        return static_cast<std::uint8_t>(std::lround(std::lerp(double(from), double(to), weight)));
+    };
+    return {mix(relief.red, moved.red), mix(relief.green, moved.green),
+            mix(relief.blue, moved.blue)};
+}
+
+ColourScale SurfaceColours::heightScale() const { return scaleOf("height", heights_); }
+
+ColourScale SurfaceColours::displacementScale() const {
+    return scaleOf("displacement", displacements_);
+}
+
+}  // namespace asperity

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "ui/ColourScale.h"
+#include "ui/panels/Steady.h"
+#include "vtkplugins/pictures/Color.h"
+
+#include <vtkSmartPointer.h>
+
+class vtkLookupTable;
+
+namespace asperity {
+
+/// The colours of a surface: height where it is at rest, going over into displacement where the
+/// tip has moved it. Ranges seldom change.
+class SurfaceColours {
+public:
+    SurfaceColours();
+
+    /// Fits the range of heights [m]. @return whether it changed
+    bool fitHeights(double low, double high);
+    /// Fits the range of displacements to their largest magnitude [m]. @return whether it changed
+    bool fitDisplacement(double largest);
+
+    [[nodiscard]] const AxisRange& heightRange() const { return heightRange_.range(); }  ///< [m]
+    /// Colour of a place at this height at rest. @param displacement into the sample [m]
+    [[nodiscard]] Color at(double height, double displacement = 0.0) const;
+
+    [[nodiscard]] ColourScale heightScale() const;
+    [[nodiscard]] ColourScale displacementScale() const;
+
+private:
+    SteadyRange heightRange_;
+    SteadyRange displacementRange_;
+    vtkSmartPointer<vtkLookupTable> heights_;
+    vtkSmartPointer<vtkLookupTable> displacements_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,233 @@
+#include "ui/view/TerrainLayer.h"
+
+#include "ui/view/DrapedGrid.h"
+#include "vtkplugins/module/vtkAspSurfaceSource.h"
+#include "vtkplugins/pictures/SceneParts.h"
+
+#include <vtkActor.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSurveySamples = 96;
+constexpr int kSamplesPerPixel = 4;
+constexpr int kLeast = 48;  // samples along each side
+constexpr int kCoarse = 80;
+constexpr int kFine = 384;
+constexpr int kMostGridSteps = 192;  // along a line across the window
+
+double widthOf(const ScanWindow& window) {
+    return std::max(window.right - window.left, window.top - window.bottom);
+}
+
+/// A stretch of a grid line: its place across, and where it begins and ends.
+struct Stroke {
+    double place;
+    double from;
+    double to;
+};
+
+/// One axis of a place: across the lines, or along them.
+struct Extent {
+    double low;
+    double high;
+    double patchLow;
+    double patchHigh;
+};
+
+/// Grid lines at round places and along the edges, broken where they would cross the patch.
+std::vector<Stroke> strokes(const Extent& across, const Extent& along, double spacing) {
+    std::vector<double> places = gridPlaces(across.low, across.high, spacing);
+    places.insert(places.end(), {across.low, across.high});
+    std::vector<Stroke> found;
+    for (const double place : places) {
+        if (place <= across.patchLow || place >= across.patchHigh) {
+            found.push_back({place, along.low, along.high});
+            continue;
+        }
+        if (along.low < along.patchLow) {
+            found.push_back({place, along.low, along.patchLow});
+        }
+        if (along.patchHigh < along.high) {
+            found.push_back({place, along.patchHigh, along.high});
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+/// The terrain at one fineness. Its actors stay in their renderer: to take an actor out makes VTK
+/// throw away the shaders of the whole window.
+struct TerrainLayer::Mesh {
+    vtkNew<vtkAspSurfaceSource> source;
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkUnsignedCharArray> rgb;
+    vtkNew<vtkPolyData> wallData;
+    vtkNew<vtkUnsignedCharArray> wallRgb;
+    vtkSmartPointer<vtkDataArray> wallNormals;
+    vtkSmartPointer<vtkActor> surface;
+    vtkSmartPointer<vtkActor> walls;
+    vtkSmartPointer<vtkActor> grid;
+    bool built = false;  ///< for the present place
+
+    explicit Mesh(vtkRenderer* renderer) {
+        rgb->SetNumberOfComponents(3);
+        wallRgb->SetNumberOfComponents(3);
+        surface = surfaceAsColoured(data);
+        walls = surfaceAsColoured(wallData);
+        vtkNew<vtkPolyData> nothing;
+        grid = thinLines(nothing);
+        renderer->AddActor(surface);
+        renderer->AddActor(walls);
+        renderer->AddActor(grid);  // last: it is blended over the others
+    }
+
+    void setVisible(bool visible) const {
+        surface->SetVisibility(visible ? 1 : 0);
+        walls->SetVisibility(visible ? 1 : 0);
+        grid->SetVisibility(visible ? 1 : 0);
+    }
+
+    void paint(const SurfaceColours& colours, const Shading& shading) const {
+        vtkPolyData* sampled = source->GetOutput();
+        vtkDataArray* normals = sampled->GetPointData()->GetNormals();
+        vtkDataArray* heights = sampled->GetPointData()->GetScalars();
+        const vtkIdType count = sampled->GetNumberOfPoints();
+        rgb->SetNumberOfTuples(count);
+        for (vtkIdType id = 0; id < count; ++id) {
+            const Color colour = colours.at(heights->GetTuple1(id));
+            rgb->SetTypedTuple(id, shading.lit(colour, Vector3(normals->GetTuple(id))).data());
+        }
+        rgb->Modified();
+        paintWalls(shading);
+    }
+
+    void paintWalls(const Shading& shading) const {
+        const vtkIdType count = wallData->GetNumberOfPoints();
+        wallRgb->SetNumberOfTuples(count);
+        for (vtkIdType id = 0; id < count; ++id) {
+            const Vector3 normal(wallNormals->GetTuple(id));
+            wallRgb->SetTypedTuple(id, shading.lit(palette::kSide, normal, kWallMatt).data());
+        }
+        wallRgb->Modified();
+    }
+};
+
+TerrainLayer::TerrainLayer(vtkRenderer* renderer)
+    : coarse_(std::make_unique<Mesh>(renderer)), fine_(std::make_unique<Mesh>(renderer)) {
+    hide();
+}
+
+TerrainLayer::~TerrainLayer() = default;
+
+void TerrainLayer::hide() {
+    coarse_->setVisible(false);
+    fine_->setVisible(false);
+}
+
+void TerrainLayer::setPlace(const BSplineSurface& surface, const TerrainPlace& place) {
+    surface_ = &surface;
+    place_ = place;
+    coarse_->built = false;
+    fine_->built = false;
+    survey();
+}
+
+void TerrainLayer::show(TerrainDetail detail, const SurfaceColours& colours,
+                        const Shading& shading) {
+    const int finest = fineSamples();
+    const bool fine = detail == TerrainDetail::Fine && finest > kCoarse;
+    Mesh& mesh = fine ? *fine_ : *coarse_;
+    if (!mesh.built) {
+        build(mesh, fine ? finest : std::min(finest, kCoarse));
+    }
+    mesh.paint(colours, shading);
+    fine_->setVisible(fine);
+    coarse_->setVisible(!fine);
+}
+
+void TerrainLayer::survey() {
+    const ScanWindow& window = place_.window;
+    const double first = surface_->at(window.left, window.bottom).height;
+    heights_ = {first, first};
+    for (int row = 0; row < kSurveySamples; ++row) {
+        const double y = std::lerp(window.bottom, window.top, row / (kSurveySamples - 1.0));
+        for (int column = 0; column < kSurveySamples; ++column) {
+            const double x = std::lerp(window.left, window.right, column / (kSurveySamples - 1.0));
+            const double height = surface_->at(x, y).height;
+            heights_ = {std::min(heights_[0], height), std::max(heights_[1], height)};
+        }
+    }
+}
+
+int TerrainLayer::fineSamples() const {
+    const BSplineSurface::Grid& grid = surface_->grid();
+    const double pixels = widthOf(place_.window) / std::min(grid.pitchX, grid.pitchY);
+    return static_cast<int>(std::clamp<double>(kSamplesPerPixel * pixels, kLeast, kFine));
+}
+
+void TerrainLayer::build(Mesh& mesh, int samples) const {
+    const ScanWindow& window = place_.window;
+    const ScanWindow& hole = place_.hole;
+    mesh.source->SetSurface(surface_);
+    mesh.source->SetWindow(window.left, window.right, window.bottom, window.top);
+    mesh.source->SetHole(hole.left, hole.right, hole.bottom, hole.top);
+    mesh.source->SetResolution(samples, samples);
+    mesh.source->Update();
+    vtkPolyData* sampled = mesh.source->GetOutput();
+    mesh.data->SetPoints(sampled->GetPoints());
+    mesh.data->SetStrips(sampled->GetStrips());
+    mesh.data->GetPointData()->SetScalars(mesh.rgb);
+    const auto sides = blockSides(sampled, {samples, samples}, bottom_);
+    mesh.wallData->SetPoints(sides->GetPoints());
+    mesh.wallData->SetStrips(sides->GetStrips());
+    mesh.wallData->GetPointData()->SetScalars(mesh.wallRgb);
+    mesh.wallNormals = sides->GetPointData()->GetNormals();
+    vtkPolyDataMapper::SafeDownCast(mesh.grid->GetMapper())
+        ->SetInputData(drapedGrid(std::min(samples, kMostGridSteps)));
+    mesh.built = true;
+}
+
+vtkSmartPointer<vtkPolyData> TerrainLayer::drapedGrid(int stepsAcross) const {
+    const ScanWindow& window = place_.window;
+    const ScanWindow& patch = place_.patch;
+    const double step = widthOf(window) / stepsAcross;
+    const double spacing = gridSpacing(widthOf(window));
+    const Extent x{window.left, window.right, patch.left, patch.right};
+    const Extent y{window.bottom, window.top, patch.bottom, patch.top};
+    Polylines grid;
+    const auto lay = [&](const Stroke& stroke, bool upwards) {
+        const int steps = static_cast<int>(std::ceil((stroke.to - stroke.from) / step));
+        std::vector<Vector3> points;
+        for (int i = 0; i <= steps; ++i) {
+            const double along = std::lerp(stroke.from, stroke.to, static_cast<double>(i) / steps);
+            const Vector2 place =
+                upwards ? Vector2(stroke.place, along) : Vector2(along, stroke.place);
+            points.emplace_back(place.x(), place.y(), surface_->at(place.x(), place.y()).height);
+        }
+        grid.add(points);
+    };
+    for (const Stroke& stroke : strokes(x, y, spacing)) {
+        lay(stroke, true);
+    }
+    for (const Stroke& stroke : strokes(y, x, spacing)) {
+        lay(stroke, false);
+    }
+    return grid.data();
+}
+
+}  // namespace asperity

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/surface/BSplineSurface.h"
+#include "ui/view/Shading.h"
+#include "ui/view/SurfaceColours.h"
+#include "vtkplugins/pictures/OverviewPicture.h"
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <memory>
+
+class vtkPolyData;
+class vtkRenderer;
+
+namespace asperity {
+
+/// The part of a scan that a view shows, and the part of it that something else fills.
+struct TerrainPlace {
+    ScanWindow window;
+    ScanWindow hole;   ///< in the terrain
+    ScanWindow patch;  ///< what fills the hole and laps over its edges; has a grid of its own
+};
+
+/// How finely the terrain is drawn.
+enum class TerrainDetail : std::uint8_t {
+    Coarse,  ///< at most 80 samples a side: cheap enough to be drawn anew for every frame
+    Fine,    ///< at most 384: what a screen shows, and no frame takes over 0.1 s
+};
+
+/// A part of the surface at rest as a block of sample: lit, coloured by height, a grid draped over
+/// it; with a hole where the contact is drawn.
+class TerrainLayer {
+public:
+    explicit TerrainLayer(vtkRenderer* renderer);
+    ~TerrainLayer();
+    TerrainLayer(const TerrainLayer&) = delete;
+    TerrainLayer& operator=(const TerrainLayer&) = delete;
+
+    /// Shown from the next call of show() on. @param surface outlives its use here
+    void setPlace(const BSplineSurface& surface, const TerrainPlace& place);
+    /// World z where the block of sample ends below [m].
+    void setBottom(double bottom) { bottom_ = bottom; }
+    void hide();
+
+    /// Shows the place; does only what has changed since.
+    void show(TerrainDetail detail, const SurfaceColours& colours, const Shading& shading);
+
+    [[nodiscard]] const TerrainPlace& place() const { return place_; }
+    /// Lowest and highest place in the window [m].
+    [[nodiscard]] const std::array<double, 2>& heightRange() const { return heights_; }
+
+private:
+    struct Mesh;
+    void survey();
+    [[nodiscard]] int fineSamples() const;
+    void build(Mesh& mesh, int samples) const;
+    [[nodiscard]] vtkSmartPointer<vtkPolyData> drapedGrid(int stepsAcross) const;
+
+    const BSplineSurface* surface_ = nullptr;
+    TerrainPlace place_;
+    std::unique_ptr<Mesh> coarse_;
+    std::unique_ptr<Mesh> fine_;
+    std::array<double, 2> heights_{};
+    double bottom_ = 0.0;
+};
+
+}  // namespace asperity

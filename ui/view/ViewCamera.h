@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/Vector.h"
+
+class vtkCamera;
+
+namespace asperity {
+
+/// What a view is to show: a square frame, from the bottom of the block to the tip.
+struct FrameBox {
+    Vector3 middle = Vector3::Zero();  ///< of the surface in the frame [m]
+    double halfWidth = 0.0;            ///< [m]
+    double below = 0.0;                ///< of the block below the middle [m]
+    double above = 0.0;                ///< of the surface above the middle [m]
+    double tipTop = 0.0;               ///< of the tip above the middle [m]
+};
+
+/// Where the eye of a view is: it looks at the middle of a frame from any side, always from above
+/// the surface, without perspective, so that lengths across the view are to scale.
+class ViewCamera {
+public:
+    /// Turns about the vertical and over the surface [rad].
+    void turn(double azimuth, double elevation);
+    void reset() { *this = {}; }
+
+    /// Unit vectors, world frame: from the frame's middle to the eye, rightwards and upwards.
+    [[nodiscard]] Vector3 out() const;
+    [[nodiscard]] Vector3 right() const;
+    [[nodiscard]] Vector3 up() const;
+
+    /// Points VTK's camera at a frame so that all of it is seen, on any side.
+    /// @param aspect width over height of the view
+    void apply(vtkCamera* camera, const FrameBox& box, double aspect) const;
+
+    /// The move within a horizontal plane that looks like this move across the view, rightwards
+    /// and upwards [m].
+    [[nodiscard]] Vector3 horizontalMove(double rightwards, double upwards) const;
+
+private:
+    double azimuth_ = -1.917;   ///< of the eye, from x [rad]
+    double elevation_ = 0.565;  ///< of the eye above the horizontal [rad]
+};
+
+}  // namespace asperity

@@ -1,0 +1,270 @@
+#include "ui/view/ZoomView.h"
+
+#include "ui/view/DrapedGrid.h"
+#include "vtkplugins/pictures/SceneParts.h"
+
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <QSurfaceFormat>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+// In tip radii.
+constexpr double kUsualHalfWidth = 2.4;
+constexpr double kLeastHalfWidth = 1.25;
+constexpr double kPatchReach = 2.0;  // half the width of the part that can be deformed
+
+// In half widths of the frame.
+constexpr double kMostPatchReach = 0.85;
+constexpr double kSlack = 0.35;        // how far the tip goes from the middle
+constexpr double kSlackInDrag = 0.85;  // the picture stays still under the pointer
+constexpr double kBlockDepth = 0.12;
+constexpr double kOverlap = 0.015;  // of patch and terrain
+
+// In sizes of tip and arrow.
+constexpr double kTipTop = 1.15;
+constexpr double kArrowRoom = 1.1;
+
+constexpr double kStray = 0.25;  // of the tip from the middle of the patch, in its half widths
+
+constexpr int kPatchSamples = 65;
+
+constexpr int kSettlingTime = 200;  // [ms]
+constexpr int kFrameTime = 15;      // [ms]
+
+bool isNearMiddle(const ScanWindow& patch, const Vector2& tip, double distance) {
+    return std::abs(tip.x() - 0.5 * (patch.left + patch.right)) <= distance &&
+           std::abs(tip.y() - 0.5 * (patch.bottom + patch.top)) <= distance;
+}
+
+double usualHalfWidth(const Scene& scene) {
+    const double given = scene.description.zoomHalfWidth;
+    return given > 0.0 ? given : kUsualHalfWidth * scene.belief.tipRadius();
+}
+
+/// Size of tip and arrow as drawn: as the frame up close, less of it from afar [m].
+double gearSize(double halfWidth, double tipRadius) {
+    return std::min(halfWidth, 1.5 * tipRadius + 0.4 * halfWidth);
+}
+
+}  // namespace
+
+ZoomView::ZoomView(QWidget* parent)
+    : QVTKOpenGLNativeWidget(parent)
+    , cache_(renderWindow_, still_)
+    , terrain_(still_)
+    , contact_(live_, through_)
+    , tip_(live_)
+    , force_(through_)
+    , labels_(through_) {
+    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+    format.setSamples(0);  // and SetMultiSamples: multisampling takes half the frame rate
+    setFormat(format);
+    addLayers();
+    setRenderWindow(renderWindow_);
+    renderWindow_->GetInteractor()->SetInteractorStyle(nullptr);  // events are handled here
+    settling_.setSingleShot(true);
+    settling_.setInterval(kSettlingTime);
+    connect(&settling_, &QTimer::timeout, this, &ZoomView::settle);
+    frameDue_.setSingleShot(true);
+    frameDue_.setInterval(kFrameTime);
+    connect(&frameDue_, &QTimer::timeout, this, &ZoomView::renderNow);
+}
+
+ZoomView::~ZoomView() { makeCurrent(); }
+
+void ZoomView::addLayers() {
+    renderWindow_->SetMultiSamples(0);
+    renderWindow_->SetNumberOfLayers(3);
+    int layer = 0;
+    for (vtkRenderer* renderer : {still_.Get(), live_.Get(), through_.Get()}) {
+        renderer->SetLayer(layer++);
+        renderer->SetActiveCamera(still_->GetActiveCamera());
+        addLights(renderer);
+        renderWindow_->AddRenderer(renderer);
+    }
+    still_->SetBackground(palette::kPaper.fractions().data());
+    live_->PreserveDepthBufferOn();
+}
+
+void ZoomView::setScene(const Scene* scene) {
+    scene_ = scene;
+    sample_.reset();
+    frame_.reset();
+    terrain_.hide();
+    cache_.invalidate();
+    if (scene_ != nullptr) {
+        frame_.emplace(scene_->surface.sizeX(), scene_->surface.sizeY(), usualHalfWidth(*scene_));
+        placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});
+    }
+    showLabels();
+    Q_EMIT scalesChanged();
+    Q_EMIT frameChanged();
+    frameDue_.start();
+}
+
+void ZoomView::showSnapshot(const Snapshot& snapshot) {
+    if (scene_ != nullptr) {
+        sample_ = snapshot.sample;
+        contactDue_ = true;
+        renderNow();
+    }
+}
+
+void ZoomView::showPicture() {
+    if (contactDue_ && sample_ && isDrawable(sample_->output.model)) {
+        follow(sample_->output.model.tip.head<2>());
+        showContact(*sample_);
+    } else if (contactDue_) {
+        hideContact();
+    }
+    if (terrainDue_ && frame_) {
+        terrain_.show(settling_.isActive() ? TerrainDetail::Coarse : TerrainDetail::Fine, colours_,
+                      Shading(camera_));
+        cache_.invalidate();
+    }
+    terrainDue_ = false;
+    contactDue_ = false;
+    showLabels();
+}
+
+void ZoomView::follow(const Vector2& tip) {
+    frame_->follow(tip, dragging_ ? kSlackInDrag : kSlack);
+    const ScanWindow window = frame_->window();
+    const double reach =
+        std::min(kPatchReach * scene_->belief.tipRadius(), kMostPatchReach * frame_->halfWidth());
+    const ScanWindow hole = windowAround(tip, reach, window);
+    const double lap = kOverlap * frame_->halfWidth();  // patch and terrain join without a crack
+    // Where the patch is cut off by the frame's edge, its middle is elsewhere and does not stray.
+    const Vector2 middle(0.5 * (hole.left + hole.right), 0.5 * (hole.bottom + hole.top));
+    if (!sameWindow(window, terrain_.place().window) ||
+        !isNearMiddle(terrain_.place().hole, middle, kStray * reach)) {
+        placeTerrain(
+            {.window = window, .hole = hole, .patch = windowAround(tip, reach + lap, window)});
+    }
+}
+
+void ZoomView::placeTerrain(const TerrainPlace& place) {
+    const bool otherWindow = !sameWindow(place.window, terrain_.place().window);
+    terrain_.setPlace(scene_->surface, place);
+    const std::array<double, 2> heights = terrain_.heightRange();
+    const bool otherColours = colours_.fitHeights(heights[0], heights[1]);
+    const FrameBox box = frameBox();
+    terrain_.setBottom(box.middle.z() - box.below);
+    disturb();
+    if (otherColours) {
+        Q_EMIT scalesChanged();
+    }
+    if (otherWindow) {
+        Q_EMIT frameChanged();
+    }
+}
+
+/// Heights are those of the colours: they seldom change, so that the picture seldom jumps.
+FrameBox ZoomView::frameBox() const {
+    const Vector2& centre = frame_->centre();
+    const AxisRange& heights = colours_.heightRange();
+    const double middle = 0.5 * (heights.low + heights.high);
+    return {.middle = {centre.x(), centre.y(), middle},
+            .halfWidth = halfWidth(),
+            .below = middle - heights.low + kBlockDepth * halfWidth(),
+            .above = heights.high - middle,
+            .tipTop = heights.high - middle +
+                      kTipTop * gearSize(halfWidth(), scene_->belief.tipRadius())};
+}
+
+void ZoomView::showContact(const TickSample& sample) {
+    const TipState& state = sample.output.model;
+    const ContactShape shape(*scene_, state, terrain_.place().patch, kPatchSamples);
+    const double largest = shape.largestDisplacement();
+    if (colours_.fitDisplacement(largest)) {
+        Q_EMIT scalesChanged();
+    }
+    const double factor =
+        magnification_.fit(largest, -state.contact.indentation, shape.contact().tipRadius);
+    const double gear = gearSize(frame_->halfWidth(), shape.contact().tipRadius);
+    const ScanWindow window = terrain_.place().window;
+    const double width = std::max(window.right - window.left, window.top - window.bottom);
+    const Shading shading(camera_);
+    contact_.show(*scene_, shape,
+                  {.colours = colours_,
+                   .shading = shading,
+                   .magnification = factor,
+                   .gridSpacing = gridSpacing(width),
+                   .gridArea = terrain_.place().patch});
+    tip_.show(shape, factor, {.top = kTipTop * gear, .toEye = camera_.out(), .shading = shading});
+    force_.show(sample.output.estimate, drawnAt(shape, shape.contact().foot, factor), sample.time,
+                kArrowRoom * gear);
+}
+
+void ZoomView::hideContact() {
+    contact_.hide();
+    tip_.hide();
+    force_.hide();
+}
+
+void ZoomView::showLabels() {
+    if (!frame_) {
+        labels_.hide();
+        return;
+    }
+    labels_.setPixelRatio(devicePixelRatioF());
+    labels_.show({.metresPerPixel = metresPerPixel(),
+                  .magnification = sample_ ? magnification_.factor() : 1.0,
+                  .force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0,
+                  .forceEnd = force_.end()});
+}
+
+std::optional<ScanWindow> ZoomView::window() const {
+    return frame_ ? std::optional(frame_->window()) : std::nullopt;
+}
+
+double ZoomView::halfWidth() const { return frame_ ? frame_->halfWidth() : 0.0; }
+
+void ZoomView::setHalfWidth(double halfWidth) {
+    if (!frame_) {
+        return;
+    }
+    frame_->setHalfWidth(std::max(halfWidth, kLeastHalfWidth * scene_->belief.tipRadius()));
+    if (!sample_ && !sameWindow(frame_->window(), terrain_.place().window)) {
+        placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});
+    }
+    renderSoon();
+}
+
+void ZoomView::resetCamera() {
+    camera_.reset();
+    disturb();
+    if (scene_ != nullptr) {
+        setHalfWidth(usualHalfWidth(*scene_));
+    }
+}
+
+void ZoomView::setMagnification(std::optional<double> factor) {
+    magnification_.fix(factor);
+    renderSoon();
+}
+
+ColourScale ZoomView::heightScale() const {
+    return scene_ != nullptr ? colours_.heightScale() : ColourScale{};
+}
+
+ColourScale ZoomView::displacementScale() const {
+    return scene_ != nullptr ? colours_.displacementScale() : ColourScale{};
+}
+
+void ZoomView::setCacheEnabled(bool enabled) {
+    cache_.setEnabled(enabled);
+    renderSoon();
+}
+
+}  // namespace asperity
