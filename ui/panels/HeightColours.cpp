@@ -1,24 +1,22 @@
 #include "ui/panels/HeightColours.h"
 
+#include "vtkplugins/pictures/Palette.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace asperity {
 
 ColourScale heightColours(double low, double high) {
-    return {.quantity = QStringLiteral("height"),
-            .unit = QStringLiteral("m"),
-            .low = low,
-            .high = high,
-            .colours = {{45, 22, 74},
-                        {60, 57, 125},
-                        {50, 96, 142},
-                        {39, 130, 142},
-                        {38, 164, 134},
-                        {86, 192, 108},
-                        {156, 214, 78},
-                        {222, 226, 74},
-                        {252, 238, 160}}};
+    ColourScale scale{.quantity = QStringLiteral("height"),
+                      .unit = QStringLiteral("m"),
+                      .low = low,
+                      .high = high,
+                      .colours = {}};
+    for (const Color& colour : palette::kHeights) {
+        scale.colours.emplace_back(colour.red, colour.green, colour.blue);
+    }
+    return scale;
 }
 
 QColor colourAt(const ColourScale& scale, double value) {

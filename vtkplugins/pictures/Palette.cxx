@@ -56,16 +56,7 @@ vtkSmartPointer<vtkLookupTable> divergingTable(double limit) {
 }
 
 vtkSmartPointer<vtkLookupTable> heightTable(double low, double high) {
-    static constexpr std::array<Color, 9> kAnchors = {{{45, 22, 74},
-                                                       {60, 57, 125},
-                                                       {50, 96, 142},
-                                                       {39, 130, 142},
-                                                       {38, 164, 134},
-                                                       {86, 192, 108},
-                                                       {156, 214, 78},
-                                                       {222, 226, 74},
-                                                       {252, 238, 160}}};
-    return tableThrough(kAnchors, low, high);
+    return tableThrough(palette::kHeights, low, high);
 }
 
 }  // namespace asperity

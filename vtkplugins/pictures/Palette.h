@@ -4,6 +4,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <cstddef>
 
 class vtkLookupTable;
@@ -23,6 +24,17 @@ inline constexpr Color kMarker{222, 30, 90};  ///< the tip's place
 inline constexpr Color kPath{31, 41, 51};     ///< the way the tip went
 inline constexpr Color kZoom{213, 94, 0};     ///< frame of the zoomed view
 inline constexpr Color kContact{20, 20, 24};  ///< the edge of the contact
+
+/// Heights from low to high: dark to light, evenly spaced, with lightness that grows evenly.
+inline constexpr std::array<Color, 9> kHeights = {{{45, 22, 74},
+                                                   {60, 57, 125},
+                                                   {50, 96, 142},
+                                                   {39, 130, 142},
+                                                   {38, 164, 134},
+                                                   {86, 192, 108},
+                                                   {156, 214, 78},
+                                                   {222, 226, 74},
+                                                   {252, 238, 160}}};
 
 }  // namespace palette
 
