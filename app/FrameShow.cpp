@@ -18,19 +18,19 @@ void FrameShow::take(const TickSample& sample) {
 
 void FrameShow::show(const Snapshot& latest, double now) {
     window_.view().showSnapshot(latest);
-    counters_.at(kZoom).add(now);
+    counters_.at(Zoom).add(now);
     window_.banner().show(latest);
     window_.loopStatus().show(latest.statistics);
-    window_.loopStatus().setFramesPerSecond(counters_.at(kZoom).rate());
+    window_.loopStatus().setFramesPerSecond(counters_.at(Zoom).rate());
     showSmallPanel(latest, now);
 }
 
 // The small panels take turns: each redraw costs Qt a composition of its part of the window.
 void FrameShow::showSmallPanel(const Snapshot& latest, double now) {
-    turn_ = turn_ % kOverview + 1;
-    if (turn_ == kForces) {
+    turn_ = turn_ % Overview + 1;
+    if (turn_ == Forces) {
         window_.forces().show(latest);
-    } else if (turn_ == kCantilever) {
+    } else if (turn_ == Cantilever) {
         window_.cantilever().show(latest);
     } else {
         window_.overview().show(latest);
@@ -39,10 +39,9 @@ void FrameShow::showSmallPanel(const Snapshot& latest, double now) {
 }
 
 std::vector<ViewRate> FrameShow::rates() const {
-    constexpr std::array<const char*, kViewCount> kNames{"zoom", "forces", "cantilever",
-                                                         "overview"};
+    constexpr std::array<const char*, ViewCount> kNames{"zoom", "forces", "cantilever", "overview"};
     std::vector<ViewRate> rates;
-    for (std::size_t view = 0; view < kViewCount; ++view) {
+    for (std::size_t view = 0; view < ViewCount; ++view) {
         rates.push_back({kNames.at(view), counters_.at(view).overallRate()});
     }
     return rates;

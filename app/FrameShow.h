@@ -25,13 +25,13 @@ public:
     [[nodiscard]] std::vector<ViewRate> rates() const;
 
 private:
-    enum View : std::size_t { kZoom, kForces, kCantilever, kOverview, kViewCount };
+    enum View : std::size_t { Zoom, Forces, Cantilever, Overview, ViewCount };
 
     void showSmallPanel(const Snapshot& latest, double now);
 
     MainWindow& window_;
-    std::size_t turn_ = kOverview;  ///< the small panel that was drawn last
-    std::array<FrameCounter, kViewCount> counters_;
+    std::size_t turn_ = Overview;  ///< the small panel that was drawn last
+    std::array<FrameCounter, ViewCount> counters_;
 };
 
 }  // namespace asperity

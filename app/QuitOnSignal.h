@@ -11,6 +11,8 @@ class QuitOnSignal : public QObject {
 public:
     QuitOnSignal();
     ~QuitOnSignal() override;
+    QuitOnSignal(const QuitOnSignal&) = delete;
+    QuitOnSignal& operator=(const QuitOnSignal&) = delete;
 
 private:
     QSocketNotifier arrival_;

@@ -19,6 +19,8 @@ class SceneLoader : public QObject {
 public:
     explicit SceneLoader(QObject* parent = nullptr);
     ~SceneLoader() override;
+    SceneLoader(const SceneLoader&) = delete;
+    SceneLoader& operator=(const SceneLoader&) = delete;
 
     void load(const std::filesystem::path& input);
     [[nodiscard]] bool busy() const { return busy_; }

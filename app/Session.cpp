@@ -29,7 +29,7 @@ constexpr double kKeySpeed = 0.25;     // along the sample, of held keys [half w
 constexpr double kKeySpeedUp = 0.05;   // and across it [half widths/s]
 constexpr double kLongestFrame = 0.1;  // that a held key moves the hand for [s]
 
-enum Hand : int { kPointer, kScript, kSpaceMouse };
+enum Hand : int { Pointer, Script, SpaceMouseHand };
 
 using PlanPath = HandPath (*)(const Scene&, const PathPlan&);
 constexpr std::array<PlanPath, 3> kPaths{approachPath, rasterPath, scratchPath};
@@ -171,7 +171,7 @@ void Session::showKnobs() {
     controls.setMaterials(names);
     controls.setMaterial(static_cast<int>(std::find(materials_.begin(), materials_.end(), own) -
                                           materials_.begin()));
-    controls.setHand(kPointer);
+    controls.setHand(Pointer);
     controls.setForcesOn(run_->settings().forcesOn);
     controls.setForceGain(run_->settings().forceGain);
     controls.setPositionGain(run_->settings().positionGain);
@@ -246,14 +246,14 @@ void Session::chooseHand(int index) {
     if (!run_) {
         return;
     }
-    if (index == kScript) {
+    if (index == Script) {
         choosePath(0);
         return;
     }
     try {
-        index == kSpaceMouse ? hand_.useSpaceMouse() : hand_.usePointer();
+        index == SpaceMouseHand ? hand_.useSpaceMouse() : hand_.usePointer();
     } catch (const Error& error) {
-        window_.controls().setHand(kPointer);
+        window_.controls().setHand(Pointer);
         window_.complain(QString::fromUtf8(error.what()));
     }
 }
@@ -281,7 +281,7 @@ void Session::followFile(const QString& file, const ReadPath& read) {
 
 void Session::follow(const HandPath& path) {
     hand_.follow(path);
-    window_.controls().setHand(kScript);
+    window_.controls().setHand(Script);
     QPolygonF way;
     for (const PathPoint& point : path) {
         way << QPointF(point.position.x(), point.position.y());
@@ -295,7 +295,7 @@ void Session::travelTo(const Vector2& place) {
     }
     if (!hand_.pointing()) {
         hand_.usePointer();
-        window_.controls().setHand(kPointer);
+        window_.controls().setHand(Pointer);
     }
     hand_.travelTo(place);
 }

@@ -27,6 +27,8 @@ class Session : public QObject {
 public:
     explicit Session(MainWindow& window);
     ~Session() override;
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
 
     /// Loads in the background, then shows; says so in the window when that fails.
     void open(const std::filesystem::path& input);

@@ -2,13 +2,15 @@
 
 #include "core/haptics/HandPath.h"
 
+#include <utility>
+
 namespace asperity {
 
 /// Turns what mouse and keyboard ask for into a place for the hand, once a frame. All lengths are
 /// those of the hand.
 class HandPilot {
 public:
-    explicit HandPilot(const Vector3& start) : target_(start) {}
+    explicit HandPilot(Vector3 start) : target_(std::move(start)) {}
 
     /// The mouse moved by so much. Ends a journey.
     void displace(const Vector3& displacement);

@@ -73,7 +73,7 @@ void HapticLoop::measure(const Beat& beat, double begin) noexcept {
     ++statistics.ticks;
     statistics.overruns += beat.skipped;
     statistics.policy = beat.policy;
-    const double counted = static_cast<double>(thisSecond_.tick.count());
+    const auto counted = static_cast<double>(thisSecond_.tick.count());
     if (counted >= kStatisticsPeriod * scene_.description.tickRate) {
         statistics.tickTime = thisSecond_.tick.quantiles();
         statistics.lateness = thisSecond_.lateness.quantiles();

@@ -9,8 +9,8 @@ ScriptedHand::ScriptedHand(HandPath path, double positionGain)
     , positionGain_(positionGain)
     , start_(path_.front().position / positionGain) {}
 
-ScriptedHand::ScriptedHand(HandPath path, double positionGain, const Vector3& start)
-    : path_(std::move(path)), positionGain_(positionGain), start_(start) {}
+ScriptedHand::ScriptedHand(HandPath path, double positionGain, Vector3 start)
+    : path_(std::move(path)), positionGain_(positionGain), start_(std::move(start)) {}
 
 HandState ScriptedHand::advance(double timeStep) noexcept {
     if (started_) {

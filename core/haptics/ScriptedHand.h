@@ -14,7 +14,7 @@ public:
     ScriptedHand(HandPath path, double positionGain);
     /// For a hand that takes over from another one.
     /// @param start where that one is, in the hand's frame, while the base is where `path` begins
-    ScriptedHand(HandPath path, double positionGain, const Vector3& start);
+    ScriptedHand(HandPath path, double positionGain, Vector3 start);
 
     HandState advance(double timeStep) noexcept override;
 

@@ -7,7 +7,6 @@
 
 #include <QTimer>
 
-#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -71,7 +70,7 @@ private:
 int run(char** argv) {
     const VirtualDisplay display;
     LiveWindow live;
-    live.window().resize(std::atoi(argv[2]), std::atoi(argv[3]));
+    live.window().resize(std::stoi(argv[2]), std::stoi(argv[3]));
     live.session().use(loadScene(argv[1], {}));
     live.session().follow(path(live.session().run()->scene()));
     Photographer photographer(live, argv[4]);
