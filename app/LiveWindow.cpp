@@ -2,7 +2,7 @@
 
 #include "app/QuitOnSignal.h"
 #include "core/Error.h"
-#include "ui/panels/Theme.h"
+#include "ui/Theme.h"
 #include "vtkplugins/pictures/Display.h"
 
 namespace asperity {

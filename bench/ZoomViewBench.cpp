@@ -27,7 +27,7 @@
 #include <memory>
 #include <vector>
 
-using namespace asperity;
+namespace asperity {
 
 namespace {
 
@@ -67,11 +67,12 @@ Timing measure(QOpenGLWidget& swapped, const std::function<void()>& draw) {
             loop.quit();
         }
     };
-    const auto connection = QObject::connect(&swapped, &QOpenGLWidget::frameSwapped, &loop,
-                                             [&] { QTimer::singleShot(0, &loop, next); });
-    QTimer::singleShot(0, &loop, next);
+    QTimer due;
+    due.setSingleShot(true);
+    QObject::connect(&due, &QTimer::timeout, &loop, next);
+    QObject::connect(&swapped, &QOpenGLWidget::frameSwapped, &due, [&due] { due.start(0); });
+    due.start(0);
     loop.exec();
-    QObject::disconnect(connection);
     timing.framesPerSecond = static_cast<double>(timing.calls.size()) / (now() - begin);
     std::sort(timing.calls.begin(), timing.calls.end());
     return timing;
@@ -165,14 +166,7 @@ void measureView(ZoomView& view, HapticLoop& loop, double empty) {
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-    format.setSamples(0);
-    format.setSwapInterval(0);
-    QSurfaceFormat::setDefaultFormat(format);
-    const QApplication app(argc, argv);
+void measureAll() {
     const double empty = fourEmptyViews();
 
     const Scene scene = benchScene();
@@ -194,5 +188,18 @@ int main(int argc, char** argv) {
     loop.stop();
     const LoopStatistics statistics = loop.snapshot().statistics;
     std::printf("loop: %ld ticks, %ld overruns\n", statistics.ticks, statistics.overruns);
+}
+
+}  // namespace
+
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+    format.setSamples(0);
+    format.setSwapInterval(0);
+    QSurfaceFormat::setDefaultFormat(format);
+    const QApplication app(argc, argv);
+    asperity::measureAll();
     return 0;
 }

@@ -17,6 +17,8 @@ find_package(
              RenderingOpenGL2 RenderingFreeType RenderingAnnotation RenderingContextOpenGL2
              ChartsCore ViewsContext2D GUISupportQt)
 find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets)
+find_path(QWT_INCLUDE_DIR qwt_plot.h PATH_SUFFIXES qwt REQUIRED)
+find_library(QWT_LIBRARY NAMES qwt-qt5 qwt REQUIRED)
 pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
 if(ASPERITY_TESTS)
   find_package(GTest REQUIRED)

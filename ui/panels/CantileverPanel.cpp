@@ -1,7 +1,7 @@
 #include "ui/panels/CantileverPanel.h"
 
+#include "ui/Theme.h"
 #include "ui/panels/CantileverSketch.h"
-#include "ui/panels/Theme.h"
 
 #include <QGridLayout>
 #include <QVBoxLayout>

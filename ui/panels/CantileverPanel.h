@@ -3,9 +3,9 @@
 #include "core/haptics/Snapshot.h"
 #include "core/probe/Cantilever.h"
 #include "core/probe/CantileverShape.h"
+#include "ui/Steady.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/CurvePlot.h"
-#include "ui/panels/Steady.h"
 
 #include <optional>
 

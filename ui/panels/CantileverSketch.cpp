@@ -1,6 +1,6 @@
 #include "ui/panels/CantileverSketch.h"
 
-#include "ui/panels/Theme.h"
+#include "ui/Theme.h"
 
 #include <QLocale>
 #include <QPainter>

@@ -3,7 +3,7 @@
 #include "core/Vector.h"
 #include "core/probe/Cantilever.h"
 #include "core/probe/CantileverShape.h"
-#include "ui/panels/Steady.h"
+#include "ui/Steady.h"
 
 #include <QWidget>
 

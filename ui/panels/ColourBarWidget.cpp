@@ -1,8 +1,8 @@
 #include "ui/panels/ColourBarWidget.h"
 
 #include "core/SiFormat.h"
+#include "ui/Theme.h"
 #include "ui/panels/AxisTicks.h"
-#include "ui/panels/Theme.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <QLinearGradient>

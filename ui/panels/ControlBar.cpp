@@ -1,9 +1,9 @@
 #include "ui/panels/ControlBar.h"
 
+#include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/ControlIcons.h"
 #include "ui/panels/GainSpinBox.h"
-#include "ui/panels/Theme.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

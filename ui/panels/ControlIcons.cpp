@@ -1,6 +1,6 @@
 #include "ui/panels/ControlIcons.h"
 
-#include "ui/panels/Theme.h"
+#include "ui/Theme.h"
 
 #include <QPainter>
 #include <QPixmap>

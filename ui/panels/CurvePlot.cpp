@@ -1,7 +1,7 @@
 #include "ui/panels/CurvePlot.h"
 
+#include "ui/Theme.h"
 #include "ui/panels/AxisTicks.h"
-#include "ui/panels/Theme.h"
 
 #include <QLabel>
 #include <QVBoxLayout>

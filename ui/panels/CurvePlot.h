@@ -1,8 +1,8 @@
 #pragma once
 
 // Compiled as C++17 too: Qwt's headers are not C++20.
+#include "ui/Steady.h"
 #include "ui/panels/CurveHistory.h"
-#include "ui/panels/Steady.h"
 
 #include <QColor>
 #include <QString>

@@ -1,7 +1,7 @@
 #include "ui/panels/ForcePanel.h"
 
 #include "core/Units.h"
-#include "ui/panels/Theme.h"
+#include "ui/Theme.h"
 
 #include <QGridLayout>
 #include <QVBoxLayout>

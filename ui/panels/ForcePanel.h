@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/haptics/Snapshot.h"
+#include "ui/Steady.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/CurvePlot.h"
-#include "ui/panels/Steady.h"
 
 #include <array>
 

@@ -1,8 +1,8 @@
 #include "ui/panels/LoopStatusBar.h"
 
 #include "core/SiFormat.h"
+#include "ui/Theme.h"
 #include "ui/panels/Card.h"
-#include "ui/panels/Theme.h"
 
 #include <QHBoxLayout>
 #include <QLocale>

@@ -1,9 +1,9 @@
 #include "ui/panels/OverviewMap.h"
 
 #include "core/SiFormat.h"
+#include "ui/Steady.h"
+#include "ui/Theme.h"
 #include "ui/panels/MapMarks.h"
-#include "ui/panels/Steady.h"
-#include "ui/panels/Theme.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <QHelpEvent>

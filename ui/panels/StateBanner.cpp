@@ -1,6 +1,6 @@
 #include "ui/panels/StateBanner.h"
 
-#include "ui/panels/Theme.h"
+#include "ui/Theme.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

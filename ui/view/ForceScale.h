@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/Steady.h"
+#include "ui/Steady.h"
 
 namespace asperity {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/ColourScale.h"
-#include "ui/panels/Steady.h"
+#include "ui/Steady.h"
 #include "vtkplugins/pictures/Color.h"
 
 #include <vtkSmartPointer.h>

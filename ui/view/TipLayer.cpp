@@ -86,13 +86,17 @@ void TipLayer::show(const ContactShape& shape, double magnification, const TipSt
 void TipLayer::deform(const ContactShape& shape) {
     const Vector3& axis = shape.outward();
     const Vector3& centre = shape.contact().tipCentre;
-    vtkPoints* points = body_->GetPoints();
-    for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id) {
-        const Vector3 point(points->GetPoint(id));
+    vtkPoints* undeformed = body_->GetPoints();  // the source's own: it may give them out again
+    vtkNew<vtkPoints> deformed;
+    deformed->SetDataTypeToDouble();
+    deformed->SetNumberOfPoints(undeformed->GetNumberOfPoints());
+    for (vtkIdType id = 0; id < undeformed->GetNumberOfPoints(); ++id) {
+        const Vector3 point(undeformed->GetPoint(id));
         const Vector3 arm = point - centre;
         const double distance = (arm - arm.dot(axis) * axis).norm();
-        points->SetPoint(id, Vector3(point + shape.tipDisplacement(distance) * axis).data());
+        deformed->SetPoint(id, Vector3(point + shape.tipDisplacement(distance) * axis).data());
     }
+    body_->SetPoints(deformed);
 }
 
 /// Clear where one looks straight through a wall, so that the contact is seen; denser where the

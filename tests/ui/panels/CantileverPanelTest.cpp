@@ -2,8 +2,8 @@
 
 #include "core/scene/SceneDescription.h"
 #include "tests/ui/panels/PanelSamples.h"
+#include "ui/Theme.h"
 #include "ui/panels/CantileverSketch.h"
-#include "ui/panels/Theme.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include "core/surface/BSplineFit.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/panels/PanelSamples.h"
+#include "ui/Theme.h"
 #include "ui/panels/AxisTicks.h"
 #include "ui/panels/ColourBarWidget.h"
 #include "ui/panels/OverviewMap.h"
-#include "ui/panels/Theme.h"
 
 #include <QSignalSpy>
 #include <QTest>

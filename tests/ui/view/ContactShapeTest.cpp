@@ -41,7 +41,8 @@ TEST(RadialTable, FollowsAFunctionWithACuspAtTheRim) {
         return r < kRim ? 1.0_nm - r * r / 30.0_nm : 0.2_nm / std::sqrt(1.0 + (r - kRim) / 1.0_nm);
     };
     const RadialTable table(function, kRim, 60.0_nm);
-    for (double r = 0.0; r < 60.0_nm; r += 0.07_nm) {
+    for (int step = 0; step < 850; ++step) {
+        const double r = 0.07_nm * step;
         EXPECT_NEAR(table.at(r), function(r), 2e-3 * 1.0_nm) << r;
     }
     EXPECT_DOUBLE_EQ(table.at(100.0_nm), function(60.0_nm));
@@ -112,6 +113,14 @@ TEST(ContactShape, GivesTheTipItsShareOfTheDisplacement) {
                 0.02 * state.contact.indentation);
     EXPECT_NEAR((shape.contact().foot - shape.contactPoint()).z(), shape.tipDisplacement(0.0),
                 1e-15);
+}
+
+TEST(ContactShape, GivesAStiffTipHardlyAny) {
+    const Scene scene = test::flatScene();  // silicon on polystyrene
+    const TipState state = test::momentsOf(scene).deep.sample.output.model;
+    const ContactShape shape(scene, state, around(state.tip, 30.0_nm), kSamples);
+    EXPECT_GT(shape.tipDisplacement(0.0), 0.0);
+    EXPECT_LT(shape.tipDisplacement(0.0), 0.03 * state.contact.indentation);
 }
 
 TEST(ContactShape, OnlyFiniteStatesAreDrawable) {

@@ -38,7 +38,8 @@ TEST(Magnification, IsRoundAndDoesNotFlicker) {
 
 TEST(Magnification, KeepsAFarTipInThePicture) {
     Magnification magnification;
-    for (double gap = 60.0_nm; gap > 0.5_nm; gap *= 0.8) {
+    for (int step = 0; step < 22; ++step) {
+        const double gap = 60.0_nm * std::pow(0.8, step);
         const double factor = magnification.fit(0.0, gap, kTipRadius);
         EXPECT_TRUE(factor == 1.0 || factor * gap < 3.0 * kTipRadius) << gap << " " << factor;
     }

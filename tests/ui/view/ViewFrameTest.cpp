@@ -34,7 +34,8 @@ TEST(ViewFrame, GoesWithTheTipInModestSteps) {
     ViewFrame frame(1.0_um, 1.0_um, 40.0_nm);
     double last = frame.centre().x();
     int steps = 0;
-    for (double x = 500.0_nm; x < 800.0_nm; x += 0.5_nm) {
+    for (int tick = 0; tick < 600; ++tick) {
+        const double x = 500.0_nm + 0.5_nm * tick;
         frame.follow({x, 0.5_um}, kSlack);
         const double step = frame.centre().x() - last;
         EXPECT_LE(step, 5.0_nm);

@@ -18,13 +18,13 @@ class ZoomViewTest : public ::testing::Test {
 protected:
     void SetUp() override {
         ASPERITY_NEEDS_DISPLAY();
-        scene_ = std::make_unique<Scene>(flatScene());
-        moments_ = momentsOf(*scene_);
-        view_ = std::make_unique<ZoomView>();
-        view_->resize(640, 480);
-        view_->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(view_.get()));
-        view_->setScene(scene_.get());
+        scene = std::make_unique<Scene>(flatScene());
+        moments = momentsOf(*scene);
+        view = std::make_unique<ZoomView>();
+        view->resize(640, 480);
+        view->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(view.get()));
+        view->setScene(scene.get());
         settle();
     }
 
@@ -32,18 +32,18 @@ protected:
     static void settle() { QTest::qWait(300); }
 
     QImage pictureOf(const Snapshot& snapshot) {
-        view_->showSnapshot(snapshot);
+        view->showSnapshot(snapshot);
         settle();
-        return view_->grabFramebuffer();
+        return view->grabFramebuffer();
     }
 
     [[nodiscard]] QColor colourAt(const QImage& picture, const Vector3& place) const {
-        return picture.pixelColor(view_->onScreen(place).toPoint());
+        return picture.pixelColor(view->onScreen(place).toPoint());
     }
 
-    std::unique_ptr<Scene> scene_;
-    ViewMoments moments_;
-    std::unique_ptr<ZoomView> view_;
+    std::unique_ptr<Scene> scene;
+    ViewMoments moments;
+    std::unique_ptr<ZoomView> view;
 };
 
 }  // namespace asperity::test

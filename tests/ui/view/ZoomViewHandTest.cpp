@@ -39,111 +39,111 @@ void turnWheel(ZoomView& view, double notches, Qt::KeyboardModifiers modifiers =
 }  // namespace
 
 TEST_F(ZoomViewTest, ADraggedTipStaysUnderThePointer) {
-    view_->setMagnification(1.0);
-    view_->showSnapshot(moments_.away);
+    view->setMagnification(1.0);
+    view->showSnapshot(moments.away);
     for (const double turned : {0.0, 130.0, 250.0}) {
-        drag(*view_, Qt::RightButton, {200.0, 200.0}, {200.0 + turned, 190.0});
-        const Vector3 tip = moments_.away.sample.output.model.tip;
-        const QPointF from = view_->onScreen(tip);
-        QSignalSpy dragged(view_.get(), &ZoomView::tipDragged);
-        drag(*view_, Qt::LeftButton, from, from + QPointF(40.0, -25.0));
+        drag(*view, Qt::RightButton, {200.0, 200.0}, {200.0 + turned, 190.0});
+        const Vector3 tip = moments.away.sample.output.model.tip;
+        const QPointF from = view->onScreen(tip);
+        QSignalSpy dragged(view.get(), &ZoomView::tipDragged);
+        drag(*view, Qt::LeftButton, from, from + QPointF(40.0, -25.0));
         ASSERT_EQ(dragged.count(), 1);
         const Vector3 move = firstMove(dragged);
         EXPECT_EQ(move.z(), 0.0);
-        const QPointF to = view_->onScreen(tip + move);
+        const QPointF to = view->onScreen(tip + move);
         EXPECT_NEAR(to.x() - from.x(), 40.0, 0.1);
         EXPECT_NEAR(to.y() - from.y(), -25.0, 0.1);
     }
 }
 
 TEST_F(ZoomViewTest, ShiftDragsATenthAsFar) {
-    QSignalSpy dragged(view_.get(), &ZoomView::tipDragged);
-    drag(*view_, Qt::LeftButton, {300.0, 300.0}, {340.0, 300.0});
+    QSignalSpy dragged(view.get(), &ZoomView::tipDragged);
+    drag(*view, Qt::LeftButton, {300.0, 300.0}, {340.0, 300.0});
     const Vector3 plain = firstMove(dragged);
     dragged.clear();
-    drag(*view_, Qt::LeftButton, {300.0, 300.0}, {340.0, 300.0}, Qt::ShiftModifier);
+    drag(*view, Qt::LeftButton, {300.0, 300.0}, {340.0, 300.0}, Qt::ShiftModifier);
     EXPECT_LT((firstMove(dragged) - 0.1 * plain).norm(), 1e-6 * plain.norm());
     EXPECT_GT(plain.norm(), 1.0_nm);
 }
 
 TEST_F(ZoomViewTest, ThePictureStaysStillUnderADrag) {
-    view_->showSnapshot(moments_.away);
-    const ScanWindow before = view_->window().value();
-    QTest::mousePress(view_.get(), Qt::LeftButton, Qt::NoModifier, {300, 300});
-    view_->showSnapshot(movedBy(moments_.away, {18.0_nm, 0.0, 0.0}));
-    EXPECT_TRUE(sameWindow(view_->window().value(), before));
-    QTest::mouseRelease(view_.get(), Qt::LeftButton, Qt::NoModifier, {300, 300});
-    view_->showSnapshot(movedBy(moments_.away, {18.0_nm, 0.0, 0.0}));
-    EXPECT_FALSE(sameWindow(view_->window().value(), before));
+    view->showSnapshot(moments.away);
+    const ScanWindow before = view->window().value();
+    QTest::mousePress(view.get(), Qt::LeftButton, Qt::NoModifier, {300, 300});
+    view->showSnapshot(movedBy(moments.away, {18.0_nm, 0.0, 0.0}));
+    EXPECT_TRUE(sameWindow(view->window().value(), before));
+    QTest::mouseRelease(view.get(), Qt::LeftButton, Qt::NoModifier, {300, 300});
+    view->showSnapshot(movedBy(moments.away, {18.0_nm, 0.0, 0.0}));
+    EXPECT_FALSE(sameWindow(view->window().value(), before));
 }
 
 TEST_F(ZoomViewTest, TheWheelLiftsAndLowersTheTip) {
-    view_->setHalfWidth(40.0_nm);
-    QSignalSpy dragged(view_.get(), &ZoomView::tipDragged);
-    turnWheel(*view_, 1.0);
+    view->setHalfWidth(40.0_nm);
+    QSignalSpy dragged(view.get(), &ZoomView::tipDragged);
+    turnWheel(*view, 1.0);
     EXPECT_LT((firstMove(dragged) - Vector3(0.0, 0.0, 0.1_nm)).norm(), 1e-15);
     dragged.clear();
-    turnWheel(*view_, -2.0);
+    turnWheel(*view, -2.0);
     EXPECT_NEAR(firstMove(dragged).z(), -0.2_nm, 1e-15);
     dragged.clear();
-    turnWheel(*view_, 1.0, Qt::ShiftModifier);
+    turnWheel(*view, 1.0, Qt::ShiftModifier);
     EXPECT_NEAR(firstMove(dragged).z(), 0.01_nm, 1e-16);
-    view_->setHalfWidth(60.0_nm);
+    view->setHalfWidth(60.0_nm);
     dragged.clear();
-    turnWheel(*view_, 1.0);
+    turnWheel(*view, 1.0);
     EXPECT_NEAR(firstMove(dragged).z(), 0.15_nm, 1e-15);
 }
 
 TEST_F(ZoomViewTest, ControlWheelAndKeysZoom) {
-    QSignalSpy dragged(view_.get(), &ZoomView::tipDragged);
-    QSignalSpy frames(view_.get(), &ZoomView::frameChanged);
-    const double first = view_->halfWidth();
-    turnWheel(*view_, -1.0, Qt::ControlModifier);
-    EXPECT_NEAR(view_->halfWidth(), 1.2 * first, 1e-15);
+    QSignalSpy dragged(view.get(), &ZoomView::tipDragged);
+    QSignalSpy frames(view.get(), &ZoomView::frameChanged);
+    const double first = view->halfWidth();
+    turnWheel(*view, -1.0, Qt::ControlModifier);
+    EXPECT_NEAR(view->halfWidth(), 1.2 * first, 1e-15);
     EXPECT_TRUE(dragged.isEmpty());
     settle();
     EXPECT_EQ(frames.count(), 1);
-    EXPECT_NEAR(view_->window()->right - view_->window()->left, 2.4 * first, 1e-15);
-    QTest::keyClick(view_.get(), Qt::Key_Plus);
-    EXPECT_NEAR(view_->halfWidth(), first, 1e-15);
-    QTest::keyClick(view_.get(), Qt::Key_Minus);
-    QTest::keyClick(view_.get(), Qt::Key_Minus);
-    EXPECT_NEAR(view_->halfWidth(), 1.44 * first, 1e-15);
+    EXPECT_NEAR(view->window()->right - view->window()->left, 2.4 * first, 1e-15);
+    QTest::keyClick(view.get(), Qt::Key_Plus);
+    EXPECT_NEAR(view->halfWidth(), first, 1e-15);
+    QTest::keyClick(view.get(), Qt::Key_Minus);
+    QTest::keyClick(view.get(), Qt::Key_Minus);
+    EXPECT_NEAR(view->halfWidth(), 1.44 * first, 1e-15);
 }
 
 TEST_F(ZoomViewTest, ZoomsFromTheTipToTheWholeScan) {
-    turnWheel(*view_, -50.0, Qt::ControlModifier);
-    EXPECT_DOUBLE_EQ(view_->halfWidth(), 64.0_nm);
-    EXPECT_DOUBLE_EQ(view_->window()->left, 0.0);
-    turnWheel(*view_, 50.0, Qt::ControlModifier);
-    EXPECT_GT(view_->halfWidth(), 15.0_nm);
-    EXPECT_LT(view_->halfWidth(), 30.0_nm);
-    view_->showSnapshot(moments_.deep);
+    turnWheel(*view, -50.0, Qt::ControlModifier);
+    EXPECT_DOUBLE_EQ(view->halfWidth(), 64.0_nm);
+    EXPECT_DOUBLE_EQ(view->window()->left, 0.0);
+    turnWheel(*view, 50.0, Qt::ControlModifier);
+    EXPECT_GT(view->halfWidth(), 15.0_nm);
+    EXPECT_LT(view->halfWidth(), 30.0_nm);
+    view->showSnapshot(moments.deep);
     settle();
 }
 
 TEST_F(ZoomViewTest, RightDragTurnsTheView) {
-    QSignalSpy dragged(view_.get(), &ZoomView::tipDragged);
-    const Vector3 corner(view_->window()->left, view_->window()->bottom, 0.0);
-    const QPointF before = view_->onScreen(corner);
-    const Vector3 eye = view_->camera().out();
-    drag(*view_, Qt::RightButton, {300.0, 300.0}, {380.0, 300.0});
-    EXPECT_GT(QLineF(before, view_->onScreen(corner)).length(), 20.0);
+    QSignalSpy dragged(view.get(), &ZoomView::tipDragged);
+    const Vector3 corner(view->window()->left, view->window()->bottom, 0.0);
+    const QPointF before = view->onScreen(corner);
+    const Vector3 eye = view->camera().out();
+    drag(*view, Qt::RightButton, {300.0, 300.0}, {380.0, 300.0});
+    EXPECT_GT(QLineF(before, view->onScreen(corner)).length(), 20.0);
     EXPECT_TRUE(dragged.isEmpty());
-    drag(*view_, Qt::RightButton, {300.0, 300.0}, {300.0, -3000.0});
-    EXPECT_GT(view_->camera().out().z(), 0.1) << "above the surface";
-    drag(*view_, Qt::RightButton, {300.0, 300.0}, {300.0, 3000.0});
-    EXPECT_GT(view_->camera().out().z(), 0.9);
-    view_->resetCamera();
-    EXPECT_EQ(view_->camera().out(), eye);
-    EXPECT_LT(QLineF(before, view_->onScreen(corner)).length(), 0.1);
+    drag(*view, Qt::RightButton, {300.0, 300.0}, {300.0, -3000.0});
+    EXPECT_GT(view->camera().out().z(), 0.1) << "above the surface";
+    drag(*view, Qt::RightButton, {300.0, 300.0}, {300.0, 3000.0});
+    EXPECT_GT(view->camera().out().z(), 0.9);
+    view->resetCamera();
+    EXPECT_EQ(view->camera().out(), eye);
+    EXPECT_LT(QLineF(before, view->onScreen(corner)).length(), 0.1);
 }
 
 TEST_F(ZoomViewTest, ComesToRestByItself) {
-    view_->showSnapshot(moments_.deep);
+    view->showSnapshot(moments.deep);
     settle();
-    QSignalSpy frames(view_.get(), &ZoomView::frameRendered);
-    drag(*view_, Qt::RightButton, {300.0, 300.0}, {330.0, 300.0});
+    QSignalSpy frames(view.get(), &ZoomView::frameRendered);
+    drag(*view, Qt::RightButton, {300.0, 300.0}, {330.0, 300.0});
     settle();
     EXPECT_GE(frames.count(), 2) << "one in motion, one at rest";
     const auto count = frames.count();
@@ -152,14 +152,14 @@ TEST_F(ZoomViewTest, ComesToRestByItself) {
 }
 
 TEST_F(ZoomViewTest, LeavesOtherKeysAndTheMiddleButtonAlone) {
-    QSignalSpy dragged(view_.get(), &ZoomView::tipDragged);
-    const Vector3 eye = view_->camera().out();
-    drag(*view_, Qt::MiddleButton, {300.0, 300.0}, {350.0, 310.0});
+    QSignalSpy dragged(view.get(), &ZoomView::tipDragged);
+    const Vector3 eye = view->camera().out();
+    drag(*view, Qt::MiddleButton, {300.0, 300.0}, {350.0, 310.0});
     EXPECT_TRUE(dragged.isEmpty());
-    EXPECT_EQ(view_->camera().out(), eye);
+    EXPECT_EQ(view->camera().out(), eye);
     QKeyEvent other(QEvent::KeyPress, Qt::Key_Left, Qt::NoModifier);
     other.accept();
-    QApplication::sendEvent(view_.get(), &other);
+    QApplication::sendEvent(view.get(), &other);
     EXPECT_FALSE(other.isAccepted());
 }
 

@@ -1,4 +1,4 @@
-#include "ui/panels/Theme.h"
+#include "ui/Theme.h"
 
 #include <QApplication>
 #include <QPalette>

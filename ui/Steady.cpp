@@ -1,4 +1,4 @@
-#include "ui/panels/Steady.h"
+#include "ui/Steady.h"
 
 #include "vtkplugins/pictures/Ticks.h"
 
