@@ -38,6 +38,14 @@ void FrameShow::showSmallPanel(const Snapshot& latest, double now) {
     counters_.at(turn_).add(now);
 }
 
+void FrameShow::showEverywhere(const Snapshot& latest) {
+    window_.view().showSnapshot(latest);
+    window_.banner().show(latest);
+    window_.forces().show(latest);
+    window_.cantilever().show(latest);
+    window_.overview().show(latest);
+}
+
 std::vector<ViewRate> FrameShow::rates() const {
     constexpr std::array<const char*, ViewCount> kNames{"zoom", "forces", "cantilever", "overview"};
     std::vector<ViewRate> rates;

@@ -21,6 +21,9 @@ public:
     /// One frame. @param now monotonic time [s]
     void show(const Snapshot& latest, double now);
 
+    /// The same tick in every view, for a picture of the window.
+    void showEverywhere(const Snapshot& latest);
+
     /// Frames a second of each view since the first one.
     [[nodiscard]] std::vector<ViewRate> rates() const;
 

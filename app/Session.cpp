@@ -342,6 +342,10 @@ void Session::showRecording() {
 }
 
 void Session::savePicture(const QString& file) {
+    if (run_) {
+        fetchTicks();
+        show_.showEverywhere(run_->loop().snapshot());
+    }
     if (window_.grab().save(file)) {
         window_.tell(tr("Saved as %1").arg(file));
     } else {

@@ -5,10 +5,12 @@
 #include "app/LiveWindow.h"
 #include "app/VirtualDisplay.h"
 
+#include <QStatusBar>
 #include <QTimer>
 
 #include <exception>
 #include <iostream>
+#include <numbers>
 #include <string>
 
 namespace asperity {
@@ -39,8 +41,9 @@ public:
             save("indenting");
             indented_ = true;
         }
-        if (indented_ && bonded && now.model.contact.force < 0.9 * pull()) {
+        if (indented_ && !retracting_ && bonded && now.model.contact.force < 0.9 * pull()) {
             save("retracting");
+            retracting_ = true;
             live_.window().close();
         }
         last_ = indentation;
@@ -53,18 +56,19 @@ private:
     /// Force at which the tip lets go, about [N].
     [[nodiscard]] double pull() const {
         const Scene& scene = live_.session().run()->scene();
-        return -1.3 * 3.14159 * scene.belief.tipRadius() *
+        return -1.3 * std::numbers::pi * scene.belief.tipRadius() *
                scene.description.sample.material.workOfAdhesion;
     }
     void save(const std::string& name) {
-        const std::string file = prefix_ + name + ".png";
-        std::cout << file << (live_.window().grab().save(file.c_str()) ? "" : " FAILED") << '\n';
+        live_.window().statusBar()->clearMessage();  // it names the file of the picture before
+        Q_EMIT live_.window().pictureFileChosen(QString::fromStdString(prefix_ + name + ".png"));
     }
 
     LiveWindow& live_;
     std::string prefix_;
     double last_ = 0.0;
     bool indented_ = false;
+    bool retracting_ = false;
 };
 
 int run(char** argv) {
