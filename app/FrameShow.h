@@ -4,7 +4,6 @@
 #include "core/haptics/Snapshot.h"
 #include "ui/FrameCounter.h"
 
-#include <array>
 #include <vector>
 
 namespace asperity {
@@ -18,23 +17,22 @@ public:
 
     /// Every tick, in order.
     void take(const TickSample& sample);
-    /// One frame. @param now monotonic time [s]
+    /// One frame: the same tick in all views that are drawn in it.
+    /// @param now monotonic time [s]
     void show(const Snapshot& latest, double now);
-
     /// The same tick in every view, for a picture of the window.
     void showEverywhere(const Snapshot& latest);
+    /// The run stands still: what is drawn meanwhile is not counted.
+    void rest();
 
     /// Frames a second of each view since the first one.
     [[nodiscard]] std::vector<ViewRate> rates() const;
 
 private:
-    enum View : std::size_t { Zoom, Forces, Cantilever, Overview, ViewCount };
-
-    void showSmallPanel(const Snapshot& latest, double now);
-
     MainWindow& window_;
-    std::size_t turn_ = Overview;  ///< the small panel that was drawn last
-    std::array<FrameCounter, ViewCount> counters_;
+    int frame_ = 0;        ///< since the panels were drawn
+    FrameCounter view_;    ///< of the large view
+    FrameCounter panels_;  ///< of the panels beside it
 };
 
 }  // namespace asperity

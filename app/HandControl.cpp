@@ -73,8 +73,10 @@ void HandControl::useSpaceMouse() {
     });
 }
 
+bool HandControl::leads() const { return pilot_ && run_->loop().running(); }
+
 void HandControl::displace(const Vector3& displacement) {
-    if (pilot_) {
+    if (leads()) {
         pilot_->displace(displacement);
     }
 }
@@ -86,19 +88,18 @@ void HandControl::setVelocity(const Vector3& velocity) {
 }
 
 void HandControl::travelTo(const Vector2& place) {
-    if (!pilot_) {
+    if (!leads()) {
         return;
     }
-    HandPath path = journey(run_->scene(), run_->basePosition(), place, kJourney);
-    for (PathPoint& point : path) {
-        point.position /= run_->settings().positionGain;
-    }
-    pilot_->follow(std::move(path));
+    pilot_->follow(journey(run_->scene(), run_->basePosition(), place, kJourney));
 }
 
 void HandControl::advance(double seconds, double halfWidth) {
-    if (pilot_ && run_->loop().running()) {
-        pointer_->moveTo(pilot_->advance(seconds));
+    if (leads()) {
+        const HandMapping now{.hand = run_->handPosition(),
+                              .base = run_->basePosition(),
+                              .positionGain = run_->settings().positionGain};
+        pointer_->moveTo(pilot_->advance(seconds, now));
     }
     if (spaceMouse_ != nullptr) {
         spaceMouse_->setSpeed(kMouseSpeed * halfWidth);

@@ -31,7 +31,7 @@ public:
         return run_ != nullptr && !pointing() && spaceMouse_ == nullptr;
     }
 
-    /// What only mouse and keyboard do; nothing while another hand has the tip.
+    /// What only mouse and keyboard do; nothing while another hand has the tip or the run pauses.
     void displace(const Vector3& displacement);
     void setVelocity(const Vector3& velocity);
     void travelTo(const Vector2& place);
@@ -44,6 +44,8 @@ public:
 
 private:
     void letGo();
+    /// Mouse and keyboard have the tip, and the run does not pause.
+    [[nodiscard]] bool leads() const;
     /// From the present place of the base to the start of a path.
     [[nodiscard]] HandPath leadIn(const Vector3& start);
 

@@ -5,6 +5,9 @@
 #include "ui/Theme.h"
 #include "vtkplugins/pictures/Display.h"
 
+#include <exception>
+#include <iostream>
+
 namespace asperity {
 
 namespace {
@@ -16,6 +19,16 @@ char programName[] = "asperity";  // NOLINT: Qt wants it writable
 LiveWindow::Display::Display() {
     if (!haveDisplay()) {
         throw Error("no display to open the window on; `asperity explore` works without one");
+    }
+}
+
+bool LiveWindow::Application::notify(QObject* receiver, QEvent* event) {
+    try {
+        return QApplication::notify(receiver, event);
+    } catch (const std::exception& error) {
+        std::cerr << "asperity: " << error.what() << '\n';
+        exit(1);
+        return true;
     }
 }
 

@@ -25,10 +25,17 @@ private:
         Display();
     };
 
+    /// An exception must not cross Qt's event loop: it ends the program in good order.
+    class Application : public QApplication {
+    public:
+        using QApplication::QApplication;
+        bool notify(QObject* receiver, QEvent* event) override;
+    };
+
     Display display_;
     int argumentCount_ = 1;
     char* arguments_[2];
-    QApplication application_;
+    Application application_;
     MainWindow window_;
     Session session_;
 };

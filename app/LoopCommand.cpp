@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <thread>
@@ -62,6 +63,12 @@ HandPath repeatedApproach(const Scene& scene, double duration) {
     return path;
 }
 
+/// A pair of blocks takes a little more than two seconds: the last one is waited for.
+bool isDone(const AlternatingBlocks& blocks, double begin, const LoopOptions& options) {
+    return monotonicSeconds() - begin >= options.duration &&
+           static_cast<double>(blocks.pairs()) >= std::floor(0.5 * options.duration);
+}
+
 void print(const LoopOptions& options, LiveRun& run, const AlternatingBlocks& blocks,
            std::vector<ViewRate> views) {
     const LoopReport report{.rate = run.scene().description.tickRate,
@@ -78,8 +85,8 @@ void runBare(const LoopOptions& options) {
     LiveRun run(std::move(loaded), path.front().position);
     run.takeHand([&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
     AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
-    const double end = monotonicSeconds() + options.duration;
-    while (monotonicSeconds() < end) {
+    const double begin = monotonicSeconds();
+    while (!isDone(blocks, begin, options)) {
         std::this_thread::sleep_for(kPoll);
         run.loop().drain([](const TickSample&) {});
         blocks.poll();
@@ -93,13 +100,18 @@ void runInWindow(const LoopOptions& options) {
     LiveWindow live;
     live.session().use(loadForLoop(options));
     LiveRun& run = *live.session().run();
+    live.window().lock();  // another scene would end the run that is measured
     live.session().follow(repeatedApproach(run.scene(), options.duration));
     AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
+    const double begin = monotonicSeconds();
     QTimer poll;
-    QObject::connect(&poll, &QTimer::timeout, [&blocks] { blocks.poll(); });
+    QObject::connect(&poll, &QTimer::timeout, [&] {
+        blocks.poll();
+        if (isDone(blocks, begin, options)) {
+            live.window().close();
+        }
+    });
     poll.start(kPoll);
-    QTimer::singleShot(std::chrono::milliseconds(std::lround(1e3 * options.duration)),
-                       &live.window(), &QWidget::close);
     live.exec();
     blocks.finish();
     print(options, run, blocks, live.session().viewRates());

@@ -27,20 +27,29 @@ SceneDescription withSettings(SceneDescription scene, const Settings& settings) 
 }  // namespace
 
 Recording::Recording(std::filesystem::path folder, const LoadedScene& loaded,
-                     const Settings& settings, const TickMemory& memory)
+                     const TickMemory& memory)
     : folder_(made(std::move(folder))), loaded_(loaded), recorder_(folder_) {
-    writeTextFile(folder_ / run_files::kScene,
-                  sceneText(withSettings(loaded.scene.description, settings)));
     writeTickMemory(folder_ / run_files::kMemory, memory);
 }
 
 void Recording::take(const TickSample& sample) {
-    recorder_.take(sample);
-    events_.take(sample);
+    if (ticks() == 0) {
+        start_ = sample.input.settings;
+    } else {
+        const double gap = sample.time - lastTime_ - sample.input.timeStep;
+        broken_ = broken_ || gap > 0.5 * loaded_.scene.timeStep();
+    }
+    if (!broken_) {
+        recorder_.take(sample);
+        events_.take(sample);
+        lastTime_ = sample.time;
+    }
 }
 
 void Recording::finish() {
     recorder_.close();
+    writeTextFile(folder_ / run_files::kScene,
+                  sceneText(withSettings(loaded_.scene.description, start_)));
     writeTextFile(folder_ / run_files::kSummary, runSummary(loaded_, events_.events()));
 }
 

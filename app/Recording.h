@@ -12,13 +12,14 @@ namespace asperity {
 /// A stretch of a live run written to a folder that `asperity replay` takes.
 class Recording {
 public:
-    /// @param settings the knobs as the recording begins
-    /// @param memory   what its first tick starts from
+    /// @param memory what its first tick starts from
     /// @throw Error when the folder cannot be made or written
-    Recording(std::filesystem::path folder, const LoadedScene& loaded, const Settings& settings,
-              const TickMemory& memory);
+    Recording(std::filesystem::path folder, const LoadedScene& loaded, const TickMemory& memory);
 
+    /// Every tick; from the first one that is missing on, none is taken.
     void take(const TickSample& sample);
+    /// Ticks were lost: what was taken ends before them.
+    [[nodiscard]] bool broken() const noexcept { return broken_; }
     /// Puts all files in place. @throw Error
     void finish();
 
@@ -30,6 +31,9 @@ private:
     const LoadedScene& loaded_;
     RunRecorder recorder_;
     RunEventRecorder events_;
+    Settings start_;         ///< the knobs of the first tick
+    double lastTime_ = 0.0;  ///< [s]
+    bool broken_ = false;
 };
 
 }  // namespace asperity

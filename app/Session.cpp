@@ -1,6 +1,7 @@
 #include "app/Session.h"
 
 #include "app/DataFolder.h"
+#include "app/PathChecks.h"
 #include "core/Error.h"
 #include "core/io/HandPathFile.h"
 #include "core/io/SceneFile.h"
@@ -13,9 +14,8 @@
 #include "ui/view/ZoomView.h"
 
 #include <QAction>
-#include <QDateTime>
-#include <QPixmap>
-#include <QStandardPaths>
+#include <QApplication>
+#include <QKeyEvent>
 
 #include <algorithm>
 #include <utility>
@@ -33,16 +33,6 @@ enum Hand : int { Pointer, Script, SpaceMouseHand };
 
 using PlanPath = HandPath (*)(const Scene&, const PathPlan&);
 constexpr std::array<PlanPath, 3> kPaths{approachPath, rasterPath, scratchPath};
-
-std::filesystem::path standardRecordingsFolder() {
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    return std::filesystem::path(documents.toStdString()) / "Asperity";
-}
-
-std::filesystem::path folderOfThisMoment(const std::filesystem::path& parent) {
-    const QString now = QDateTime::currentDateTime().toString("yyyy-MM-dd_HH-mm-ss.zzz");
-    return parent / now.toStdString();
-}
 
 /// Where held keys send the hand, world frame [half widths/s].
 Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
@@ -65,15 +55,27 @@ Session::Session(MainWindow& window)
     connect(&loader_, &SceneLoader::loaded, this,
             [this](const std::shared_ptr<LoadedScene>& scene) { use(std::move(*scene)); });
     connect(&loader_, &SceneLoader::failed, this, [this](const QString& reason) {
+        window_.tell({});
         window_.complain(reason);
         Q_EMIT openFailed(reason);
     });
+    qApp->installEventFilter(this);
     frames_.setTimerType(Qt::PreciseTimer);
     connect(&frames_, &QTimer::timeout, this, &Session::onFrame);
     frames_.start(kFramePeriod);
 }
 
 Session::~Session() { endRun(); }
+
+// Forces go off whatever has the focus: a spin box, a menu, a message.
+bool Session::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
+        if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+            setForces(false);
+        }
+    }
+    return QObject::eventFilter(watched, event);
+}
 
 void Session::fillChoices() {
     ControlBar& controls = window_.controls();
@@ -137,24 +139,29 @@ void Session::connectViews() {
 }
 
 void Session::open(const std::filesystem::path& input) {
-    window_.tell(tr("Loading %1 …").arg(QString::fromStdString(input.filename().string())));
+    window_.tellUntilNext(
+        tr("Loading %1 …").arg(QString::fromStdString(input.filename().string())));
     loader_.load(input);
 }
 
 void Session::use(LoadedScene scene) {
     const Vector3 place = startPlace(scene.scene);
-    begin(std::move(scene), place);
+    Settings settings = scene.scene.settings;
+    settings.forcesOn = !run_ || run_->settings().forcesOn;  // off stays off
+    begin(std::move(scene), place, settings);
+    start();
 }
 
-void Session::begin(LoadedScene scene, const Vector3& start) {
+void Session::begin(LoadedScene scene, const Vector3& start, const Settings& settings) {
     endRun();
     run_ = std::make_unique<LiveRun>(std::move(scene), start);
+    run_->setSettings(settings);
     hand_.attach(*run_);
-    const SceneDescription& description = run_->scene().description;
-    const std::filesystem::path file = description.sample.file;
-    window_.showScene(&run_->scene(), QString::fromStdString(file.filename().string()));
+    const std::filesystem::path file = run_->scene().description.sample.file;
+    const QString name = QString::fromStdString(file.filename().string());
+    window_.showScene(&run_->scene(), name);
+    window_.tell(name);
     showKnobs();
-    this->start();
     Q_EMIT sceneShown();
 }
 
@@ -230,16 +237,20 @@ void Session::chooseMaterial(int index) {
     if (!run_) {
         return;
     }
+    const bool running = run_->loop().running();
     const double halfWidth = window_.view().halfWidth();
     const Vector2 place = run_->basePosition().head<2>();
+    const Settings settings = run_->settings();
     finishRecording();
     window_.showScene(nullptr, {});
     hand_.detach();
     LoadedScene scene = LiveRun::release(std::move(run_));
-    scene.scene = withMaterial(std::move(scene.scene), materials_.at(index));
+    scene.scene =
+        withMaterial(std::move(scene.scene), materials_.at(static_cast<std::size_t>(index)));
     const Vector3 start = waitingPlace(scene.scene, place);
-    begin(std::move(scene), start);
+    begin(std::move(scene), start, settings);
     window_.view().setHalfWidth(halfWidth);
+    running ? this->start() : pause();
 }
 
 void Session::chooseHand(int index) {
@@ -272,6 +283,7 @@ void Session::followFile(const QString& file, const ReadPath& read) {
     }
     try {
         const HandPath path = read(file.toStdString());
+        requireNear(run_->scene(), path, file.toStdString());
         window_.controls().setPath(-1);
         follow(path);
     } catch (const Error& error) {
@@ -282,11 +294,7 @@ void Session::followFile(const QString& file, const ReadPath& read) {
 void Session::follow(const HandPath& path) {
     hand_.follow(path);
     window_.controls().setHand(Script);
-    QPolygonF way;
-    for (const PathPoint& point : path) {
-        way << QPointF(point.position.x(), point.position.y());
-    }
-    window_.overview().showPath(way);
+    window_.overview().showPath(outline(path));
 }
 
 void Session::travelTo(const Vector2& place) {
@@ -300,66 +308,19 @@ void Session::travelTo(const Vector2& place) {
     hand_.travelTo(place);
 }
 
-void Session::record(bool on) {
-    if (!on || !run_) {
-        finishRecording();
-        return;
-    }
-    const bool running = run_->loop().running();
-    pause();
-    fetchTicks();  // those before the recording belong to nobody
-    try {
-        recording_ = std::make_unique<Recording>(folderOfThisMoment(recordings_), run_->loaded(),
-                                                 run_->settings(), run_->loop().memory());
-    } catch (const Error& error) {
-        window_.complain(QString::fromUtf8(error.what()));
-    }
-    showRecording();
-    if (running) {
-        start();
-    }
-}
-
-void Session::finishRecording() {
-    if (recording_) {
-        fetchTicks();
-        const std::unique_ptr<Recording> finished = std::move(recording_);
-        try {
-            finished->finish();
-            const QString folder = QString::fromStdString(finished->folder().string());
-            window_.tell(tr("%1 ticks recorded in %2").arg(finished->ticks()).arg(folder));
-            Q_EMIT recordingFinished(folder);
-        } catch (const Error& error) {
-            window_.complain(QString::fromUtf8(error.what()));
-        }
-    }
-    showRecording();
-}
-
-void Session::showRecording() {
-    window_.controls().setRecording(recording_ != nullptr);
-    window_.menus().record->setChecked(recording_ != nullptr);
-}
-
-void Session::savePicture(const QString& file) {
-    if (run_) {
-        fetchTicks();
-        show_.showEverywhere(run_->loop().snapshot());
-    }
-    if (window_.grab().save(file)) {
-        window_.tell(tr("Saved as %1").arg(file));
-    } else {
-        window_.complain(tr("%1: the picture cannot be written").arg(file));
-    }
-}
-
 void Session::onFrame() {
     const double now = monotonicSeconds();
     const double elapsed = std::min(now - std::exchange(lastFrame_, now), kLongestFrame);
     if (run_) {
         moveHand(elapsed);
         fetchTicks();
+        if (!run_->loop().running()) {
+            show_.rest();
+        }
         show_.show(run_->loop().snapshot(), now);
+        if (recording_ && recording_->broken()) {
+            finishRecording();
+        }
     }
 }
 
@@ -374,18 +335,12 @@ void Session::moveHand(double seconds) {
 }
 
 void Session::fetchTicks() {
-    try {
-        run_->loop().drain([this](const TickSample& sample) {
-            show_.take(sample);
-            if (recording_) {
-                recording_->take(sample);
-            }
-        });
-    } catch (const Error& error) {
-        recording_.reset();
-        showRecording();
-        window_.complain(QString::fromUtf8(error.what()));
-    }
+    run_->loop().drain([this](const TickSample& sample) {
+        show_.take(sample);
+        if (recording_) {
+            recording_->take(sample);
+        }
+    });
 }
 
 }  // namespace asperity

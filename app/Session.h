@@ -47,6 +47,8 @@ public:
     /// Where recordings go: a folder each, named by date and time.
     void setRecordingsFolder(const std::filesystem::path& folder) { recordings_ = folder; }
 
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 Q_SIGNALS:
     /// Another scene is shown.
     void sceneShown();
@@ -54,12 +56,14 @@ Q_SIGNALS:
     void recordingFinished(QString folder);
 
 private:
+    [[nodiscard]] static std::filesystem::path standardRecordingsFolder();
+
     void connectControls();
     void connectMenus();
     void connectViews();
     void fillChoices();
 
-    void begin(LoadedScene scene, const Vector3& start);
+    void begin(LoadedScene scene, const Vector3& start, const Settings& settings);
     void endRun();
     void chooseMaterial(int index);
     void chooseHand(int index);
@@ -73,6 +77,7 @@ private:
     void takeBackFault();
     void record(bool on);
     void finishRecording();
+    void tellOfRecording(const Recording& recording);
     void savePicture(const QString& file);
 
     void onFrame();

@@ -19,6 +19,7 @@ constexpr const char* kMissing =
 
 /// Runs Xvfb in place of this (forked) process; it writes its display number to `reply`.
 [[noreturn]] void becomeServer(int reply) {
+    setsid();  // Ctrl+C is for the program, which still draws while it ends
     const int null = open("/dev/null", O_RDWR | O_CLOEXEC);
     dup2(null, STDOUT_FILENO);
     dup2(null, STDERR_FILENO);

@@ -7,12 +7,13 @@ class FrameCounter {
 public:
     /// One more frame at a time [s].
     void add(double now) {
-        ++all_;
-        ++counted_;
         if (begin_ < 0.0) {
             begin_ = now;
-            first_ = now;
             counted_ = 0;
+        } else {
+            ++counted_;
+            ++frames_;
+            time_ += now - latest_;
         }
         latest_ = now;
         if (now - begin_ >= 1.0) {
@@ -22,20 +23,23 @@ public:
         }
     }
 
+    /// The next frame comes after a rest that does not count.
+    void rest() { begin_ = -1.0; }
+
     /// Frames a second over the last full second.
     [[nodiscard]] double rate() const { return rate_; }
-    /// Frames a second over all the time.
+    /// Frames a second over all the time that counts.
     [[nodiscard]] double overallRate() const {
-        return latest_ > first_ ? static_cast<double>(all_ - 1) / (latest_ - first_) : 0.0;
+        return time_ > 0.0 ? static_cast<double>(frames_) / time_ : 0.0;
     }
 
 private:
-    double begin_ = -1.0;  ///< of the second that is counted [s]
-    double first_ = 0.0;   ///< [s]
-    double latest_ = 0.0;  ///< [s]
-    long all_ = 0;
+    double begin_ = -1.0;   ///< of the second that is counted; < 0: none [s]
+    double latest_ = -1.0;  ///< [s]
     int counted_ = 0;
     double rate_ = 0.0;
+    double time_ = 0.0;  ///< between all frames [s]
+    long frames_ = 0;
 };
 
 }  // namespace asperity

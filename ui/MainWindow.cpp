@@ -16,6 +16,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -66,6 +67,7 @@ MainWindow::MainWindow()
     placeAll();
     connectMenus();
     connectView();
+    giveFocusBack();
     showScene(nullptr, {});
     resize(1600, 1000);
     view_->setFocus();
@@ -135,6 +137,19 @@ void MainWindow::connectMenus() {
     connect(menus_->about, &QAction::triggered, this, &MainWindow::explainProgram);
 }
 
+void MainWindow::giveFocusBack() {
+    const auto toView = [this] { view_->setFocus(); };
+    connect(controls_, &ControlBar::runningChosen, this, toView);
+    connect(controls_, &ControlBar::forcesChosen, this, toView);
+    connect(controls_, &ControlBar::materialChosen, this, toView);
+    connect(controls_, &ControlBar::handChosen, this, toView);
+    connect(controls_, &ControlBar::pathChosen, this, toView);
+    connect(controls_, &ControlBar::recordingChosen, this, toView);
+    for (QLineEdit* number : controls_->findChildren<QLineEdit*>()) {
+        connect(number, &QLineEdit::returnPressed, this, toView);
+    }
+}
+
 void MainWindow::connectView() {
     connect(view_, &ZoomView::frameChanged, this, [this] {
         if (const auto window = view_->window()) {
@@ -164,6 +179,17 @@ void MainWindow::showScene(const Scene* scene, const QString& title) {
 }
 
 void MainWindow::tell(const QString& message) { statusBar()->showMessage(message, kMessageTime); }
+
+void MainWindow::tellUntilNext(const QString& message) { statusBar()->showMessage(message); }
+
+void MainWindow::lock() {
+    setAcceptDrops(false);
+    controls_->setEnabled(false);
+    overview_->setEnabled(false);
+    for (QAction* action : findChildren<QAction*>()) {
+        action->setEnabled(action == menus_->quit);
+    }
+}
 
 void MainWindow::complain(const QString& message) {
     auto* box =

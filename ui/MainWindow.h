@@ -39,6 +39,10 @@ public:
     void showScene(const Scene* scene, const QString& title);
     /// A short message for a while.
     void tell(const QString& message);
+    /// A message that stays until there is another one.
+    void tellUntilNext(const QString& message);
+    /// Nothing can be changed any more: for measurements.
+    void lock();
     /// A message that must be read; the window goes on meanwhile.
     void complain(const QString& message);
 
@@ -59,6 +63,8 @@ private:
     void placeAll();
     void connectMenus();
     void connectView();
+    /// The keys that move the hand work again once a knob is turned.
+    void giveFocusBack();
     void chooseScan();
     void choosePath();
     void chooseRecording();

@@ -21,12 +21,11 @@ void HandPilot::follow(HandPath journey) {
     journeyTime_ = journey_.front().time;
 }
 
-Vector3 HandPilot::advance(double seconds) {
+Vector3 HandPilot::advance(double seconds, const HandMapping& mapping) {
     target_ += seconds * velocity_;
     if (travelling()) {
-        const Vector3 before = positionAt(journey_, journeyTime_);
         journeyTime_ += seconds;
-        target_ += positionAt(journey_, journeyTime_) - before;
+        target_ = mapping.handFor(positionAt(journey_, journeyTime_));
         if (journeyTime_ >= journey_.back().time) {
             journey_.clear();
         }

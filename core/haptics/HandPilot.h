@@ -6,22 +6,33 @@
 
 namespace asperity {
 
-/// Turns what mouse and keyboard ask for into a place for the hand, once a frame. All lengths are
-/// those of the hand.
+/// Which place of the hand stands for which place of the base, from one tick on.
+struct HandMapping {
+    Vector3 hand = Vector3::Zero();  ///< of one tick [m]
+    Vector3 base = Vector3::Zero();  ///< of the same one, world [m]
+    double positionGain = 1.0;       ///< base displacement per hand displacement
+
+    /// Where the hand must be for the base to be at `place` [m].
+    [[nodiscard]] Vector3 handFor(const Vector3& place) const {
+        return hand + (place - base) / positionGain;
+    }
+};
+
+/// Turns what mouse and keyboard ask for into a place for the hand, once a frame.
 class HandPilot {
 public:
     explicit HandPilot(Vector3 start) : target_(std::move(start)) {}
 
-    /// The mouse moved by so much. Ends a journey.
+    /// The mouse moved the hand by so much [m]. Ends a journey.
     void displace(const Vector3& displacement);
     /// Keys are held that move the hand so fast [m/s]. A velocity ends a journey.
     void setVelocity(const Vector3& velocity);
-    /// Goes where the path goes, seen from where the hand is now.
+    /// The base shall go this way, world; also when the gain changes on the way.
     void follow(HandPath journey);
     [[nodiscard]] bool travelling() const noexcept { return !journey_.empty(); }
 
     /// Where the hand shall be after a frame of so many seconds.
-    Vector3 advance(double seconds);
+    Vector3 advance(double seconds, const HandMapping& mapping);
 
 private:
     Vector3 target_;

@@ -6,11 +6,13 @@ namespace asperity {
 
 namespace {
 
-constexpr double kKeptSeconds = 2.0;       // of samples until somebody fetches them [s]
+constexpr double kKeptSeconds = 5.0;       // of samples until somebody fetches them [s]
+constexpr double kMostSamples = 50000.0;   // some 40 MB
 constexpr double kStatisticsPeriod = 1.0;  // [s]
 
 std::size_t ringSize(const Scene& scene) {
-    return static_cast<std::size_t>(kKeptSeconds * scene.description.tickRate);
+    return static_cast<std::size_t>(
+        std::min(kKeptSeconds * scene.description.tickRate, kMostSamples));
 }
 
 }  // namespace

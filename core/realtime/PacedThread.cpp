@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <pthread.h>
@@ -11,9 +12,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPriority = 80;        // below the kernel's own threads, above everything of ours
-constexpr double kSpin = 40e-6;      // a sleep wakes up late by about this much [s]
-constexpr double kFirstBeat = 1e-3;  // after the thread has started [s]
+constexpr int kPriority = 80;    // below the kernel's own threads, above everything of ours
+constexpr double kSpin = 40e-6;  // a sleep wakes up late by about this much [s]
+constexpr double kLargestSpinShare = 0.25;  // of a period: the rest of the machine must live
+constexpr double kFirstBeat = 1e-3;         // after the thread has started [s]
 
 SchedulingPolicy claimRealtime() {
     sched_param parameters{};
@@ -29,8 +31,9 @@ timespec toTimespec(double seconds) {
             .tv_nsec = static_cast<long>((seconds - whole) * 1e9)};
 }
 
-void waitUntil(double time) {
-    const timespec wake = toTimespec(time - kSpin);
+/// @param spin last part of the way that is not slept [s]
+void waitUntil(double time, double spin) {
+    const timespec wake = toTimespec(time - spin);
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr) != 0) {
     }
     while (monotonicSeconds() < time) {
@@ -64,9 +67,10 @@ PacedThread::~PacedThread() {
 
 void PacedThread::run() const {
     Beat beat{.policy = claimRealtime()};
+    const double spin = std::min(kSpin, kLargestSpinShare * period_);
     double due = monotonicSeconds() + kFirstBeat;
     while (!stop_.load(std::memory_order_relaxed)) {
-        waitUntil(due);
+        waitUntil(due, spin);
         beat.lateness = monotonicSeconds() - due;
         beat.skipped = static_cast<long>(beat.lateness / period_);
         due += static_cast<double>(beat.skipped) * period_;

@@ -23,8 +23,8 @@ struct Beat {
 };
 
 /// Calls a function at a fixed rate on a thread of its own, SCHED_FIFO where that is allowed.
-/// Sleeps to an absolute time and spins the last 40 microseconds. Periods that were missed are
-/// skipped and counted, never caught up with.
+/// Sleeps to an absolute time and spins the last 40 microseconds, at most a quarter of a period.
+/// Periods that were missed are skipped and counted, never caught up with.
 class PacedThread {
 public:
     using Body = std::function<void(const Beat&)>;

@@ -26,5 +26,15 @@ TEST(FrameCounter, CountsTheLastSecondAndAllOfThem) {
     EXPECT_NEAR(counter.overallRate(), 25.0, 1e-6);
 }
 
+TEST(FrameCounter, LeavesOutRests) {
+    FrameCounter counter;
+    counter.add(1.0);
+    counter.add(1.1);
+    counter.rest();
+    counter.add(60.0);
+    counter.add(60.1);
+    EXPECT_NEAR(counter.overallRate(), 10.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include "ui/panels/GainSpinBox.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -80,6 +81,7 @@ QComboBox* ControlBar::addCombo(const char* objectName, const QString& caption) 
     combo->setMinimumContentsLength(8);
     combo->setMaximumWidth(kWidestCombo);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    guardFromWheel(*combo);
     QList<QWidget*> widgets{combo};
     if (combo->objectName() == QStringLiteral("path")) {
         pathFile_ = new QToolButton(this);
@@ -98,8 +100,25 @@ GainSpinBox* ControlBar::addGain(const char* objectName, const QString& caption,
     auto* box = new GainSpinBox(low, high, this);
     box->setObjectName(QString::fromUtf8(objectName));
     box->setFixedSize(96, kControlHeight);
+    guardFromWheel(*box);
     addWithCaption(caption, {box}, 0);
     return box;
+}
+
+/// The wheel over a knob must not make it the focus either.
+void ControlBar::guardFromWheel(QWidget& knob) {
+    knob.setFocusPolicy(Qt::StrongFocus);
+    knob.installEventFilter(this);
+}
+
+bool ControlBar::eventFilter(QObject* watched, QEvent* event) {
+    // A hand that turns the wheel on its way to the view must not change material or gain.
+    const auto* knob = qobject_cast<QWidget*>(watched);
+    if (event->type() == QEvent::Wheel && knob != nullptr && !knob->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void ControlBar::addWithCaption(const QString& caption, const QList<QWidget*>& widgets,

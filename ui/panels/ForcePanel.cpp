@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSmallestForce = 10e-12;  ///< numbers below are shown in its prefix [N]
 constexpr double kSmallestLength = 1e-9;   ///< lengths are in nm or larger units [m]
-constexpr int kGroupDistance = 9;          ///< between groups of numbers [px]
+constexpr int kGroupDistance = 7;          ///< between groups of numbers [px]
 
 const std::array<QString, 3> kAxes = {QStringLiteral("X"), QStringLiteral("Y"),
                                       QStringLiteral("Z")};
@@ -90,7 +90,7 @@ void ForcePanel::buildForces(QGridLayout& grid) {
         const QString objectName = QStringLiteral("force") + kAxes.at(axis);
         force_.at(axis) = valueLabel(objectName, QStringLiteral("-888.88 nN"), this);
         sigma_.at(axis) =
-            valueLabel(objectName + QStringLiteral("Sigma"), QStringLiteral("± 88.88"), this);
+            valueLabel(objectName + QStringLiteral("Sigma"), QStringLiteral("± 888.88"), this);
         grid.addWidget(name, row, 0);
         grid.addWidget(force_.at(axis), row, 1);
         grid.addWidget(sigma_.at(axis), row, 2);

@@ -5,6 +5,9 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
+#include <cmath>
+
 namespace asperity {
 
 namespace {
@@ -13,12 +16,30 @@ constexpr double kRing = 5.0;    ///< radius of the tip's mark [px]
 constexpr double kArm = 9.5;     ///< how far its cross reaches [px]
 constexpr double kBorder = 1.0;  ///< of white around a line [px]
 
+constexpr double kLeastFrame = 30.0;  ///< width that reaches beyond the tip's mark [px]
+constexpr double kBracket = 7.0;      ///< arm of a corner bracket [px]
+
 void strokeOverWhite(QPainter& painter, QRgb colour, double width, const QPainterPath& path) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(theme::kPaper), width + 2.0 * kBorder));
     painter.drawPath(path);
     painter.setPen(QPen(QColor(colour), width));
     painter.drawPath(path);
+}
+
+/// Both sides of each corner: not a whole rectangle, which would pass for the frame.
+QPainterPath cornerBrackets(const QRectF& around) {
+    QPainterPath path;
+    for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+            const QPointF corner =
+                around.center() + 0.5 * QPointF(x * around.width(), y * around.height());
+            path.moveTo(corner - QPointF(x * kBracket, 0.0));
+            path.lineTo(corner);
+            path.lineTo(corner - QPointF(0.0, y * kBracket));
+        }
+    }
+    return path;
 }
 
 }  // namespace
@@ -37,6 +58,13 @@ void drawFrameMark(QPainter& painter, const QRectF& frame) {
     QPainterPath path;
     path.addRect(frame);
     strokeOverWhite(painter, theme::kZoom, 1.6, path);
+    QRectF around(0.0, 0.0, std::max(frame.width(), kLeastFrame),
+                  std::max(frame.height(), kLeastFrame));
+    around.moveCenter(frame.center());
+    around.moveTo(std::floor(around.x()) + 0.5, std::floor(around.y()) + 0.5);  // sharp lines
+    if (around.size() != frame.size()) {
+        strokeOverWhite(painter, theme::kZoom, 1.6, cornerBrackets(around));
+    }
 }
 
 void drawPathMark(QPainter& painter, const QPolygonF& path) {

@@ -65,7 +65,7 @@ QString faultWords(Fault fault) {
     case Fault::NotFinite:
         return QStringLiteral("a value was not a number: forces are off");
     case Fault::DeviceLost:
-        return QStringLiteral("the hand's device was unplugged: forces are off");
+        return QStringLiteral("the hand's device is not there: forces are off");
     }
     return {};
 }

@@ -14,8 +14,21 @@ namespace {
 /// Part of the rectangle's half width over which the displacement goes over into rest.
 constexpr double kBlend = 0.35;
 
+/// In contact radii: a narrower rectangle begins to cut the contact's rim, and shows less of it.
+constexpr double kRoomForContact = 1.6;
+
+/// Of the contact radius: the sharp rim of a contact wider than the tip is drawn rounder by this
+/// much, as the samples would make teeth of it.
+constexpr double kRounding = 0.15;
+
 /// Samples at the border lie cosh(k) times as far apart as at the contact.
 constexpr double kCrowding = 4.0;
+
+/// From 0 below 0 to 1 above 1.
+double smoothStep(double place) {
+    const double part = std::clamp(place, 0.0, 1.0);
+    return part * part * (3.0 - 2.0 * part);
+}
 
 /// Places from `low` to `high`, crowded about `middle`, which is one of them for odd counts.
 std::vector<double> crowded(double low, double middle, double high, int count) {
@@ -45,11 +58,33 @@ double sampleShareOf(const Scene& scene) {
                : 1.0;
 }
 
+/// Nothing for contacts narrower than the tip: those are drawn exactly [m].
+double roundingOf(const ContactState& contact, double tipRadius) {
+    return kRounding * contact.contactRadius * smoothStep(contact.contactRadius / tipRadius - 1.0);
+}
+
+/// A function of the distance from the axis, averaged over a stretch to either side.
+template <class Function>
+double averaged(const Function& function, double distance, double stretch) {
+    if (stretch == 0.0) {
+        return function(distance);
+    }
+    constexpr int kSteps = 3;
+    double sum = 0.0;
+    for (int step = 1 - kSteps; step < kSteps; ++step) {
+        const double place = std::abs(distance + stretch * step / (kSteps - 1));
+        sum += (kSteps - std::abs(step)) * function(place);
+    }
+    return sum / (kSteps * kSteps);
+}
+
 RadialTable displacementTable(const Scene& scene, const TipState& state, const ScanWindow& area) {
     const double reach = std::hypot(area.right - area.left, area.top - area.bottom);
-    return {[&](double distance) {
-                return surfaceDisplacement(scene.belief.contact, state.contact, distance);
-            },
+    const double rounding = roundingOf(state.contact, scene.belief.tipRadius());
+    const auto exact = [&](double distance) {
+        return surfaceDisplacement(scene.belief.contact, state.contact, distance);
+    };
+    return {[&](double distance) { return averaged(exact, distance, rounding); },
             state.contact.contactRadius, reach};
 }
 
@@ -115,14 +150,24 @@ double ContactShape::largestDisplacement() const {
     return std::max(-*low, *high);
 }
 
+/// Of the shorter side [m].
+double ContactShape::halfWidth() const {
+    return 0.5 * std::min(area_.right - area_.left, area_.top - area_.bottom);
+}
+
+/// 1 where the rectangle holds the contact, down to 0 where the contact fills it: without it the
+/// rim, which stands high on the tip, would leave spikes in the corners.
+double ContactShape::fade() const {
+    const double radius = contact_.contactRadius;
+    const double room = (kRoomForContact - 1.0) * radius;
+    return room > 0.0 ? smoothStep((halfWidth() - radius) / room) : 1.0;
+}
+
 /// 1 inside, smoothly down to 0 at the border.
 double ContactShape::blend(double x, double y) const {
     const double inX = std::min(x - area_.left, area_.right - x);
     const double inY = std::min(y - area_.bottom, area_.top - y);
-    const double width =
-        0.5 * kBlend * std::min(area_.right - area_.left, area_.top - area_.bottom);
-    const double part = std::clamp(std::min(inX, inY) / width, 0.0, 1.0);
-    return part * part * (3.0 - 2.0 * part);
+    return fade() * smoothStep(std::min(inX, inY) / (kBlend * halfWidth()));
 }
 
 Vector3 ContactShape::moved(const Vector3& rest) const {

@@ -43,6 +43,8 @@ public:
 private:
     [[nodiscard]] DisplacementField fieldFor(const Scene& scene) const;
     void sample(const BSplineSurface& surface, int samples);
+    [[nodiscard]] double halfWidth() const;
+    [[nodiscard]] double fade() const;
     [[nodiscard]] double blend(double x, double y) const;
 
     ScanWindow area_;

@@ -18,11 +18,6 @@ namespace asperity {
 
 namespace {
 
-// In tip radii.
-constexpr double kUsualHalfWidth = 2.4;
-constexpr double kLeastHalfWidth = 1.25;
-constexpr double kPatchReach = 2.0;  // half the width of the part that can be deformed
-
 // In half widths of the frame.
 constexpr double kMostPatchReach = 0.85;
 constexpr double kSlack = 0.35;        // how far the tip goes from the middle
@@ -44,11 +39,6 @@ constexpr int kFrameTime = 15;      // [ms]
 bool isNearMiddle(const ScanWindow& patch, const Vector2& tip, double distance) {
     return std::abs(tip.x() - 0.5 * (patch.left + patch.right)) <= distance &&
            std::abs(tip.y() - 0.5 * (patch.bottom + patch.top)) <= distance;
-}
-
-double usualHalfWidth(const Scene& scene) {
-    const double given = scene.description.zoomHalfWidth;
-    return given > 0.0 ? given : kUsualHalfWidth * scene.belief.tipRadius();
 }
 
 /// Size of tip and arrow as drawn: as the frame up close, less of it from afar [m].
@@ -103,7 +93,8 @@ void ZoomView::setScene(const Scene* scene) {
     terrain_.hide();
     cache_.invalidate();
     if (scene_ != nullptr) {
-        frame_.emplace(scene_->surface.sizeX(), scene_->surface.sizeY(), usualHalfWidth(*scene_));
+        scale_ = viewScale(*scene_);
+        frame_.emplace(scene_->surface.sizeX(), scene_->surface.sizeY(), scale_.usual);
         placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});
     }
     showLabels();
@@ -140,8 +131,7 @@ void ZoomView::showPicture() {
 void ZoomView::follow(const Vector2& tip) {
     frame_->follow(tip, dragging_ ? kSlackInDrag : kSlack);
     const ScanWindow window = frame_->window();
-    const double reach =
-        std::min(kPatchReach * scene_->belief.tipRadius(), kMostPatchReach * frame_->halfWidth());
+    const double reach = std::min(scale_.patch, kMostPatchReach * frame_->halfWidth());
     const ScanWindow hole = windowAround(tip, reach, window);
     const double lap = kOverlap * frame_->halfWidth();  // patch and terrain join without a crack
     // Where the patch is cut off by the frame's edge, its middle is elsewhere and does not stray.
@@ -234,7 +224,7 @@ void ZoomView::setHalfWidth(double halfWidth) {
     if (!frame_) {
         return;
     }
-    frame_->setHalfWidth(std::max(halfWidth, kLeastHalfWidth * scene_->belief.tipRadius()));
+    frame_->setHalfWidth(std::max(halfWidth, scale_.least));
     if (!sample_ && !sameWindow(frame_->window(), terrain_.place().window)) {
         placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});
     }
@@ -245,7 +235,7 @@ void ZoomView::resetCamera() {
     camera_.reset();
     disturb();
     if (scene_ != nullptr) {
-        setHalfWidth(usualHalfWidth(*scene_));
+        setHalfWidth(scale_.usual);
     }
 }
 

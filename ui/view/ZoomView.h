@@ -13,6 +13,7 @@
 #include "ui/view/ViewCamera.h"
 #include "ui/view/ViewFrame.h"
 #include "ui/view/ViewLabels.h"
+#include "ui/view/ViewScale.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkNew.h>
@@ -106,6 +107,7 @@ private:
     void renderNow();
 
     const Scene* scene_ = nullptr;
+    ViewScale scale_;
     std::optional<TickSample> sample_;
     std::optional<ViewFrame> frame_;
     ViewCamera camera_;

@@ -9,9 +9,11 @@
 #include <QUrl>
 #include <QtTest>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <thread>
 #include <unistd.h>
 
 namespace asperity::test {
@@ -69,7 +71,12 @@ TEST_F(Window, ARecordingReplaysToTheSameBits) {
     ASSERT_TRUE(eventually([this] { return inContact(); }));
     release(Qt::Key_PageDown);
     QSignalSpy finished(&session, &Session::recordingFinished);
+    session.pause();
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
+    Settings settings = session.run()->settings();
+    settings.forceGain = 250.0;
+    session.run()->setSettings(settings);
+    session.start();
     press(Qt::Key_PageUp);
     live(700);
     release(Qt::Key_PageUp);
@@ -80,6 +87,32 @@ TEST_F(Window, ARecordingReplaysToTheSameBits) {
         runProgram("replay '" + recording + "' --out '" + (folder.path() / "again").string() + "'");
     EXPECT_EQ(replay.exitCode, 0) << replay.output;
     EXPECT_NE(replay.output.find("bit-identical"), std::string::npos) << replay.output;
+}
+
+TEST_F(Window, ARecordingEndsWhereTicksAreLostAndStillReplays) {
+    session.open(sample("particles.gsf"));
+    ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
+    QSignalSpy finished(&session, &Session::recordingFinished);
+    QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
+    live(200);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5600));  // a window that hangs
+    ASSERT_TRUE(eventually([&] { return finished.count() == 1; }));
+    const auto boxes = window.findChildren<QMessageBox*>();
+    ASSERT_EQ(boxes.size(), 1);
+    EXPECT_TRUE(boxes.front()->text().contains("lost"));
+    const std::string recording = finished[0][0].toString().toStdString();
+    const ProgramRun replay =
+        runProgram("replay '" + recording + "' --out '" + (folder.path() / "again").string() + "'");
+    EXPECT_EQ(replay.exitCode, 0) << replay.output;
+}
+
+TEST_F(Window, RefusesAPathInOtherUnitsThanMetres) {
+    openFlatScene();
+    const auto path = folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,50,60,3\n1,51,60,3\n");
+    Q_EMIT window.pathFileChosen(QString::fromStdString(path.string()));
+    const auto boxes = window.findChildren<QMessageBox*>();
+    ASSERT_EQ(boxes.size(), 1);
+    EXPECT_TRUE(boxes.front()->text().contains("metres"));
 }
 
 TEST_F(Window, RepeatsARecording) {

@@ -1,4 +1,5 @@
 #include "tests/app/window/WindowFixture.h"
+#include "ui/panels/ControlBar.h"
 #include "ui/panels/OverviewMap.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/view/ZoomView.h"
@@ -14,7 +15,7 @@ namespace {
 
 TEST_F(Window, KeysBringTheTipIntoContactAndBack) {
     openFlatScene();
-    EXPECT_NEAR(number("forceZ"), 0.0, 0.5e-9);
+    ASSERT_TRUE(eventually([this] { return std::abs(number("forceZ")) < 0.5e-9; }));
     press(Qt::Key_PageDown);
     ASSERT_TRUE(eventually([this] { return inContact() && number("forceZ") > 5e-9; })) << state();
     release(Qt::Key_PageDown);
@@ -104,6 +105,47 @@ TEST_F(Window, AScriptedPathGoesIntoContactAndBack) {
     EXPECT_EQ(hand->currentText().toStdString(), "Scripted path");
     ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
     EXPECT_TRUE(eventually([this] { return far(); })) << state();
+}
+
+TEST_F(Window, TheMouseMovesNothingWhileTheRunPauses) {
+    openFlatScene();
+    live(300);
+    session.pause();
+    const Vector3 before = session.run()->basePosition();
+    turnWheel(-200);
+    drag({300, 300}, {360, 300});
+    Q_EMIT window.overview().placeChosen(20e-9, 20e-9);
+    session.start();
+    live(500);
+    EXPECT_LT((session.run()->basePosition() - before).norm(), 1e-13);
+}
+
+TEST_F(Window, AJourneyEndsAtItsPlaceWhateverHappensOnTheWay) {
+    openFlatScene();
+    const Vector2 place(90e-9, 40e-9);
+    Q_EMIT window.overview().placeChosen(20e-9, 100e-9);
+    live(700);
+    Q_EMIT window.overview().placeChosen(place.x(), place.y());
+    live(600);
+    Settings settings = session.run()->settings();
+    settings.positionGain = 3.0;
+    session.run()->setSettings(settings);
+    const Vector3 end = waitingPlace(session.run()->scene(), place);
+    EXPECT_TRUE(eventually([&] { return (session.run()->basePosition() - end).norm() < 0.01e-9; }));
+    EXPECT_TRUE(far()) << state();
+}
+
+TEST_F(Window, APathIsFollowedInPlacesOfTheScanWhateverTheGain) {
+    openFlatScene();
+    Settings settings = session.run()->settings();
+    settings.positionGain = 0.5;
+    session.run()->setSettings(settings);
+    live(100);
+    const Vector3 end(70e-9, 50e-9, 12e-9);
+    session.follow({{0.0, {40e-9, 50e-9, 9e-9}}, {0.5, end}});
+    EXPECT_TRUE(eventually([&] { return (session.run()->basePosition() - end).norm() < 1e-15; }));
+    Q_EMIT window.controls().positionGainChosen(4.0);
+    EXPECT_EQ(session.run()->settings().positionGain, 0.5) << "a path is no hand";
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "tests/app/window/WindowFixture.h"
+#include "ui/view/ZoomView.h"
 
 #include <QComboBox>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QtTest>
 
@@ -53,6 +55,51 @@ TEST_F(Window, TheForceGainReachesTheLoop) {
     QTest::keyClicks(gain, "250");
     QTest::keyClick(gain, Qt::Key_Return);
     EXPECT_DOUBLE_EQ(session.run()->settings().forceGain, 250.0);
+}
+
+TEST_F(Window, ForcesStayOffAndKnobsStayTurnedOverAnotherMaterial) {
+    openFlatScene();
+    Settings turned = session.run()->settings();
+    turned.forceGain = 250.0;
+    session.run()->setSettings(turned);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    session.pause();
+    auto* material = child<QComboBox>("material");
+    QTest::keyClick(material, material->currentIndex() > 0 ? Qt::Key_Up : Qt::Key_Down);
+    EXPECT_FALSE(session.run()->settings().forcesOn);
+    EXPECT_EQ(session.run()->settings().forceGain, 250.0);
+    EXPECT_FALSE(session.run()->loop().running());
+    EXPECT_FALSE(child<QPushButton>("forces")->isChecked());
+    openFlatScene();
+    EXPECT_FALSE(session.run()->settings().forcesOn) << "nor does another scan give them back";
+}
+
+TEST_F(Window, EscTakesTheForcesAwayWhateverHasTheFocus) {
+    openFlatScene();
+    window.complain("something to read");
+    auto* box = window.findChild<QMessageBox*>();
+    ASSERT_NE(box, nullptr);
+    QTest::keyClick(box, Qt::Key_Escape);
+    EXPECT_FALSE(session.run()->settings().forcesOn);
+}
+
+TEST_F(Window, TheViewHasTheKeysAgainOnceAKnobIsTurned) {
+    openFlatScene();
+    auto* hand = child<QComboBox>("hand");
+    hand->setFocus();
+    QTest::keyClick(hand, Qt::Key_Down);
+    EXPECT_TRUE(window.view().hasFocus());
+}
+
+TEST_F(Window, ALockedWindowKeepsItsScene) {
+    openFlatScene();
+    window.lock();
+    const LiveRun* run = session.run();
+    auto* material = child<QComboBox>("material");
+    EXPECT_FALSE(material->isEnabled());
+    QTest::keyClick(&window, Qt::Key_Space);
+    EXPECT_TRUE(session.run()->loop().running());
+    EXPECT_EQ(session.run(), run);
 }
 
 }  // namespace

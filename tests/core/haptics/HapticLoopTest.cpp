@@ -189,6 +189,53 @@ TEST(HapticLoop, TellsHowItKeepsTimeOnceASecond) {
     EXPECT_GT(statistics.lateness.largest, 0.0);
 }
 
+/// A hand that holds the loop up once.
+class SlowHand final : public HapticDevice {
+public:
+    explicit SlowHand(const Vector3& position) : position_(position) {}
+    HandState advance(double /*timeStep*/) noexcept override {
+        if (++steps_ == 20) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(6));
+        }
+        return {.position = position_};
+    }
+
+private:
+    Vector3 position_;
+    int steps_ = 0;
+};
+
+TEST(HapticLoop, TakesOneLongStepOverWhatItMissed) {
+    const Scene scene = flatScene();
+    SlowHand hand(middleAbove(scene, 5.0_nm));
+    SimulatedAfm afm(scene.surface, scene.truth);
+    HapticLoop loop(scene, hand, afm);
+    loop.start();
+    waitForTicks(loop, 40);
+    loop.stop();
+    std::vector<TickSample> samples;
+    loop.drain([&samples](const TickSample& sample) { samples.push_back(sample); });
+    const double period = scene.timeStep();
+    EXPECT_GE(samples[20].input.timeStep, 5.5 * period) << "five due times were slept over";
+    long skipped = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        skipped += std::lround(samples[i].input.timeStep / period) - 1;
+    }
+    EXPECT_EQ(loop.snapshot().statistics.overruns, skipped);
+}
+
+TEST(HapticLoop, CountsTimesFromEachStartAnew) {
+    Bench bench;
+    bench.loop.start();
+    waitForTicks(bench.loop, 50);
+    bench.loop.stop();
+    EXPECT_EQ(bench.loop.times().lateness.count(),
+              static_cast<std::uint64_t>(bench.loop.snapshot().statistics.ticks));
+    bench.loop.start();
+    bench.loop.stop();
+    EXPECT_LT(bench.loop.times().lateness.count(), 50U);
+}
+
 TEST(HapticLoop, StartsAndStopsOverAndOver) {
     Bench bench;
     for (int i = 0; i < 100; ++i) {

@@ -3,16 +3,27 @@
 #include "tests/ui/panels/PanelSamples.h"
 #include "ui/panels/GainSpinBox.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QWheelEvent>
 
 #include <gtest/gtest.h>
 
 namespace asperity {
 namespace {
+
+/// One notch of the wheel away from the person. @return whether the widget used it
+bool turnWheelOver(QWidget& widget) {
+    const QPointF place = widget.rect().center();
+    QWheelEvent event(place, widget.mapToGlobal(place.toPoint()), {}, {0, 120}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&widget, &event);
+    return event.isAccepted();
+}
 
 class ControlBarTest : public ::testing::Test {
 protected:
@@ -154,6 +165,31 @@ TEST_F(ControlBarTest, AGainCanBeTyped) {
     QTest::keyClick(&box, Qt::Key_Return);
     EXPECT_DOUBLE_EQ(box.value(), 3.5e-5);
     EXPECT_EQ(chosen.count(), 1);
+}
+
+TEST_F(ControlBarTest, TheWheelChangesOnlyWhatHasTheFocus) {
+    bar.setMaterial(1);
+    bar.setForceGain(1e8);
+    const QSignalSpy material(&bar, &ControlBar::materialChosen);
+    const QSignalSpy gain(&bar, &ControlBar::forceGainChosen);
+    auto& combo = child<QComboBox>("material");
+    auto& box = child<GainSpinBox>("forceGain");
+    bar.show();
+    QApplication::setActiveWindow(&bar);
+    bar.setFocus();
+    EXPECT_FALSE(turnWheelOver(combo)) << "the window may use it";
+    EXPECT_FALSE(turnWheelOver(box));
+    EXPECT_EQ(combo.currentIndex(), 1);
+    EXPECT_DOUBLE_EQ(box.value(), 1e8);
+    EXPECT_EQ(material.count() + gain.count(), 0);
+    EXPECT_FALSE(combo.hasFocus() || box.hasFocus());
+    combo.setFocus();
+    ASSERT_TRUE(combo.hasFocus());
+    EXPECT_TRUE(turnWheelOver(combo));
+    EXPECT_EQ(material.count(), 1);
+    box.setFocus();
+    EXPECT_TRUE(turnWheelOver(box));
+    EXPECT_DOUBLE_EQ(box.value(), 2e8);
 }
 
 TEST_F(ControlBarTest, FitsASmallWindowWithNothingCutOff) {

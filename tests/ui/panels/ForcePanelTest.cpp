@@ -83,6 +83,28 @@ TEST(ForcePanel, NothingMovesWhenTheNumbersChange) {
     }
 }
 
+TEST(ForcePanel, NothingIsCutOffInTheColumnOfTheWindow) {
+    ForcePanel panel;
+    panel.resize(372, 270);
+    TickSample sample = test::tickWithForce(1.0, Vector3(0.0, 0.0, -888.88e-12));
+    sample.output.estimate.covariance.diagonal().setConstant(888.88e-12 * 888.88e-12);
+    sample.output.tip = Vector3(-88.8888e-6, -88.8888e-6, 888.88e-9);
+    sample.output.model.contact.indentation = 888.88e-9;
+    sample.output.model.contact.contactRadius = 888.88e-9;
+    panel.show(test::snapshotOf(sample));
+    panel.grab();  // lays out
+    EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 888.88"));
+    for (const QLabel* label : panel.findChildren<QLabel*>()) {
+        if (label->textFormat() != Qt::PlainText) {
+            continue;  // a legend: its source is longer than what is read
+        }
+        EXPECT_LE(label->fontMetrics().horizontalAdvance(label->text()), label->width())
+            << label->text().toStdString() << " is cut off";
+        EXPECT_LE(label->mapTo(&panel, label->rect().topRight()).x(), 372)
+            << label->text().toStdString() << " leaves the panel";
+    }
+}
+
 TEST(ForcePanel, PlacesOnLargeScansFitToo) {
     ForcePanel panel;
     TickSample sample = indented();

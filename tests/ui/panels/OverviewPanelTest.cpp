@@ -150,6 +150,29 @@ TEST(OverviewMap, DrawsTheZoomsFrameAndThePathWhereTheyAre) {
     EXPECT_GT(test::pixelsLike(map.grab().toImage(), QColor(theme::kInk)), before + 50);
 }
 
+TEST(OverviewMap, ASmallFrameIsSeenOutsideTheTipsMark) {
+    OverviewMap map;
+    map.resize(400, 200);
+    map.setSurface(wideSurface());
+    const QPointF middle(128.0_nm, 64.0_nm);
+    map.showFrame({middle.x() - 2.0_nm, middle.y() - 2.0_nm, 4.0_nm, 4.0_nm});
+    map.showTip(middle);
+    const QImage image = map.grab().toImage();
+    const QPoint centre = map.toPixel(middle).toPoint();
+    for (const QPoint& way : {QPoint(-1, -1), QPoint(-1, 1), QPoint(1, -1), QPoint(1, 1)}) {
+        QRect outside(QPoint(), QSize(10, 10));
+        outside.moveCenter(centre + 14 * way);
+        EXPECT_GE(test::pixelsLike(image.copy(outside), QColor(theme::kZoom)), 8)
+            << way.x() << ", " << way.y();
+    }
+    map.showFrame({middle.x() - 20.0_nm, middle.y() - 20.0_nm, 40.0_nm, 40.0_nm});
+    const QImage large = map.grab().toImage();
+    EXPECT_EQ(test::pixelsLike(large.copy(QRect(centre - QPoint(18, 18), QSize(36, 36))),
+                               QColor(theme::kZoom)),
+              0)
+        << "no brackets in a frame that is large enough";
+}
+
 TEST(OverviewMap, ANewSurfaceForgetsTheOldOnesMarks) {
     OverviewMap map;
     map.resize(400, 200);

@@ -70,7 +70,7 @@ TEST(StateBanner, AFaultStandsAboveAllAndCanBeTakenBack) {
     banner.setPaused(true);
     banner.show(test::snapshotOf(sample));
     EXPECT_EQ(stateOf(banner),
-              QStringLiteral("fault: the hand's device was unplugged: forces are off"));
+              QStringLiteral("fault: the hand's device is not there: forces are off"));
     EXPECT_FALSE(rearmButton(banner).isHidden());
     QSignalSpy asked(&banner, &StateBanner::rearmRequested);
     banner.findChild<QPushButton*>(QStringLiteral("rearm"))->click();

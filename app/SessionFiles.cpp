@@ -1,0 +1,92 @@
+// What a session leaves in files: recordings and pictures.
+
+#include "app/Session.h"
+#include "core/Error.h"
+#include "ui/MainWindow.h"
+#include "ui/WindowMenus.h"
+#include "ui/panels/ControlBar.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QPixmap>
+#include <QStandardPaths>
+
+namespace asperity {
+
+namespace {
+
+std::filesystem::path folderOfThisMoment(const std::filesystem::path& parent) {
+    const QString now = QDateTime::currentDateTime().toString("yyyy-MM-dd_HH-mm-ss.zzz");
+    return parent / now.toStdString();
+}
+
+}  // namespace
+
+std::filesystem::path Session::standardRecordingsFolder() {
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return std::filesystem::path(documents.toStdString()) / "Asperity";
+}
+
+void Session::record(bool on) {
+    if (!on || !run_) {
+        finishRecording();
+        return;
+    }
+    const bool running = run_->loop().running();
+    run_->loop().stop();
+    fetchTicks();  // those before the recording belong to nobody
+    try {
+        recording_ = std::make_unique<Recording>(folderOfThisMoment(recordings_), run_->loaded(),
+                                                 run_->loop().memory());
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+    showRecording();
+    if (running) {
+        run_->loop().start();
+    }
+}
+
+void Session::finishRecording() {
+    if (recording_) {
+        fetchTicks();
+        const std::unique_ptr<Recording> finished = std::move(recording_);
+        try {
+            finished->finish();
+            tellOfRecording(*finished);
+        } catch (const Error& error) {
+            window_.complain(QString::fromUtf8(error.what()));
+        }
+    }
+    showRecording();
+}
+
+void Session::tellOfRecording(const Recording& recording) {
+    const QString folder = QString::fromStdString(recording.folder().string());
+    window_.tell(tr("%1 ticks recorded in %2").arg(recording.ticks()).arg(folder));
+    if (recording.broken()) {
+        window_.complain(tr("The window was busy for so long that ticks were lost. The recording "
+                            "in %1 ends before them.")
+                             .arg(folder));
+    }
+    Q_EMIT recordingFinished(folder);
+}
+
+void Session::showRecording() {
+    window_.controls().setRecording(recording_ != nullptr);
+    window_.menus().record->setChecked(recording_ != nullptr);
+}
+
+void Session::savePicture(const QString& file) {
+    if (run_) {
+        fetchTicks();
+        show_.showEverywhere(run_->loop().snapshot());
+    }
+    if (window_.grab().save(file)) {
+        window_.tell(tr("Saved as %1").arg(file));
+    } else {
+        window_.complain(tr("%1: the picture cannot be written").arg(file));
+    }
+}
+
+}  // namespace asperity

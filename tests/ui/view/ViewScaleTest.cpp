@@ -1,0 +1,149 @@
+#include "ui/view/ViewScale.h"
+
+#include "core/Units.h"
+#include "tests/support/TestScenes.h"
+#include "tests/ui/view/ViewMoments.h"
+#include "ui/view/ContactShape.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+/// So soft that the contact is wider than the tip.
+Scene rubberScene() {
+    HeightMap map = test::flatMap();
+    map.pitchX *= 4.0;
+    map.pitchY *= 4.0;
+    SceneDescription description = test::plainScene();
+    description.sample.material.elastic = {.youngsModulus = 1e6, .poissonRatio = 0.5};
+    description.sample.material.workOfAdhesion = 0.022;
+    return buildScene(description, map);
+}
+
+ScanWindow around(const Vector3& place, double reach) {
+    return {.left = place.x() - reach,
+            .right = place.x() + reach,
+            .bottom = place.y() - reach,
+            .top = place.y() + reach};
+}
+
+/// From the contact's axis, of a sample of the surface at rest [m].
+double distanceOf(const ContactShape& shape, std::size_t index) {
+    return (shape.patch().rest[index] - shape.contact().foot).head<2>().norm();
+}
+
+/// Largest displacement among the samples from a distance on [m].
+double largestBeyond(const ContactShape& shape, double distance) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < shape.displacements().size(); ++i) {
+        if (distanceOf(shape, i) > distance) {
+            largest = std::max(largest, std::abs(shape.displacements()[i]));
+        }
+    }
+    return largest;
+}
+
+/// Farthest that a sample in contact, its rounded rim aside, is drawn from the paraboloid that
+/// stands for the tip [m].
+double farthestFromTip(const ContactShape& shape) {
+    const TipContact& contact = shape.contact();
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < shape.displacements().size(); ++i) {
+        const double r = distanceOf(shape, i);
+        if (r < 0.8 * contact.contactRadius) {
+            const double tip = contact.indentation - r * r / (2.0 * contact.tipRadius);
+            farthest = std::max(farthest, std::abs(shape.displacements()[i] - tip));
+        }
+    }
+    return farthest;
+}
+
+}  // namespace
+
+TEST(ViewScale, OfAStiffSampleIsThatOfTheTip) {
+    const Scene scene = test::flatScene();
+    const ViewScale scale = viewScale(scene);
+    const double radius = scene.belief.tipRadius();
+    EXPECT_NEAR(unloadedContactRadius(scene.belief.contact.pair()), 0.3 * radius, 0.02 * radius);
+    EXPECT_DOUBLE_EQ(scale.patch, 2.0 * radius);
+    EXPECT_DOUBLE_EQ(scale.usual, 2.4 * radius);
+    EXPECT_DOUBLE_EQ(scale.least, 1.25 * radius);
+}
+
+TEST(ViewScale, IsThatOfTheContactWhereItIsWide) {
+    const Scene scene = rubberScene();
+    const ViewScale scale = viewScale(scene);
+    const double unloaded = unloadedContactRadius(scene.belief.contact.pair());
+    EXPECT_NEAR(unloaded, 37.4_nm, 0.5_nm);
+    EXPECT_DOUBLE_EQ(scale.patch, 2.5 * unloaded);
+    EXPECT_DOUBLE_EQ(scale.usual, 3.2 * unloaded);
+    EXPECT_LT(scale.least, scale.usual);
+}
+
+TEST(ViewScale, AGivenWidthOfTheFrameIsKept) {
+    Scene scene = rubberScene();
+    scene.description.zoomHalfWidth = 50.0_nm;
+    EXPECT_DOUBLE_EQ(viewScale(scene).usual, 50.0_nm);
+}
+
+TEST(ViewScale, ThePatchHoldsTheWideContactOfRubber) {
+    const Scene scene = rubberScene();
+    const test::ViewMoments moments = test::momentsOf(scene);
+    ASSERT_GT(moments.deep.sample.output.model.contact.contactRadius,
+              1.5 * scene.belief.tipRadius());
+    for (const Snapshot& moment : {moments.deep, moments.neck}) {
+        const TipState& state = moment.sample.output.model;
+        const double reach = viewScale(scene).patch;
+        const ContactShape shape(scene, state, around(state.tip, reach), 65);
+        EXPECT_LT(farthestFromTip(shape), 0.5_nm + shape.tipDisplacement(0.0));
+        // Where it goes over into rest, and in the corners, nothing stands out.
+        EXPECT_LT(largestBeyond(shape, 0.65 * reach), 0.5 * shape.largestDisplacement());
+    }
+}
+
+TEST(ViewScale, APatchTooSmallForTheContactHasNoSpikes) {
+    const Scene scene = rubberScene();
+    const TipState state = test::momentsOf(scene).deep.sample.output.model;
+    const double radius = state.contact.contactRadius;
+    const double rim =
+        radius * radius / (2.0 * scene.belief.tipRadius()) - state.contact.indentation;
+    double before = 0.0;
+    for (const double room : {0.7, 1.0, 1.2, 1.4, 1.6}) {
+        const ContactShape shape(scene, state, around(state.tip, room * radius), 65);
+        const double largest = shape.largestDisplacement();
+        EXPECT_GE(largest, before) << room;
+        EXPECT_LE(largest, rim) << room;
+        EXPECT_LE(largestBeyond(shape, room * radius), 0.25 * rim) << "in the corners, " << room;
+        before = largest;
+    }
+    EXPECT_GT(before, 0.6 * rim);
+}
+
+}  // namespace asperity
+#include "tests/ui/view/ZoomViewFixture.h"
+#include "core/probe/SimulatedAfm.h"
+#include <QPainter>
+namespace asperity::test {
+TEST_F(ZoomViewTest, TmpPictures) {
+    Scene rubber = rubberScene();
+    view->resize(700, 520);
+    view->setScene(&rubber);
+    SimulatedAfm afm(rubber.surface, rubber.truth);
+    Snapshot s; int n = 0; double last = 0; bool deep = false;
+    QImage all(1400, 1040, QImage::Format_RGB32); QPainter p(&all);
+    const PathPlan plan{.duration = 4.0, .slideLength = 0.0};
+    runVirtually(rubber, approachPath(rubber, plan), afm, 4000, [&](const TickSample& t) {
+        double a = t.output.model.contact.contactRadius;
+        if (a > 25e-9) deep = true;
+        for (double lim : {24e-9, 18e-9, 12.5e-9})
+            if (deep && a > 0 && a < lim && last >= lim) { s.sample = t; p.drawImage((n%2)*700, (n/2)*520, pictureOf(s)); n++; }
+        last = a;
+    });
+    view->setHalfWidth(0.0);
+    p.drawImage(700, 520, pictureOf(momentsOf(rubber).deep)); p.end(); all.save("/tmp/necks_all.png");
+}
+}

@@ -1,0 +1,42 @@
+#include "ui/view/ViewScale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+
+namespace {
+
+/// A width in tip radii, but at least so many contact radii.
+struct Width {
+    double ofTip;
+    double ofContact;
+
+    [[nodiscard]] double of(double tip, double contact) const {
+        return std::max(ofTip * tip, ofContact * contact);
+    }
+};
+
+constexpr Width kPatch = {.ofTip = 2.0, .ofContact = 2.5};
+constexpr Width kUsual = {.ofTip = 2.4, .ofContact = 3.2};
+constexpr Width kLeast = {.ofTip = 1.25, .ofContact = 1.9};  // its patch still holds the contact
+
+}  // namespace
+
+ViewScale viewScale(const Scene& scene) {
+    const double tip = scene.belief.tipRadius();
+    const double contact = unloadedContactRadius(scene.belief.contact.pair());
+    const double given = scene.description.zoomHalfWidth;
+    return {.patch = kPatch.of(tip, contact),
+            .usual = given > 0.0 ? given : kUsual.of(tip, contact),
+            .least = kLeast.of(tip, contact)};
+}
+
+double unloadedContactRadius(const ContactPair& pair) {
+    const double modulus = 4.0 / 3.0 * pair.reducedModulus;
+    return std::cbrt(6.0 * std::numbers::pi * pair.workOfAdhesion * pair.tipRadius *
+                     pair.tipRadius / modulus);
+}
+
+}  // namespace asperity
