@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -124,26 +125,3 @@ TEST(ViewScale, APatchTooSmallForTheContactHasNoSpikes) {
 }
 
 }  // namespace asperity
-#include "tests/ui/view/ZoomViewFixture.h"
-#include "core/probe/SimulatedAfm.h"
-#include <QPainter>
-namespace asperity::test {
-TEST_F(ZoomViewTest, TmpPictures) {
-    Scene rubber = rubberScene();
-    view->resize(700, 520);
-    view->setScene(&rubber);
-    SimulatedAfm afm(rubber.surface, rubber.truth);
-    Snapshot s; int n = 0; double last = 0; bool deep = false;
-    QImage all(1400, 1040, QImage::Format_RGB32); QPainter p(&all);
-    const PathPlan plan{.duration = 4.0, .slideLength = 0.0};
-    runVirtually(rubber, approachPath(rubber, plan), afm, 4000, [&](const TickSample& t) {
-        double a = t.output.model.contact.contactRadius;
-        if (a > 25e-9) deep = true;
-        for (double lim : {24e-9, 18e-9, 12.5e-9})
-            if (deep && a > 0 && a < lim && last >= lim) { s.sample = t; p.drawImage((n%2)*700, (n/2)*520, pictureOf(s)); n++; }
-        last = a;
-    });
-    view->setHalfWidth(0.0);
-    p.drawImage(700, 520, pictureOf(momentsOf(rubber).deep)); p.end(); all.save("/tmp/necks_all.png");
-}
-}
