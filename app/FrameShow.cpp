@@ -30,9 +30,9 @@ void FrameShow::show(const Snapshot& latest, double now) {
         panels_.add(now);
     } else {
         window_.view().showSnapshot(latest);
+        window_.banner().show(latest);
     }
     view_.add(now);
-    window_.banner().show(latest);
     window_.loopStatus().show(latest.statistics);
     window_.loopStatus().setFramesPerSecond(view_.rate());
 }

@@ -23,7 +23,6 @@ public:
     SceneLoader& operator=(const SceneLoader&) = delete;
 
     void load(const std::filesystem::path& input);
-    [[nodiscard]] bool busy() const { return busy_; }
 
 Q_SIGNALS:
     void loaded(std::shared_ptr<asperity::LoadedScene> scene);

@@ -61,6 +61,7 @@ TEST_F(Window, ForcesStayOffAndKnobsStayTurnedOverAnotherMaterial) {
     openFlatScene();
     Settings turned = session.run()->settings();
     turned.forceGain = 250.0;
+    turned.positionGain = 0.5;
     session.run()->setSettings(turned);
     QTest::keyClick(&window, Qt::Key_Escape);
     session.pause();
@@ -69,6 +70,11 @@ TEST_F(Window, ForcesStayOffAndKnobsStayTurnedOverAnotherMaterial) {
     EXPECT_FALSE(session.run()->settings().forcesOn);
     EXPECT_EQ(session.run()->settings().forceGain, 250.0);
     EXPECT_FALSE(session.run()->loop().running());
+    const Vector3 waiting = session.run()->basePosition();
+    session.start();
+    EXPECT_TRUE(
+        eventually([this] { return session.run()->loop().snapshot().statistics.ticks > 5; }));
+    EXPECT_LT((session.run()->basePosition() - waiting).norm(), 1e-15) << "whatever the gain";
     EXPECT_FALSE(child<QPushButton>("forces")->isChecked());
     openFlatScene();
     EXPECT_FALSE(session.run()->settings().forcesOn) << "nor does another scan give them back";
