@@ -1,5 +1,7 @@
 #include "core/contact/AttractiveTail.h"
 
+#include "core/contact/LawPoint.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,6 +51,11 @@ double AttractiveTail::lift(double separation) const noexcept {
 
 double AttractiveTail::indentation(double separation) const noexcept {
     return kContactSeparation - separation - lift(separation);
+}
+
+double AttractiveTail::stiffness(double separation) const noexcept {
+    return curveStiffness(attraction_.gradient(separation),
+                          (2.5 * lift(separation) / separation) - 1.0);
 }
 
 double AttractiveTail::approach(double separation, double compliance) const noexcept {

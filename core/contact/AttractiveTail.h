@@ -22,6 +22,8 @@ public:
     [[nodiscard]] double lift(double separation) const noexcept;
     /// Approach of the undeformed bodies [m].
     [[nodiscard]] double indentation(double separation) const noexcept;
+    /// d(force)/d(indentation), < 0 [N/m]; the separation at least elasticInstability().
+    [[nodiscard]] double stiffness(double separation) const noexcept;
     /// Approach of the undeflected tip on a lever of this compliance [m/N].
     [[nodiscard]] double approach(double separation, double compliance) const noexcept;
     /// Work done on the bodies from infinite separation, without the lever's [J].

@@ -1,73 +1,121 @@
 #include "core/contact/ContactModel.h"
 
 #include "core/Error.h"
-#include "core/contact/ClassicContact.h"
-#include "core/contact/Within.h"
+
+#include <algorithm>
+#include <string>
 
 namespace asperity {
 
 namespace {
 
-// Far beyond any instrument, and near enough that no power of them overflows.
-constexpr double kSmallestRadius = 1e-12;    // [m]
-constexpr double kLargestRadius = 1.0;       // [m]
-constexpr double kSmallestModulus = 1.0;     // [Pa]
-constexpr double kLargestModulus = 1e15;     // [Pa]
-constexpr double kSmallestAdhesion = 1e-12;  // [J/m^2]
-constexpr double kLargestAdhesion = 1e3;     // [J/m^2]
-constexpr double kLargestApproach = 1e3;     // [m]
-constexpr double kLargestCompliance = 1e6;   // [m/N]
+const char* expectation(ContactStatus status) {
+    switch (status) {
+    case ContactStatus::TipRadiusOutOfRange:
+        return "the tip radius must lie between 1e-12 and 1 m";
+    case ContactStatus::ModulusOutOfRange:
+        return "the reduced modulus must lie between 0.1 and 1e15 Pa";
+    case ContactStatus::AdhesionOutOfRange:
+        return "the work of adhesion must lie between 0 and 1000 J/m^2";
+    default:
+        return "the range of the cohesive stress, w / sigma0, must lie between 1e-15 and 1 m";
+    }
+}
 
-void check(const ContactPair& pair) {
-    if (!isWithin(pair.tipRadius, kSmallestRadius, kLargestRadius)) {
-        throw Error("contact: the tip radius must lie between 1e-12 and 1 m");
+ContactPair checked(const ContactPair& pair, double cohesiveStress) {
+    const ContactStatus status = checkPair(pair, cohesiveStress);
+    if (status != ContactStatus::Solved) {
+        throw Error(std::string("contact: ") + expectation(status));
     }
-    if (!isWithin(pair.reducedModulus, kSmallestModulus, kLargestModulus)) {
-        throw Error("contact: the reduced modulus must lie between 1 and 1e15 Pa");
-    }
-    if (!isWithin(pair.workOfAdhesion, 0.0, kLargestAdhesion)) {
-        throw Error("contact: the work of adhesion must lie between 0 and 1000 J/m^2");
-    }
+    return pair;
 }
 
 }  // namespace
 
-ContactModel::ContactModel(ContactLaw law, const ContactPair& pair) : law_(law), pair_(pair) {
-    check(pair);
-    if (law == ContactLaw::Split && pair.workOfAdhesion >= kSmallestAdhesion) {
-        adhesion_.emplace(pair);
+ContactModel::ContactModel(ContactLaw law, const ContactPair& pair, double cohesiveStress)
+    : ContactModel(Unchecked{}, law, checked(pair, cohesiveStress), cohesiveStress) {}
+
+ContactModel::ContactModel(ContactLaw law, const ContactPair& pair)
+    : ContactModel(law, pair, pair.workOfAdhesion / kCohesiveRange) {}
+
+ContactModel::ContactModel(Unchecked /*tag*/, ContactLaw law, const ContactPair& pair,
+                           double cohesiveStress) noexcept
+    : law_(law)
+    , pair_(pair)
+    , givenStress_(cohesiveStress)
+    , joined_(joinedLaw(law, pair, cohesiveStress)) {}
+
+ContactModel::Joined ContactModel::joinedLaw(ContactLaw law, const ContactPair& pair,
+                                             double cohesiveStress) noexcept {
+    const auto sudden = [](const auto& bonded) {
+        return Joined(JoinedLaw(NoTail(bonded.onset()), bonded));
+    };
+    if (pair.workOfAdhesion < kSmallestAdhesion) {
+        return sudden(HertzLaw(pair));
     }
+    switch (law) {
+    case ContactLaw::Dmt:
+        return sudden(DmtLaw(pair));
+    case ContactLaw::Jkr:
+        return sudden(JkrLaw(pair));
+    case ContactLaw::Maugis:
+        return sudden(MaugisLaw(pair, cohesiveStress));
+    case ContactLaw::Split:
+        return Split(WithTail(splitTail(pair)), SplitLaw(pair));
+    default:
+        return sudden(HertzLaw(pair));
+    }
+}
+
+ContactModel ContactModel::withTipRadius(double tipRadius) const noexcept {
+    ContactPair pair = pair_;
+    pair.tipRadius = std::clamp(tipRadius, kSmallestTipRadius, kLargestTipRadius);
+    return {Unchecked{}, law_, pair, givenStress_};
 }
 
 ContactState ContactModel::equilibrium(double approach, double compliance,
-                                       ContactBranch branch) const noexcept {
-    if (!isWithin(approach, -kLargestApproach, kLargestApproach) ||
-        !isWithin(compliance, 0.0, kLargestCompliance)) {
-        ContactState state;
-        state.branch = branch;
-        state.solved = false;
-        return state;
+                                       const ContactMemory& memory) const noexcept {
+    const ContactStatus status = checkRequest(approach, compliance);
+    if (status != ContactStatus::Solved) {
+        return {.coordinate = memory.coordinate, .branch = memory.branch, .status = status};
     }
-    return adhesion_ ? adhesion_->equilibrium(approach, compliance, branch)
-                     : hertz(approach, compliance);
-}
-
-ContactState ContactModel::hertz(double approach, double compliance) const noexcept {
-    ContactState state;
-    state.indentation = hertzIndentation(pair_, approach, compliance);
-    state.force = hertzForce(pair_, state.indentation);
-    state.contactRadius = hertzContactRadius(pair_, state.indentation);
-    state.cohesiveRadius = state.contactRadius;
-    state.branch = state.indentation > 0.0 ? ContactBranch::Bonded : ContactBranch::Far;
-    return state;
+    return std::visit(
+        [&](const auto& joined) { return joined.equilibrium(approach, compliance, memory); },
+        joined_);
 }
 
 double ContactModel::jumpInApproach(double compliance) const noexcept {
-    return adhesion_ ? adhesion_->jumpInApproach(compliance) : 0.0;
+    return std::visit([&](const auto& joined) { return joined.jumpInApproach(compliance); },
+                      joined_);
 }
 
 double ContactModel::pullOffApproach(double compliance) const noexcept {
-    return adhesion_ ? adhesion_->pullOffApproach(compliance) : 0.0;
+    return std::visit([&](const auto& joined) { return joined.pullOffApproach(compliance); },
+                      joined_);
+}
+
+double ContactModel::cohesiveStress() const noexcept {
+    return std::visit(
+        [](const auto& joined) {
+            if constexpr (requires { joined.bonded().cohesiveStress(); }) {
+                return joined.bonded().cohesiveStress();
+            } else {
+                return 0.0;
+            }
+        },
+        joined_);
+}
+
+double ContactModel::lambda() const noexcept {
+    return std::visit(
+        [](const auto& joined) {
+            if constexpr (requires { joined.bonded().lambda(); }) {
+                return joined.bonded().lambda();
+            } else {
+                return 0.0;
+            }
+        },
+        joined_);
 }
 
 }  // namespace asperity

@@ -1,13 +1,21 @@
 #pragma once
 
+#include "core/contact/ContactStatus.h"
+
 #include <cstdint>
 
 namespace asperity {
 
 /// Which stable state the tip is in; with adhesion the force is not a function of the gap alone.
 enum class ContactBranch : std::uint8_t {
-    Far,     ///< before snap-in: van der Waals attraction only
-    Bonded,  ///< after snap-in: cohesive zone, with or without contact inside it
+    Far,     ///< before snap-in: van der Waals attraction at most
+    Bonded,  ///< after snap-in: contact, or a cohesive zone without contact
+};
+
+/// What one equilibrium hands to the next.
+struct ContactMemory {
+    ContactBranch branch = ContactBranch::Far;
+    double coordinate = 0.0;  ///< of the state on its law's curve; 0: none
 };
 
 /// One equilibrium of tip and sample along the surface normal.
@@ -16,10 +24,15 @@ struct ContactState {
     double indentation = 0.0;     ///< approach of the undeformed bodies, < 0 is a gap [m]
     double contactRadius = 0.0;   ///< [m]
     double cohesiveRadius = 0.0;  ///< outer radius of the cohesive zone [m]
+    double stiffness = 0.0;       ///< d(force)/d(indentation) [N/m]
     double energyLost = 0.0;      ///< dissipated by a jump that led into this state [J]
+    double coordinate = 0.0;      ///< on the law's curve, for ContactMemory
     ContactBranch branch = ContactBranch::Far;
-    bool jumped = false;  ///< the branch changed on the way to this state
-    bool solved = true;   ///< false: the input was outside its range; force and lengths are zero
+    bool jumped = false;  ///< the force jumped on the way to this state, between branches
+    ContactStatus status = ContactStatus::Solved;  ///< else force and lengths are zero
+
+    [[nodiscard]] bool solved() const noexcept { return status == ContactStatus::Solved; }
+    [[nodiscard]] ContactMemory memory() const noexcept { return {branch, coordinate}; }
 };
 
 }  // namespace asperity

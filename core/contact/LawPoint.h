@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 namespace asperity {
 
 /// One equilibrium of tip and sample on the curve of a contact law, stable or not.
@@ -20,6 +23,16 @@ struct LawPoint {
     double contactRadius = 0.0;   ///< [m]
     double cohesiveRadius = 0.0;  ///< outer radius of the cohesive zone, >= contactRadius [m]
     double stiffness = 0.0;       ///< d(force)/d(indentation) along the curve [N/m]
+    double coordinate = 0.0;      ///< on the curve, where a law can start from it; 0: none
 };
+
+/// Slope of a curve from its rates; the largest double where the curve is vertical.
+[[nodiscard]] inline double curveStiffness(double forceRate, double indentationRate) noexcept {
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    if (std::abs(indentationRate) <= std::abs(forceRate) / kLargest) {
+        return std::copysign(kLargest, forceRate);
+    }
+    return forceRate / indentationRate;
+}
 
 }  // namespace asperity

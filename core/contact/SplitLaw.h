@@ -1,10 +1,11 @@
 #pragma once
 
 #include "core/contact/AttractiveTail.h"
-#include "core/contact/ContactState.h"
+#include "core/contact/LawPoint.h"
 #include "core/contact/Material.h"
-#include "core/contact/MaugisDugdale.h"
-#include "core/contact/MaugisUnits.h"
+#include "core/contact/MaugisLaw.h"
+
+#include <optional>
 
 namespace asperity {
 
@@ -20,44 +21,33 @@ struct AdhesionSplit {
     bool tailSnaps = false;        ///< the tail is unstable at the joint: the zone has all of w
 };
 
-/// Van der Waals tail joined to Maugis-Dugdale. Before snap-in the tail alone acts; bonded, the
-/// cohesive zone acts and the tail is a constant. No allocation after construction.
-/// Source: docs/physics.md 3.4, 7.1.
+/// The tail of a pair with work of adhesion > 0, down to where the cohesive zone takes over.
+[[nodiscard]] AttractiveTail splitTail(const ContactPair& pair) noexcept;
+
+/// The bonded side of the split van der Waals and Maugis-Dugdale model: the cohesive zone acts, and
+/// what the tail does outside of it is a constant force and lift. Before it acts splitTail().
+/// Source: docs/physics.md 3.4, equation (3.3).
 class SplitLaw {
 public:
     /// The pair's work of adhesion must be > 0.
     explicit SplitLaw(const ContactPair& pair) noexcept;
 
-    /// As ContactModel::equilibrium().
-    [[nodiscard]] ContactState equilibrium(double approach, double compliance,
-                                           ContactBranch branch) const noexcept;
-    /// Approach of the undeflected tip at which the tail snaps in [m].
-    [[nodiscard]] double jumpInApproach(double compliance) const noexcept;
-    /// Approach of the undeflected tip at which the bond breaks [m].
-    [[nodiscard]] double pullOffApproach(double compliance) const noexcept;
-
     [[nodiscard]] const AdhesionSplit& split() const noexcept { return split_; }
-    [[nodiscard]] const AttractiveTail& tail() const noexcept { return tail_; }
+    [[nodiscard]] double cohesiveStress() const noexcept { return split_.cohesiveStress; }
     /// Transition parameter of the cohesive zone.
-    [[nodiscard]] double lambda() const noexcept { return bonded_.curve().lambda(); }
+    [[nodiscard]] double lambda() const noexcept { return zone_.lambda(); }
+
+    // As LawPoint.h has it; the energy is counted from infinite separation.
+    [[nodiscard]] LawPoint fold(double compliance) const noexcept;
+    [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance) const noexcept;
+    [[nodiscard]] double energy(const LawPoint& point) const noexcept;
 
 private:
-    [[nodiscard]] MaugisControl control(double compliance) const noexcept;
-    [[nodiscard]] double heldValue(double approach, double compliance) const noexcept;
-    [[nodiscard]] MaugisPoint bondedAt(double approach, double compliance) const noexcept;
-    [[nodiscard]] ContactState farState(double separation) const noexcept;
-    [[nodiscard]] ContactState bondedState(const MaugisPoint& point) const noexcept;
-    [[nodiscard]] double farEnergy(double separation, double compliance) const noexcept;
-    [[nodiscard]] double bondedEnergy(const MaugisPoint& point, double compliance) const noexcept;
-    [[nodiscard]] ContactState snapIn(double approach, double compliance,
-                                      double end) const noexcept;
-    [[nodiscard]] ContactState pullOff(double approach, double compliance) const noexcept;
+    [[nodiscard]] LawPoint withTail(LawPoint point) const noexcept;
 
-    AttractiveTail tail_;
     AdhesionSplit split_;
-    MaugisUnits units_;
-    MaugisDugdale bonded_;
-    double jointEnergy_;  ///< of the bonded branch without cohesion [J]
+    MaugisLaw zone_;
+    double jointEnergy_;  ///< of the bonded branch where its cohesion begins [J]
 };
 
 }  // namespace asperity

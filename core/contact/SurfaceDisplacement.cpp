@@ -63,9 +63,9 @@ double attractionLiftShape(double ratio) noexcept {
            ((2.0 * (1.0 + complement) * second) - (complement * first));
 }
 
-double attractionLift(const SplitLaw& law, double separation, double radius) noexcept {
-    const double width = std::sqrt(2.0 * law.tail().attraction().radius() * separation);
-    return law.tail().lift(separation) * attractionLiftShape(radius / width);
+double attractionLift(const AttractiveTail& tail, double separation, double radius) noexcept {
+    const double width = std::sqrt(2.0 * tail.attraction().radius() * separation);
+    return tail.lift(separation) * attractionLiftShape(radius / width);
 }
 
 }  // namespace
@@ -89,29 +89,29 @@ double surfaceDisplacement(const CohesiveContact& contact, double radius) noexce
 
 double surfaceDisplacement(const ContactModel& model, const ContactState& state,
                            double radius) noexcept {
-    const auto& law = model.adhesion();
+    const ContactModel::Split* split = model.split();
     const bool untouched = state.branch == ContactBranch::Far && !(state.force < 0.0);
-    if (!state.solved || untouched) {
+    if (!state.solved() || untouched) {
         return 0.0;
     }
     CohesiveContact contact{.tipRadius = model.pair().tipRadius,
                             .reducedModulus = model.pair().reducedModulus,
-                            .cohesiveStress = law ? law->split().cohesiveStress : 0.0,
+                            .cohesiveStress = model.cohesiveStress(),
                             .indentation = state.indentation,
                             .contactRadius = state.contactRadius,
                             .cohesiveRadius = state.cohesiveRadius};
-    if (!law) {
+    if (split == nullptr) {
         return surfaceDisplacement(contact, radius);
     }
+    const AttractiveTail& tail = split->separate().tail();
     if (state.branch == ContactBranch::Far) {
-        const double separation = law->tail().attraction().separationAt(state.force);
-        return -attractionLift(*law, separation, radius);
+        return -attractionLift(tail, tail.attraction().separationAt(state.force), radius);
     }
-    const AdhesionSplit& split = law->split();
-    contact.indentation += split.tailLift;
+    const AdhesionSplit& shares = split->bonded().split();
+    contact.indentation += shares.tailLift;
     const double outside = std::max(0.0, radius - state.contactRadius);
     const double lift =
-        split.tailSnaps ? 0.0 : attractionLift(*law, split.jointSeparation, outside);
+        shares.tailSnaps ? 0.0 : attractionLift(tail, shares.jointSeparation, outside);
     return surfaceDisplacement(contact, radius) - lift;
 }
 

@@ -76,7 +76,7 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     flags.set(Validity::OutsideScan, !out.model.foot.insideScan);
     flags.set(Validity::FilledPixel, !scene.surface.isMeasured(foot.x(), foot.y()));
     flags.set(Validity::FootNotFound, !out.model.foot.converged);
-    flags.set(Validity::NotInEquilibrium, !out.model.converged || !out.model.contact.solved);
+    flags.set(Validity::NotInEquilibrium, !out.model.converged || !out.model.contact.solved());
     flags.set(Validity::FrictionLock, out.model.locked);
     flags.set(Validity::ModelContradicted, contradicted);
     flags.set(Validity::CurvedSample, isCurved(scene, out.model));

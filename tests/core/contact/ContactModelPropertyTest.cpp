@@ -50,8 +50,8 @@ TEST(ContactModelProperty, IsFiniteAndInEquilibriumForAnyMaterialAndLever) {
         const double compliance = *test::anyCompliance();
         const double approach = anyApproach(model, compliance);
         for (const ContactBranch branch : {ContactBranch::Far, ContactBranch::Bonded}) {
-            const ContactState state = model.equilibrium(approach, compliance, branch);
-            RC_ASSERT(state.solved);
+            const ContactState state = model.equilibrium(approach, compliance, {branch});
+            RC_ASSERT(state.solved());
             RC_ASSERT(isFinite(state));
             RC_ASSERT(state.energyLost >= 0.0);
             RC_ASSERT(state.cohesiveRadius >= state.contactRadius);
@@ -76,12 +76,12 @@ TEST(ContactModelProperty, KeepsItsBranchWhileThatIsStable) {
         const double margin = 1e-12 * (std::abs(pullOff) + std::abs(jumpIn));
         RC_PRE(between > pullOff + margin && between < jumpIn - margin);
         for (const ContactBranch branch : {ContactBranch::Far, ContactBranch::Bonded}) {
-            const ContactState state = model.equilibrium(between, compliance, branch);
+            const ContactState state = model.equilibrium(between, compliance, {branch});
             RC_ASSERT(state.branch == branch);
             RC_ASSERT(!state.jumped);
         }
-        RC_ASSERT(model.equilibrium(jumpIn + margin, compliance, ContactBranch::Far).jumped);
-        RC_ASSERT(model.equilibrium(pullOff - margin, compliance, ContactBranch::Bonded).jumped);
+        RC_ASSERT(model.equilibrium(jumpIn + margin, compliance, {ContactBranch::Far}).jumped);
+        RC_ASSERT(model.equilibrium(pullOff - margin, compliance, {ContactBranch::Bonded}).jumped);
     });
 }
 
@@ -90,7 +90,7 @@ TEST(ContactModelProperty, KeepsItsBranchWhileThatIsStable) {
 double stepWithin(const ContactModel& model, double compliance, ContactBranch branch, double low,
                   double high) {
     const auto force = [&](double approach) {
-        return model.equilibrium(approach, compliance, branch).force;
+        return model.equilibrium(approach, compliance, {branch}).force;
     };
     for (int i = 0; i < 40; ++i) {
         const double middle = 0.5 * (low + high);
@@ -111,7 +111,7 @@ TEST(ContactModelProperty, ForceIsContinuousAlongABranch) {
         const double bottom = pullOff + (1e-9 * reach);
         const double top = jumpIn - (1e-9 * reach);
         const auto force = [&](double approach, ContactBranch branch) {
-            return std::abs(model.equilibrium(approach, compliance, branch).force);
+            return std::abs(model.equilibrium(approach, compliance, {branch}).force);
         };
         const double size =
             force(bottom, ContactBranch::Bonded) + force(bottom + reach, ContactBranch::Bonded);
@@ -132,7 +132,7 @@ double workAlong(const ContactModel& model, double compliance, ContactBranch bra
         const double u = (i + 0.5) / kCells;
         const double approach = low + ((high - low) * u * u * (3.0 - (2.0 * u)));
         const double width = (high - low) * 6.0 * u * (1.0 - u) / kCells;
-        work += model.equilibrium(approach, compliance, branch).force * width;
+        work += model.equilibrium(approach, compliance, {branch}).force * width;
     }
     return work;
 }
@@ -149,8 +149,8 @@ TEST(ContactModelProperty, ALoopMakesNoEnergyAndLosesWhatTheJumpsReport) {
                             workAlong(model, compliance, ContactBranch::Bonded, pullOff, jumpIn);
         const double margin = 1e-13 * (std::abs(pullOff) + std::abs(jumpIn));
         const double lost =
-            model.equilibrium(jumpIn + margin, compliance, ContactBranch::Far).energyLost +
-            model.equilibrium(pullOff - margin, compliance, ContactBranch::Bonded).energyLost;
+            model.equilibrium(jumpIn + margin, compliance, {ContactBranch::Far}).energyLost +
+            model.equilibrium(pullOff - margin, compliance, {ContactBranch::Bonded}).energyLost;
         const double adhesion = model.pair().workOfAdhesion * model.pair().tipRadius;
         const double rounding = 1e-10 * adhesion * (std::abs(pullOff) + std::abs(jumpIn));
         RC_ASSERT(loop >= -rounding);

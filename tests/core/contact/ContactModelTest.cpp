@@ -32,8 +32,8 @@ TEST(SplitLaw, DividesAdhesionLikeTheReference) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
         SCOPED_TRACE(table.text(row, "material"));
         const ContactModel model = splitModel(table.text(row, "material"));
-        ASSERT_TRUE(model.adhesion());
-        const SplitLaw& law = *model.adhesion();
+        ASSERT_NE(model.split(), nullptr);
+        const SplitLaw& law = model.split()->bonded();
         const AdhesionSplit& split = law.split();
         expectClose(split.hamaker, table.number(row, "H_J"), 1e-13);
         expectClose(split.jointSeparation, table.number(row, "Ds_m"), 1e-14);
@@ -42,7 +42,8 @@ TEST(SplitLaw, DividesAdhesionLikeTheReference) {
         expectClose(law.lambda(), table.number(row, "lambda_D"), 1e-13);
         expectClose(split.tailForce, table.number(row, "Fs_N"), 1e-13);
         expectClose(split.tailLift, table.number(row, "us_m"), 1e-13);
-        expectClose(law.tail().elasticInstability(), table.number(row, "Dstar_m"), 1e-13);
+        expectClose(model.split()->separate().tail().elasticInstability(),
+                    table.number(row, "Dstar_m"), 1e-13);
         EXPECT_EQ(split.tailSnaps, table.number(row, "tail_fold") == 1.0);
     }
 }
@@ -52,7 +53,7 @@ TEST(SplitLaw, BreaksUnderDisplacementControlLikeTheReference) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
         SCOPED_TRACE(table.text(row, "material"));
         const ContactModel model = splitModel(table.text(row, "material"));
-        const SplitLaw& law = *model.adhesion();
+        const SplitLaw& law = model.split()->bonded();
         // The column holds the fold of the tail; a stiff tail ends at the joint before it.
         const double jumpIn = law.split().tailSnaps
                                   ? table.number(row, "snap_delta_m")
@@ -61,11 +62,11 @@ TEST(SplitLaw, BreaksUnderDisplacementControlLikeTheReference) {
         const double jumpOff = table.number(row, "do_delta_m");
         expectClose(model.pullOffApproach(0.0), jumpOff, 1e-12);
         const ContactState last =
-            model.equilibrium(jumpOff * (1.0 - 1e-13), 0.0, ContactBranch::Bonded);
+            model.equilibrium(jumpOff * (1.0 - 1e-13), 0.0, {ContactBranch::Bonded});
         EXPECT_EQ(last.branch, ContactBranch::Bonded);
         expectClose(last.force, table.number(row, "do_P_N"), 1e-5);
         const ContactState gone =
-            model.equilibrium(jumpOff * (1.0 + 1e-13), 0.0, ContactBranch::Bonded);
+            model.equilibrium(jumpOff * (1.0 + 1e-13), 0.0, {ContactBranch::Bonded});
         EXPECT_EQ(gone.branch, ContactBranch::Far);
         EXPECT_TRUE(gone.jumped);
     }
@@ -87,7 +88,7 @@ TEST(SplitLaw, FollowsTheReferenceCurve) {
         // The last row of a stiff tail is the joint itself: rounding may put it beyond.
         const bool joint = tail && std::abs(indentation - model.jumpInApproach(0.0)) < 1e-18;
         const ContactState state =
-            model.equilibrium(joint ? indentation - 1e-22 : indentation, 0.0, branch);
+            model.equilibrium(joint ? indentation - 1e-22 : indentation, 0.0, {branch});
         EXPECT_EQ(state.branch, branch);
         EXPECT_FALSE(state.jumped);
         expectClose(state.indentation, indentation, 1e-11);
@@ -112,7 +113,7 @@ TEST(SplitLaw, JumpsOnALeverLikeTheReference) {
         const double jumpIn = model.jumpInApproach(compliance);
         expectClose(jumpIn, table.number(row, "in_xb_m"), 1e-12);
         const double after = jumpIn + (1e-14 * std::abs(jumpIn));
-        const ContactState landed = model.equilibrium(after, compliance, ContactBranch::Far);
+        const ContactState landed = model.equilibrium(after, compliance, {ContactBranch::Far});
         EXPECT_TRUE(landed.jumped);
         EXPECT_GT(landed.energyLost, 0.0);
         EXPECT_EQ(landed.branch, ContactBranch::Bonded);
@@ -124,7 +125,7 @@ TEST(SplitLaw, JumpsOnALeverLikeTheReference) {
         const double pullOff = model.pullOffApproach(compliance);
         expectClose(pullOff, table.number(row, "off_xb_m"), 1e-12);
         const double beyond = pullOff - (1e-14 * std::abs(pullOff));
-        const ContactState gone = model.equilibrium(beyond, compliance, ContactBranch::Bonded);
+        const ContactState gone = model.equilibrium(beyond, compliance, {ContactBranch::Bonded});
         EXPECT_TRUE(gone.jumped);
         EXPECT_GT(gone.energyLost, 0.0);
         EXPECT_EQ(gone.branch, ContactBranch::Far);
@@ -139,13 +140,13 @@ TEST(SplitLaw, HoldsToTheLastBeforeItSnapsInOrPullsOff) {
         const ContactModel model = splitModel(table.text(row, "material"));
         const double compliance = 1.0 / table.number(row, "k");
         const double jumpIn = model.jumpInApproach(compliance);
-        const ContactState before =
-            model.equilibrium(jumpIn - (1e-13 * std::abs(jumpIn)), compliance, ContactBranch::Far);
+        const ContactState before = model.equilibrium(jumpIn - (1e-13 * std::abs(jumpIn)),
+                                                      compliance, {ContactBranch::Far});
         EXPECT_EQ(before.branch, ContactBranch::Far);
         expectClose(before.force, table.number(row, "in_P_N"), 1e-5);
         const double pullOff = model.pullOffApproach(compliance);
         const ContactState last = model.equilibrium(pullOff + (1e-13 * std::abs(pullOff)),
-                                                    compliance, ContactBranch::Bonded);
+                                                    compliance, {ContactBranch::Bonded});
         EXPECT_EQ(last.branch, ContactBranch::Bonded);
         expectClose(last.force, table.number(row, "off_P_N"), 1e-5);
         expectClose(last.contactRadius, table.number(row, "off_a_m"), 1e-5);
@@ -157,10 +158,10 @@ TEST(SplitLaw, HoldsToTheLastBeforeItSnapsInOrPullsOff) {
 TEST(SplitLaw, BecomesJkrForSoftLargeTips) {
     const ContactPair pair{10_um, 1333.0, 10.0};
     const ContactModel model(ContactLaw::Split, pair);
-    EXPECT_TRUE(model.adhesion()->split().tailSnaps);
+    EXPECT_TRUE(model.split()->bonded().split().tailSnaps);
     const double units = std::numbers::pi * pair.workOfAdhesion * pair.tipRadius;
     const ContactState last =
-        model.equilibrium(model.pullOffApproach(1e6) * (1.0 - 1e-14), 1e6, ContactBranch::Bonded);
+        model.equilibrium(model.pullOffApproach(1e6) * (1.0 - 1e-14), 1e6, {ContactBranch::Bonded});
     expectClose(last.force, -1.5 * units, 1e-6);
 }
 
@@ -176,8 +177,8 @@ TEST(Hertz, HasTheReferenceForceWithoutAdhesion) {
         const double indentation = table.number(row, "delta_m");
         for (const ContactLaw law : {ContactLaw::Hertz, ContactLaw::Split}) {
             const ContactModel model(law, pair);
-            EXPECT_FALSE(model.adhesion());
-            const ContactState state = model.equilibrium(indentation, 0.0, ContactBranch::Far);
+            EXPECT_EQ(model.split(), nullptr);
+            const ContactState state = model.equilibrium(indentation, 0.0, {ContactBranch::Far});
             expectClose(state.force, table.number(row, "P_N"), 1e-14);
             expectClose(state.contactRadius, table.number(row, "a_m"), 1e-14);
             expectClose(state.cohesiveRadius, table.number(row, "c_m"), 1e-14);
@@ -194,11 +195,11 @@ TEST(Hertz, BalancesALever) {
         const double compliance = *test::anyCompliance();
         const ContactModel model(ContactLaw::Hertz, pair);
         const double approach = pair.tipRadius * *test::logUniform(1e-9, 1.0);
-        const ContactState state = model.equilibrium(approach, compliance, ContactBranch::Far);
+        const ContactState state = model.equilibrium(approach, compliance, {ContactBranch::Far});
         RC_ASSERT(state.force > 0.0);
         RC_ASSERT(std::abs(state.indentation + (compliance * state.force) - approach) <=
                   1e-14 * approach);
-        RC_ASSERT(model.equilibrium(-approach, compliance, ContactBranch::Bonded).force == 0.0);
+        RC_ASSERT(model.equilibrium(-approach, compliance, {ContactBranch::Bonded}).force == 0.0);
     });
 }
 
@@ -214,8 +215,8 @@ TEST(ContactModel, DoesNotSolveWhatIsNotFinite) {
                                                            {0.0, -0.1}}};
         for (const auto& [approach, compliance] : inputs) {
             const ContactState state =
-                model.equilibrium(approach, compliance, ContactBranch::Bonded);
-            EXPECT_FALSE(state.solved);
+                model.equilibrium(approach, compliance, {ContactBranch::Bonded});
+            EXPECT_FALSE(state.solved());
             EXPECT_EQ(state.force, 0.0);
             EXPECT_EQ(state.branch, ContactBranch::Bonded);
         }

@@ -27,7 +27,7 @@ TEST(ContactModel, FindsItsEquilibriumWithoutAllocating) {
         const std::size_t before = test::allocationCount();
         for (int i = 0; i <= 2000; ++i) {
             const double phase = 1.0 - std::abs((i / 1000.0) - 1.0);
-            state = model.equilibrium(start * (1.0 - (1.5 * phase)), compliance, state.branch);
+            state = model.equilibrium(start * (1.0 - (1.5 * phase)), compliance, {state.branch});
             displaced += surfaceDisplacement(model, state, 1e-9);
             jumps += state.jumped ? 1 : 0;
         }

@@ -53,7 +53,7 @@ TEST(SurfaceDisplacement, IsContinuousAcrossTheEdgesOfContactAndCohesion) {
     test::checkProperty([] {
         const ContactModel model(ContactLaw::Split, *test::adhesivePair());
         const double approach = *test::fraction() * model.pair().tipRadius;
-        const ContactState state = model.equilibrium(approach, 0.0, ContactBranch::Bonded);
+        const ContactState state = model.equilibrium(approach, 0.0, {ContactBranch::Bonded});
         for (const double edge : {state.contactRadius, state.cohesiveRadius}) {
             RC_PRE(edge > 0.0);
             const double inside = surfaceDisplacement(model, state, edge * (1.0 - 1e-12));
@@ -71,7 +71,7 @@ TEST(SurfaceDisplacement, IsContinuousAcrossTheEdgesOfContactAndCohesion) {
 TEST(SurfaceDisplacement, ClosesTheGapInContact) {
     for (const char* material : {"SiO2", "PS", "rubber"}) {
         const ContactModel model(ContactLaw::Split, paperPair(material));
-        const ContactState state = model.equilibrium(0.0, 0.0, ContactBranch::Bonded);
+        const ContactState state = model.equilibrium(0.0, 0.0, {ContactBranch::Bonded});
         ASSERT_GT(state.contactRadius, 0.0);
         const double radius = 0.7 * state.contactRadius;
         const double gap = (radius * radius / (2.0 * model.pair().tipRadius)) - state.indentation +
@@ -83,11 +83,11 @@ TEST(SurfaceDisplacement, ClosesTheGapInContact) {
 /// At the edge of the cohesive zone the gap is its range.
 TEST(SurfaceDisplacement, OpensTheGapToTheCohesiveRange) {
     const ContactModel model(ContactLaw::Split, paperPair("rubber"));
-    const ContactState state = model.equilibrium(0.0, 0.0, ContactBranch::Bonded);
+    const ContactState state = model.equilibrium(0.0, 0.0, {ContactBranch::Bonded});
     const double radius = state.cohesiveRadius;
     const double gap = (radius * radius / (2.0 * model.pair().tipRadius)) - state.indentation +
                        surfaceDisplacement(model, state, radius);
-    const AdhesionSplit& split = model.adhesion()->split();
+    const AdhesionSplit& split = model.split()->bonded().split();
     expectClose(gap, split.jointSeparation - kContactSeparation, 1e-9);
 }
 
@@ -95,17 +95,18 @@ TEST(SurfaceDisplacement, OpensTheGapToTheCohesiveRange) {
 TEST(SurfaceDisplacement, FallsOffAsThatOfAPointForce) {
     for (const char* material : {"SiO2", "PS"}) {
         const ContactModel model(ContactLaw::Split, paperPair(material));
-        const AdhesionSplit& split = model.adhesion()->split();
+        const AdhesionSplit& split = model.split()->bonded().split();
         const double far = 3e-5;
         const double factor = pi * model.pair().reducedModulus * far;
-        const ContactState bonded = model.equilibrium(1e-10, 0.0, ContactBranch::Bonded);
+        const ContactState bonded = model.equilibrium(1e-10, 0.0, {ContactBranch::Bonded});
         // Of the tail's force the first-order lift takes Derjaguin's value.
         const double derjaguin = -split.hamaker * model.pair().tipRadius /
                                  (6.0 * split.jointSeparation * split.jointSeparation);
         expectClose(factor * surfaceDisplacement(model, bonded, far),
                     bonded.force - split.tailForce + derjaguin, 1e-3);
-        const ContactState before = model.equilibrium(-2e-9, 0.0, ContactBranch::Far);
-        const double separation = model.adhesion()->tail().attraction().separationAt(before.force);
+        const ContactState before = model.equilibrium(-2e-9, 0.0, {ContactBranch::Far});
+        const double separation =
+            model.split()->separate().tail().attraction().separationAt(before.force);
         expectClose(factor * surfaceDisplacement(model, before, far),
                     -split.hamaker * model.pair().tipRadius / (6.0 * separation * separation),
                     1e-3);
@@ -114,8 +115,8 @@ TEST(SurfaceDisplacement, FallsOffAsThatOfAPointForce) {
 
 TEST(SurfaceDisplacement, IsTheLiftUnderTheTipBeforeSnapIn) {
     const ContactModel model(ContactLaw::Split, paperPair("PS"));
-    const ContactState state = model.equilibrium(-1e-9, 0.0, ContactBranch::Far);
-    const AttractiveTail& tail = model.adhesion()->tail();
+    const ContactState state = model.equilibrium(-1e-9, 0.0, {ContactBranch::Far});
+    const AttractiveTail& tail = model.split()->separate().tail();
     expectClose(surfaceDisplacement(model, state, 0.0),
                 -tail.lift(tail.attraction().separationAt(state.force)), 1e-13);
 }
@@ -124,7 +125,7 @@ TEST(SurfaceDisplacement, IsNoneWithoutForce) {
     const ContactModel split(ContactLaw::Split, paperPair("PS"));
     const ContactModel hertz(ContactLaw::Hertz, paperPair("PS"));
     EXPECT_EQ(surfaceDisplacement(split, ContactState{}, 1e-9), 0.0);
-    EXPECT_EQ(surfaceDisplacement(hertz, hertz.equilibrium(-1e-9, 0.0, ContactBranch::Far), 1e-9),
+    EXPECT_EQ(surfaceDisplacement(hertz, hertz.equilibrium(-1e-9, 0.0, {ContactBranch::Far}), 1e-9),
               0.0);
 }
 

@@ -1,0 +1,40 @@
+#include "core/contact/ContactLaw.h"
+
+namespace asperity {
+
+namespace {
+
+struct LawNames {
+    const char* key;
+    const char* name;
+};
+
+LawNames namesOf(ContactLaw law) noexcept {
+    switch (law) {
+    case ContactLaw::Hertz:
+        return {"hertz", "Hertz"};
+    case ContactLaw::Dmt:
+        return {"dmt", "DMT"};
+    case ContactLaw::Jkr:
+        return {"jkr", "JKR"};
+    case ContactLaw::Maugis:
+        return {"md", "Maugis-Dugdale"};
+    case ContactLaw::Sneddon:
+        return {"sneddon", "Sneddon's sphere"};
+    case ContactLaw::SphereJkr:
+        return {"jkr_sphere", "JKR on the exact sphere"};
+    case ContactLaw::SphereMaugis:
+        return {"md_sphere", "Maugis-Dugdale on the exact sphere"};
+    case ContactLaw::Split:
+        return {"split", "Maugis-Dugdale with van der Waals tail"};
+    }
+    return {"unknown", "unknown"};
+}
+
+}  // namespace
+
+const char* keyOf(ContactLaw law) noexcept { return namesOf(law).key; }
+
+const char* nameOf(ContactLaw law) noexcept { return namesOf(law).name; }
+
+}  // namespace asperity

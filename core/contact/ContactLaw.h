@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace asperity {
+
+/// The normal contact laws, each by its own class.
+enum class ContactLaw : std::uint8_t {
+    Hertz,         ///< elastic, no adhesion
+    Dmt,           ///< adhesion of stiff, small tips
+    Jkr,           ///< adhesion of soft, large tips
+    Maugis,        ///< Maugis-Dugdale, from one to the other
+    Sneddon,       ///< Hertz on the exact sphere
+    SphereJkr,     ///< JKR on the exact sphere
+    SphereMaugis,  ///< Maugis-Dugdale on the exact sphere
+    Split,         ///< van der Waals tail joined to Maugis-Dugdale
+};
+
+inline constexpr std::array kContactLaws{
+    ContactLaw::Hertz,   ContactLaw::Dmt,       ContactLaw::Jkr,          ContactLaw::Maugis,
+    ContactLaw::Sneddon, ContactLaw::SphereJkr, ContactLaw::SphereMaugis, ContactLaw::Split};
+
+/// As scenes and tables call it: "hertz", "md_sphere".
+[[nodiscard]] const char* keyOf(ContactLaw law) noexcept;
+
+/// For people: "Hertz", "Maugis-Dugdale on the exact sphere".
+[[nodiscard]] const char* nameOf(ContactLaw law) noexcept;
+
+}  // namespace asperity

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/contact/Material.h"
+
+#include <cstdint>
+
+namespace asperity {
+
+/// Whether an equilibrium was found, and if not, why. Each range is far beyond any instrument and
+/// near enough that no power of its ends overflows.
+enum class ContactStatus : std::uint8_t {
+    Solved,
+    TipRadiusOutOfRange,   ///< not within 1e-12 .. 1 m
+    ModulusOutOfRange,     ///< reduced modulus not within 1e-1 .. 1e15 Pa
+    AdhesionOutOfRange,    ///< work of adhesion not within 0 .. 1e3 J/m^2
+    StressOutOfRange,      ///< cohesive stress not such that the range w / sigma0 is 1 fm .. 1 m
+    ApproachOutOfRange,    ///< beyond +-1e3 m
+    ComplianceOutOfRange,  ///< not within 0 .. 1e6 m/N
+};
+
+/// "ok", "tip_radius_out_of_range", ...
+[[nodiscard]] const char* nameOf(ContactStatus status) noexcept;
+
+inline constexpr double kSmallestTipRadius = 1e-12;  ///< [m]
+inline constexpr double kLargestTipRadius = 1.0;     ///< [m]
+/// Adhesion below this counts as none [J/m^2].
+inline constexpr double kSmallestAdhesion = 1e-12;
+
+/// What is wrong with a pair first, or Solved. @param cohesiveStress sigma0 [Pa]
+[[nodiscard]] ContactStatus checkPair(const ContactPair& pair, double cohesiveStress) noexcept;
+
+/// What is wrong with the state asked for, or Solved.
+[[nodiscard]] ContactStatus checkRequest(double approach, double compliance) noexcept;
+
+}  // namespace asperity

@@ -1,0 +1,155 @@
+#pragma once
+
+#include "core/contact/AttractiveTail.h"
+#include "core/contact/ContactState.h"
+#include "core/contact/LawPoint.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+/// Separate bodies that do not attract each other until the bonded law begins to act.
+class NoTail {
+public:
+    explicit NoTail(double onset) noexcept : onset_(onset) {}
+
+    /// Largest approach at which the bodies stay separate [m].
+    [[nodiscard]] double endApproach(double /*compliance*/) const noexcept { return onset_; }
+    [[nodiscard]] ContactState state(double approach, double /*compliance*/) const noexcept {
+        return {.indentation = approach};
+    }
+    /// Work done on bodies and lever from infinite separation to this approach [J].
+    [[nodiscard]] static double energy(double /*approach*/, double /*compliance*/) noexcept {
+        return 0.0;
+    }
+
+private:
+    double onset_;
+};
+
+/// Energy of a bent lever [J].
+[[nodiscard]] inline double leverEnergy(double force, double compliance) noexcept {
+    return 0.5 * compliance * force * force;
+}
+
+/// Separate bodies that attract each other by van der Waals forces.
+class WithTail {
+public:
+    explicit WithTail(const AttractiveTail& tail) noexcept : tail_(tail) {}
+
+    [[nodiscard]] const AttractiveTail& tail() const noexcept { return tail_; }
+
+    [[nodiscard]] double endApproach(double compliance) const noexcept {
+        return tail_.approach(tail_.endSeparation(compliance), compliance);
+    }
+    [[nodiscard]] ContactState state(double approach, double compliance) const noexcept {
+        const double separation = separationAt(approach, compliance);
+        return {.force = tail_.attraction().force(separation),
+                .indentation = tail_.indentation(separation),
+                .stiffness = tail_.stiffness(separation)};
+    }
+    [[nodiscard]] double energy(double approach, double compliance) const noexcept {
+        const double separation = separationAt(approach, compliance);
+        return tail_.energy(separation) +
+               leverEnergy(tail_.attraction().force(separation), compliance);
+    }
+
+private:
+    [[nodiscard]] double separationAt(double approach, double compliance) const noexcept {
+        return tail_.separationAt(approach, compliance, tail_.endSeparation(compliance));
+    }
+
+    AttractiveTail tail_;
+};
+
+/// A law for bonded bodies joined to one for separate ones, with the jumps between them at the
+/// folds for the present lever. `Bonded` is a class as LawPoint.h describes.
+/// Source: docs/physics.md 2.5, 3.4, 7.1.
+template <class Separate, class Bonded>
+class JoinedLaw {
+public:
+    JoinedLaw(const Separate& separate, const Bonded& bonded) noexcept
+        : separate_(separate), bonded_(bonded) {}
+
+    [[nodiscard]] const Separate& separate() const noexcept { return separate_; }
+    [[nodiscard]] const Bonded& bonded() const noexcept { return bonded_; }
+
+    /// As ContactModel::equilibrium().
+    [[nodiscard]] ContactState equilibrium(double approach, double compliance,
+                                           const ContactMemory& memory) const noexcept {
+        if (memory.branch == ContactBranch::Far) {
+            return approach > jumpInApproach(compliance) ? snapIn(approach, compliance)
+                                                         : separate_.state(approach, compliance);
+        }
+        const auto point = stable(approach, compliance, memory.coordinate);
+        return point ? stateOf(*point) : pullOff(approach, compliance);
+    }
+
+    /// Approach of the undeflected tip at which separate bodies snap in [m].
+    [[nodiscard]] double jumpInApproach(double compliance) const noexcept {
+        return separate_.endApproach(compliance);
+    }
+    /// Approach of the undeflected tip at which the bond breaks [m].
+    [[nodiscard]] double pullOffApproach(double compliance) const noexcept {
+        return approachOf(bonded_.fold(compliance), compliance);
+    }
+
+private:
+    [[nodiscard]] static double approachOf(const LawPoint& point, double compliance) noexcept {
+        return point.indentation + (compliance * point.force);
+    }
+
+    [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance,
+                                                 double coordinate) const noexcept {
+        if constexpr (requires { bonded_.stable(approach, compliance, coordinate); }) {
+            return bonded_.stable(approach, compliance, coordinate);
+        } else {
+            return bonded_.stable(approach, compliance);
+        }
+    }
+
+    /// The bonded state at an approach where one must exist; rounding may put it on the fold.
+    [[nodiscard]] LawPoint bondedAt(double approach, double compliance) const noexcept {
+        const auto point = bonded_.stable(approach, compliance);
+        return point ? *point : bonded_.fold(compliance);
+    }
+
+    [[nodiscard]] static ContactState stateOf(const LawPoint& point) noexcept {
+        return {.force = point.force,
+                .indentation = point.indentation,
+                .contactRadius = point.contactRadius,
+                .cohesiveRadius = point.cohesiveRadius,
+                .stiffness = point.stiffness,
+                .coordinate = point.coordinate,
+                .branch = ContactBranch::Bonded};
+    }
+
+    [[nodiscard]] double energy(const LawPoint& point, double compliance) const noexcept {
+        return bonded_.energy(point) + leverEnergy(point.force, compliance);
+    }
+
+    [[nodiscard]] ContactState snapIn(double approach, double compliance) const noexcept {
+        ContactState state = stateOf(bondedAt(approach, compliance));
+        const double end = jumpInApproach(compliance);
+        const LawPoint landing = bondedAt(end, compliance);
+        state.jumped = landing.force < separate_.state(end, compliance).force;
+        state.energyLost =
+            std::max(0.0, separate_.energy(end, compliance) - energy(landing, compliance));
+        return state;
+    }
+
+    [[nodiscard]] ContactState pullOff(double approach, double compliance) const noexcept {
+        ContactState state = separate_.state(approach, compliance);
+        const LawPoint fold = bonded_.fold(compliance);
+        const double end = approachOf(fold, compliance);
+        state.jumped = fold.force < separate_.state(end, compliance).force;
+        state.energyLost =
+            std::max(0.0, energy(fold, compliance) - separate_.energy(end, compliance));
+        return state;
+    }
+
+    Separate separate_;
+    Bonded bonded_;
+};
+
+}  // namespace asperity
