@@ -21,6 +21,7 @@ SceneDescription withSettings(SceneDescription scene, const Settings& settings) 
     scene.positionGain = settings.positionGain;
     scene.forceGain = settings.forceGain;
     scene.correctionBandwidth = settings.correctionBandwidth;
+    scene.positionControl = settings.positionControl;
     return scene;
 }
 

@@ -56,6 +56,8 @@ void requireSameSettings(const Scene& scene, const std::vector<TickSample>& samp
     const TickInput& first = samples.front().input;
     require("position_gain", scene.settings.positionGain, first.settings.positionGain);
     require("force_gain", scene.settings.forceGain, first.settings.forceGain);
+    require("position_control", static_cast<double>(scene.settings.positionControl),
+            static_cast<double>(first.settings.positionControl));
     require("correction_hz", scene.settings.correctionBandwidth,
             first.settings.correctionBandwidth);
 }

@@ -27,6 +27,8 @@ LawNames namesOf(ContactLaw law) noexcept {
         return {"md_sphere", "Maugis-Dugdale on the exact sphere"};
     case ContactLaw::Split:
         return {"split", "Maugis-Dugdale with van der Waals tail"};
+    case ContactLaw::HertzFilm:
+        return {"hertz_film", "Hertz on a film"};
     }
     return {"unknown", "unknown"};
 }

@@ -15,11 +15,13 @@ enum class ContactLaw : std::uint8_t {
     SphereJkr,     ///< JKR on the exact sphere
     SphereMaugis,  ///< Maugis-Dugdale on the exact sphere
     Split,         ///< van der Waals tail joined to Maugis-Dugdale
+    HertzFilm,     ///< Hertz on a bonded incompressible film
 };
 
 inline constexpr std::array kContactLaws{
-    ContactLaw::Hertz,   ContactLaw::Dmt,       ContactLaw::Jkr,          ContactLaw::Maugis,
-    ContactLaw::Sneddon, ContactLaw::SphereJkr, ContactLaw::SphereMaugis, ContactLaw::Split};
+    ContactLaw::Hertz,        ContactLaw::Dmt,     ContactLaw::Jkr,
+    ContactLaw::Maugis,       ContactLaw::Sneddon, ContactLaw::SphereJkr,
+    ContactLaw::SphereMaugis, ContactLaw::Split,   ContactLaw::HertzFilm};
 
 /// As scenes and tables call it: "hertz", "md_sphere".
 [[nodiscard]] const char* keyOf(ContactLaw law) noexcept;

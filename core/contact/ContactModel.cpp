@@ -1,8 +1,10 @@
 #include "core/contact/ContactModel.h"
 
 #include "core/Error.h"
+#include "core/contact/Within.h"
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 
 namespace asperity {
@@ -22,44 +24,64 @@ const char* expectation(ContactStatus status) {
     }
 }
 
-ContactPair checked(const ContactPair& pair, double cohesiveStress) {
-    const ContactStatus status = checkPair(pair, cohesiveStress);
-    if (status != ContactStatus::Solved) {
-        throw Error(std::string("contact: ") + expectation(status));
+void checkMeniscus(const Meniscus& meniscus) {
+    if (!isWithin(meniscus.surfaceTension, 0.0, 10.0) || !isWithin(meniscus.range, 0.0, 1e-6) ||
+        !isWithin(meniscus.contactAngle, 0.0, std::numbers::pi / 2.0)) {
+        throw Error("contact: a meniscus needs a surface tension of 0 to 10 N/m, a range of 0 to "
+                    "1e-6 m and a contact angle of 0 to a right angle");
     }
-    return pair;
+}
+
+void checkFilm(ContactLaw law, double thickness) {
+    const bool halfSpace = thickness == 0.0;
+    if (!halfSpace && !isWithin(thickness, 1e-12, 1.0)) {
+        throw Error("contact: the film's thickness must lie between 1e-12 and 1 m");
+    }
+    if (halfSpace && law == ContactLaw::HertzFilm) {
+        throw Error("contact: the law hertz_film needs the film's thickness");
+    }
 }
 
 }  // namespace
 
-ContactModel::ContactModel(ContactLaw law, const ContactPair& pair, double cohesiveStress)
-    : ContactModel(Unchecked{}, law, checked(pair, cohesiveStress), cohesiveStress) {}
+ContactModel::ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options)
+    : ContactModel(checked(law, pair, options)) {}
 
-ContactModel::ContactModel(ContactLaw law, const ContactPair& pair)
-    : ContactModel(law, pair, pair.workOfAdhesion / kCohesiveRange) {}
+ContactModel::ContactModel(const Checked& given) noexcept
+    : given_(given), joined_(joinedLaw(given)) {}
 
-ContactModel::ContactModel(Unchecked /*tag*/, ContactLaw law, const ContactPair& pair,
-                           double cohesiveStress) noexcept
-    : law_(law)
-    , pair_(pair)
-    , givenStress_(cohesiveStress)
-    , joined_(joinedLaw(law, pair, cohesiveStress)) {}
+ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& pair,
+                                            ContactOptions options) {
+    if (options.cohesiveStress == 0.0) {
+        options.cohesiveStress = pair.workOfAdhesion / kCohesiveRange;
+    }
+    const ContactStatus status = checkPair(pair, options.cohesiveStress);
+    if (status != ContactStatus::Solved) {
+        throw Error(std::string("contact: ") + expectation(status));
+    }
+    checkFilm(law, options.filmThickness);
+    checkMeniscus(options.meniscus);
+    return {law, pair, options};
+}
 
-ContactModel::Joined ContactModel::joinedLaw(ContactLaw law, const ContactPair& pair,
-                                             double cohesiveStress) noexcept {
+ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
+    const ContactPair& pair = given.pair;
     const auto sudden = [](const auto& bonded) {
         return Joined(JoinedLaw(NoTail(bonded.onset()), bonded));
     };
+    if (given.law == ContactLaw::HertzFilm) {
+        return sudden(FilmLaw(pair, given.options.filmThickness));
+    }
     if (pair.workOfAdhesion < kSmallestAdhesion) {
         return sudden(HertzLaw(pair));
     }
-    switch (law) {
+    switch (given.law) {
     case ContactLaw::Dmt:
         return sudden(DmtLaw(pair));
     case ContactLaw::Jkr:
         return sudden(JkrLaw(pair));
     case ContactLaw::Maugis:
-        return sudden(MaugisLaw(pair, cohesiveStress));
+        return sudden(MaugisLaw(pair, given.options.cohesiveStress));
     case ContactLaw::Split:
         return Split(WithTail(splitTail(pair)), SplitLaw(pair));
     default:
@@ -68,9 +90,9 @@ ContactModel::Joined ContactModel::joinedLaw(ContactLaw law, const ContactPair& 
 }
 
 ContactModel ContactModel::withTipRadius(double tipRadius) const noexcept {
-    ContactPair pair = pair_;
-    pair.tipRadius = std::clamp(tipRadius, kSmallestTipRadius, kLargestTipRadius);
-    return {Unchecked{}, law_, pair, givenStress_};
+    Checked given = given_;
+    given.pair.tipRadius = std::clamp(tipRadius, kSmallestTipRadius, kLargestTipRadius);
+    return ContactModel(given);
 }
 
 ContactState ContactModel::equilibrium(double approach, double compliance,
@@ -79,19 +101,31 @@ ContactState ContactModel::equilibrium(double approach, double compliance,
     if (status != ContactStatus::Solved) {
         return {.coordinate = memory.coordinate, .branch = memory.branch, .status = status};
     }
+    return given_.options.meniscus.present() ? wettedEquilibrium(approach, compliance, memory)
+                                             : bare(approach, compliance, memory);
+}
+
+ContactState ContactModel::bare(double approach, double compliance,
+                                const ContactMemory& memory) const noexcept {
     return std::visit(
         [&](const auto& joined) { return joined.equilibrium(approach, compliance, memory); },
         joined_);
 }
 
 double ContactModel::jumpInApproach(double compliance) const noexcept {
+    if (given_.options.meniscus.present()) {
+        return wettedJumpIn(compliance);
+    }
     return std::visit([&](const auto& joined) { return joined.jumpInApproach(compliance); },
                       joined_);
 }
 
 double ContactModel::pullOffApproach(double compliance) const noexcept {
+    const Meniscus& meniscus = given_.options.meniscus;
+    const double pull = meniscus.present() ? meniscus.pull(given_.pair.tipRadius) : 0.0;
     return std::visit([&](const auto& joined) { return joined.pullOffApproach(compliance); },
-                      joined_);
+                      joined_) -
+           (compliance * pull);
 }
 
 double ContactModel::cohesiveStress() const noexcept {

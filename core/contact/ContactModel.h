@@ -3,13 +3,16 @@
 #include "core/contact/ContactLaw.h"
 #include "core/contact/ContactState.h"
 #include "core/contact/DmtLaw.h"
+#include "core/contact/FilmLaw.h"
 #include "core/contact/HertzLaw.h"
 #include "core/contact/JkrLaw.h"
 #include "core/contact/JoinedLaw.h"
 #include "core/contact/Material.h"
 #include "core/contact/MaugisLaw.h"
+#include "core/contact/Meniscus.h"
 #include "core/contact/SplitLaw.h"
 
+#include <optional>
 #include <variant>
 
 namespace asperity {
@@ -18,15 +21,20 @@ namespace asperity {
 /// Source: docs/physics.md 1, 3.4.
 inline constexpr double kCohesiveRange = 0.35677581392798259e-9;
 
+/// What a contact may have besides a law and a pair of materials.
+struct ContactOptions {
+    double cohesiveStress = 0.0;  ///< sigma0 of the Maugis laws [Pa]; 0: w / kCohesiveRange
+    double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space
+    Meniscus meniscus;            ///< by default none
+};
+
 /// One contact law by name for one material pair, in SI units: constant after construction (about a
 /// microsecond), no allocation, never throws after construction.
 class ContactModel {
 public:
-    /// @param cohesiveStress sigma0 of the Maugis laws [Pa]; the split law has its own
-    /// @throw Error when a parameter is outside its range, see ContactStatus
-    ContactModel(ContactLaw law, const ContactPair& pair, double cohesiveStress);
-    /// With the cohesive range kCohesiveRange. @throw Error as above
-    ContactModel(ContactLaw law, const ContactPair& pair);
+    /// @throw Error when a parameter is outside its range, see ContactStatus, or the film's law
+    ///        has no film
+    ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options = {});
 
     /// The same law and materials under a tip of another effective radius [m], which counts as the
     /// nearest end of its range where it lies outside.
@@ -44,12 +52,15 @@ public:
     /// Approach of the undeflected tip at which it pulls off [m]; 0 without adhesion.
     [[nodiscard]] double pullOffApproach(double compliance) const noexcept;
 
-    [[nodiscard]] ContactLaw law() const noexcept { return law_; }
-    [[nodiscard]] const ContactPair& pair() const noexcept { return pair_; }
+    [[nodiscard]] ContactLaw law() const noexcept { return given_.law; }
+    [[nodiscard]] const ContactPair& pair() const noexcept { return given_.pair; }
     /// sigma0 as the law uses it [Pa]; 0 where it has no cohesive zone.
     [[nodiscard]] double cohesiveStress() const noexcept;
     /// Transition parameter of the cohesive zone; 0 where the law has none.
     [[nodiscard]] double lambda() const noexcept;
+
+    /// Of the sample [m]; 0: a half-space.
+    [[nodiscard]] double filmThickness() const noexcept { return given_.options.filmThickness; }
 
     using Split = JoinedLaw<WithTail, SplitLaw>;
     /// The split law where it is the one; null otherwise.
@@ -58,19 +69,33 @@ public:
 private:
     template <class Bonded>
     using Sudden = JoinedLaw<NoTail, Bonded>;
-    using Joined =
-        std::variant<Sudden<HertzLaw>, Sudden<DmtLaw>, Sudden<JkrLaw>, Sudden<MaugisLaw>, Split>;
+    using Joined = std::variant<Sudden<HertzLaw>, Sudden<DmtLaw>, Sudden<JkrLaw>, Sudden<MaugisLaw>,
+                                Sudden<FilmLaw>, Split>;
 
-    struct Unchecked {};
-    ContactModel(Unchecked, ContactLaw law, const ContactPair& pair,
-                 double cohesiveStress) noexcept;
+    struct Checked {
+        ContactLaw law;
+        ContactPair pair;
+        ContactOptions options;
+    };
+    explicit ContactModel(const Checked& given) noexcept;
 
-    [[nodiscard]] static Joined joinedLaw(ContactLaw law, const ContactPair& pair,
-                                          double cohesiveStress) noexcept;
+    [[nodiscard]] static Checked checked(ContactLaw law, const ContactPair& pair,
+                                         ContactOptions options);
+    [[nodiscard]] static Joined joinedLaw(const Checked& given) noexcept;
 
-    ContactLaw law_;
-    ContactPair pair_;
-    double givenStress_;  ///< [Pa]
+    [[nodiscard]] ContactState bare(double approach, double compliance,
+                                    const ContactMemory& memory) const noexcept;
+    [[nodiscard]] ContactState wetted(ContactState state) const noexcept;
+    [[nodiscard]] ContactState wettedEquilibrium(double approach, double compliance,
+                                                 const ContactMemory& memory) const noexcept;
+    [[nodiscard]] std::optional<ContactState> wettedFar(double approach,
+                                                        double compliance) const noexcept;
+    [[nodiscard]] ContactState wettedBonded(double approach, double compliance,
+                                            const ContactMemory& memory) const noexcept;
+    [[nodiscard]] double energy(const ContactState& wetted, double compliance) const noexcept;
+    [[nodiscard]] double wettedJumpIn(double compliance) const noexcept;
+
+    Checked given_;
     Joined joined_;
 };
 

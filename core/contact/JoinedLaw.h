@@ -18,10 +18,8 @@ public:
     [[nodiscard]] ContactState state(double approach, double /*compliance*/) const noexcept {
         return {.indentation = approach};
     }
-    /// Work done on bodies and lever from infinite separation to this approach [J].
-    [[nodiscard]] static double energy(double /*approach*/, double /*compliance*/) noexcept {
-        return 0.0;
-    }
+    /// Work done on the bodies from infinite separation to this state [J].
+    [[nodiscard]] static double energy(const ContactState& /*state*/) noexcept { return 0.0; }
 
 private:
     double onset_;
@@ -48,10 +46,8 @@ public:
                 .indentation = tail_.indentation(separation),
                 .stiffness = tail_.stiffness(separation)};
     }
-    [[nodiscard]] double energy(double approach, double compliance) const noexcept {
-        const double separation = separationAt(approach, compliance);
-        return tail_.energy(separation) +
-               leverEnergy(tail_.attraction().force(separation), compliance);
+    [[nodiscard]] double energy(const ContactState& state) const noexcept {
+        return tail_.energy(tail_.attraction().separationAt(state.force));
     }
 
 private:
@@ -94,6 +90,23 @@ public:
         return approachOf(bonded_.fold(compliance), compliance);
     }
 
+    /// Work done on the bodies from infinite separation to this state [J].
+    [[nodiscard]] double bodyEnergy(const ContactState& state) const noexcept {
+        if (state.branch == ContactBranch::Far) {
+            return separate_.energy(state);
+        }
+        return bonded_.energy({.force = state.force,
+                               .indentation = state.indentation,
+                               .contactRadius = state.contactRadius,
+                               .cohesiveRadius = state.cohesiveRadius,
+                               .stiffness = state.stiffness,
+                               .coordinate = state.coordinate});
+    }
+    /// The last stable bonded state on a lever of this compliance.
+    [[nodiscard]] ContactState lastBonded(double compliance) const noexcept {
+        return stateOf(bonded_.fold(compliance));
+    }
+
 private:
     [[nodiscard]] static double approachOf(const LawPoint& point, double compliance) noexcept {
         return point.indentation + (compliance * point.force);
@@ -124,28 +137,28 @@ private:
                 .branch = ContactBranch::Bonded};
     }
 
-    [[nodiscard]] double energy(const LawPoint& point, double compliance) const noexcept {
-        return bonded_.energy(point) + leverEnergy(point.force, compliance);
-    }
-
     [[nodiscard]] ContactState snapIn(double approach, double compliance) const noexcept {
         ContactState state = stateOf(bondedAt(approach, compliance));
         const double end = jumpInApproach(compliance);
-        const LawPoint landing = bondedAt(end, compliance);
-        state.jumped = landing.force < separate_.state(end, compliance).force;
-        state.energyLost =
-            std::max(0.0, separate_.energy(end, compliance) - energy(landing, compliance));
+        const ContactState before = separate_.state(end, compliance);
+        const ContactState landing = stateOf(bondedAt(end, compliance));
+        state.jumped = landing.force < before.force;
+        state.energyLost = std::max(0.0, energy(before, compliance) - energy(landing, compliance));
         return state;
     }
 
     [[nodiscard]] ContactState pullOff(double approach, double compliance) const noexcept {
         ContactState state = separate_.state(approach, compliance);
         const LawPoint fold = bonded_.fold(compliance);
-        const double end = approachOf(fold, compliance);
-        state.jumped = fold.force < separate_.state(end, compliance).force;
-        state.energyLost =
-            std::max(0.0, energy(fold, compliance) - separate_.energy(end, compliance));
+        const ContactState last = stateOf(fold);
+        const ContactState landing = separate_.state(approachOf(fold, compliance), compliance);
+        state.jumped = last.force < landing.force;
+        state.energyLost = std::max(0.0, energy(last, compliance) - energy(landing, compliance));
         return state;
+    }
+
+    [[nodiscard]] double energy(const ContactState& state, double compliance) const noexcept {
+        return bodyEnergy(state) + leverEnergy(state.force, compliance);
     }
 
     Separate separate_;

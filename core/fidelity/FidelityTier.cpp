@@ -2,16 +2,6 @@
 
 namespace asperity {
 
-const char* nameOf(ContactLaw law) noexcept {
-    switch (law) {
-    case ContactLaw::Hertz:
-        return "Hertz";
-    case ContactLaw::Split:
-        return "Maugis-Dugdale";
-    }
-    return "unknown";
-}
-
 const char* nameOf(DeformationTier deformation) noexcept {
     switch (deformation) {
     case DeformationTier::FourPoint:

@@ -18,9 +18,6 @@ struct FidelityTier {
     [[nodiscard]] std::string name() const;
 };
 
-/// For people: "Hertz", "Maugis-Dugdale".
-[[nodiscard]] const char* nameOf(ContactLaw law) noexcept;
-
 /// For people: "four points", "contact radius", "closed form".
 [[nodiscard]] const char* nameOf(DeformationTier deformation) noexcept;
 

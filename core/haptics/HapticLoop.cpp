@@ -62,7 +62,7 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     input.settings = settings_.read();
     input.timeStep = timeStep;
     input.hand = hand_->advance(timeStep);
-    input.measurement = afm_.exchange(commandBase(input.hand, input.settings, timeStep, memory_));
+    input.measurement = afm_.exchange(commandBase(scene_, input, memory_).base);
     sample.output = tick(scene_, input, memory_);
     hand_->setForce(sample.output.handForce);
 }

@@ -1,7 +1,5 @@
 #include "core/haptics/HapticTick.h"
 
-#include "core/surface/Curvature.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,11 +9,13 @@ namespace asperity {
 namespace {
 
 constexpr double kLargeContact = 0.3;   // a/R up to which the half-space is credible
-constexpr double kCurvedSample = 0.1;   // curvature times tip radius taken as flat
 constexpr double kModelSpread = 0.2;    // share of N that the model may be off
 constexpr double kModelFloor = 0.1e-9;  // [N]
 constexpr double kContradictionSigmas = 3.0;
-constexpr double kSliding = 0.5;  // weight of the slip direction from which it counts
+constexpr double kThinFilm = 0.1;       // of the film's thickness up to which it counts as deep
+constexpr double kSnapInMargin = 1e-9;  // [m]
+constexpr double kSnapInWatch = 20e-9;  // [m]: no tip snaps in across a wider gap
+constexpr double kSliding = 0.5;        // weight of the slip direction from which it counts
 
 /// What the contact model gives to the estimate, weighed against the bending signal.
 struct NormalForcePrior {
@@ -32,13 +32,13 @@ NormalForcePrior normalForcePrior(const Scene& scene, const TickInput& input,
     const double perForce = cantilever.bendingPerFz();
     const double measured = input.measurement.signals.bending / perForce;
     const double expected = leverSignals(cantilever, model.force).bending / perForce;
-    const double spread = kModelSpread * std::abs(model.contact.force) + kModelFloor;
+    const double spread = kModelSpread * std::abs(model.normalForce) + kModelFloor;
     const double surprise = measured - expected;
     const double limit =
         kContradictionSigmas * std::hypot(spread, scene.signalSigma.bending / perForce);
     const double doubt = surprise * surprise / (surprise * surprise + limit * limit);
-    const double told = measured * model.foot.normal.z();
-    return {.force = model.contact.force + doubt * (told - model.contact.force),
+    const double told = measured * model.normal.z();
+    return {.force = model.normalForce + doubt * (told - model.normalForce),
             .sigma = std::hypot(spread, surprise),
             .contradicted = std::abs(surprise) > limit};
 }
@@ -48,7 +48,7 @@ DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, cons
     const double radius = out.model.contact.contactRadius;
     return {.signals = input.measurement.signals,
             .sigma = scene.signalSigma,
-            .normal = out.model.foot.normal,
+            .normal = out.model.normal,
             .velocity = out.base.velocity,
             .frictionCoefficient = scene.belief.friction.coefficient,
             .shearStrength = scene.belief.friction.shearStrength,
@@ -57,29 +57,56 @@ DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, cons
             .normalForceSigma = prior.sigma};
 }
 
-/// Bonded to a sample so curved that the effective radius differs from the tip's by some 10 %.
-bool isCurved(const Scene& scene, const TipState& model) {
-    if (model.contact.branch == ContactBranch::Far) {
+/// Pressure at the middle of the contact [Pa].
+double middlePressure(const Scene& scene, const TipState& model) {
+    const double a = model.contact.contactRadius;
+    const double c = model.contact.cohesiveRadius;
+    if (a == 0.0) {
+        return 0.0;
+    }
+    const ContactModel& contact = scene.belief.contact;
+    const double elastic = 2.0 * contact.pair().reducedModulus * a / model.effectiveRadius;
+    const double cohesive =
+        2.0 * contact.cohesiveStress() * std::atan(std::sqrt((c - a) * (c + a)) / a);
+    return (elastic - cohesive) / std::numbers::pi;
+}
+
+/// Whether a separate tip is about to snap in on a lever as soft as this one.
+bool snapsSoon(const Scene& scene, const TipState& model) {
+    const ContactState& contact = model.contact;
+    if (contact.branch != ContactBranch::Far || contact.indentation < -kSnapInWatch) {
         return false;
     }
-    const Vector3& foot = model.foot.point;
-    const PrincipalCurvatures found = principalCurvatures(scene.surface.at(foot.x(), foot.y()));
-    const double strongest = std::max(std::abs(found.largest), std::abs(found.smallest));
-    return strongest * scene.belief.tipRadius() > kCurvedSample;
+    const double compliance =
+        model.foot.normal.dot(scene.belief.cantilever.compliance() * model.foot.normal);
+    const double jumpIn = scene.belief.contact.jumpInApproach(compliance);
+    const double now = contact.indentation + (compliance * contact.force);
+    return jumpIn - now < kSnapInMargin &&
+           scene.belief.contact.pullOffApproach(compliance) < jumpIn;
 }
 
 ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradicted) {
     const Vector3& foot = out.model.foot.point;
     ValidityFlags flags;
     flags.set(Validity::LargeContact,
-              out.model.contact.contactRadius > kLargeContact * scene.belief.tipRadius());
+              out.model.contact.contactRadius > kLargeContact * out.model.effectiveRadius);
     flags.set(Validity::OutsideScan, !out.model.foot.insideScan);
     flags.set(Validity::FilledPixel, !scene.surface.isMeasured(foot.x(), foot.y()));
     flags.set(Validity::FootNotFound, !out.model.foot.converged);
     flags.set(Validity::NotInEquilibrium, !out.model.converged || !out.model.contact.solved());
     flags.set(Validity::FrictionLock, out.model.locked);
     flags.set(Validity::ModelContradicted, contradicted);
-    flags.set(Validity::CurvedSample, isCurved(scene, out.model));
+    const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
+    flags.set(Validity::CurvedSample, bonded && out.model.elongated);
+    flags.set(Validity::SharpValley, bonded && !out.model.fits);
+    flags.set(Validity::SeveralFeet, out.model.feet > 1);
+    const SampleMaterial& sample = scene.description.sample.material;
+    flags.set(Validity::ThinFilm,
+              scene.belief.contact.law() != ContactLaw::HertzFilm && sample.filmThickness > 0.0 &&
+                  out.model.contact.contactRadius > kThinFilm * sample.filmThickness);
+    flags.set(Validity::ElasticLimit,
+              sample.hardness > 0.0 && middlePressure(scene, out.model) > sample.hardness);
+    flags.set(Validity::SnapInAhead, snapsSoon(scene, out.model));
     // At rest friction has no direction, and that the geometry is singular tells nothing.
     flags.set(Validity::SingularGeometry, out.estimate.kind == DecouplingCase::NearSingular &&
                                               out.model.slip.norm() > kSliding);
@@ -99,15 +126,41 @@ bool allFinite(const TickOutput& out) {
            out.estimate.kind != DecouplingCase::NotFinite;
 }
 
+/// Whether the lever is stiffer than the attraction at the state of a tip that is held.
+bool leverHolds(const Cantilever& cantilever, const TipState& held) {
+    const Vector3& normal = held.foot.normal;
+    const double compliance = normal.dot(cantilever.compliance() * normal);
+    return held.converged && !held.contact.jumped && !held.locked &&
+           1.0 + compliance * held.contact.stiffness > 0.0;
+}
+
 }  // namespace
 
-BaseMotion commandBase(const HandState& hand, const Settings& settings, double timeStep,
-                       const TickMemory& memory) noexcept {
-    if (!memory.started) {
-        return {settings.positionGain * hand.position, Vector3::Zero()};
+BaseCommand commandBase(const Scene& scene, const TickInput& input,
+                        const TickMemory& memory) noexcept {
+    const Settings& settings = input.settings;
+    const bool tipControl = settings.positionControl == PositionControl::Tip;
+    BaseCommand command;
+    command.base.position = settings.positionGain * input.hand.position;
+    if (memory.started) {
+        const Vector3 step = settings.positionGain * (input.hand.position - memory.hand);
+        command.base = {memory.base + step, step / input.timeStep};
     }
-    const Vector3 step = settings.positionGain * (hand.position - memory.hand);
-    return {memory.base + step, step / timeStep};
+    if (!tipControl) {
+        return command;
+    }
+    const bool controlled = memory.control == PositionControl::Tip;
+    command.compensation = controlled ? memory.compensation : memory.model.deflection;
+    const BaseMotion tip{memory.started ? Vector3(command.base.position + command.compensation)
+                                        : command.base.position,
+                         command.base.velocity};
+    const TipState held = heldTip(scene.surface, scene.belief, tip, memory.model);
+    command.tipHeld = leverHolds(scene.belief.cantilever, held);
+    if (command.tipHeld) {
+        command.compensation = scene.belief.cantilever.compliance() * held.force;
+    }
+    command.base.position = tip.position - command.compensation;
+    return command;
 }
 
 TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) noexcept {
@@ -117,7 +170,8 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     }
     const TickMemory before = memory;
     TickOutput out;
-    out.base = commandBase(input.hand, input.settings, input.timeStep, memory);
+    const BaseCommand command = commandBase(scene, input, memory);
+    out.base = command.base;
     out.model = tipEquilibrium(scene.surface, scene.belief, out.base, memory.model);
     const NormalForcePrior prior = normalForcePrior(scene, input, out.model);
     out.estimate =
@@ -126,7 +180,10 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     memory.correction = slowCorrection(input, out, memory.correction);
     out.handForce = input.settings.forceGain * (out.model.force + memory.correction);
     out.flags = validity(scene, out, prior.contradicted);
+    out.flags.set(Validity::TipNotHeld, !command.tipHeld);
     memory.base = out.base.position;
+    memory.compensation = command.compensation;
+    memory.control = input.settings.positionControl;
     memory.hand = input.hand.position;
     memory.started = true;
     if (!allFinite(out)) {

@@ -11,21 +11,33 @@ namespace asperity {
 /// All that one tick hands to the next.
 struct TickMemory {
     EquilibriumMemory model;
-    Vector3 base = Vector3::Zero();        ///< commanded in the last tick [m]
-    Vector3 correction = Vector3::Zero();  ///< slow part of estimate minus model [N]
-    Vector3 hand = Vector3::Zero();        ///< its position in the last tick [m]
-    bool started = false;                  ///< false: `base` and `hand` hold nothing yet
-    Fault fault = Fault::None;             ///< latched
-    std::uint32_t rearms = 0;              ///< as the last tick's settings had them
+    Vector3 base = Vector3::Zero();          ///< commanded in the last tick [m]
+    Vector3 compensation = Vector3::Zero();  ///< how far the tip was commanded ahead of it [m]
+    PositionControl control = PositionControl::Base;  ///< of the last tick
+    Vector3 correction = Vector3::Zero();             ///< slow part of estimate minus model [N]
+    Vector3 hand = Vector3::Zero();                   ///< its position in the last tick [m]
+    bool started = false;                             ///< false: `base` and `hand` hold nothing yet
+    Fault fault = Fault::None;                        ///< latched
+    std::uint32_t rearms = 0;                         ///< as the last tick's settings had them
 };
 
-/// Where the hand sends the cantilever's base in this tick, and how fast it moves there. The base
-/// follows the hand's displacements times the gain, so that a changed gain moves nothing by itself.
-[[nodiscard]] BaseMotion commandBase(const HandState& hand, const Settings& settings,
-                                     double timeStep, const TickMemory& memory) noexcept;
+/// Where the hand sends the cantilever's base in this tick. The base, or the tip, follows the
+/// hand's displacements times the gain, so that a changed gain or control moves nothing by itself.
+struct BaseCommand {
+    BaseMotion base;                         ///< with the velocity that the hand gives
+    Vector3 compensation = Vector3::Zero();  ///< commanded place of the tip less the base [m]
+    bool tipHeld = true;  ///< false: no place of the base can hold the tip where it shall be
+};
+
+/// With the tip under control, the base goes ahead by the deflection C F that the model expects at
+/// the commanded place of the tip. Where the lever would jump from there (between its fold and that
+/// of displacement control) the tip cannot be held, and the base keeps its last compensation.
+/// Source: Vogl, Ma, Sitti (2005), direct tip control; docs/physics.md 6.6, 7.1.
+[[nodiscard]] BaseCommand commandBase(const Scene& scene, const TickInput& input,
+                                      const TickMemory& memory) noexcept;
 
 /// One tick of the haptic loop: a pure function, so that a recorded run replays to the same bits.
-/// The measurement in `input` must answer the base that commandBase() gives for the same hand.
+/// The measurement in `input` must answer the base that commandBase() gives for the same input.
 /// No allocation, no lock, no log, no exception.
 [[nodiscard]] TickOutput tick(const Scene& scene, const TickInput& input,
                               TickMemory& memory) noexcept;

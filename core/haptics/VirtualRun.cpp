@@ -11,8 +11,7 @@ void runVirtually(const Scene& scene, const HandPath& hand, AfmController& afm, 
     for (long i = 0; i < ticks; ++i) {
         sample.time = static_cast<double>(i) * scene.timeStep();
         sample.input.hand.position = positionAt(hand, sample.time) / scene.settings.positionGain;
-        sample.input.measurement = afm.exchange(
-            commandBase(sample.input.hand, sample.input.settings, sample.input.timeStep, memory));
+        sample.input.measurement = afm.exchange(commandBase(scene, sample.input, memory).base);
         sample.output = tick(scene, sample.input, memory);
         sink(sample);
     }

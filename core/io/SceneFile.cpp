@@ -16,14 +16,16 @@ namespace {
 template <class Value>
 using NamedValue = std::pair<std::string_view, Value>;
 
-constexpr std::array<NamedValue<ContactLaw>, 2> kLaws{
-    {{"split", ContactLaw::Split}, {"hertz", ContactLaw::Hertz}}};
 constexpr std::array<NamedValue<Levelling>, 3> kLevellings{
     {{"plane", Levelling::Plane}, {"rows", Levelling::Rows}, {"none", Levelling::None}}};
 constexpr std::array<NamedValue<DeformationTier>, 3> kDeformations{
     {{"four_point", DeformationTier::FourPoint},
      {"contact_radius", DeformationTier::ContactRadius},
      {"closed_form", DeformationTier::ClosedForm}}};
+
+constexpr std::array<NamedValue<PositionControl>, 2> kPositionControls{
+    {{"base", PositionControl::Base}, {"tip", PositionControl::Tip}}};
+constexpr const char* kChosenLaw = "auto";
 
 template <class Value, std::size_t Size>
 std::string nameOf(const std::array<NamedValue<Value>, Size>& names, Value value) {
@@ -49,6 +51,24 @@ Value choice(TomlSection& section, const std::string& key,
     section.refuse(key, "one of " + known + ", not '" + given + "'");
 }
 
+std::string lawText(const std::optional<ContactLaw>& law) { return law ? keyOf(*law) : kChosenLaw; }
+
+std::optional<ContactLaw> readLaw(TomlSection& section,
+                                  const std::optional<ContactLaw>& otherwise) {
+    const std::string given = section.text("law", lawText(otherwise));
+    if (given == kChosenLaw) {
+        return std::nullopt;
+    }
+    std::string known = kChosenLaw;
+    for (const ContactLaw law : kContactLaws) {
+        if (given == keyOf(law)) {
+            return law;
+        }
+        known += std::string(", ") + keyOf(law);
+    }
+    section.refuse("law", "one of " + known + ", not '" + given + "'");
+}
+
 SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwise) {
     SampleMaterial material = otherwise;
     material.name = section.text("name", otherwise.name);
@@ -60,6 +80,8 @@ SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwis
         section.number("friction_coefficient", otherwise.friction.coefficient);
     material.friction.shearStrength =
         section.number("shear_strength_pa", otherwise.friction.shearStrength);
+    material.hardness = section.number("hardness_pa", otherwise.hardness);
+    material.filmThickness = section.number("film_thickness_m", otherwise.filmThickness);
     return material;
 }
 
@@ -137,11 +159,19 @@ TruthDescription readTruth(TomlSection section, const SceneDescription& scene) {
     return truth;
 }
 
+void readPhysics(TomlSection section, SceneDescription& scene) {
+    scene.law = readLaw(section, scene.law);
+    scene.cohesiveRange = section.number("cohesive_range_m", scene.cohesiveRange);
+    Meniscus& meniscus = scene.meniscus;
+    meniscus.surfaceTension = section.number("meniscus_tension_n_m", meniscus.surfaceTension);
+    meniscus.contactAngle = section.number("meniscus_angle_rad", meniscus.contactAngle);
+    meniscus.range = section.number("meniscus_range_m", meniscus.range);
+    section.refuseUnknownKeys();
+}
+
 void readRest(const toml::table& table, const std::filesystem::path& path,
               SceneDescription& scene) {
-    TomlSection physics(table, path, "physics");
-    scene.law = choice(physics, "law", kLaws, scene.law);
-    physics.refuseUnknownKeys();
+    readPhysics(TomlSection(table, path, "physics"), scene);
     TomlSection fidelity(table, path, "fidelity");
     scene.deformation = choice(fidelity, "deformation", kDeformations, scene.deformation);
     fidelity.refuseUnknownKeys();
@@ -150,6 +180,8 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
     scene.positionGain = haptics.number("position_gain", scene.positionGain);
     scene.forceGain = haptics.number("force_gain", scene.forceGain);
     scene.correctionBandwidth = haptics.number("correction_hz", scene.correctionBandwidth);
+    scene.positionControl =
+        choice(haptics, "position_control", kPositionControls, scene.positionControl);
     haptics.refuseUnknownKeys();
     TomlSection view(table, path, "view");
     scene.zoomHalfWidth = view.number("zoom_half_width_m", scene.zoomHalfWidth);
@@ -184,7 +216,9 @@ toml::table materialTable(const SampleMaterial& material) {
                        {"poisson_ratio", material.elastic.poissonRatio},
                        {"work_of_adhesion_j_m2", material.workOfAdhesion},
                        {"friction_coefficient", material.friction.coefficient},
-                       {"shear_strength_pa", material.friction.shearStrength}};
+                       {"shear_strength_pa", material.friction.shearStrength},
+                       {"hardness_pa", material.hardness},
+                       {"film_thickness_m", material.filmThickness}};
 }
 
 toml::table sampleTable(const SampleDescription& sample) {
@@ -255,12 +289,18 @@ std::string sceneText(const SceneDescription& scene) {
                             {"poisson_ratio", scene.tip.elastic.poissonRatio}}},
         {"probe", probeTable(scene)},
         {"truth", truthTable(scene.truth)},
-        {"physics", toml::table{{"law", nameOf(kLaws, scene.law)}}},
+        {"physics", toml::table{{"law", lawText(scene.law)},
+                                {"cohesive_range_m", scene.cohesiveRange},
+                                {"meniscus_tension_n_m", scene.meniscus.surfaceTension},
+                                {"meniscus_angle_rad", scene.meniscus.contactAngle},
+                                {"meniscus_range_m", scene.meniscus.range}}},
         {"fidelity", toml::table{{"deformation", nameOf(kDeformations, scene.deformation)}}},
-        {"haptics", toml::table{{"rate_hz", scene.tickRate},
-                                {"position_gain", scene.positionGain},
-                                {"force_gain", scene.forceGain},
-                                {"correction_hz", scene.correctionBandwidth}}},
+        {"haptics",
+         toml::table{{"rate_hz", scene.tickRate},
+                     {"position_gain", scene.positionGain},
+                     {"force_gain", scene.forceGain},
+                     {"correction_hz", scene.correctionBandwidth},
+                     {"position_control", nameOf(kPositionControls, scene.positionControl)}}},
         {"view", toml::table{{"zoom_half_width_m", scene.zoomHalfWidth}}}};
     std::ostringstream text;
     text << table << '\n';

@@ -68,7 +68,7 @@ TickInputWriter::TickInputWriter(const std::filesystem::path& path)
     : csv_(path, comments("all that the run depended on besides scene.toml, one row a tick"),
            {"time_s", "time_step_s", "hand_x_m", "hand_y_m", "hand_z_m", "buttons", "connected",
             "alpha_rad", "theta_rad", "age_s", "position_gain", "force_gain", "correction_hz",
-            "forces_on", "rearms"}) {}
+            "tip_control", "forces_on", "rearms"}) {}
 
 void TickInputWriter::take(const TickSample& sample) {
     const TickInput& input = sample.input;
@@ -82,6 +82,7 @@ void TickInputWriter::take(const TickSample& sample) {
         .add(input.settings.positionGain)
         .add(input.settings.forceGain)
         .add(input.settings.correctionBandwidth)
+        .add(input.settings.positionControl == PositionControl::Tip ? 1.0 : 0.0)
         .add(input.settings.forcesOn ? 1.0 : 0.0)
         .add(static_cast<double>(input.settings.rearms))
         .endRow();
@@ -106,6 +107,8 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
         input.settings = {.positionGain = cell("position_gain"),
                           .forceGain = cell("force_gain"),
                           .correctionBandwidth = cell("correction_hz"),
+                          .positionControl = cell("tip_control") != 0.0 ? PositionControl::Tip
+                                                                        : PositionControl::Base,
                           .forcesOn = cell("forces_on") != 0.0,
                           .rearms = static_cast<std::uint32_t>(cell("rearms"))};
     }

@@ -23,12 +23,20 @@ void visit(Memory& memory, const Visitor& number) {
         number(name + "_y_" + unit, value.y());
         number(name + "_z_" + unit, value.z());
     };
-    number("foot_x_m", memory.model.foot.x);
-    number("foot_y_m", memory.model.foot.y);
-    number("foot_valid", memory.model.foot.valid);
-    number("branch", memory.model.branch);
+    number("feet", memory.model.footCount);
+    for (std::size_t i = 0; i < memory.model.feet.size(); ++i) {
+        const std::string foot = "foot" + std::to_string(i);
+        auto& kept = memory.model.feet[i];
+        number(foot + "_x_m", kept.guess.x);
+        number(foot + "_y_m", kept.guess.y);
+        number(foot + "_valid", kept.guess.valid);
+        number(foot + "_branch", kept.contact.branch);
+        number(foot + "_coordinate", kept.contact.coordinate);
+        number(foot + "_friction_n", kept.friction);
+    }
     vector("deflection", memory.model.deflection, "m");
-    number("friction_n", memory.model.friction);
+    vector("compensation", memory.compensation, "m");
+    number("control", memory.control);
     vector("base", memory.base, "m");
     vector("correction", memory.correction, "n");
     vector("hand", memory.hand, "m");
@@ -42,6 +50,10 @@ bool isUpTo(double largest, double number) {
 }
 bool isValue(double, double number) { return std::isfinite(number); }
 bool isValue(bool, double number) { return isUpTo(1.0, number); }
+bool isValue(std::size_t, double number) { return isUpTo(static_cast<double>(kMostFeet), number); }
+bool isValue(PositionControl, double number) {
+    return isUpTo(static_cast<double>(PositionControl::Tip), number);
+}
 bool isValue(ContactBranch, double number) {
     return isUpTo(static_cast<double>(ContactBranch::Bonded), number);
 }

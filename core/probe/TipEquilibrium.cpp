@@ -1,33 +1,42 @@
 #include "core/probe/TipEquilibrium.h"
 
+#include "core/contact/EffectiveRadius.h"
 #include "core/probe/Sliding.h"
+#include "core/surface/Curvature.h"
+
+#include <Eigen/LU>
 
 #include <algorithm>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace asperity {
 
 namespace {
 
-constexpr int kMaxIterations = 24;
+constexpr int kMaxSweeps = 48;
 constexpr double kPositionTolerance =
-    1e-15;  // [m]: a millionth of an atom's radius, above rounding
+    1e-15;                            // [m]: a millionth of an atom's radius, above rounding
+constexpr double kSameRadius = 1e-6;  // relative change of R_eff that needs no new solution
+constexpr double kReach = 10e-9;      // [m]: attraction across a wider gap is below a piconewton
+constexpr double kSameSlot = 0.25;    // of the tip's radius: a foot moves less from tick to tick
+constexpr double kMainFoot = 1.5;     // another foot becomes the main one with so much more force
+constexpr double kBears = 1e-3;       // share of the main foot's force from which a foot counts
 
-/// Lever and friction along one surface normal.
-struct ContactDirections {
-    Vector3 normal;
-    Vector3 slip;
-    double normalCompliance;  ///< n.C n [m/N]
-    double slipCompliance;    ///< n.C f [m/N]
+/// One foot with the contact law of its place and the force it bears.
+struct Foot {
+    SurfaceFoot place;
+    FootMemory memory;
+    ContactModel model;
+    EffectiveRadius radius;
+    ContactState contact;
+    Vector3 slip = Vector3::Zero();
+    Vector3 force = Vector3::Zero();  ///< on the tip, lab frame [N]
+
+    [[nodiscard]] double stiffness() const { return std::max(0.0, contact.stiffness); }
 };
-
-ContactDirections directionsAt(const ProbeSystem& system, const Vector3& normal,
-                               const Vector3& velocity) {
-    const Matrix3& compliance = system.cantilever.compliance();
-    const Vector3 slip = slidingOf(normal, velocity).slip();
-    return {normal, slip, normal.dot(compliance * normal), normal.dot(compliance * slip)};
-}
 
 double frictionForce(const Friction& friction, const ContactState& contact) {
     const double area = std::numbers::pi * contact.contactRadius * contact.contactRadius;
@@ -37,40 +46,206 @@ double frictionForce(const Friction& friction, const ContactState& contact) {
     return std::max(0.0, friction.coefficient * contact.force + friction.shearStrength * area);
 }
 
-/// Sliding so that friction drags the tip deeper faster than the lever lifts it.
-bool isLocked(const ContactDirections& directions, double frictionCoefficient) {
-    return directions.normalCompliance + frictionCoefficient * directions.slipCompliance <= 0.0;
-}
+/// Search for the tip's place between a lever of given compliance and all its feet, one foot at a
+/// time while the others answer to first order.
+class Balance {
+public:
+    Balance(const BSplineSurface& surface, const ProbeSystem& system, const BaseMotion& base,
+            const Matrix3& compliance)
+        : surface_(surface), system_(system), base_(base), compliance_(compliance) {}
+
+    TipState solve(EquilibriumMemory& memory) {
+        deflection_ = memory.deflection;
+        findFeet(memory);
+        for (int i = 0; i < kMaxSweeps && !state_.converged; ++i) {
+            const Vector3 before = deflection_;
+            state_.locked = false;
+            for (Foot& foot : feet_) {
+                settle(foot);
+            }
+            const bool still = (deflection_ - before).norm() <= kPositionTolerance;
+            state_.converged = still && !followCurvature();
+        }
+        putMainFootFirst();
+        report();
+        remember(memory);
+        return state_;
+    }
+
+private:
+    /// The lever as one foot meets it: stiffened by the other feet, and moved by them.
+    struct Lever {
+        Matrix3 compliance;
+        Vector3 offset;  ///< of the tip when the foot bears no force [m]
+    };
+
+    [[nodiscard]] Vector3 centre() const {
+        return base_.position + deflection_ + Vector3(0.0, 0.0, system_.tipRadius());
+    }
+
+    void findFeet(const EquilibriumMemory& memory) {
+        std::array<FootGuess, kMostFeet> known;
+        for (std::size_t i = 0; i < memory.footCount; ++i) {
+            known[i] = memory.feet[i].guess;
+        }
+        const TipFeet found = tipFeet(surface_, {centre(), system_.tipRadius()}, kReach,
+                                      {known.data(), memory.footCount});
+        for (const SurfaceFoot& place : found.all()) {
+            feet_.push_back({.place = place,
+                             .memory = memoryOf(place, memory),
+                             .model = system_.contact,
+                             .radius = {},
+                             .contact = {}});
+        }
+        followCurvature();
+    }
+
+    /// What was known of a foot: of the nearest one remembered. The first foot is always known.
+    [[nodiscard]] FootMemory memoryOf(const SurfaceFoot& place,
+                                      const EquilibriumMemory& memory) const {
+        FootMemory best;
+        double nearest = kSameSlot * system_.tipRadius();
+        for (std::size_t i = 0; i < memory.footCount; ++i) {
+            const FootGuess& guess = memory.feet[i].guess;
+            const double away = std::hypot(guess.x - place.point.x(), guess.y - place.point.y());
+            if (away < nearest) {
+                nearest = away;
+                best = memory.feet[i];
+            }
+        }
+        const bool unknown = !best.guess.valid && feet_.empty() && memory.footCount > 0;
+        return unknown ? memory.feet[0] : best;
+    }
+
+    /// Gives each foot the effective radius of its place; whether one of them changed.
+    bool followCurvature() {
+        bool changed = false;
+        for (Foot& foot : feet_) {
+            const auto bend =
+                principalCurvatures(surface_.at(foot.place.point.x(), foot.place.point.y()));
+            foot.radius = effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
+            const double used = foot.model.pair().tipRadius;
+            if (std::abs(foot.radius.radius - used) > kSameRadius * used) {
+                foot.model = system_.contact.withTipRadius(foot.radius.radius);
+                changed = true;
+            }
+        }
+        return changed;
+    }
+
+    [[nodiscard]] Lever leverOf(const Foot& foot) const {
+        if (feet_.size() == 1) {
+            return {compliance_, Vector3::Zero()};
+        }
+        Matrix3 stiffness = Matrix3::Zero();
+        Vector3 force = Vector3::Zero();
+        for (const Foot& other : feet_) {
+            if (&other != &foot) {
+                const Vector3& normal = other.place.normal;
+                stiffness += other.stiffness() * normal * normal.transpose();
+                force += other.force;
+            }
+        }
+        const Matrix3 stiffened =
+            (Matrix3::Identity() + compliance_ * stiffness).inverse() * compliance_;
+        return {stiffened, stiffened * (force + stiffness * deflection_)};
+    }
+
+    /// Balances lever and contact at one foot.
+    void settle(Foot& foot) {
+        const FootGuess guess{foot.place.point.x(), foot.place.point.y(), foot.place.converged};
+        foot.place = closestPoint(surface_, centre(), guess);
+        const Vector3& normal = foot.place.normal;
+        foot.slip = slidingOf(normal, base_.velocity).slip();
+        const Lever lever = leverOf(foot);
+        const double along = normal.dot(lever.compliance * normal);
+        const double across = normal.dot(lever.compliance * foot.slip);
+        // Friction that drags the tip deeper faster than the lever lifts it locks it.
+        state_.locked |= along > 0.0 && along + system_.friction.coefficient * across <= 0.0;
+        // Approach of the undeflected tip towards the tangent plane of the present foot.
+        const double approach = system_.tipRadius() - foot.place.distance +
+                                normal.dot(deflection_ - lever.offset) -
+                                across * foot.memory.friction;
+        foot.contact = foot.model.equilibrium(approach, along, foot.memory.contact);
+        foot.memory.friction = frictionForce(system_.friction, foot.contact);
+        foot.force = foot.contact.force * normal + foot.memory.friction * foot.slip;
+        deflection_ = lever.offset + lever.compliance * foot.force;
+    }
+
+    void putMainFootFirst() {
+        for (std::size_t i = 1; i < feet_.size(); ++i) {
+            if (std::abs(feet_[i].contact.force) > kMainFoot * std::abs(feet_[0].contact.force)) {
+                std::swap(feet_[0], feet_[i]);
+            }
+        }
+    }
+
+    void report() {
+        const Foot& main = feet_.front();
+        Vector3 normalForce = Vector3::Zero();
+        state_.feet = 0;
+        for (const Foot& foot : feet_) {
+            const bool bears = std::abs(foot.contact.force) > kBears * std::abs(main.contact.force);
+            state_.feet += bears ? 1 : 0;
+            normalForce += foot.contact.force * foot.place.normal;
+            state_.force += foot.force;
+        }
+        state_.feet = std::max(1, state_.feet);
+        state_.tip = base_.position + deflection_;
+        state_.foot = main.place;
+        state_.contact = main.contact;
+        state_.slip = main.slip;
+        state_.effectiveRadius = main.radius.radius;
+        state_.fits = main.radius.fits;
+        state_.elongated = main.radius.elongated;
+        state_.normal = main.place.normal;
+        state_.normalForce = main.contact.force;
+        if (feet_.size() > 1 && normalForce.norm() > 0.0) {
+            const double sign = normalForce.dot(main.place.normal) < 0.0 ? -1.0 : 1.0;
+            state_.normalForce = sign * normalForce.norm();
+            state_.normal = normalForce / state_.normalForce;
+        }
+    }
+
+    void remember(EquilibriumMemory& memory) const {
+        memory.deflection = deflection_;
+        memory.footCount = 0;
+        for (const Foot& foot : feet_) {
+            const bool isFar = foot.contact.branch == ContactBranch::Far &&
+                               foot.place.distance > system_.tipRadius() + kReach;
+            if (memory.footCount > 0 && isFar) {
+                continue;
+            }
+            const SurfaceFoot& place = foot.place;
+            memory.feet[memory.footCount++] = {
+                .guess = {place.point.x(), place.point.y(), place.converged},
+                .contact = foot.contact.memory(),
+                .friction = foot.memory.friction};
+        }
+    }
+
+    const BSplineSurface& surface_;
+    const ProbeSystem& system_;
+    const BaseMotion& base_;
+    const Matrix3& compliance_;
+    Vector3 deflection_ = Vector3::Zero();
+    boost::container::static_vector<Foot, kMostFeet> feet_;
+    TipState state_;
+};
 
 }  // namespace
 
 TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system,
                         const BaseMotion& base, EquilibriumMemory& memory) noexcept {
-    const double radius = system.tipRadius();
-    const Vector3 toCentre(0.0, 0.0, radius);
-    TipState state;
-    Vector3 deflection = memory.deflection;
-    double friction = memory.friction;
-    FootGuess guess = memory.foot;
-    for (int i = 0; i < kMaxIterations && !state.converged; ++i) {
-        state.foot = closestPoint(surface, base.position + deflection + toCentre, guess);
-        guess = {state.foot.point.x(), state.foot.point.y(), state.foot.converged};
-        const ContactDirections along = directionsAt(system, state.foot.normal, base.velocity);
-        state.slip = along.slip;
-        state.locked = isLocked(along, system.friction.coefficient);
-        // Approach of the undeflected tip towards the tangent plane of the present foot.
-        const double approach = radius - state.foot.distance + along.normal.dot(deflection) -
-                                along.slipCompliance * friction;
-        state.contact = system.contact.equilibrium(approach, along.normalCompliance, memory.branch);
-        friction = frictionForce(system.friction, state.contact);
-        state.force = state.contact.force * along.normal + friction * along.slip;
-        const Vector3 next = system.cantilever.compliance() * state.force;
-        state.converged = (next - deflection).norm() <= kPositionTolerance;
-        deflection = next;
-    }
-    state.tip = base.position + deflection;
-    memory = {guess, state.contact.branch, deflection, friction};
-    return state;
+    return Balance(surface, system, base, system.cantilever.compliance()).solve(memory);
+}
+
+TipState heldTip(const BSplineSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
+                 const EquilibriumMemory& memory) noexcept {
+    EquilibriumMemory held = memory;
+    held.deflection.setZero();
+    const Matrix3 rigid = Matrix3::Zero();
+    return Balance(surface, system, tip, rigid).solve(held);
 }
 
 }  // namespace asperity

@@ -4,6 +4,9 @@
 #include "core/probe/ProbeSystem.h"
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/ClosestPoint.h"
+#include "core/surface/TipFeet.h"
+
+#include <array>
 
 namespace asperity {
 
@@ -14,28 +17,47 @@ struct BaseMotion {
     Vector3 velocity = Vector3::Zero();  ///< [m/s]
 };
 
-/// What one equilibrium hands to the next: warm starts and the adhesion branch.
+/// What is kept of one foot of the tip.
+struct FootMemory {
+    FootGuess guess;
+    ContactMemory contact;
+    double friction = 0.0;  ///< tangential force [N]
+};
+
+/// What one equilibrium hands to the next: warm starts and the adhesion branches.
 struct EquilibriumMemory {
-    FootGuess foot;
-    ContactBranch branch = ContactBranch::Far;
+    std::array<FootMemory, kMostFeet> feet{};
+    std::size_t footCount = 0;             ///< 0: nothing is known yet
     Vector3 deflection = Vector3::Zero();  ///< of the tip, lab frame [m]
-    double friction = 0.0;                 ///< tangential force [N]
 };
 
-/// The tip in quasi-static equilibrium between lever and sample; lab frame.
+/// The tip in quasi-static equilibrium between lever and sample; lab frame. In a valley that the
+/// tip does not fit `force` is the sum over its feet; the rest describes the main one.
 struct TipState {
-    Vector3 tip = Vector3::Zero();    ///< apex [m]
-    Vector3 force = Vector3::Zero();  ///< of the sample on the tip [N]
-    Vector3 slip = Vector3::Zero();   ///< direction of the friction force on the tip, length <= 1
-    SurfaceFoot foot;                 ///< of the centre of the tip's sphere
-    ContactState contact;             ///< along foot.normal
-    bool converged = false;           ///< tip position found to rounding
-    bool locked = false;              ///< friction would lock the lever: no quasi-static state
+    Vector3 tip = Vector3::Zero();      ///< apex [m]
+    Vector3 force = Vector3::Zero();    ///< of the sample on the tip [N]
+    Vector3 slip = Vector3::Zero();     ///< direction of the friction force on the tip, length <= 1
+    Vector3 normal = Vector3::UnitZ();  ///< direction of the sum of normal forces, unit, outward
+    double normalForce = 0.0;           ///< that sum along `normal`, > 0 repulsive [N]
+    SurfaceFoot foot;                   ///< of the centre of the tip's sphere
+    ContactState contact;               ///< along foot.normal
+    double effectiveRadius = 0.0;       ///< of tip and curved sample together [m]
+    int feet = 1;                       ///< that bear a force
+    bool fits = true;                   ///< false: the sample is as sharply hollow as the tip
+    bool elongated = false;  ///< sample curved so differently along two axes that R_eff is rough
+    bool converged = false;  ///< tip position found to rounding
+    bool locked = false;     ///< friction would lock the lever: no quasi-static state
 };
 
-/// Solves tip = base + C F(tip) for the position of the tip, C the lever's compliance.
-/// Allocation-free, bounded, never throws. Source: docs/physics.md 7.1-7.2.
+/// Solves tip = base + C F(tip) for the position of the tip, C the lever's compliance, F the sum
+/// over all feet, each with the effective radius of its place.
+/// Allocation-free, bounded, never throws. Source: docs/physics.md 1, 7.1-7.2.
 [[nodiscard]] TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system,
                                       const BaseMotion& base, EquilibriumMemory& memory) noexcept;
+
+/// State of a tip that is held at `tip` (apex) whatever the lever, i.e. in displacement control;
+/// `memory` stays as it is.
+[[nodiscard]] TipState heldTip(const BSplineSurface& surface, const ProbeSystem& system,
+                               const BaseMotion& tip, const EquilibriumMemory& memory) noexcept;
 
 }  // namespace asperity

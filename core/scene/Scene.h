@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/contact/LawChoice.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/SimulatedAfm.h"
 #include "core/scene/SceneDescription.h"
@@ -15,6 +16,7 @@ struct Scene {
     SceneDescription description;
     PlaneFit removedPlane;  ///< of the scan as loaded
     BSplineSurface surface;
+    LawChoice lawChoice;       ///< of the belief, and why
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     InstrumentTruth truth;     ///< what the simulated instrument is
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]

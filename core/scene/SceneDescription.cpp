@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/contact/Within.h"
 
 #include <cmath>
 
@@ -31,6 +32,10 @@ void check(const SampleMaterial& material, const std::string& where) {
     require(std::isfinite(material.friction.shearStrength) &&
                 material.friction.shearStrength >= 0.0,
             where + ": shear_strength_pa must be zero or a positive number of pascals");
+    require(std::isfinite(material.hardness) && material.hardness >= 0.0,
+            where + ": hardness_pa must be zero or a positive number of pascals");
+    require(std::isfinite(material.filmThickness) && material.filmThickness >= 0.0,
+            where + ": film_thickness_m must be zero or a positive number of metres");
 }
 
 }  // namespace
@@ -59,6 +64,8 @@ void checkScene(const SceneDescription& scene) {
     check(scene.tip.elastic, "[tip]");
     require(std::isfinite(scene.tip.radius) && scene.tip.radius > 0.0,
             "[tip]: radius_m must be a positive number of metres");
+    require(isWithin(scene.cohesiveRange, 1e-12, 1e-6),
+            "[physics]: cohesive_range_m must lie between 1e-12 and 1e-6");
     require(scene.signalSigma > 0.0 && std::isfinite(scene.signalSigma),
             "[probe]: signal_noise_rad must be a positive number of radians");
     require(scene.truth.signalNoise >= 0.0 && std::isfinite(scene.truth.signalNoise),

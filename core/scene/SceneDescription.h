@@ -4,10 +4,12 @@
 #include "core/contact/Material.h"
 #include "core/probe/Cantilever.h"
 #include "core/probe/ProbeSystem.h"
+#include "core/scene/Settings.h"
 #include "core/surface/Levelling.h"
 #include "core/surface/SurfaceDeformation.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace asperity {
@@ -18,6 +20,8 @@ struct SampleMaterial {
     Elastic elastic{.youngsModulus = 2e9, .poissonRatio = 0.4};
     double workOfAdhesion = 0.066;  ///< w of the pair tip-sample [J/m^2]
     Friction friction{.coefficient = 0.3, .shearStrength = 0.0};
+    double hardness = 0.0;       ///< mean pressure at which it yields [Pa]; 0: not known
+    double filmThickness = 0.0;  ///< of a film on a rigid base [m]; 0: a half-space
 
     bool operator==(const SampleMaterial&) const = default;
 };
@@ -51,11 +55,14 @@ struct SceneDescription {
     CantileverGeometry probe;
     double signalSigma = 1e-7;  ///< what the estimator takes each signal's noise to be [rad]
     TruthDescription truth;
-    ContactLaw law = ContactLaw::Split;
+    std::optional<ContactLaw> law;          ///< none: chosen, see chooseLaw()
+    double cohesiveRange = kCohesiveRange;  ///< h0 of the Maugis laws [m]
+    Meniscus meniscus;
     DeformationTier deformation = DeformationTier::ClosedForm;
-    double tickRate = 1000.0;           ///< [Hz]
-    double positionGain = 1.0;          ///< base displacement per hand displacement
-    double forceGain = 1.0;             ///< force at the hand per force at the tip
+    double tickRate = 1000.0;   ///< [Hz]
+    double positionGain = 1.0;  ///< base displacement per hand displacement
+    double forceGain = 1.0;     ///< force at the hand per force at the tip
+    PositionControl positionControl = PositionControl::Base;
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
     double zoomHalfWidth = 0.0;         ///< of the zoomed view [m]; 0: chosen from the contact
 };

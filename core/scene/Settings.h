@@ -4,13 +4,20 @@
 
 namespace asperity {
 
+/// What the hand commands.
+enum class PositionControl : std::uint8_t {
+    Base,  ///< the cantilever's base; the tip stays behind by the lever's deflection
+    Tip,   ///< the tip: the base goes ahead by the deflection that the model expects
+};
+
 /// Knobs that may change from one tick to the next.
 struct Settings {
     double positionGain = 1.0;          ///< base displacement per hand displacement
     double forceGain = 1.0;             ///< force at the hand per force at the tip
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
-    bool forcesOn = true;               ///< false: the hand feels nothing
-    std::uint32_t rearms = 0;           ///< how often a person has taken back a fault
+    PositionControl positionControl = PositionControl::Base;
+    bool forcesOn = true;      ///< false: the hand feels nothing
+    std::uint32_t rearms = 0;  ///< how often a person has taken back a fault
 };
 
 }  // namespace asperity

@@ -20,6 +20,18 @@ const char* validityName(Validity flag) noexcept {
         return "model_contradicted";
     case Validity::CurvedSample:
         return "curved_sample";
+    case Validity::SharpValley:
+        return "sharp_valley";
+    case Validity::SeveralFeet:
+        return "several_feet";
+    case Validity::TipNotHeld:
+        return "tip_not_held";
+    case Validity::ElasticLimit:
+        return "elastic_limit";
+    case Validity::ThinFilm:
+        return "thin_film";
+    case Validity::SnapInAhead:
+        return "snap_in_ahead";
     case Validity::SingularGeometry:
         return "singular_geometry";
     }

@@ -15,7 +15,13 @@ enum class Validity : std::uint32_t {
     FrictionLock = 1U << 5U,       ///< friction would lock the lever
     ModelContradicted = 1U << 6U,  ///< the signals differ from the model by more than 3 sigma
     SingularGeometry = 1U << 7U,   ///< signals say little about one force direction
-    CurvedSample = 1U << 8U,       ///< the sample's curvature is above 0.1 / R: taken as flat
+    CurvedSample = 1U << 8U,       ///< curvatures so unequal that one effective radius is rough
+    SharpValley = 1U << 9U,        ///< the sample is hollow about as sharply as the tip, or more
+    SeveralFeet = 1U << 10U,       ///< the tip touches at several places; their forces are summed
+    TipNotHeld = 1U << 11U,        ///< no place of the base holds the tip where the hand wants it
+    ElasticLimit = 1U << 12U,      ///< contact pressure above the sample's hardness: it would yield
+    ThinFilm = 1U << 13U,          ///< contact radius above a tenth of the film's thickness
+    SnapInAhead = 1U << 14U,       ///< the lever is so soft that the tip will jump within 1 nm
 };
 
 /// A set of validity flags.
@@ -35,7 +41,7 @@ private:
     std::uint32_t bits_ = 0;
 };
 
-inline constexpr int kValidityFlagCount = 9;
+inline constexpr int kValidityFlagCount = 15;
 
 /// Name of one flag as logs and panels show it, e.g. "large_contact".
 [[nodiscard]] const char* validityName(Validity flag) noexcept;

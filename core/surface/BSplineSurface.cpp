@@ -103,13 +103,40 @@ double largestMagnitude(const std::vector<double>& heights) {
     return largest;
 }
 
+/// Second derivatives of a cubic spline are averages of its control heights' second differences,
+/// and no principal curvature is stronger than the largest eigenvalue of the second derivatives.
+double largestConcavity(const BSplineSurface::Grid& grid) {
+    const std::ptrdiff_t stride = grid.columns + 2;
+    const double perX = 1.0 / (grid.pitchX * grid.pitchX);
+    const double perY = 1.0 / (grid.pitchY * grid.pitchY);
+    const double perXy = 1.0 / (grid.pitchX * grid.pitchY);
+    double alongX = 0.0;
+    double alongY = 0.0;
+    double mixed = 0.0;
+    for (std::ptrdiff_t row = 1; row <= grid.rows; ++row) {
+        const double* c = grid.controlHeights.data() + row * stride;
+        for (std::ptrdiff_t column = 1; column <= grid.columns; ++column) {
+            const double* at = c + column;
+            alongX = std::max(alongX, at[-1] - 2.0 * at[0] + at[1]);
+            alongY = std::max(alongY, at[-stride] - 2.0 * at[0] + at[stride]);
+            for (const std::ptrdiff_t up : {std::ptrdiff_t{0}, -stride}) {
+                const double* corner = at + up;
+                mixed = std::max(
+                    mixed, std::abs(corner[0] - corner[-1] - corner[stride] + corner[stride - 1]));
+            }
+        }
+    }
+    return std::max(alongX * perX, alongY * perY) + mixed * perXy;
+}
+
 }  // namespace
 
 BSplineSurface::BSplineSurface(Grid grid)
     : grid_(usable(std::move(grid)))
     , inversePitchX_(1.0 / grid_.pitchX)
     , inversePitchY_(1.0 / grid_.pitchY)
-    , heightScale_(largestMagnitude(grid_.controlHeights)) {}
+    , heightScale_(largestMagnitude(grid_.controlHeights))
+    , concavityBound_(largestConcavity(grid_)) {}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
     const CubicSpan across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);

@@ -58,15 +58,18 @@ public:
     [[nodiscard]] double control(int row, int column) const noexcept;
     /// Largest magnitude of a control height [m]: the scale of rounding errors in at().
     [[nodiscard]] double heightScale() const noexcept { return heightScale_; }
+    /// No valley is curved more strongly than this, >= 0 [1/m].
+    [[nodiscard]] double concavityBound() const noexcept { return concavityBound_; }
 
 private:
     [[nodiscard]] double controlInRow(int row, int column) const noexcept;
     [[nodiscard]] std::array<double, 16> controlsFrom(int row, int column) const noexcept;
 
     Grid grid_;
-    double inversePitchX_;  ///< [1/m]
-    double inversePitchY_;  ///< [1/m]
-    double heightScale_;    ///< [m]
+    double inversePitchX_;   ///< [1/m]
+    double inversePitchY_;   ///< [1/m]
+    double heightScale_;     ///< [m]
+    double concavityBound_;  ///< [1/m]
 };
 
 }  // namespace asperity

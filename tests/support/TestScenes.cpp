@@ -40,6 +40,13 @@ HeightMap hillyMap() {
     });
 }
 
+HeightMap ridgedMap(double height) {
+    return mapOf([height](double x, double) {
+        constexpr double kWave = 2.0 * std::numbers::pi / 60.0_nm;
+        return height * std::sin(kWave * x);
+    });
+}
+
 SceneDescription plainScene() {
     SceneDescription scene = defaultScene();
     scene.sample.levelling = Levelling::None;

@@ -14,6 +14,10 @@ namespace asperity::test {
 /// Soft hills of 6 nm on 60 nm, same size as flatMap().
 [[nodiscard]] HeightMap hillyMap();
 
+/// Ridges along y of this height above and below 0, 60 nm apart, the first crest at x = 15 nm, the
+/// first groove at x = 45 nm; same size as flatMap().
+[[nodiscard]] HeightMap ridgedMap(double height);
+
 /// The default scene (polystyrene, 15 nm tip, 14 N/m) without smoothing or levelling.
 [[nodiscard]] SceneDescription plainScene();
 

@@ -170,12 +170,46 @@ TEST(HapticTick, FlagsWhatTheModelDoesNotHoldFor) {
     const ValidityFlags pressed = tick(scene, inputAt({64.0_nm, 64.0_nm, -2.0_nm}), memory).flags;
     EXPECT_TRUE(pressed.has(Validity::LargeContact));
     EXPECT_FALSE(pressed.has(Validity::CurvedSample)) << "flat";
-    const Scene hills = buildScene(test::plainScene(), test::hillyMap());
-    TickMemory onHill;
-    EXPECT_TRUE(
-        tick(hills, inputAt({15.0_nm, 15.0_nm, 4.0_nm}), onHill).flags.has(Validity::CurvedSample));
     EXPECT_TRUE(
         tick(scene, inputAt({-50.0_nm, 64.0_nm, 1.0_nm}), memory).flags.has(Validity::OutsideScan));
+}
+
+TEST(HapticTick, FlagsSamplesTooCurvedForOneEffectiveRadius) {
+    const Scene ridges = buildScene(test::plainScene(), test::ridgedMap(9.0_nm));
+    TickMemory onCrest;
+    const auto crest = tick(ridges, inputAt({15.0_nm, 64.0_nm, 8.0_nm}), onCrest).flags;
+    EXPECT_TRUE(crest.has(Validity::CurvedSample));
+    EXPECT_FALSE(crest.has(Validity::SharpValley));
+    TickMemory inGroove;
+    const Scene grooves = buildScene(test::plainScene(), test::ridgedMap(25.0_nm));
+    const auto groove = tick(grooves, inputAt({45.0_nm, 64.0_nm, -18.0_nm}), inGroove).flags;
+    EXPECT_TRUE(groove.has(Validity::SeveralFeet));
+}
+
+TEST(HapticTick, FlagsPressureBeyondTheHardnessAndContactsAsWideAsTheFilm) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.hardness = 0.5_GPa;
+    description.sample.material.filmThickness = 50.0_nm;
+    const Scene scene = buildScene(description, test::flatMap());
+    TickMemory memory;
+    const auto light = tick(scene, inputAt({64.0_nm, 64.0_nm, -0.3_nm}), memory).flags;
+    EXPECT_FALSE(light.has(Validity::ElasticLimit));
+    EXPECT_FALSE(light.has(Validity::ThinFilm));
+    const auto heavy = tick(scene, inputAt({64.0_nm, 64.0_nm, -20.0_nm}), memory).flags;
+    EXPECT_TRUE(heavy.has(Validity::ElasticLimit));
+    EXPECT_TRUE(heavy.has(Validity::ThinFilm));
+}
+
+TEST(HapticTick, WarnsOfSnapInJustBeforeIt) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    const double jumpIn = scene.belief.contact.jumpInApproach(1.0 / 14.0);
+    TickMemory memory;
+    const auto flagsAt = [&](double beforeJump) {
+        return tick(scene, inputAt({64.0_nm, 64.0_nm, beforeJump - jumpIn}), memory).flags;
+    };
+    EXPECT_FALSE(flagsAt(1.1_nm).has(Validity::SnapInAhead));
+    EXPECT_TRUE(flagsAt(0.9_nm).has(Validity::SnapInAhead));
+    EXPECT_FALSE(flagsAt(-0.1_nm).has(Validity::SnapInAhead)) << "it has snapped in";
 }
 
 }  // namespace

@@ -25,8 +25,7 @@ TEST(TickAllocation, TickAndSimulatedInstrumentAllocateNothingInAnyState) {
     for (int i = 0; i <= 2000; ++i) {
         input.hand.position = positionAt(path, i * 1e-3);
         const std::size_t before = test::allocationCount();
-        input.measurement =
-            afm.exchange(commandBase(input.hand, input.settings, input.timeStep, memory));
+        input.measurement = afm.exchange(commandBase(scene, input, memory).base);
         const TickOutput output = tick(scene, input, memory);
         ASSERT_EQ(test::allocationCount(), before) << "tick " << i;
         touched = touched || output.region() == TipRegion::Contact;

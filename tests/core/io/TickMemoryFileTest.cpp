@@ -13,10 +13,14 @@ namespace {
 
 TickMemory someMemory() {
     TickMemory memory;
-    memory.model = {.foot = {.x = 1.0 / 3.0, .y = 2e-7 / 3.0, .valid = true},
-                    .branch = ContactBranch::Bonded,
-                    .deflection = {1e-9 / 3.0, -2e-9, 3e-9},
-                    .friction = 1.1e-9};
+    memory.model.feet[0] = {.guess = {.x = 1.0 / 3.0, .y = 2e-7 / 3.0, .valid = true},
+                            .contact = {ContactBranch::Bonded, 0.1 + 0.2},
+                            .friction = 1.1e-9};
+    memory.model.feet[1].guess = {.x = 2.0 / 3.0, .y = -1e-7 / 3.0, .valid = true};
+    memory.model.footCount = 2;
+    memory.model.deflection = {1e-9 / 3.0, -2e-9, 3e-9};
+    memory.compensation = {1e-9 / 7.0, 0.0, -2e-9};
+    memory.control = PositionControl::Tip;
     memory.base = {0.1, 0.2, 0.3};
     memory.correction = {1e-10, 2e-10, -3e-10};
     memory.hand = {7.0, 8.0, 9.0};
@@ -31,12 +35,19 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     const TickMemory written = someMemory();
     writeTickMemory(folder.path() / "memory.csv", written);
     const TickMemory read = readTickMemory(folder.path() / "memory.csv");
-    EXPECT_EQ(read.model.foot.x, written.model.foot.x);
-    EXPECT_EQ(read.model.foot.y, written.model.foot.y);
-    EXPECT_EQ(read.model.foot.valid, written.model.foot.valid);
-    EXPECT_EQ(read.model.branch, written.model.branch);
+    EXPECT_EQ(read.model.footCount, written.model.footCount);
+    for (std::size_t i = 0; i < written.model.feet.size(); ++i) {
+        const FootMemory& foot = written.model.feet[i];
+        EXPECT_EQ(read.model.feet[i].guess.x, foot.guess.x);
+        EXPECT_EQ(read.model.feet[i].guess.y, foot.guess.y);
+        EXPECT_EQ(read.model.feet[i].guess.valid, foot.guess.valid);
+        EXPECT_EQ(read.model.feet[i].contact.branch, foot.contact.branch);
+        EXPECT_EQ(read.model.feet[i].contact.coordinate, foot.contact.coordinate);
+        EXPECT_EQ(read.model.feet[i].friction, foot.friction);
+    }
     EXPECT_EQ(read.model.deflection, written.model.deflection);
-    EXPECT_EQ(read.model.friction, written.model.friction);
+    EXPECT_EQ(read.compensation, written.compensation);
+    EXPECT_EQ(read.control, written.control);
     EXPECT_EQ(read.base, written.base);
     EXPECT_EQ(read.correction, written.correction);
     EXPECT_EQ(read.hand, written.hand);

@@ -84,6 +84,83 @@ TEST(TipEquilibrium, NamesFrictionalLocking) {
     EXPECT_TRUE(tipEquilibrium(scene.surface, scene.belief, base, memory).locked);
 }
 
+/// The state in tip's own words: what the lever does to the tip is what the sample answers.
+void expectBalanced(const Scene& scene, const BaseMotion& base, const TipState& state) {
+    const Vector3 deflection = scene.belief.cantilever.compliance() * state.force;
+    EXPECT_LT((state.tip - base.position - deflection).norm(), 2e-15);
+}
+
+TEST(TipEquilibrium, AHillIsMetWithItsEffectiveRadius) {
+    const Scene scene = frictionless(test::hillyMap());
+    EquilibriumMemory memory;
+    const BaseMotion base{.position = {15.0_nm, 15.0_nm, 4.0_nm}};
+    const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+    ASSERT_TRUE(state.converged);
+    const double wave = 2.0 * std::numbers::pi / 60.0_nm;
+    const double radius = 1.0 / ((1.0 / 15.0_nm) + 6.0_nm * wave * wave);
+    EXPECT_NEAR(state.effectiveRadius, radius, 0.01 * radius);
+    const ContactModel onHill = scene.belief.contact.withTipRadius(state.effectiveRadius);
+    const ContactState flat = onHill.equilibrium(state.contact.indentation, 0.0,
+                                                 ContactMemory{ContactBranch::Bonded, 0.0});
+    EXPECT_NEAR(state.contact.force, flat.force, 1e-9 * std::abs(flat.force) + 1e-15);
+    EXPECT_EQ(state.feet, 1);
+    expectBalanced(scene, base, state);
+}
+
+TEST(TipEquilibrium, RestsOnBothFlanksOfAGrooveItDoesNotFit) {
+    const Scene scene = frictionless(test::ridgedMap(25.0_nm));
+    for (const double aside : {0.0, 0.5}) {
+        SCOPED_TRACE(aside);
+        EquilibriumMemory memory;
+        const BaseMotion base{.position = {45.0_nm + aside * 1.0_nm, 64.0_nm, -17.0_nm}};
+        TipState state;
+        for (int i = 0; i < 3; ++i) {
+            state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+        }
+        ASSERT_TRUE(state.converged);
+        EXPECT_EQ(state.feet, 2);
+        expectBalanced(scene, base, state);
+        // Held at the same place by a rigid lever, the sample pushes the same way.
+        const TipState held = heldTip(scene.surface, scene.belief, {.position = state.tip}, memory);
+        EXPECT_LT((held.force - state.force).norm(), 1e-6 * state.force.norm());
+        EXPECT_GT(state.force.z(), 1.0_nN);
+    }
+}
+
+/// A beam along the groove leans along it, so that the tip stays in its middle.
+TEST(TipEquilibrium, FlanksOfAGrooveShareTheLoad) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction = {};
+    description.probe.azimuth = std::numbers::pi / 2.0;
+    const Scene scene = buildScene(description, test::ridgedMap(25.0_nm));
+    EquilibriumMemory memory;
+    const BaseMotion base{.position = {45.0_nm, 64.0_nm, -17.0_nm}};
+    const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+    ASSERT_EQ(state.feet, 2);
+    EXPECT_LT(std::abs(state.force.x()), 1e-3 * state.force.z());
+    EXPECT_NEAR(state.force.z(), 2.0 * state.contact.force * state.foot.normal.z(),
+                1e-3 * state.force.z());
+}
+
+TEST(TipEquilibrium, ForceIsContinuousAcrossAGrooveWithoutAdhesion) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction = {};
+    description.sample.material.workOfAdhesion = 0.0;
+    const Scene scene = buildScene(description, test::ridgedMap(25.0_nm));
+    EquilibriumMemory memory;
+    double before = 0.0;
+    for (int i = 0; i <= 400; ++i) {
+        const double x = 43.0_nm + i * 0.01_nm;
+        const BaseMotion base{.position = {x, 64.0_nm, -17.0_nm}};
+        const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+        ASSERT_TRUE(state.converged) << i;
+        if (i > 0) {
+            EXPECT_NEAR(state.force.z(), before, 0.3_nN) << i;
+        }
+        before = state.force.z();
+    }
+}
+
 TEST(SimulatedAfm, SignalsAreThoseOfTheTrueForcePlusSeededNoise) {
     SceneDescription description = test::plainScene();
     description.truth.signalNoise = 0.0;

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace asperity {
+
+/// A tip on a curved sample as the contact laws see it: a tip on a flat one.
+struct EffectiveRadius {
+    double radius = 0.0;     ///< [m]
+    bool fits = true;        ///< false: the sample is a valley about as sharp as the tip or sharper
+    bool elongated = false;  ///< the two relative curvatures differ by more than a factor of 2
+};
+
+/// R_eff = [(1/R + kappa_1)(1/R + kappa_2)]^(-1/2), each factor within a tenth and ten times 1/R.
+/// Good to a few per cent unless `elongated`; without meaning unless it fits.
+/// @param tipRadius R [m]  @param largest, smallest principal curvatures of the sample, > 0 for a
+///        bump [1/m]. Source: docs/physics.md 1.
+[[nodiscard]] EffectiveRadius effectiveRadius(double tipRadius, double largest,
+                                              double smallest) noexcept;
+
+}  // namespace asperity

@@ -1,0 +1,49 @@
+#include "core/contact/LawChoice.h"
+
+#include "core/contact/ContactModel.h"
+#include "core/contact/MaugisDugdale.h"
+#include "core/contact/MaugisUnits.h"
+
+#include <cstdio>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kLargeContact = 0.3;  // a/R beyond which the paraboloid errs by some 3 %
+
+/// Contact radius over tip radius without load, by Maugis-Dugdale on the paraboloid.
+double unloadedRatio(const ContactPair& pair) {
+    const MaugisUnits units = maugisUnits(pair);
+    const MaugisLaw law(pair, pair.workOfAdhesion / kCohesiveRange);
+    const auto point = MaugisDugdale(law.lambda()).stable(MaugisControl::load(), 0.0);
+    return point ? point->contactRadius * units.radius / pair.tipRadius : 0.0;
+}
+
+std::string sentence(double ratio, const char* rest) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "auto: contact radius over tip radius is %.2g without load, %s", ratio, rest);
+    return text;
+}
+
+}  // namespace
+
+LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair) {
+    if (wanted) {
+        return {*wanted, "as asked for"};
+    }
+    if (pair.workOfAdhesion < kSmallestAdhesion) {
+        return {ContactLaw::Sneddon, "auto: no adhesion; the exact sphere holds at any depth"};
+    }
+    const double ratio = unloadedRatio(pair);
+    if (ratio > kLargeContact) {
+        return {ContactLaw::SphereMaugis,
+                sentence(ratio, "above 0.3: the paraboloid does not hold, the exact sphere does")};
+    }
+    return {ContactLaw::Split,
+            sentence(ratio, "below 0.3: Maugis-Dugdale, exact from DMT to JKR, with its van der "
+                            "Waals tail before contact")};
+}
+
+}  // namespace asperity

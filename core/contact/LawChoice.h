@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/contact/ContactLaw.h"
+#include "core/contact/Material.h"
+
+#include <optional>
+#include <string>
+
+namespace asperity {
+
+/// A contact law and why it was taken.
+struct LawChoice {
+    ContactLaw law = ContactLaw::Split;
+    std::string why;  ///< one clause, for people
+};
+
+/// The law that was asked for, or where none was (`auto`): Maugis-Dugdale, which is exact from DMT
+/// to JKR, with its van der Waals tail; on the exact sphere where the contact is wider than 0.3 R
+/// already without load. Without adhesion Sneddon's sphere. Source: docs/physics.md 2.9, 4.4.
+[[nodiscard]] LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair);
+
+}  // namespace asperity
