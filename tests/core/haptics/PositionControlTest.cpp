@@ -1,0 +1,138 @@
+#include "core/Units.h"
+#include "core/haptics/HapticTick.h"
+#include "core/probe/SimulatedAfm.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace asperity {
+namespace {
+
+/// A hand, the tick and a simulated instrument, ticked one place of the hand at a time.
+class Bench {
+public:
+    explicit Bench(const Scene& scene) : scene_(scene), afm_(scene.surface, scene.truth) {
+        input_.settings = scene.settings;
+        input_.timeStep = scene.timeStep();
+    }
+
+    TickOutput moveTo(const Vector3& place) {
+        input_.hand.position = place;
+        input_.measurement = afm_.exchange(commandBase(scene_, input_, memory_).base);
+        return tick(scene_, input_, memory_);
+    }
+    void control(PositionControl control) { input_.settings.positionControl = control; }
+    [[nodiscard]] const TipState& truth() const { return afm_.trueState(); }
+
+private:
+    const Scene& scene_;
+    SimulatedAfm afm_;
+    TickInput input_;
+    TickMemory memory_;
+};
+
+SceneDescription described(PositionControl control) {
+    SceneDescription description = test::plainScene();
+    description.positionControl = control;
+    return description;
+}
+
+/// Apex of a tip that indents the surface by `depth` along its normal at (x, y).
+Vector3 indenting(const Scene& scene, double x, double y, double depth) {
+    const HeightSample sample = scene.surface.at(x, y);
+    const double radius = scene.belief.tipRadius();
+    return Vector3(x, y, sample.height) + (radius - depth) * sample.normal() -
+           Vector3(0.0, 0.0, radius);
+}
+
+/// Largest distance of the true tip from where the hand wants it, on a raster of 50 nm in contact.
+double rasterError(PositionControl control) {
+    const Scene scene = buildScene(described(control), test::hillyMap());
+    Bench bench(scene);
+    bench.moveTo(indenting(scene, 35.0_nm, 35.0_nm, 1.0_nm));  // snaps in
+    double worst = 0.0;
+    constexpr int kLines = 6;
+    constexpr int kSteps = 200;
+    for (int line = 0; line < kLines; ++line) {
+        for (int i = 0; i <= kSteps; ++i) {
+            const double along = (line % 2 == 0 ? i : kSteps - i) * 50.0_nm / kSteps;
+            const Vector3 target =
+                indenting(scene, 35.0_nm + along, 35.0_nm + line * 10.0_nm, 0.5_nm);
+            const TickOutput out = bench.moveTo(target);
+            EXPECT_FALSE(out.flags.has(Validity::TipNotHeld));
+            worst = std::max(worst, (bench.truth().tip - target).norm());
+        }
+    }
+    std::cout << "largest distance of the true tip from its target: " << worst * 1e12 << " pm\n";
+    return worst;
+}
+
+TEST(PositionControl, TheTrueTipFollowsARasterInContact) {
+    EXPECT_LT(rasterError(PositionControl::Tip), 0.1_nm);
+    EXPECT_GT(rasterError(PositionControl::Base), 0.2_nm) << "the lever bends";
+}
+
+/// Neither control can hold a tip where the lever is softer than the attraction: both jump from the
+/// same place of the tip, and tip control says that it lost it.
+TEST(PositionControl, SnapsInFromTheSamePlaceAndSaysSo) {
+    const Scene scene = buildScene(described(PositionControl::Tip), test::flatMap());
+    const auto snapHeight = [&scene](PositionControl control, bool& lost) {
+        Bench bench(scene);
+        bench.control(control);
+        double last = 0.0;
+        for (double z = 3.0_nm; z > 0.0; z -= 1.0_pm) {
+            const TickOutput out = bench.moveTo({64.0_nm, 64.0_nm, z});
+            lost = lost || out.flags.has(Validity::TipNotHeld);
+            if (out.model.contact.branch == ContactBranch::Bonded) {
+                break;
+            }
+            last = bench.truth().tip.z();
+        }
+        return last;
+    };
+    bool lostTip = false;
+    bool lostBase = false;
+    const double ofTip = snapHeight(PositionControl::Tip, lostTip);
+    const double ofBase = snapHeight(PositionControl::Base, lostBase);
+    EXPECT_GT(ofTip, 0.1_nm);
+    EXPECT_NEAR(ofTip, ofBase, 5.0_pm);
+    EXPECT_TRUE(lostTip);
+    EXPECT_FALSE(lostBase) << "it was never asked to hold the tip";
+}
+
+TEST(PositionControl, HoldsTheTipAgainAfterSnapIn) {
+    const Scene scene = buildScene(described(PositionControl::Tip), test::flatMap());
+    Bench bench(scene);
+    for (double z = 3.0_nm; z > -1.0_nm; z -= 10.0_pm) {
+        bench.moveTo({64.0_nm, 64.0_nm, z});
+    }
+    const Vector3 target(64.0_nm, 64.0_nm, -1.0_nm);
+    const TickOutput out = bench.moveTo(target);
+    EXPECT_FALSE(out.flags.has(Validity::TipNotHeld));
+    EXPECT_EQ(out.model.contact.branch, ContactBranch::Bonded);
+    EXPECT_LT((out.model.tip - target).norm(), 1e-14);
+}
+
+TEST(PositionControl, SwitchingItMovesNothing) {
+    const Scene scene = buildScene(described(PositionControl::Base), test::hillyMap());
+    Bench bench(scene);
+    const Vector3 hand(64.0_nm, 60.0_nm, -2.0_nm);
+    TickOutput before;
+    for (int i = 0; i < 5; ++i) {
+        before = bench.moveTo(hand);
+    }
+    ASSERT_GT(before.model.force.norm(), 1.0_nN);
+    for (const PositionControl control : {PositionControl::Tip, PositionControl::Base}) {
+        bench.control(control);
+        const TickOutput after = bench.moveTo(hand);
+        EXPECT_LT((after.base.position - before.base.position).norm(), 1e-14);
+        EXPECT_LT((after.model.force - before.model.force).norm(), 1e-12);
+    }
+}
+
+}  // namespace
+}  // namespace asperity
