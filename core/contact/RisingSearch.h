@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -47,7 +48,10 @@ private:
         (miss < 0.0 ? low_ : high_) = here;
         const bool near = std::abs(miss) < 1e-3 * (target_ - originValue_);
         const double trial = near ? newtonStep(here, miss, rise.rate) : powerStep(here, rise);
-        return trial > low_ && trial < high_ ? trial : middle();
+        const bool shrinks = std::isinf(high_) || std::abs(trial - here) < 0.5 * steps_[0];
+        const double there = trial > low_ && trial < high_ && shrinks ? trial : middle();
+        steps_ = {steps_[1], std::abs(there - here)};
+        return there;
     }
 
     [[nodiscard]] double newtonStep(double here, double miss, double rate) const noexcept {
@@ -75,6 +79,9 @@ private:
     double target_;
     double low_;
     double high_;
+    /// Sizes of the last two steps: one that is not half the step before the last is not trusted.
+    std::array<double, 2> steps_{std::numeric_limits<double>::infinity(),
+                                 std::numeric_limits<double>::infinity()};
 };
 
 }  // namespace asperity

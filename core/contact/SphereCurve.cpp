@@ -197,14 +197,13 @@ double SphereCurve::energy(const LawPoint& point) const noexcept {
     if (point.contactRadius > 0.0) {
         return contactEnergy(point);
     }
+    // As contactEnergy(), without contact.
     const double c = point.cohesiveRadius;
     const double q = std::sqrt((1.0 - c) * (1.0 + c));
     const double drop = c * c / (1.0 + q);  // 1 - q
-    const double pulled = 2.0 / pi * cohesion_ * c;
-    const double edge = drop - pulled - range_;  // indentation where the zone gets this wide
-    const double wrapped = c < 1.0 ? 0.0 : c * c * (point.indentation - edge);
-    return -pi / 2.0 * cohesion_ *
-           ((drop * drop * (2.0 + q) / 3.0) - (pulled * c * c / 3.0) + wrapped);
+    const double overlap = point.indentation + range_;
+    return cohesion_ * ((pi / 2.0 * ((drop * drop * (1.0 + (2.0 * q)) / 3.0) - (overlap * c * c))) -
+                        (2.0 / 3.0 * cohesion_ * c * c * c));
 }
 
 /// Elastic energy, less the work of adhesion of contact and zone, plus what is still to be had from
@@ -234,18 +233,19 @@ double SphereCurve::contactEnergy(const LawPoint& point) const noexcept {
 double SphereCurve::shapeWork(const SphereContact& contact, const Zone& zone) noexcept {
     const double a = contact.radius;
     const double c = zone.radius;
-    return gaussLegendre(
-        [&](double y) {
-            const double eta = zone.angle * y * y * y;
-            const double sine = std::sin(eta);
-            const double t = c * std::cos(eta);
-            const double ahead = 2.0 * c * std::sin((zone.angle + eta) / 2.0) *
-                                 std::sin((zone.angle - eta) / 2.0);  // t - a
-            const double beyond = std::atanh(std::min(ahead / (1.0 - (a * t)), 1.0 - 1e-16));
-            const double rise = (ahead * contact.depth) + (t * beyond);
-            return rise * c * c * sine * sine * 3.0 * zone.angle * y * y;
-        },
-        0.0, 1.0);
+    const auto integrand = [&](double y) {
+        const double eta = zone.angle * y * y * y;
+        const double sine = std::sin(eta);
+        const double t = c * std::cos(eta);
+        const double ahead = 2.0 * c * std::sin((zone.angle + eta) / 2.0) *
+                             std::sin((zone.angle - eta) / 2.0);  // t - a
+        // 1 - a t from the rim: both radii may round to the tip's.
+        const double apart = (contact.rim * contact.rim) - (a * ahead);
+        const double beyond = std::atanh(std::min(ahead / apart, 1.0 - 1e-16));
+        const double rise = (ahead * contact.depth) + (t * beyond);
+        return rise * c * c * sine * sine * 3.0 * zone.angle * y * y;
+    };
+    return gaussLegendre(integrand, 0.0, 0.5) + gaussLegendre(integrand, 0.5, 1.0);
 }
 
 }  // namespace asperity
