@@ -35,6 +35,11 @@ LawNames namesOf(ContactLaw law) noexcept {
 
 }  // namespace
 
+bool isSphere(ContactLaw law) noexcept {
+    return law == ContactLaw::Sneddon || law == ContactLaw::SphereJkr ||
+           law == ContactLaw::SphereMaugis;
+}
+
 const char* keyOf(ContactLaw law) noexcept { return namesOf(law).key; }
 
 const char* nameOf(ContactLaw law) noexcept { return namesOf(law).name; }

@@ -23,6 +23,9 @@ inline constexpr std::array kContactLaws{
     ContactLaw::Maugis,       ContactLaw::Sneddon, ContactLaw::SphereJkr,
     ContactLaw::SphereMaugis, ContactLaw::Split,   ContactLaw::HertzFilm};
 
+/// Whether the law takes the tip as an exact sphere, not as the paraboloid that osculates it.
+[[nodiscard]] bool isSphere(ContactLaw law) noexcept;
+
 /// As scenes and tables call it: "hertz", "md_sphere".
 [[nodiscard]] const char* keyOf(ContactLaw law) noexcept;
 

@@ -72,7 +72,11 @@ ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
     if (given.law == ContactLaw::HertzFilm) {
         return sudden(FilmLaw(pair, given.options.filmThickness));
     }
-    if (pair.workOfAdhesion < kSmallestAdhesion) {
+    const bool adhesive = pair.workOfAdhesion >= kSmallestAdhesion;
+    if (given.law == ContactLaw::Sneddon || (isSphere(given.law) && !adhesive)) {
+        return sudden(SneddonLaw(pair));
+    }
+    if (!adhesive) {
         return sudden(HertzLaw(pair));
     }
     switch (given.law) {
@@ -82,6 +86,10 @@ ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
         return sudden(JkrLaw(pair));
     case ContactLaw::Maugis:
         return sudden(MaugisLaw(pair, given.options.cohesiveStress));
+    case ContactLaw::SphereJkr:
+        return sudden(SphereJkrLaw(pair));
+    case ContactLaw::SphereMaugis:
+        return sudden(SphereMaugisLaw(pair, given.options.cohesiveStress));
     case ContactLaw::Split:
         return Split(WithTail(splitTail(pair)), SplitLaw(pair));
     default:

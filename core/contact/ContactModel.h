@@ -10,6 +10,9 @@
 #include "core/contact/Material.h"
 #include "core/contact/MaugisLaw.h"
 #include "core/contact/Meniscus.h"
+#include "core/contact/SneddonLaw.h"
+#include "core/contact/SphereJkrLaw.h"
+#include "core/contact/SphereMaugisLaw.h"
 #include "core/contact/SplitLaw.h"
 
 #include <optional>
@@ -70,6 +73,7 @@ private:
     template <class Bonded>
     using Sudden = JoinedLaw<NoTail, Bonded>;
     using Joined = std::variant<Sudden<HertzLaw>, Sudden<DmtLaw>, Sudden<JkrLaw>, Sudden<MaugisLaw>,
+                                Sudden<SneddonLaw>, Sudden<SphereJkrLaw>, Sudden<SphereMaugisLaw>,
                                 Sudden<FilmLaw>, Split>;
 
     struct Checked {
