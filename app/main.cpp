@@ -1,4 +1,6 @@
+#include "app/ContactCommand.h"
 #include "app/ConvertCommand.h"
+#include "app/CurveCommand.h"
 #include "app/DevicesCommand.h"
 #include "app/ExploreCommand.h"
 #include "app/InfoCommand.h"
@@ -29,6 +31,8 @@ int run(int argc, char** argv) {
     asperity::addExploreCommand(program);
     asperity::addInfoCommand(program);
     asperity::addConvertCommand(program);
+    asperity::addContactCommand(program);
+    asperity::addCurveCommand(program);
     asperity::addTradeOffCommand(program);
     asperity::addReplayCommand(program);
     asperity::addLoopCommand(program);

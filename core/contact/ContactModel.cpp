@@ -136,6 +136,12 @@ double ContactModel::pullOffApproach(double compliance) const noexcept {
            (compliance * pull);
 }
 
+ContactState ContactModel::lastBonded(double compliance) const noexcept {
+    const ContactState last =
+        std::visit([&](const auto& joined) { return joined.lastBonded(compliance); }, joined_);
+    return given_.options.meniscus.present() ? wetted(last) : last;
+}
+
 double ContactModel::cohesiveStress() const noexcept {
     return std::visit(
         [](const auto& joined) {

@@ -55,6 +55,9 @@ public:
     /// Approach of the undeflected tip at which it pulls off [m]; 0 without adhesion.
     [[nodiscard]] double pullOffApproach(double compliance) const noexcept;
 
+    /// The last stable bonded state on the way out.
+    [[nodiscard]] ContactState lastBonded(double compliance) const noexcept;
+
     [[nodiscard]] ContactLaw law() const noexcept { return given_.law; }
     [[nodiscard]] const ContactPair& pair() const noexcept { return given_.pair; }
     /// sigma0 as the law uses it [Pa]; 0 where it has no cohesive zone.
@@ -92,6 +95,8 @@ private:
     [[nodiscard]] ContactState wetted(ContactState state) const noexcept;
     [[nodiscard]] ContactState wettedEquilibrium(double approach, double compliance,
                                                  const ContactMemory& memory) const noexcept;
+    [[nodiscard]] ContactState wettedSnapIn(double approach, double compliance) const noexcept;
+    [[nodiscard]] ContactState wettedPullOff(ContactState state, double compliance) const noexcept;
     [[nodiscard]] std::optional<ContactState> wettedFar(double approach,
                                                         double compliance) const noexcept;
     [[nodiscard]] ContactState wettedBonded(double approach, double compliance,

@@ -12,6 +12,16 @@ enum class ContactBranch : std::uint8_t {
     Bonded,  ///< after snap-in: contact, or a cohesive zone without contact
 };
 
+/// Where the tip is, for logs and people.
+enum class TipRegion : std::uint8_t {
+    Far,       ///< van der Waals attraction only
+    Cohesive,  ///< bonded across a gap
+    Contact,   ///< touching over a circle
+};
+
+/// "far", "cohesive" or "contact".
+[[nodiscard]] const char* regionName(TipRegion region) noexcept;
+
 /// What one equilibrium hands to the next.
 struct ContactMemory {
     ContactBranch branch = ContactBranch::Far;
@@ -32,6 +42,12 @@ struct ContactState {
     ContactStatus status = ContactStatus::Solved;  ///< else force and lengths are zero
 
     [[nodiscard]] bool solved() const noexcept { return status == ContactStatus::Solved; }
+    [[nodiscard]] TipRegion region() const noexcept {
+        if (branch == ContactBranch::Far) {
+            return TipRegion::Far;
+        }
+        return contactRadius > 0.0 ? TipRegion::Contact : TipRegion::Cohesive;
+    }
     [[nodiscard]] ContactMemory memory() const noexcept { return {branch, coordinate}; }
 };
 

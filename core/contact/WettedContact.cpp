@@ -61,35 +61,35 @@ double ContactModel::energy(const ContactState& wetted, double compliance) const
 ContactState ContactModel::wettedEquilibrium(double approach, double compliance,
                                              const ContactMemory& memory) const noexcept {
     const auto far = wettedFar(approach, compliance);
-    if (memory.branch == ContactBranch::Far && far) {
-        return *far;
+    if (memory.branch == ContactBranch::Far) {
+        return far ? *far : wettedSnapIn(approach, compliance);
     }
     const ContactState bonded = wettedBonded(approach, compliance, memory);
-    if (memory.branch == ContactBranch::Bonded && bonded.branch == ContactBranch::Bonded) {
+    if (bonded.branch == ContactBranch::Bonded) {
         return wetted(bonded);
     }
-    const auto last =
-        std::visit([&](const auto& joined) { return joined.lastBonded(compliance); }, joined_);
-    if (memory.branch == ContactBranch::Bonded) {
-        const ContactState fold = wetted(last);
-        if (!far) {
-            return fold;  // rounding: the two branches meet here
-        }
-        ContactState state = *far;
-        const auto landing = wettedFar(pullOffApproach(compliance), compliance);
-        state.jumped = landing && fold.force < landing->force;
-        state.energyLost =
-            landing ? std::max(0.0, energy(fold, compliance) - energy(*landing, compliance)) : 0.0;
-        return state;
-    }
-    const double end = wettedJumpIn(compliance);
-    const auto before = wettedFar(end, compliance);
+    // Where rounding leaves neither branch, the two meet.
+    return far ? wettedPullOff(*far, compliance) : lastBonded(compliance);
+}
+
+ContactState ContactModel::wettedSnapIn(double approach, double compliance) const noexcept {
     const ContactMemory stuck{ContactBranch::Bonded, 0.0};
-    const ContactState landing = wetted(wettedBonded(end, compliance, stuck));
     ContactState state = wetted(wettedBonded(approach, compliance, stuck));
-    state.jumped = before && landing.force < before->force;
-    state.energyLost =
-        before ? std::max(0.0, energy(*before, compliance) - energy(landing, compliance)) : 0.0;
+    const double end = wettedJumpIn(compliance);
+    if (const auto before = wettedFar(end, compliance)) {
+        const ContactState landing = wetted(wettedBonded(end, compliance, stuck));
+        state.jumped = landing.force < before->force;
+        state.energyLost = std::max(0.0, energy(*before, compliance) - energy(landing, compliance));
+    }
+    return state;
+}
+
+ContactState ContactModel::wettedPullOff(ContactState state, double compliance) const noexcept {
+    const ContactState fold = lastBonded(compliance);
+    if (const auto landing = wettedFar(pullOffApproach(compliance), compliance)) {
+        state.jumped = fold.force < landing->force;
+        state.energyLost = std::max(0.0, energy(fold, compliance) - energy(*landing, compliance));
+    }
     return state;
 }
 

@@ -13,20 +13,11 @@ namespace asperity {
 
 namespace {
 
-ContactPair pairOf(const SceneDescription& scene, const SampleMaterial& material) {
-    return {.tipRadius = scene.tip.radius,
-            .reducedModulus = reducedModulus(material.elastic, scene.tip.elastic),
-            .workOfAdhesion = material.workOfAdhesion};
-}
-
 ProbeSystem probeSystem(const SceneDescription& scene, const SampleMaterial& material,
                         const CantileverGeometry& probe) {
-    const ContactPair pair = pairOf(scene, material);
-    const ContactOptions options{.cohesiveStress = pair.workOfAdhesion / scene.cohesiveRange,
-                                 .filmThickness = material.filmThickness,
-                                 .meniscus = scene.meniscus};
-    return {ContactModel(chooseLaw(scene.law, pair).law, pair, options), Cantilever(probe),
-            material.friction};
+    const ContactPair pair = contactPair(scene, material);
+    return {ContactModel(chooseLaw(scene.law, pair).law, pair, contactOptions(scene, material)),
+            Cantilever(probe), material.friction};
 }
 
 /// Beyond these bounds a map is no scan of a microscope, and rounding would be all that is left.
@@ -60,7 +51,7 @@ Scene assemble(const SceneDescription& description, const PlaneFit& removedPlane
             .removedPlane = removedPlane,
             .surface = std::move(surface),
             .lawChoice =
-                chooseLaw(description.law, pairOf(description, description.sample.material)),
+                chooseLaw(description.law, contactPair(description, description.sample.material)),
             .belief = probeSystem(description, description.sample.material, description.probe),
             .truth = instrumentTruth(description),
             .signalSigma = {.bending = description.signalSigma, .torsion = description.signalSigma},

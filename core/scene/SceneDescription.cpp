@@ -58,6 +58,18 @@ SceneDescription defaultScene() {
     return scene;
 }
 
+ContactPair contactPair(const SceneDescription& scene, const SampleMaterial& material) {
+    return {.tipRadius = scene.tip.radius,
+            .reducedModulus = reducedModulus(material.elastic, scene.tip.elastic),
+            .workOfAdhesion = material.workOfAdhesion};
+}
+
+ContactOptions contactOptions(const SceneDescription& scene, const SampleMaterial& material) {
+    return {.cohesiveStress = material.workOfAdhesion / scene.cohesiveRange,
+            .filmThickness = material.filmThickness,
+            .meniscus = scene.meniscus};
+}
+
 void checkScene(const SceneDescription& scene) {
     check(scene.sample.material, "[sample]");
     check(scene.truth.material, "[truth]");

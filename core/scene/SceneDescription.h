@@ -70,6 +70,13 @@ struct SceneDescription {
 /// The scene that a height map alone stands for: polystyrene, 15 nm silicon tip, 14 N/m lever.
 [[nodiscard]] SceneDescription defaultScene();
 
+/// Tip and a material of the scene as one pair.
+[[nodiscard]] ContactPair contactPair(const SceneDescription& scene,
+                                      const SampleMaterial& material);
+/// What else a contact with that material has.
+[[nodiscard]] ContactOptions contactOptions(const SceneDescription& scene,
+                                            const SampleMaterial& material);
+
 /// @throw Error naming the section and key of the first value outside its range
 void checkScene(const SceneDescription& scene);
 

@@ -2,25 +2,6 @@
 
 namespace asperity {
 
-TipRegion TickOutput::region() const noexcept {
-    if (model.contact.branch == ContactBranch::Far) {
-        return TipRegion::Far;
-    }
-    return model.contact.contactRadius > 0.0 ? TipRegion::Contact : TipRegion::Cohesive;
-}
-
-const char* regionName(TipRegion region) noexcept {
-    switch (region) {
-    case TipRegion::Far:
-        return "far";
-    case TipRegion::Cohesive:
-        return "cohesive";
-    case TipRegion::Contact:
-        return "contact";
-    }
-    return "unknown";
-}
-
 const char* faultName(Fault fault) noexcept {
     switch (fault) {
     case Fault::None:

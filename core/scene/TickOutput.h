@@ -17,13 +17,6 @@ enum class Fault : std::uint8_t {
     DeviceLost,  ///< the hand's device was unplugged
 };
 
-/// Where the tip is, for logs and people.
-enum class TipRegion : std::uint8_t {
-    Far,       ///< van der Waals attraction only
-    Cohesive,  ///< bonded across a gap
-    Contact,   ///< touching over a circle
-};
-
 /// What one tick makes; lab frame.
 struct TickOutput {
     BaseMotion base;                      ///< commanded
@@ -34,11 +27,8 @@ struct TickOutput {
     ValidityFlags flags;
     Fault fault = Fault::None;
 
-    [[nodiscard]] TipRegion region() const noexcept;
+    [[nodiscard]] TipRegion region() const noexcept { return model.contact.region(); }
 };
-
-/// "far", "cohesive" or "contact".
-[[nodiscard]] const char* regionName(TipRegion region) noexcept;
 
 /// "none" or the reason, e.g. "not_finite".
 [[nodiscard]] const char* faultName(Fault fault) noexcept;

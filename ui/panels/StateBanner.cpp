@@ -53,7 +53,19 @@ QString validityWords(Validity flag) {
     case Validity::SingularGeometry:
         return QStringLiteral("signals say little about one direction of the force");
     case Validity::CurvedSample:
-        return QStringLiteral("surface sharply curved: taken as flat under the tip");
+        return QStringLiteral("surface curved unequally: its effective radius is rough");
+    case Validity::SharpValley:
+        return QStringLiteral("valley as sharp as the tip: the contact law does not hold");
+    case Validity::SeveralFeet:
+        return QStringLiteral("tip touches at several places: forces summed");
+    case Validity::TipNotHeld:
+        return QStringLiteral("the cantilever cannot hold the tip where the hand wants it");
+    case Validity::ElasticLimit:
+        return QStringLiteral("pressure above the sample's hardness: it would yield");
+    case Validity::ThinFilm:
+        return QStringLiteral("contact radius above a tenth of the film: beyond half-space theory");
+    case Validity::SnapInAhead:
+        return QStringLiteral("the tip is about to snap in");
     }
     return {};
 }

@@ -1,0 +1,138 @@
+#include "app/ContactCommand.h"
+
+#include "app/CaseTable.h"
+#include "core/Version.h"
+#include "core/contact/ContactModel.h"
+#include "core/contact/MaugisUnits.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLargeContact = 0.3;  // a/R beyond which linear elasticity is not credible
+
+/// One row of the table.
+struct ContactCase {
+    std::string model;
+    ContactPair pair;
+    double cohesiveStress = 0.0;  ///< [Pa]
+    double indentation = 0.0;     ///< [m]
+    std::string branch;
+};
+
+/// What comes of it.
+struct ContactAnswer {
+    std::string status;
+    std::optional<ContactState> state = {};  ///< none where there is no answer
+    double lambda = kNaN;
+};
+
+ContactCase readCase(const CsvTable& table, std::size_t row) {
+    return {.model = table.text(row, "model"),
+            .pair = {.tipRadius = table.number(row, "radius_m"),
+                     .reducedModulus = table.number(row, "e_star_pa"),
+                     .workOfAdhesion = table.number(row, "work_of_adhesion_j_m2")},
+            .cohesiveStress = table.number(row, "sigma0_pa"),
+            .indentation = table.number(row, "indentation_m"),
+            .branch = table.text(row, "branch")};
+}
+
+std::optional<ContactLaw> lawOf(const std::string& model) {
+    for (const ContactLaw law : kContactLaws) {
+        // A film has a thickness, for which the table has no column.
+        if (model == keyOf(law) && law != ContactLaw::HertzFilm) {
+            return law;
+        }
+    }
+    return std::nullopt;
+}
+
+bool usesStress(ContactLaw law) {
+    return law == ContactLaw::Maugis || law == ContactLaw::SphereMaugis;
+}
+
+std::string statusOf(const ContactModel& model, const ContactState& state) {
+    const double radius = model.pair().tipRadius;
+    if (model.law() == ContactLaw::SphereMaugis && state.cohesiveRadius >= radius) {
+        return "cohesive_zone_at_equator";
+    }
+    return state.contactRadius > kLargeContact * radius ? "large_contact" : "ok";
+}
+
+ContactAnswer answer(const ContactCase& asked) {
+    const auto law = lawOf(asked.model);
+    if (!law) {
+        return {"unknown_model"};
+    }
+    if (asked.branch != "approach" && asked.branch != "retract") {
+        return {"unknown_branch"};
+    }
+    const double stress =
+        usesStress(*law) ? asked.cohesiveStress : asked.pair.workOfAdhesion / kCohesiveRange;
+    const ContactStatus pairStatus = checkPair(asked.pair, stress);
+    if (pairStatus != ContactStatus::Solved) {
+        return {nameOf(pairStatus)};
+    }
+    const ContactModel model(*law, asked.pair, {.cohesiveStress = stress});
+    const ContactMemory memory{
+        asked.branch == "approach" ? ContactBranch::Far : ContactBranch::Bonded, 0.0};
+    const ContactState state = model.equilibrium(asked.indentation, 0.0, memory);
+    if (!state.solved()) {
+        return {nameOf(state.status)};
+    }
+    return {statusOf(model, state), state, model.lambda()};
+}
+
+/// Numbers only where there is a state behind them.
+void write(CsvWriter& csv, const ContactAnswer& answer) {
+    const auto& state = answer.state;
+    csv.add(state ? state->force : kNaN)
+        .add(state ? state->contactRadius : kNaN)
+        .add(state ? state->cohesiveRadius : kNaN)
+        .add(answer.lambda)
+        .add(state ? regionName(state->region()) : "none")
+        .add(answer.status)
+        .endRow();
+}
+
+void contact(const CaseFiles& files) {
+    CaseTable table(
+        files,
+        {std::string("Asperity ") + kVersion +
+             ": contact at given indentation; cases: " + files.cases,
+         "SI units, as each column's name ends; force > 0 is repulsive, indentation < 0 a gap",
+         "state: far, cohesive (zone without contact), contact; lambda: transition parameter, 0 "
+         "for laws without a cohesive zone",
+         "status: ok; large_contact (a/R above 0.3, evaluated formally); "
+         "cohesive_zone_at_equator; else why there is no answer"},
+        {"model", "radius_m", "e_star_pa", "work_of_adhesion_j_m2", "sigma0_pa", "indentation_m",
+         "branch"},
+        {"force_n", "contact_radius_m", "cohesive_radius_m", "lambda", "state", "status"});
+    for (std::size_t row = 0; row < table.cases().rows(); ++row) {
+        const ContactAnswer found = answer(readCase(table.cases(), row));
+        table.beginRow(row);
+        write(table.result(), found);
+    }
+    table.close();
+}
+
+}  // namespace
+
+void addContactCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "contact", "Force, contact radius and state for each case of a table, held at its "
+                   "indentation");
+    command->footer("Columns of the cases: model (hertz dmt jkr md sneddon jkr_sphere md_sphere "
+                    "split), radius_m, e_star_pa,\nwork_of_adhesion_j_m2, sigma0_pa (of the md "
+                    "models), indentation_m (< 0: a gap), branch (approach, retract).");
+    const auto files = std::make_shared<CaseFiles>();
+    addCaseFiles(*command, *files);
+    command->callback([files] { contact(*files); });
+}
+
+}  // namespace asperity

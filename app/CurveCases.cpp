@@ -1,0 +1,108 @@
+#include "app/CurveCases.h"
+
+#include "app/DataFolder.h"
+#include "app/OptionChecks.h"
+#include "core/Error.h"
+#include "core/contact/LawChoice.h"
+#include "core/io/SceneFile.h"
+#include "core/scene/Scene.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kLargeContact = 0.3;
+
+/// A material by the path of its file or by its name in the data folder.
+SampleMaterial findMaterial(const std::string& given) {
+    if (std::filesystem::exists(given)) {
+        return readMaterialFile(given);
+    }
+    const std::filesystem::path known = dataFolder() / "materials" / (given + ".toml");
+    if (std::filesystem::exists(known)) {
+        return readMaterialFile(known);
+    }
+    std::string names;
+    for (const auto& file : dataFiles("materials")) {
+        names += (names.empty() ? "" : ", ") + file.stem().string();
+    }
+    throw InputError(given, "", "expected a material file or one of " + names);
+}
+
+std::optional<ContactLaw> lawOf(const std::string& given,
+                                const std::optional<ContactLaw>& ofScene) {
+    if (given.empty()) {
+        return ofScene;
+    }
+    for (const ContactLaw law : kContactLaws) {
+        if (given == keyOf(law)) {
+            return law;
+        }
+    }
+    return std::nullopt;  // "auto"
+}
+
+std::vector<std::string> lawNames() {
+    std::vector<std::string> names{"auto"};
+    for (const ContactLaw law : kContactLaws) {
+        names.emplace_back(keyOf(law));
+    }
+    return names;
+}
+
+CurveCase caseOf(const SceneDescription& scene, const LawChoice& choice, double compliance) {
+    const SampleMaterial& material = scene.sample.material;
+    const ContactPair pair = contactPair(scene, material);
+    return {material.name, ContactModel(choice.law, pair, contactOptions(scene, material)),
+            compliance, choice.why};
+}
+
+}  // namespace
+
+void addCurveRequest(CLI::App& command, CurveRequest& request) {
+    command.add_option("SCENE", request.scene, "scene.toml (default: the default scene)");
+    command.add_option("--material", request.materials,
+                       "material file or the name of one in data/materials; may be given again");
+    command.add_option("--law", request.law, "contact law (default: as the scene, auto)")
+        ->check(CLI::IsMember(lawNames()));
+    command.add_option("--radius", request.radius, "of the tip [m]")
+        ->check(finiteNumber())
+        ->check(CLI::PositiveNumber);
+    command.add_option("--stiffness", request.stiffness, "of the lever along the normal [N/m]")
+        ->check(finiteNumber())
+        ->check(CLI::PositiveNumber);
+}
+
+std::vector<CurveCase> curveCases(const CurveRequest& request) {
+    SceneDescription scene = request.scene.empty() ? defaultScene() : sceneFromInput(request.scene);
+    scene.tip.radius = request.radius > 0.0 ? request.radius : scene.tip.radius;
+    scene.law = lawOf(request.law, scene.law);
+    const double compliance = request.stiffness > 0.0 ? 1.0 / request.stiffness
+                                                      : Cantilever(scene.probe).compliance()(2, 2);
+    std::vector<SampleMaterial> materials;
+    for (const std::string& given : request.materials) {
+        materials.push_back(findMaterial(given));
+    }
+    if (materials.empty()) {
+        materials.push_back(scene.sample.material);
+    }
+    std::vector<CurveCase> cases;
+    for (const SampleMaterial& material : materials) {
+        scene.sample.material = material;
+        checkScene(scene);
+        const LawChoice choice = chooseLaw(scene.law, contactPair(scene, material));
+        cases.push_back(caseOf(scene, choice, compliance));
+        if (!scene.law && choice.law == ContactLaw::SphereMaugis) {
+            cases.push_back(
+                caseOf(scene, {ContactLaw::Split, "for comparison: formally, as for a paraboloid"},
+                       compliance));
+        }
+    }
+    return cases;
+}
+
+bool isLargeContact(const ContactModel& model, const ContactState& state) {
+    return state.contactRadius > kLargeContact * model.pair().tipRadius;
+}
+
+}  // namespace asperity

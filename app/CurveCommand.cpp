@@ -1,0 +1,159 @@
+#include "app/CurveCommand.h"
+
+#include "app/CurveCases.h"
+#include "app/OptionChecks.h"
+#include "app/VirtualDisplay.h"
+#include "core/Version.h"
+#include "core/contact/ForceCurve.h"
+#include "core/io/CsvWriter.h"
+#include "vtkplugins/pictures/Charts.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace asperity {
+
+namespace {
+
+struct CurveOptions {
+    CurveRequest request;
+    int points = 500;
+    std::string out;
+    std::string figure;
+};
+
+/// A case with what was found.
+struct CurveResult {
+    CurveCase asked;
+    ForceCurve curve;
+};
+
+/// "snap-in at -0.494 nm: -1.82 -> -7.92 nN, 1.2e-18 J lost".
+std::string jumpText(const char* name, const std::optional<TipJump>& jump) {
+    if (!jump) {
+        return std::string(name) + ": none, the force has no jump";
+    }
+    char text[200];
+    std::snprintf(text, sizeof text, "%s at base %.6g nm: force %.6g -> %.6g nN, %.4g J lost", name,
+                  jump->basePosition * 1e9, jump->before.force * 1e9, jump->after.force * 1e9,
+                  jump->after.energyLost);
+    return text;
+}
+
+std::vector<std::string> summary(const CurveResult& result) {
+    const CurveCase& asked = result.asked;
+    char parameters[200];
+    std::snprintf(parameters, sizeof parameters,
+                  "%s: R %.4g nm, E* %.6g GPa, w %.4g J/m^2, lever %.4g N/m along the normal",
+                  asked.name.c_str(), asked.model.pair().tipRadius * 1e9,
+                  asked.model.pair().reducedModulus * 1e-9, asked.model.pair().workOfAdhesion,
+                  1.0 / asked.compliance);
+    return {parameters, "  law " + std::string(keyOf(asked.model.law())) + " (" + asked.why + ")",
+            "  " + jumpText("snap-in", result.curve.snapIn),
+            "  " + jumpText("pull-off", result.curve.pullOff)};
+}
+
+void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
+              const std::vector<ForceCurvePoint>& points) {
+    for (const ForceCurvePoint& point : points) {
+        const ContactState& state = point.state;
+        csv.add(result.asked.name).add(keyOf(result.asked.model.law())).add(way);
+        csv.add(point.basePosition).add(state.indentation).add(state.force);
+        csv.add(state.force * result.asked.compliance).add(state.contactRadius);
+        csv.add(state.cohesiveRadius).add(regionName(state.region()));
+        csv.add(isLargeContact(result.asked.model, state) ? "large_contact" : "-").endRow();
+    }
+}
+
+void writeTable(const CurveOptions& options, const std::vector<CurveResult>& results) {
+    std::vector<std::string> comments{std::string("Asperity ") + kVersion +
+                                          ": quasi-static approach and retract curves",
+                                      "base position > 0 towards the sample, 0 where tip and "
+                                      "sample would first touch; both sides "
+                                      "of a jump have the same base position"};
+    for (const CurveResult& result : results) {
+        const std::vector<std::string> lines = summary(result);
+        comments.insert(comments.end(), lines.begin(), lines.end());
+    }
+    const std::vector<std::string> columns{
+        "material",          "law",     "way",          "base_position_m",
+        "indentation_m",     "force_n", "deflection_m", "contact_radius_m",
+        "cohesive_radius_m", "state",   "flags"};
+    const auto write = [&](CsvWriter csv) {
+        for (const CurveResult& result : results) {
+            writeWay(csv, result, "approach", result.curve.approach);
+            writeWay(csv, result, "retract", result.curve.retract);
+        }
+        csv.close();
+    };
+    if (options.out.empty()) {
+        write({std::cout, comments, columns});
+    } else {
+        write({std::filesystem::path(options.out), comments, columns});
+    }
+}
+
+Curve lineOf(const char* label, const std::vector<ForceCurvePoint>& way, bool dashed) {
+    Curve line{.label = label, .dashed = dashed};
+    for (const ForceCurvePoint& point : way) {
+        line.x.push_back(point.basePosition);
+        line.y.push_back(point.state.force);
+    }
+    return line;
+}
+
+void drawFigure(const std::string& path, const std::vector<CurveResult>& results) {
+    std::vector<Chart> charts;
+    for (const CurveResult& result : results) {
+        charts.push_back({.title = result.asked.name + ", " + nameOf(result.asked.model.law()),
+                          .xLabel = "base position towards the sample",
+                          .yLabel = "force on the tip",
+                          .curves = {lineOf("approach", result.curve.approach, true),
+                                     lineOf("retract", result.curve.retract, false)},
+                          .xUnit = "m",
+                          .yUnit = "N"});
+    }
+    const int columns = std::min<int>(3, static_cast<int>(charts.size()));
+    const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
+    writeCharts(path, charts, columns, {.width = 640 * columns, .height = 520 * rows});
+}
+
+void curve(const CurveOptions& options) {
+    std::optional<VirtualDisplay> display;  // before anything is written
+    if (!options.figure.empty()) {
+        display.emplace();
+    }
+    std::vector<CurveResult> results;
+    for (const CurveCase& asked : curveCases(options.request)) {
+        ForceCurvePlan plan = curvePlan(asked.model, asked.compliance);
+        plan.points = options.points;
+        results.push_back({asked, forceCurve(asked.model, asked.compliance, plan)});
+        for (const std::string& line : summary(results.back())) {
+            std::cerr << line << '\n';
+        }
+    }
+    writeTable(options, results);
+    if (!options.figure.empty()) {
+        drawFigure(options.figure, results);
+    }
+}
+
+}  // namespace
+
+void addCurveCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "curve", "Approach and retract curve of a tip on a lever, with snap-in and pull-off");
+    const auto options = std::make_shared<CurveOptions>();
+    addCurveRequest(*command, options->request);
+    command->add_option("--points", options->points, "along each way")
+        ->capture_default_str()
+        ->check(CLI::Range(2, 1000000));
+    command->add_option("--out", options->out, "CSV file to write (default: standard output)")
+        ->check(notEmpty());
+    command->add_option("--figure", options->figure, "picture to write (.png)")->check(notEmpty());
+    command->callback([options] { curve(*options); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace asperity {
+
+/// Adds `asperity curve`: approach and retract curves with snap-in and pull-off.
+void addCurveCommand(CLI::App& program);
+
+}  // namespace asperity

@@ -1,0 +1,77 @@
+#include "core/contact/ForceCurve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+constexpr ContactMemory kFar{};
+constexpr ContactMemory kBonded{ContactBranch::Bonded, 0.0};
+
+/// The next approach that rounding tells from this one in any sum with it.
+double justBeyond(double approach) {
+    return approach + (16.0 * std::numeric_limits<double>::epsilon() * std::abs(approach)) +
+           std::numeric_limits<double>::min();
+}
+
+std::optional<TipJump> snapInOf(const ContactModel& model, double compliance) {
+    const double end = model.jumpInApproach(compliance);
+    const TipJump jump{end, model.equilibrium(end, compliance, kFar),
+                       model.equilibrium(justBeyond(end), compliance, kFar)};
+    return jump.after.jumped ? std::optional(jump) : std::nullopt;
+}
+
+std::optional<TipJump> pullOffOf(const ContactModel& model, double compliance) {
+    const double end = model.pullOffApproach(compliance);
+    const double gone = -justBeyond(-end);
+    const TipJump jump{end, model.lastBonded(compliance),
+                       model.equilibrium(gone, compliance, kBonded)};
+    return jump.after.jumped ? std::optional(jump) : std::nullopt;
+}
+
+/// Base positions of one way, in its order, those of a jump among them twice.
+std::vector<ForceCurvePoint> follow(const ContactModel& model, double compliance, double from,
+                                    double to, int points, const std::optional<TipJump>& jump) {
+    std::vector<ForceCurvePoint> way;
+    ContactMemory memory = from < to ? kFar : kBonded;
+    bool passed = !jump;
+    for (int i = 0; i < points; ++i) {
+        const double position = from + ((to - from) * i / (points - 1));
+        const bool beyond =
+            jump && (from < to ? position > jump->basePosition : position < jump->basePosition);
+        if (beyond && !passed) {
+            way.push_back({jump->basePosition, jump->before});
+            way.push_back({jump->basePosition, jump->after});
+            memory = jump->after.memory();
+            passed = true;
+        }
+        const ContactState state = model.equilibrium(position, compliance, memory);
+        memory = state.memory();
+        way.push_back({position, state});
+    }
+    return way;
+}
+
+}  // namespace
+
+ForceCurvePlan curvePlan(const ContactModel& model, double compliance) {
+    const double pullOff = model.pullOffApproach(compliance);
+    const double reach =
+        std::max({-pullOff, -model.jumpInApproach(compliance), 0.05 * model.pair().tipRadius});
+    return {.farthest = -1.5 * reach, .deepest = reach};
+}
+
+ForceCurve forceCurve(const ContactModel& model, double compliance, const ForceCurvePlan& plan) {
+    ForceCurve curve;
+    curve.snapIn = snapInOf(model, compliance);
+    curve.pullOff = pullOffOf(model, compliance);
+    const int points = std::max(2, plan.points);
+    curve.approach = follow(model, compliance, plan.farthest, plan.deepest, points, curve.snapIn);
+    curve.retract = follow(model, compliance, plan.deepest, plan.farthest, points, curve.pullOff);
+    return curve;
+}
+
+}  // namespace asperity
