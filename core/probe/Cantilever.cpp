@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/contact/Within.h"
+#include "core/probe/RequirePositive.h"
 
 #include <cmath>
 #include <numbers>
@@ -26,18 +27,17 @@ double torsionFactorOfPlate(double thicknessOverWidth) noexcept {
     return (1.0 - (192.0 / std::pow(pi, 5) * thicknessOverWidth * sum)) / 3.0;
 }
 
-void requirePositive(double value, const char* name) {
-    if (!(std::isfinite(value) && value > 0.0)) {
-        throw Error(std::string("cantilever: ") + name + " must be finite and positive");
-    }
-}
-
 void check(const CantileverGeometry& geometry) {
-    requirePositive(geometry.youngsModulus, "Young's modulus");
-    requirePositive(geometry.length, "length");
-    requirePositive(geometry.width, "width");
-    requirePositive(geometry.thickness, "thickness");
-    requirePositive(geometry.tipHeight, "tip height");
+    requirePositive(geometry.youngsModulus, "cantilever: Young's modulus");
+    requirePositive(geometry.length, "cantilever: length");
+    requirePositive(geometry.width, "cantilever: width");
+    requirePositive(geometry.thickness, "cantilever: thickness");
+    requirePositive(geometry.tipHeight, "cantilever: tip height");
+    requirePositive(geometry.density, "cantilever: density");
+    requirePositive(geometry.qualityFactor, "cantilever: quality factor");
+    if (!isWithin(geometry.setBack, 0.0, geometry.length) || geometry.loadPoint() <= 0.0) {
+        throw Error("cantilever: the tip's set-back must be zero or more and less than the length");
+    }
     if (!isWithin(geometry.poissonRatio, 0.0, 0.5)) {
         throw Error("cantilever: Poisson's ratio must lie between 0 and 0.5");
     }
@@ -62,7 +62,8 @@ Matrix3 labToCantilever(double tilt, double azimuth) {
 }  // namespace
 
 double thicknessForStiffness(const CantileverGeometry& geometry, double stiffness) noexcept {
-    return geometry.length * std::cbrt(4.0 * stiffness / (geometry.youngsModulus * geometry.width));
+    return geometry.loadPoint() *
+           std::cbrt(4.0 * stiffness / (geometry.youngsModulus * geometry.width));
 }
 
 double torsionFactor(double thicknessOverWidth) noexcept {
@@ -76,7 +77,7 @@ double torsionFactor(double thicknessOverWidth) noexcept {
 
 Cantilever::Cantilever(const CantileverGeometry& geometry) : geometry_(geometry) {
     check(geometry);
-    const double length = geometry.length;
+    const double length = geometry.loadPoint();
     const double height = geometry.tipHeight;
     const double ratio = geometry.thickness / geometry.width;
     const double slenderness = geometry.thickness / length;

@@ -247,7 +247,7 @@ TEST(ForceDecoupling, RefusesInputThatIsNoMeasurement) {
     broken([](DecouplingInput& in) { in.normal = Vector3::Zero(); });
     for (const DecouplingInput& input : inputs) {
         const ForceEstimate estimate = estimateForce(good.lever, input);
-        EXPECT_EQ(estimate.kind, DecouplingCase::NotFinite);
+        EXPECT_EQ(estimate.kind, DecouplingCase::InvalidInput);
         EXPECT_TRUE(estimate.force.isZero(0.0));
         EXPECT_TRUE(estimate.covariance.isZero(0.0));
     }
