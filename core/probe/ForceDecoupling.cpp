@@ -89,6 +89,17 @@ double adhesiveFriction(const DecouplingInput& in) noexcept {
     return in.shearStrength * in.contactArea;
 }
 
+/// S of docs/physics.md 6.5 [N].
+double frictionScale(const DecouplingInput& in) noexcept {
+    return (in.frictionCoefficient * std::abs(in.normalForceModel)) + adhesiveFriction(in) +
+           kSmallestFriction;
+}
+
+/// Standard deviation of the friction law [N].
+double lawDeviation(const Sliding& sliding, double scale) noexcept {
+    return scale * std::hypot(sliding.certainty * kFrictionLawDefect, sliding.doubt);
+}
+
 /// Weight of T = mu N + tau A against T = 0, which takes its place where the model pulls the tip so
 /// hard that it would be negative: between the two within one sigma of N, so that nothing jumps.
 double frictionLawWeight(const DecouplingInput& in) noexcept {
@@ -107,8 +118,7 @@ WhitenedSystem whitenedSystem(const Cantilever& cantilever, const DecouplingInpu
     const double cz = cantilever.bendingPerFz();
     const double cy = cantilever.torsionPerFy();
     const double g = sliding.certainty;
-    const double scale = (in.frictionCoefficient * std::abs(in.normalForceModel)) +
-                         adhesiveFriction(in) + kSmallestFriction;
+    const double scale = frictionScale(in);
     const double law = g * frictionLawWeight(in);
     const Vector3 planeNormal = normal.cross(sliding.friction);
     const Vector3 frictionLaw = sliding.friction - (law * in.frictionCoefficient * normal);
@@ -118,8 +128,7 @@ WhitenedSystem whitenedSystem(const Cantilever& cantilever, const DecouplingInpu
                in.sigma.bending / cz);
     system.set(1, Vector3::UnitY(), in.signals.torsion / cy, in.sigma.torsion / cy);
     system.set(2, planeNormal, 0.0, scale * std::hypot(g * kPlanarityDefect, sliding.doubt));
-    system.set(3, frictionLaw, law * adhesiveFriction(in),
-               scale * std::hypot(g * kFrictionLawDefect, sliding.doubt));
+    system.set(3, frictionLaw, law * adhesiveFriction(in), lawDeviation(sliding, scale));
     system.set(4, normal, in.normalForceModel, in.normalForceSigma);
     return system;
 }
@@ -150,15 +159,18 @@ Plausibility plausibilityOf(const DecouplingInput& in, const ContactGeometry& ge
     plausibility.contradictsModel =
         rest > kUsableRest * in.normalForceSigma &&
         std::abs(normalForce - in.normalForceModel) > kPlausibleSigmas * rest;
-    if (geometry.sliding.certainty < geometry.sliding.doubt) {
-        return plausibility;  // at rest friction has no direction
-    }
+    const Sliding& sliding = geometry.sliding;
+    const double scale = frictionScale(in);
     const double friction = force.dot(f);
     const double law = (in.frictionCoefficient * normalForce) + adhesiveFriction(in);
     const Vector3 excess = law > 0.0 ? Vector3(f - (in.frictionCoefficient * n)) : f;
-    plausibility.pushesAlong = friction < -kPlausibleSigmas * deviationAlong(covariance, f);
-    plausibility.excessFriction = std::abs(friction) - std::max(0.0, law) >
-                                  kPlausibleSigmas * deviationAlong(covariance, excess);
+    // The law itself holds to a share only, and at rest friction may have any direction.
+    const double sigma =
+        std::hypot(deviationAlong(covariance, excess), lawDeviation(sliding, scale));
+    plausibility.pushesAlong =
+        friction < -(kSmallestFriction + (kPlausibleSigmas * sliding.doubt * scale));
+    plausibility.excessFriction =
+        std::abs(friction) - std::max(0.0, law) > kPlausibleSigmas * sigma;
     return plausibility;
 }
 

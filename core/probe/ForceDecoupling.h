@@ -31,12 +31,14 @@ enum class DecouplingCase : std::uint8_t {
                    ///< or the normal had no direction; force and covariance are zero
 };
 
-/// Whether the estimated force is one that the assumptions allow, beyond three standard deviations
-/// of what they are compared with. Source: docs/physics.md 6.5 (e).
+/// Whether the estimated force is one that the assumptions allow. Source: docs/physics.md 6.5 (e).
 struct Plausibility {
-    bool pushesAlong = false;       ///< friction would drive the tip: T < 0
-    bool excessFriction = false;    ///< |T| > max(0, mu N + tau A)
-    bool contradictsModel = false;  ///< N is not that of the contact model
+    bool pushesAlong = false;  ///< T < 0 (by more than 1 pN): friction would drive the tip
+    /// |T| > max(0, mu N + tau A) by three standard deviations of estimate and friction law
+    bool excessFriction = false;
+    /// N is not that of the contact model, by three standard deviations of what the model may
+    /// still differ by from an estimate that it took part in
+    bool contradictsModel = false;
 
     [[nodiscard]] bool holds() const noexcept {
         return !pushesAlong && !excessFriction && !contradictsModel;
