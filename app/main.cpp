@@ -1,4 +1,5 @@
 #include "app/ConvertCommand.h"
+#include "app/DecoupleCommand.h"
 #include "app/DevicesCommand.h"
 #include "app/ExploreCommand.h"
 #include "app/InfoCommand.h"
@@ -29,6 +30,7 @@ int run(int argc, char** argv) {
     asperity::addExploreCommand(program);
     asperity::addInfoCommand(program);
     asperity::addConvertCommand(program);
+    asperity::addDecoupleCommand(program);
     asperity::addTradeOffCommand(program);
     asperity::addReplayCommand(program);
     asperity::addLoopCommand(program);
