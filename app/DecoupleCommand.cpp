@@ -12,7 +12,6 @@ namespace asperity {
 namespace {
 
 constexpr const char* kHelp =
-    "Turn lever signals into 3-D forces with covariance, as CSV on standard output.\n"
     "The cases are a CSV table with the columns\n"
     "  nx,ny,nz                 surface normal out of the sample, of any length\n"
     "  vx,vy,vz                 velocity of the tip relative to the sample [m/s]\n"
@@ -38,7 +37,9 @@ struct DecoupleOptions {
 
 void addDecoupleCommand(CLI::App& program) {
     const auto options = std::make_shared<DecoupleOptions>();
-    CLI::App* command = program.add_subcommand("decouple", kHelp);
+    CLI::App* command = program.add_subcommand(
+        "decouple", "Turn lever signals into 3-D forces with covariance: CSV on standard output");
+    command->footer(kHelp);
     command->add_option("--probe", options->probe, "probe file (TOML)")->required();
     command->add_option("--cases", options->cases, "table of signals (CSV)")->required();
     command->callback(

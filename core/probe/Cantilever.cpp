@@ -2,7 +2,6 @@
 
 #include "core/Error.h"
 #include "core/contact/Within.h"
-#include "core/probe/RequirePositive.h"
 
 #include <cmath>
 #include <numbers>
@@ -27,20 +26,28 @@ double torsionFactorOfPlate(double thicknessOverWidth) noexcept {
     return (1.0 - (192.0 / std::pow(pi, 5) * thicknessOverWidth * sum)) / 3.0;
 }
 
+void requireWithin(double value, double low, double high, const std::string& what) {
+    if (!isWithin(value, low, high)) {
+        throw Error("cantilever: " + what);
+    }
+}
+
+void requireLength(double value, const std::string& name) {
+    requireWithin(value, 1e-9, 1.0, name + " must lie between 1 nm and 1 m");
+}
+
+/// Bounds far around every lever there is: within them nothing that follows can overflow.
 void check(const CantileverGeometry& geometry) {
-    requirePositive(geometry.youngsModulus, "cantilever: Young's modulus");
-    requirePositive(geometry.length, "cantilever: length");
-    requirePositive(geometry.width, "cantilever: width");
-    requirePositive(geometry.thickness, "cantilever: thickness");
-    requirePositive(geometry.tipHeight, "cantilever: tip height");
-    requirePositive(geometry.density, "cantilever: density");
-    requirePositive(geometry.qualityFactor, "cantilever: quality factor");
-    if (!isWithin(geometry.setBack, 0.0, geometry.length) || geometry.loadPoint() <= 0.0) {
-        throw Error("cantilever: the tip's set-back must be zero or more and less than the length");
-    }
-    if (!isWithin(geometry.poissonRatio, 0.0, 0.5)) {
-        throw Error("cantilever: Poisson's ratio must lie between 0 and 0.5");
-    }
+    requireLength(geometry.length, "length");
+    requireLength(geometry.width, "width");
+    requireLength(geometry.thickness, "thickness");
+    requireLength(geometry.tipHeight, "tip height");
+    requireWithin(geometry.youngsModulus, 1.0, 1e15, "Young's modulus must lie in 1 .. 1e15 Pa");
+    requireWithin(geometry.density, 1e-3, 1e6, "density must lie in 1e-3 .. 1e6 kg/m^3");
+    requireWithin(geometry.qualityFactor, 1e-6, 1e12, "quality factor must lie in 1e-6 .. 1e12");
+    requireWithin(geometry.setBack, 0.0, geometry.length - 1e-9,
+                  "the tip's set-back must be zero or more and less than the length");
+    requireWithin(geometry.poissonRatio, 0.0, 0.5, "Poisson's ratio must lie between 0 and 0.5");
     if (!isWithin(geometry.mountTilt, -pi / 2.0, pi / 2.0) || !std::isfinite(geometry.azimuth)) {
         throw Error("cantilever: mount tilt must lie within a quarter turn, azimuth be finite");
     }
@@ -83,6 +90,9 @@ Cantilever::Cantilever(const CantileverGeometry& geometry) : geometry_(geometry)
     const double slenderness = geometry.thickness / length;
     stiffness_ =
         geometry.youngsModulus * geometry.width * slenderness * slenderness * slenderness / 4.0;
+    requireWithin(stiffness_, 1e-9, 1e9,
+                  "length, width, thickness and Young's modulus must make a stiffness between 1e-9 "
+                  "and 1e9 N/m");
 
     const double axial = 3.0 * height * height / (length * length * stiffness_);
     const double coupled = 3.0 * height / (2.0 * length * stiffness_);

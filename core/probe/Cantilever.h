@@ -35,9 +35,8 @@ struct CantileverGeometry {
 /// beam there, and the rest of the beam stays straight. Source: docs/physics.md 5.1-5.4.
 class Cantilever {
 public:
-    /// @throw Error when a length, modulus, density or quality factor is not finite and positive,
-    ///        the tip set back to the clamp, Poisson's ratio outside 0 .. 0.5, the tilt beyond a
-    ///        quarter turn or the azimuth not finite
+    /// @throw Error naming the value that is far from that of any lever, or no number: lengths 1 nm
+    ///        to 1 m, stiffness 1e-9 to 1e9 N/m, Poisson's ratio 0 to 0.5, tilt a quarter turn
     explicit Cantilever(const CantileverGeometry& geometry);
 
     [[nodiscard]] const CantileverGeometry& geometry() const noexcept { return geometry_; }

@@ -1,9 +1,10 @@
 #include "core/probe/LeverResonance.h"
 
-#include "core/probe/RequirePositive.h"
+#include "core/Error.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace asperity {
 
@@ -63,6 +64,12 @@ StepResponse oscillatingResponse(double damping, double spreadSquare, double tim
             left * (cosine - (damping * sine))};
 }
 
+void requirePositive(double value, const char* what) {
+    if (!(std::isfinite(value) && value > 0.0)) {
+        throw Error(std::string("oscillator: ") + what + " must be finite and positive");
+    }
+}
+
 StepResponse stepResponse(double damping, double time) {
     constexpr double kSeriesReach = 0.5;
     constexpr double kWellSeparated = 0.25;
@@ -80,10 +87,10 @@ StepResponse stepResponse(double damping, double time) {
 
 LeverResonance::LeverResonance(const Oscillator& oscillator, double timeStep)
     : oscillator_(oscillator) {
-    requirePositive(oscillator.stiffness, "oscillator: stiffness");
-    requirePositive(oscillator.angularFrequency, "oscillator: frequency");
-    requirePositive(oscillator.qualityFactor, "oscillator: quality factor");
-    requirePositive(timeStep, "oscillator: time step");
+    requirePositive(oscillator.stiffness, "stiffness");
+    requirePositive(oscillator.angularFrequency, "frequency");
+    requirePositive(oscillator.qualityFactor, "quality factor");
+    requirePositive(timeStep, "time step");
     const StepResponse response =
         stepResponse(0.5 / oscillator.qualityFactor, oscillator.angularFrequency * timeStep);
     step_ = {response.position, response.velocity};

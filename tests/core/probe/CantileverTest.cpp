@@ -240,10 +240,21 @@ TEST(Cantilever, RefusesATipThatIsNotOnTheBeam) {
     }
 }
 
+/// Each number alone would do; together they make no lever.
+TEST(Cantilever, RefusesAStiffnessThatNoLeverHas) {
+    CantileverGeometry geometry = referenceLever("G1_k14");
+    geometry.thickness = 1e-9;
+    geometry.length = 0.1;
+    EXPECT_THROW(Cantilever{geometry}, Error);
+    geometry.thickness = 0.5;
+    geometry.length = 1e-3;
+    EXPECT_THROW(Cantilever{geometry}, Error);
+}
+
 TEST(Cantilever, RefusesWhatIsNoBeam) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
-    for (const double bad : {0.0, -1.0, nan, infinity}) {
+    for (const double bad : {0.0, -1.0, 1e-300, 1e300, nan, infinity}) {
         for (double CantileverGeometry::*field :
              {&CantileverGeometry::youngsModulus, &CantileverGeometry::length,
               &CantileverGeometry::width, &CantileverGeometry::thickness,

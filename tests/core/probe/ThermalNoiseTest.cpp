@@ -140,6 +140,18 @@ TEST_F(WarmAfm, ShakesTheBendingSignalByTheFundamentalMode) {
     EXPECT_NEAR(std::sqrt(expected), 1.6e-7, 0.05e-7) << "as large as the detector's noise";
 }
 
+TEST_F(WarmAfm, IsAsWarmAndAsFastAsItsScene) {
+    SceneDescription description = test::plainScene();
+    EXPECT_EQ(scene_.truth.temperature, 0.0) << "cold unless asked";
+    description.truth.temperature = 77.0;
+    description.tickRate = 4000.0;
+    const Scene scene = buildScene(description, test::flatMap());
+    EXPECT_EQ(scene.truth.temperature, 77.0);
+    EXPECT_EQ(scene.truth.timeStep, scene.timeStep());
+    description.truth.temperature = -1.0;
+    EXPECT_THROW((void)buildScene(description, test::flatMap()), Error);
+}
+
 TEST_F(WarmAfm, RepeatsItselfForTheSameSeedOnly) {
     SimulatedAfm first = afm(300.0, 3);
     SimulatedAfm same = afm(300.0, 3);
