@@ -1,6 +1,7 @@
 #include "app/ContactCommand.h"
 #include "app/ConvertCommand.h"
 #include "app/CurveCommand.h"
+#include "app/DecoupleCommand.h"
 #include "app/DevicesCommand.h"
 #include "app/ExploreCommand.h"
 #include "app/InfoCommand.h"
@@ -33,6 +34,7 @@ int run(int argc, char** argv) {
     asperity::addConvertCommand(program);
     asperity::addContactCommand(program);
     asperity::addCurveCommand(program);
+    asperity::addDecoupleCommand(program);
     asperity::addTradeOffCommand(program);
     asperity::addReplayCommand(program);
     asperity::addLoopCommand(program);

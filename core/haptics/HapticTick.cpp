@@ -123,7 +123,7 @@ Vector3 slowCorrection(const TickInput& input, const TickOutput& out, const Vect
 bool allFinite(const TickOutput& out) {
     return out.base.position.allFinite() && out.model.force.allFinite() && out.tip.allFinite() &&
            out.estimate.force.allFinite() && out.handForce.allFinite() &&
-           out.estimate.kind != DecouplingCase::NotFinite;
+           out.estimate.kind != DecouplingCase::InvalidInput;
 }
 
 /// Whether the lever is stiffer than the attraction at the state of a tip that is held.

@@ -1,6 +1,7 @@
 #include "core/io/SceneFile.h"
 
 #include "core/Error.h"
+#include "core/io/ProbeFile.h"
 #include "core/io/TomlFile.h"
 
 #include <array>
@@ -91,29 +92,6 @@ SampleMaterial readMaterialOf(TomlSection& section, const SampleMaterial& otherw
     return readMaterial(section, file.empty() ? otherwise : readMaterialFile(file));
 }
 
-CantileverGeometry readGeometry(TomlSection& section, const CantileverGeometry& otherwise) {
-    CantileverGeometry probe = otherwise;
-    probe.youngsModulus = section.number("youngs_modulus_pa", otherwise.youngsModulus);
-    probe.poissonRatio = section.number("poisson_ratio", otherwise.poissonRatio);
-    probe.length = section.number("length_m", otherwise.length);
-    probe.width = section.number("width_m", otherwise.width);
-    probe.tipHeight = section.number("tip_height_m", otherwise.tipHeight);
-    probe.mountTilt = section.number("mount_tilt_rad", otherwise.mountTilt);
-    probe.azimuth = section.number("azimuth_rad", otherwise.azimuth);
-    if (section.has("stiffness_n_m") && section.has("thickness_m")) {
-        section.refuse("stiffness_n_m", "either stiffness_n_m or thickness_m, not both");
-    }
-    probe.thickness = section.number("thickness_m", otherwise.thickness);
-    if (section.has("stiffness_n_m")) {
-        const double stiffness = section.number("stiffness_n_m", 0.0);
-        if (!(stiffness > 0.0)) {
-            section.refuse("stiffness_n_m", "a positive number of N/m");
-        }
-        probe.thickness = thicknessForStiffness(probe, stiffness);
-    }
-    return probe;
-}
-
 SampleDescription readSample(TomlSection section, const SampleDescription& otherwise) {
     SampleDescription sample = otherwise;
     sample.file = section.path("file").string();
@@ -143,8 +121,11 @@ TipDescription readTip(TomlSection section, const TipDescription& otherwise) {
 
 void readProbeSection(TomlSection section, SceneDescription& scene) {
     const std::filesystem::path file = section.path("file");
-    const CantileverGeometry base = file.empty() ? scene.probe : readProbe(file);
-    scene.probe = readGeometry(section, base);
+    const ProbeDescription base =
+        file.empty() ? ProbeDescription{scene.probe, scene.detector} : readProbe(file);
+    const ProbeDescription probe = readProbeKeys(section, base);
+    scene.probe = probe.lever;
+    scene.detector = probe.detector;
     scene.signalSigma = section.number("signal_noise_rad", scene.signalSigma);
     section.refuseUnknownKeys();
 }
@@ -155,6 +136,7 @@ TruthDescription readTruth(TomlSection section, const SceneDescription& scene) {
     truth.stiffness = section.number("stiffness_n_m", Cantilever(scene.probe).stiffness());
     truth.signalNoise = section.number("signal_noise_rad", scene.signalSigma);
     truth.noiseSeed = section.count("noise_seed", truth.noiseSeed);
+    truth.temperature = section.number("temperature_k", truth.temperature);
     section.refuseUnknownKeys();
     return truth;
 }
@@ -230,17 +212,10 @@ toml::table sampleTable(const SampleDescription& sample) {
     return table;
 }
 
-toml::table probeTable(const SceneDescription& scene) {
-    const CantileverGeometry& probe = scene.probe;
-    return toml::table{{"youngs_modulus_pa", probe.youngsModulus},
-                       {"poisson_ratio", probe.poissonRatio},
-                       {"length_m", probe.length},
-                       {"width_m", probe.width},
-                       {"thickness_m", probe.thickness},
-                       {"tip_height_m", probe.tipHeight},
-                       {"mount_tilt_rad", probe.mountTilt},
-                       {"azimuth_rad", probe.azimuth},
-                       {"signal_noise_rad", scene.signalSigma}};
+toml::table probeSectionTable(const SceneDescription& scene) {
+    toml::table table = probeTable({scene.probe, scene.detector});
+    table.insert("signal_noise_rad", scene.signalSigma);
+    return table;
 }
 
 toml::table truthTable(const TruthDescription& truth) {
@@ -248,6 +223,7 @@ toml::table truthTable(const TruthDescription& truth) {
     table.insert("stiffness_n_m", truth.stiffness);
     table.insert("signal_noise_rad", truth.signalNoise);
     table.insert("noise_seed", static_cast<std::int64_t>(truth.noiseSeed));
+    table.insert("temperature_k", truth.temperature);
     return table;
 }
 
@@ -287,7 +263,7 @@ std::string sceneText(const SceneDescription& scene) {
         {"tip", toml::table{{"radius_m", scene.tip.radius},
                             {"youngs_modulus_pa", scene.tip.elastic.youngsModulus},
                             {"poisson_ratio", scene.tip.elastic.poissonRatio}}},
-        {"probe", probeTable(scene)},
+        {"probe", probeSectionTable(scene)},
         {"truth", truthTable(scene.truth)},
         {"physics", toml::table{{"law", lawText(scene.law)},
                                 {"cohesive_range_m", scene.cohesiveRange},
@@ -305,14 +281,6 @@ std::string sceneText(const SceneDescription& scene) {
     std::ostringstream text;
     text << table << '\n';
     return text.str();
-}
-
-CantileverGeometry readProbe(const std::filesystem::path& path) {
-    const toml::table table = readToml(path);
-    TomlSection root(table, path, "");
-    const CantileverGeometry probe = readGeometry(root, defaultScene().probe);
-    root.refuseUnknownKeys();
-    return probe;
 }
 
 SampleMaterial readMaterialFile(const std::filesystem::path& path) {

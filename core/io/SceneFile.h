@@ -18,9 +18,6 @@ namespace asperity {
 /// The whole description as TOML text, every value spelled out: reading it back gives the same.
 [[nodiscard]] std::string sceneText(const SceneDescription& scene);
 
-/// A lever from a probe file. @throw InputError
-[[nodiscard]] CantileverGeometry readProbe(const std::filesystem::path& path);
-
 /// A sample from a material file. @throw InputError
 [[nodiscard]] SampleMaterial readMaterialFile(const std::filesystem::path& path);
 

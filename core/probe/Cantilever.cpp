@@ -26,21 +26,28 @@ double torsionFactorOfPlate(double thicknessOverWidth) noexcept {
     return (1.0 - (192.0 / std::pow(pi, 5) * thicknessOverWidth * sum)) / 3.0;
 }
 
-void requirePositive(double value, const char* name) {
-    if (!(std::isfinite(value) && value > 0.0)) {
-        throw Error(std::string("cantilever: ") + name + " must be finite and positive");
+void requireWithin(double value, double low, double high, const std::string& what) {
+    if (!isWithin(value, low, high)) {
+        throw Error("cantilever: " + what);
     }
 }
 
+void requireLength(double value, const std::string& name) {
+    requireWithin(value, 1e-9, 1.0, name + " must lie between 1 nm and 1 m");
+}
+
+/// Bounds far around every lever there is: within them nothing that follows can overflow.
 void check(const CantileverGeometry& geometry) {
-    requirePositive(geometry.youngsModulus, "Young's modulus");
-    requirePositive(geometry.length, "length");
-    requirePositive(geometry.width, "width");
-    requirePositive(geometry.thickness, "thickness");
-    requirePositive(geometry.tipHeight, "tip height");
-    if (!isWithin(geometry.poissonRatio, 0.0, 0.5)) {
-        throw Error("cantilever: Poisson's ratio must lie between 0 and 0.5");
-    }
+    requireLength(geometry.length, "length");
+    requireLength(geometry.width, "width");
+    requireLength(geometry.thickness, "thickness");
+    requireLength(geometry.tipHeight, "tip height");
+    requireWithin(geometry.youngsModulus, 1.0, 1e15, "Young's modulus must lie in 1 .. 1e15 Pa");
+    requireWithin(geometry.density, 1e-3, 1e6, "density must lie in 1e-3 .. 1e6 kg/m^3");
+    requireWithin(geometry.qualityFactor, 1e-6, 1e12, "quality factor must lie in 1e-6 .. 1e12");
+    requireWithin(geometry.setBack, 0.0, geometry.length - 1e-9,
+                  "the tip's set-back must be zero or more and less than the length");
+    requireWithin(geometry.poissonRatio, 0.0, 0.5, "Poisson's ratio must lie between 0 and 0.5");
     if (!isWithin(geometry.mountTilt, -pi / 2.0, pi / 2.0) || !std::isfinite(geometry.azimuth)) {
         throw Error("cantilever: mount tilt must lie within a quarter turn, azimuth be finite");
     }
@@ -62,7 +69,8 @@ Matrix3 labToCantilever(double tilt, double azimuth) {
 }  // namespace
 
 double thicknessForStiffness(const CantileverGeometry& geometry, double stiffness) noexcept {
-    return geometry.length * std::cbrt(4.0 * stiffness / (geometry.youngsModulus * geometry.width));
+    return geometry.loadPoint() *
+           std::cbrt(4.0 * stiffness / (geometry.youngsModulus * geometry.width));
 }
 
 double torsionFactor(double thicknessOverWidth) noexcept {
@@ -76,12 +84,15 @@ double torsionFactor(double thicknessOverWidth) noexcept {
 
 Cantilever::Cantilever(const CantileverGeometry& geometry) : geometry_(geometry) {
     check(geometry);
-    const double length = geometry.length;
+    const double length = geometry.loadPoint();
     const double height = geometry.tipHeight;
     const double ratio = geometry.thickness / geometry.width;
     const double slenderness = geometry.thickness / length;
     stiffness_ =
         geometry.youngsModulus * geometry.width * slenderness * slenderness * slenderness / 4.0;
+    requireWithin(stiffness_, 1e-9, 1e9,
+                  "length, width, thickness and Young's modulus must make a stiffness between 1e-9 "
+                  "and 1e9 N/m");
 
     const double axial = 3.0 * height * height / (length * length * stiffness_);
     const double coupled = 3.0 * height / (2.0 * length * stiffness_);

@@ -4,34 +4,43 @@
 
 namespace asperity {
 
-/// A rectangular cantilever with a tip at its free end, as a lab describes it.
+/// A rectangular cantilever with a tip at or near its free end, as a lab describes it.
 struct CantileverGeometry {
     double youngsModulus = 0.0;  ///< of the beam [Pa]
     double poissonRatio = 0.0;   ///< of the beam
-    double length = 0.0;         ///< clamp to tip [m]
+    double length = 0.0;         ///< clamp to free end [m]
     double width = 0.0;          ///< [m]
     double thickness = 0.0;      ///< [m]
     double tipHeight = 0.0;      ///< beam axis to tip apex [m]
     double mountTilt = 0.0;      ///< free end down [rad]
     double azimuth = 0.0;  ///< of the beam in the image plane, 0: clamp to free end along +x [rad]
+    double setBack = 0.0;  ///< free end to tip, along the beam [m]
+    double density = 2330.0;       ///< of the beam, silicon's [kg/m^3]
+    double qualityFactor = 100.0;  ///< of the fundamental resonance
+
+    /// Clamp to tip, where the force acts and the slope is read [m].
+    [[nodiscard]] double loadPoint() const noexcept { return length - setBack; }
+
+    bool operator==(const CantileverGeometry&) const = default;
 };
 
-/// Thickness [m] that gives a beam the stiffness kz [N/m].
+/// Thickness [m] that gives a beam the stiffness kz [N/m] at its tip.
 [[nodiscard]] double thicknessForStiffness(const CantileverGeometry& geometry,
                                            double stiffness) noexcept;
 
 /// St Venant torsion factor beta of a rectangle, J = beta w t^3. Source: docs/physics.md 5.1, T18.
 [[nodiscard]] double torsionFactor(double thicknessOverWidth) noexcept;
 
-/// Compliance and lever sensitivities of a cantilever. Source: docs/physics.md 5.1-5.4.
+/// Compliance and lever sensitivities of a cantilever; a tip set back from the free end loads the
+/// beam there, and the rest of the beam stays straight. Source: docs/physics.md 5.1-5.4.
 class Cantilever {
 public:
-    /// @throw Error when a length or modulus is not finite and positive, Poisson's ratio outside
-    ///        0 .. 0.5, the tilt beyond a quarter turn or the azimuth not finite
+    /// @throw Error naming the value that is far from that of any lever, or no number: lengths 1 nm
+    ///        to 1 m, stiffness 1e-9 to 1e9 N/m, Poisson's ratio 0 to 0.5, tilt a quarter turn
     explicit Cantilever(const CantileverGeometry& geometry);
 
     [[nodiscard]] const CantileverGeometry& geometry() const noexcept { return geometry_; }
-    [[nodiscard]] double stiffness() const noexcept { return stiffness_; }  ///< kz [N/m]
+    [[nodiscard]] double stiffness() const noexcept { return stiffness_; }  ///< kz at the tip [N/m]
 
     /// Tip displacement per force, cantilever frame [m/N].
     [[nodiscard]] const Matrix3& complianceInCantileverFrame() const noexcept {
@@ -47,7 +56,7 @@ public:
     [[nodiscard]] double torsionPerFy() const noexcept { return torsionPerFy_; }  ///< cy [rad/N]
     /// kappa: how much bending signal Fx causes next to Fz.
     [[nodiscard]] double couplingRatio() const noexcept {
-        return 2.0 * geometry_.tipHeight / geometry_.length;
+        return 2.0 * geometry_.tipHeight / geometry_.loadPoint();
     }
 
 private:

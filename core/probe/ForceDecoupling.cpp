@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +21,10 @@ constexpr double kNearSingularCondition = 100.0;
 constexpr double kSingularCondition = 1e15;  // what rounding leaves of an exactly singular system
 constexpr double kLargestInput = 1e12;       // in SI: far beyond any measurement, no overflow below
 constexpr double kSmallestSigma = 1e-30;     // likewise
+constexpr double kSmallestNormal = 1e-30;    // shorter ones lose their direction when squared
+constexpr double kSmallestSpeed = 1e-30;     // [m/s]: standing still, and no denormal arithmetic
+constexpr double kPlausibleSigmas = 3.0;
+constexpr double kUsableRest = 1e-3;  // of sigma_N: below it only the model told N
 
 bool usable(double value) noexcept { return isWithin(value, -kLargestInput, kLargestInput); }
 
@@ -32,9 +37,10 @@ bool isDeviation(double value) noexcept { return isWithin(value, kSmallestSigma,
 bool inputIsUsable(const DecouplingInput& in) noexcept {
     return usable(in.signals.bending) && usable(in.signals.torsion) &&
            isDeviation(in.sigma.bending) && isDeviation(in.sigma.torsion) && usable(in.normal) &&
-           in.normal.norm() > 0.0 && usable(in.velocity) && notNegative(in.frictionCoefficient) &&
-           notNegative(in.shearStrength) && notNegative(in.contactArea) &&
-           usable(in.normalForceModel) && isDeviation(in.normalForceSigma);
+           in.normal.norm() >= kSmallestNormal && usable(in.velocity) &&
+           notNegative(in.frictionCoefficient) && notNegative(in.shearStrength) &&
+           notNegative(in.contactArea) && usable(in.normalForceModel) &&
+           isDeviation(in.normalForceSigma);
 }
 
 /// Normal and sliding in the cantilever frame.
@@ -45,7 +51,9 @@ struct ContactGeometry {
 
 ContactGeometry geometryOf(const Cantilever& cantilever, const DecouplingInput& in) noexcept {
     const Vector3 normal = (cantilever.rotation() * in.normal).normalized();
-    return {normal, slidingOf(normal, cantilever.rotation() * in.velocity)};
+    const bool moves = in.velocity.cwiseAbs().maxCoeff() >= kSmallestSpeed;
+    const Vector3 velocity = moves ? in.velocity : Vector3::Zero();
+    return {normal, slidingOf(normal, cantilever.rotation() * velocity)};
 }
 
 /// Ratio of the singular values of the 2x2 system (N, T) -> force-equivalent signals.
@@ -77,6 +85,32 @@ struct WhitenedSystem {
     }
 };
 
+double adhesiveFriction(const DecouplingInput& in) noexcept {
+    return in.shearStrength * in.contactArea;
+}
+
+/// S of docs/physics.md 6.5 [N].
+double frictionScale(const DecouplingInput& in) noexcept {
+    return (in.frictionCoefficient * std::abs(in.normalForceModel)) + adhesiveFriction(in) +
+           kSmallestFriction;
+}
+
+/// Standard deviation of the friction law [N].
+double lawDeviation(const Sliding& sliding, double scale) noexcept {
+    return scale * std::hypot(sliding.certainty * kFrictionLawDefect, sliding.doubt);
+}
+
+/// Weight of T = mu N + tau A against T = 0, which takes its place where the model pulls the tip so
+/// hard that it would be negative: between the two within one sigma of N, so that nothing jumps.
+double frictionLawWeight(const DecouplingInput& in) noexcept {
+    const double friction = (in.frictionCoefficient * in.normalForceModel) + adhesiveFriction(in);
+    if (friction >= 0.0) {
+        return 1.0;
+    }
+    const double uncertainty = in.frictionCoefficient * in.normalForceSigma;
+    return -friction < uncertainty ? 1.0 + (friction / uncertainty) : 0.0;
+}
+
 WhitenedSystem whitenedSystem(const Cantilever& cantilever, const DecouplingInput& in,
                               const ContactGeometry& geometry) noexcept {
     const Vector3& normal = geometry.normal;
@@ -84,19 +118,17 @@ WhitenedSystem whitenedSystem(const Cantilever& cantilever, const DecouplingInpu
     const double cz = cantilever.bendingPerFz();
     const double cy = cantilever.torsionPerFy();
     const double g = sliding.certainty;
-    const double adhesiveFriction = in.shearStrength * in.contactArea;
-    const double scale = (in.frictionCoefficient * std::abs(in.normalForceModel)) +
-                         adhesiveFriction + kSmallestFriction;
+    const double scale = frictionScale(in);
+    const double law = g * frictionLawWeight(in);
     const Vector3 planeNormal = normal.cross(sliding.friction);
-    const Vector3 frictionLaw = sliding.friction - (g * in.frictionCoefficient * normal);
+    const Vector3 frictionLaw = sliding.friction - (law * in.frictionCoefficient * normal);
 
     WhitenedSystem system;
     system.set(0, Vector3(cantilever.couplingRatio(), 0.0, 1.0), in.signals.bending / cz,
                in.sigma.bending / cz);
     system.set(1, Vector3::UnitY(), in.signals.torsion / cy, in.sigma.torsion / cy);
     system.set(2, planeNormal, 0.0, scale * std::hypot(g * kPlanarityDefect, sliding.doubt));
-    system.set(3, frictionLaw, g * adhesiveFriction,
-               scale * std::hypot(g * kFrictionLawDefect, sliding.doubt));
+    system.set(3, frictionLaw, law * adhesiveFriction(in), lawDeviation(sliding, scale));
     system.set(4, normal, in.normalForceModel, in.normalForceSigma);
     return system;
 }
@@ -109,13 +141,68 @@ DecouplingCase kindOf(const ContactGeometry& geometry, double condition) noexcep
                                               : DecouplingCase::Regular;
 }
 
+double deviationAlong(const Matrix3& covariance, const Vector3& direction) noexcept {
+    return std::sqrt(std::max(0.0, direction.dot(covariance * direction)));
+}
+
+/// Force and covariance in the frame of the geometry.
+Plausibility plausibilityOf(const DecouplingInput& in, const ContactGeometry& geometry,
+                            const Vector3& force, const Matrix3& covariance) noexcept {
+    const Vector3& n = geometry.normal;
+    const Vector3& f = geometry.sliding.friction;
+    const double normalForce = force.dot(n);
+    // The model is part of the estimate: what they may differ by is the rest of its variance.
+    const double variance = n.dot(covariance * n);
+    const double modelVariance = in.normalForceSigma * in.normalForceSigma;
+    const double rest = std::sqrt(std::max(0.0, modelVariance - variance));
+    Plausibility plausibility;
+    plausibility.contradictsModel =
+        rest > kUsableRest * in.normalForceSigma &&
+        std::abs(normalForce - in.normalForceModel) > kPlausibleSigmas * rest;
+    const Sliding& sliding = geometry.sliding;
+    const double scale = frictionScale(in);
+    const double friction = force.dot(f);
+    const double law = (in.frictionCoefficient * normalForce) + adhesiveFriction(in);
+    const Vector3 excess = law > 0.0 ? Vector3(f - (in.frictionCoefficient * n)) : f;
+    // The law itself holds to a share only, and at rest friction may have any direction.
+    const double sigma =
+        std::hypot(deviationAlong(covariance, excess), lawDeviation(sliding, scale));
+    plausibility.pushesAlong =
+        friction < -(kSmallestFriction + (kPlausibleSigmas * sliding.doubt * scale));
+    plausibility.excessFriction =
+        std::abs(friction) - std::max(0.0, law) > kPlausibleSigmas * sigma;
+    return plausibility;
+}
+
+const char* nameOf(DecouplingCase kind) noexcept {
+    switch (kind) {
+    case DecouplingCase::Regular:
+        return "regular";
+    case DecouplingCase::NearSingular:
+        return "near_singular";
+    case DecouplingCase::NoSliding:
+        return "no_sliding";
+    case DecouplingCase::InvalidInput:
+        break;
+    }
+    return "invalid_input";
+}
+
 }  // namespace
+
+std::string caseText(const ForceEstimate& estimate) {
+    std::string text = nameOf(estimate.kind);
+    text += estimate.plausibility.pushesAlong ? "|pushes_along" : "";
+    text += estimate.plausibility.excessFriction ? "|excess_friction" : "";
+    text += estimate.plausibility.contradictsModel ? "|contradicts_model" : "";
+    return text;
+}
 
 ForceEstimate estimateForce(const Cantilever& cantilever, const DecouplingInput& input) noexcept {
     ForceEstimate estimate;
     if (!inputIsUsable(input)) {
         estimate.condition = std::numeric_limits<double>::infinity();
-        estimate.kind = DecouplingCase::NotFinite;
+        estimate.kind = DecouplingCase::InvalidInput;
         return estimate;
     }
     const ContactGeometry geometry = geometryOf(cantilever, input);
@@ -126,10 +213,13 @@ ForceEstimate estimateForce(const Cantilever& cantilever, const DecouplingInput&
     const Matrix3 inverse =
         triangle.triangularView<Eigen::Upper>().solve(Matrix3::Identity().eval());
 
-    const Matrix3 labInverse = cantilever.rotation().transpose() * inverse;
+    const Matrix3 toLab = cantilever.rotation().transpose();
+    const Matrix3 labInverse = toLab * inverse;
     const Matrix3 covariance = labInverse * labInverse.transpose();
-    estimate.force = cantilever.rotation().transpose() * local;
+    estimate.force = toLab * local;
     estimate.covariance = 0.5 * (covariance + covariance.transpose());  // exactly symmetric
+    estimate.deflection = cantilever.compliance() * estimate.force;
+    estimate.plausibility = plausibilityOf(input, geometry, local, inverse * inverse.transpose());
     estimate.condition = conditionOf(geometry, cantilever.couplingRatio());
     estimate.kind = kindOf(geometry, estimate.condition);
     return estimate;

@@ -5,6 +5,7 @@
 #include "core/probe/OpticalLever.h"
 
 #include <cstdint>
+#include <string>
 
 namespace asperity {
 
@@ -12,7 +13,7 @@ namespace asperity {
 struct DecouplingInput {
     LeverSignals signals;
     LeverSignals sigma;                  ///< standard deviation of the signals [rad], > 0
-    Vector3 normal = Vector3::UnitZ();   ///< unit, out of the sample
+    Vector3 normal = Vector3::UnitZ();   ///< out of the sample; of any length from 1e-30 on
     Vector3 velocity = Vector3::Zero();  ///< of the tip relative to the sample [m/s]
     double frictionCoefficient = 0.0;    ///< mu
     double shearStrength = 0.0;          ///< tau [Pa]
@@ -26,19 +27,40 @@ enum class DecouplingCase : std::uint8_t {
     Regular,       ///< planarity and signals determine the force
     NearSingular,  ///< condition > 100: planarity says little, model and friction law decide
     NoSliding,     ///< no tangential velocity: no direction of friction
-    NotFinite,  ///< an input was not finite (or beyond 1e12 in SI), or negative where it must not
-                ///< be; force and covariance are zero
+    InvalidInput,  ///< an input was not finite, beyond 1e12 in SI, negative where it must not be,
+                   ///< or the normal had no direction; force and covariance are zero
+};
+
+/// Whether the estimated force is one that the assumptions allow. Source: docs/physics.md 6.5 (e).
+struct Plausibility {
+    bool pushesAlong = false;  ///< T < 0 (by more than 1 pN): friction would drive the tip
+    /// |T| > max(0, mu N + tau A) by three standard deviations of estimate and friction law
+    bool excessFriction = false;
+    /// N is not that of the contact model, by three standard deviations of what the model may
+    /// still differ by from an estimate that it took part in
+    bool contradictsModel = false;
+
+    [[nodiscard]] bool holds() const noexcept {
+        return !pushesAlong && !excessFriction && !contradictsModel;
+    }
 };
 
 struct ForceEstimate {
     Vector3 force = Vector3::Zero();       ///< on the tip, lab frame [N]
     Matrix3 covariance = Matrix3::Zero();  ///< of the force, lab frame [N^2]
+    Vector3 deflection = Vector3::Zero();  ///< of the tip under the force, lab frame [m]
     double condition = 0.0;  ///< of (N, T) -> signals, 2-norm; inf: singular or no sliding
     DecouplingCase kind = DecouplingCase::Regular;
+    Plausibility plausibility;
 };
 
+/// The case in words and what is not plausible, joined by '|', e.g. "regular|excess_friction".
+[[nodiscard]] std::string caseText(const ForceEstimate& estimate);
+
 /// Force by weighted least squares of signals, planarity, friction law and contact model:
-/// continuous in every direction of motion and at rest. No allocation. Source: docs/physics.md 6.5.
+/// continuous in every direction of motion and at rest. Where the contact model pulls so hard that
+/// mu N + tau A < 0, the friction law fades into T = 0 (docs/physics.md 8), over one standard
+/// deviation of N. No allocation. Source: docs/physics.md 6.5.
 [[nodiscard]] ForceEstimate estimateForce(const Cantilever& cantilever,
                                           const DecouplingInput& input) noexcept;
 

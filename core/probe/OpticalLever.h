@@ -5,9 +5,10 @@
 
 namespace asperity {
 
-/// What the optical lever tells: the slope of the free end about two axes.
+/// What the optical lever tells: the slope at the tip, and so of the straight rest of the beam up
+/// to its free end, about two axes.
 struct LeverSignals {
-    double bending = 0.0;  ///< alpha = dz/dx at the free end [rad]
+    double bending = 0.0;  ///< alpha = dz/dx at the tip [rad]
     double torsion = 0.0;  ///< theta [rad]
 };
 

@@ -2,6 +2,8 @@
 
 #include "core/Random.h"
 #include "core/probe/AfmController.h"
+#include "core/probe/CantileverModes.h"
+#include "core/probe/ThermalNoise.h"
 
 #include <cstdint>
 
@@ -10,15 +12,20 @@ namespace asperity {
 /// What is true inside the simulated instrument, apart from what the operator's side believes.
 struct InstrumentTruth {
     ProbeSystem system;
-    LeverSignals noise;      ///< standard deviation of each signal [rad]
-    std::uint64_t seed = 1;  ///< of the noise
+    LeverSignals noise;        ///< standard deviation of the detector's white noise [rad]
+    std::uint64_t seed = 1;    ///< of all noise
+    double temperature = 0.0;  ///< of the lever [K]; 0: no thermal noise
+    double timeStep = 1e-3;    ///< from one exchange to the next [s]
 };
 
-/// An AFM that answers at once with the quasi-static state of its own truth. Only the two signals
+/// An AFM that answers at once with the quasi-static state of its own truth, plus what heat does to
+/// the lever's fundamental mode and the white noise of the detector. The heat shakes a lever in
+/// contact as if it were free: an upper bound, since the sample would hold it. Only the two signals
 /// and their age leave it through the port.
 class SimulatedAfm final : public AfmController {
 public:
-    /// The surface must outlive the instrument.
+    /// The surface must outlive the instrument. @throw Error when time step or temperature is no
+    /// such thing
     SimulatedAfm(const BSplineSurface& surface, const InstrumentTruth& truth);
 
     AfmMeasurement exchange(const BaseMotion& target) noexcept override;
@@ -27,9 +34,14 @@ public:
     [[nodiscard]] const TipState& trueState() const noexcept { return state_; }
 
 private:
+    SimulatedAfm(const BSplineSurface& surface, const InstrumentTruth& truth,
+                 const FlexuralMode& fundamental);
+
     const BSplineSurface& surface_;
     InstrumentTruth truth_;
     Random random_;
+    ThermalNoise thermal_;
+    double bendingPerDeflection_;  ///< of the fundamental mode [rad/m]
     EquilibriumMemory memory_;
     TipState state_;
 };

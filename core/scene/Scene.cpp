@@ -42,7 +42,9 @@ InstrumentTruth instrumentTruth(const SceneDescription& scene) {
     const double noise = scene.truth.signalNoise;
     return {.system = probeSystem(scene, scene.truth.material, probe),
             .noise = {.bending = noise, .torsion = noise},
-            .seed = scene.truth.noiseSeed};
+            .seed = scene.truth.noiseSeed,
+            .temperature = scene.truth.temperature,
+            .timeStep = 1.0 / scene.tickRate};
 }
 
 Scene assemble(const SceneDescription& description, const PlaneFit& removedPlane,

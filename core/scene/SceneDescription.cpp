@@ -84,6 +84,8 @@ void checkScene(const SceneDescription& scene) {
             "[truth]: signal_noise_rad must be zero or a positive number of radians");
     require(scene.truth.stiffness > 0.0 && std::isfinite(scene.truth.stiffness),
             "[truth]: stiffness_n_m must be a positive number of N/m");
+    require(scene.truth.temperature >= 0.0 && std::isfinite(scene.truth.temperature),
+            "[truth]: temperature_k must be zero or a positive number of kelvin");
     require(scene.tickRate >= 100.0 && scene.tickRate <= 20000.0,
             "[haptics]: rate_hz must lie between 100 and 20000");
     require(scene.positionGain > 0.0 && std::isfinite(scene.positionGain),

@@ -3,6 +3,7 @@
 #include "core/contact/ContactModel.h"
 #include "core/contact/Material.h"
 #include "core/probe/Cantilever.h"
+#include "core/probe/DetectorCalibration.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/scene/Settings.h"
 #include "core/surface/Levelling.h"
@@ -44,8 +45,9 @@ struct TipDescription {
 struct TruthDescription {
     SampleMaterial material;
     double stiffness = 0.0;     ///< of the lever along z [N/m]
-    double signalNoise = 1e-7;  ///< standard deviation of each lever signal [rad]
+    double signalNoise = 1e-7;  ///< standard deviation of the detector's noise in each signal [rad]
     std::uint64_t noiseSeed = 1;
+    double temperature = 0.0;  ///< that shakes the lever [K]; 0: no thermal noise
 };
 
 /// Everything that a scene file says, with defaults filled in; units SI.
@@ -53,6 +55,7 @@ struct SceneDescription {
     SampleDescription sample;
     TipDescription tip;
     CantileverGeometry probe;
+    DetectorCalibration detector;
     double signalSigma = 1e-7;  ///< what the estimator takes each signal's noise to be [rad]
     TruthDescription truth;
     std::optional<ContactLaw> law;          ///< none: chosen, see chooseLaw()

@@ -1,6 +1,7 @@
 #include "core/io/SceneFile.h"
 
 #include "core/Error.h"
+#include "core/io/ProbeFile.h"
 #include "core/scene/Scene.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/ScratchFolder.h"
@@ -75,6 +76,11 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.sample.material.elastic.youngsModulus = 1.0 / 3.0 * 1e9;
     scene.truth.stiffness = 13.123456789012345;
     scene.probe.mountTilt = 0.1;
+    scene.probe.setBack = 5e-6;
+    scene.probe.qualityFactor = 250.0;
+    scene.detector.invOls = 42e-9;
+    scene.detector.lateralCrossTalk = -0.02;
+    scene.truth.temperature = 296.15;
     scene.law = ContactLaw::Hertz;
     scene.deformation = DeformationTier::FourPoint;
     const std::string text = sceneText(scene);
@@ -83,7 +89,9 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.sample.channel, scene.sample.channel);
     EXPECT_EQ(again.sample.material.elastic.youngsModulus,
               scene.sample.material.elastic.youngsModulus);
-    EXPECT_EQ(again.probe.thickness, scene.probe.thickness);
+    EXPECT_EQ(again.probe, scene.probe);
+    EXPECT_EQ(again.detector, scene.detector);
+    EXPECT_EQ(again.truth.temperature, scene.truth.temperature);
     EXPECT_EQ(again.truth.stiffness, scene.truth.stiffness);
     EXPECT_EQ(again.law, scene.law);
 }
@@ -112,6 +120,7 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "[probe]\nstiffness_n_m = -1.0\n", "stiffness_n_m"},
         {std::string(sample) + "[probe]\nlength_m = 0.0\n", "scene.toml"},
         {std::string(sample) + "[truth]\nnoise_seed = -1\n", "noise_seed"},
+        {std::string(sample) + "[truth]\ntemperature_k = -1.0\n", "temperature_k"},
         {std::string(sample) + "[physics]\nlaw = \"jkrs\"\n", "split, hertz"},
         {std::string(sample) + "[haptics]\nrate_hz = 1\n", "rate_hz"},
         {"[sample\nfile = 1", "line 1"},
@@ -136,7 +145,7 @@ TEST(ShippedScenes, AllReadAndNameFilesThatAreThere) {
     EXPECT_GE(scenes, 4);
     for (const auto& entry :
          std::filesystem::directory_iterator(std::string(ASPERITY_DATA_DIR) + "/probes")) {
-        EXPECT_GT(Cantilever(readProbe(entry.path())).stiffness(), 0.0) << entry.path();
+        EXPECT_GT(Cantilever(readProbe(entry.path()).lever).stiffness(), 0.0) << entry.path();
     }
 }
 

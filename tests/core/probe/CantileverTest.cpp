@@ -46,6 +46,39 @@ TEST(Cantilever, HasTheReferenceCompliance) {
     }
 }
 
+/// The columns of T10 that stand between geometry and compliance: what the lever reports belongs
+/// to the table's moments of inertia and spring constants, too.
+TEST(Cantilever, BelongsToTheReferenceSectionsAndSprings) {
+    const ReferenceTable table = test::referenceTable("T10_compliance.csv");
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        SCOPED_TRACE(table.text(row, "geom"));
+        const auto cell = [&](const char* column) { return table.number(row, column); };
+        const CantileverGeometry beam = test::leverOfRow(table, row);
+        const Cantilever lever(beam);
+        const Matrix3& compliance = lever.complianceInCantileverFrame();
+        const double square = beam.length * beam.length;
+        const double lateral =
+            cantileverShape(lever, Vector3::UnitY(), beam.length).lateralDeflection;
+        expectRelative(torsionFactor(beam.thickness / beam.width), cell("beta"), 1e-13);
+        expectRelative(square / (2.0 * beam.youngsModulus * lever.bendingPerFz()), cell("I"),
+                       1e-13);
+        expectRelative(square * beam.length / (3.0 * beam.youngsModulus * lateral), cell("Iz"),
+                       1e-13);
+        expectRelative(beam.tipHeight * beam.length / (cell("G") * lever.torsionPerFy()), cell("J"),
+                       1e-13);
+        expectRelative(beam.youngsModulus / (2.0 * (1.0 + beam.poissonRatio)), cell("G"), 1e-13);
+        expectRelative(1.0 / compliance(0, 0), cell("kx"), 1e-13);
+        expectRelative(1.0 / compliance(0, 2), cell("kxz"), 1e-13);
+        expectRelative(1.0 / lateral, cell("kyb"), 1e-13);
+        expectRelative(1.0 / (beam.tipHeight * lever.torsionPerFy()), cell("kyt"), 1e-13);
+        // The thin-plate torsion that the paper takes is stiffer than the true one.
+        expectRelative(cell("kyt_thin") * 3.0 * torsionFactor(beam.thickness / beam.width),
+                       cell("kyt"), 1e-13);
+        // What is left out on purpose stays below one percent.
+        EXPECT_LT(cell("Cax"), 0.01 * compliance(0, 0));
+    }
+}
+
 TEST(Cantilever, TurnsForcesIntoTheReferenceSignalsAndDeflections) {
     const ReferenceTable table = test::referenceTable("T10b_forces_signals.csv");
     ASSERT_EQ(table.rows(), 60U);
@@ -59,6 +92,9 @@ TEST(Cantilever, TurnsForcesIntoTheReferenceSignalsAndDeflections) {
                             (lever.bendingPerFx() * std::abs(force.x()));
         EXPECT_NEAR(signals.bending, table.number(row, "alpha"), 1e-13 * bent);
         expectRelative(signals.torsion, table.number(row, "theta"), 1e-13);
+        const double lateralSlope =
+            cantileverShape(lever, force, lever.geometry().length).lateralSlope;
+        expectRelative(lateralSlope, table.number(row, "ypl"), 1e-13);
         const Vector3 deflection = lever.compliance() * force;
         const Vector3 limit = 1e-13 * (lever.compliance().cwiseAbs() * force.cwiseAbs());
         const Vector3 expected = test::vectorOfRow(table, row, "u");
@@ -162,14 +198,68 @@ TEST(Cantilever, HasAFrameThatTiltsAndTurns) {
     expectRelative(turned.torsion, before.torsion, 1e-14);
 }
 
+/// A tip set back loads a shorter beam; the rest is carried along straight.
+TEST(Cantilever, BendsOnlyUpToATipThatIsSetBack) {
+    CantileverGeometry geometry = referenceLever("G1_k14");
+    const Cantilever shorter(geometry);
+    geometry.setBack = 10.0_um;
+    geometry.length += geometry.setBack;
+    const Cantilever lever(geometry);
+    EXPECT_TRUE(lever.compliance().isApprox(shorter.compliance(), 1e-13));
+    expectRelative(lever.stiffness(), shorter.stiffness(), 1e-13);
+    expectRelative(lever.couplingRatio(), shorter.couplingRatio(), 1e-13);
+    const Vector3 force(3e-9, -2e-9, 1e-8);
+    const LeverSignals signals = leverSignals(lever, force);
+    expectRelative(signals.bending, leverSignals(shorter, force).bending, 1e-13);
+    expectRelative(signals.torsion, leverSignals(shorter, force).torsion, 1e-13);
+
+    const CantileverShape tip = cantileverShape(lever, force, geometry.loadPoint());
+    const CantileverShape end = cantileverShape(lever, force, geometry.length);
+    expectRelative(tip.deflection, (lever.compliance() * force).z(), 1e-12);
+    expectRelative(end.deflection, tip.deflection + (tip.slope * geometry.setBack), 1e-13);
+    expectRelative(end.lateralDeflection,
+                   tip.lateralDeflection + (tip.lateralSlope * geometry.setBack), 1e-13);
+    EXPECT_EQ(end.slope, tip.slope);
+    EXPECT_EQ(end.lateralSlope, tip.lateralSlope);
+    EXPECT_EQ(end.torsion, tip.torsion);
+    expectRelative(end.slope, signals.bending, 1e-13);
+}
+
+TEST(Cantilever, TakesItsThicknessFromTheStiffnessAtTheTip) {
+    CantileverGeometry geometry = referenceLever("G1_k14");
+    geometry.setBack = 10.0_um;
+    geometry.thickness = thicknessForStiffness(geometry, 14.0);
+    expectRelative(Cantilever(geometry).stiffness(), 14.0, 1e-14);
+}
+
+TEST(Cantilever, RefusesATipThatIsNotOnTheBeam) {
+    CantileverGeometry geometry = referenceLever("G1_k14");
+    for (const double bad : {-1e-9, geometry.length, 1.0, std::nan("")}) {
+        geometry.setBack = bad;
+        EXPECT_THROW(Cantilever{geometry}, Error) << bad;
+    }
+}
+
+/// Each number alone would do; together they make no lever.
+TEST(Cantilever, RefusesAStiffnessThatNoLeverHas) {
+    CantileverGeometry geometry = referenceLever("G1_k14");
+    geometry.thickness = 1e-9;
+    geometry.length = 0.1;
+    EXPECT_THROW(Cantilever{geometry}, Error);
+    geometry.thickness = 0.5;
+    geometry.length = 1e-3;
+    EXPECT_THROW(Cantilever{geometry}, Error);
+}
+
 TEST(Cantilever, RefusesWhatIsNoBeam) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
-    for (const double bad : {0.0, -1.0, nan, infinity}) {
+    for (const double bad : {0.0, -1.0, 1e-300, 1e300, nan, infinity}) {
         for (double CantileverGeometry::*field :
              {&CantileverGeometry::youngsModulus, &CantileverGeometry::length,
               &CantileverGeometry::width, &CantileverGeometry::thickness,
-              &CantileverGeometry::tipHeight}) {
+              &CantileverGeometry::tipHeight, &CantileverGeometry::density,
+              &CantileverGeometry::qualityFactor}) {
             CantileverGeometry geometry = referenceLever("G1_k14");
             geometry.*field = bad;
             EXPECT_THROW(Cantilever{geometry}, Error);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/probe/Cantilever.h"
+#include "core/probe/OpticalLever.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace asperity {
+
+/// How the photodiode's volts belong to the lever's slopes. Source: docs/physics.md 5.2.
+struct DetectorCalibration {
+    /// Inverse optical lever sensitivity: deflection along the lever's normal per volt of the
+    /// vertical signal, measured on a hard wall [m/V].
+    std::optional<double> invOls;
+    std::optional<double> torsionPerVolt;  ///< of the lateral signal [rad/V]
+    double verticalCrossTalk = 0.0;  ///< volts in the vertical signal per volt of the lateral one
+    double lateralCrossTalk = 0.0;   ///< volts in the lateral signal per volt of the vertical one
+
+    bool operator==(const DetectorCalibration&) const = default;
+};
+
+/// Signals of the two channels of the photodiode.
+struct DetectorVolts {
+    double vertical = 0.0;  ///< [V]
+    double lateral = 0.0;   ///< [V]
+};
+
+/// Turns volts into slopes. On a hard wall a pure end force bends the lever, so that the slope is
+/// alpha = 3 / (2 l) times the deflection, l from clamp to tip.
+class VoltsToSignals {
+public:
+    /// @throw Error when one of the two sensitivities is not known, or the cross-talk leaves the
+    ///        channels indistinguishable
+    VoltsToSignals(const Cantilever& cantilever, const DetectorCalibration& detector);
+
+    /// Slopes [rad] that were measured as these volts.
+    [[nodiscard]] LeverSignals signals(const DetectorVolts& volts) const noexcept;
+    /// Standard deviations [rad] of the slopes for independent ones of the volts. What cross-talk
+    /// leaves of correlation between them is not told.
+    [[nodiscard]] LeverSignals sigma(const DetectorVolts& sigma) const noexcept;
+
+private:
+    Eigen::Matrix2d perVolt_ = Eigen::Matrix2d::Zero();  ///< (alpha, theta) per (vertical, lateral)
+};
+
+}  // namespace asperity
