@@ -114,6 +114,34 @@ TEST(SphereLawsProperty, AreFiniteAndInEquilibriumForAnyMaterialAndLever) {
     });
 }
 
+/// Corners of what the laws are made for, where a product or quotient is most likely to overflow.
+TEST(SphereLawsProperty, StayFiniteInEveryCorner) {
+    const auto expectFinite = [](const auto& law, const ContactPair& pair, double compliance) {
+        EXPECT_TRUE(isFinite(law.fold(compliance)));
+        for (const double approach :
+             {-1e-6, -1e-9, 0.0, 1e-3 * pair.tipRadius, pair.tipRadius, 10.0 * pair.tipRadius}) {
+            const auto state = law.stable(approach, compliance);
+            EXPECT_TRUE(!state || isFinite(*state));
+            EXPECT_TRUE(!state || std::isfinite(law.energy(*state)));
+        }
+    };
+    for (const double radius : {1e-10, 1e-3}) {
+        for (const double modulus : {1.0, 1e13}) {
+            for (const double work : {0.0, 1e-30, 1e-9, 100.0}) {
+                for (const double compliance : {0.0, 1e-6, 1e4}) {
+                    const ContactPair pair{radius, modulus, work};
+                    expectFinite(SneddonLaw(pair), pair, compliance);
+                    expectFinite(SphereJkrLaw(pair), pair, compliance);
+                    expectFinite(SphereMaugisLaw(pair, std::max(work, 1e-9) / 1e-12), pair,
+                                 compliance);
+                    expectFinite(SphereMaugisLaw(pair, std::max(work, 1e-9) / 1e-7), pair,
+                                 compliance);
+                }
+            }
+        }
+    }
+}
+
 template <typename Law>
 void expectMonotone(const Law& law, const AnySphere& sphere) {
     const LawPoint fold = law.fold(sphere.compliance);
