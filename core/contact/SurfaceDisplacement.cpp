@@ -12,46 +12,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// sin and cos of acos(ratio), 0 <= ratio <= 1, without cancellation near 1.
-struct EdgeAngle {
-    double sine;
-    double cosine;
-};
-
-EdgeAngle edgeAngle(double inner, double outer) noexcept {
-    if (inner == 0.0) {
-        return {1.0, 0.0};
-    }
-    const double ratio = inner / outer;
-    return {std::sqrt((outer - inner) / outer * (1.0 + ratio)), ratio};
-}
-
-/// Integral of sin^2(t) / sqrt(e + k^2 sin^2 t) from 0 to the edge angle, e > 0.
-double zoneIntegral(double e, double k, const EdgeAngle& edge) noexcept {
-    const double sine = edge.sine;
-    const double toEdge = e + (k * k * sine * sine);
-    return e / 3.0 * sine * sine * sine * carlsonRd(e * edge.cosine * edge.cosine, toEdge, e);
-}
-
-/// The integral I of docs/physics.md 4.3 over the part of the cohesive zone a < t < c seen from r;
-/// in the complement of its angle all terms are positive.
-double cohesiveIntegral(double a, double c, double r) noexcept {
-    if (c == a) {
-        return 0.0;
-    }
-    const double e = std::abs(c - r) * (c + r);
-    if (e == 0.0) {
-        return c - a;
-    }
-    if (r > c) {
-        return c * c * zoneIntegral(e, c, edgeAngle(a, c));
-    }
-    const EdgeAngle edge = edgeAngle(a, r);
-    const double toEdge = e + (r * r * edge.sine * edge.sine);
-    return (e * edge.sine * carlsonRf(e * edge.cosine * edge.cosine, toEdge, e)) +
-           (r * r * zoneIntegral(e, r, edge));
-}
-
 /// Lift of the surface by van der Waals attraction at separation D over that on the axis, at
 /// `ratio` = r / sqrt(2 R D): the pressure H / (6 pi (D + r^2/2R)^3) in Abel's representation.
 double attractionLiftShape(double ratio) noexcept {
@@ -69,23 +29,6 @@ double attractionLift(const AttractiveTail& tail, double separation, double radi
 }
 
 }  // namespace
-
-double surfaceDisplacement(const CohesiveContact& contact, double radius) noexcept {
-    const double a = contact.contactRadius;
-    const double r = radius;
-    if (a > 0.0 && r <= a) {
-        return contact.indentation - (r * r / (2.0 * contact.tipRadius));
-    }
-    const double cohesive = 2.0 * contact.cohesiveStress / contact.reducedModulus *
-                            cohesiveIntegral(a, contact.cohesiveRadius, r);
-    if (a == 0.0) {
-        return -2.0 / pi * cohesive;
-    }
-    const double angle = std::asin(a / r);
-    const double paraboloid =
-        ((r * r * angle) - (a * std::sqrt((r - a) * (r + a)))) / (2.0 * contact.tipRadius);
-    return 2.0 / pi * ((contact.indentation * angle) - paraboloid - cohesive);
-}
 
 double surfaceDisplacement(const ContactModel& model, const ContactState& state,
                            double radius) noexcept {

@@ -15,39 +15,6 @@ namespace {
 using std::numbers::pi;
 using test::expectClose;
 using test::paperPair;
-using test::ReferenceTable;
-
-/// Largest displacement of the profile: on the axis, or the lift where the cohesive zone ends.
-double peakOf(const CohesiveContact& contact) {
-    return std::max(std::abs(contact.indentation), 4.0 * contact.cohesiveStress *
-                                                       contact.cohesiveRadius /
-                                                       (pi * contact.reducedModulus));
-}
-
-TEST(SurfaceDisplacement, HasTheReferenceProfiles) {
-    const ReferenceTable table = test::referenceTable("T08_surface_profiles.csv");
-    ASSERT_EQ(table.rows(), 284U);
-    int compared = 0;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        const std::string& model = table.text(row, "model");
-        if (model != "MD" && model != "Hertz") {
-            continue;
-        }
-        SCOPED_TRACE(row);
-        const double a = table.number(row, "a_m");
-        const CohesiveContact contact{
-            .tipRadius = table.number(row, "R_m"),
-            .reducedModulus = table.number(row, "Es_Pa"),
-            .cohesiveStress = model == "MD" ? table.number(row, "s0_Pa") : 0.0,
-            .indentation = table.number(row, "delta_m"),
-            .contactRadius = a,
-            .cohesiveRadius = model == "MD" ? table.number(row, "c_m") : a};
-        EXPECT_NEAR(surfaceDisplacement(contact, table.number(row, "r_m")),
-                    table.number(row, "u_z_m"), 1e-12 * peakOf(contact));
-        ++compared;
-    }
-    EXPECT_EQ(compared, 236);
-}
 
 TEST(SurfaceDisplacement, IsContinuousAcrossTheEdgesOfContactAndCohesion) {
     test::checkProperty([] {
