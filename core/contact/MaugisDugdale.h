@@ -40,20 +40,28 @@ public:
     /// The stable state at a held value; none below the fold.
     [[nodiscard]] std::optional<MaugisPoint> stable(const MaugisControl& control,
                                                     double value) const noexcept;
+    /// The same state to rounding, by Newton's method from the coordinate of a state near it, such
+    /// as the previous one of a slow motion; a `start` that is far away, huge or not a number only
+    /// costs time.
+    [[nodiscard]] std::optional<MaugisPoint> stable(const MaugisControl& control, double value,
+                                                    double start) const noexcept;
     /// The state with this contact radius (> 0), stable or not.
     [[nodiscard]] MaugisPoint atContactRadius(double contactRadius) const noexcept;
 
 private:
     [[nodiscard]] MaugisPoint climb(const MaugisControl& control, double value,
                                     const MaugisPoint& from) const noexcept;
+    [[nodiscard]] std::optional<MaugisPoint> follow(const MaugisControl& control, double value,
+                                                    double start) const noexcept;
+    [[nodiscard]] bool isSurelyStable(const MaugisControl& control,
+                                      const MaugisPoint& point) const noexcept;
     [[nodiscard]] MaugisPoint stableNoncontact(const MaugisControl& control,
                                                double value) const noexcept;
 
     MaugisCurve curve_;
-    MaugisPoint touch_;              ///< first touch, as a state without contact
-    MaugisPoint loadFold_;           ///< smallest force of all states
-    double displacementFold_ = 0.0;  ///< coordinate; 0 where that fold has no contact
-    double start_ = 0.0;             ///< coordinate of the state without force
+    MaugisPoint touch_;      ///< first touch, as a state without contact
+    MaugisPoint loadFold_;   ///< smallest force of all states
+    MaugisPoint lastTouch_;  ///< end of the branch with contact in displacement control
 };
 
 }  // namespace asperity
