@@ -155,10 +155,10 @@ MaugisDugdale::MaugisDugdale(double lambda) noexcept
     const Landmarks near = landmarksOf(lambda);
     const auto forceRate = [this](double x) { return curve_.contact(x).forceRate; };
     loadFold_ = curve_.contact(rootNear(forceRate, near.loadFold, 0.0, near.noForce * 1.5));
-    lastTouch_ = curve_.contact(0.0);
+    lowestContact_ = curve_.contact(0.0);
     if (touch_.indentationRate < 0.0) {
         const auto indentationRate = [this](double x) { return curve_.contact(x).indentationRate; };
-        lastTouch_ = curve_.contact(
+        lowestContact_ = curve_.contact(
             rootNear(indentationRate, near.displacementFold, 0.0, loadFold_.coordinate));
     }
 }
@@ -174,7 +174,7 @@ MaugisPoint MaugisDugdale::fold(const MaugisControl& control) const noexcept {
             (control.perIndentation - (pi * curve_.lambda() * control.perForce)));
     }
     if (control.perForce == 0.0) {
-        return lastTouch_;
+        return lowestContact_;
     }
     // Between these ends the two parts of the rate have opposite signs: their balance over their
     // sum runs from -1 to 1.
@@ -183,9 +183,9 @@ MaugisPoint MaugisDugdale::fold(const MaugisControl& control) const noexcept {
         const double pull = control.perForce * std::abs(point.forceRate);
         return (point.indentationRate - pull) / (std::abs(point.indentationRate) + pull);
     };
-    const double low = lastTouch_.coordinate;
+    const double low = lowestContact_.coordinate;
     const double high = loadFold_.coordinate;
-    const double pull = control.perForce * std::abs(lastTouch_.forceRate);
+    const double pull = control.perForce * std::abs(lowestContact_.forceRate);
     const double part = pull / (pull + loadFold_.indentationRate);
     return curve_.contact(rootNear(balance, low + (part * (high - low)), low, high));
 }

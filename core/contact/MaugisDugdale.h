@@ -35,6 +35,9 @@ public:
 
     [[nodiscard]] const MaugisCurve& curve() const noexcept { return curve_; }
 
+    /// The state with contact and the smallest indentation: the fold in displacement control, or
+    /// first touch where that fold has no contact.
+    [[nodiscard]] const MaugisPoint& lowestContact() const noexcept { return lowestContact_; }
     /// End of the stable branch: the smallest value that can be held in contact or cohesion.
     [[nodiscard]] MaugisPoint fold(const MaugisControl& control) const noexcept;
     /// The stable state at a held value; none below the fold.
@@ -59,9 +62,9 @@ private:
                                                double value) const noexcept;
 
     MaugisCurve curve_;
-    MaugisPoint touch_;      ///< first touch, as a state without contact
-    MaugisPoint loadFold_;   ///< smallest force of all states
-    MaugisPoint lastTouch_;  ///< end of the branch with contact in displacement control
+    MaugisPoint touch_;          ///< first touch, as a state without contact
+    MaugisPoint loadFold_;       ///< smallest force of all states
+    MaugisPoint lowestContact_;  ///< end of the stable states with contact, by indentation
 };
 
 }  // namespace asperity

@@ -8,8 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ostream>
 
 namespace asperity {
+
+/// Lets RapidCheck print a counter-example.
+void showValue(const MaugisControl& control, std::ostream& stream) {
+    stream << control.perIndentation << " indentation + " << control.perForce << " force";
+}
+
 namespace {
 
 using test::expectClose;
@@ -188,8 +195,10 @@ bool isTheStableState(const MaugisDugdale& law, const MaugisControl& control, do
                       const MaugisPoint& state) {
     const double square = state.contactRadius * state.contactRadius;
     const double cube = square * state.contactRadius;
-    const double size = (control.perIndentation * (square + std::abs(square - state.indentation))) +
-                        (control.perForce * (cube + std::abs(cube - state.force)));
+    const double gap = state.contactRadius > 0.0 ? 0.0 : law.curve().range();
+    const double size =
+        (control.perIndentation * (square + gap + std::abs(square - state.indentation))) +
+        (control.perForce * (cube + std::abs(cube - state.force)));
     return std::abs(control.held(state) - value) <= 16.0 * kEpsilon * size &&
            state.coordinate >= law.fold(control).coordinate;
 }
@@ -204,7 +213,9 @@ TEST(MaugisDugdale, FindsTheSameStateFromAnyStart) {
         const auto cold = law.stable(control, value);
         const auto warm = law.stable(control, value, start);
         RC_ASSERT(cold.has_value() == warm.has_value());
-        RC_ASSERT(!warm || isTheStableState(law, control, value, *warm));
+        if (warm) {
+            RC_ASSERT(isTheStableState(law, control, value, *warm));
+        }
     });
 }
 
@@ -220,7 +231,9 @@ TEST(MaugisDugdale, FollowsASlowMotionToTheSameStates) {
             const auto cold = law.stable(control, value);
             const auto warm = law.stable(control, value, coordinate);
             RC_ASSERT(cold.has_value() == warm.has_value());
-            RC_ASSERT(!warm || isTheStableState(law, control, value, *warm));
+            if (warm) {
+                RC_ASSERT(isTheStableState(law, control, value, *warm));
+            }
             coordinate = warm ? warm->coordinate : coordinate;
         }
     });
