@@ -21,7 +21,8 @@ namespace {
 constexpr double kLargest = 100.0;    // indentation of the tables
 constexpr double kRadiusSpan = 2.15;  // of lambda for a tenth to ten times the effective radius
 constexpr double kDeepest = 10.0;     // indentation of a sweep
-constexpr int kRepeats = 41;
+constexpr int kRepeats = 201;
+constexpr std::size_t kLongest = 400;  // short sweeps are seldom interrupted
 
 struct Material {
     const char* name;
@@ -65,7 +66,7 @@ void measure(std::vector<Way>& ways) {
 std::vector<double> sweepOf(const MaugisDugdale& law, double step) {
     const double low = law.lowestContact().indentation + 0.05;
     std::vector<double> sweep;
-    for (double x = low; x < kDeepest; x += step) {
+    for (double x = low; x < kDeepest && sweep.size() < kLongest; x += step) {
         sweep.push_back(x);
     }
     const std::vector<double> back(sweep.rbegin(), sweep.rend());
@@ -150,15 +151,14 @@ Errors errorsAgainstReference() {
     return errors;
 }
 
-/// Solving at each indentation of a sweep, the coordinate of one state the start of the next.
+/// Solving at each indentation of a sweep, one state the start of the next.
 Way warmWay(const MaugisDugdale& law, const std::string& name, double step, double target) {
     const std::vector<double> sweep = sweepOf(law, step);
     const auto run = [&law, sweep] {
-        double coordinate = 1.0;
+        MaugisPoint last;
         for (const double x : sweep) {
-            const auto point = law.stable(MaugisControl::displacement(), x, coordinate);
-            coordinate = point->coordinate;
-            used = point->force;
+            last = *law.stable(MaugisControl::displacement(), x, last);
+            used = last.force;
         }
     };
     return {
@@ -207,7 +207,7 @@ Way springWay(const MaugisDugdale& law, const MaugisTable& table) {
 
 /// Folds for a new effective radius, and on a spring: exact for every way above.
 Way foldsWay(double lambda) {
-    constexpr int kCount = 200;
+    constexpr int kCount = 100;
     const auto run = [lambda] {
         for (int i = 0; i < kCount; ++i) {
             used = MaugisDugdale(lambda * (1.0 + (1e-4 * i))).lowestContact().force;
@@ -217,7 +217,7 @@ Way foldsWay(double lambda) {
 }
 
 Way springFoldWay(const MaugisDugdale& law) {
-    constexpr int kCount = 200;
+    constexpr int kCount = 100;
     const auto run = [&law] {
         for (int i = 0; i < kCount; ++i) {
             used = law.fold(MaugisControl::spring(0.5 + (1e-3 * i))).force;

@@ -136,16 +136,26 @@ private:
     double high_ = kInfinity;
 };
 
-/// Where the value is taken by the cubic, in the value, through two states and their rates.
-double inverseHermite(const MaugisPoint& previous, const Rise& before, const MaugisPoint& here,
-                      const Rise& rise, double value) noexcept {
+/// Coordinates from which Newton's method may set out: nothing overflows between them.
+bool isStart(double coordinate) noexcept { return isWithin(coordinate, 1e-30, 1e18); }
+
+/// Newton's step; infinite where it would leave the branch.
+double newtonStep(const Rise& rise, double value, double coordinate) noexcept {
+    const double climb = value - rise.value;
+    const bool stays = rise.rate > 0.0 && std::abs(climb) <= coordinate * rise.rate;
+    return stays ? climb / rise.rate : kInfinity;
+}
+
+/// From the second of two states, `width` apart, to where the cubic through both and their rates
+/// takes the value.
+double inverseHermite(double width, const Rise& before, const Rise& rise, double value) noexcept {
     const double span = rise.value - before.value;
     const double t = (value - rise.value) / span;
-    const double chord = (here.coordinate - previous.coordinate) / span;
+    const double chord = width / span;
     const double slope = 1.0 / rise.rate;
     const double bend = slope - chord;
     const double twist = slope + (1.0 / before.rate) - (2.0 * chord);
-    return here.coordinate + (span * t * (slope + (t * (bend + ((1.0 + t) * twist)))));
+    return span * t * (slope + (t * (bend + ((1.0 + t) * twist))));
 }
 
 }  // namespace
@@ -211,41 +221,46 @@ std::optional<MaugisPoint> MaugisDugdale::stable(const MaugisControl& control,
 
 std::optional<MaugisPoint> MaugisDugdale::stable(const MaugisControl& control, double value,
                                                  double start) const noexcept {
-    const auto point = follow(control, value, start);
-    return point ? point : stable(control, value);
+    return isStart(start) ? stable(control, value, curve_.contact(start)) : stable(control, value);
+}
+
+std::optional<MaugisPoint> MaugisDugdale::stable(const MaugisControl& control, double value,
+                                                 const MaugisPoint& start) const noexcept {
+    std::optional<MaugisPoint> point;
+    if (isStart(start.coordinate)) {
+        point = follow(control, value, start);
+    }
+    if (!point) {
+        point = stable(control, value);
+    }
+    return point;
 }
 
 /// Steps of at most a factor of two along the branch with contact. Nothing is returned where they
 /// do not settle at once, or so near a fold that rounding could decide on the other side of it.
+/// `start` is not believed to be on this curve: at least one step is taken.
 std::optional<MaugisPoint> MaugisDugdale::follow(const MaugisControl& control, double value,
-                                                 double start) const noexcept {
+                                                 const MaugisPoint& start) const noexcept {
     constexpr int kMaxIterations = 6;
-    constexpr double kSmallestStart = 1e-30;
-    constexpr double kLargestStart = 1e18;
-    if (!isWithin(start, kSmallestStart, kLargestStart)) {
-        return std::nullopt;
-    }
-    MaugisPoint previous;
-    Rise before{};
-    MaugisPoint point = curve_.contact(start);
+    double previous = start.coordinate;
+    Rise before = heldRise(control, start);
+    double here = previous + newtonStep(before, value, previous);
     for (int i = 0; i < kMaxIterations; ++i) {
+        if (!isWithin(here, 0.5 * previous, 2.0 * previous)) {
+            break;
+        }
+        const MaugisPoint point = curve_.contact(here);
         const Rise rise = heldRise(control, point);
         const double miss = std::abs(rise.value - value);
         if (miss <= rise.rounding) {
             return isSurelyStable(control, point) ? std::optional(point) : std::nullopt;
         }
-        const double here = point.coordinate;
-        if (miss > here * rise.rate || (i > 0 && rise.value == before.value)) {
-            return std::nullopt;
+        if (miss > here * rise.rate || rise.value == before.value) {
+            break;
         }
-        const double next = i == 0 ? here + ((value - rise.value) / rise.rate)
-                                   : inverseHermite(previous, before, point, rise, value);
-        if (!isWithin(next, 0.5 * here, 2.0 * here)) {
-            return std::nullopt;
-        }
-        previous = point;
+        const double step = inverseHermite(here - previous, before, rise, value);
+        previous = std::exchange(here, here + step);
         before = rise;
-        point = curve_.contact(next);
     }
     return std::nullopt;
 }

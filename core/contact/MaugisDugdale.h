@@ -43,9 +43,13 @@ public:
     /// The stable state at a held value; none below the fold.
     [[nodiscard]] std::optional<MaugisPoint> stable(const MaugisControl& control,
                                                     double value) const noexcept;
-    /// The same state to rounding, by Newton's method from the coordinate of a state near it, such
-    /// as the previous one of a slow motion; a `start` that is far away, huge or not a number only
-    /// costs time.
+    /// The same state to rounding, by Newton's method from a state near it, such as the previous
+    /// one of a slow motion, of this transition parameter or one close to it. A `start` far away or
+    /// without contact only costs time.
+    [[nodiscard]] std::optional<MaugisPoint> stable(const MaugisControl& control, double value,
+                                                    const MaugisPoint& start) const noexcept;
+    /// The same from the coordinate of such a state, one evaluation of the curve more; any number
+    /// is allowed, even one that is not.
     [[nodiscard]] std::optional<MaugisPoint> stable(const MaugisControl& control, double value,
                                                     double start) const noexcept;
     /// The state with this contact radius (> 0), stable or not.
@@ -55,7 +59,7 @@ private:
     [[nodiscard]] MaugisPoint climb(const MaugisControl& control, double value,
                                     const MaugisPoint& from) const noexcept;
     [[nodiscard]] std::optional<MaugisPoint> follow(const MaugisControl& control, double value,
-                                                    double start) const noexcept;
+                                                    const MaugisPoint& start) const noexcept;
     [[nodiscard]] bool isSurelyStable(const MaugisControl& control,
                                       const MaugisPoint& point) const noexcept;
     [[nodiscard]] MaugisPoint stableNoncontact(const MaugisControl& control,

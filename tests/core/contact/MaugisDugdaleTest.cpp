@@ -225,16 +225,35 @@ TEST(MaugisDugdale, FollowsASlowMotionToTheSameStates) {
         const MaugisControl control = *anyControl();
         const double end = control.held(law.fold(control));
         const double step = *test::logUniform(1e-6, 1.0);
-        double coordinate = 0.0;
+        MaugisPoint last;
         for (int i = 50; i > -2; --i) {
             const double value = end + (step * i);
             const auto cold = law.stable(control, value);
-            const auto warm = law.stable(control, value, coordinate);
+            const auto warm = law.stable(control, value, last);
             RC_ASSERT(cold.has_value() == warm.has_value());
             if (warm) {
                 RC_ASSERT(isTheStableState(law, control, value, *warm));
             }
-            coordinate = warm ? warm->coordinate : coordinate;
+            last = warm.value_or(last);
+        }
+    });
+}
+
+/// As where the surface curves under a moving tip.
+TEST(MaugisDugdale, StartsFromAStateOfAnotherTransitionParameter) {
+    test::checkProperty([] {
+        const double lambda = *test::logUniform(1e-3, 1e3);
+        const MaugisDugdale before(lambda);
+        const MaugisDugdale law(lambda * *test::logUniform(0.1, 10.0));
+        const MaugisControl control = *anyControl();
+        const double value = control.held(before.fold(control)) + *test::logUniform(1e-6, 1e3);
+        const auto last = before.stable(control, value);
+        const double moved = value + *test::logUniform(1e-6, 1.0);
+        const auto cold = law.stable(control, moved);
+        const auto warm = law.stable(control, moved, *last);
+        RC_ASSERT(cold.has_value() == warm.has_value());
+        if (warm) {
+            RC_ASSERT(isTheStableState(law, control, moved, *warm));
         }
     });
 }
