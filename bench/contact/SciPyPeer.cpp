@@ -1,8 +1,10 @@
 #include "bench/contact/SciPyPeer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iomanip>
 #include <memory>
 #include <sstream>
@@ -35,13 +37,14 @@ std::optional<PeerTiming> timeSciPy(const std::string& style,
     }
     PeerTiming timing;
     std::vector<double> times;
+    std::array<char, 128> line{};
     for (const ContactCase& one : cases) {
-        double nanoseconds = 0.0;
-        double force = 0.0;
-        if (std::fscanf(pipe.get(), "%lf %lf", &nanoseconds, &force) != 2) {
+        if (std::fgets(line.data(), static_cast<int>(line.size()), pipe.get()) == nullptr) {
             return std::nullopt;
         }
-        times.push_back(nanoseconds);
+        char* next = nullptr;
+        times.push_back(std::strtod(line.data(), &next));
+        const double force = std::strtod(next, nullptr);
         timing.error = std::max(timing.error,
                                 std::abs(force - one.force) / std::max(std::abs(one.force), 1.0));
     }

@@ -23,8 +23,8 @@ public:
     }
     /// The value at a place in a cell.
     [[nodiscard]] double valueAt(std::int64_t cell, double place) const noexcept {
-        const double low = std::bit_cast<double>(cell << (kMantissaBits - bits_));
-        const double high = std::bit_cast<double>((cell + 1) << (kMantissaBits - bits_));
+        const auto low = std::bit_cast<double>(cell << (kMantissaBits - bits_));
+        const auto high = std::bit_cast<double>((cell + 1) << (kMantissaBits - bits_));
         return low + (0.5 * (1.0 + place) * (high - low));
     }
 

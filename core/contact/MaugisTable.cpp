@@ -31,9 +31,8 @@ double coordinateOf(const MaugisState& state) noexcept {
     return squares > 0.0 ? state.contactRadius / std::sqrt(squares) : 0.0;
 }
 
-/// Kept out of line: the callers are to stay short where the table answers.
-[[gnu::noinline]] std::optional<MaugisState>
-exact(const MaugisDugdale& law, const MaugisControl& control, double value, double start) noexcept {
+std::optional<MaugisState> exact(const MaugisDugdale& law, const MaugisControl& control,
+                                 double value, double start) noexcept {
     const auto point = law.stable(control, value, start);
     return point ? std::optional(stateOf(*point)) : std::nullopt;
 }
@@ -52,41 +51,11 @@ std::size_t MaugisTable::bytes() const noexcept {
     return (data_.coefficients.size() * sizeof(double)) + data_.accurate.size();
 }
 
-std::optional<MaugisTable::Entry> MaugisTable::entry(const MaugisDugdale& law,
-                                                     double indentation) const noexcept {
-    const double lambda = law.curve().lambda();
-    const double square = indentation - law.lowestContact().indentation;
-    if (!(lambda >= data_.lambdaLow && lambda <= data_.lambdaHigh && square > 0.0)) {
-        return std::nullopt;
-    }
-    const double root = std::sqrt(square);
-    if (root > data_.largestRoot) {
-        return std::nullopt;
-    }
-    const double ratio = lambda * (1.0 / Data::kLambdaOfChange);
-    const auto row = static_cast<std::size_t>(Data::kRows.cellOf(ratio) - data_.firstRow);
-    const auto column =
-        static_cast<std::size_t>(Data::kColumns.cellOf(Data::kNear + root) - Data::kFirstColumn);
-    const std::size_t cell = (row * data_.columns) + column;
-    const auto [force, contactRadius, cohesiveRadius, slope] = data_.evaluate(
-        cell, Data::kColumns.placeOf(Data::kNear + root), Data::kRows.placeOf(ratio));
-    return Entry{.state = {.indentation = indentation,
-                           .force = force,
-                           .stiffness = data_.hasFold(row) ? slope / root : slope,
-                           .contactRadius = contactRadius,
-                           .cohesiveRadius = cohesiveRadius},
-                 .root = root,
-                 .accurate = data_.accurate[cell] != 0};
-}
-
-std::optional<MaugisState> MaugisTable::at(const MaugisDugdale& law,
-                                           double indentation) const noexcept {
-    const auto found = entry(law, indentation);
-    if (found && found->accurate) {
-        return found->state;
-    }
+std::optional<MaugisState> MaugisTable::exactAt(const MaugisDugdale& law,
+                                                double indentation) const noexcept {
+    const auto near = entry(law, indentation);
     return exact(law, MaugisControl::displacement(), indentation,
-                 found ? coordinateOf(found->state) : 0.0);
+                 near ? coordinateOf(near->state) : 0.0);
 }
 
 std::optional<MaugisState> MaugisTable::stable(const MaugisDugdale& law, double compliance,

@@ -3,6 +3,7 @@
 #include "core/contact/MaugisDugdale.h"
 #include "core/contact/MaugisTableData.h"
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -55,8 +56,46 @@ private:
 
     [[nodiscard]] std::optional<Entry> entry(const MaugisDugdale& law,
                                              double indentation) const noexcept;
+    [[nodiscard]] std::optional<MaugisState> exactAt(const MaugisDugdale& law,
+                                                     double indentation) const noexcept;
 
     MaugisTableData data_;
 };
+
+// In the header because a look-up is so short that a caller should pay only for what it uses.
+
+inline std::optional<MaugisTable::Entry> MaugisTable::entry(const MaugisDugdale& law,
+                                                            double indentation) const noexcept {
+    using Data = MaugisTableData;
+    const double lambda = law.curve().lambda();
+    const double square = indentation - law.lowestContact().indentation;
+    if (!(lambda >= data_.lambdaLow && lambda <= data_.lambdaHigh && square > 0.0)) {
+        return std::nullopt;
+    }
+    const double root = std::sqrt(square);
+    if (root > data_.largestRoot) {
+        return std::nullopt;
+    }
+    const double ratio = lambda * (1.0 / Data::kLambdaOfChange);
+    const auto row = static_cast<std::size_t>(Data::kRows.cellOf(ratio) - data_.firstRow);
+    const auto column =
+        static_cast<std::size_t>(Data::kColumns.cellOf(Data::kNear + root) - Data::kFirstColumn);
+    const std::size_t cell = (row * data_.columns) + column;
+    const auto [force, contactRadius, cohesiveRadius, slope] = data_.evaluate(
+        cell, Data::kColumns.placeOf(Data::kNear + root), Data::kRows.placeOf(ratio));
+    return Entry{.state = {.indentation = indentation,
+                           .force = force,
+                           .stiffness = data_.hasFold(row) ? slope / root : slope,
+                           .contactRadius = contactRadius,
+                           .cohesiveRadius = cohesiveRadius},
+                 .root = root,
+                 .accurate = data_.accurate[cell] != 0};
+}
+
+inline std::optional<MaugisState> MaugisTable::at(const MaugisDugdale& law,
+                                                  double indentation) const noexcept {
+    const auto found = entry(law, indentation);
+    return found && found->accurate ? std::optional(found->state) : exactAt(law, indentation);
+}
 
 }  // namespace asperity
