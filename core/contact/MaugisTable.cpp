@@ -63,7 +63,7 @@ std::optional<MaugisState> MaugisTable::stable(const MaugisDugdale& law, double 
     constexpr int kMaxIterations = 6;
     constexpr double kSettled = 1e-12;  // relative
     double coordinate = 0.0;
-    double indentation = start;
+    double indentation = std::isfinite(start) ? start : 0.0;
     for (int i = 0; i < kMaxIterations; ++i) {
         const auto found = entry(law, indentation);
         if (!found || !found->accurate) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace asperity {
@@ -64,8 +65,24 @@ TEST(MaugisTable, IsAsAccurateAsWantedForThePapersMaterials) {
 
 /// An indentation of stable contact, as often close to the lowest as far from it.
 double anyIndentation(const MaugisDugdale& law) {
-    const double root = *test::logUniform(1e-3, std::sqrt(kLargest));
+    const double root = *test::logUniform(1e-7, std::sqrt(kLargest));
     return law.lowestContact().indentation + (root * root);
+}
+
+double stiffnessOf(const MaugisPoint& point) { return point.forceRate / point.indentationRate; }
+
+/// What four roundings of the indentation do to the exact state: close to a fold that is more than
+/// the bound.
+double conditionAt(const MaugisDugdale& law, double indentation) {
+    const double nudge =
+        4.0 * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(indentation));
+    const auto control = MaugisControl::displacement();
+    const MaugisPoint low = law.stable(control, indentation - nudge).value_or(law.lowestContact());
+    const MaugisPoint high = *law.stable(control, indentation + nudge);
+    return std::max({relative(high.force, low.force),
+                     relative(high.contactRadius, low.contactRadius),
+                     relative(high.cohesiveRadius, low.cohesiveRadius),
+                     relative(stiffnessOf(high), stiffnessOf(low))});
 }
 
 TEST(MaugisTable, IsNeverOffByMoreThanItsBound) {
@@ -77,10 +94,10 @@ TEST(MaugisTable, IsNeverOffByMoreThanItsBound) {
         const double indentation = anyIndentation(law);
         const auto state = table.at(law, indentation);
         const auto exact = law.stable(MaugisControl::displacement(), indentation);
+        const double limit = std::max(table.errorBound(), conditionAt(law, indentation));
         RC_ASSERT(state.has_value());
-        RC_ASSERT(worstError(*state, *exact) <= table.errorBound());
-        RC_ASSERT(relative(state->stiffness, exact->forceRate / exact->indentationRate) <=
-                  table.errorBound());
+        RC_ASSERT(worstError(*state, *exact) <= limit);
+        RC_ASSERT(relative(state->stiffness, stiffnessOf(*exact)) <= limit);
     });
 }
 
@@ -95,9 +112,10 @@ TEST(MaugisTable, BalancesASpringWithinItsBound) {
         const double value =
             control.held(law.fold(control)) + *test::logUniform(1e-4, kLargest) - 1e-3;
         const auto exact = law.stable(control, value);
-        const double start =
-            *rc::gen::oneOf(rc::gen::just(exact ? exact->indentation + 0.1 : 0.0),
-                            rc::gen::just(-1e9), rc::gen::just(1e9), test::logUniform(1e-3, 1e3));
+        const double start = *rc::gen::oneOf(
+            rc::gen::just(exact ? exact->indentation + 0.1 : 0.0), rc::gen::just(-1e9),
+            rc::gen::just(1e9), rc::gen::just(std::numeric_limits<double>::quiet_NaN()),
+            test::logUniform(1e-3, 1e3));
         const auto state = table.stable(law, compliance, value, start);
         RC_ASSERT(state.has_value() == exact.has_value());
         RC_ASSERT(!exact || worstError(*state, *exact) <= table.errorBound());
@@ -129,9 +147,10 @@ TEST(MaugisTable, KeepsItsBoundForAnyTransitionParameter) {
         SCOPED_TRACE(lambda);
         const MaugisTable table({lambda, 1.5 * lambda, kLargest});
         EXPECT_LE(table.errorBound(), kBound);
-        for (double ratio = 1.0; ratio < 1.5; ratio += 0.0317) {
-            const MaugisDugdale law(lambda * ratio);
-            for (double root = 1e-3; root < 10.0; root *= 1.37) {
+        for (int i = 0; i < 16; ++i) {
+            const MaugisDugdale law(lambda * (1.0 + (0.0317 * i)));
+            for (int j = 0; j < 30; ++j) {
+                const double root = 1e-3 * std::pow(1.37, j);
                 const double indentation = law.lowestContact().indentation + (root * root);
                 const auto exact = law.stable(MaugisControl::displacement(), indentation);
                 EXPECT_LE(worstError(*table.at(law, indentation), *exact), table.errorBound());
@@ -174,7 +193,8 @@ TEST(MaugisTable, AllocatesNothingInUse) {
     const MaugisTable& table = paperTables()[1];
     const std::size_t before = test::allocationCount();
     double indentation = 5.0;
-    for (double lambda = 0.4; lambda < 1.5; lambda += 0.01) {
+    for (int i = 0; i < 110; ++i) {
+        const double lambda = 0.4 + (0.01 * i);
         const MaugisDugdale law(lambda);
         const auto held = table.stable(law, 0.5, 8.0 - (8.0 * lambda), indentation);
         const auto state = table.at(law, lambda);
