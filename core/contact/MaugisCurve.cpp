@@ -1,6 +1,8 @@
 #include "core/contact/MaugisCurve.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace asperity {
@@ -34,23 +36,45 @@ struct ZoneMoments {
     double elastic;    ///< B = phi sin(phi) - 2 sin^2(phi / 2)
 };
 
-/// The closed forms are differences of nearly equal numbers for small phi; these are their series
+/// Coefficients of powers of phi^2 in A / phi^3 and B / phi^2.
+struct MomentSeries {
+    static constexpr int kTerms = 10;  // the next one is below 1e-17 of the sum at kSeriesLimit
+    std::array<double, kTerms> geometric{};
+    std::array<double, kTerms> elastic{};
+};
+
 /// A = 1/2 sum (-1)^(k+1) 2k x^(2k+1) / (2k+1)!, x = 2 phi;  B = sum (-1)^(k+1) (2k-1) phi^(2k) /
 /// (2k)!.
-ZoneMoments momentsBySeries(double phi) noexcept {
-    constexpr int kTerms = 10;  // the next one is below 1e-17 of the sum at phi = 0.5
-    const double square = phi * phi;
-    double powerOfDouble = 2.0 / 3.0 * phi * square;  // x^(2k+1) / (2 (2k+1)!) at k = 1
-    double power = square / 2.0;                      // phi^(2k) / (2k)! at k = 1
-    ZoneMoments moments{0.0, 0.0};
-    for (int k = 1; k <= kTerms; ++k) {
-        const double twoK = 2.0 * k;
-        moments.geometric += twoK * powerOfDouble;
-        moments.elastic += (twoK - 1.0) * power;
-        powerOfDouble *= -4.0 * square / ((twoK + 2.0) * (twoK + 3.0));
-        power *= -square / ((twoK + 1.0) * (twoK + 2.0));
+constexpr MomentSeries momentSeries() noexcept {
+    MomentSeries series;
+    double powerOfDouble = 2.0 / 3.0;  // 2^(2k+1) / (2 (2k+1)!) with its sign, at k = 1
+    double power = 0.5;                // 1 / (2k)! with its sign, at k = 1
+    for (std::size_t i = 0; i < MomentSeries::kTerms; ++i) {
+        const double twoK = 2.0 * static_cast<double>(i + 1);
+        series.geometric[i] = twoK * powerOfDouble;
+        series.elastic[i] = (twoK - 1.0) * power;
+        powerOfDouble *= -4.0 / ((twoK + 2.0) * (twoK + 3.0));
+        power *= -1.0 / ((twoK + 1.0) * (twoK + 2.0));
     }
-    return moments;
+    return series;
+}
+
+/// The closed forms are differences of nearly equal numbers for small phi; these are not. Even and
+/// odd terms are summed apart: half as long a chain of dependent operations.
+ZoneMoments momentsBySeries(double phi) noexcept {
+    constexpr MomentSeries kSeries = momentSeries();
+    const double square = phi * phi;
+    const double fourth = square * square;
+    ZoneMoments even{0.0, 0.0};
+    ZoneMoments odd{0.0, 0.0};
+    for (std::size_t i = MomentSeries::kTerms; i > 0; i -= 2) {
+        odd.geometric = (odd.geometric * fourth) + kSeries.geometric[i - 1];
+        odd.elastic = (odd.elastic * fourth) + kSeries.elastic[i - 1];
+        even.geometric = (even.geometric * fourth) + kSeries.geometric[i - 2];
+        even.elastic = (even.elastic * fourth) + kSeries.elastic[i - 2];
+    }
+    return {(even.geometric + (odd.geometric * square)) * square * phi,
+            (even.elastic + (odd.elastic * square)) * square};
 }
 
 ZoneMoments momentsOf(const Angle& phi) noexcept {

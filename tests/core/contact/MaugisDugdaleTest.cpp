@@ -8,8 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ostream>
 
 namespace asperity {
+
+/// Lets RapidCheck print a counter-example.
+void showValue(const MaugisControl& control, std::ostream& stream) {
+    stream << control.perIndentation << " indentation + " << control.perForce << " force";
+}
+
 namespace {
 
 using test::expectClose;
@@ -165,6 +172,89 @@ TEST(MaugisDugdale, FindsNothingBelowTheFold) {
         const double step = 1e-9 * (std::abs(value) + law.curve().range());
         RC_ASSERT(!law.stable(control, value - step));
         RC_ASSERT(law.stable(control, value + step));
+    });
+}
+
+/// Any double, most of them of no use as a coordinate.
+rc::Gen<double> anyStart() {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return rc::gen::oneOf(test::logUniform(1e-150, 1e150), test::logUniform(1e-3, 1e3),
+                          rc::gen::element(0.0, -1.0, kNan, kInfinity, -kInfinity, 1e-308, 1e308));
+}
+
+rc::Gen<MaugisControl> anyControl() {
+    return rc::gen::oneOf(rc::gen::element(MaugisControl::load(), MaugisControl::displacement()),
+                          rc::gen::map(test::logUniform(1e-6, 1e6),
+                                       [](double c) { return MaugisControl::spring(c); }));
+}
+
+/// Whether it is the one stable state: the held value rises along the whole stable branch, so that
+/// a state on it which has the value to rounding is that one.
+bool isTheStableState(const MaugisDugdale& law, const MaugisControl& control, double value,
+                      const MaugisPoint& state) {
+    const double square = state.contactRadius * state.contactRadius;
+    const double cube = square * state.contactRadius;
+    const double gap = state.contactRadius > 0.0 ? 0.0 : law.curve().range();
+    const double size =
+        (control.perIndentation * (square + gap + std::abs(square - state.indentation))) +
+        (control.perForce * (cube + std::abs(cube - state.force)));
+    return std::abs(control.held(state) - value) <= 16.0 * kEpsilon * size &&
+           state.coordinate >= law.fold(control).coordinate;
+}
+
+TEST(MaugisDugdale, FindsTheSameStateFromAnyStart) {
+    test::checkProperty([] {
+        const MaugisDugdale law(*test::logUniform(1e-4, 1e4));
+        const MaugisControl control = *anyControl();
+        const double above = *test::logUniform(1e-12, 1e4) - 1e-6;
+        const double value = control.held(law.fold(control)) + above;
+        const double start = *anyStart();
+        const auto cold = law.stable(control, value);
+        const auto warm = law.stable(control, value, start);
+        RC_ASSERT(cold.has_value() == warm.has_value());
+        if (warm) {
+            RC_ASSERT(isTheStableState(law, control, value, *warm));
+        }
+    });
+}
+
+TEST(MaugisDugdale, FollowsASlowMotionToTheSameStates) {
+    test::checkProperty([] {
+        const MaugisDugdale law(*test::logUniform(1e-3, 1e3));
+        const MaugisControl control = *anyControl();
+        const double end = control.held(law.fold(control));
+        const double step = *test::logUniform(1e-6, 1.0);
+        MaugisPoint last;
+        for (int i = 50; i > -2; --i) {
+            const double value = end + (step * i);
+            const auto cold = law.stable(control, value);
+            const auto warm = law.stable(control, value, last);
+            RC_ASSERT(cold.has_value() == warm.has_value());
+            if (warm) {
+                RC_ASSERT(isTheStableState(law, control, value, *warm));
+            }
+            last = warm.value_or(last);
+        }
+    });
+}
+
+/// As where the surface curves under a moving tip.
+TEST(MaugisDugdale, StartsFromAStateOfAnotherTransitionParameter) {
+    test::checkProperty([] {
+        const double lambda = *test::logUniform(1e-3, 1e3);
+        const MaugisDugdale before(lambda);
+        const MaugisDugdale law(lambda * *test::logUniform(0.1, 10.0));
+        const MaugisControl control = *anyControl();
+        const double value = control.held(before.fold(control)) + *test::logUniform(1e-6, 1e3);
+        const auto last = before.stable(control, value);
+        const double moved = value + *test::logUniform(1e-6, 1.0);
+        const auto cold = law.stable(control, moved);
+        const auto warm = law.stable(control, moved, *last);
+        RC_ASSERT(cold.has_value() == warm.has_value());
+        if (warm) {
+            RC_ASSERT(isTheStableState(law, control, moved, *warm));
+        }
     });
 }
 
