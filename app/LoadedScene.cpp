@@ -28,6 +28,18 @@ std::string levellingNote(const Scene& scene) {
     return text;
 }
 
+std::string lawNote(const Scene& scene) {
+    std::string note = std::string("contact law: ") + keyOf(scene.lawChoice.law) + " (" +
+                       scene.lawChoice.why + ")";
+    if (const MaugisTable* table = scene.belief.contact.table()) {
+        char text[120];
+        std::snprintf(text, sizeof text, "; tabulated, error at most %.2g of the force or pi w R",
+                      table->errorBound());
+        note += text;
+    }
+    return note;
+}
+
 }  // namespace
 
 LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides) {
@@ -49,6 +61,7 @@ LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& 
                            .sha256 = sha256OfFile(sample.file),
                            .notes = file.notes};
         loaded.notes.push_back(levellingNote(loaded.scene));
+        loaded.notes.push_back(lawNote(loaded.scene));
         return loaded;
     } catch (const InputError&) {
         throw;

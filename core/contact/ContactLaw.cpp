@@ -40,6 +40,10 @@ bool isSphere(ContactLaw law) noexcept {
            law == ContactLaw::SphereMaugis;
 }
 
+bool isJkr(ContactLaw law) noexcept {
+    return law == ContactLaw::Jkr || law == ContactLaw::SphereJkr;
+}
+
 const char* keyOf(ContactLaw law) noexcept { return namesOf(law).key; }
 
 const char* nameOf(ContactLaw law) noexcept { return namesOf(law).name; }

@@ -26,6 +26,9 @@ inline constexpr std::array kContactLaws{
 /// Whether the law takes the tip as an exact sphere, not as the paraboloid that osculates it.
 [[nodiscard]] bool isSphere(ContactLaw law) noexcept;
 
+/// Whether the law's attraction acts inside the contact only, with a neck at its edge.
+[[nodiscard]] bool isJkr(ContactLaw law) noexcept;
+
 /// As scenes and tables call it: "hertz", "md_sphere".
 [[nodiscard]] const char* keyOf(ContactLaw law) noexcept;
 

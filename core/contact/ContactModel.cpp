@@ -4,6 +4,7 @@
 #include "core/contact/Within.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -42,6 +43,33 @@ void checkFilm(ContactLaw law, double thickness) {
     }
 }
 
+/// A table for effective radii from a tenth to ten times the tip's, and, since the split law gives
+/// its zone more of the adhesion where the tail snaps, for both its shares. Contacts wider than two
+/// tip radii are left to the exact law.
+std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& pair,
+                                            const ContactOptions& options) {
+    const bool cohesive = law == ContactLaw::Maugis || law == ContactLaw::Split;
+    if (options.solver != SolverTier::Table || !cohesive ||
+        pair.workOfAdhesion < kSmallestAdhesion) {
+        return nullptr;
+    }
+    constexpr double kRadiusRange = 10.0;
+    constexpr double kShareRange = 0.93;  // of lambda, by less work of adhesion
+    const MaugisUnits units = maugisUnits(pair);
+    const double stress =
+        law == ContactLaw::Split ? pair.workOfAdhesion / kCohesiveRange : options.cohesiveStress;
+    const double lambda = transitionParameter(units, stress);
+    const double spread = std::cbrt(kRadiusRange);
+    const double low = lambda / spread * (law == ContactLaw::Split ? kShareRange : 1.0);
+    const double high = lambda * spread;
+    if (low < MaugisTableRange::kSmallestLambda || low > MaugisTableRange::kLargestLambda) {
+        return nullptr;
+    }
+    const double deepest =
+        std::min(MaugisTableRange::kDeepest, 2.0 * pair.tipRadius / units.indentation);
+    return std::make_shared<const MaugisTable>(MaugisTableRange{low, high, deepest});
+}
+
 }  // namespace
 
 ContactModel::ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options)
@@ -61,7 +89,7 @@ ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& p
     }
     checkFilm(law, options.filmThickness);
     checkMeniscus(options.meniscus);
-    return {law, pair, options};
+    return {law, pair, options, tableFor(law, pair, options)};
 }
 
 ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
@@ -72,6 +100,7 @@ ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
     if (given.law == ContactLaw::HertzFilm) {
         return sudden(FilmLaw(pair, given.options.filmThickness));
     }
+    const MaugisSolver solver{given.options.solver, given.table};
     const bool adhesive = pair.workOfAdhesion >= kSmallestAdhesion;
     if (given.law == ContactLaw::Sneddon || (isSphere(given.law) && !adhesive)) {
         return sudden(SneddonLaw(pair));
@@ -85,13 +114,13 @@ ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
     case ContactLaw::Jkr:
         return sudden(JkrLaw(pair));
     case ContactLaw::Maugis:
-        return sudden(MaugisLaw(pair, given.options.cohesiveStress));
+        return sudden(MaugisLaw(pair, given.options.cohesiveStress, solver));
     case ContactLaw::SphereJkr:
         return sudden(SphereJkrLaw(pair));
     case ContactLaw::SphereMaugis:
         return sudden(SphereMaugisLaw(pair, given.options.cohesiveStress));
     case ContactLaw::Split:
-        return Split(WithTail(splitTail(pair)), SplitLaw(pair));
+        return Split(WithTail(splitTail(pair)), SplitLaw(pair, solver));
     default:
         return sudden(HertzLaw(pair));
     }

@@ -15,6 +15,7 @@
 #include "core/contact/SphereMaugisLaw.h"
 #include "core/contact/SplitLaw.h"
 
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -29,6 +30,7 @@ struct ContactOptions {
     double cohesiveStress = 0.0;  ///< sigma0 of the Maugis laws [Pa]; 0: w / kCohesiveRange
     double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space
     Meniscus meniscus;            ///< by default none
+    SolverTier solver = SolverTier::Newton;
 };
 
 /// One contact law by name for one material pair, in SI units: constant after construction (about a
@@ -40,7 +42,8 @@ public:
     ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options = {});
 
     /// The same law and materials under a tip of another effective radius [m], which counts as the
-    /// nearest end of its range where it lies outside.
+    /// nearest end of its range where it lies outside. A table covers a tenth of the first radius
+    /// to ten times that; beyond, the exact law answers.
     [[nodiscard]] ContactModel withTipRadius(double tipRadius) const noexcept;
 
     /// Stable equilibrium at `approach` = indentation + compliance x force [m], the approach of the
@@ -65,6 +68,9 @@ public:
     /// Transition parameter of the cohesive zone; 0 where the law has none.
     [[nodiscard]] double lambda() const noexcept;
 
+    /// The table that states come from; null where the tier or the law has none.
+    [[nodiscard]] const MaugisTable* table() const noexcept { return given_.table.get(); }
+
     /// Of the sample [m]; 0: a half-space.
     [[nodiscard]] double filmThickness() const noexcept { return given_.options.filmThickness; }
 
@@ -83,6 +89,7 @@ private:
         ContactLaw law;
         ContactPair pair;
         ContactOptions options;
+        std::shared_ptr<const MaugisTable> table;
     };
     explicit ContactModel(const Checked& given) noexcept;
 

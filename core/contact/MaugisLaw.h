@@ -3,11 +3,20 @@
 #include "core/contact/LawPoint.h"
 #include "core/contact/Material.h"
 #include "core/contact/MaugisDugdale.h"
+#include "core/contact/MaugisTable.h"
 #include "core/contact/MaugisUnits.h"
+#include "core/contact/SolverTier.h"
 
+#include <memory>
 #include <optional>
 
 namespace asperity {
+
+/// How the states of MaugisLaw along a way are found.
+struct MaugisSolver {
+    SolverTier tier = SolverTier::Exact;
+    std::shared_ptr<const MaugisTable> table = {};  ///< null: none covers the law
+};
 
 /// Maugis-Dugdale in SI: a cohesive zone of constant stress around the contact, and without contact
 /// across a gap. Exact from DMT to JKR; the surfaces attract each other within the range h0 = w /
@@ -18,7 +27,7 @@ public:
     /// The pair's work of adhesion must be > 0. Beyond a transition parameter of 1e7, where the
     /// curve is JKR's to 1e-13, the stress is lowered.
     /// @param cohesiveStress sigma0 [Pa], > 0
-    MaugisLaw(const ContactPair& pair, double cohesiveStress) noexcept;
+    MaugisLaw(const ContactPair& pair, double cohesiveStress, MaugisSolver solver = {}) noexcept;
 
     [[nodiscard]] double lambda() const noexcept { return curve_.curve().lambda(); }
     [[nodiscard]] double cohesiveStress() const noexcept { return cohesiveStress_; }  ///< [Pa]
@@ -28,16 +37,22 @@ public:
     // As LawPoint.h has it.
     [[nodiscard]] LawPoint fold(double compliance) const noexcept;
     [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance) const noexcept;
+    /// The same by the solver's tier. @param coordinate of a state near it, any number is allowed
+    [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance,
+                                                 double coordinate) const noexcept;
     [[nodiscard]] double energy(const LawPoint& point) const noexcept;
     [[nodiscard]] double onset() const noexcept { return -range(); }
 
 private:
     [[nodiscard]] MaugisControl control(double compliance) const noexcept;
     [[nodiscard]] LawPoint inSi(const MaugisPoint& point) const noexcept;
+    [[nodiscard]] LawPoint inSi(const MaugisState& state) const noexcept;
+    [[nodiscard]] double stiffnessInSi(double stiffness) const noexcept;
 
     MaugisUnits units_;
     double cohesiveStress_;
     MaugisDugdale curve_;
+    MaugisSolver solver_;
 };
 
 }  // namespace asperity

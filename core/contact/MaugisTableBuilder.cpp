@@ -17,16 +17,13 @@ constexpr double kWanted = 2e-9;
 constexpr double kSafety = 4.0;
 
 void check(const MaugisTableRange& range) {
-    constexpr double kLowest = 1e-4;
-    constexpr double kHighest = 1e4;
-    constexpr double kLargestSpan = 5.0;
-    constexpr double kLargestIndentation = 1e6;
-    if (!isWithin(range.lambdaLow, kLowest, kHighest) ||
-        !isWithin(range.lambdaHigh, range.lambdaLow, kLargestSpan * range.lambdaLow)) {
+    using Range = MaugisTableRange;
+    if (!isWithin(range.lambdaLow, Range::kSmallestLambda, Range::kLargestLambda) ||
+        !isWithin(range.lambdaHigh, range.lambdaLow, Range::kLargestSpan * range.lambdaLow)) {
         throw Error("Contact table: expected transition parameters from 1e-4 to 1e4, the largest "
                     "at most 5 times the smallest");
     }
-    if (!isWithin(range.largestIndentation, 0.0, kLargestIndentation)) {
+    if (!isWithin(range.largestIndentation, 0.0, Range::kDeepest)) {
         throw Error("Contact table: expected a largest indentation from 0 to 1e6 units");
     }
 }

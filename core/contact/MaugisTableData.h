@@ -14,6 +14,12 @@ struct MaugisTableRange {
     double lambdaLow = 0.0;           ///< transition parameter
     double lambdaHigh = 0.0;          ///< at least lambdaLow
     double largestIndentation = 0.0;  ///< in the units of MaugisPoint
+
+    // What a table can cover.
+    static constexpr double kSmallestLambda = 1e-4;
+    static constexpr double kLargestLambda = 1e4;
+    static constexpr double kLargestSpan = 5.0;  ///< of lambda
+    static constexpr double kDeepest = 1e6;      ///< in the units of MaugisPoint
 };
 
 /// Force, contact radius, cohesive radius and stiffness (times the root where there is a fold), in

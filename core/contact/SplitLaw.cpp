@@ -1,6 +1,7 @@
 #include "core/contact/SplitLaw.h"
 
 #include <cmath>
+#include <utility>
 
 namespace asperity {
 
@@ -26,9 +27,10 @@ AdhesionSplit splitOf(const ContactPair& pair) noexcept {
     return split;
 }
 
-MaugisLaw zoneOf(const ContactPair& pair, const AdhesionSplit& split) noexcept {
+MaugisLaw zoneOf(const ContactPair& pair, const AdhesionSplit& split,
+                 MaugisSolver solver) noexcept {
     const ContactPair share{pair.tipRadius, pair.reducedModulus, split.cohesiveWork};
-    return {share, split.cohesiveStress};
+    return {share, split.cohesiveStress, std::move(solver)};
 }
 
 }  // namespace
@@ -38,9 +40,9 @@ AttractiveTail splitTail(const ContactPair& pair) noexcept {
             jointSeparation()};
 }
 
-SplitLaw::SplitLaw(const ContactPair& pair) noexcept
+SplitLaw::SplitLaw(const ContactPair& pair, MaugisSolver solver) noexcept
     : split_(splitOf(pair))
-    , zone_(zoneOf(pair, split_))
+    , zone_(zoneOf(pair, split_, std::move(solver)))
     , jointEnergy_(split_.tailSnaps ? 0.0 : splitTail(pair).energy(split_.jointSeparation)) {
     split_.cohesiveStress = zone_.cohesiveStress();
 }
@@ -56,9 +58,18 @@ LawPoint SplitLaw::fold(double compliance) const noexcept {
 }
 
 std::optional<LawPoint> SplitLaw::stable(double approach, double compliance) const noexcept {
-    const double ofZone = approach + split_.tailLift - (compliance * split_.tailForce);
-    const auto point = zone_.stable(ofZone, compliance);
+    const auto point = zone_.stable(approachOfZone(approach, compliance), compliance);
     return point ? std::optional(withTail(*point)) : std::nullopt;
+}
+
+std::optional<LawPoint> SplitLaw::stable(double approach, double compliance,
+                                         double coordinate) const noexcept {
+    const auto point = zone_.stable(approachOfZone(approach, compliance), compliance, coordinate);
+    return point ? std::optional(withTail(*point)) : std::nullopt;
+}
+
+double SplitLaw::approachOfZone(double approach, double compliance) const noexcept {
+    return approach + split_.tailLift - (compliance * split_.tailForce);
 }
 
 double SplitLaw::energy(const LawPoint& point) const noexcept {

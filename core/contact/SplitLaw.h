@@ -30,7 +30,7 @@ struct AdhesionSplit {
 class SplitLaw {
 public:
     /// The pair's work of adhesion must be > 0.
-    explicit SplitLaw(const ContactPair& pair) noexcept;
+    explicit SplitLaw(const ContactPair& pair, MaugisSolver solver = {}) noexcept;
 
     [[nodiscard]] const AdhesionSplit& split() const noexcept { return split_; }
     [[nodiscard]] double cohesiveStress() const noexcept { return split_.cohesiveStress; }
@@ -40,9 +40,12 @@ public:
     // As LawPoint.h has it; the energy is counted from infinite separation.
     [[nodiscard]] LawPoint fold(double compliance) const noexcept;
     [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance) const noexcept;
+    [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance,
+                                                 double coordinate) const noexcept;
     [[nodiscard]] double energy(const LawPoint& point) const noexcept;
 
 private:
+    [[nodiscard]] double approachOfZone(double approach, double compliance) const noexcept;
     [[nodiscard]] LawPoint withTail(LawPoint point) const noexcept;
 
     AdhesionSplit split_;

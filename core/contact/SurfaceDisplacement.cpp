@@ -30,6 +30,22 @@ double attractionLift(const AttractiveTail& tail, double separation, double radi
 
 }  // namespace
 
+CohesiveContact contactProfile(const ContactModel& model, const ContactState& state) noexcept {
+    CohesiveContact contact{.tipRadius = model.pair().tipRadius,
+                            .reducedModulus = model.pair().reducedModulus,
+                            .cohesiveStress = model.cohesiveStress(),
+                            .indentation = state.indentation,
+                            .contactRadius = state.contactRadius,
+                            .cohesiveRadius = state.cohesiveRadius,
+                            .edgeWork = isJkr(model.law()) ? model.pair().workOfAdhesion : 0.0,
+                            .shape =
+                                isSphere(model.law()) ? TipShape::Sphere : TipShape::Paraboloid};
+    if (const ContactModel::Split* split = model.split()) {
+        contact.indentation += split->bonded().split().tailLift;
+    }
+    return contact;
+}
+
 double surfaceDisplacement(const ContactModel& model, const ContactState& state,
                            double radius) noexcept {
     const ContactModel::Split* split = model.split();
@@ -37,12 +53,7 @@ double surfaceDisplacement(const ContactModel& model, const ContactState& state,
     if (!state.solved() || untouched) {
         return 0.0;
     }
-    CohesiveContact contact{.tipRadius = model.pair().tipRadius,
-                            .reducedModulus = model.pair().reducedModulus,
-                            .cohesiveStress = model.cohesiveStress(),
-                            .indentation = state.indentation,
-                            .contactRadius = state.contactRadius,
-                            .cohesiveRadius = state.cohesiveRadius};
+    const CohesiveContact contact = contactProfile(model, state);
     if (split == nullptr) {
         return surfaceDisplacement(contact, radius);
     }
@@ -51,7 +62,6 @@ double surfaceDisplacement(const ContactModel& model, const ContactState& state,
         return -attractionLift(tail, tail.attraction().separationAt(state.force), radius);
     }
     const AdhesionSplit& shares = split->bonded().split();
-    contact.indentation += shares.tailLift;
     const double outside = std::max(0.0, radius - state.contactRadius);
     const double lift =
         shares.tailSnaps ? 0.0 : attractionLift(tail, shares.jointSeparation, outside);

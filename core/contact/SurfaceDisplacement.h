@@ -5,6 +5,11 @@
 
 namespace asperity {
 
+/// What the shape of the surface at a state of a model depends on, without the tail of the split
+/// law.
+[[nodiscard]] CohesiveContact contactProfile(const ContactModel& model,
+                                             const ContactState& state) noexcept;
+
 /// surfaceDisplacement() for a state of a model; before snap-in the lift by the van der Waals
 /// attraction (< 0), to first order. Bonded, the tail's constant lift of the split law is carried
 /// unchanged across the contact and falls off outside of it as the lift by the tail at the joint

@@ -31,7 +31,10 @@ std::vector<FidelityTier> fidelityTiers() {
 Scene sceneWithTier(Scene scene, const FidelityTier& tier) {
     scene.description.law = tier.law;
     scene.description.deformation = tier.deformation;
-    scene.belief.contact = ContactModel(tier.law, scene.belief.contact.pair());
+    scene.lawChoice = {tier.law, "as the tier asks"};
+    scene.belief.contact =
+        ContactModel(tier.law, scene.belief.contact.pair(),
+                     contactOptions(scene.description, scene.description.sample.material));
     return scene;
 }
 

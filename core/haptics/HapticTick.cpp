@@ -1,5 +1,7 @@
 #include "core/haptics/HapticTick.h"
 
+#include "core/contact/SurfaceDisplacement.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -59,16 +61,12 @@ DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, cons
 
 /// Pressure at the middle of the contact [Pa].
 double middlePressure(const Scene& scene, const TipState& model) {
-    const double a = model.contact.contactRadius;
-    const double c = model.contact.cohesiveRadius;
-    if (a == 0.0) {
+    if (model.contact.contactRadius == 0.0) {
         return 0.0;
     }
-    const ContactModel& contact = scene.belief.contact;
-    const double elastic = 2.0 * contact.pair().reducedModulus * a / model.effectiveRadius;
-    const double cohesive =
-        2.0 * contact.cohesiveStress() * std::atan(std::sqrt((c - a) * (c + a)) / a);
-    return (elastic - cohesive) / std::numbers::pi;
+    CohesiveContact profile = contactProfile(scene.belief.contact, model.contact);
+    profile.tipRadius = model.effectiveRadius;
+    return contactPressure(profile, 0.0);
 }
 
 /// Whether a separate tip is about to snap in on a lever as soft as this one.

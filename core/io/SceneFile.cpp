@@ -24,6 +24,8 @@ constexpr std::array<NamedValue<DeformationTier>, 3> kDeformations{
      {"contact_radius", DeformationTier::ContactRadius},
      {"closed_form", DeformationTier::ClosedForm}}};
 
+constexpr std::array<NamedValue<SolverTier>, 3> kSolvers{
+    {{"exact", SolverTier::Exact}, {"newton", SolverTier::Newton}, {"table", SolverTier::Table}}};
 constexpr std::array<NamedValue<PositionControl>, 2> kPositionControls{
     {{"base", PositionControl::Base}, {"tip", PositionControl::Tip}}};
 constexpr const char* kChosenLaw = "auto";
@@ -156,6 +158,7 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
     readPhysics(TomlSection(table, path, "physics"), scene);
     TomlSection fidelity(table, path, "fidelity");
     scene.deformation = choice(fidelity, "deformation", kDeformations, scene.deformation);
+    scene.solver = choice(fidelity, "contact_solver", kSolvers, scene.solver);
     fidelity.refuseUnknownKeys();
     TomlSection haptics(table, path, "haptics");
     scene.tickRate = haptics.number("rate_hz", scene.tickRate);
@@ -270,7 +273,8 @@ std::string sceneText(const SceneDescription& scene) {
                                 {"meniscus_tension_n_m", scene.meniscus.surfaceTension},
                                 {"meniscus_angle_rad", scene.meniscus.contactAngle},
                                 {"meniscus_range_m", scene.meniscus.range}}},
-        {"fidelity", toml::table{{"deformation", nameOf(kDeformations, scene.deformation)}}},
+        {"fidelity", toml::table{{"deformation", nameOf(kDeformations, scene.deformation)},
+                                 {"contact_solver", nameOf(kSolvers, scene.solver)}}},
         {"haptics",
          toml::table{{"rate_hz", scene.tickRate},
                      {"position_gain", scene.positionGain},

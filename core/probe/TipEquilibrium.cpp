@@ -167,6 +167,7 @@ private:
                                 normal.dot(deflection_ - lever.offset) -
                                 across * foot.memory.friction;
         foot.contact = foot.model.equilibrium(approach, along, foot.memory.contact);
+        foot.memory.contact.coordinate = foot.contact.coordinate;
         foot.memory.friction = frictionForce(system_.friction, foot.contact);
         foot.force = foot.contact.force * normal + foot.memory.friction * foot.slip;
         deflection_ = lever.offset + lever.compliance * foot.force;

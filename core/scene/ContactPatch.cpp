@@ -12,6 +12,11 @@ double shareOfSample(const Scene& scene) {
 
 }  // namespace
 
+ContactModel contactModelAt(const Scene& scene, const TipState& state) {
+    const double radius = state.effectiveRadius;
+    return radius > 0.0 ? scene.belief.contact.withTipRadius(radius) : scene.belief.contact;
+}
+
 SurfacePatch contactPatch(const Scene& scene, const TipState& state, DeformationTier tier,
                           const PatchGrid& grid) {
     const double radius = scene.belief.tipRadius();
@@ -22,8 +27,8 @@ SurfacePatch contactPatch(const Scene& scene, const TipState& state, Deformation
                              .contactRadius = state.contact.contactRadius,
                              .indentation = state.contact.indentation};
     const double share = shareOfSample(scene);
-    const auto displacement = [&](double distance) {
-        return share * surfaceDisplacement(scene.belief.contact, state.contact, distance);
+    const auto displacement = [&, model = contactModelAt(scene, state)](double distance) {
+        return share * surfaceDisplacement(model, state.contact, distance);
     };
     return deformedPatch(scene.surface, contact, grid, tier, displacement);
 }
@@ -39,7 +44,7 @@ RadialDisplacement tipDisplacement(const Scene& scene, const TipState& state,
         return [](double) { return 0.0; };
     }
     const double share = 1.0 - shareOfSample(scene);
-    return [share, contact = state.contact, model = scene.belief.contact](double distance) {
+    return [share, contact = state.contact, model = contactModelAt(scene, state)](double distance) {
         return share * surfaceDisplacement(model, contact, distance);
     };
 }

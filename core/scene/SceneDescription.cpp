@@ -67,7 +67,8 @@ ContactPair contactPair(const SceneDescription& scene, const SampleMaterial& mat
 ContactOptions contactOptions(const SceneDescription& scene, const SampleMaterial& material) {
     return {.cohesiveStress = material.workOfAdhesion / scene.cohesiveRange,
             .filmThickness = material.filmThickness,
-            .meniscus = scene.meniscus};
+            .meniscus = scene.meniscus,
+            .solver = scene.solver};
 }
 
 void checkScene(const SceneDescription& scene) {

@@ -61,6 +61,7 @@ struct SceneDescription {
     std::optional<ContactLaw> law;          ///< none: chosen, see chooseLaw()
     double cohesiveRange = kCohesiveRange;  ///< h0 of the Maugis laws [m]
     Meniscus meniscus;
+    SolverTier solver = SolverTier::Newton;
     DeformationTier deformation = DeformationTier::ClosedForm;
     double tickRate = 1000.0;   ///< [Hz]
     double positionGain = 1.0;  ///< base displacement per hand displacement

@@ -1,6 +1,7 @@
 #include "ui/view/ContactShape.h"
 
 #include "core/contact/SurfaceDisplacement.h"
+#include "core/scene/ContactPatch.h"
 
 #include <Eigen/Geometry>
 
@@ -81,8 +82,8 @@ double averaged(const Function& function, double distance, double stretch) {
 RadialTable displacementTable(const Scene& scene, const TipState& state, const ScanWindow& area) {
     const double reach = std::hypot(area.right - area.left, area.top - area.bottom);
     const double rounding = roundingOf(state.contact, scene.belief.tipRadius());
-    const auto exact = [&](double distance) {
-        return surfaceDisplacement(scene.belief.contact, state.contact, distance);
+    const auto exact = [&, model = contactModelAt(scene, state)](double distance) {
+        return surfaceDisplacement(model, state.contact, distance);
     };
     return {[&](double distance) { return averaged(exact, distance, rounding); },
             state.contact.contactRadius, reach};

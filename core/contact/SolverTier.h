@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+
+namespace asperity {
+
+/// How a Maugis-Dugdale state is found: a choice of speed only, within the bound that the table
+/// states of itself. Folds are exact in every tier.
+enum class SolverTier : std::uint8_t {
+    Exact,   ///< afresh each time
+    Newton,  ///< by Newton's method from the previous state
+    Table,   ///< from a table over transition parameter and indentation
+};
+
+}  // namespace asperity
