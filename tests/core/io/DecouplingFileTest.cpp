@@ -30,7 +30,7 @@ class DecouplingFile : public ::testing::Test {
 protected:
     std::string textFor(const std::string& probe, const std::string& cases) {
         std::ostringstream out;
-        writeForceEstimates(scratch_.write("probe.toml", probe), scratch_.write("cases.csv", cases),
+        writeForceEstimates(scratch.write("probe.toml", probe), scratch.write("cases.csv", cases),
                             out);
         return out.str();
     }
@@ -48,7 +48,7 @@ protected:
         return "";
     }
 
-    test::ScratchFolder scratch_;
+    test::ScratchFolder scratch;
 };
 
 std::string probeOfRow(const ReferenceTable& table, std::size_t row) {
@@ -232,7 +232,7 @@ TEST_F(DecouplingFile, RefusesWhatItCannotReadWithFileAndLine) {
     }
     EXPECT_NE(refusal("length_m = 0\n", header + row).find("probe.toml"), std::string::npos);
     std::ostringstream out;
-    EXPECT_THROW(writeForceEstimates(scratch_.file("none.toml"), scratch_.file("none.csv"), out),
+    EXPECT_THROW(writeForceEstimates(scratch.file("none.toml"), scratch.file("none.csv"), out),
                  InputError);
     EXPECT_TRUE(out.str().empty());
 }

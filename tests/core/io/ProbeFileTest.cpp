@@ -17,7 +17,7 @@ namespace {
 class ProbeFile : public ::testing::Test {
 protected:
     ProbeDescription read(const std::string& text) {
-        return readProbe(scratch_.write("probe.toml", text));
+        return readProbe(scratch.write("probe.toml", text));
     }
 
     std::string refusal(const std::string& text) {
@@ -29,7 +29,7 @@ protected:
         return "";
     }
 
-    test::ScratchFolder scratch_;
+    test::ScratchFolder scratch;
 };
 
 constexpr const char* kPlan = "length_m = 225e-6\nwidth_m = 28e-6\ntip_height_m = 14e-6\n";

@@ -15,7 +15,6 @@ namespace asperity {
 namespace {
 
 using std::numbers::pi;
-using test::tiltedLever;
 
 constexpr int kDraws = 10000;
 constexpr double kStandardErrors = 5.0;
@@ -125,7 +124,7 @@ public:
     /// One force of this world, and the input that a measurement of it gives.
     [[nodiscard]] Vector3 draw(Random& random, DecouplingInput& input) const {
         const Vector3 defects(random.normal(), random.normal(), random.normal());
-        const Vector3 force = rows_.partialPivLu().solve(values_ + sigmas_.cwiseProduct(defects));
+        Vector3 force = rows_.partialPivLu().solve(values_ + sigmas_.cwiseProduct(defects));
         input = input_;
         input.signals = leverSignals(lever_, force);
         input.signals.bending += input_.sigma.bending * random.normal();

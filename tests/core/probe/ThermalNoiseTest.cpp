@@ -111,29 +111,29 @@ TEST(ThermalNoise, RestsWithoutTemperatureAndRefusesANegativeOne) {
 class WarmAfm : public ::testing::Test {
 protected:
     SimulatedAfm afm(double temperature, std::uint64_t seed) {
-        InstrumentTruth truth = scene_.truth;
+        InstrumentTruth truth = scene.truth;
         truth.noise = {};
         truth.temperature = temperature;
-        truth.timeStep = scene_.timeStep();
+        truth.timeStep = scene.timeStep();
         truth.seed = seed;
-        return {scene_.surface, truth};
+        return {scene.surface, truth};
     }
 
-    const Scene scene_ = buildScene(test::plainScene(), test::flatMap());
-    const BaseMotion farAway_{.position = {64.0_nm, 64.0_nm, 900.0_nm}};
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    const BaseMotion farAway{.position = {64.0_nm, 64.0_nm, 900.0_nm}};
 };
 
 TEST_F(WarmAfm, ShakesTheBendingSignalByTheFundamentalMode) {
-    const FlexuralMode mode = flexuralMode(scene_.truth.system.cantilever.geometry(), 1);
+    const FlexuralMode mode = flexuralMode(scene.truth.system.cantilever.geometry(), 1);
     SimulatedAfm warm = afm(300.0, 3);
     SimulatedAfm cold = afm(0.0, 3);
-    const double still = cold.exchange(farAway_).signals.bending;
+    const double still = cold.exchange(farAway).signals.bending;
     constexpr int kCount = 20000;
     double squares = 0.0;
     for (int i = 0; i < kCount; ++i) {
-        const LeverSignals signals = warm.exchange(farAway_).signals;
+        const LeverSignals signals = warm.exchange(farAway).signals;
         squares += (signals.bending - still) * (signals.bending - still) / kCount;
-        ASSERT_EQ(signals.torsion, cold.exchange(farAway_).signals.torsion);
+        ASSERT_EQ(signals.torsion, cold.exchange(farAway).signals.torsion);
     }
     const double expected = mode.endSlope * mode.endSlope * kThermalEnergy / mode.stiffness;
     EXPECT_NEAR(squares / expected, 1.0, 5.0 * std::sqrt(2.0 / kCount));
@@ -142,12 +142,12 @@ TEST_F(WarmAfm, ShakesTheBendingSignalByTheFundamentalMode) {
 
 TEST_F(WarmAfm, IsAsWarmAndAsFastAsItsScene) {
     SceneDescription description = test::plainScene();
-    EXPECT_EQ(scene_.truth.temperature, 0.0) << "cold unless asked";
+    EXPECT_EQ(scene.truth.temperature, 0.0) << "cold unless asked";
     description.truth.temperature = 77.0;
     description.tickRate = 4000.0;
-    const Scene scene = buildScene(description, test::flatMap());
-    EXPECT_EQ(scene.truth.temperature, 77.0);
-    EXPECT_EQ(scene.truth.timeStep, scene.timeStep());
+    const Scene warm = buildScene(description, test::flatMap());
+    EXPECT_EQ(warm.truth.temperature, 77.0);
+    EXPECT_EQ(warm.truth.timeStep, warm.timeStep());
     description.truth.temperature = -1.0;
     EXPECT_THROW((void)buildScene(description, test::flatMap()), Error);
 }
@@ -158,9 +158,9 @@ TEST_F(WarmAfm, RepeatsItselfForTheSameSeedOnly) {
     SimulatedAfm other = afm(300.0, 4);
     int equal = 0;
     for (int i = 0; i < 100; ++i) {
-        const double bending = first.exchange(farAway_).signals.bending;
-        ASSERT_EQ(bending, same.exchange(farAway_).signals.bending);
-        equal += bending == other.exchange(farAway_).signals.bending ? 1 : 0;
+        const double bending = first.exchange(farAway).signals.bending;
+        ASSERT_EQ(bending, same.exchange(farAway).signals.bending);
+        equal += bending == other.exchange(farAway).signals.bending ? 1 : 0;
     }
     EXPECT_EQ(equal, 0);
 }
@@ -170,7 +170,7 @@ TEST_F(WarmAfm, DoesNotAllocate) {
     double sum = 0.0;
     const std::size_t before = test::allocationCount();
     for (int i = 0; i < 100; ++i) {
-        sum += warm.exchange(farAway_).signals.bending;
+        sum += warm.exchange(farAway).signals.bending;
     }
     EXPECT_EQ(test::allocationCount(), before);
     EXPECT_TRUE(std::isfinite(sum));
