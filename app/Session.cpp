@@ -117,6 +117,11 @@ void Session::connectMenus() {
             run_->loop().running() ? pause() : start();
         }
     });
+    connect(menus.tipControl, &QAction::triggered, this, [this](bool tip) {
+        changeSettings([tip](Settings& settings) {
+            settings.positionControl = tip ? PositionControl::Tip : PositionControl::Base;
+        });
+    });
     connect(menus.forcesOff, &QAction::triggered, this, [this] { setForces(false); });
     connect(menus.takeBackFault, &QAction::triggered, this, &Session::takeBackFault);
     connect(menus.record, &QAction::triggered, this, &Session::record);
@@ -182,6 +187,8 @@ void Session::showKnobs() {
     controls.setForcesOn(run_->settings().forcesOn);
     controls.setForceGain(run_->settings().forceGain);
     controls.setPositionGain(run_->settings().positionGain);
+    window_.menus().tipControl->setChecked(run_->settings().positionControl ==
+                                           PositionControl::Tip);
 }
 
 void Session::endRun() {

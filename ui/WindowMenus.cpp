@@ -35,6 +35,9 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
     forcesOff = menu->addAction(tr("&Forces off"));
     forcesOff->setShortcut(tr("Esc"));
     takeBackFault = menu->addAction(tr("Take &back a fault"));
+    tipControl = menu->addAction(tr("Hand commands the &tip"));
+    tipControl->setCheckable(true);
+    tipControl->setToolTip(tr("The base goes ahead by the deflection that the model expects"));
     menu->addSeparator();
     followPathFile = menu->addAction(tr("Follow a path from a &file…"));
     followRecording = menu->addAction(tr("Repeat a &recording…"));

@@ -25,6 +25,7 @@ public:
     QAction* startPause;
     QAction* forcesOff;
     QAction* takeBackFault;
+    QAction* tipControl;  ///< checkable
     QAction* followPathFile;
     QAction* followRecording;
 

@@ -105,6 +105,7 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     flags.set(Validity::ElasticLimit,
               sample.hardness > 0.0 && middlePressure(scene, out.model) > sample.hardness);
     flags.set(Validity::SnapInAhead, snapsSoon(scene, out.model));
+    flags.set(Validity::Implausible, out.estimate.plausibility.excessFriction);
     // At rest friction has no direction, and that the geometry is singular tells nothing.
     flags.set(Validity::SingularGeometry, out.estimate.kind == DecouplingCase::NearSingular &&
                                               out.model.slip.norm() > kSliding);

@@ -83,7 +83,9 @@ SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwis
         section.number("friction_coefficient", otherwise.friction.coefficient);
     material.friction.shearStrength =
         section.number("shear_strength_pa", otherwise.friction.shearStrength);
-    material.hardness = section.number("hardness_pa", otherwise.hardness);
+    // Of another modulus, another hardness.
+    const bool another = section.has("youngs_modulus_pa");
+    material.hardness = section.number("hardness_pa", another ? 0.0 : otherwise.hardness);
     material.filmThickness = section.number("film_thickness_m", otherwise.filmThickness);
     return material;
 }

@@ -53,6 +53,7 @@ SceneDescription defaultScene() {
                    .azimuth = 0.0};
     constexpr double kStiffness = 14.0;  // [N/m]
     scene.probe.thickness = thicknessForStiffness(scene.probe, kStiffness);
+    scene.sample.material.hardness = 0.3_GPa;  // typical of glassy polystyrene under a sharp tip
     scene.truth.material = scene.sample.material;
     scene.truth.stiffness = kStiffness;
     return scene;

@@ -30,6 +30,8 @@ const char* validityName(Validity flag) noexcept {
         return "elastic_limit";
     case Validity::ThinFilm:
         return "thin_film";
+    case Validity::Implausible:
+        return "implausible_estimate";
     case Validity::SnapInAhead:
         return "snap_in_ahead";
     case Validity::SingularGeometry:

@@ -21,6 +21,7 @@ enum class Validity : std::uint32_t {
     TipNotHeld = 1U << 11U,        ///< no place of the base holds the tip where the hand wants it
     ElasticLimit = 1U << 12U,      ///< contact pressure above the sample's hardness: it would yield
     ThinFilm = 1U << 13U,          ///< contact radius above a tenth of the film's thickness
+    Implausible = 1U << 15U,       ///< the estimate breaks the friction law by more than 3 sigma
     SnapInAhead = 1U << 14U,       ///< the lever is so soft that the tip will jump within 1 nm
 };
 
@@ -41,7 +42,7 @@ private:
     std::uint32_t bits_ = 0;
 };
 
-inline constexpr int kValidityFlagCount = 15;
+inline constexpr int kValidityFlagCount = 16;
 
 /// Name of one flag as logs and panels show it, e.g. "large_contact".
 [[nodiscard]] const char* validityName(Validity flag) noexcept;

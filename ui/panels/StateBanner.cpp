@@ -64,6 +64,8 @@ QString validityWords(Validity flag) {
         return QStringLiteral("pressure above the sample's hardness: it would yield");
     case Validity::ThinFilm:
         return QStringLiteral("contact radius above a tenth of the film: beyond half-space theory");
+    case Validity::Implausible:
+        return QStringLiteral("estimated force breaks the friction law");
     case Validity::SnapInAhead:
         return QStringLiteral("the tip is about to snap in");
     }

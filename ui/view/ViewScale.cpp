@@ -26,7 +26,10 @@ constexpr Width kLeast = {.ofTip = 1.25, .ofContact = 1.9};  // its patch still 
 
 ViewScale viewScale(const Scene& scene) {
     const double tip = scene.belief.tipRadius();
-    const double contact = unloadedContactRadius(scene.belief.contact.pair());
+    // On the exact sphere no contact is wider than the tip.
+    const double paraboloid = unloadedContactRadius(scene.belief.contact.pair());
+    const double contact =
+        isSphere(scene.belief.contact.law()) ? std::min(paraboloid, tip) : paraboloid;
     const double given = scene.description.zoomHalfWidth;
     return {.patch = kPatch.of(tip, contact),
             .usual = given > 0.0 ? given : kUsual.of(tip, contact),
