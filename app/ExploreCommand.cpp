@@ -85,8 +85,8 @@ void tellOutcome(const RunEvents& events) {
     const long curved =
         events.flagged.at(std::countr_zero(static_cast<std::uint32_t>(Validity::CurvedSample)));
     if (curved > 0) {
-        std::cerr << "note: sample curvature above 0.1 / R in " << curved << " of " << events.ticks
-                  << " ticks: the contact law takes the sample as flat\n";
+        std::cerr << "note: in " << curved << " of " << events.ticks
+                  << " ticks no single effective radius stands for the sample's curvature\n";
     }
     if (!events.snapIn) {
         std::cerr << "note: the tip never snapped into contact\n";

@@ -24,9 +24,8 @@ double zoomHalfWidth(const Scene& scene, const TickSample& sample) {
     return std::max(scene.belief.tipRadius(), 4.0 * sample.output.model.contact.contactRadius);
 }
 
-SurfacePatch patchAt(const Scene& scene, const TickSample& sample) {
-    const PatchGrid grid{.halfWidth = zoomHalfWidth(scene, sample), .samples = kPatchSamples};
-    return contactPatch(scene, sample.output.model, scene.description.deformation, grid);
+PatchGrid gridAt(const Scene& scene, const TickSample& sample) {
+    return {.halfWidth = zoomHalfWidth(scene, sample), .samples = kPatchSamples};
 }
 
 std::string timeText(double time) {
@@ -49,8 +48,7 @@ std::string captionOf(const Scene& scene, const TickSample& sample) {
         caption += " Contact radius above 0.3 tip radii: beyond what half-space theory holds for.";
     }
     if (out.flags.has(Validity::CurvedSample)) {
-        caption +=
-            " The contact law takes the sample as flat; its curvature here is above 0.1 / R.";
+        caption += " The sample is curved so that one effective radius is a rough word for it.";
     }
     return caption;
 }
@@ -59,7 +57,8 @@ DeformationView viewOf(const Scene& scene, const TickSample& sample, const char*
     const TickOutput& out = sample.output;
     return {.title = std::string(what) + ", " + timeText(sample.time),
             .caption = captionOf(scene, sample),
-            .patch = patchAt(scene, sample),
+            .patch =
+                drawnPatch(scene, out.model, scene.description.deformation, gridAt(scene, sample)),
             .tipCentre = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
             .tipRadius = scene.belief.tipRadius(),
             .tipDisplacement = tipDisplacement(scene, out.model, scene.description.deformation),
@@ -76,7 +75,11 @@ void writeDeformation(const std::filesystem::path& folder, const Scene& scene,
         views.push_back(viewOf(scene, *events.beforePullOff, "Just before pull-off"));
     }
     writeDeformationPicture(folder / "deformation.png", views);
-    writePatchExr(folder / "deformation.exr", views.front().patch);
+    // Data, not a picture: with the rim as sharp as it is.
+    const TickSample& deepest = *events.deepest;
+    writePatchExr(folder / "deformation.exr",
+                  contactPatch(scene, deepest.output.model, scene.description.deformation,
+                               gridAt(scene, deepest)));
 }
 
 void writeOverview(const std::filesystem::path& folder, const Scene& scene, const RunEvents& events,

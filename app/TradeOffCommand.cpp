@@ -43,12 +43,12 @@ void writeTable(const std::filesystem::path& path, const std::vector<TierResult>
 }
 
 void printTable(const std::vector<TierResult>& results) {
-    std::printf("%-32s %9s %9s %9s %12s %12s %12s\n", "tier", "tick p50", "tick p99", "patch",
+    std::printf("%-42s %9s %9s %9s %12s %12s %12s\n", "tier", "tick p50", "tick p99", "patch",
                 "force error", "radius error", "surface err.");
-    std::printf("%-32s %9s %9s %9s %12s %12s %12s\n", "", "[us]", "[us]", "[ms]", "rms [nN]",
+    std::printf("%-42s %9s %9s %9s %12s %12s %12s\n", "", "[us]", "[us]", "[ms]", "rms [nN]",
                 "max [nm]", "max [nm]");
     for (const TierResult& r : results) {
-        std::printf("%-32s %9.2f %9.2f %9.2f", r.tier.name().c_str(), r.tickMedian * 1e6,
+        std::printf("%-42s %9.2f %9.2f %9.2f", r.tier.name().c_str(), r.tickMedian * 1e6,
                     r.tickP99 * 1e6, r.patchMedian * 1e3);
         if (r.isReference) {
             std::printf(" %12s %12s %12s\n", "reference", "reference", "reference");

@@ -26,7 +26,7 @@ LawNames namesOf(ContactLaw law) noexcept {
     case ContactLaw::SphereMaugis:
         return {"md_sphere", "Maugis-Dugdale on the exact sphere"};
     case ContactLaw::Split:
-        return {"split", "Maugis-Dugdale with van der Waals tail"};
+        return {"split", "Maugis-Dugdale with tail"};
     case ContactLaw::HertzFilm:
         return {"hertz_film", "Hertz on a film"};
     }

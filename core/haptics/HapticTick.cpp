@@ -95,7 +95,7 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     flags.set(Validity::FrictionLock, out.model.locked);
     flags.set(Validity::ModelContradicted, contradicted);
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
-    flags.set(Validity::CurvedSample, bonded && out.model.elongated);
+    flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
     flags.set(Validity::SharpValley, bonded && !out.model.fits);
     flags.set(Validity::SeveralFeet, out.model.feet > 1);
     const SampleMaterial& sample = scene.description.sample.material;

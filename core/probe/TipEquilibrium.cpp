@@ -20,6 +20,7 @@ constexpr int kMaxSweeps = 48;
 constexpr double kPositionTolerance =
     1e-15;                            // [m]: a millionth of an atom's radius, above rounding
 constexpr double kSameRadius = 1e-6;  // relative change of R_eff that needs no new solution
+constexpr double kFlatEnough = 0.1;   // relative change of R_eff that a flat sample may stand for
 constexpr double kReach = 10e-9;      // [m]: attraction across a wider gap is below a piconewton
 constexpr double kSameSlot = 0.25;    // of the tip's radius: a foot moves less from tick to tick
 constexpr double kMainFoot = 1.5;     // another foot becomes the main one with so much more force
@@ -44,6 +45,13 @@ double frictionForce(const Friction& friction, const ContactState& contact) {
         return 0.0;
     }  // nothing touches
     return std::max(0.0, friction.coefficient * contact.force + friction.shearStrength * area);
+}
+
+/// A sphere against a curved surface is no sphere against a flat one where the contact is about as
+/// wide as the tip: the exact-sphere laws take the sample as flat.
+EffectiveRadius takenAsFlat(EffectiveRadius curved, double tipRadius) {
+    const bool isCurved = std::abs(curved.radius - tipRadius) > kFlatEnough * tipRadius;
+    return {.radius = tipRadius, .fits = curved.fits, .elongated = curved.elongated || isCurved};
 }
 
 /// Search for the tip's place between a lever of given compliance and all its feet, one foot at a
@@ -124,6 +132,9 @@ private:
             const auto bend =
                 principalCurvatures(surface_.at(foot.place.point.x(), foot.place.point.y()));
             foot.radius = effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
+            if (isSphere(system_.contact.law())) {
+                foot.radius = takenAsFlat(foot.radius, system_.tipRadius());
+            }
             const double used = foot.model.pair().tipRadius;
             if (std::abs(foot.radius.radius - used) > kSameRadius * used) {
                 foot.model = system_.contact.withTipRadius(foot.radius.radius);
@@ -198,7 +209,7 @@ private:
         state_.slip = main.slip;
         state_.effectiveRadius = main.radius.radius;
         state_.fits = main.radius.fits;
-        state_.elongated = main.radius.elongated;
+        state_.radiusIsRough = main.radius.elongated;
         state_.normal = main.place.normal;
         state_.normalForce = main.contact.force;
         if (feet_.size() > 1 && normalForce.norm() > 0.0) {

@@ -44,9 +44,9 @@ struct TipState {
     double effectiveRadius = 0.0;       ///< of tip and curved sample together [m]
     int feet = 1;                       ///< that bear a force
     bool fits = true;                   ///< false: the sample is as sharply hollow as the tip
-    bool elongated = false;  ///< sample curved so differently along two axes that R_eff is rough
-    bool converged = false;  ///< tip position found to rounding
-    bool locked = false;     ///< friction would lock the lever: no quasi-static state
+    bool radiusIsRough = false;  ///< the sample is curved so that effectiveRadius is a rough word
+    bool converged = false;      ///< tip position found to rounding
+    bool locked = false;         ///< friction would lock the lever: no quasi-static state
 };
 
 /// Solves tip = base + C F(tip) for the position of the tip, C the lever's compliance, F the sum

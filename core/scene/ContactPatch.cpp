@@ -1,6 +1,8 @@
 #include "core/scene/ContactPatch.h"
 
 #include "core/contact/SurfaceDisplacement.h"
+#include "core/scene/RadialTable.h"
+#include "core/scene/RimRounding.h"
 
 namespace asperity {
 
@@ -17,8 +19,10 @@ ContactModel contactModelAt(const Scene& scene, const TipState& state) {
     return radius > 0.0 ? scene.belief.contact.withTipRadius(radius) : scene.belief.contact;
 }
 
-SurfacePatch contactPatch(const Scene& scene, const TipState& state, DeformationTier tier,
-                          const PatchGrid& grid) {
+namespace {
+
+SurfacePatch patchOf(const Scene& scene, const TipState& state, DeformationTier tier,
+                     const PatchGrid& grid, const RadialDisplacement& displacement) {
     const double radius = scene.belief.tipRadius();
     const TipContact contact{.foot = state.foot.point,
                              .normal = state.foot.normal,
@@ -26,11 +30,35 @@ SurfacePatch contactPatch(const Scene& scene, const TipState& state, Deformation
                              .tipRadius = radius,
                              .contactRadius = state.contact.contactRadius,
                              .indentation = state.contact.indentation};
-    const double share = shareOfSample(scene);
-    const auto displacement = [&, model = contactModelAt(scene, state)](double distance) {
-        return share * surfaceDisplacement(model, state.contact, distance);
-    };
     return deformedPatch(scene.surface, contact, grid, tier, displacement);
+}
+
+}  // namespace
+
+SurfacePatch contactPatch(const Scene& scene, const TipState& state, DeformationTier tier,
+                          const PatchGrid& grid) {
+    return patchOf(scene, state, tier, grid,
+                   [&state, share = shareOfSample(scene),
+                    model = contactModelAt(scene, state)](double distance) {
+                       return share * surfaceDisplacement(model, state.contact, distance);
+                   });
+}
+
+SurfacePatch drawnPatch(const Scene& scene, const TipState& state, DeformationTier tier,
+                        const PatchGrid& grid) {
+    const double rounding = rimRounding(state.contact, scene.belief.tipRadius());
+    if (rounding == 0.0) {
+        return contactPatch(scene, state, tier, grid);
+    }
+    const double share = shareOfSample(scene);
+    const auto exact = [&state, model = contactModelAt(scene, state)](double distance) {
+        return surfaceDisplacement(model, state.contact, distance);
+    };
+    const RadialTable table(
+        [&](double distance) { return share * averagedOverRim(exact, distance, rounding); },
+        state.contact.contactRadius, 4.0 * grid.halfWidth);
+    return patchOf(scene, state, tier, grid,
+                   [&table](double distance) { return table.at(distance); });
 }
 
 Vector3 displacedFoot(const Scene& scene, const TipState& state, DeformationTier tier) {

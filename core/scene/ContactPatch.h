@@ -15,6 +15,10 @@ namespace asperity {
 [[nodiscard]] SurfacePatch contactPatch(const Scene& scene, const TipState& state,
                                         DeformationTier tier, const PatchGrid& grid);
 
+/// The same with the sharp rim of a wide contact as a picture shows it, see rimRounding().
+[[nodiscard]] SurfacePatch drawnPatch(const Scene& scene, const TipState& state,
+                                      DeformationTier tier, const PatchGrid& grid);
+
 /// Where the foot lies once the surface has moved, world [m].
 [[nodiscard]] Vector3 displacedFoot(const Scene& scene, const TipState& state,
                                     DeformationTier tier);

@@ -15,7 +15,7 @@ enum class Validity : std::uint32_t {
     FrictionLock = 1U << 5U,       ///< friction would lock the lever
     ModelContradicted = 1U << 6U,  ///< the signals differ from the model by more than 3 sigma
     SingularGeometry = 1U << 7U,   ///< signals say little about one force direction
-    CurvedSample = 1U << 8U,       ///< curvatures so unequal that one effective radius is rough
+    CurvedSample = 1U << 8U,       ///< no single effective radius stands for the sample's curvature
     SharpValley = 1U << 9U,        ///< the sample is hollow about as sharply as the tip, or more
     SeveralFeet = 1U << 10U,       ///< the tip touches at several places; their forces are summed
     TipNotHeld = 1U << 11U,        ///< no place of the base holds the tip where the hand wants it

@@ -139,7 +139,7 @@ TEST(TradeOff, WritesATableAndAFigureAndPrintsThem) {
     const auto run = test::runProgram("tradeoff " + test::shippedScene("polystyrene").string() +
                                       " --out " + scratch.file("out").string());
     ASSERT_EQ(run.exitCode, 0) << run.output;
-    EXPECT_NE(run.output.find("Maugis-Dugdale, contact radius"), std::string::npos);
+    EXPECT_NE(run.output.find("Maugis-Dugdale with tail, contact radius"), std::string::npos);
     const CsvTable table = readCsv(scratch.path() / "out/tradeoff.csv");
     EXPECT_EQ(table.rows(), 5U);
     EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/tradeoff.png"), 5000U);

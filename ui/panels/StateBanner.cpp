@@ -53,7 +53,7 @@ QString validityWords(Validity flag) {
     case Validity::SingularGeometry:
         return QStringLiteral("signals say little about one direction of the force");
     case Validity::CurvedSample:
-        return QStringLiteral("surface curved unequally: its effective radius is rough");
+        return QStringLiteral("surface curved so that one effective radius is a rough word for it");
     case Validity::SharpValley:
         return QStringLiteral("valley as sharp as the tip: the contact law does not hold");
     case Validity::SeveralFeet:

@@ -1,7 +1,9 @@
 #include "ui/view/ContactShape.h"
 
+#include "core/SmoothStep.h"
 #include "core/contact/SurfaceDisplacement.h"
 #include "core/scene/ContactPatch.h"
+#include "core/scene/RimRounding.h"
 
 #include <Eigen/Geometry>
 
@@ -18,18 +20,8 @@ constexpr double kBlend = 0.35;
 /// In contact radii: a narrower rectangle begins to cut the contact's rim, and shows less of it.
 constexpr double kRoomForContact = 1.6;
 
-/// Of the contact radius: the sharp rim of a contact wider than the tip is drawn rounder by this
-/// much, as the samples would make teeth of it.
-constexpr double kRounding = 0.15;
-
 /// Samples at the border lie cosh(k) times as far apart as at the contact.
 constexpr double kCrowding = 4.0;
-
-/// From 0 below 0 to 1 above 1.
-double smoothStep(double place) {
-    const double part = std::clamp(place, 0.0, 1.0);
-    return part * part * (3.0 - 2.0 * part);
-}
 
 /// Places from `low` to `high`, crowded about `middle`, which is one of them for odd counts.
 std::vector<double> crowded(double low, double middle, double high, int count) {
@@ -59,33 +51,13 @@ double sampleShareOf(const Scene& scene) {
                : 1.0;
 }
 
-/// Nothing for contacts narrower than the tip: those are drawn exactly [m].
-double roundingOf(const ContactState& contact, double tipRadius) {
-    return kRounding * contact.contactRadius * smoothStep(contact.contactRadius / tipRadius - 1.0);
-}
-
-/// A function of the distance from the axis, averaged over a stretch to either side.
-template <class Function>
-double averaged(const Function& function, double distance, double stretch) {
-    if (stretch == 0.0) {
-        return function(distance);
-    }
-    constexpr int kSteps = 3;
-    double sum = 0.0;
-    for (int step = 1 - kSteps; step < kSteps; ++step) {
-        const double place = std::abs(distance + stretch * step / (kSteps - 1));
-        sum += (kSteps - std::abs(step)) * function(place);
-    }
-    return sum / (kSteps * kSteps);
-}
-
 RadialTable displacementTable(const Scene& scene, const TipState& state, const ScanWindow& area) {
     const double reach = std::hypot(area.right - area.left, area.top - area.bottom);
-    const double rounding = roundingOf(state.contact, scene.belief.tipRadius());
+    const double rounding = rimRounding(state.contact, scene.belief.tipRadius());
     const auto exact = [&, model = contactModelAt(scene, state)](double distance) {
         return surfaceDisplacement(model, state.contact, distance);
     };
-    return {[&](double distance) { return averaged(exact, distance, rounding); },
+    return {[&](double distance) { return averagedOverRim(exact, distance, rounding); },
             state.contact.contactRadius, reach};
 }
 

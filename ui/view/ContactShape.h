@@ -3,7 +3,7 @@
 #include "core/scene/Scene.h"
 #include "core/surface/DisplacementField.h"
 #include "core/surface/SurfaceDeformation.h"
-#include "ui/view/RadialTable.h"
+#include "core/scene/RadialTable.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 
 #include <vector>

@@ -91,5 +91,38 @@ TEST(Scene, RefusesEachValueOutsideItsRange) {
     }
 }
 
+TEST(Scene, ChoosesTheContactLawAndSaysWhy) {
+    SceneDescription description = test::plainScene();
+    EXPECT_EQ(buildScene(description, test::flatMap()).lawChoice.law, ContactLaw::Split);
+    description.sample.material.elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5};
+    description.sample.material.workOfAdhesion = 0.022;
+    const Scene rubber = buildScene(description, test::flatMap());
+    EXPECT_EQ(rubber.belief.contact.law(), ContactLaw::SphereMaugis);
+    EXPECT_NE(rubber.lawChoice.why.find("2.5"), std::string::npos) << rubber.lawChoice.why;
+    description.sample.material.workOfAdhesion = 0.0;
+    EXPECT_EQ(buildScene(description, test::flatMap()).belief.contact.law(), ContactLaw::Sneddon);
+    description.law = ContactLaw::Jkr;
+    EXPECT_EQ(buildScene(description, test::flatMap()).belief.contact.law(), ContactLaw::Jkr);
+}
+
+TEST(Scene, EveryLawBalancesTheTipOnHills) {
+    for (const ContactLaw law : kContactLaws) {
+        SCOPED_TRACE(keyOf(law));
+        SceneDescription description = test::plainScene();
+        description.law = law;
+        description.sample.material.filmThickness = 100.0_nm;
+        const Scene scene = buildScene(description, test::hillyMap());
+        EquilibriumMemory memory;
+        TipState state;
+        for (int i = 0; i < 5; ++i) {
+            const BaseMotion base{.position = {20.0_nm, 18.0_nm, 8.0_nm - i * 1.0_nm}};
+            state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+            EXPECT_TRUE(state.converged);
+            EXPECT_TRUE(state.contact.solved());
+        }
+        EXPECT_GT(state.contact.contactRadius, 0.5_nm);
+    }
+}
+
 }  // namespace
 }  // namespace asperity

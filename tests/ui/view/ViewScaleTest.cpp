@@ -9,19 +9,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace asperity {
 
 namespace {
 
 /// So soft that the contact is wider than the tip.
-Scene rubberScene() {
+Scene rubberScene(std::optional<ContactLaw> law = ContactLaw::Split) {
     HeightMap map = test::flatMap();
     map.pitchX *= 4.0;
     map.pitchY *= 4.0;
     SceneDescription description = test::plainScene();
     description.sample.material.elastic = {.youngsModulus = 1e6, .poissonRatio = 0.5};
     description.sample.material.workOfAdhesion = 0.022;
+    description.law = law;
     return buildScene(description, map);
 }
 
@@ -83,6 +85,12 @@ TEST(ViewScale, IsThatOfTheContactWhereItIsWide) {
     EXPECT_DOUBLE_EQ(scale.patch, 2.5 * unloaded);
     EXPECT_DOUBLE_EQ(scale.usual, 3.2 * unloaded);
     EXPECT_LT(scale.least, scale.usual);
+}
+
+TEST(ViewScale, OnTheExactSphereNoContactIsWiderThanTheTip) {
+    const Scene scene = rubberScene(std::nullopt);
+    ASSERT_EQ(scene.belief.contact.law(), ContactLaw::SphereMaugis);
+    EXPECT_DOUBLE_EQ(viewScale(scene).patch, 2.5 * scene.belief.tipRadius());
 }
 
 TEST(ViewScale, AGivenWidthOfTheFrameIsKept) {

@@ -1,4 +1,4 @@
-#include "ui/view/RadialTable.h"
+#include "core/scene/RadialTable.h"
 
 #include <algorithm>
 #include <cmath>
