@@ -111,6 +111,7 @@ TEST(Scene, EveryLawBalancesTheTipOnHills) {
         SceneDescription description = test::plainScene();
         description.law = law;
         description.sample.material.filmThickness = 100.0_nm;
+        description.truth.material = description.sample.material;
         const Scene scene = buildScene(description, test::hillyMap());
         EquilibriumMemory memory;
         TipState state;
