@@ -94,6 +94,10 @@ ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& p
 
 ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
     const ContactPair& pair = given.pair;
+    const auto splitLaw = [](const ContactPair& of, const MaugisSolver& by) {
+        const AttractiveTail tail = splitTail(of);
+        return Split(WithTail(tail), SplitLaw(of, tail, by));
+    };
     const auto sudden = [](const auto& bonded) {
         return Joined(JoinedLaw(NoTail(bonded.onset()), bonded));
     };
@@ -120,7 +124,7 @@ ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
     case ContactLaw::SphereMaugis:
         return sudden(SphereMaugisLaw(pair, given.options.cohesiveStress));
     case ContactLaw::Split:
-        return Split(WithTail(splitTail(pair)), SplitLaw(pair, solver));
+        return splitLaw(pair, solver);
     default:
         return sudden(HertzLaw(pair));
     }

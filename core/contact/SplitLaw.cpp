@@ -11,8 +11,7 @@ constexpr double kTailFraction = 0.1;  // eps of docs/physics.md 3.4
 
 double jointSeparation() noexcept { return kContactSeparation / std::sqrt(kTailFraction); }
 
-AdhesionSplit splitOf(const ContactPair& pair) noexcept {
-    const AttractiveTail tail = splitTail(pair);
+AdhesionSplit splitOf(const ContactPair& pair, const AttractiveTail& tail) noexcept {
     AdhesionSplit split;
     split.hamaker = tail.attraction().hamaker();
     split.jointSeparation = jointSeparation();
@@ -40,10 +39,9 @@ AttractiveTail splitTail(const ContactPair& pair) noexcept {
             jointSeparation()};
 }
 
-SplitLaw::SplitLaw(const ContactPair& pair, MaugisSolver solver) noexcept
-    : split_(splitOf(pair))
-    , zone_(zoneOf(pair, split_, std::move(solver)))
-    , jointEnergy_(split_.tailSnaps ? 0.0 : splitTail(pair).energy(split_.jointSeparation)) {
+SplitLaw::SplitLaw(const ContactPair& pair, const AttractiveTail& tail,
+                   MaugisSolver solver) noexcept
+    : tail_(tail), split_(splitOf(pair, tail)), zone_(zoneOf(pair, split_, std::move(solver))) {
     split_.cohesiveStress = zone_.cohesiveStress();
 }
 
@@ -74,7 +72,8 @@ double SplitLaw::approachOfZone(double approach, double compliance) const noexce
 
 double SplitLaw::energy(const LawPoint& point) const noexcept {
     const double moved = point.indentation + split_.tailLift - zone_.onset();
-    return jointEnergy_ + (split_.tailForce * moved) + zone_.energy(point);
+    const double joint = split_.tailSnaps ? 0.0 : tail_.energy(split_.jointSeparation);
+    return joint + (split_.tailForce * moved) + zone_.energy(point);
 }
 
 }  // namespace asperity

@@ -29,8 +29,9 @@ struct AdhesionSplit {
 /// Source: docs/physics.md 3.4, equation (3.3).
 class SplitLaw {
 public:
-    /// The pair's work of adhesion must be > 0.
-    explicit SplitLaw(const ContactPair& pair, MaugisSolver solver = {}) noexcept;
+    /// The pair's work of adhesion must be > 0. @param tail splitTail() of the pair
+    SplitLaw(const ContactPair& pair, const AttractiveTail& tail,
+             MaugisSolver solver = {}) noexcept;
 
     [[nodiscard]] const AdhesionSplit& split() const noexcept { return split_; }
     [[nodiscard]] double cohesiveStress() const noexcept { return split_.cohesiveStress; }
@@ -48,9 +49,9 @@ private:
     [[nodiscard]] double approachOfZone(double approach, double compliance) const noexcept;
     [[nodiscard]] LawPoint withTail(LawPoint point) const noexcept;
 
+    AttractiveTail tail_;
     AdhesionSplit split_;
     MaugisLaw zone_;
-    double jointEnergy_;  ///< of the bonded branch where its cohesion begins [J]
 };
 
 }  // namespace asperity
