@@ -19,7 +19,7 @@ double justBeyond(double approach) {
 
 std::optional<TipJump> snapInOf(const ContactModel& model, double compliance) {
     const double end = model.jumpInApproach(compliance);
-    const TipJump jump{end, model.equilibrium(end, compliance, kFar),
+    const TipJump jump{end, model.lastFar(compliance),
                        model.equilibrium(justBeyond(end), compliance, kFar)};
     return jump.after.jumped ? std::optional(jump) : std::nullopt;
 }
@@ -55,13 +55,27 @@ std::vector<ForceCurvePoint> follow(const ContactModel& model, double compliance
     return way;
 }
 
+/// The first step beyond `least` at which the tip is pushed as hard as the pull-off pulls; a few
+/// steps at most, since a soft sample may never push so hard at a depth of interest.
+double repulsiveApproach(const ContactModel& model, double compliance, double least) {
+    constexpr int kSteps = 12;
+    constexpr double kGrowth = 1.25;
+    const double pull = -model.lastBonded(compliance).force;
+    double approach = least;
+    for (int i = 0; i < kSteps && model.equilibrium(approach, compliance, kBonded).force < pull;
+         ++i) {
+        approach *= kGrowth;
+    }
+    return approach;
+}
+
 }  // namespace
 
 ForceCurvePlan curvePlan(const ContactModel& model, double compliance) {
     const double pullOff = model.pullOffApproach(compliance);
     const double reach =
         std::max({-pullOff, -model.jumpInApproach(compliance), 0.05 * model.pair().tipRadius});
-    return {.farthest = -1.5 * reach, .deepest = reach};
+    return {.farthest = -1.5 * reach, .deepest = repulsiveApproach(model, compliance, reach)};
 }
 
 ForceCurve forceCurve(const ContactModel& model, double compliance, const ForceCurvePlan& plan) {
