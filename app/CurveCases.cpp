@@ -62,8 +62,9 @@ CurveCase caseOf(const SceneDescription& scene, const LawChoice& choice, double 
 
 void addCurveRequest(CLI::App& command, CurveRequest& request) {
     command.add_option("SCENE", request.scene, "scene.toml (default: the default scene)");
-    command.add_option("--material", request.materials,
-                       "material file or the name of one in data/materials; may be given again")
+    command
+        .add_option("--material", request.materials,
+                    "material file or the name of one in data/materials; may be given again")
         ->allow_extra_args(false);
     command.add_option("--law", request.law, "contact law (default: as the scene, auto)")
         ->check(CLI::IsMember(lawNames()));

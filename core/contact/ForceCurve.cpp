@@ -32,9 +32,17 @@ std::optional<TipJump> pullOffOf(const ContactModel& model, double compliance) {
     return jump.after.jumped ? std::optional(jump) : std::nullopt;
 }
 
-/// Base positions of one way, in its order, those of a jump among them twice.
-std::vector<ForceCurvePoint> follow(const ContactModel& model, double compliance, double from,
-                                    double to, int points, const std::optional<TipJump>& jump) {
+/// Base positions from one to another [m].
+struct Way {
+    double from = 0.0;
+    double to = 0.0;
+    int points = 2;
+};
+
+/// The states along a way, in its order, both sides of a jump among them.
+std::vector<ForceCurvePoint> follow(const ContactModel& model, double compliance, const Way& along,
+                                    const std::optional<TipJump>& jump) {
+    const auto [from, to, points] = along;
     std::vector<ForceCurvePoint> way;
     ContactMemory memory = from < to ? kFar : kBonded;
     bool passed = !jump;
@@ -83,8 +91,8 @@ ForceCurve forceCurve(const ContactModel& model, double compliance, const ForceC
     curve.snapIn = snapInOf(model, compliance);
     curve.pullOff = pullOffOf(model, compliance);
     const int points = std::max(2, plan.points);
-    curve.approach = follow(model, compliance, plan.farthest, plan.deepest, points, curve.snapIn);
-    curve.retract = follow(model, compliance, plan.deepest, plan.farthest, points, curve.pullOff);
+    curve.approach = follow(model, compliance, {plan.farthest, plan.deepest, points}, curve.snapIn);
+    curve.retract = follow(model, compliance, {plan.deepest, plan.farthest, points}, curve.pullOff);
     return curve;
 }
 

@@ -141,7 +141,7 @@ TEST_F(Contact, RefusesColumnsThatDoNotFit) {
 TEST_F(Contact, RefusesWhatIsNoTable) {
     expectRefusal("", "the file is empty");
     expectRefusal("# only a remark\n", "names the columns");
-    expectRefusal(std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\1\2,\xff\xfe\n\0,\0,\0", 33), "");
+    expectRefusal({'\x89', 'P', 'N', 'G', '\r', '\n', '\0', '\xff', ',', '\0', '\n'}, "");
     const auto folder = test::runProgram("contact --cases " + scratch.path().string());
     EXPECT_EQ(folder.exitCode, 3) << folder.output;
     const auto none = test::runProgram("contact --cases /nonexistent.csv");
