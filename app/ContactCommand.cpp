@@ -1,20 +1,21 @@
 #include "app/ContactCommand.h"
 
-#include "app/CaseTable.h"
+#include "app/CaseFiles.h"
 #include "core/Version.h"
 #include "core/contact/ContactModel.h"
-#include "core/contact/MaugisUnits.h"
+#include "core/contact/LawChoice.h"
+#include "core/io/CaseTable.h"
 
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace asperity {
 
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kLargeContact = 0.3;  // a/R beyond which linear elasticity is not credible
 
 /// One row of the table.
 struct ContactCase {
@@ -61,10 +62,10 @@ std::string statusOf(const ContactModel& model, const ContactState& state) {
     if (model.law() == ContactLaw::SphereMaugis && state.cohesiveRadius >= radius) {
         return "cohesive_zone_at_equator";
     }
-    return state.contactRadius > kLargeContact * radius ? "large_contact" : "ok";
+    return isLargeContact(state.contactRadius, radius) ? "large_contact" : "ok";
 }
 
-ContactAnswer answer(const ContactCase& asked) {
+ContactAnswer answerTo(const ContactCase& asked) {
     const auto law = lawOf(asked.model);
     if (!law) {
         return {"unknown_model"};
@@ -96,29 +97,32 @@ void write(CsvWriter& csv, const ContactAnswer& answer) {
         .add(state ? state->cohesiveRadius : kNaN)
         .add(answer.lambda)
         .add(state ? regionName(state->region()) : "none")
-        .add(answer.status)
-        .endRow();
+        .add(answer.status);
+}
+
+std::vector<std::string> commentsFor(const std::string& cases) {
+    return {std::string("Asperity ") + kVersion + ": contact at given indentation; cases: " + cases,
+            "SI units, as each column's name ends; force > 0 is repulsive, indentation < 0 a gap",
+            "state: far, cohesive (zone without contact), contact; lambda: transition parameter, 0 "
+            "for laws without a cohesive zone",
+            "status: ok; large_contact (a/R above 0.3, evaluated formally); "
+            "cohesive_zone_at_equator; else why there is no answer"};
 }
 
 void contact(const CaseFiles& files) {
-    CaseTable table(
-        files,
-        {std::string("Asperity ") + kVersion +
-             ": contact at given indentation; cases: " + files.cases,
-         "SI units, as each column's name ends; force > 0 is repulsive, indentation < 0 a gap",
-         "state: far, cohesive (zone without contact), contact; lambda: transition parameter, 0 "
-         "for laws without a cohesive zone",
-         "status: ok; large_contact (a/R above 0.3, evaluated formally); "
-         "cohesive_zone_at_equator; else why there is no answer"},
-        {"model", "radius_m", "e_star_pa", "work_of_adhesion_j_m2", "sigma0_pa", "indentation_m",
-         "branch"},
-        {"force_n", "contact_radius_m", "cohesive_radius_m", "lambda", "state", "status"});
-    for (std::size_t row = 0; row < table.cases().rows(); ++row) {
-        const ContactAnswer found = answer(readCase(table.cases(), row));
-        table.beginRow(row);
-        write(table.result(), found);
+    const CsvTable table =
+        readCases(files.cases, {"model", "radius_m", "e_star_pa", "work_of_adhesion_j_m2",
+                                "sigma0_pa", "indentation_m", "branch"});
+    std::vector<ContactCase> cases;  // all before the first is answered: a table is whole or not
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        cases.push_back(readCase(table, row));
     }
-    table.close();
+    const CaseAnswers answers{
+        .comments = commentsFor(files.cases),
+        .columns = {"force_n", "contact_radius_m", "cohesive_radius_m", "lambda", "state",
+                    "status"},
+        .add = [&](CsvWriter& csv, std::size_t row) { write(csv, answerTo(cases[row])); }};
+    writeTable(files.out, [&](std::ostream& out) { writeCases(out, table, answers); });
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kLargeContact = 0.3;
+constexpr double kSmallestStiffness = 1e-6;  // [N/m]
+constexpr double kLargestStiffness = 1e12;   // [N/m]
 
 /// A material by the path of its file or by its name in the data folder.
 SampleMaterial findMaterial(const std::string& given) {
@@ -61,16 +62,18 @@ CurveCase caseOf(const SceneDescription& scene, const LawChoice& choice, double 
 
 void addCurveRequest(CLI::App& command, CurveRequest& request) {
     command.add_option("SCENE", request.scene, "scene.toml (default: the default scene)");
-    command.add_option("--material", request.materials,
-                       "material file or the name of one in data/materials; may be given again");
+    command
+        .add_option("--material", request.materials,
+                    "material file or the name of one in data/materials; may be given again")
+        ->allow_extra_args(false);
     command.add_option("--law", request.law, "contact law (default: as the scene, auto)")
         ->check(CLI::IsMember(lawNames()));
     command.add_option("--radius", request.radius, "of the tip [m]")
         ->check(finiteNumber())
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(kSmallestTipRadius, kLargestTipRadius));
     command.add_option("--stiffness", request.stiffness, "of the lever along the normal [N/m]")
         ->check(finiteNumber())
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(kSmallestStiffness, kLargestStiffness));
 }
 
 std::vector<CurveCase> curveCases(const CurveRequest& request) {
@@ -99,10 +102,6 @@ std::vector<CurveCase> curveCases(const CurveRequest& request) {
         }
     }
     return cases;
-}
-
-bool isLargeContact(const ContactModel& model, const ContactState& state) {
-    return state.contactRadius > kLargeContact * model.pair().tipRadius;
 }
 
 }  // namespace asperity

@@ -34,7 +34,4 @@ void addCurveRequest(CLI::App& command, CurveRequest& request);
 /// range
 [[nodiscard]] std::vector<CurveCase> curveCases(const CurveRequest& request);
 
-/// Whether the contact is too wide for linear elasticity to be credible.
-[[nodiscard]] bool isLargeContact(const ContactModel& model, const ContactState& state);
-
 }  // namespace asperity

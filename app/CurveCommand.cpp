@@ -1,14 +1,17 @@
 #include "app/CurveCommand.h"
 
+#include "app/CaseFiles.h"
 #include "app/CurveCases.h"
 #include "app/OptionChecks.h"
 #include "app/VirtualDisplay.h"
 #include "core/Version.h"
 #include "core/contact/ForceCurve.h"
+#include "core/contact/LawChoice.h"
 #include "core/io/CsvWriter.h"
 #include "vtkplugins/pictures/Charts.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -29,6 +32,15 @@ struct CurveResult {
     CurveCase asked;
     ForceCurve curve;
 };
+
+CLI::Validator pngName() {
+    return {[](const std::string& text) {
+                return std::filesystem::path(text).extension() == ".png"
+                           ? std::string()
+                           : "expected the name of a .png file, not '" + text + "'";
+            },
+            ""};
+}
 
 /// "snap-in at -0.494 nm: -1.82 -> -7.92 nN, 1.2e-18 J lost".
 std::string jumpText(const char* name, const std::optional<TipJump>& jump) {
@@ -63,11 +75,14 @@ void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
         csv.add(point.basePosition).add(state.indentation).add(state.force);
         csv.add(state.force * result.asked.compliance).add(state.contactRadius);
         csv.add(state.cohesiveRadius).add(regionName(state.region()));
-        csv.add(isLargeContact(result.asked.model, state) ? "large_contact" : "-").endRow();
+        csv.add(isLargeContact(state.contactRadius, result.asked.model.pair().tipRadius)
+                    ? "large_contact"
+                    : "-")
+            .endRow();
     }
 }
 
-void writeTable(const CurveOptions& options, const std::vector<CurveResult>& results) {
+void writeCurves(std::ostream& out, const std::vector<CurveResult>& results) {
     std::vector<std::string> comments{std::string("Asperity ") + kVersion +
                                           ": quasi-static approach and retract curves",
                                       "base position > 0 towards the sample, 0 where tip and "
@@ -81,18 +96,12 @@ void writeTable(const CurveOptions& options, const std::vector<CurveResult>& res
         "material",          "law",     "way",          "base_position_m",
         "indentation_m",     "force_n", "deflection_m", "contact_radius_m",
         "cohesive_radius_m", "state",   "flags"};
-    const auto write = [&](CsvWriter csv) {
-        for (const CurveResult& result : results) {
-            writeWay(csv, result, "approach", result.curve.approach);
-            writeWay(csv, result, "retract", result.curve.retract);
-        }
-        csv.close();
-    };
-    if (options.out.empty()) {
-        write({std::cout, comments, columns});
-    } else {
-        write({std::filesystem::path(options.out), comments, columns});
+    CsvWriter csv(out, comments, columns);
+    for (const CurveResult& result : results) {
+        writeWay(csv, result, "approach", result.curve.approach);
+        writeWay(csv, result, "retract", result.curve.retract);
     }
+    csv.close();
 }
 
 Curve lineOf(const char* label, const std::vector<ForceCurvePoint>& way, bool dashed) {
@@ -107,7 +116,9 @@ Curve lineOf(const char* label, const std::vector<ForceCurvePoint>& way, bool da
 void drawFigure(const std::string& path, const std::vector<CurveResult>& results) {
     std::vector<Chart> charts;
     for (const CurveResult& result : results) {
-        charts.push_back({.title = result.asked.name + ", " + nameOf(result.asked.model.law()),
+        std::string name = result.asked.name;
+        std::ranges::replace(name, '_', ' ');
+        charts.push_back({.title = name + ", " + nameOf(result.asked.model.law()),
                           .xLabel = "base position towards the sample",
                           .yLabel = "force on the tip",
                           .curves = {lineOf("approach", result.curve.approach, true),
@@ -134,7 +145,7 @@ void curve(const CurveOptions& options) {
             std::cerr << line << '\n';
         }
     }
-    writeTable(options, results);
+    writeTable(options.out, [&](std::ostream& out) { writeCurves(out, results); });
     if (!options.figure.empty()) {
         drawFigure(options.figure, results);
     }
@@ -150,9 +161,8 @@ void addCurveCommand(CLI::App& program) {
     command->add_option("--points", options->points, "along each way")
         ->capture_default_str()
         ->check(CLI::Range(2, 1000000));
-    command->add_option("--out", options->out, "CSV file to write (default: standard output)")
-        ->check(notEmpty());
-    command->add_option("--figure", options->figure, "picture to write (.png)")->check(notEmpty());
+    addTableFile(*command, options->out);
+    command->add_option("--figure", options->figure, "picture to write (.png)")->check(pngName());
     command->callback([options] { curve(*options); });
 }
 

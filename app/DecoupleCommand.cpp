@@ -1,9 +1,10 @@
 #include "app/DecoupleCommand.h"
 
+#include "app/CaseFiles.h"
+#include "app/OptionChecks.h"
 #include "core/io/DecouplingFile.h"
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -30,20 +31,27 @@ constexpr const char* kHelp =
 
 struct DecoupleOptions {
     std::string probe;
-    std::string cases;
+    CaseFiles files;
 };
+
+void decouple(const DecoupleOptions& options) {
+    writeTable(options.files.out, [&](std::ostream& out) {
+        writeForceEstimates(options.probe, options.files.cases, out);
+    });
+}
 
 }  // namespace
 
 void addDecoupleCommand(CLI::App& program) {
     const auto options = std::make_shared<DecoupleOptions>();
     CLI::App* command = program.add_subcommand(
-        "decouple", "Turn lever signals into 3-D forces with covariance: CSV on standard output");
+        "decouple", "Lever signals to 3-D forces with covariance, for each case of a table");
     command->footer(kHelp);
-    command->add_option("--probe", options->probe, "probe file (TOML)")->required();
-    command->add_option("--cases", options->cases, "table of signals (CSV)")->required();
-    command->callback(
-        [options] { writeForceEstimates(options->probe, options->cases, std::cout); });
+    command->add_option("--probe", options->probe, "probe file (TOML)")
+        ->required()
+        ->check(notEmpty());
+    addCaseFiles(*command, options->files);
+    command->callback([options] { decouple(*options); });
 }
 
 }  // namespace asperity

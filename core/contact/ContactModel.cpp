@@ -169,6 +169,13 @@ double ContactModel::pullOffApproach(double compliance) const noexcept {
            (compliance * pull);
 }
 
+ContactState ContactModel::lastFar(double compliance) const noexcept {
+    if (given_.options.meniscus.present()) {
+        return equilibrium(wettedJumpIn(compliance), compliance, {});
+    }
+    return std::visit([&](const auto& joined) { return joined.lastFar(compliance); }, joined_);
+}
+
 ContactState ContactModel::lastBonded(double compliance) const noexcept {
     const ContactState last =
         std::visit([&](const auto& joined) { return joined.lastBonded(compliance); }, joined_);

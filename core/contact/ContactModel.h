@@ -58,6 +58,8 @@ public:
     /// Approach of the undeflected tip at which it pulls off [m]; 0 without adhesion.
     [[nodiscard]] double pullOffApproach(double compliance) const noexcept;
 
+    /// The last stable state on the way in, before snap-in.
+    [[nodiscard]] ContactState lastFar(double compliance) const noexcept;
     /// The last stable bonded state on the way out.
     [[nodiscard]] ContactState lastBonded(double compliance) const noexcept;
 

@@ -16,7 +16,7 @@ enum class ContactBranch : std::uint8_t {
 enum class TipRegion : std::uint8_t {
     Far,       ///< van der Waals attraction only
     Cohesive,  ///< bonded across a gap
-    Contact,   ///< touching over a circle
+    Contact,   ///< touching over a circle, or just in its middle
 };
 
 /// "far", "cohesive" or "contact".
@@ -46,7 +46,8 @@ struct ContactState {
         if (branch == ContactBranch::Far) {
             return TipRegion::Far;
         }
-        return contactRadius > 0.0 ? TipRegion::Contact : TipRegion::Cohesive;
+        const bool acrossGap = cohesiveRadius > 0.0 && !(contactRadius > 0.0);
+        return acrossGap ? TipRegion::Cohesive : TipRegion::Contact;
     }
     [[nodiscard]] ContactMemory memory() const noexcept { return {branch, coordinate}; }
 };

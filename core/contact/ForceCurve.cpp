@@ -19,7 +19,7 @@ double justBeyond(double approach) {
 
 std::optional<TipJump> snapInOf(const ContactModel& model, double compliance) {
     const double end = model.jumpInApproach(compliance);
-    const TipJump jump{end, model.equilibrium(end, compliance, kFar),
+    const TipJump jump{end, model.lastFar(compliance),
                        model.equilibrium(justBeyond(end), compliance, kFar)};
     return jump.after.jumped ? std::optional(jump) : std::nullopt;
 }
@@ -32,9 +32,17 @@ std::optional<TipJump> pullOffOf(const ContactModel& model, double compliance) {
     return jump.after.jumped ? std::optional(jump) : std::nullopt;
 }
 
-/// Base positions of one way, in its order, those of a jump among them twice.
-std::vector<ForceCurvePoint> follow(const ContactModel& model, double compliance, double from,
-                                    double to, int points, const std::optional<TipJump>& jump) {
+/// Base positions from one to another [m].
+struct Way {
+    double from = 0.0;
+    double to = 0.0;
+    int points = 2;
+};
+
+/// The states along a way, in its order, both sides of a jump among them.
+std::vector<ForceCurvePoint> follow(const ContactModel& model, double compliance, const Way& along,
+                                    const std::optional<TipJump>& jump) {
+    const auto [from, to, points] = along;
     std::vector<ForceCurvePoint> way;
     ContactMemory memory = from < to ? kFar : kBonded;
     bool passed = !jump;
@@ -55,13 +63,27 @@ std::vector<ForceCurvePoint> follow(const ContactModel& model, double compliance
     return way;
 }
 
+/// The first step beyond `least` at which the tip is pushed as hard as the pull-off pulls; a few
+/// steps at most, since a soft sample may never push so hard at a depth of interest.
+double repulsiveApproach(const ContactModel& model, double compliance, double least) {
+    constexpr int kSteps = 12;
+    constexpr double kGrowth = 1.25;
+    const double pull = -model.lastBonded(compliance).force;
+    double approach = least;
+    for (int i = 0; i < kSteps && model.equilibrium(approach, compliance, kBonded).force < pull;
+         ++i) {
+        approach *= kGrowth;
+    }
+    return approach;
+}
+
 }  // namespace
 
 ForceCurvePlan curvePlan(const ContactModel& model, double compliance) {
     const double pullOff = model.pullOffApproach(compliance);
     const double reach =
         std::max({-pullOff, -model.jumpInApproach(compliance), 0.05 * model.pair().tipRadius});
-    return {.farthest = -1.5 * reach, .deepest = reach};
+    return {.farthest = -1.5 * reach, .deepest = repulsiveApproach(model, compliance, reach)};
 }
 
 ForceCurve forceCurve(const ContactModel& model, double compliance, const ForceCurvePlan& plan) {
@@ -69,8 +91,8 @@ ForceCurve forceCurve(const ContactModel& model, double compliance, const ForceC
     curve.snapIn = snapInOf(model, compliance);
     curve.pullOff = pullOffOf(model, compliance);
     const int points = std::max(2, plan.points);
-    curve.approach = follow(model, compliance, plan.farthest, plan.deepest, points, curve.snapIn);
-    curve.retract = follow(model, compliance, plan.deepest, plan.farthest, points, curve.pullOff);
+    curve.approach = follow(model, compliance, {plan.farthest, plan.deepest, points}, curve.snapIn);
+    curve.retract = follow(model, compliance, {plan.deepest, plan.farthest, points}, curve.pullOff);
     return curve;
 }
 

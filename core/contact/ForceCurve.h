@@ -35,7 +35,7 @@ struct ForceCurvePlan {
     int points = 500;       ///< along each way, besides the two sides of each jump
 };
 
-/// A plan that shows both jumps and as much repulsion as there is adhesion.
+/// A plan that shows both jumps and a push as strong as the pull at pull-off.
 /// @param compliance of the lever along the surface's normal [m/N]
 [[nodiscard]] ForceCurvePlan curvePlan(const ContactModel& model, double compliance);
 

@@ -18,6 +18,10 @@ public:
     [[nodiscard]] ContactState state(double approach, double /*compliance*/) const noexcept {
         return {.indentation = approach};
     }
+    /// The state at endApproach().
+    [[nodiscard]] ContactState last(double /*compliance*/) const noexcept {
+        return {.indentation = onset_};
+    }
     /// Work done on the bodies from infinite separation to this state [J].
     [[nodiscard]] static double energy(const ContactState& /*state*/) noexcept { return 0.0; }
 
@@ -41,18 +45,21 @@ public:
         return tail_.approach(tail_.endSeparation(compliance), compliance);
     }
     [[nodiscard]] ContactState state(double approach, double compliance) const noexcept {
-        const double separation = separationAt(approach, compliance);
-        return {.force = tail_.attraction().force(separation),
-                .indentation = tail_.indentation(separation),
-                .stiffness = tail_.stiffness(separation)};
+        return stateAt(tail_.separationAt(approach, compliance, tail_.endSeparation(compliance)));
+    }
+    /// The state at endApproach(): near a fold the approach hardly tells it from its neighbours.
+    [[nodiscard]] ContactState last(double compliance) const noexcept {
+        return stateAt(tail_.endSeparation(compliance));
     }
     [[nodiscard]] double energy(const ContactState& state) const noexcept {
         return tail_.energy(tail_.attraction().separationAt(state.force));
     }
 
 private:
-    [[nodiscard]] double separationAt(double approach, double compliance) const noexcept {
-        return tail_.separationAt(approach, compliance, tail_.endSeparation(compliance));
+    [[nodiscard]] ContactState stateAt(double separation) const noexcept {
+        return {.force = tail_.attraction().force(separation),
+                .indentation = tail_.indentation(separation),
+                .stiffness = tail_.stiffness(separation)};
     }
 
     AttractiveTail tail_;
@@ -102,6 +109,10 @@ public:
                                .stiffness = state.stiffness,
                                .coordinate = state.coordinate});
     }
+    /// The last stable state before snap-in on a lever of this compliance.
+    [[nodiscard]] ContactState lastFar(double compliance) const noexcept {
+        return separate_.last(compliance);
+    }
     /// The last stable bonded state on a lever of this compliance.
     [[nodiscard]] ContactState lastBonded(double compliance) const noexcept {
         return stateOf(bonded_.fold(compliance));
@@ -140,7 +151,7 @@ private:
     [[nodiscard]] ContactState snapIn(double approach, double compliance) const noexcept {
         ContactState state = stateOf(bondedAt(approach, compliance));
         const double end = jumpInApproach(compliance);
-        const ContactState before = separate_.state(end, compliance);
+        const ContactState before = separate_.last(compliance);
         const ContactState landing = stateOf(bondedAt(end, compliance));
         state.jumped = landing.force < before.force;
         state.energyLost = std::max(0.0, energy(before, compliance) - energy(landing, compliance));

@@ -29,6 +29,10 @@ std::string sentence(double ratio, const char* rest) {
 
 }  // namespace
 
+bool isLargeContact(double contactRadius, double tipRadius) noexcept {
+    return contactRadius > kLargeContact * tipRadius;
+}
+
 LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair) {
     if (wanted) {
         return {*wanted, "as asked for"};

@@ -8,6 +8,10 @@
 
 namespace asperity {
 
+/// Whether a contact is too wide for linear elasticity to be credible, above 0.3 of the tip's
+/// radius. Source: docs/physics.md 2.10.
+[[nodiscard]] bool isLargeContact(double contactRadius, double tipRadius) noexcept;
+
 /// A contact law and why it was taken.
 struct LawChoice {
     ContactLaw law = ContactLaw::Split;

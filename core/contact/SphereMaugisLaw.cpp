@@ -1,5 +1,6 @@
 #include "core/contact/SphereMaugisLaw.h"
 
+#include "core/contact/MaugisUnits.h"
 #include "core/contact/RisingSearch.h"
 #include "core/contact/RootSearch.h"
 
@@ -25,7 +26,10 @@ double heldRate(const SphereState& state, double softness) noexcept {
 }  // namespace
 
 SphereMaugisLaw::SphereMaugisLaw(const ContactPair& pair, double cohesiveStress) noexcept
-    : units_(pair)
+    : cohesiveStress_(cohesiveStress)
+    , lambda_(pair.workOfAdhesion > 0.0 ? transitionParameter(maugisUnits(pair), cohesiveStress)
+                                        : 0.0)
+    , units_(pair)
     , curve_(2.0 * cohesiveStress / pair.reducedModulus,
              pair.workOfAdhesion > 0.0 ? pair.workOfAdhesion / cohesiveStress / pair.tipRadius
                                        : 0.0)

@@ -28,6 +28,10 @@ public:
     [[nodiscard]] double energy(const LawPoint& point) const noexcept;
     [[nodiscard]] double onset() const noexcept { return -curve_.range() * units_.length; }
 
+    [[nodiscard]] double cohesiveStress() const noexcept { return cohesiveStress_; }  ///< [Pa]
+    /// Transition parameter of the paraboloid of this radius; 0 without adhesion.
+    [[nodiscard]] double lambda() const noexcept { return lambda_; }
+
     /// Whether the cohesive zone of this state ends at the tip's equator with less than the
     /// cohesive range open: no cohesive radius below the tip's meets the condition of the law.
     [[nodiscard]] bool wrapsTip(const LawPoint& point) const noexcept {
@@ -41,6 +45,8 @@ private:
     [[nodiscard]] LawPoint climb(double target, double softness, double from) const noexcept;
     [[nodiscard]] LawPoint apartAt(double target, double softness, double from) const noexcept;
 
+    double cohesiveStress_;
+    double lambda_;
     SphereUnits units_;
     SphereCurve curve_;
     double touch_;                   ///< half tangent of the first touch, see SphereCurve

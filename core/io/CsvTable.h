@@ -20,6 +20,9 @@ public:
 
     [[nodiscard]] std::size_t rows() const { return lines_.size(); }
     [[nodiscard]] const std::vector<std::string>& columns() const { return names_; }
+    [[nodiscard]] bool has(const std::string& column) const { return index_.contains(column); }
+    /// As given to the constructor, for messages.
+    [[nodiscard]] const std::string& file() const { return file_; }
 
     /// @throw InputError when there is no such column
     [[nodiscard]] const std::string& text(std::size_t row, const std::string& column) const;

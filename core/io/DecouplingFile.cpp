@@ -2,13 +2,11 @@
 
 #include "core/Error.h"
 #include "core/Version.h"
-#include "core/io/CsvTable.h"
-#include "core/io/CsvWriter.h"
+#include "core/io/CaseTable.h"
 #include "core/io/ProbeFile.h"
 #include "core/io/TextValue.h"
 #include "core/probe/ForceDecoupling.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <string>
@@ -17,10 +15,6 @@
 namespace asperity {
 
 namespace {
-
-constexpr std::array<const char*, 11> kAddedColumns{"fx_n",   "fy_n",      "fz_n",   "cxx_n2",
-                                                    "cyy_n2", "czz_n2",    "cxy_n2", "cxz_n2",
-                                                    "cyz_n2", "condition", "case"};
 
 /// What the lever did in each row, whether it was told in radians or in volts.
 struct MeasuredSlopes {
@@ -58,18 +52,13 @@ MeasuredSlopes slopesInVolts(const CsvTable& table, const VoltsToSignals& conver
     return slopes;
 }
 
-bool hasColumn(const CsvTable& table, const std::string& name) {
-    const std::vector<std::string>& names = table.columns();
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-MeasuredSlopes slopesOf(const CsvTable& table, const std::string& file, const Cantilever& lever,
+MeasuredSlopes slopesOf(const CsvTable& table, const Cantilever& lever,
                         const DetectorCalibration& detector) {
-    if (!hasColumn(table, "vertical_v")) {
+    if (!table.has("vertical_v")) {
         return slopesInRadians(table);
     }
-    if (hasColumn(table, "alpha_rad") || hasColumn(table, "theta_rad")) {
-        throw InputError(file, "header",
+    if (table.has("alpha_rad") || table.has("theta_rad")) {
+        throw InputError(table.file(), "header",
                          "expected either alpha_rad and theta_rad or vertical_v and lateral_v");
     }
     try {
@@ -77,7 +66,7 @@ MeasuredSlopes slopesOf(const CsvTable& table, const std::string& file, const Ca
     } catch (const InputError&) {
         throw;
     } catch (const Error& error) {
-        throw InputError(file, "header", error.what());
+        throw InputError(table.file(), "header", error.what());
     }
 }
 
@@ -115,19 +104,6 @@ std::vector<DecouplingInput> inputsOf(const CsvTable& table, const MeasuredSlope
     return inputs;
 }
 
-/// The columns of the input, then ours. @throw InputError when a name would stand there twice
-std::vector<std::string> columnsOf(const CsvTable& table, const std::string& file) {
-    std::vector<std::string> columns = table.columns();
-    for (const char* added : kAddedColumns) {
-        if (hasColumn(table, added)) {
-            throw InputError(file, "header",
-                             std::string("the column '") + added + "' is one that is added here");
-        }
-        columns.emplace_back(added);
-    }
-    return columns;
-}
-
 void addEstimate(CsvWriter& csv, const ForceEstimate& estimate) {
     const Vector3& f = estimate.force;
     const Matrix3& c = estimate.covariance;
@@ -157,20 +133,15 @@ void writeForceEstimates(const std::filesystem::path& probe, const std::filesyst
     const ProbeDescription description = readProbe(probe);
     const Cantilever lever(description.lever);
     const CsvTable table = readCsv(cases);
-    const std::string file = cases.string();
-    const std::vector<std::string> columns = columnsOf(table, file);
     const std::vector<DecouplingInput> inputs =
-        inputsOf(table, slopesOf(table, file, lever, description.detector));
-
-    CsvWriter csv(out, commentsFor(probe.string(), file, lever), columns);
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-        for (const std::string& column : table.columns()) {
-            csv.add(table.text(row, column));
-        }
-        addEstimate(csv, estimateForce(lever, inputs[row]));
-        csv.endRow();
-    }
-    csv.close();
+        inputsOf(table, slopesOf(table, lever, description.detector));
+    writeCases(out, table,
+               {.comments = commentsFor(probe.string(), cases.string(), lever),
+                .columns = {"fx_n", "fy_n", "fz_n", "cxx_n2", "cyy_n2", "czz_n2", "cxy_n2",
+                            "cxz_n2", "cyz_n2", "condition", "case"},
+                .add = [&](CsvWriter& csv, std::size_t row) {
+                    addEstimate(csv, estimateForce(lever, inputs[row]));
+                }});
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 namespace asperity {
@@ -84,6 +85,43 @@ TEST(Decouple, NamesARowThatIsNoMeasurement) {
     const auto run = test::runProgram(callFor(shippedProbe("calibrated_2_8_n_m"), cases));
     EXPECT_EQ(run.exitCode, 0) << run.output;
     EXPECT_EQ(CsvTable(run.output, "output").text(0, "case"), "invalid_input");
+}
+
+constexpr const char* kGoodRow =
+    "0,0,1,1e-6,2e-6,0,1.4e-5,-4e-7,0.3,5e7,2e-17,2e-8,4.1e-9,1e-7,1e-7\n";
+
+TEST(Decouple, WritesAFileAndNothingWhenACellIsNoNumber) {
+    const test::ScratchFolder scratch;
+    const std::string out = scratch.file("out.csv").string();
+    const std::string probe = shippedProbe("silicon_14_n_m");
+    const auto bad = scratch.write("bad.csv", std::string(kHeader) + kGoodRow +
+                                                  "0,0,1,,2e-6,0,0,0,"
+                                                  "0.3,5e7,2e-17,2e-8,4.1e-9,1e-7,1e-7\n");
+    const auto refused = test::runProgram(callFor(probe, bad) + " --out " + out);
+    EXPECT_EQ(refused.exitCode, 3) << refused.output;
+    EXPECT_FALSE(std::filesystem::exists(out));
+
+    const auto good = scratch.write("good.csv", std::string(kHeader) + kGoodRow);
+    const auto run = test::runProgram(callFor(probe, good) + " --out " + out);
+    EXPECT_EQ(run.exitCode, 0);
+    EXPECT_EQ(run.output, "");
+    EXPECT_EQ(test::contentOf(out), test::runProgram(callFor(probe, good)).output);
+}
+
+TEST(Decouple, SaysWhatDoesNotFit) {
+    const test::ScratchFolder scratch;
+    const std::string probe = shippedProbe("silicon_14_n_m");
+    const auto twice = scratch.write("twice.csv", "case," + std::string(kHeader) + "1," + kGoodRow);
+    const auto run = test::runProgram(callFor(probe, twice));
+    EXPECT_EQ(run.exitCode, 3);
+    EXPECT_EQ(run.output, "asperity: " + twice.string() +
+                              ": header: the column 'case' is one that is added here\n");
+    const auto good = scratch.write("good.csv", std::string(kHeader) + kGoodRow);
+    EXPECT_EQ(test::runProgram(callFor(probe, good) + " --out /proc/a.csv").exitCode, 1);
+    EXPECT_EQ(test::runProgram(callFor(probe, good) + " --out ''").exitCode, 2);
+    EXPECT_EQ(test::runProgram("decouple --probe '' --cases " + good.string()).exitCode, 2);
+    EXPECT_EQ(test::runProgram(callFor(good.string(), good)).exitCode, 3) << "no probe file";
+    EXPECT_EQ(test::runProgram(callFor(probe, scratch.path())).exitCode, 3) << "a folder";
 }
 
 }  // namespace

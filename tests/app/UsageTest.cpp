@@ -13,9 +13,11 @@ namespace asperity {
 namespace {
 
 TEST(Usage, EverySubcommandHasHelp) {
-    EXPECT_EQ(test::runProgram("--help").exitCode, 0);
-    for (const std::string command :
-         {"explore", "info", "convert", "tradeoff", "replay", "loop", "devices"}) {
+    const auto overview = test::runProgram("--help");
+    EXPECT_EQ(overview.exitCode, 0);
+    for (const std::string command : {"explore", "info", "convert", "contact", "curve", "decouple",
+                                      "tradeoff", "replay", "loop", "devices"}) {
+        EXPECT_NE(overview.output.find("\n  " + command + " "), std::string::npos) << command;
         const auto run = test::runProgram(command + " --help");
         EXPECT_EQ(run.exitCode, 0);
         EXPECT_NE(run.output.find("Usage"), std::string::npos) << run.output;

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/contact/SurfaceDisplacement.h"
 #include "tests/core/contact/ContactCases.h"
 
 #include <gtest/gtest.h>
@@ -201,6 +202,25 @@ TEST(Hertz, BalancesALever) {
                   1e-14 * approach);
         RC_ASSERT(model.equilibrium(-approach, compliance, {ContactBranch::Bonded}).force == 0.0);
     });
+}
+
+/// Where the cohesive zone ends, the surfaces are as far apart as the cohesion reaches.
+TEST(ContactModel, OpensByTheCohesiveRangeAtTheEndOfItsZone) {
+    for (const char* material : {"SiO2", "PS", "rubber"}) {
+        const ContactPair pair = paperPair(material);
+        const double stress = pair.workOfAdhesion / 0.5e-9;
+        for (const ContactLaw law : {ContactLaw::Maugis, ContactLaw::SphereMaugis}) {
+            const ContactModel model(law, pair, {.cohesiveStress = stress});
+            EXPECT_EQ(model.cohesiveStress(), stress);
+            const ContactState state = model.equilibrium(0.0, 0.0, {ContactBranch::Bonded});
+            const double c = state.cohesiveRadius;
+            const double shape = isSphere(law)
+                                     ? c * c / (15_nm + std::sqrt((15_nm - c) * (15_nm + c)))
+                                     : c * c / (2.0 * 15_nm);
+            const double gap = shape - state.indentation + surfaceDisplacement(model, state, c);
+            expectClose(gap, 0.5e-9, 1e-8);
+        }
+    }
 }
 
 TEST(ContactModel, DoesNotSolveWhatIsNotFinite) {
