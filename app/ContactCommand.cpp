@@ -43,14 +43,10 @@ ContactCase readCase(const CsvTable& table, std::size_t row) {
             .branch = table.text(row, "branch")};
 }
 
+/// A film has a thickness, for which the table has no column.
 std::optional<ContactLaw> lawOf(const std::string& model) {
-    for (const ContactLaw law : kContactLaws) {
-        // A film has a thickness, for which the table has no column.
-        if (model == keyOf(law) && law != ContactLaw::HertzFilm) {
-            return law;
-        }
-    }
-    return std::nullopt;
+    const auto law = lawFromKey(model);
+    return law == ContactLaw::HertzFilm ? std::nullopt : law;
 }
 
 bool usesStress(ContactLaw law) {

@@ -30,19 +30,6 @@ SampleMaterial findMaterial(const std::string& given) {
     throw InputError(given, "", "expected a material file or one of " + names);
 }
 
-std::optional<ContactLaw> lawOf(const std::string& given,
-                                const std::optional<ContactLaw>& ofScene) {
-    if (given.empty()) {
-        return ofScene;
-    }
-    for (const ContactLaw law : kContactLaws) {
-        if (given == keyOf(law)) {
-            return law;
-        }
-    }
-    return std::nullopt;  // "auto"
-}
-
 std::vector<std::string> lawNames() {
     std::vector<std::string> names{"auto"};
     for (const ContactLaw law : kContactLaws) {
@@ -79,7 +66,9 @@ void addCurveRequest(CLI::App& command, CurveRequest& request) {
 std::vector<CurveCase> curveCases(const CurveRequest& request) {
     SceneDescription scene = request.scene.empty() ? defaultScene() : sceneFromInput(request.scene);
     scene.tip.radius = request.radius > 0.0 ? request.radius : scene.tip.radius;
-    scene.law = lawOf(request.law, scene.law);
+    if (!request.law.empty()) {
+        scene.law = lawFromKey(request.law);  // none: "auto"
+    }
     const double compliance = request.stiffness > 0.0 ? 1.0 / request.stiffness
                                                       : Cantilever(scene.probe).compliance()(2, 2);
     std::vector<SampleMaterial> materials;

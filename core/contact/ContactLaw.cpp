@@ -46,6 +46,15 @@ bool isJkr(ContactLaw law) noexcept {
 
 const char* keyOf(ContactLaw law) noexcept { return namesOf(law).key; }
 
+std::optional<ContactLaw> lawFromKey(std::string_view key) noexcept {
+    for (const ContactLaw law : kContactLaws) {
+        if (key == keyOf(law)) {
+            return law;
+        }
+    }
+    return std::nullopt;
+}
+
 const char* nameOf(ContactLaw law) noexcept { return namesOf(law).name; }
 
 }  // namespace asperity

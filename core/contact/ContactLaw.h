@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace asperity {
 
@@ -31,6 +33,9 @@ inline constexpr std::array kContactLaws{
 
 /// As scenes and tables call it: "hertz", "md_sphere".
 [[nodiscard]] const char* keyOf(ContactLaw law) noexcept;
+
+/// The law of that name; none where it is no law's.
+[[nodiscard]] std::optional<ContactLaw> lawFromKey(std::string_view key) noexcept;
 
 /// For people: "Hertz", "Maugis-Dugdale on the exact sphere".
 [[nodiscard]] const char* nameOf(ContactLaw law) noexcept;

@@ -1,5 +1,6 @@
 #include "core/contact/MaugisDugdale.h"
 
+#include "core/contact/RisingSearch.h"
 #include "core/contact/RootSearch.h"
 #include "core/contact/Within.h"
 
@@ -70,13 +71,6 @@ double rootNear(const Function& function, double guess, double low, double high)
     return rootBetween(function, low, high);
 }
 
-/// A quantity that rises along the curve, and its derivative by the coordinate.
-struct Rise {
-    double value;
-    double rate;
-    double rounding;  ///< what rounding may leave in the value
-};
-
 /// d coordinate / d phi = -1 / sin^2 = -(1 + coordinate^2), and the rates of a point are by -phi
 /// over cos(phi).
 double ratePerCoordinate(const MaugisPoint& point) noexcept {
@@ -93,48 +87,6 @@ Rise heldRise(const MaugisControl& control, const MaugisPoint& point) noexcept {
     return {control.held(point), control.heldRate(point) * ratePerCoordinate(point),
             2.0 * kEpsilon * size};
 }
-
-/// Search for the coordinate where a rising quantity takes the value `target`. It grows from
-/// `origin` (coordinate and value) roughly as a power of the distance, so Newton's method runs on
-/// the logarithms of both; a bracket guards it.
-class PowerLawSearch {
-public:
-    PowerLawSearch(double origin, double originValue, double target) noexcept
-        : origin_(origin), originValue_(originValue), target_(target), low_(origin) {}
-
-    /// The next coordinate to try after `here`, where the quantity is `rise`.
-    [[nodiscard]] double next(double here, const Rise& rise) noexcept {
-        const double miss = rise.value - target_;
-        (miss < 0.0 ? low_ : high_) = here;
-        const double trial = std::abs(miss) < 1e-3 * (target_ - originValue_)
-                                 ? here - (miss / rise.rate)
-                                 : powerStep(here, rise);
-        return trial > low_ && trial < high_ ? trial : middle();
-    }
-
-private:
-    [[nodiscard]] double powerStep(double here, const Rise& rise) const noexcept {
-        const double climbed = rise.value - originValue_;
-        if (!(climbed > 0.0)) {
-            return low_;
-        }
-        constexpr double kLargestRatio = 1e12;
-        const double offset = here - origin_;
-        const double ratio = (target_ - originValue_) / climbed;
-        const double exponent = std::clamp(offset * rise.rate / climbed, 1.0, 8.0);
-        return origin_ + (offset * std::pow(std::min(ratio, kLargestRatio), 1.0 / exponent));
-    }
-
-    [[nodiscard]] double middle() const noexcept {
-        return high_ == kInfinity ? origin_ + (2.0 * (low_ - origin_)) : 0.5 * (low_ + high_);
-    }
-
-    double origin_;
-    double originValue_;
-    double target_;
-    double low_;
-    double high_ = kInfinity;
-};
 
 /// Coordinates from which Newton's method may set out: nothing overflows between them.
 bool isStart(double coordinate) noexcept { return isWithin(coordinate, 1e-30, 1e18); }
@@ -278,24 +230,19 @@ bool MaugisDugdale::isSurelyStable(const MaugisControl& control,
 
 MaugisPoint MaugisDugdale::climb(const MaugisControl& control, double value,
                                  const MaugisPoint& from) const noexcept {
-    constexpr int kMaxIterations = 100;
     const double origin = control.held(from);
     if (value <= origin) {
         return from;
     }
-    PowerLawSearch search(from.coordinate, origin, value);
-    MaugisPoint point = curve_.contact(landmarksOf(curve_.lambda()).noForce);
-    for (int i = 0; i < kMaxIterations; ++i) {
-        const Rise rise = heldRise(control, point);
-        if (std::abs(rise.value - value) <= rise.rounding) {
-            break;
-        }
-        const double next = search.next(point.coordinate, rise);
-        const bool done = std::abs(next - point.coordinate) <= 2.0 * kEpsilon * next;
-        point = curve_.contact(next);
-        if (done) {
-            break;
-        }
+    MaugisPoint point;
+    const auto heldAt = [&](double coordinate) {
+        point = curve_.contact(coordinate);
+        return heldRise(control, point);
+    };
+    const double guess = landmarksOf(curve_.lambda()).noForce;
+    const double found = RisingSearch(from.coordinate, origin, value).solve(heldAt, guess);
+    if (found != point.coordinate) {
+        point = curve_.contact(found);
     }
     return point;
 }

@@ -10,7 +10,6 @@ namespace asperity {
 
 namespace {
 
-constexpr double kLargeContact = 0.3;   // a/R up to which the half-space is credible
 constexpr double kModelSpread = 0.2;    // share of N that the model may be off
 constexpr double kModelFloor = 0.1e-9;  // [N]
 constexpr double kContradictionSigmas = 3.0;
@@ -87,7 +86,7 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     const Vector3& foot = out.model.foot.point;
     ValidityFlags flags;
     flags.set(Validity::LargeContact,
-              out.model.contact.contactRadius > kLargeContact * out.model.effectiveRadius);
+              isLargeContact(out.model.contact.contactRadius, out.model.effectiveRadius));
     flags.set(Validity::OutsideScan, !out.model.foot.insideScan);
     flags.set(Validity::FilledPixel, !scene.surface.isMeasured(foot.x(), foot.y()));
     flags.set(Validity::FootNotFound, !out.model.foot.converged);

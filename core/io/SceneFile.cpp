@@ -62,11 +62,11 @@ std::optional<ContactLaw> readLaw(TomlSection& section,
     if (given == kChosenLaw) {
         return std::nullopt;
     }
+    if (const auto law = lawFromKey(given)) {
+        return law;
+    }
     std::string known = kChosenLaw;
     for (const ContactLaw law : kContactLaws) {
-        if (given == keyOf(law)) {
-            return law;
-        }
         known += std::string(", ") + keyOf(law);
     }
     section.refuse("law", "one of " + known + ", not '" + given + "'");
