@@ -151,7 +151,7 @@ ContactState ContactModel::bare(double approach, double compliance,
 
 double ContactModel::jumpInApproach(double compliance) const noexcept {
     if (given_.options.meniscus.present()) {
-        return wettedJumpIn(compliance);
+        return wettedEnd(compliance).approach;
     }
     return std::visit([&](const auto& joined) { return joined.jumpInApproach(compliance); },
                       joined_);

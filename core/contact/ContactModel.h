@@ -97,19 +97,33 @@ private:
                                          ContactOptions options);
     [[nodiscard]] static Joined joinedLaw(const Checked& given) noexcept;
 
+    /// End of the branch of separate bodies under water.
+    struct WettedEnd {
+        double approach = 0.0;      ///< of the undeflected tip [m]
+        bool inWater = false;       ///< the bridge is there before that
+        double softApproach = 0.0;  ///< the same on the lever that the bridge softens [m]
+    };
+    /// Snap-in under water.
+    struct WettedJump {
+        bool forceDrops = false;
+        double released = 0.0;  ///< energy of bodies, meniscus and lever [J]
+    };
+
     [[nodiscard]] ContactState bare(double approach, double compliance,
                                     const ContactMemory& memory) const noexcept;
     [[nodiscard]] ContactState wetted(ContactState state) const noexcept;
     [[nodiscard]] ContactState wettedEquilibrium(double approach, double compliance,
                                                  const ContactMemory& memory) const noexcept;
+    [[nodiscard]] ContactState wettedLanding(double approach, double compliance) const noexcept;
+    [[nodiscard]] WettedJump wettedJump(double compliance) const noexcept;
     [[nodiscard]] ContactState wettedSnapIn(double approach, double compliance) const noexcept;
     [[nodiscard]] ContactState wettedPullOff(ContactState state, double compliance) const noexcept;
+    [[nodiscard]] WettedEnd wettedEnd(double compliance) const noexcept;
     [[nodiscard]] std::optional<ContactState> wettedFar(double approach,
                                                         double compliance) const noexcept;
     [[nodiscard]] ContactState wettedBonded(double approach, double compliance,
                                             const ContactMemory& memory) const noexcept;
     [[nodiscard]] double energy(const ContactState& wetted, double compliance) const noexcept;
-    [[nodiscard]] double wettedJumpIn(double compliance) const noexcept;
 
     Checked given_;
     Joined joined_;
