@@ -42,8 +42,8 @@ public:
     ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options = {});
 
     /// The same law and materials under a tip of another effective radius [m], which counts as the
-    /// nearest end of its range where it lies outside. A table covers a tenth of the first radius
-    /// to ten times that; beyond, the exact law answers.
+    /// nearest end of its range where it lies outside, as its own where it is no number. A table
+    /// covers a tenth of the first radius to ten times that; beyond, the exact law answers.
     [[nodiscard]] ContactModel withTipRadius(double tipRadius) const noexcept;
 
     /// Stable equilibrium at `approach` = indentation + compliance x force [m], the approach of the
@@ -52,8 +52,8 @@ public:
     [[nodiscard]] ContactState equilibrium(double approach, double compliance,
                                            const ContactMemory& memory) const noexcept;
 
-    /// Approach of the undeflected tip at which it snaps in, for a compliance within its range [m];
-    /// 0 without adhesion.
+    /// Approach of the undeflected tip at which it snaps in, [m]; 0 without adhesion. Here and
+    /// below a compliance outside its range counts as nearestCompliance().
     [[nodiscard]] double jumpInApproach(double compliance) const noexcept;
     /// Approach of the undeflected tip at which it pulls off [m]; 0 without adhesion.
     [[nodiscard]] double pullOffApproach(double compliance) const noexcept;
