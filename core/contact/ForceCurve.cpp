@@ -53,9 +53,17 @@ std::optional<TipJump> pullOffOf(const ContactModel& model, double compliance) {
     return jump.after.jumped ? std::optional(jump) : std::nullopt;
 }
 
+/// One way of the base.
+struct Way {
+    double from;  ///< [m]
+    double to;    ///< [m]
+    int points;
+};
+
 /// Base positions of one way, in its order, those of a jump among them twice.
-std::vector<ForceCurvePoint> follow(const ContactModel& model, double compliance, double from,
-                                    double to, int points, const std::optional<TipJump>& jump) {
+std::vector<ForceCurvePoint> follow(const ContactModel& model, double compliance, const Way& along,
+                                    const std::optional<TipJump>& jump) {
+    const auto [from, to, points] = along;
     std::vector<ForceCurvePoint> way;
     ContactMemory memory = from < to ? kFar : kBonded;
     bool passed = !jump;
@@ -93,9 +101,9 @@ ForceCurve forceCurve(const ContactModel& model, double compliance, const ForceC
     curve.snapIn = snapInOf(model, compliance);
     curve.pullOff = pullOffOf(model, compliance);
     curve.approach =
-        follow(model, compliance, plan.farthest, plan.deepest, plan.points, curve.snapIn);
+        follow(model, compliance, {plan.farthest, plan.deepest, plan.points}, curve.snapIn);
     curve.retract =
-        follow(model, compliance, plan.deepest, plan.farthest, plan.points, curve.pullOff);
+        follow(model, compliance, {plan.deepest, plan.farthest, plan.points}, curve.pullOff);
     return curve;
 }
 
