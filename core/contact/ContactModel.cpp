@@ -1,6 +1,7 @@
 #include "core/contact/ContactModel.h"
 
 #include "core/Error.h"
+#include "core/contact/OnAlternative.h"
 #include "core/contact/Within.h"
 
 #include <algorithm>
@@ -12,24 +13,18 @@ namespace asperity {
 
 namespace {
 
-const char* expectation(ContactStatus status) {
-    switch (status) {
-    case ContactStatus::TipRadiusOutOfRange:
-        return "the tip radius must lie between 1e-12 and 1 m";
-    case ContactStatus::ModulusOutOfRange:
-        return "the reduced modulus must lie between 0.1 and 1e15 Pa";
-    case ContactStatus::AdhesionOutOfRange:
-        return "the work of adhesion must lie between 0 and 1000 J/m^2";
-    default:
-        return "the range of the cohesive stress, w / sigma0, must lie between 1e-15 and 1 m";
-    }
+/// sigma0 of the range that is taken where a scene names none [Pa]; 0, without overflow, where the
+/// work of adhesion is none that a law takes.
+double defaultStress(const ContactPair& pair) {
+    return isWithin(pair.workOfAdhesion, 0.0, 1e3) ? pair.workOfAdhesion / kCohesiveRange : 0.0;
 }
 
 void checkMeniscus(const Meniscus& meniscus) {
-    if (!isWithin(meniscus.surfaceTension, 0.0, 10.0) || !isWithin(meniscus.range, 0.0, 1e-6) ||
+    const bool ranged = meniscus.range == 0.0 || isWithin(meniscus.range, 1e-12, 1e-6);
+    if (!ranged || !isWithin(meniscus.surfaceTension, 0.0, 10.0) ||
         !isWithin(meniscus.contactAngle, 0.0, std::numbers::pi / 2.0)) {
-        throw Error("contact: a meniscus needs a surface tension of 0 to 10 N/m, a range of 0 to "
-                    "1e-6 m and a contact angle of 0 to a right angle");
+        throw Error("contact: a meniscus needs a surface tension of 0 to 10 N/m, a range of 0 or "
+                    "1e-12 to 1e-6 m and a contact angle of 0 to a right angle");
     }
 }
 
@@ -81,12 +76,9 @@ ContactModel::ContactModel(const Checked& given) noexcept
 ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& pair,
                                             ContactOptions options) {
     if (options.cohesiveStress == 0.0) {
-        options.cohesiveStress = pair.workOfAdhesion / kCohesiveRange;
+        options.cohesiveStress = defaultStress(pair);
     }
-    const ContactStatus status = checkPair(pair, options.cohesiveStress);
-    if (status != ContactStatus::Solved) {
-        throw Error(std::string("contact: ") + expectation(status));
-    }
+    requirePair(pair, options.cohesiveStress);
     checkFilm(law, options.filmThickness);
     checkMeniscus(options.meniscus);
     return {law, pair, options, tableFor(law, pair, options)};
@@ -132,7 +124,9 @@ ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
 
 ContactModel ContactModel::withTipRadius(double tipRadius) const noexcept {
     Checked given = given_;
-    given.pair.tipRadius = std::clamp(tipRadius, kSmallestTipRadius, kLargestTipRadius);
+    if (!std::isnan(tipRadius)) {
+        given.pair.tipRadius = std::clamp(tipRadius, kSmallestTipRadius, kLargestTipRadius);
+    }
     return ContactModel(given);
 }
 
@@ -142,48 +136,52 @@ ContactState ContactModel::equilibrium(double approach, double compliance,
     if (status != ContactStatus::Solved) {
         return {.coordinate = memory.coordinate, .branch = memory.branch, .status = status};
     }
-    return given_.options.meniscus.present() ? wettedEquilibrium(approach, compliance, memory)
-                                             : bare(approach, compliance, memory);
+    const double soft = nearestCompliance(compliance);
+    return given_.options.meniscus.present() ? wettedEquilibrium(approach, soft, memory)
+                                             : bare(approach, soft, memory);
 }
 
 ContactState ContactModel::bare(double approach, double compliance,
                                 const ContactMemory& memory) const noexcept {
-    return std::visit(
+    return onAlternative(
         [&](const auto& joined) { return joined.equilibrium(approach, compliance, memory); },
         joined_);
 }
 
 double ContactModel::jumpInApproach(double compliance) const noexcept {
+    const double soft = nearestCompliance(compliance);
     if (given_.options.meniscus.present()) {
-        return wettedJumpIn(compliance);
+        return wettedEnd(soft).approach;
     }
-    return std::visit([&](const auto& joined) { return joined.jumpInApproach(compliance); },
-                      joined_);
+    return onAlternative([&](const auto& joined) { return joined.jumpInApproach(soft); }, joined_);
 }
 
 double ContactModel::pullOffApproach(double compliance) const noexcept {
+    const double soft = nearestCompliance(compliance);
     const Meniscus& meniscus = given_.options.meniscus;
     const double pull = meniscus.present() ? meniscus.pull(given_.pair.tipRadius) : 0.0;
-    return std::visit([&](const auto& joined) { return joined.pullOffApproach(compliance); },
-                      joined_) -
-           (compliance * pull);
+    return onAlternative([&](const auto& joined) { return joined.pullOffApproach(soft); },
+                         joined_) -
+           (soft * pull);
 }
 
 ContactState ContactModel::lastFar(double compliance) const noexcept {
+    const double soft = nearestCompliance(compliance);
     if (given_.options.meniscus.present()) {
-        return equilibrium(wettedJumpIn(compliance), compliance, {});
+        return equilibrium(wettedEnd(soft).approach, soft, {});
     }
-    return std::visit([&](const auto& joined) { return joined.lastFar(compliance); }, joined_);
+    return onAlternative([&](const auto& joined) { return joined.lastFar(soft); }, joined_);
 }
 
 ContactState ContactModel::lastBonded(double compliance) const noexcept {
+    const double soft = nearestCompliance(compliance);
     const ContactState last =
-        std::visit([&](const auto& joined) { return joined.lastBonded(compliance); }, joined_);
+        onAlternative([&](const auto& joined) { return joined.lastBonded(soft); }, joined_);
     return given_.options.meniscus.present() ? wetted(last) : last;
 }
 
 double ContactModel::cohesiveStress() const noexcept {
-    return std::visit(
+    return onAlternative(
         [](const auto& joined) {
             if constexpr (requires { joined.bonded().cohesiveStress(); }) {
                 return joined.bonded().cohesiveStress();
@@ -195,7 +193,7 @@ double ContactModel::cohesiveStress() const noexcept {
 }
 
 double ContactModel::lambda() const noexcept {
-    return std::visit(
+    return onAlternative(
         [](const auto& joined) {
             if constexpr (requires { joined.bonded().lambda(); }) {
                 return joined.bonded().lambda();

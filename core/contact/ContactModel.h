@@ -23,7 +23,7 @@ namespace asperity {
 
 /// Range of the cohesive stress that is taken where a scene names none, h0 = D0 (sqrt(10) - 1) [m].
 /// Source: docs/physics.md 1, 3.4.
-inline constexpr double kCohesiveRange = 0.35677581392798259e-9;
+inline constexpr double kCohesiveRange = 0.35677581392778259e-9;
 
 /// What a contact may have besides a law and a pair of materials.
 struct ContactOptions {
@@ -42,8 +42,8 @@ public:
     ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options = {});
 
     /// The same law and materials under a tip of another effective radius [m], which counts as the
-    /// nearest end of its range where it lies outside. A table covers a tenth of the first radius
-    /// to ten times that; beyond, the exact law answers.
+    /// nearest end of its range where it lies outside, as its own where it is no number. A table
+    /// covers a tenth of the first radius to ten times that; beyond, the exact law answers.
     [[nodiscard]] ContactModel withTipRadius(double tipRadius) const noexcept;
 
     /// Stable equilibrium at `approach` = indentation + compliance x force [m], the approach of the
@@ -52,8 +52,8 @@ public:
     [[nodiscard]] ContactState equilibrium(double approach, double compliance,
                                            const ContactMemory& memory) const noexcept;
 
-    /// Approach of the undeflected tip at which it snaps in, for a compliance within its range [m];
-    /// 0 without adhesion.
+    /// Approach of the undeflected tip at which it snaps in, [m]; 0 without adhesion. Here and
+    /// below a compliance outside its range counts as nearestCompliance().
     [[nodiscard]] double jumpInApproach(double compliance) const noexcept;
     /// Approach of the undeflected tip at which it pulls off [m]; 0 without adhesion.
     [[nodiscard]] double pullOffApproach(double compliance) const noexcept;
@@ -99,19 +99,33 @@ private:
                                          ContactOptions options);
     [[nodiscard]] static Joined joinedLaw(const Checked& given) noexcept;
 
+    /// End of the branch of separate bodies under water.
+    struct WettedEnd {
+        double approach = 0.0;      ///< of the undeflected tip [m]
+        bool inWater = false;       ///< the bridge is there before that
+        double softApproach = 0.0;  ///< the same on the lever that the bridge softens [m]
+    };
+    /// Snap-in under water.
+    struct WettedJump {
+        bool forceDrops = false;
+        double released = 0.0;  ///< energy of bodies, meniscus and lever [J]
+    };
+
     [[nodiscard]] ContactState bare(double approach, double compliance,
                                     const ContactMemory& memory) const noexcept;
     [[nodiscard]] ContactState wetted(ContactState state) const noexcept;
     [[nodiscard]] ContactState wettedEquilibrium(double approach, double compliance,
                                                  const ContactMemory& memory) const noexcept;
+    [[nodiscard]] ContactState wettedLanding(double approach, double compliance) const noexcept;
+    [[nodiscard]] WettedJump wettedJump(double compliance) const noexcept;
     [[nodiscard]] ContactState wettedSnapIn(double approach, double compliance) const noexcept;
     [[nodiscard]] ContactState wettedPullOff(ContactState state, double compliance) const noexcept;
+    [[nodiscard]] WettedEnd wettedEnd(double compliance) const noexcept;
     [[nodiscard]] std::optional<ContactState> wettedFar(double approach,
                                                         double compliance) const noexcept;
     [[nodiscard]] ContactState wettedBonded(double approach, double compliance,
                                             const ContactMemory& memory) const noexcept;
     [[nodiscard]] double energy(const ContactState& wetted, double compliance) const noexcept;
-    [[nodiscard]] double wettedJumpIn(double compliance) const noexcept;
 
     Checked given_;
     Joined joined_;

@@ -1,6 +1,10 @@
 #include "core/contact/ContactStatus.h"
 
+#include "core/Error.h"
 #include "core/contact/Within.h"
+
+#include <cmath>
+#include <string>
 
 namespace asperity {
 
@@ -8,6 +12,19 @@ namespace {
 
 constexpr double kSmallestRange = 1e-15;  // of the cohesion [m]
 constexpr double kLargestRange = 1.0;     // [m]
+
+const char* expectation(ContactStatus status) {
+    switch (status) {
+    case ContactStatus::TipRadiusOutOfRange:
+        return "the tip radius must lie between 1e-12 and 1 m";
+    case ContactStatus::ModulusOutOfRange:
+        return "the reduced modulus must lie between 0.1 and 1e15 Pa";
+    case ContactStatus::AdhesionOutOfRange:
+        return "the work of adhesion must lie between 0 and 1000 J/m^2";
+    default:
+        return "the range of the cohesive stress, w / sigma0, must lie between 1e-15 and 1 m";
+    }
+}
 
 bool stressIsUsable(double work, double stress) noexcept {
     return work < kSmallestAdhesion ||
@@ -50,12 +67,27 @@ ContactStatus checkPair(const ContactPair& pair, double cohesiveStress) noexcept
                                                                : ContactStatus::StressOutOfRange;
 }
 
+void requirePair(const ContactPair& pair, double cohesiveStress) {
+    const ContactStatus status = checkPair(pair, cohesiveStress);
+    if (status != ContactStatus::Solved) {
+        throw Error(std::string("contact: ") + expectation(status));
+    }
+}
+
+double nearestCompliance(double compliance) noexcept {
+    constexpr double kRigid = 1e-30;  // [m/N]
+    if (std::isnan(compliance) || compliance < kRigid) {
+        return 0.0;
+    }
+    return std::fmin(compliance, kLargestCompliance);
+}
+
 ContactStatus checkRequest(double approach, double compliance) noexcept {
     if (!isWithin(approach, -1e3, 1e3)) {
         return ContactStatus::ApproachOutOfRange;
     }
-    return isWithin(compliance, 0.0, 1e6) ? ContactStatus::Solved
-                                          : ContactStatus::ComplianceOutOfRange;
+    return isWithin(compliance, 0.0, kLargestCompliance) ? ContactStatus::Solved
+                                                         : ContactStatus::ComplianceOutOfRange;
 }
 
 }  // namespace asperity

@@ -29,6 +29,17 @@ inline constexpr double kSmallestAdhesion = 1e-12;
 /// What is wrong with a pair first, or Solved. @param cohesiveStress sigma0 [Pa]
 [[nodiscard]] ContactStatus checkPair(const ContactPair& pair, double cohesiveStress) noexcept;
 
+/// @throw Error with one sentence where something is wrong with a pair.
+/// @param cohesiveStress sigma0 [Pa]
+void requirePair(const ContactPair& pair, double cohesiveStress);
+
+/// Softest lever of the laws [m/N].
+inline constexpr double kLargestCompliance = 1e6;
+
+/// The lever within the laws' range that is nearest to one of this compliance [m/N]; rigid where
+/// that is no number or below 1e-30 m/N.
+[[nodiscard]] double nearestCompliance(double compliance) noexcept;
+
 /// What is wrong with the state asked for, or Solved.
 [[nodiscard]] ContactStatus checkRequest(double approach, double compliance) noexcept;
 

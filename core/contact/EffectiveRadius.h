@@ -10,7 +10,8 @@ struct EffectiveRadius {
 };
 
 /// R_eff = [(1/R + kappa_1)(1/R + kappa_2)]^(-1/2), each factor within a tenth and ten times 1/R.
-/// Good to a few per cent unless `elongated`; without meaning unless it fits.
+/// Good to a few per cent unless `elongated`; without meaning unless it fits, which nothing does
+/// that is no number or a tip outside the laws' range: its radius is handed back.
 /// @param tipRadius R [m]  @param largest, smallest principal curvatures of the sample, > 0 for a
 ///        bump [1/m]. Source: docs/physics.md 1.
 [[nodiscard]] EffectiveRadius effectiveRadius(double tipRadius, double largest,

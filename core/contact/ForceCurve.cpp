@@ -1,5 +1,8 @@
 #include "core/contact/ForceCurve.h"
 
+#include "core/Error.h"
+#include "core/contact/ContactStatus.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +13,24 @@ namespace {
 
 constexpr ContactMemory kFar{};
 constexpr ContactMemory kBonded{ContactBranch::Bonded, 0.0};
+
+void requireLever(double compliance) {
+    if (checkRequest(0.0, compliance) != ContactStatus::Solved) {
+        throw Error("force curve: the lever's compliance must lie between 0 and 1e6 m/N");
+    }
+}
+
+void requirePlan(const ForceCurvePlan& plan) {
+    constexpr int kMostPoints = 1'000'000;
+    const bool within = checkRequest(plan.farthest, 0.0) == ContactStatus::Solved &&
+                        checkRequest(plan.deepest, 0.0) == ContactStatus::Solved;
+    if (!within || !(plan.farthest < plan.deepest)) {
+        throw Error("force curve: it must begin farther away than it ends, both within 1000 m");
+    }
+    if (plan.points < 2 || plan.points > kMostPoints) {
+        throw Error("force curve: expected 2 to 1000000 points along each way");
+    }
+}
 
 /// The next approach that rounding tells from this one in any sum with it.
 double justBeyond(double approach) {
@@ -80,6 +101,7 @@ double repulsiveApproach(const ContactModel& model, double compliance, double le
 }  // namespace
 
 ForceCurvePlan curvePlan(const ContactModel& model, double compliance) {
+    requireLever(compliance);
     const double pullOff = model.pullOffApproach(compliance);
     const double reach =
         std::max({-pullOff, -model.jumpInApproach(compliance), 0.05 * model.pair().tipRadius});
@@ -87,12 +109,15 @@ ForceCurvePlan curvePlan(const ContactModel& model, double compliance) {
 }
 
 ForceCurve forceCurve(const ContactModel& model, double compliance, const ForceCurvePlan& plan) {
+    requireLever(compliance);
+    requirePlan(plan);
     ForceCurve curve;
     curve.snapIn = snapInOf(model, compliance);
     curve.pullOff = pullOffOf(model, compliance);
-    const int points = std::max(2, plan.points);
-    curve.approach = follow(model, compliance, {plan.farthest, plan.deepest, points}, curve.snapIn);
-    curve.retract = follow(model, compliance, {plan.deepest, plan.farthest, points}, curve.pullOff);
+    curve.approach =
+        follow(model, compliance, {plan.farthest, plan.deepest, plan.points}, curve.snapIn);
+    curve.retract =
+        follow(model, compliance, {plan.deepest, plan.farthest, plan.points}, curve.pullOff);
     return curve;
 }
 

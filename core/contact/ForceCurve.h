@@ -32,14 +32,16 @@ struct ForceCurve {
 struct ForceCurvePlan {
     double farthest = 0.0;  ///< base position where the curve begins and ends, < 0 [m]
     double deepest = 0.0;   ///< where it turns, > 0 [m]
-    int points = 500;       ///< along each way, besides the two sides of each jump
+    int points = 500;       ///< at least 2 along each way, besides the two sides of each jump
 };
 
 /// A plan that shows both jumps and a push as strong as the pull at pull-off.
 /// @param compliance of the lever along the surface's normal [m/N]
+/// @throw Error where that is outside 0 .. 1e6 m/N
 [[nodiscard]] ForceCurvePlan curvePlan(const ContactModel& model, double compliance);
 
 /// The quasi-static curve of a law on a lever. Source: docs/physics.md 7.1.
+/// @throw Error where the compliance or the plan is outside what a law can follow
 [[nodiscard]] ForceCurve forceCurve(const ContactModel& model, double compliance,
                                     const ForceCurvePlan& plan);
 

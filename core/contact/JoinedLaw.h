@@ -5,6 +5,7 @@
 #include "core/contact/LawPoint.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace asperity {
 
@@ -71,8 +72,8 @@ private:
 template <class Separate, class Bonded>
 class JoinedLaw {
 public:
-    JoinedLaw(const Separate& separate, const Bonded& bonded) noexcept
-        : separate_(separate), bonded_(bonded) {}
+    JoinedLaw(Separate separate, Bonded bonded) noexcept
+        : separate_(std::move(separate)), bonded_(std::move(bonded)) {}
 
     [[nodiscard]] const Separate& separate() const noexcept { return separate_; }
     [[nodiscard]] const Bonded& bonded() const noexcept { return bonded_; }

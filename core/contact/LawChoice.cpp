@@ -37,6 +37,7 @@ LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair) {
     if (wanted) {
         return {*wanted, "as asked for"};
     }
+    requirePair(pair, pair.workOfAdhesion);  // any stress will do to look at the pair
     if (pair.workOfAdhesion < kSmallestAdhesion) {
         return {ContactLaw::Sneddon, "auto: no adhesion; the exact sphere holds at any depth"};
     }

@@ -13,6 +13,9 @@ namespace {
 
 using Data = MaugisTableData;
 
+/// Beyond what any material makes of a kilometre or of a soft lever, in the units of MaugisPoint.
+constexpr double kFarthest = 1e40;
+
 MaugisState stateOf(const MaugisPoint& point) noexcept {
     constexpr double kSmallestRatio = 1e-100;
     const bool atFold = point.indentationRate <= kSmallestRatio * std::abs(point.forceRate);
@@ -60,6 +63,9 @@ std::optional<MaugisState> MaugisTable::exactAt(const MaugisDugdale& law,
 
 std::optional<MaugisState> MaugisTable::stable(const MaugisDugdale& law, double compliance,
                                                double value, double start) const noexcept {
+    if (!isWithin(value, -kFarthest, kFarthest) || !isWithin(compliance, 0.0, kFarthest)) {
+        return std::nullopt;
+    }
     constexpr int kMaxIterations = 6;
     constexpr double kSettled = 1e-12;  // relative
     double coordinate = 0.0;

@@ -40,9 +40,10 @@ public:
     /// The stable state at an indentation (finite); none below the fold of the law.
     [[nodiscard]] std::optional<MaugisState> at(const MaugisDugdale& law,
                                                 double indentation) const noexcept;
-    /// The stable state where indentation + compliance x force = value (finite, compliance >= 0);
-    /// none below the fold of the law on such a spring. `start` is an indentation near that of the
-    /// state, such as the one before; any other only costs time.
+    /// The stable state where indentation + compliance x force = value; none below the fold of the
+    /// law on such a spring, nor for a value or a compliance >= 0 that is no number or beyond 1e40.
+    /// `start` is an indentation near that of the state, such as the one before; any other only
+    /// costs time.
     [[nodiscard]] std::optional<MaugisState> stable(const MaugisDugdale& law, double compliance,
                                                     double value, double start) const noexcept;
 

@@ -1,6 +1,7 @@
 #include "core/contact/SurfaceDisplacement.h"
 
 #include "core/contact/EllipticIntegrals.h"
+#include "core/contact/Within.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ double surfaceDisplacement(const ContactModel& model, const ContactState& state,
                            double radius) noexcept {
     const ContactModel::Split* split = model.split();
     const bool untouched = state.branch == ContactBranch::Far && !(state.force < 0.0);
-    if (!state.solved() || untouched) {
+    if (!state.solved() || untouched || !isWithin(radius, 0.0, kFarAway)) {
         return 0.0;
     }
     const CohesiveContact contact = contactProfile(model, state);

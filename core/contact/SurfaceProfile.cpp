@@ -3,6 +3,7 @@
 #include "core/contact/EllipticIntegrals.h"
 #include "core/contact/GaussLegendre.h"
 #include "core/contact/SpherePunch.h"
+#include "core/contact/Within.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,6 +159,9 @@ double shapePressure(const CohesiveContact& contact, double r) noexcept {
 }  // namespace
 
 double surfaceDisplacement(const CohesiveContact& contact, double radius) noexcept {
+    if (!isWithin(radius, 0.0, kFarAway)) {
+        return 0.0;
+    }
     const double a = contact.contactRadius;
     const double r = radius;
     if (a > 0.0 && r <= a) {

@@ -21,9 +21,12 @@ struct CohesiveContact {
     TipShape shape = TipShape::Paraboloid;
 };
 
+/// Beyond this distance the surface counts as undisturbed [m].
+inline constexpr double kFarAway = 1e3;
+
 /// Displacement of the surface at distance `radius` >= 0 from the axis, > 0 into the sample [m],
-/// sum of both bodies (sampleShare() divides it). Bounded, no allocation. Source:
-/// docs/physics.md 4.3, 4.4.
+/// sum of both bodies (sampleShare() divides it); 0 for a radius outside 0 .. kFarAway. Bounded, no
+/// allocation. Source: docs/physics.md 4.3, 4.4.
 [[nodiscard]] double surfaceDisplacement(const CohesiveContact& contact, double radius) noexcept;
 
 /// Distance between surface and tip at `radius` [m], 0 in contact. Of a sphere, up to its equator

@@ -3,10 +3,17 @@
 // the bare law on a lever that is moved, or moved and softened.
 
 #include "core/contact/ContactModel.h"
+#include "core/contact/OnAlternative.h"
 
 #include <algorithm>
 
 namespace asperity {
+
+namespace {
+
+constexpr ContactMemory kBonded{ContactBranch::Bonded, 0.0};
+
+}  // namespace
 
 /// A state of the bare law with the meniscus' force on it.
 ContactState ContactModel::wetted(ContactState state) const noexcept {
@@ -23,21 +30,45 @@ ContactState ContactModel::wetted(ContactState state) const noexcept {
     return state;
 }
 
-/// Separate bodies at an approach; none where lever and meniscus are unstable or the law snaps in.
+/// Where the law, or else the water, leaves separate bodies without a stable state.
+ContactModel::WettedEnd ContactModel::wettedEnd(double compliance) const noexcept {
+    const Meniscus& meniscus = given_.options.meniscus;
+    const auto jumpIn = [this](double soft) {
+        return onAlternative([&](const auto& joined) { return joined.jumpInApproach(soft); },
+                             joined_);
+    };
+    const double dry = jumpIn(compliance);
+    if (bare(dry, compliance, {}).indentation <= -meniscus.range) {
+        return {.approach = dry};
+    }
+    const double moved = compliance * meniscus.pull(given_.pair.tipRadius);
+    const double stiff = 1.0 - (moved / meniscus.range);
+    if (stiff > 0.0) {
+        const double end = jumpIn(compliance / stiff);
+        if (bare(end, compliance / stiff, {}).indentation > -meniscus.range) {
+            return {.approach = (stiff * end) - moved, .inWater = true, .softApproach = end};
+        }
+    }
+    return {.approach = (compliance * bare(-meniscus.range, 0.0, {}).force) - meniscus.range};
+}
+
+/// Separate bodies at an approach; none beyond the end of their branch.
 std::optional<ContactState> ContactModel::wettedFar(double approach,
                                                     double compliance) const noexcept {
     const Meniscus& meniscus = given_.options.meniscus;
+    const WettedEnd end = wettedEnd(compliance);
+    if (approach > end.approach) {
+        return std::nullopt;
+    }
     const ContactState dry = bare(approach, compliance, {});
-    if (dry.branch == ContactBranch::Far && dry.indentation <= -meniscus.range) {
+    const bool apart = dry.branch == ContactBranch::Far && dry.indentation <= -meniscus.range;
+    if (apart || !end.inWater) {
         return dry;
     }
     const double moved = compliance * meniscus.pull(given_.pair.tipRadius);
     const double stiff = 1.0 - (moved / meniscus.range);
-    if (stiff <= 0.0) {
-        return std::nullopt;
-    }
-    const ContactState within = bare((approach + moved) / stiff, compliance / stiff, {});
-    return within.branch == ContactBranch::Far ? std::optional(wetted(within)) : std::nullopt;
+    const double held = std::min((approach + moved) / stiff, end.softApproach);
+    return wetted(bare(held, compliance / stiff, {}));
 }
 
 ContactState ContactModel::wettedBonded(double approach, double compliance,
@@ -53,7 +84,7 @@ double ContactModel::energy(const ContactState& wetted, double compliance) const
     const bool bonded = wetted.branch == ContactBranch::Bonded;
     ContactState dry = wetted;
     dry.force -= bonded ? -meniscus.pull(radius) : meniscus.force(radius, wetted.indentation);
-    return std::visit([&](const auto& joined) { return joined.bodyEnergy(dry); }, joined_) +
+    return onAlternative([&](const auto& joined) { return joined.bodyEnergy(dry); }, joined_) +
            meniscus.energy(radius, wetted.indentation, bonded) +
            leverEnergy(wetted.force, compliance);
 }
@@ -73,41 +104,42 @@ ContactState ContactModel::wettedEquilibrium(double approach, double compliance,
 }
 
 ContactState ContactModel::wettedSnapIn(double approach, double compliance) const noexcept {
-    const ContactMemory stuck{ContactBranch::Bonded, 0.0};
-    ContactState state = wetted(wettedBonded(approach, compliance, stuck));
-    const double end = wettedJumpIn(compliance);
-    if (const auto before = wettedFar(end, compliance)) {
-        const ContactState landing = wetted(wettedBonded(end, compliance, stuck));
-        state.jumped = landing.force < before->force;
-        state.energyLost = std::max(0.0, energy(*before, compliance) - energy(landing, compliance));
-    }
+    const WettedJump jump = wettedJump(compliance);
+    ContactState state = wettedLanding(approach, compliance);
+    state.jumped = jump.forceDrops;
+    state.energyLost = std::max(0.0, jump.released);
     return state;
 }
 
+/// The bonded state at an approach where one must exist; rounding may put it on the fold.
+ContactState ContactModel::wettedLanding(double approach, double compliance) const noexcept {
+    const ContactState bonded = wettedBonded(approach, compliance, kBonded);
+    return bonded.branch == ContactBranch::Bonded ? wetted(bonded) : lastBonded(compliance);
+}
+
+ContactModel::WettedJump ContactModel::wettedJump(double compliance) const noexcept {
+    const double end = wettedEnd(compliance).approach;
+    const auto before = wettedFar(end, compliance);
+    if (!before) {
+        return {};
+    }
+    const ContactState landing = wettedLanding(end, compliance);
+    return {.forceDrops = landing.force < before->force,
+            .released = energy(*before, compliance) - energy(landing, compliance)};
+}
+
+/// Bodies that bond across a gap have the water's full pull at once, which may take more energy
+/// than the jump releases: pull-off releases so much less.
 ContactState ContactModel::wettedPullOff(ContactState state, double compliance) const noexcept {
     const ContactState fold = lastBonded(compliance);
-    if (const auto landing = wettedFar(pullOffApproach(compliance), compliance)) {
+    const double end = std::min(pullOffApproach(compliance), wettedEnd(compliance).approach);
+    if (const auto landing = wettedFar(end, compliance)) {
+        const double lent = std::min(0.0, wettedJump(compliance).released);
         state.jumped = fold.force < landing->force;
-        state.energyLost = std::max(0.0, energy(fold, compliance) - energy(*landing, compliance));
+        state.energyLost =
+            std::max(0.0, energy(fold, compliance) - energy(*landing, compliance) + lent);
     }
     return state;
-}
-
-double ContactModel::wettedJumpIn(double compliance) const noexcept {
-    const Meniscus& meniscus = given_.options.meniscus;
-    const auto jumpIn = [this](double soft) {
-        return std::visit([&](const auto& joined) { return joined.jumpInApproach(soft); }, joined_);
-    };
-    const double dry = jumpIn(compliance);
-    if (bare(dry, compliance, {}).indentation <= -meniscus.range) {
-        return dry;
-    }
-    const double moved = compliance * meniscus.pull(given_.pair.tipRadius);
-    const double stiff = 1.0 - (moved / meniscus.range);
-    if (stiff <= 0.0) {
-        return -meniscus.range;
-    }
-    return (stiff * jumpIn(compliance / stiff)) - moved;
 }
 
 }  // namespace asperity

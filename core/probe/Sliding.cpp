@@ -6,8 +6,19 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSmallestSpeed = 1e-9;      // v0 [m/s]
+constexpr double kSmallestSpeed = 1e-9;  // v0 [m/s]
+/// Slower counts as rest, faster as this fast: in between no square leaves the range of a double.
+constexpr double kRest = 1e-30;              // [m/s]
+constexpr double kFastest = 1e100;           // [m/s]
 constexpr double kSlidingThreshold = 1e-12;  // of |v|: below it the direction is rounding noise
+
+/// Each component without what is no number and within what can be squared.
+Vector3 measurable(const Vector3& velocity) noexcept {
+    return velocity.unaryExpr([](double v) {
+        const double speed = std::fmin(std::fabs(v), kFastest);
+        return std::isnan(v) || speed < kRest ? 0.0 : std::copysign(speed, v);
+    });
+}
 
 Vector3 anyTangent(const Vector3& normal) noexcept {
     Vector3::Index smallest = 0;
@@ -19,9 +30,10 @@ Vector3 anyTangent(const Vector3& normal) noexcept {
 
 Sliding slidingOf(const Vector3& normal, const Vector3& velocity) noexcept {
     Sliding sliding;
-    const Vector3 tangential = velocity - (velocity.dot(normal) * normal);
-    const double speed = tangential.stableNorm();
-    if (!(speed > kSlidingThreshold * velocity.stableNorm())) {
+    const Vector3 moved = measurable(velocity);
+    const Vector3 tangential = moved - (moved.dot(normal) * normal);
+    const double speed = tangential.norm();
+    if (!(speed > kRest && speed > kSlidingThreshold * moved.norm())) {
         sliding.friction = anyTangent(normal);
         return sliding;
     }

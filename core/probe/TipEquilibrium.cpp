@@ -1,6 +1,7 @@
 #include "core/probe/TipEquilibrium.h"
 
 #include "core/contact/EffectiveRadius.h"
+#include "core/contact/Within.h"
 #include "core/probe/Sliding.h"
 #include "core/surface/Curvature.h"
 
@@ -38,6 +39,20 @@ struct Foot {
 
     [[nodiscard]] double stiffness() const { return std::max(0.0, contact.stiffness); }
 };
+
+/// Whether a place is one from where the contact laws can be asked, whatever lies below it.
+bool isPlace(const Vector3& position) {
+    constexpr double kFarthest = 500.0;  // [m]
+    return isWithin(position.x(), -kFarthest, kFarthest) &&
+           isWithin(position.y(), -kFarthest, kFarthest) &&
+           isWithin(position.z(), -kFarthest, kFarthest);
+}
+
+TipState nowhere() {
+    TipState state;
+    state.contact.status = ContactStatus::ApproachOutOfRange;
+    return state;
+}
 
 double frictionForce(const Friction& friction, const ContactState& contact) {
     const double area = std::numbers::pi * contact.contactRadius * contact.contactRadius;
@@ -249,11 +264,17 @@ private:
 
 TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system,
                         const BaseMotion& base, EquilibriumMemory& memory) noexcept {
+    if (!isPlace(base.position)) {
+        return nowhere();
+    }
     return Balance(surface, system, base, system.cantilever.compliance()).solve(memory);
 }
 
 TipState heldTip(const BSplineSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
                  const EquilibriumMemory& memory) noexcept {
+    if (!isPlace(tip.position)) {
+        return nowhere();
+    }
     EquilibriumMemory held = memory;
     held.deflection.setZero();
     const Matrix3 rigid = Matrix3::Zero();

@@ -51,7 +51,9 @@ struct TipState {
 
 /// Solves tip = base + C F(tip) for the position of the tip, C the lever's compliance, F the sum
 /// over all feet, each with the effective radius of its place.
-/// Allocation-free, bounded, never throws. Source: docs/physics.md 1, 7.1-7.2.
+/// A base beyond 500 m along an axis or at no number has the contact status ApproachOutOfRange,
+/// does not converge and leaves the memory as it is. Allocation-free, bounded, never throws.
+/// Source: docs/physics.md 1, 7.1-7.2.
 [[nodiscard]] TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system,
                                       const BaseMotion& base, EquilibriumMemory& memory) noexcept;
 

@@ -53,7 +53,7 @@ void expectState(const MaugisDugdale& law, const MaugisControl& control, double 
         EXPECT_TRUE(limit.atFold) << "no stable state";
         return;
     }
-    const double tolerance = limit.atFold ? 1e-7 : 1e-11;
+    const double tolerance = limit.atFold ? 1e-7 : 1e-12;
     const MaugisControl other{control.perForce, control.perIndentation};
     EXPECT_NEAR(state->contactRadius, expected.contactRadius,
                 std::max(tolerance * expected.contactRadius, limit.contactRadius));
@@ -80,14 +80,14 @@ TEST(MaugisDugdale, FoldsWhereTheReferenceDoes) {
         const MaugisDugdale law(table.number(row, "lambda"));
         const MaugisPoint pullOff = law.fold(MaugisControl::load());
         expectClose(pullOff.force, table.number(row, "po_P"), 1e-13);
-        expectClose(pullOff.indentation, table.number(row, "po_d"), 1e-11, 1.0);
-        expectClose(pullOff.contactRadius, table.number(row, "po_a"), 1e-11);
-        expectClose(pullOff.cohesiveRadius, table.number(row, "po_c"), 1e-11);
+        expectClose(pullOff.indentation, table.number(row, "po_d"), 1e-12, 1.0);
+        expectClose(pullOff.contactRadius, table.number(row, "po_a"), 1e-12);
+        expectClose(pullOff.cohesiveRadius, table.number(row, "po_c"), 1e-12);
         const MaugisPoint jumpOff = law.fold(MaugisControl::displacement());
-        expectClose(jumpOff.force, table.number(row, "do_P"), 1e-11);
+        expectClose(jumpOff.force, table.number(row, "do_P"), 1e-12);
         expectClose(jumpOff.indentation, table.number(row, "do_d"), 1e-13);
-        expectClose(jumpOff.contactRadius, table.number(row, "do_a"), 1e-11);
-        expectClose(jumpOff.cohesiveRadius, table.number(row, "do_c"), 1e-11);
+        expectClose(jumpOff.contactRadius, table.number(row, "do_a"), 1e-12);
+        expectClose(jumpOff.cohesiveRadius, table.number(row, "do_c"), 1e-12);
         EXPECT_EQ(jumpOff.contactRadius > 0.0, table.text(row, "do_kind") == "contact");
         expectClose(law.curve().touchRadius(), table.number(row, "cc"), 1e-13);
     }
@@ -100,9 +100,9 @@ TEST(MaugisDugdale, LandsWhereTheReferenceDoesAfterJumpIn) {
         const MaugisDugdale law(table.number(row, "lambda"));
         const auto landing = law.stable(MaugisControl::displacement(), -law.curve().range());
         ASSERT_TRUE(landing);
-        expectClose(landing->force, table.number(row, "land_P"), 1e-11);
-        expectClose(landing->contactRadius, table.number(row, "land_a"), 1e-11);
-        expectClose(landing->cohesiveRadius, table.number(row, "land_c"), 1e-11);
+        expectClose(landing->force, table.number(row, "land_P"), 1e-12);
+        expectClose(landing->contactRadius, table.number(row, "land_a"), 1e-12);
+        expectClose(landing->cohesiveRadius, table.number(row, "land_c"), 1e-12);
         EXPECT_EQ(landing->contactRadius > 0.0, table.text(row, "land_kind") == "contact");
     }
 }
@@ -157,8 +157,8 @@ TEST(MaugisDugdale, PutsUnstableStatesOnTheCurveBeyondTheFold) {
         const MaugisDugdale law(table.number(row, "lambda"));
         const MaugisPoint point =
             a > 0.0 ? law.atContactRadius(a) : law.curve().noncontact(table.number(row, "c_bar"));
-        expectClose(point.force, table.number(row, "P_bar"), 1e-11, 1.0);
-        expectClose(point.indentation, table.number(row, "delta_bar"), 1e-11,
+        expectClose(point.force, table.number(row, "P_bar"), 1e-12, 1.0);
+        expectClose(point.indentation, table.number(row, "delta_bar"), 1e-12,
                     std::max(1.0, law.curve().range()));
         EXPECT_LT(a, law.fold(MaugisControl::load()).contactRadius);
     }
@@ -319,13 +319,13 @@ TEST(MaugisDugdale, PullsOffASpringLikeTheReference) {
         expectClose(tip.law.curve().lambda(), table.number(row, "lambda"), 1e-13);
         expectClose(control.held(fold) * tip.units.indentation, table.number(row, "off_xb_m"),
                     1e-12);
-        expectClose(fold.force * tip.units.force, table.number(row, "off_P_N"), 1e-11);
+        expectClose(fold.force * tip.units.force, table.number(row, "off_P_N"), 1e-12);
         expectClose(fold.contactRadius * tip.units.radius, table.number(row, "off_a_m"), 1e-10);
         const double jumpIn = -tip.law.curve().range();
         const auto landing = tip.law.stable(control, jumpIn);
         ASSERT_TRUE(landing);
         expectClose(jumpIn * tip.units.indentation, table.number(row, "in_xb_m"), 1e-13);
-        expectClose(landing->force * tip.units.force, table.number(row, "land_P_N"), 1e-11);
+        expectClose(landing->force * tip.units.force, table.number(row, "land_P_N"), 1e-12);
         expectClose(landing->contactRadius * tip.units.radius, table.number(row, "land_a_m"),
                     1e-11);
     }

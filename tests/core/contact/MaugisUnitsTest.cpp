@@ -1,10 +1,12 @@
 #include "core/contact/MaugisUnits.h"
 
+#include "core/contact/ContactModel.h"
 #include "core/contact/VanDerWaals.h"
 #include "tests/core/contact/ContactCases.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace asperity {
@@ -28,7 +30,32 @@ TEST(MaugisUnits, OfThePapersMaterials) {
         expectClose(units.indentation, table.number(row, "ud"), 1e-14);
         expectClose(transitionParameter(units, table.number(row, "s0")),
                     table.number(row, "lambda"), 1e-14);
+        expectClose(4.0 / 3.0 * pair.reducedModulus, table.number(row, "K"), 1e-14);
+        expectClose(pair.workOfAdhesion / table.number(row, "s0"), table.number(row, "h0"), 1e-14);
         expectClose(hamakerConstant(pair.workOfAdhesion), table.number(row, "H"), 1e-14);
+    }
+}
+
+/// Tabor's parameter of a Lennard-Jones spacing z0, beside lambda = 1.157 of it where the cohesive
+/// stress is that potential's largest. Source: docs/physics.md 1.
+TEST(MaugisUnits, FollowTaborsParameter) {
+    const test::ReferenceTable table = test::referenceTable("T16_parameters.csv");
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        SCOPED_TRACE(row);
+        const auto cell = [&](const char* column) { return table.number(row, column); };
+        const ContactPair pair{cell("R"), cell("Es"), cell("w")};
+        const double strain = pair.workOfAdhesion / (pair.reducedModulus * cell("z0"));
+        const double tabor = std::cbrt(pair.tipRadius / cell("z0") * strain * strain);
+        expectClose(tabor, cell("mu"), 1e-14);
+        if (table.text(row, "tag") == "H357") {
+            expectClose(cell("h0"), kCohesiveRange, 1e-15);
+            continue;
+        }
+        const double peak = 16.0 / (9.0 * std::sqrt(3.0)) * pair.workOfAdhesion / cell("z0");
+        const double lambda = transitionParameter(maugisUnits(pair), peak);
+        expectClose(peak, cell("s0"), 1e-14);
+        expectClose(lambda, cell("lambda"), 1e-14);
+        EXPECT_NEAR(lambda / tabor, 1.1570, 5e-5);
     }
 }
 

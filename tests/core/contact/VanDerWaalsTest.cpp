@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace asperity {
 namespace {
 
@@ -28,6 +31,34 @@ TEST(VanDerWaals, AgreesWithTheReferenceDownToContact) {
         ++compared;
     }
     EXPECT_GT(compared, 50);
+}
+
+/// The columns that no code computes: what Derjaguin makes of the attraction of a sphere, to the
+/// factor by which the exact one is weaker, and the Lennard-Jones potential of the same adhesion.
+TEST(VanDerWaals, StandsBesideDerjaguinAndLennardJonesLikeTheReference) {
+    const test::ReferenceTable table = test::referenceTable("T09_vdw.csv");
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto cell = [&](const char* column) { return table.number(row, column); };
+        SCOPED_TRACE(row);
+        const double work = cell("w_J_m2");
+        const double radius = cell("R_m");
+        const double separation = cell("D_m");
+        expectClose(hamakerConstant(work), cell("H_J"), 1e-14);
+        if (separation >= kContactSeparation) {
+            const VanDerWaals attraction(cell("H_J"), radius);
+            const double weaker = std::pow(1.0 + (separation / (2.0 * radius)), -2.0);
+            expectClose(attraction.force(separation) / weaker, cell("F_derj_N"), 1e-13);
+        }
+        expectClose(cell("U_derj_J"), cell("F_derj_N") * separation, 1e-14);
+        const double spacing = kContactSeparation * std::sqrt(3.0) / 2.0;
+        expectClose(cell("z0_m"), spacing, 1e-14);
+        const double near = spacing / separation;
+        const double most = 8.0 / 3.0 * std::numbers::pi * work * radius;
+        expectClose(cell("F_LJ_N"), -most * ((near * near) - (0.25 * std::pow(near, 8))), 1e-13,
+                    most * near * near);
+        expectClose(cell("U_LJ_J"), -most * spacing * (near - (std::pow(near, 7) / 28.0)), 1e-13,
+                    most * spacing * near);
+    }
 }
 
 TEST(VanDerWaals, DoesNotDivergeBelowContact) {
