@@ -19,6 +19,7 @@ TickSample bonded(double contactRadius) {
     TickSample sample = far();
     sample.output.model.contact.branch = ContactBranch::Bonded;
     sample.output.model.contact.contactRadius = contactRadius;
+    sample.output.model.contact.cohesiveRadius = contactRadius + 1e-9;
     return sample;
 }
 
