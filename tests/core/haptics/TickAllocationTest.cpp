@@ -14,12 +14,13 @@
 namespace asperity {
 namespace {
 
-TEST(TickAllocation, TickAndSimulatedInstrumentAllocateNothingInAnyState) {
-    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+/// Runs the approach of a scene and watches every tick of it.
+void expectNoAllocation(const Scene& scene) {
     const HandPath path = approachPath(scene, {.duration = 2.0});
     SimulatedAfm afm(scene.surface, scene.truth);
     TickMemory memory;
     TickInput input;
+    input.settings = scene.settings;
     bool touched = false;
     bool released = false;
     for (int i = 0; i <= 2000; ++i) {
@@ -28,10 +29,47 @@ TEST(TickAllocation, TickAndSimulatedInstrumentAllocateNothingInAnyState) {
         input.measurement = afm.exchange(commandBase(scene, input, memory).base);
         const TickOutput output = tick(scene, input, memory);
         ASSERT_EQ(test::allocationCount(), before) << "tick " << i;
+        ASSERT_EQ(output.fault, Fault::None) << "tick " << i;
         touched = touched || output.region() == TipRegion::Contact;
         released = touched && output.region() == TipRegion::Far;
     }
     EXPECT_TRUE(touched && released) << "the run must pass through all states";
+}
+
+TEST(TickAllocation, TickAndSimulatedInstrumentAllocateNothingInAnyState) {
+    expectNoAllocation(buildScene(test::plainScene(), test::hillyMap()));
+}
+
+TEST(TickAllocation, NorDoesAnyLawSolverOrControl) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.filmThickness = 100.0_nm;
+    description.truth.material = description.sample.material;
+    description.positionControl = PositionControl::Tip;
+    description.solver = SolverTier::Table;
+    for (const ContactLaw law : kContactLaws) {
+        SCOPED_TRACE(keyOf(law));
+        description.law = law;
+        expectNoAllocation(buildScene(description, test::hillyMap()));
+    }
+    description.law = ContactLaw::Split;
+    description.truth.temperature = 300.0;
+    description.meniscus = {.surfaceTension = 0.072, .contactAngle = 0.0, .range = 1.0_nm};
+    expectNoAllocation(buildScene(description, test::hillyMap()));
+}
+
+TEST(TickAllocation, NorDoSeveralFeet) {
+    const Scene scene = buildScene(test::plainScene(), test::ridgedMap(25.0_nm));
+    TickMemory memory;
+    TickInput input;
+    bool several = false;
+    for (int i = 0; i <= 400; ++i) {
+        input.hand.position = {40.0_nm + i * 25.0_pm, 64.0_nm, -17.0_nm};
+        const std::size_t before = test::allocationCount();
+        const TickOutput output = tick(scene, input, memory);
+        ASSERT_EQ(test::allocationCount(), before) << "tick " << i;
+        several = several || output.flags.has(Validity::SeveralFeet);
+    }
+    EXPECT_TRUE(several);
 }
 
 TEST(TickAllocation, TheRunningLoopAllocatesNothing) {
