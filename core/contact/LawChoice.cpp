@@ -39,7 +39,7 @@ LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair) {
     }
     requirePair(pair, pair.workOfAdhesion);  // any stress will do to look at the pair
     if (pair.workOfAdhesion < kSmallestAdhesion) {
-        return {ContactLaw::Sneddon, "auto: no adhesion; the exact sphere holds at any depth"};
+        return {ContactLaw::Hertz, "auto: no adhesion"};
     }
     const double ratio = unloadedRatio(pair);
     if (ratio > kLargeContact) {

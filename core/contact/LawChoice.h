@@ -20,7 +20,7 @@ struct LawChoice {
 
 /// The law that was asked for, or where none was (`auto`): Maugis-Dugdale, which is exact from DMT
 /// to JKR, with its van der Waals tail; on the exact sphere where the contact is wider than 0.3 R
-/// already without load. Without adhesion Sneddon's sphere. Source: docs/physics.md 2.9, 4.4.
+/// already without load. Without adhesion Hertz. Source: docs/physics.md 2.9, 4.4.
 /// @throw Error where none was asked for and the pair is outside the laws' range, see ContactStatus
 [[nodiscard]] LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair);
 

@@ -86,8 +86,9 @@ public:
             for (Foot& foot : feet_) {
                 settle(foot);
             }
+            dropDoubledFeet();
             const bool still = (deflection_ - before).norm() <= kPositionTolerance;
-            state_.converged = still && !followCurvature();
+            state_.converged = still && !followCurvature() && !findMoreFeet(memory);
         }
         putMainFootFirst();
         report();
@@ -107,20 +108,53 @@ private:
     }
 
     void findFeet(const EquilibriumMemory& memory) {
-        std::array<FootGuess, kMostFeet> known;
+        boost::container::static_vector<FootGuess, kMostFeet> known;
         for (std::size_t i = 0; i < memory.footCount; ++i) {
-            known[i] = memory.feet[i].guess;
+            known.push_back(memory.feet[i].guess);
         }
-        const TipFeet found = tipFeet(surface_, {centre(), system_.tipRadius()}, kReach,
-                                      {known.data(), memory.footCount});
-        for (const SurfaceFoot& place : found.all()) {
-            feet_.push_back({.place = place,
-                             .memory = memoryOf(place, memory),
-                             .model = system_.contact,
-                             .radius = {},
-                             .contact = {}});
-        }
+        addFeet({known.data(), known.size()}, memory);
         followCurvature();
+    }
+
+    /// Where the tip has moved by much since the last look, there may be feet that nobody saw.
+    bool findMoreFeet(const EquilibriumMemory& memory) {
+        if ((centre() - lookedFrom_).norm() <= kSameFoot * system_.tipRadius()) {
+            return false;
+        }
+        boost::container::static_vector<FootGuess, kMostFeet> known;
+        for (const Foot& foot : feet_) {
+            known.push_back(guessOf(foot.place));
+        }
+        const std::size_t before = feet_.size();
+        addFeet({known.data(), known.size()}, memory);
+        followCurvature();
+        return feet_.size() > before;
+    }
+
+    void addFeet(std::span<const FootGuess> known, const EquilibriumMemory& memory) {
+        lookedFrom_ = centre();
+        const TipFeet found = tipFeet(surface_, {lookedFrom_, system_.tipRadius()}, kReach, known);
+        for (const SurfaceFoot& place : found.all()) {
+            if (feet_.size() < kMostFeet && !isKnown(place, feet_.size())) {
+                feet_.push_back({.place = place,
+                                 .memory = memoryOf(place, memory),
+                                 .model = system_.contact,
+                                 .radius = {},
+                                 .contact = {}});
+            }
+        }
+    }
+
+    static FootGuess guessOf(const SurfaceFoot& place) {
+        return {place.point.x(), place.point.y(), place.converged};
+    }
+
+    /// Whether one of the first `count` feet stands there.
+    [[nodiscard]] bool isKnown(const SurfaceFoot& place, std::size_t count) const {
+        const double same = kSameFoot * system_.tipRadius();
+        return std::any_of(
+            feet_.begin(), feet_.begin() + static_cast<std::ptrdiff_t>(count),
+            [&](const Foot& foot) { return (foot.place.point - place.point).norm() <= same; });
     }
 
     /// What was known of a foot: of the nearest one remembered. The first foot is always known.
@@ -179,8 +213,7 @@ private:
 
     /// Balances lever and contact at one foot.
     void settle(Foot& foot) {
-        const FootGuess guess{foot.place.point.x(), foot.place.point.y(), foot.place.converged};
-        foot.place = closestPoint(surface_, centre(), guess);
+        foot.place = closestPoint(surface_, centre(), guessOf(foot.place));
         const Vector3& normal = foot.place.normal;
         foot.slip = slidingOf(normal, base_.velocity).slip();
         const Lever lever = leverOf(foot);
@@ -197,6 +230,15 @@ private:
         foot.memory.friction = frictionForce(system_.friction, foot.contact);
         foot.force = foot.contact.force * normal + foot.memory.friction * foot.slip;
         deflection_ = lever.offset + lever.compliance * foot.force;
+    }
+
+    /// Two valleys' feet may slide into one: it must not bear its force twice.
+    void dropDoubledFeet() {
+        for (std::size_t i = feet_.size(); i-- > 1;) {
+            if (isKnown(feet_[i].place, i)) {
+                feet_.erase(feet_.begin() + static_cast<std::ptrdiff_t>(i));
+            }
+        }
     }
 
     void putMainFootFirst() {
@@ -243,11 +285,9 @@ private:
             if (memory.footCount > 0 && isFar) {
                 continue;
             }
-            const SurfaceFoot& place = foot.place;
-            memory.feet[memory.footCount++] = {
-                .guess = {place.point.x(), place.point.y(), place.converged},
-                .contact = foot.contact.memory(),
-                .friction = foot.memory.friction};
+            memory.feet[memory.footCount++] = {.guess = guessOf(foot.place),
+                                               .contact = foot.contact.memory(),
+                                               .friction = foot.memory.friction};
         }
     }
 
@@ -256,6 +296,7 @@ private:
     const BaseMotion& base_;
     const Matrix3& compliance_;
     Vector3 deflection_ = Vector3::Zero();
+    Vector3 lookedFrom_ = Vector3::Zero();  ///< the tip's centre when feet were last looked for
     boost::container::static_vector<Foot, kMostFeet> feet_;
     TipState state_;
 };

@@ -4,7 +4,6 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSameFoot = 0.02;    // of the radius: nearer feet are one
 constexpr double kRingRadius = 0.6;   // of the radius: where searches start
 constexpr double kDiagonal = 0.7071;  // sin and cos of an eighth of a turn
 

@@ -11,6 +11,9 @@ namespace asperity {
 /// More places than these do not touch a sphere at once on any real scan.
 inline constexpr std::size_t kMostFeet = 4;
 
+/// Two feet nearer to each other than this are one, in tip radii.
+inline constexpr double kSameFoot = 0.02;
+
 /// Feet of a sphere on a surface: in a valley that it does not fit there are several.
 class TipFeet {
 public:

@@ -142,6 +142,27 @@ TEST(TipEquilibrium, FlanksOfAGrooveShareTheLoad) {
                 1e-3 * state.force.z());
 }
 
+/// A soft lever lifts the tip by much: its feet are others than those of the undeflected tip, and
+/// none of them may wait for the next tick.
+TEST(TipEquilibrium, FindsItsFeetWithinOneTickHoweverFarItMoves) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction = {};
+    description.sample.material.workOfAdhesion = 0.0;
+    description.probe.thickness = thicknessForStiffness(description.probe, 0.2);
+    const Scene scene = buildScene(description, test::ridgedMap(8.0_nm));
+    for (int i = 0; i <= 150; ++i) {
+        const double x = 45.0_nm - i * 0.1_nm;
+        const double height = scene.surface.at(x, 64.0_nm).height;
+        const BaseMotion base{.position = {x, 64.0_nm, height - 12.0_nm}};
+        EquilibriumMemory memory;
+        const TipState first = tipEquilibrium(scene.surface, scene.belief, base, memory);
+        const TipState settled = tipEquilibrium(scene.surface, scene.belief, base, memory);
+        ASSERT_TRUE(first.converged) << i;
+        // The effective radius is followed to 1e-6.
+        ASSERT_NEAR(first.force.z(), settled.force.z(), 1e-5 * settled.force.norm()) << i;
+    }
+}
+
 TEST(TipEquilibrium, ForceIsContinuousAcrossAGrooveWithoutAdhesion) {
     SceneDescription description = test::plainScene();
     description.sample.material.friction = {};

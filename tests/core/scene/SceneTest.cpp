@@ -100,7 +100,7 @@ TEST(Scene, ChoosesTheContactLawAndSaysWhy) {
     EXPECT_EQ(rubber.belief.contact.law(), ContactLaw::SphereMaugis);
     EXPECT_NE(rubber.lawChoice.why.find("2.5"), std::string::npos) << rubber.lawChoice.why;
     description.sample.material.workOfAdhesion = 0.0;
-    EXPECT_EQ(buildScene(description, test::flatMap()).belief.contact.law(), ContactLaw::Sneddon);
+    EXPECT_EQ(buildScene(description, test::flatMap()).belief.contact.law(), ContactLaw::Hertz);
     description.law = ContactLaw::Jkr;
     EXPECT_EQ(buildScene(description, test::flatMap()).belief.contact.law(), ContactLaw::Jkr);
 }
