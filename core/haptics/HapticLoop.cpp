@@ -18,10 +18,10 @@ std::size_t ringSize(const Scene& scene) {
 }  // namespace
 
 HapticLoop::HapticLoop(const Scene& scene, HapticDevice& hand, AfmController& afm)
-    : scene_(scene)
+    : settings_(scene.settings)
+    , scene_(scene)
     , hand_(&hand)
     , afm_(afm)
-    , settings_(scene.settings)
     , samples_(ringSize(scene)) {}
 
 HapticLoop::~HapticLoop() { stop(); }

@@ -64,6 +64,10 @@ private:
     void tickOnce(double timeStep) noexcept;
     void measure(const Beat& beat, double begin) noexcept;
 
+    // First, since they are aligned to cache lines.
+    TripleBuffer<Settings> settings_;
+    TripleBuffer<Snapshot> snapshot_;
+
     const Scene& scene_;
     HapticDevice* hand_;
     AfmController& afm_;
@@ -74,8 +78,6 @@ private:
     LoopTimes thisSecond_;
     LoopTimes sinceStart_;
 
-    TripleBuffer<Settings> settings_;
-    TripleBuffer<Snapshot> snapshot_;
     boost::lockfree::spsc_queue<TickSample> samples_;
     std::optional<PacedThread> thread_;
 };
