@@ -41,8 +41,28 @@ std::vector<std::string> lawNames() {
 CurveCase caseOf(const SceneDescription& scene, const LawChoice& choice, double compliance) {
     const SampleMaterial& material = scene.sample.material;
     const ContactPair pair = contactPair(scene, material);
-    return {material.name, ContactModel(choice.law, pair, contactOptions(scene, material)),
-            compliance, choice.why};
+    return {material, ContactModel(choice.law, pair, contactOptions(scene, material)), compliance,
+            choice.why};
+}
+
+/// The case of the scene's material, and another for comparison where the law is not the usual one.
+void addCases(const SceneDescription& scene, double compliance, std::vector<CurveCase>& cases) {
+    checkScene(scene);
+    const LawChoice choice = chooseLaw(scene.law, contactPair(scene, scene.sample.material));
+    cases.push_back(caseOf(scene, choice, compliance));
+    if (!scene.law && choice.law == ContactLaw::SphereMaugis) {
+        cases.push_back(caseOf(scene,
+                               {ContactLaw::Split, "for comparison: formally, as for a paraboloid"},
+                               compliance));
+    }
+}
+
+CLI::Validator within(double low, double high, const std::string& words) {
+    return {[low, high, words](const std::string& text) {
+                const double value = std::strtod(text.c_str(), nullptr);
+                return value >= low && value <= high ? std::string() : "expected " + words;
+            },
+            ""};
 }
 
 }  // namespace
@@ -57,10 +77,10 @@ void addCurveRequest(CLI::App& command, CurveRequest& request) {
         ->check(CLI::IsMember(lawNames()));
     command.add_option("--radius", request.radius, "of the tip [m]")
         ->check(finiteNumber())
-        ->check(CLI::Range(kSmallestTipRadius, kLargestTipRadius));
+        ->check(within(kSmallestTipRadius, kLargestTipRadius, "1e-12 to 1 m"));
     command.add_option("--stiffness", request.stiffness, "of the lever along the normal [N/m]")
         ->check(finiteNumber())
-        ->check(CLI::Range(kSmallestStiffness, kLargestStiffness));
+        ->check(within(kSmallestStiffness, kLargestStiffness, "1e-6 to 1e12 N/m"));
 }
 
 std::vector<CurveCase> curveCases(const CurveRequest& request) {
@@ -79,15 +99,13 @@ std::vector<CurveCase> curveCases(const CurveRequest& request) {
         materials.push_back(scene.sample.material);
     }
     std::vector<CurveCase> cases;
-    for (const SampleMaterial& material : materials) {
-        scene.sample.material = material;
-        checkScene(scene);
-        const LawChoice choice = chooseLaw(scene.law, contactPair(scene, material));
-        cases.push_back(caseOf(scene, choice, compliance));
-        if (!scene.law && choice.law == ContactLaw::SphereMaugis) {
-            cases.push_back(
-                caseOf(scene, {ContactLaw::Split, "for comparison: formally, as for a paraboloid"},
-                       compliance));
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        scene.sample.material = materials[i];
+        try {
+            addCases(scene, compliance, cases);
+        } catch (const Error& error) {
+            const bool fromScene = request.materials.empty();
+            throw InputError(fromScene ? request.scene : request.materials[i], "", error.what());
         }
     }
     return cases;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/contact/ContactModel.h"
+#include "core/scene/SceneDescription.h"
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -20,7 +21,7 @@ struct CurveRequest {
 
 /// One curve to be made.
 struct CurveCase {
-    std::string name;  ///< of the material
+    SampleMaterial material;
     ContactModel model;
     double compliance = 0.0;  ///< along the normal [m/N]
     std::string why;          ///< why this law

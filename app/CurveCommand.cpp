@@ -8,6 +8,7 @@
 #include "core/contact/ForceCurve.h"
 #include "core/contact/LawChoice.h"
 #include "core/io/CsvWriter.h"
+#include "core/scene/ContactValidity.h"
 #include "vtkplugins/pictures/Charts.h"
 
 #include <CLI/CLI.hpp>
@@ -59,7 +60,7 @@ std::vector<std::string> summary(const CurveResult& result) {
     char parameters[200];
     std::snprintf(parameters, sizeof parameters,
                   "%s: R %.4g nm, E* %.6g GPa, w %.4g J/m^2, lever %.4g N/m along the normal",
-                  asked.name.c_str(), asked.model.pair().tipRadius * 1e9,
+                  asked.material.name.c_str(), asked.model.pair().tipRadius * 1e9,
                   asked.model.pair().reducedModulus * 1e-9, asked.model.pair().workOfAdhesion,
                   1.0 / asked.compliance);
     return {parameters, "  law " + std::string(keyOf(asked.model.law())) + " (" + asked.why + ")",
@@ -71,13 +72,11 @@ void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
               const std::vector<ForceCurvePoint>& points) {
     for (const ForceCurvePoint& point : points) {
         const ContactState& state = point.state;
-        csv.add(result.asked.name).add(keyOf(result.asked.model.law())).add(way);
+        csv.add(result.asked.material.name).add(keyOf(result.asked.model.law())).add(way);
         csv.add(point.basePosition).add(state.indentation).add(state.force);
         csv.add(state.force * result.asked.compliance).add(state.contactRadius);
         csv.add(state.cohesiveRadius).add(regionName(state.region()));
-        csv.add(isLargeContact(state.contactRadius, result.asked.model.pair().tipRadius)
-                    ? "large_contact"
-                    : "-")
+        csv.add(validityText(contactValidity(result.asked.model, state, result.asked.material)))
             .endRow();
     }
 }
@@ -116,7 +115,7 @@ Curve lineOf(const char* label, const std::vector<ForceCurvePoint>& way, bool da
 void drawFigure(const std::string& path, const std::vector<CurveResult>& results) {
     std::vector<Chart> charts;
     for (const CurveResult& result : results) {
-        std::string name = result.asked.name;
+        std::string name = result.asked.material.name;
         std::ranges::replace(name, '_', ' ');
         charts.push_back({.title = name + ", " + nameOf(result.asked.model.law()),
                           .xLabel = "base position towards the sample",

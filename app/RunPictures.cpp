@@ -47,8 +47,8 @@ std::string captionOf(const Scene& scene, const TickSample& sample) {
     if (out.flags.has(Validity::LargeContact)) {
         caption += " Contact radius above 0.3 tip radii: beyond what half-space theory holds for.";
     }
-    if (out.flags.has(Validity::CurvedSample)) {
-        caption += " The sample is curved so that one effective radius is a rough word for it.";
+    if (out.flags.bits() != 0) {
+        caption += " Flags: " + validityText(out.flags) + ".";
     }
     return caption;
 }

@@ -1,6 +1,6 @@
 #include "core/haptics/HapticTick.h"
 
-#include "core/contact/SurfaceDisplacement.h"
+#include "core/scene/ContactValidity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@ namespace {
 constexpr double kModelSpread = 0.2;    // share of N that the model may be off
 constexpr double kModelFloor = 0.1e-9;  // [N]
 constexpr double kContradictionSigmas = 3.0;
-constexpr double kThinFilm = 0.1;       // of the film's thickness up to which it counts as deep
 constexpr double kSnapInMargin = 1e-9;  // [m]
 constexpr double kSnapInWatch = 20e-9;  // [m]: no tip snaps in across a wider gap
+constexpr double kHeldWithin = 1e-11;   // [m]: how near the commanded place the tip must be
 constexpr double kSliding = 0.5;        // weight of the slip direction from which it counts
 
 /// What the contact model gives to the estimate, weighed against the bending signal.
@@ -46,26 +46,15 @@ NormalForcePrior normalForcePrior(const Scene& scene, const TickInput& input,
 
 DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, const TickOutput& out,
                                 const NormalForcePrior& prior) {
-    const double radius = out.model.contact.contactRadius;
     return {.signals = input.measurement.signals,
             .sigma = scene.signalSigma,
             .normal = out.model.normal,
             .velocity = out.base.velocity,
             .frictionCoefficient = scene.belief.friction.coefficient,
             .shearStrength = scene.belief.friction.shearStrength,
-            .contactArea = std::numbers::pi * radius * radius,
+            .contactArea = out.model.contactArea,
             .normalForceModel = prior.force,
             .normalForceSigma = prior.sigma};
-}
-
-/// Pressure at the middle of the contact [Pa].
-double middlePressure(const Scene& scene, const TipState& model) {
-    if (model.contact.contactRadius == 0.0) {
-        return 0.0;
-    }
-    CohesiveContact profile = contactProfile(scene.belief.contact, model.contact);
-    profile.tipRadius = model.effectiveRadius;
-    return contactPressure(profile, 0.0);
 }
 
 /// Whether a separate tip is about to snap in on a lever as soft as this one.
@@ -76,17 +65,16 @@ bool snapsSoon(const Scene& scene, const TipState& model) {
     }
     const double compliance =
         model.foot.normal.dot(scene.belief.cantilever.compliance() * model.foot.normal);
-    const double jumpIn = scene.belief.contact.jumpInApproach(compliance);
+    const ContactModel law = contactModelAt(scene, model);
+    const double jumpIn = law.jumpInApproach(compliance);
     const double now = contact.indentation + (compliance * contact.force);
-    return jumpIn - now < kSnapInMargin &&
-           scene.belief.contact.pullOffApproach(compliance) < jumpIn;
+    return jumpIn - now < kSnapInMargin && law.pullOffApproach(compliance) < jumpIn;
 }
 
 ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradicted) {
     const Vector3& foot = out.model.foot.point;
     ValidityFlags flags;
-    flags.set(Validity::LargeContact,
-              isLargeContact(out.model.contact.contactRadius, out.model.effectiveRadius));
+    flags.set(Validity::LargeContact, isLargeContact(out.model.contactRatio, 1.0));
     flags.set(Validity::OutsideScan, !out.model.foot.insideScan);
     flags.set(Validity::FilledPixel, !scene.surface.isMeasured(foot.x(), foot.y()));
     flags.set(Validity::FootNotFound, !out.model.foot.converged);
@@ -97,12 +85,8 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
     flags.set(Validity::SharpValley, bonded && !out.model.fits);
     flags.set(Validity::SeveralFeet, out.model.feet > 1);
-    const SampleMaterial& sample = scene.description.sample.material;
-    flags.set(Validity::ThinFilm,
-              scene.belief.contact.law() != ContactLaw::HertzFilm && sample.filmThickness > 0.0 &&
-                  out.model.contact.contactRadius > kThinFilm * sample.filmThickness);
-    flags.set(Validity::ElasticLimit,
-              sample.hardness > 0.0 && middlePressure(scene, out.model) > sample.hardness);
+    flags.add(contactValidity(contactModelAt(scene, out.model), out.model.contact,
+                              scene.description.sample.material));
     flags.set(Validity::SnapInAhead, snapsSoon(scene, out.model));
     flags.set(Validity::Implausible, out.estimate.plausibility.excessFriction);
     // At rest friction has no direction, and that the geometry is singular tells nothing.
@@ -124,12 +108,15 @@ bool allFinite(const TickOutput& out) {
            out.estimate.kind != DecouplingCase::InvalidInput;
 }
 
-/// Whether the lever is stiffer than the attraction at the state of a tip that is held.
-bool leverHolds(const Cantilever& cantilever, const TipState& held) {
-    const Vector3& normal = held.foot.normal;
-    const double compliance = normal.dot(cantilever.compliance() * normal);
-    return held.converged && !held.contact.jumped && !held.locked &&
-           1.0 + compliance * held.contact.stiffness > 0.0;
+/// Whether a base that goes ahead by `compensation` has the tip where it was commanded: not where
+/// lever, sample and friction have no stable state there.
+bool holdsTip(const Scene& scene, const BaseMotion& tip, const Vector3& compensation,
+              const EquilibriumMemory& memory) {
+    EquilibriumMemory tried = memory;
+    const TipState state = tipEquilibrium(scene.surface, scene.belief,
+                                          {tip.position - compensation, tip.velocity}, tried);
+    return state.converged && !state.contact.jumped && !state.locked &&
+           (state.tip - tip.position).norm() <= kHeldWithin;
 }
 
 }  // namespace
@@ -153,9 +140,11 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
                                         : command.base.position,
                          command.base.velocity};
     const TipState held = heldTip(scene.surface, scene.belief, tip, memory.model);
-    command.tipHeld = leverHolds(scene.belief.cantilever, held);
+    const Vector3 deflection = scene.belief.cantilever.compliance() * held.force;
+    command.tipHeld =
+        held.converged && !held.contact.jumped && holdsTip(scene, tip, deflection, memory.model);
     if (command.tipHeld) {
-        command.compensation = scene.belief.cantilever.compliance() * held.force;
+        command.compensation = deflection;
     }
     command.base.position = tip.position - command.compensation;
     return command;
@@ -174,7 +163,7 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     const NormalForcePrior prior = normalForcePrior(scene, input, out.model);
     out.estimate =
         estimateForce(scene.belief.cantilever, decouplingInput(scene, input, out, prior));
-    out.tip = out.base.position + scene.belief.cantilever.compliance() * out.estimate.force;
+    out.tip = out.base.position + out.estimate.deflection;
     memory.correction = slowCorrection(input, out, memory.correction);
     out.handForce = input.settings.forceGain * (out.model.force + memory.correction);
     out.flags = validity(scene, out, prior.contradicted);
@@ -191,7 +180,9 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
         memory.fault = Fault::DeviceLost;
     }
     out.fault = memory.fault;
-    if (out.fault != Fault::None || !input.settings.forcesOn) {
+    // Where there is no equilibrium the last force of the search means nothing.
+    const bool meaningless = !out.model.converged || out.model.locked;
+    if (out.fault != Fault::None || !input.settings.forcesOn || meaningless) {
         out.handForce.setZero();
     }
     return out;

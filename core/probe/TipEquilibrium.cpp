@@ -54,8 +54,12 @@ TipState nowhere() {
     return state;
 }
 
+double areaOf(const ContactState& contact) {
+    return std::numbers::pi * contact.contactRadius * contact.contactRadius;
+}
+
 double frictionForce(const Friction& friction, const ContactState& contact) {
-    const double area = std::numbers::pi * contact.contactRadius * contact.contactRadius;
+    const double area = areaOf(contact);
     if (area <= 0.0) {
         return 0.0;
     }  // nothing touches
@@ -137,7 +141,7 @@ private:
         for (const SurfaceFoot& place : found.all()) {
             if (feet_.size() < kMostFeet && !isKnown(place, feet_.size())) {
                 feet_.push_back({.place = place,
-                                 .memory = memoryOf(place, memory),
+                                 .memory = takeMemory(place, memory),
                                  .model = system_.contact,
                                  .radius = {},
                                  .contact = {}});
@@ -157,21 +161,24 @@ private:
             [&](const Foot& foot) { return (foot.place.point - place.point).norm() <= same; });
     }
 
-    /// What was known of a foot: of the nearest one remembered. The first foot is always known.
-    [[nodiscard]] FootMemory memoryOf(const SurfaceFoot& place,
-                                      const EquilibriumMemory& memory) const {
-        FootMemory best;
+    /// What was known of a foot: of the nearest one remembered that no other foot has taken. The
+    /// first foot is always known.
+    [[nodiscard]] FootMemory takeMemory(const SurfaceFoot& place, const EquilibriumMemory& memory) {
+        std::size_t best = feet_.empty() ? 0 : memory.footCount;
         double nearest = kSameSlot * system_.tipRadius();
         for (std::size_t i = 0; i < memory.footCount; ++i) {
             const FootGuess& guess = memory.feet[i].guess;
             const double away = std::hypot(guess.x - place.point.x(), guess.y - place.point.y());
-            if (away < nearest) {
+            if (!taken_[i] && away < nearest) {
                 nearest = away;
-                best = memory.feet[i];
+                best = i;
             }
         }
-        const bool unknown = !best.guess.valid && feet_.empty() && memory.footCount > 0;
-        return unknown ? memory.feet[0] : best;
+        if (best >= memory.footCount) {
+            return {};
+        }
+        taken_[best] = true;
+        return memory.feet[best];
     }
 
     /// Gives each foot the effective radius of its place; whether one of them changed.
@@ -219,13 +226,20 @@ private:
         const Lever lever = leverOf(foot);
         const double along = normal.dot(lever.compliance * normal);
         const double across = normal.dot(lever.compliance * foot.slip);
+        const double withFriction = along + system_.friction.coefficient * across;
         // Friction that drags the tip deeper faster than the lever lifts it locks it.
-        state_.locked |= along > 0.0 && along + system_.friction.coefficient * across <= 0.0;
+        const bool locks = along > 0.0 && withFriction <= 0.0;
+        state_.locked |= locks;
+        // The part mu N of friction is solved with N, as a change of the lever's compliance
+        // (1 / k_n of docs/physics.md 7.2); the rest, of the area, is that of the last sweep.
+        const bool slides = foot.memory.friction > 0.0 && !locks;
+        const double ofLoad = slides ? system_.friction.coefficient * foot.contact.force : 0.0;
         // Approach of the undeflected tip towards the tangent plane of the present foot.
         const double approach = system_.tipRadius() - foot.place.distance +
                                 normal.dot(deflection_ - lever.offset) -
-                                across * foot.memory.friction;
-        foot.contact = foot.model.equilibrium(approach, along, foot.memory.contact);
+                                across * (foot.memory.friction - ofLoad);
+        foot.contact =
+            foot.model.equilibrium(approach, slides ? withFriction : along, foot.memory.contact);
         foot.memory.contact.coordinate = foot.contact.coordinate;
         foot.memory.friction = frictionForce(system_.friction, foot.contact);
         foot.force = foot.contact.force * normal + foot.memory.friction * foot.slip;
@@ -258,6 +272,9 @@ private:
             state_.feet += bears ? 1 : 0;
             normalForce += foot.contact.force * foot.place.normal;
             state_.force += foot.force;
+            state_.contactArea += areaOf(foot.contact);
+            state_.contactRatio =
+                std::max(state_.contactRatio, foot.contact.contactRadius / foot.radius.radius);
         }
         state_.feet = std::max(1, state_.feet);
         state_.tip = base_.position + deflection_;
@@ -296,6 +313,7 @@ private:
     const BaseMotion& base_;
     const Matrix3& compliance_;
     Vector3 deflection_ = Vector3::Zero();
+    std::array<bool, kMostFeet> taken_{};   ///< which of the remembered feet have been found again
     Vector3 lookedFrom_ = Vector3::Zero();  ///< the tip's centre when feet were last looked for
     boost::container::static_vector<Foot, kMostFeet> feet_;
     TipState state_;

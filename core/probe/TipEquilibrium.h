@@ -41,6 +41,8 @@ struct TipState {
     double normalForce = 0.0;           ///< that sum along `normal`, > 0 repulsive [N]
     SurfaceFoot foot;                   ///< of the centre of the tip's sphere
     ContactState contact;               ///< along foot.normal
+    double contactArea = 0.0;           ///< of all feet [m^2]
+    double contactRatio = 0.0;          ///< largest contact radius over effective radius of a foot
     double effectiveRadius = 0.0;       ///< of tip and curved sample together [m]
     int feet = 1;                       ///< that bear a force
     bool fits = true;                   ///< false: the sample is as sharply hollow as the tip

@@ -12,15 +12,6 @@ double shareOfSample(const Scene& scene) {
     return sampleShare(scene.description.sample.material.elastic, scene.description.tip.elastic);
 }
 
-}  // namespace
-
-ContactModel contactModelAt(const Scene& scene, const TipState& state) {
-    const double radius = state.effectiveRadius;
-    return radius > 0.0 ? scene.belief.contact.withTipRadius(radius) : scene.belief.contact;
-}
-
-namespace {
-
 SurfacePatch patchOf(const Scene& scene, const TipState& state, DeformationTier tier,
                      const PatchGrid& grid, const RadialDisplacement& displacement) {
     const double radius = scene.belief.tipRadius();

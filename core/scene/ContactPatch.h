@@ -6,9 +6,6 @@
 
 namespace asperity {
 
-/// The believed contact law with the effective radius of the tip's place.
-[[nodiscard]] ContactModel contactModelAt(const Scene& scene, const TipState& state);
-
 /// The surface around the contact as the believed contact model deforms it. The closed form shows
 /// the sample's share of the displacement; the tip takes the rest. Off the tick: allocates.
 /// @throw Error as deformedPatch()

@@ -66,6 +66,11 @@ Scene assemble(const SceneDescription& description, const PlaneFit& removedPlane
 
 }  // namespace
 
+ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept {
+    const double radius = state.effectiveRadius;
+    return radius > 0.0 ? scene.belief.contact.withTipRadius(radius) : scene.belief.contact;
+}
+
 Scene buildScene(const SceneDescription& description, const HeightMap& map) {
     checkScene(description);
     checkMap(map);

@@ -25,6 +25,9 @@ struct Scene {
     [[nodiscard]] double timeStep() const noexcept { return 1.0 / description.tickRate; }  ///< [s]
 };
 
+/// The believed contact law with the effective radius of the tip's place.
+[[nodiscard]] ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept;
+
 /// Levels, fills, smooths and fits the map, and sets up both sides of the instrument.
 /// @throw Error when a value of the description is outside its range
 [[nodiscard]] Scene buildScene(const SceneDescription& description, const HeightMap& map);

@@ -5,6 +5,7 @@
 #include "core/contact/Within.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace asperity {
 
@@ -36,6 +37,17 @@ void check(const SampleMaterial& material, const std::string& where) {
             where + ": hardness_pa must be zero or a positive number of pascals");
     require(std::isfinite(material.filmThickness) && material.filmThickness >= 0.0,
             where + ": film_thickness_m must be zero or a positive number of metres");
+}
+
+void check(const Meniscus& meniscus) {
+    require(isWithin(meniscus.surfaceTension, 0.0, 10.0),
+            "[physics]: meniscus_tension_n_m must lie between 0 and 10");
+    require(isWithin(meniscus.contactAngle, 0.0, std::numbers::pi / 2.0),
+            "[physics]: meniscus_angle_rad must lie between 0 and a right angle");
+    require(meniscus.range == 0.0 || isWithin(meniscus.range, 1e-12, 1e-6),
+            "[physics]: meniscus_range_m must be 0 or lie between 1e-12 and 1e-6");
+    require((meniscus.surfaceTension > 0.0) == (meniscus.range > 0.0),
+            "[physics]: a meniscus needs both meniscus_tension_n_m and meniscus_range_m");
 }
 
 }  // namespace
@@ -80,6 +92,7 @@ void checkScene(const SceneDescription& scene) {
             "[tip]: radius_m must be a positive number of metres");
     require(isWithin(scene.cohesiveRange, 1e-12, 1e-6),
             "[physics]: cohesive_range_m must lie between 1e-12 and 1e-6");
+    check(scene.meniscus);
     require(scene.signalSigma > 0.0 && std::isfinite(scene.signalSigma),
             "[probe]: signal_noise_rad must be a positive number of radians");
     require(scene.truth.signalNoise >= 0.0 && std::isfinite(scene.truth.signalNoise),

@@ -21,8 +21,8 @@ enum class Validity : std::uint32_t {
     TipNotHeld = 1U << 11U,        ///< no place of the base holds the tip where the hand wants it
     ElasticLimit = 1U << 12U,      ///< contact pressure above the sample's hardness: it would yield
     ThinFilm = 1U << 13U,          ///< contact radius above a tenth of the film's thickness
-    Implausible = 1U << 15U,       ///< the estimate breaks the friction law by more than 3 sigma
     SnapInAhead = 1U << 14U,       ///< the lever is so soft that the tip will jump within 1 nm
+    Implausible = 1U << 15U,       ///< the estimate breaks the friction law by more than 3 sigma
 };
 
 /// A set of validity flags.
@@ -33,6 +33,7 @@ public:
             bits_ |= static_cast<std::uint32_t>(flag);
         }
     }
+    void add(ValidityFlags others) noexcept { bits_ |= others.bits_; }
     [[nodiscard]] bool has(Validity flag) const noexcept {
         return (bits_ & static_cast<std::uint32_t>(flag)) != 0;
     }

@@ -201,6 +201,10 @@ void StateBanner::showState() {
 
 bool StateBanner::isShown(int flag) const {
     const double age = latest_.sample.time - lastSeen_.at(static_cast<std::size_t>(flag));
+    // A warning of what is to come is void when it has come.
+    if (flagNumber(flag) == Validity::SnapInAhead) {
+        return latest_.sample.output.flags.has(Validity::SnapInAhead);
+    }
     return latest_.sample.output.flags.has(flagNumber(flag)) || (age >= 0.0 && age < kFlagHold);
 }
 

@@ -163,5 +163,25 @@ TEST(SolverTier, TheTableFollowsACurvedSurfaceWithinItsBound) {
     });
 }
 
+/// Else a tier that nobody asks would pass every comparison.
+TEST(SolverTier, TheTableAnswersForItself) {
+    const ContactPair pair{15e-9, 2.35e9, 0.066};
+    const ContactModel exact(ContactLaw::Split, pair, {.solver = SolverTier::Exact});
+    const ContactModel table(ContactLaw::Split, pair, {.solver = SolverTier::Table});
+    EXPECT_EQ(exact.table(), nullptr);
+    ASSERT_NE(table.table(), nullptr);
+    int different = 0;
+    for (int i = 0; i < 100; ++i) {
+        const double approach = 1e-10 + (i * 1e-11);
+        const ContactMemory bonded{ContactBranch::Bonded};
+        const double bound = table.table()->errorBound();
+        const ContactState one = exact.equilibrium(approach, 0.0, bonded);
+        const ContactState other = table.equilibrium(approach, 0.0, bonded);
+        different += one.force != other.force ? 1 : 0;
+        EXPECT_NEAR(one.force, other.force, bound * (std::abs(one.force) + 4e-9));
+    }
+    EXPECT_GT(different, 50) << "to the last bit they are not the same";
+}
+
 }  // namespace
 }  // namespace asperity

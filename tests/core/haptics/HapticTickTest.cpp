@@ -200,6 +200,44 @@ TEST(HapticTick, FlagsPressureBeyondTheHardnessAndContactsAsWideAsTheFilm) {
     EXPECT_TRUE(heavy.has(Validity::ThinFilm));
 }
 
+/// Slides a tip under load and gives the last tick.
+TickOutput slid(const Scene& scene, const Vector3& direction) {
+    SimulatedAfm afm(scene.surface, scene.truth);
+    TickMemory memory;
+    TickInput input;
+    input.settings = scene.settings;
+    TickOutput out;
+    for (int i = 0; i < 50; ++i) {
+        input.hand.position = Vector3(64.0_nm, 64.0_nm, -2.0_nm) + (i * 0.1_nm) * direction;
+        input.measurement = afm.exchange(commandBase(scene, input, memory).base);
+        out = tick(scene, input, memory);
+    }
+    return out;
+}
+
+/// Along the beam the signals do not tell normal force from friction: the friction law must.
+TEST(HapticTick, EstimatesTheFrictionOfTheContactArea) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction = {.coefficient = 0.0, .shearStrength = 100.0_MPa};
+    description.truth.material = description.sample.material;
+    description.truth.signalNoise = 0.0;
+    const Scene scene = buildScene(description, test::flatMap());
+    const TickOutput out = slid(scene, Vector3::UnitX());
+    ASSERT_LT(out.model.force.x(), -1.0_nN);
+    EXPECT_NEAR(out.estimate.force.x(), out.model.force.x(), 0.02 * -out.model.force.x());
+}
+
+TEST(HapticTick, FlagsFrictionBeyondItsLaw) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction = {.coefficient = 0.2, .shearStrength = 0.0};
+    description.truth.material = description.sample.material;
+    const Scene asBelieved = buildScene(description, test::flatMap());
+    EXPECT_FALSE(slid(asBelieved, Vector3::UnitY()).flags.has(Validity::Implausible));
+    description.truth.material.friction.coefficient = 2.0;
+    const Scene rougher = buildScene(description, test::flatMap());
+    EXPECT_TRUE(slid(rougher, Vector3::UnitY()).flags.has(Validity::Implausible));
+}
+
 TEST(HapticTick, WarnsOfSnapInJustBeforeIt) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     const double jumpIn = scene.belief.contact.jumpInApproach(1.0 / 14.0);

@@ -117,6 +117,35 @@ TEST(PositionControl, HoldsTheTipAgainAfterSnapIn) {
     EXPECT_LT((out.model.tip - target).norm(), 1e-14);
 }
 
+/// A soft lever cannot hold a tip on stiff hills, where it is pushed aside: the tick must say so,
+/// and nobody may feel a force that stands for no state.
+TEST(PositionControl, SaysWhereASoftLeverLosesTheTip) {
+    SceneDescription description = described(PositionControl::Tip);
+    description.sample.material.elastic = {.youngsModulus = 70.0_GPa, .poissonRatio = 0.27};
+    description.sample.material.workOfAdhesion = 0.2;
+    description.truth.material = description.sample.material;
+    description.probe.thickness = thicknessForStiffness(description.probe, 0.185);
+    description.truth.stiffness = 0.185;
+    const Scene scene = buildScene(description, test::hillyMap());
+    Bench bench(scene);
+    int lost = 0;
+    for (int i = 0; i <= 400; ++i) {
+        const double x = 20.0_nm + i * 0.2_nm;
+        const Vector3 target = indenting(scene, x, 40.0_nm, 0.5_nm);
+        const TickOutput out = bench.moveTo(target);
+        const bool held = !out.flags.has(Validity::TipNotHeld);
+        lost += held ? 0 : 1;
+        if (held) {
+            ASSERT_LT((out.model.tip - target).norm(), 0.02_nm) << i;
+        }
+        if (out.flags.has(Validity::NotInEquilibrium)) {
+            ASSERT_EQ(out.handForce, Vector3::Zero()) << i;
+        }
+        ASSERT_LT((out.base.position - target).norm(), 1e-3) << i;
+    }
+    EXPECT_GT(lost, 0);
+}
+
 TEST(PositionControl, SwitchingItMovesNothing) {
     const Scene scene = buildScene(described(PositionControl::Base), test::hillyMap());
     Bench bench(scene);

@@ -142,6 +142,61 @@ TEST(TipEquilibrium, FlanksOfAGrooveShareTheLoad) {
                 1e-3 * state.force.z());
 }
 
+/// Friction that drags the tip deeper faster than a plain fixed point converges, on a steep flank.
+TEST(TipEquilibrium, SlidesDownASteepSlopeUnderStrongFriction) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.elastic = {.youngsModulus = 70.0_GPa, .poissonRatio = 0.27};
+    description.sample.material.workOfAdhesion = 0.2;
+    const double slope = std::tan(std::numbers::pi / 3.0);
+    for (const double mu : {0.3, 0.6, 0.8}) {
+        description.sample.material.friction = {.coefficient = mu, .shearStrength = 0.0};
+        const Scene scene = buildScene(description, test::slopedMap(slope));
+        EquilibriumMemory memory;
+        for (int i = 0; i <= 100; ++i) {
+            const BaseMotion base{
+                .position = {64.0_nm, 64.0_nm, 64.0_nm * slope + 17.0_nm - i * 0.05_nm},
+                .velocity = {0.0, 0.0, -1e-7}};
+            const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+            ASSERT_TRUE(state.converged) << mu << ", " << i;
+            ASSERT_FALSE(state.locked);
+            expectBalanced(scene, base, state);
+        }
+        EXPECT_EQ(memory.feet[0].contact.branch, ContactBranch::Bonded);
+    }
+}
+
+/// With N < 0 and friction of the area alone, T = max(0, mu N + tau A).
+TEST(TipEquilibrium, AdhesiveContactSlidesByItsAreaAlone) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction = {.coefficient = 0.1, .shearStrength = 100.0_MPa};
+    const Scene scene = buildScene(description, test::flatMap());
+    EquilibriumMemory memory;
+    TipState state;
+    for (const double depth : {-1.0_nm, 0.0_nm}) {
+        const BaseMotion base{.position = {64.0_nm, 64.0_nm, depth}, .velocity = {0.0, 1e-6, 0.0}};
+        state = tipEquilibrium(scene.surface, scene.belief, base, memory);
+    }
+    ASSERT_TRUE(state.converged);
+    ASSERT_LT(state.contact.force, 0.0);
+    const double expected = 0.1 * state.contact.force + 100.0_MPa * state.contactArea;
+    ASSERT_GT(expected, 0.0);
+    EXPECT_NEAR(state.force.y(), -expected * state.slip.norm(), 1e-9 * expected);
+}
+
+TEST(TipEquilibrium, AddsUpTheAreasOfItsFeet) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.friction = {};
+    description.probe.azimuth = std::numbers::pi / 2.0;
+    const Scene scene = buildScene(description, test::ridgedMap(25.0_nm));
+    EquilibriumMemory memory;
+    const TipState state = tipEquilibrium(scene.surface, scene.belief,
+                                          {.position = {45.0_nm, 64.0_nm, -17.0_nm}}, memory);
+    ASSERT_EQ(state.feet, 2);
+    const double radius = state.contact.contactRadius;
+    EXPECT_NEAR(state.contactArea, 2.0 * std::numbers::pi * radius * radius,
+                1e-3 * state.contactArea);
+}
+
 /// A soft lever lifts the tip by much: its feet are others than those of the undeflected tip, and
 /// none of them may wait for the next tick.
 TEST(TipEquilibrium, FindsItsFeetWithinOneTickHoweverFarItMoves) {

@@ -1,0 +1,44 @@
+#include "core/contact/EffectiveRadius.h"
+
+#include "core/Units.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+constexpr double kRadius = 15.0_nm;
+
+TEST(EffectiveRadius, IsTheTipsOnAFlatSample) {
+    const EffectiveRadius flat = effectiveRadius(kRadius, 0.0, 0.0);
+    EXPECT_DOUBLE_EQ(flat.radius, kRadius);
+    EXPECT_TRUE(flat.fits);
+    EXPECT_FALSE(flat.elongated);
+}
+
+TEST(EffectiveRadius, OnASphereAddsTheCurvatures) {
+    EXPECT_NEAR(effectiveRadius(kRadius, 1.0 / 30.0_nm, 1.0 / 30.0_nm).radius, 10.0_nm, 1e-21);
+    EXPECT_NEAR(effectiveRadius(kRadius, -1.0 / 30.0_nm, -1.0 / 30.0_nm).radius, 30.0_nm, 1e-21);
+}
+
+/// docs/physics.md 1: the geometric mean of the two, not the arithmetic one.
+TEST(EffectiveRadius, OfTwoCurvaturesIsTheirGeometricMean) {
+    const EffectiveRadius saddle = effectiveRadius(kRadius, 1.0 / 20.0_nm, -1.0 / 40.0_nm);
+    const double first = 1.0 / kRadius + 1.0 / 20.0_nm;
+    const double second = 1.0 / kRadius - 1.0 / 40.0_nm;
+    EXPECT_NEAR(saddle.radius, 1.0 / std::sqrt(first * second), 1e-21);
+    EXPECT_TRUE(saddle.elongated);
+    EXPECT_FALSE(effectiveRadius(kRadius, 0.9 / kRadius, 0.0).elongated);
+}
+
+TEST(EffectiveRadius, SaysThatTheTipDoesNotFitAndStaysFinite) {
+    const EffectiveRadius valley = effectiveRadius(kRadius, 0.0, -1.0 / 14.0_nm);
+    EXPECT_FALSE(valley.fits);
+    EXPECT_NEAR(valley.radius, kRadius * std::sqrt(10.0), 1e-20);
+    EXPECT_TRUE(effectiveRadius(kRadius, 0.0, -1.0 / 17.0_nm).fits);
+}
+
+}  // namespace
+}  // namespace asperity
