@@ -104,8 +104,12 @@ std::vector<CurveCase> curveCases(const CurveRequest& request) {
         try {
             addCases(scene, compliance, cases);
         } catch (const Error& error) {
-            const bool fromScene = request.materials.empty();
-            throw InputError(fromScene ? request.scene : request.materials[i], "", error.what());
+            const std::string file =
+                request.materials.empty() ? request.scene : request.materials[i];
+            if (file.empty()) {
+                throw;  // no file's fault
+            }
+            throw InputError(file, "", error.what());
         }
     }
     return cases;
