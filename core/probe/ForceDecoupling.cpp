@@ -22,7 +22,6 @@ constexpr double kSingularCondition = 1e15;  // what rounding leaves of an exact
 constexpr double kLargestInput = 1e12;       // in SI: far beyond any measurement, no overflow below
 constexpr double kSmallestSigma = 1e-30;     // likewise
 constexpr double kSmallestNormal = 1e-30;    // shorter ones lose their direction when squared
-constexpr double kSmallestSpeed = 1e-30;     // [m/s]: standing still, and no denormal arithmetic
 constexpr double kPlausibleSigmas = 3.0;
 constexpr double kUsableRest = 1e-3;  // of sigma_N: below it only the model told N
 
@@ -51,9 +50,7 @@ struct ContactGeometry {
 
 ContactGeometry geometryOf(const Cantilever& cantilever, const DecouplingInput& in) noexcept {
     const Vector3 normal = (cantilever.rotation() * in.normal).normalized();
-    const bool moves = in.velocity.cwiseAbs().maxCoeff() >= kSmallestSpeed;
-    const Vector3 velocity = moves ? in.velocity : Vector3::Zero();
-    return {normal, slidingOf(normal, cantilever.rotation() * velocity)};
+    return {normal, slidingOf(normal, cantilever.rotation() * in.velocity)};
 }
 
 /// Ratio of the singular values of the 2x2 system (N, T) -> force-equivalent signals.

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/scene/RadialTable.h"
 #include "core/scene/Scene.h"
 #include "core/surface/DisplacementField.h"
 #include "core/surface/SurfaceDeformation.h"
-#include "core/scene/RadialTable.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 
 #include <vector>

@@ -1,5 +1,5 @@
-#include "core/contact/HertzLaw.h"
 #include "core/contact/GaussLegendre.h"
+#include "core/contact/HertzLaw.h"
 #include "core/contact/MaugisDugdale.h"
 #include "core/contact/MaugisUnits.h"
 #include "core/contact/SneddonLaw.h"

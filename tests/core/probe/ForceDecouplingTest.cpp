@@ -1,7 +1,7 @@
 #include "core/probe/ForceDecoupling.h"
 
 #include "core/Units.h"
-#include "core/probe/PlanarForce.h"
+#include "tests/core/probe/PlanarForce.h"
 #include "core/probe/Sliding.h"
 #include "tests/core/probe/DecouplingSituations.h"
 

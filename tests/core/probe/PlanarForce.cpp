@@ -1,4 +1,4 @@
-#include "core/probe/PlanarForce.h"
+#include "tests/core/probe/PlanarForce.h"
 
 #include "core/probe/Sliding.h"
 
