@@ -85,8 +85,10 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
     flags.set(Validity::SharpValley, bonded && !out.model.fits);
     flags.set(Validity::SeveralFeet, out.model.feet > 1);
-    flags.add(contactValidity(contactModelAt(scene, out.model), out.model.contact,
-                              scene.description.sample.material));
+    if (out.model.contact.contactRadius > 0.0) {
+        flags.add(contactValidity(contactModelAt(scene, out.model), out.model.contact,
+                                  scene.description.sample.material));
+    }
     flags.set(Validity::SnapInAhead, snapsSoon(scene, out.model));
     flags.set(Validity::Implausible, out.estimate.plausibility.excessFriction);
     // At rest friction has no direction, and that the geometry is singular tells nothing.

@@ -50,7 +50,8 @@ TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reac
     if (known.empty()) {
         feet.add(closestPoint(surface, tip.centre, {}), 0.0);
     }
-    if (surface.concavityBound() * tip.radius > 1.0) {
+    const bool near = feet.all().front().distance < tip.radius + reach;
+    if (near && surface.concavityBound() * tip.radius > 1.0) {
         addFeetAround(surface, tip, reach, feet);
     }
     return feet;
