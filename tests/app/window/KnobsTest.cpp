@@ -1,6 +1,8 @@
 #include "tests/app/window/WindowFixture.h"
+#include "ui/WindowMenus.h"
 #include "ui/view/ZoomView.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QMessageBox>
 #include <QPushButton>
@@ -55,6 +57,16 @@ TEST_F(Window, TheForceGainReachesTheLoop) {
     QTest::keyClicks(gain, "250");
     QTest::keyClick(gain, Qt::Key_Return);
     EXPECT_DOUBLE_EQ(session.run()->settings().forceGain, 250.0);
+}
+
+TEST_F(Window, TheMenuGivesTheHandTheTipAndTakesItBack) {
+    openFlatScene();
+    QAction* tip = window.menus().tipControl;
+    EXPECT_FALSE(tip->isChecked());
+    tip->trigger();
+    EXPECT_EQ(session.run()->settings().positionControl, PositionControl::Tip);
+    tip->trigger();
+    EXPECT_EQ(session.run()->settings().positionControl, PositionControl::Base);
 }
 
 TEST_F(Window, ForcesStayOffAndKnobsStayTurnedOverAnotherMaterial) {
