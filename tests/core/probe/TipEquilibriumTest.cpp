@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -181,6 +182,50 @@ TEST(TipEquilibrium, AdhesiveContactSlidesByItsAreaAlone) {
     const double expected = 0.1 * state.contact.force + 100.0_MPa * state.contactArea;
     ASSERT_GT(expected, 0.0);
     EXPECT_NEAR(state.force.y(), -expected * state.slip.norm(), 1e-9 * expected);
+}
+
+/// Where pull-off is once friction of the area takes part: the lowest base position of any state.
+double pullOffWithAreaFriction(const Scene& scene, double across) {
+    const ContactModel& law = scene.belief.contact;
+    const double along = scene.belief.cantilever.compliance()(2, 2);
+    const double strength = scene.belief.friction.shearStrength;
+    double lowest = 0.0;
+    ContactMemory memory{ContactBranch::Bonded, 0.0};
+    for (double depth = 1.0_nm; memory.branch == ContactBranch::Bonded; depth -= 0.02_pm) {
+        const ContactState state = law.equilibrium(depth, 0.0, memory);
+        memory = state.memory();
+        const double area = std::numbers::pi * state.contactRadius * state.contactRadius;
+        lowest = std::min(lowest, depth + along * state.force + across * strength * area);
+    }
+    return lowest;
+}
+
+/// At 1 GPa friction of the area moves pull-off by some 3 pm: up to its fold where it lifts the
+/// tip, and to within as much where it drags the tip down.
+TEST(TipEquilibrium, PullsOffALittleLaterOrEarlierUnderAreaFriction) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.elastic = {.youngsModulus = 70.0_GPa, .poissonRatio = 0.27};
+    description.sample.material.workOfAdhesion = 0.2;
+    description.sample.material.friction = {.coefficient = 0.0, .shearStrength = 1.0_GPa};
+    const Scene scene = buildScene(description, test::flatMap());
+    for (const double direction : {-1.0, 1.0}) {
+        const double across = -direction * scene.belief.cantilever.compliance()(2, 0);
+        const double expected = pullOffWithAreaFriction(scene, across);
+        EquilibriumMemory memory;
+        memory.feet[0].contact.branch = ContactBranch::Bonded;
+        memory.footCount = 1;
+        double left = 0.0;
+        for (double height = 0.0; height < 2.0_nm; height += 0.1_pm) {
+            const BaseMotion base{.position = {64.0_nm, 64.0_nm, height},
+                                  .velocity = {direction * 1e-3, 0.0, 0.0}};
+            (void)tipEquilibrium(scene.surface, scene.belief, base, memory);
+            if (memory.feet[0].contact.branch == ContactBranch::Far) {
+                left = -height;
+                break;
+            }
+        }
+        EXPECT_NEAR(left, expected, across < 0.0 ? 0.2_pm : 3.0_pm) << direction;
+    }
 }
 
 TEST(TipEquilibrium, AddsUpTheAreasOfItsFeet) {
