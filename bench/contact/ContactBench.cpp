@@ -4,6 +4,7 @@
 #include "core/Error.h"
 #include "core/contact/MaugisDugdale.h"
 #include "core/contact/MaugisTable.h"
+#include "core/io/CsvTable.h"
 
 #include <algorithm>
 #include <chrono>
@@ -76,43 +77,6 @@ std::vector<double> sweepOf(const MaugisDugdale& law, double step) {
     return sweep;
 }
 
-/// The columns of a CSV file with `#` comments and a header line.
-class Table {
-public:
-    explicit Table(const std::string& path) {
-        std::ifstream file(path);
-        std::string line;
-        while (std::getline(file, line)) {
-            if (!line.empty() && line.front() != '#') {
-                rows_.push_back(split(line));
-            }
-        }
-        if (rows_.empty()) {
-            throw InputError(path, "", "expected a CSV table");
-        }
-    }
-    [[nodiscard]] std::size_t rows() const { return rows_.size() - 1; }
-    [[nodiscard]] const std::string& text(std::size_t row, const std::string& column) const {
-        const auto at = std::find(rows_[0].begin(), rows_[0].end(), column) - rows_[0].begin();
-        return rows_[row + 1].at(static_cast<std::size_t>(at));
-    }
-    [[nodiscard]] double number(std::size_t row, const std::string& column) const {
-        return std::strtod(text(row, column).c_str(), nullptr);
-    }
-
-private:
-    static std::vector<std::string> split(const std::string& line) {
-        std::vector<std::string> cells;
-        std::stringstream stream(line);
-        for (std::string cell; std::getline(stream, cell, ',');) {
-            cells.push_back(cell);
-        }
-        return cells;
-    }
-
-    std::vector<std::vector<std::string>> rows_;
-};
-
 double relative(double value, double exact) {
     return std::abs(value - exact) / std::max(std::abs(exact), 1.0);
 }
@@ -126,7 +90,7 @@ struct Errors {
 };
 
 Errors errorsAgainstReference() {
-    const Table reference(ASPERITY_REFERENCE_FILE);
+    const CsvTable reference = readCsv(ASPERITY_REFERENCE_FILE);
     constexpr double kNearFold = 1e-6;  // there rounding of the indentation decides
     Errors errors;
     for (std::size_t row = 0; row < reference.rows(); ++row) {

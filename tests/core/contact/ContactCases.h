@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/contact/ContactModel.h"
 #include "core/contact/Material.h"
 #include "tests/support/ReferenceTable.h"
 
@@ -71,6 +72,28 @@ inline rc::Gen<ContactPair> adhesivePair() {
 /// A lever from rigid to one that bends under its own weight [m/N].
 inline rc::Gen<double> anyCompliance() {
     return rc::gen::oneOf(rc::gen::just(0.0), logUniform(1e-6, 1e4));
+}
+
+/// Which states are looked at.
+struct BranchOnLever {
+    double compliance = 0.0;  ///< [m/N]
+    ContactBranch branch = ContactBranch::Bonded;
+};
+
+/// What is left of the change of force between two approaches on one branch when the interval is
+/// halved 40 times, each time towards the larger change: a step of the force would be left whole.
+inline double stepWithin(const ContactModel& model, const BranchOnLever& on, double low,
+                         double high) {
+    const auto force = [&](double approach) {
+        return model.equilibrium(approach, on.compliance, {on.branch}).force;
+    };
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (low + high);
+        const double below = std::abs(force(middle) - force(low));
+        const double above = std::abs(force(high) - force(middle));
+        (above > below ? low : high) = middle;
+    }
+    return std::abs(force(high) - force(low));
 }
 
 /// Runs a property and makes its counter-example a test failure.

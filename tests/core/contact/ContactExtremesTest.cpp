@@ -170,21 +170,6 @@ TEST(ContactExtremes, StiffnessIsTheSlopeOfTheForce) {
     });
 }
 
-/// What is left of the change of force between two approaches when the interval is halved 40 times,
-/// each time towards the larger change: a step of the force would be left whole.
-double stepWithin(const AnyContact& contact, const ContactModel& model, double low, double high) {
-    const auto force = [&](double approach) {
-        return model.equilibrium(approach, contact.compliance, {ContactBranch::Bonded}).force;
-    };
-    for (int i = 0; i < 40; ++i) {
-        const double middle = 0.5 * (low + high);
-        const double below = std::abs(force(middle) - force(low));
-        const double above = std::abs(force(high) - force(middle));
-        (above > below ? low : high) = middle;
-    }
-    return std::abs(force(high) - force(low));
-}
-
 TEST(ContactExtremes, ForceIsContinuousWhileBonded) {
     test::checkProperty([] {
         const AnyContact contact = anyContact();
@@ -195,7 +180,8 @@ TEST(ContactExtremes, ForceIsContinuousWhileBonded) {
                                      20.0 * model.pair().tipRadius);
         const ContactMemory bonded{ContactBranch::Bonded};
         const ContactState deep = model.equilibrium(high, contact.compliance, bonded);
-        RC_ASSERT(stepWithin(contact, model, low, high) <= 1e-4 * forceSize(contact, model, deep));
+        RC_ASSERT(test::stepWithin(model, {contact.compliance, ContactBranch::Bonded}, low, high) <=
+                  1e-4 * forceSize(contact, model, deep));
     });
 }
 

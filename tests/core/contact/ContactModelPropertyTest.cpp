@@ -85,22 +85,6 @@ TEST(ContactModelProperty, KeepsItsBranchWhileThatIsStable) {
     });
 }
 
-/// What is left of the change of force between two approaches on one branch when the interval is
-/// halved 40 times, each time towards the larger change: a step of the force would be left whole.
-double stepWithin(const ContactModel& model, double compliance, ContactBranch branch, double low,
-                  double high) {
-    const auto force = [&](double approach) {
-        return model.equilibrium(approach, compliance, {branch}).force;
-    };
-    for (int i = 0; i < 40; ++i) {
-        const double middle = 0.5 * (low + high);
-        const double below = std::abs(force(middle) - force(low));
-        const double above = std::abs(force(high) - force(middle));
-        (above > below ? low : high) = middle;
-    }
-    return std::abs(force(high) - force(low));
-}
-
 TEST(ContactModelProperty, ForceIsContinuousAlongABranch) {
     test::checkProperty([] {
         const ContactModel model(ContactLaw::Split, *test::adhesivePair());
@@ -115,9 +99,9 @@ TEST(ContactModelProperty, ForceIsContinuousAlongABranch) {
         };
         const double size =
             force(bottom, ContactBranch::Bonded) + force(bottom + reach, ContactBranch::Bonded);
-        RC_ASSERT(stepWithin(model, compliance, ContactBranch::Bonded, bottom, bottom + reach) <=
-                  1e-4 * size);
-        RC_ASSERT(stepWithin(model, compliance, ContactBranch::Far, top - reach, top) <=
+        RC_ASSERT(test::stepWithin(model, {compliance, ContactBranch::Bonded}, bottom,
+                                   bottom + reach) <= 1e-4 * size);
+        RC_ASSERT(test::stepWithin(model, {compliance, ContactBranch::Far}, top - reach, top) <=
                   1e-4 * force(top, ContactBranch::Far));
     });
 }

@@ -253,5 +253,19 @@ TEST(ContactModel, RefusesParametersOutsideTheirRange) {
     EXPECT_THROW(ContactModel(ContactLaw::Split, {15_nm, 0.0, 0.1}), Error);
 }
 
+/// Bodies that only push each other meet and part without a jump, with no energy lost.
+TEST(ContactModel, MeetsAndPartsWithoutAJumpWhereNothingAttracts) {
+    for (const ContactLaw law : {ContactLaw::Hertz, ContactLaw::Sneddon}) {
+        const ContactModel model(law, {15.0_nm, 1.0_GPa, 0.0});
+        const ContactState touching = model.equilibrium(1.0_nm, 0.1, {ContactBranch::Far});
+        EXPECT_EQ(touching.branch, ContactBranch::Bonded);
+        EXPECT_FALSE(touching.jumped);
+        const ContactState apart = model.equilibrium(-1.0_nm, 0.1, {ContactBranch::Bonded});
+        EXPECT_EQ(apart.branch, ContactBranch::Far);
+        EXPECT_FALSE(apart.jumped);
+        EXPECT_EQ(touching.energyLost + apart.energyLost, 0.0);
+    }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -238,6 +238,24 @@ TEST(HapticTick, FlagsFrictionBeyondItsLaw) {
     EXPECT_TRUE(slid(rougher, Vector3::UnitY()).flags.has(Validity::Implausible));
 }
 
+/// A soft lever in a groove that the tip fits: the jump comes earlier than on a flat sample.
+TEST(HapticTick, WarnsOfSnapInByTheEffectiveRadius) {
+    SceneDescription description = test::plainScene();
+    description.probe.thickness = thicknessForStiffness(description.probe, 0.5);
+    const Scene scene = buildScene(description, test::ridgedMap(4.5_nm));
+    const double bottom = scene.surface.at(45.0_nm, 64.0_nm).height;
+    TickMemory memory;
+    const auto at = [&](double height) {
+        return tick(scene, inputAt({45.0_nm, 64.0_nm, bottom + height}), memory);
+    };
+    const ContactModel inGroove = contactModelAt(scene, at(3.0_nm).model);
+    const double compliance = scene.belief.cantilever.compliance()(2, 2);
+    const double jumpIn = inGroove.jumpInApproach(compliance);
+    ASSERT_LT(jumpIn, scene.belief.contact.jumpInApproach(compliance) - 0.1_nm) << jumpIn;
+    EXPECT_FALSE(at(1.05_nm - jumpIn).flags.has(Validity::SnapInAhead));
+    EXPECT_TRUE(at(0.95_nm - jumpIn).flags.has(Validity::SnapInAhead));
+}
+
 TEST(HapticTick, WarnsOfSnapInJustBeforeIt) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     const double jumpIn = scene.belief.contact.jumpInApproach(1.0 / 14.0);

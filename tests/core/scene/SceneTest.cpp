@@ -76,6 +76,14 @@ TEST(Scene, RefusesEachValueOutsideItsRange) {
         [](SceneDescription& s) { s.signalSigma = 0.0; },
         [](SceneDescription& s) { s.tickRate = 0.0; },
         [](SceneDescription& s) { s.tickRate = 1e6; },
+        [](SceneDescription& s) { s.meniscus = {.surfaceTension = 0.072}; },
+        [](SceneDescription& s) { s.meniscus = {.range = 1.0_nm}; },
+        [](SceneDescription& s) {
+            s.meniscus = {0.072, 3.0, 1.0_nm};
+        },
+        [](SceneDescription& s) { s.cohesiveRange = 0.0; },
+        [](SceneDescription& s) { s.sample.material.hardness = -1.0; },
+        [](SceneDescription& s) { s.sample.material.filmThickness = -1.0_nm; },
         [](SceneDescription& s) { s.positionGain = 0.0; },
         [nan](SceneDescription& s) { s.forceGain = nan; },
         [](SceneDescription& s) { s.correctionBandwidth = -1.0; },
