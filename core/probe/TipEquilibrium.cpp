@@ -218,18 +218,6 @@ private:
         return {stiffened, stiffened * (force + stiffness * deflection_)};
     }
 
-    /// How much friction of the contact area moves the tip per indentation; 0 where that is not
-    /// known yet or would be more than a first-order change.
-    [[nodiscard]] double areaGrowth(const Foot& foot, double across) const {
-        constexpr double kFirstOrder = 0.9;
-        if (foot.contact.contactRadius == 0.0) {
-            return 0.0;
-        }
-        const double growth = across * system_.friction.shearStrength * std::numbers::pi *
-                              foot.model.pair().tipRadius;
-        return std::abs(growth) < kFirstOrder ? growth : 0.0;
-    }
-
     /// Balances lever and contact at one foot.
     void settle(Foot& foot) {
         foot.place = closestPoint(surface_, centre(), guessOf(foot.place));
@@ -243,18 +231,15 @@ private:
         const bool locks = along > 0.0 && withFriction <= 0.0;
         state_.locked |= locks;
         // The part mu N of friction is solved with N, as a change of the lever's compliance
-        // (1 / k_n of docs/physics.md 7.2); the part of the area is that of the last sweep, and
-        // grows with the indentation about as Hertz' area does.
+        // (1 / k_n of docs/physics.md 7.2); the rest, of the area, is that of the last sweep.
         const bool slides = foot.memory.friction > 0.0 && !locks;
         const double ofLoad = slides ? system_.friction.coefficient * foot.contact.force : 0.0;
-        const double growth = slides ? areaGrowth(foot, across) : 0.0;
         // Approach of the undeflected tip towards the tangent plane of the present foot.
         const double approach = system_.tipRadius() - foot.place.distance +
                                 normal.dot(deflection_ - lever.offset) -
                                 across * (foot.memory.friction - ofLoad);
-        foot.contact = foot.model.equilibrium(
-            (approach + growth * foot.contact.indentation) / (1.0 + growth),
-            (slides ? withFriction : along) / (1.0 + growth), foot.memory.contact);
+        foot.contact =
+            foot.model.equilibrium(approach, slides ? withFriction : along, foot.memory.contact);
         foot.memory.contact.coordinate = foot.contact.coordinate;
         foot.memory.friction = frictionForce(system_.friction, foot.contact);
         foot.force = foot.contact.force * normal + foot.memory.friction * foot.slip;
