@@ -2,8 +2,6 @@
 
 #include "core/Error.h"
 #include "core/surface/BSplineFit.h"
-#include "core/surface/GaussianFilter.h"
-#include "core/surface/InvalidPixels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +19,15 @@ ProbeSystem probeSystem(const SceneDescription& scene, const SampleMaterial& mat
 }
 
 /// Beyond these bounds a map is no scan of a microscope, and rounding would be all that is left.
-void checkMap(const HeightMap& map) {
+void checkMap(const ScanMap& map) {
     constexpr double kSmallestPitch = 1e-13;  // [m]
     constexpr double kLargestLength = 1.0;    // [m]
     if (!(std::min(map.pitchX, map.pitchY) >= kSmallestPitch) ||
         !(std::max(map.sizeX(), map.sizeY()) <= kLargestLength)) {
         throw Error("the scan's pixels must be 0.1 pm or wider and the whole at most 1 m wide");
     }
-    const bool tooHigh = std::any_of(map.heights.begin(), map.heights.end(), [](double height) {
-        return std::abs(height) > kLargestLength;
+    const bool tooHigh = std::any_of(map.heights.begin(), map.heights.end(), [&](double height) {
+        return std::abs(map.datum + height) > kLargestLength;
     });
     if (tooHigh) {
         throw Error("the scan's heights must lie within 1 m of zero");
@@ -71,12 +69,20 @@ ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept 
     return radius > 0.0 ? scene.belief.contact.withTipRadius(radius) : scene.belief.contact;
 }
 
-Scene buildScene(const SceneDescription& description, const HeightMap& map) {
+Scene buildScene(const SceneDescription& description, ScanMap map, Progress* progress) {
     checkScene(description);
     checkMap(map);
-    const HeightMap filled = withInvalidPixelsFilled(levelled(map, description.sample.levelling));
-    return assemble(description, fitPlane(map),
-                    fitSurface(smoothed(filled, description.sample.smoothingPixels)));
+    const PlaneFit plane = fitPlane(map);
+    reportTo(progress, 0.2);
+    map = levelled(std::move(map), description.sample.levelling);
+    reportTo(progress, 0.4);
+    const double sigma = description.sample.smoothingPixels;
+    ProgressPart fit(progress, 0.4, 1.0);
+    return assemble(description, plane, fitSurface(std::move(map), {.x = sigma, .y = sigma}, &fit));
+}
+
+Scene buildScene(const SceneDescription& description, const HeightMap& map) {
+    return buildScene(description, singlePrecision(map));
 }
 
 Scene withMaterial(Scene scene, const SampleMaterial& material) {

@@ -7,17 +7,18 @@
 
 namespace asperity::test {
 
-/// How far a surface may lie off the one that was fitted because its control heights are kept in
-/// single precision.
+/// How far a surface may lie off the one that was asked for because its control heights are
+/// computed and kept in single precision.
 struct StorageError {
     double height = 0.0;     ///< [m]
     double slope = 0.0;      ///< along either axis
     double curvature = 0.0;  ///< of any second derivative [1/m]
 };
 
-/// Each control height is off by at most 2^-24 of its distance from the datum. The weights of four
-/// control heights add up, in magnitude, to at most 1 for the height, 1.5 per pitch for the slope
-/// and 4 per pitch squared for the second derivative.
+/// Heights are rounded to 2^-24 of their distance from the datum twice: after the fit along x,
+/// which the fit along y enlarges by up to 3, the sum of its weights' magnitudes, and at the end.
+/// The weights of four control heights add up, in magnitude, to at most 1 for the height, 1.5 per
+/// pitch for the slope and 4 per pitch squared for the second derivative.
 inline StorageError storageErrorOf(const BSplineSurface& surface) {
     const BSplineSurface::Grid& grid = surface.grid();
     float largest = 0.0F;
@@ -25,7 +26,7 @@ inline StorageError storageErrorOf(const BSplineSurface& surface) {
         largest = std::max(largest, std::abs(control));
     }
     const double pitch = std::min(grid.pitchX, grid.pitchY);
-    const double height = std::ldexp(static_cast<double>(largest), -24);
+    const double height = 4.0 * std::ldexp(static_cast<double>(largest), -24);
     return {.height = height,
             .slope = 1.5 * height / pitch,
             .curvature = 4.0 * height / (pitch * pitch)};
