@@ -21,8 +21,8 @@ struct Smoothing {
 /// Pixels whose height is not a number are filled first (see withInvalidPixelsFilled()); the map's
 /// mask is kept, so isMeasured() tells them. Linear time, two threads.
 ///
-/// Computed in single precision about the map's datum: a control height is off by a few times
-/// 2^-24 of the largest distance of a height from the datum.
+/// Computed in single precision about the map's datum: a control height is off by a few times, at
+/// most 16 times, 2^-24 of the largest distance of a height from the datum.
 /// @throw Error when the map is unusable, holds no height at all, or a width is not in
 ///        0..kWidestSmoothing; Cancelled
 [[nodiscard]] BSplineSurface fitSurface(ScanMap map, const Smoothing& smoothing = {},

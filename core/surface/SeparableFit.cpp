@@ -85,11 +85,10 @@ struct Scratch {
 template <class At>
 ASPERITY_INLINE Lanes convolved(const std::vector<float>& kernel, const At& at) {
     const Lanes middle = at(0);
-    const Lanes twice = middle + middle;
     Lanes sum = middle - middle;
     // The small weights first: their rounding is the smallest.
     for (std::ptrdiff_t k = std::ssize(kernel); k > 0; --k) {
-        sum += kernel[static_cast<std::size_t>(k - 1)] * (at(k) + at(-k) - twice);
+        sum += kernel[static_cast<std::size_t>(k - 1)] * ((at(k) - middle) + (at(-k) - middle));
     }
     return middle + sum;
 }

@@ -15,10 +15,11 @@ struct StorageError {
     double curvature = 0.0;  ///< of any second derivative [1/m]
 };
 
-/// Heights are rounded to 2^-24 of their distance from the datum twice: after the fit along x,
-/// which the fit along y enlarges by up to 3, the sum of its weights' magnitudes, and at the end.
-/// The weights of four control heights add up, in magnitude, to at most 1 for the height, 1.5 per
-/// pitch for the slope and 4 per pitch squared for the second derivative.
+/// Rounding to 2^-24 of a height's distance from the datum happens to the map, whose error the fits
+/// along x and y enlarge by up to 3 each, the sum of their weights' magnitudes; to what the fit
+/// along x gives, which the other enlarges by up to 3; and at the end: 13 times in all, with the
+/// sums 16. The weights of four control heights add up, in magnitude, to at most 1 for the
+/// height, 1.5 per pitch for the slope and 4 per pitch squared for the second derivative.
 inline StorageError storageErrorOf(const BSplineSurface& surface) {
     const BSplineSurface::Grid& grid = surface.grid();
     float largest = 0.0F;
@@ -26,7 +27,7 @@ inline StorageError storageErrorOf(const BSplineSurface& surface) {
         largest = std::max(largest, std::abs(control));
     }
     const double pitch = std::min(grid.pitchX, grid.pitchY);
-    const double height = 4.0 * std::ldexp(static_cast<double>(largest), -24);
+    const double height = 16.0 * std::ldexp(static_cast<double>(largest), -24);
     return {.height = height,
             .slope = 1.5 * height / pitch,
             .curvature = 4.0 * height / (pitch * pitch)};

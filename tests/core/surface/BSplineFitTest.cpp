@@ -64,13 +64,8 @@ Eigen::MatrixXd splineOf(const HeightMap& map) {
     return splineOfLine(map.rows) * samples * splineOfLine(map.columns).transpose();
 }
 
-/// Of a control height. In the padding the weights' magnitudes add up to about 7, not 3.
-double controlError(const BSplineSurface& surface) {
-    return 2.0 * test::storageErrorOf(surface).height;
-}
-
 void expectControls(const BSplineSurface& surface, const Eigen::MatrixXd& expected) {
-    const double tolerance = controlError(surface) + 1e-14 * surface.heightScale();
+    const double tolerance = test::storageErrorOf(surface).height + 1e-14 * surface.heightScale();
     for (int row = 0; row < expected.rows(); ++row) {
         for (int column = 0; column < expected.cols(); ++column) {
             ASSERT_NEAR(surface.control(row - 1, column - 1), expected(row, column), tolerance)
@@ -115,7 +110,7 @@ TEST(BSplineFit, SmoothingLeavesAPlaneUnchangedUpToTheEdges) {
         // A smoothing reflects the map at its borders as often as its reach asks for; each time
         // rounding grows.
         const double reflections = 5.0 * sigma / map.rows;
-        const double tolerance = (1.0 + reflections) * controlError(surface);
+        const double tolerance = (1.0 + reflections) * test::storageErrorOf(surface).height;
         for (int row = -1; row <= map.rows; ++row) {
             for (int column = -1; column <= map.columns; ++column) {
                 const double plane = 7.0_nm + column * 2.0_nm - (map.rows - 1 - row) * 3.0_nm;

@@ -200,7 +200,7 @@ TEST(BSplineSurface, KeepsItsRelativeAccuracyFromPicometresToMillimetres) {
         const double x = 20.5 * map.pitchX;
         const double y = (64 - 10 - 0.5) * map.pitchY;
         const double tolerance = 1e-14 * amplitude + storageErrorOf(surface).height;
-        EXPECT_LT(tolerance, 5e-7 * amplitude);
+        EXPECT_LT(tolerance, 2e-6 * amplitude);
         EXPECT_NEAR(surface.at(x, y).height, map.at(10, 20), tolerance);
     }
 }
