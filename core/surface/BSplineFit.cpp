@@ -27,6 +27,7 @@ std::vector<std::uint8_t> bottomRowFirst(std::vector<std::uint8_t> mask, int col
 
 BSplineSurface fitSurface(ScanMap map, const Smoothing& smoothing, Progress* progress) {
     map = withInvalidPixelsFilled(std::move(map));
+    reportTo(progress, 0.0);
     const LineFit alongX(map.columns, smoothing.x);
     const LineFit alongY(map.rows, smoothing.y);
     BSplineSurface::Grid grid{.columns = map.columns,

@@ -1,6 +1,7 @@
 #include "core/surface/BSplineSurface.h"
 
 #include "core/Error.h"
+#include "core/surface/ControlBounds.h"
 #include "core/surface/HeightMap.h"
 #include "core/surface/UniformCubic.h"
 
@@ -91,46 +92,10 @@ BSplineSurface::Grid usable(BSplineSurface::Grid grid) {
         (!grid.invalid.empty() && grid.invalid.size() != rows * columns)) {
         throw Error("the control heights of a spline surface do not match its size");
     }
-    return grid;
-}
-
-double largestMagnitude(const BSplineSurface::Grid& grid) {
-    float largest = 0.0F;
-    for (const float height : grid.controlHeights) {
-        if (!isFiniteHeight(height)) {
-            throw Error("a control height is not a finite number");
-        }
-        largest = std::max(largest, std::abs(height));
-    }
     if (!isFiniteHeight(grid.datum)) {
         throw Error("the datum of the control heights is not a finite number");
     }
-    return std::abs(grid.datum) + static_cast<double>(largest);
-}
-
-/// Second derivatives of a cubic spline are averages of its control heights' second differences,
-/// and no principal curvature is stronger than the largest eigenvalue of the second derivatives.
-double largestConcavity(const BSplineSurface::Grid& grid) {
-    const std::ptrdiff_t stride = grid.columns + 2;
-    const double perX = 1.0 / (grid.pitchX * grid.pitchX);
-    const double perY = 1.0 / (grid.pitchY * grid.pitchY);
-    const double perXy = 1.0 / (grid.pitchX * grid.pitchY);
-    double alongX = 0.0;
-    double alongY = 0.0;
-    double mixed = 0.0;
-    for (std::ptrdiff_t row = 1; row <= grid.rows; ++row) {
-        const float* c = grid.controlHeights.data() + row * stride;
-        for (std::ptrdiff_t column = 1; column <= grid.columns; ++column) {
-            const auto at = [c = c + column](std::ptrdiff_t i) -> double { return c[i]; };
-            alongX = std::max(alongX, at(-1) - 2.0 * at(0) + at(1));
-            alongY = std::max(alongY, at(-stride) - 2.0 * at(0) + at(stride));
-            for (const std::ptrdiff_t corner : {std::ptrdiff_t{0}, -stride}) {
-                mixed = std::max(mixed, std::abs(at(corner) - at(corner - 1) - at(corner + stride) +
-                                                 at(corner + stride - 1)));
-            }
-        }
-    }
-    return std::max(alongX * perX, alongY * perY) + mixed * perXy;
+    return grid;
 }
 
 }  // namespace
@@ -138,9 +103,11 @@ double largestConcavity(const BSplineSurface::Grid& grid) {
 BSplineSurface::BSplineSurface(Grid grid)
     : grid_(usable(std::move(grid)))
     , inversePitchX_(1.0 / grid_.pitchX)
-    , inversePitchY_(1.0 / grid_.pitchY)
-    , heightScale_(largestMagnitude(grid_))
-    , concavityBound_(largestConcavity(grid_)) {}
+    , inversePitchY_(1.0 / grid_.pitchY) {
+    const ControlBounds bounds = controlBoundsOf(grid_);
+    heightScale_ = std::abs(grid_.datum) + bounds.magnitude;
+    concavityBound_ = bounds.concavity;
+}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
     const CubicSpan across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);

@@ -73,10 +73,10 @@ private:
     [[nodiscard]] std::array<double, 16> relativeControlsFrom(int row, int column) const noexcept;
 
     Grid grid_;
-    double inversePitchX_;   ///< [1/m]
-    double inversePitchY_;   ///< [1/m]
-    double heightScale_;     ///< [m]
-    double concavityBound_;  ///< [1/m]
+    double inversePitchX_;         ///< [1/m]
+    double inversePitchY_;         ///< [1/m]
+    double heightScale_ = 0.0;     ///< [m]
+    double concavityBound_ = 0.0;  ///< [1/m]
 };
 
 }  // namespace asperity

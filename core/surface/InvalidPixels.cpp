@@ -138,15 +138,15 @@ void markMissing(Map& map) {
 template <class Map>
 Map filled(Map map) {
     requireUsable(map);
-    const auto known =
-        std::ranges::count_if(map.heights, [](auto height) { return isFiniteHeight(height); });
-    if (known == 0) {
+    const auto isKnown = [](auto height) { return isFiniteHeight(height); };
+    if (std::ranges::all_of(map.heights, isKnown)) {
+        return map;
+    }
+    if (std::ranges::none_of(map.heights, isKnown)) {
         throw Error("the height map holds no valid pixel");
     }
-    if (static_cast<std::size_t>(known) < map.heights.size()) {
-        markMissing(map);
-        Filler<Map>(map).run();
-    }
+    markMissing(map);
+    Filler<Map>(map).run();
     return map;
 }
 

@@ -259,9 +259,10 @@ PixelVector<float> separableFit(const ScanMap& map, const LineFit& alongX, const
     Scratch scratch(alongY);
     while (fitNext(scratch)) {
         const auto begun = std::min<std::ptrdiff_t>(next, strips);
-        reportTo(progress, static_cast<double>(begun) / static_cast<double>(strips));
+        reportTo(progress, static_cast<double>(begun) / static_cast<double>(strips + 1));
     }
     helpers.clear();  // waits for them
+    reportTo(progress, 1.0);
     return controls;
 }
 
