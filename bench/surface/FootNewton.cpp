@@ -38,15 +38,28 @@ Vector2 stepOffSaddle(const Hessian& h, const Vector2& gradient) {
            flat * (gradient.dot(flat) / std::max(std::abs(mean - spread), kFlattest));
 }
 
+/// Whether the edge of the scan holds a place back that would go down across it.
+bool isHeld(double place, double size, double gradient) {
+    return (place <= 0.0 && gradient >= 0.0) || (place >= size && gradient <= 0.0);
+}
+
 Expansion expandedAt(const BSplineSurface& surface, const Vector3& query, const Vector2& place) {
     const HeightSample s = surface.at(place.x(), place.y());
     const double rx = place.x() - query.x();
     const double ry = place.y() - query.y();
     const double rz = s.height - query.z();
-    const Vector2 g(rx + rz * s.dx, ry + rz * s.dy);
-    const Hessian h{.xx = 1.0 + s.dx * s.dx + rz * s.dxx,
-                    .xy = s.dx * s.dy + rz * s.dxy,
-                    .yy = 1.0 + s.dy * s.dy + rz * s.dyy};
+    Vector2 g(rx + rz * s.dx, ry + rz * s.dy);
+    Hessian h{.xx = 1.0 + s.dx * s.dx + rz * s.dxx,
+              .xy = s.dx * s.dy + rz * s.dxy,
+              .yy = 1.0 + s.dy * s.dy + rz * s.dyy};
+    if (isHeld(place.x(), surface.sizeX(), g.x())) {
+        g.x() = 0.0;
+        h = {.xx = 1.0, .xy = 0.0, .yy = h.yy};
+    }
+    if (isHeld(place.y(), surface.sizeY(), g.y())) {
+        g.y() = 0.0;
+        h = {.xx = h.xx, .xy = 0.0, .yy = 1.0};
+    }
     const double value = 0.5 * (rx * rx + ry * ry + rz * rz);
     if (!h.isConvex()) {
         return {.value = value, .step = stepOffSaddle(h, g)};
