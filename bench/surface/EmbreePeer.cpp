@@ -14,8 +14,6 @@ namespace {
 using Point = Eigen::Vector3f;
 
 constexpr double kUnit = 1e-9;  // [m]: Embree computes in float
-/// The spline lies this close to the mesh: the search begins that far beyond the last foot. [nm]
-constexpr float kMeshError = 2.0F;
 
 /// What the callback shrinks the search by.
 struct Search {
@@ -78,7 +76,9 @@ public:
         within.x = search.query.x();
         within.y = search.query.y();
         within.z = search.query.z();
-        within.radius = (search.nearest - search.query).norm() + kMeshError;
+        // The last answer lies on the mesh too: nothing farther needs to be looked at.
+        search.distance = (search.nearest - search.query).norm();
+        within.radius = search.distance;
         RTCPointQueryContext context;
         rtcInitPointQueryContext(&context);
         rtcPointQuery(scene_.get(), &within, &context, visit, &search);

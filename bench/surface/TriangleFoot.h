@@ -1,38 +1,54 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 
 namespace asperity {
 
-/// The point of a triangle nearest to `query`, by the region of its plane that the query is over.
+/// The point of a triangle nearest to `query`. Outside it that lies on an edge that the query is
+/// beyond: at most two come into question.
 template <class Point>
 [[nodiscard]] Point nearestOnTriangle(const Point& query, const Point& a, const Point& b,
                                       const Point& c) {
     using Number = typename Point::Scalar;
-    const auto onEdge = [&query](const Point& from, const Point& to) -> Point {
-        const Point along = to - from;
-        const Number share = along.dot(query - from) / along.squaredNorm();
-        return from + std::clamp(share, Number(0), Number(1)) * along;
+    const Point first = b - a;
+    const Point second = c - a;
+    const Point arm = query - a;
+    const Number alongFirst = first.dot(arm);
+    const Number alongSecond = second.dot(arm);
+    const Number firstSquared = first.squaredNorm();
+    const Number secondSquared = second.squaredNorm();
+    const Number mixed = first.dot(second);
+    const Number s = secondSquared * alongFirst - mixed * alongSecond;
+    const Number t = firstSquared * alongSecond - mixed * alongFirst;
+    const Number whole = firstSquared * secondSquared - mixed * mixed;
+    const auto share = [](Number part, Number of) {
+        return std::clamp(part / of, Number(0), Number(1));
     };
-    const Point normal = (b - a).cross(c - a);
-    const bool besideAb = normal.cross(b - a).dot(query - a) < Number(0);
-    const bool besideBc = normal.cross(c - b).dot(query - b) < Number(0);
-    const bool besideCa = normal.cross(a - c).dot(query - c) < Number(0);
-    if (!besideAb && !besideBc && !besideCa) {
-        return query - normal * (normal.dot(query - a) / normal.squaredNorm());
+    if (s >= Number(0) && t >= Number(0) && s + t <= whole) {
+        return a + (s * first + t * second) / whole;
     }
     Point best = a;
-    const auto keep = [&](bool beside, const Point& candidate) {
-        if (beside && (candidate - query).squaredNorm() < (best - query).squaredNorm()) {
+    Number least = arm.squaredNorm();
+    const auto keep = [&](const Point& candidate) {
+        const Number squared = (candidate - query).squaredNorm();
+        if (squared < least) {
             best = candidate;
+            least = squared;
         }
     };
-    keep(besideAb, onEdge(a, b));
-    keep(besideBc, onEdge(b, c));
-    keep(besideCa, onEdge(c, a));
+    if (t < Number(0)) {
+        keep(a + share(alongFirst, firstSquared) * first);
+    }
+    if (s < Number(0)) {
+        keep(a + share(alongSecond, secondSquared) * second);
+    }
+    if (s + t > whole) {
+        keep(b + share(alongSecond - alongFirst + firstSquared - mixed,
+                       firstSquared + secondSquared - Number(2) * mixed) *
+                     (second - first));
+    }
     return best;
 }
 
