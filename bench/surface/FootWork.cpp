@@ -24,11 +24,11 @@ void add(HeightMap& map, const HeightMap& other) {
     }
 }
 
-/// Parallel grooves with the curvature of a sphere about as sharp as the tip at their bottom.
+/// Parallel grooves, sharper at their bottom than the tip: it rests on both walls.
 struct Grooves {
     double pitch = 170.0_nm;
-    double depth = 24.0_nm;
-    double width = 30.0_nm;  ///< half of it, at 1/e of the depth
+    double depth = 34.0_nm;
+    double width = 22.0_nm;  ///< half of it, at 1/e of the depth
 
     [[nodiscard]] double height(double x, double y) const {
         constexpr double kTurn = 0.6;  // [rad]
@@ -48,7 +48,7 @@ double reflected(double length, double span) {
 
 HeightMap roughMap() {
     constexpr double kRimRounding = 0.8;  // [pixel]
-    HeightMap map = sampledMap(kScan, Nanoparticles({.count = 160,
+    HeightMap map = sampledMap(kScan, Nanoparticles({.count = 80,
                                                      .medianRadius = 24.0_nm,
                                                      .spread = 0.4,
                                                      .smallest = 10.0_nm,
@@ -75,7 +75,7 @@ HeightMap roughMap() {
 }
 
 HeightMap concaveMap() {
-    HeightMap map = sampledMap(kScan, EggBox{.amplitude = 11.0_nm,
+    HeightMap map = sampledMap(kScan, EggBox{.amplitude = 22.0_nm,
                                              .periodX = 97.0_nm,
                                              .periodY = 113.0_nm,
                                              .phaseX = 0.3,

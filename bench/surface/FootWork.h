@@ -24,7 +24,7 @@ struct FootWork {
 /// Rough ground with particles and terraces: 512 x 512 pixels of 4 nm.
 [[nodiscard]] HeightMap roughMap();
 
-/// Pits and grooves about as sharp as the tip: 512 x 512 pixels of 4 nm.
+/// Pits about as sharp as the tip and grooves that are sharper: 512 x 512 pixels of 4 nm.
 [[nodiscard]] HeightMap concaveMap();
 
 /// The map repeated `times` x `times`.

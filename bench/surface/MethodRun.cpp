@@ -15,11 +15,16 @@ double nanoseconds(Clock::duration taken) {
     return std::chrono::duration<double, std::nano>(taken).count();
 }
 
+/// Queries between two looks at the clock, which is too coarse for one.
+constexpr std::size_t kBlock = 50;
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
 /// One method's answers and best times so far.
 struct Course {
     FootMethod* method = nullptr;
     std::vector<FootAnswer> answers;
-    std::vector<double> times;  ///< [ns]
+    std::vector<double> times;   ///< of each query [ns]
+    std::vector<double> blocks;  ///< of a query, mean over each block of them [ns]
 };
 
 Course courseOf(FootMethod& method, std::size_t queries) {
@@ -27,7 +32,23 @@ Course courseOf(FootMethod& method, std::size_t queries) {
     const std::size_t count = most == 0 ? queries : std::min(most, queries);
     return {.method = &method,
             .answers = std::vector<FootAnswer>(count),
-            .times = std::vector<double>(count, std::numeric_limits<double>::infinity())};
+            .times = std::vector<double>(count, kNever),
+            .blocks = std::vector<double>((count + kBlock - 1) / kBlock, kNever)};
+}
+
+void passInBlocks(const FootWork& work, const Vector2& firstFoot, Course& course) {
+    course.method->start(firstFoot);
+    for (std::size_t block = 0; block < course.blocks.size(); ++block) {
+        const std::size_t first = block * kBlock;
+        const std::size_t last = std::min(first + kBlock, course.answers.size());
+        const auto begin = Clock::now();
+        for (std::size_t i = first; i < last; ++i) {
+            course.answers[i] = course.method->next(work.centres[i]);
+        }
+        const double taken = nanoseconds(Clock::now() - begin);
+        course.blocks[block] =
+            std::min(course.blocks[block], taken / static_cast<double>(last - first));
+    }
 }
 
 void pass(const FootWork& work, const Vector2& firstFoot, double clock, Course& course) {
@@ -115,6 +136,7 @@ std::vector<MethodResult> runMethods(const FootWork& work,
     }
     for (int i = 0; i < passes; ++i) {
         for (Course& course : courses) {
+            passInBlocks(work, truth.front().place, course);
             pass(work, truth.front().place, clock, course);
         }
     }

@@ -18,8 +18,8 @@ inline constexpr double kWrong = 1e-15;
 struct MethodResult {
     std::string name;
     std::size_t queries = 0;
-    double median = 0.0;  ///< time of a query [ns]
-    double p99 = 0.0;     ///< [ns]
+    double median = 0.0;  ///< time of a query, its mean over a block of them [ns]
+    double p99 = 0.0;     ///< of single queries, to the clock's resolution [ns]
     std::size_t wrong = 0;
     double worst = 0.0;  ///< distance above the reference [m]
     double below = 0.0;  ///< distance below the reference: an error of the reference [m]
@@ -40,8 +40,8 @@ struct MethodResult {
 void judge(const FootWork& work, std::size_t query, const FootAnswer& answer,
            const GlobalReference::Nearest& truth, MethodResult& result);
 
-/// Runs all methods over the work, taking turns; a query's time is the best of `passes`, so that
-/// what else the machine does stays out of it.
+/// Runs all methods over the work, taking turns; a time is the best of `passes`, so that what else
+/// the machine does stays out of it.
 [[nodiscard]] std::vector<MethodResult>
 runMethods(const FootWork& work, std::span<const GlobalReference::Nearest> truth,
            std::span<const std::unique_ptr<FootMethod>> methods, int passes);

@@ -12,16 +12,15 @@ class SplinePoles {
 public:
     static constexpr double kUnit = 1e-9;  ///< [m]
 
-    explicit SplinePoles(const BSplineSurface& surface) : grid_(surface.grid()) {}
+    explicit SplinePoles(const BSplineSurface& surface)
+        : surface_(surface), grid_(surface.grid()) {}
 
     [[nodiscard]] int alongX() const { return grid_.columns + 2; }
     [[nodiscard]] int alongY() const { return grid_.rows + 2; }
 
     [[nodiscard]] Vector3 pole(int row, int column) const {
-        const auto index = static_cast<std::size_t>(row) * static_cast<std::size_t>(alongX()) +
-                           static_cast<std::size_t>(column);
         return Vector3((column - 0.5) * grid_.pitchX, (row - 0.5) * grid_.pitchY,
-                       grid_.controlHeights[index]) /
+                       surface_.control(row - 1, column - 1)) /
                kUnit;
     }
     [[nodiscard]] std::vector<double> knotsX() const { return knots(alongX(), grid_.pitchX); }
@@ -37,6 +36,7 @@ private:
         return all;
     }
 
+    const BSplineSurface& surface_;
     const BSplineSurface::Grid& grid_;
 };
 
