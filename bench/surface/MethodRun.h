@@ -18,7 +18,7 @@ inline constexpr double kWrong = 1e-15;
 struct MethodResult {
     std::string name;
     std::size_t queries = 0;
-    double median = 0.0;  ///< time of a query, its mean over a block of them [ns]
+    double median = 0.0;  ///< time of a query; below 1 us its mean over a block of them [ns]
     double p99 = 0.0;     ///< of single queries, to the clock's resolution [ns]
     std::size_t wrong = 0;
     double worst = 0.0;  ///< distance above the reference [m]
