@@ -50,6 +50,9 @@ void printRandom(const std::vector<RandomResult>& results) {
         std::printf("  %-34s %9zu %7zu %10.1e %9.2f %% %9zu %10zu %10zu %6zu\n", r.name.c_str(),
                     r.queries, r.wrong, r.worst / 1.0_nm, percent(r.certified, r.queries),
                     r.certifiedWrong, r.restarted, r.different, r.tied);
+        if (r.referenceDoubt > kWrong) {
+            std::printf("  ! the reference is up to %.1e nm too far\n", r.referenceDoubt / 1.0_nm);
+        }
         if (r.below > kWrong) {
             std::printf("  ! a point %.1e nm nearer than the reference was found\n",
                         r.below / 1.0_nm);
@@ -97,6 +100,7 @@ nlohmann::json jsonOf(const WorkResult& work) {
 
 nlohmann::json jsonOf(const RandomResult& r) {
     return {{"name", r.name},
+            {"reference_doubt_m", r.referenceDoubt},
             {"queries", r.queries},
             {"wrong", r.wrong},
             {"worst_m", r.worst},

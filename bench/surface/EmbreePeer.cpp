@@ -59,6 +59,7 @@ public:
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene_.get(), geometry);
         rtcReleaseGeometry(geometry);
+        rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
         rtcCommitScene(scene_.get());
         if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) {
             throw Error("Embree could not take the mesh");

@@ -43,14 +43,17 @@ void restart(const FootWork& work, const Vector3& centre, const SurfaceFoot& fir
 }  // namespace
 
 RandomResult runRandom(const FootWork& work, std::uint64_t seed) {
-    const GlobalReference reference(*work.surface);
+    constexpr std::size_t kDoubted = 100;  // queries that are looked at again
+    const auto truth = referenceOf(work);
     Random random(seed);
     MethodResult judged;
-    RandomResult result{.name = work.name};
+    RandomResult result{.name = work.name,
+                        .referenceDoubt = referenceDoubt(
+                            work, truth, std::max<std::size_t>(truth.size() / kDoubted, 1))};
     for (std::size_t i = 0; i < work.centres.size(); ++i) {
         const SurfaceFoot foot = ourFoot(*work.surface, work.centres[i], {});
-        judge(work, i, {.place = foot.point.head<2>(), .certified = foot.certified},
-              reference.nearest(work.centres[i]), judged);
+        judge(work, i, {.place = foot.point.head<2>(), .certified = foot.certified}, truth[i],
+              judged);
         if (i % kRestartEvery == 0) {
             restart(work, work.centres[i], foot, random, result);
         }

@@ -10,6 +10,7 @@ namespace asperity {
 /// What the product did with tips anywhere, asked without a start.
 struct RandomResult {
     std::string name;
+    double referenceDoubt = 0.0;  ///< how far the reference may be off [m]
     std::size_t queries = 0;
     std::size_t wrong = 0;
     double worst = 0.0;  ///< distance above the reference [m]
