@@ -37,6 +37,8 @@ BSplineSurface fitSurface(ScanMap map, const Smoothing& smoothing, Progress* pro
                               .datum = map.datum,
                               .controlHeights = separableFit(map, alongX, alongY, progress),
                               .invalid = bottomRowFirst(std::move(map.invalid), map.columns)};
+    // The surface's own bounds take the room that the map had.
+    map.heights = PixelVector<float>();
     return BSplineSurface(std::move(grid));
 }
 

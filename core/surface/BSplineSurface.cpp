@@ -1,14 +1,16 @@
 #include "core/surface/BSplineSurface.h"
 
 #include "core/Error.h"
-#include "core/surface/ControlBounds.h"
+#include "core/surface/CellBoundsBuilder.h"
 #include "core/surface/HeightMap.h"
 #include "core/surface/UniformCubic.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace asperity {
@@ -98,16 +100,28 @@ BSplineSurface::Grid usable(BSplineSurface::Grid grid) {
     return grid;
 }
 
+double largestMagnitude(const BSplineSurface::Grid& grid) {
+    // By the bits, whose order is that of the magnitudes: whole numbers are compared many at once.
+    constexpr std::int32_t kMagnitude = 0x7fffffff;
+    std::int32_t largest = 0;
+    for (const float height : grid.controlHeights) {
+        largest = std::max(largest, std::bit_cast<std::int32_t>(height) & kMagnitude);
+    }
+    const auto magnitude = std::bit_cast<float>(largest);
+    if (!isFiniteHeight(magnitude)) {
+        throw Error("a control height is not a finite number");
+    }
+    return std::abs(grid.datum) + static_cast<double>(magnitude);
+}
+
 }  // namespace
 
 BSplineSurface::BSplineSurface(Grid grid)
     : grid_(usable(std::move(grid)))
     , inversePitchX_(1.0 / grid_.pitchX)
-    , inversePitchY_(1.0 / grid_.pitchY) {
-    const ControlBounds bounds = controlBoundsOf(grid_);
-    heightScale_ = std::abs(grid_.datum) + bounds.magnitude;
-    concavityBound_ = bounds.concavity;
-}
+    , inversePitchY_(1.0 / grid_.pitchY)
+    , heightScale_(largestMagnitude(grid_))
+    , bounds_(cellBoundsOf(grid_)) {}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
     const CubicSpan across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);
@@ -164,6 +178,19 @@ double BSplineSurface::controlInRow(int row, int column) const noexcept {
     const float* line =
         grid_.controlHeights.data() + static_cast<std::size_t>(row + 1) * stride + 1;
     return controlAlong(column, grid_.columns, [line](int c) -> double { return line[c]; });
+}
+
+Eigen::Matrix4d cellControls(const BSplineSurface::Grid& grid, int row, int column) noexcept {
+    const std::ptrdiff_t stride = grid.columns + 2;
+    Eigen::Matrix4d controls;
+    for (int i = 0; i < 4; ++i) {
+        // Along an axis with a single pixel the surface is level.
+        const float* line = grid.controlHeights.data() + (grid.rows == 1 ? 1 : row + i) * stride;
+        for (int j = 0; j < 4; ++j) {
+            controls(i, j) = line[grid.columns == 1 ? 1 : column + j];
+        }
+    }
+    return controls;
 }
 
 }  // namespace asperity
