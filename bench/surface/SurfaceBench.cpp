@@ -43,6 +43,7 @@ WorkResult runSlide(const std::string& name, const HeightMap& map, const Options
     const auto truth = referenceOf(work);
     std::vector<std::unique_ptr<FootMethod>> methods;
     methods.push_back(ourMethod(surface));
+    methods.push_back(ourLocalMethod(surface));
     methods.push_back(warmNewtonMethod(surface));
     std::ranges::move(peerMethods(surface), std::back_inserter(methods));
     constexpr std::size_t kDoubted = 200;  // queries that are looked at again
