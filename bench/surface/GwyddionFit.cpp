@@ -34,8 +34,8 @@ int main(int argc, char** argv) {
     if (argc != 5) {
         return fail("usage: asperity_gwyddion_fit FILE COLUMNS ROWS SIGMA");
     }
-    const int columns = std::atoi(argv[2]);
-    const int rows = std::atoi(argv[3]);
+    const int columns = static_cast<int>(std::strtol(argv[2], nullptr, 10));
+    const int rows = static_cast<int>(std::strtol(argv[3], nullptr, 10));
     const File file(std::fopen(argv[1], "r+b"), std::fclose);
     if (!file || columns < 1 || rows < 1) {
         return fail("there is no such file or no such size");
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     if (std::fread(heights, sizeof(double), count, file.get()) != count) {
         return fail("the file is too short");
     }
-    const double time = smoothAndFit(field, std::atof(argv[4]));
+    const double time = smoothAndFit(field, std::strtod(argv[4], nullptr));
     std::rewind(file.get());
     if (std::fwrite(heights, sizeof(double), count, file.get()) != count) {
         return fail("the coefficients could not be written");
