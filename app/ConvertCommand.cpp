@@ -5,12 +5,16 @@
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
 #include "core/io/ScanImage.h"
+#include "core/surface/BSplineFit.h"
+#include "core/surface/GaussianFilter.h"
 #include "core/surface/Levelling.h"
+#include "core/surface/Residual.h"
 #include "vtkplugins/io/HeightMapWriter.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 namespace asperity {
 
@@ -21,6 +25,9 @@ struct ConvertOptions {
     std::string output;
     std::string channel;
     Levelling levelling = Levelling::None;
+    bool residual = false;
+    double smoothingPixels = 1.0;  ///< of the residual's surface
+    double smoothingLength = 0.0;  ///< above 0: in place of smoothingPixels [m]
 };
 
 /// A scan is often the only copy of a measurement.
@@ -50,6 +57,18 @@ void writeInAnyFormat(const std::filesystem::path& path, const HeightMap& map,
                                           known + ".vti .vtp .stl");
 }
 
+HeightMap result(const ConvertOptions& options, const HeightMap& map) {
+    HeightMap level = levelled(map, options.levelling);
+    if (!options.residual) {
+        return level;
+    }
+    const Smoothing smoothing = options.smoothingLength > 0.0
+                                    ? smoothingByLength(options.smoothingLength, level)
+                                    : Smoothing{options.smoothingPixels, options.smoothingPixels};
+    const BSplineSurface surface = fitSurface(level, smoothing);
+    return residualOf(std::move(level), surface);
+}
+
 void convert(const ConvertOptions& options) {
     const HeightMapFile file = readHeightMapFile(options.input);
     const ScanChannel& channel = heightChannel(file, options.input, options.channel);
@@ -58,7 +77,7 @@ void convert(const ConvertOptions& options) {
         std::cerr << "note: " << note << '\n';
     }
     const HeightMapMeta meta{channel.name, channel.originX, channel.originY};
-    writeInAnyFormat(options.output, levelled(channel.map, options.levelling), meta);
+    writeInAnyFormat(options.output, result(options, channel.map), meta);
     std::cerr << options.output << ": '" << channel.name << "', " << channel.map.columns << " x "
               << channel.map.rows << " pixels";
     if (const std::size_t lost = countInvalid(channel.map); lost > 0) {
@@ -80,6 +99,19 @@ void addConvertCommand(CLI::App& program) {
     command->add_option("--channel", options->channel,
                         "name of the channel (default: the height that a lab user expects)");
     addLevellingOption(*command, options->levelling, "default none");
+    CLI::Option* residual = command->add_flag(
+        "--residual", options->residual,
+        "write what smoothing takes from the map (data minus surface) in place of the map");
+    CLI::Option* pixels =
+        command
+            ->add_option("--smoothing-px", options->smoothingPixels,
+                         "of the residual's surface: standard deviation [pixel] (default 1)")
+            ->check(CLI::Range(0.0, kWidestSmoothing))
+            ->needs(residual);
+    command->add_option("--smoothing-m", options->smoothingLength, "the same as a length [m]")
+        ->check(CLI::PositiveNumber)
+        ->needs(residual)
+        ->excludes(pixels);
     command->callback([options] { convert(*options); });
 }
 

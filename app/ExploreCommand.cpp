@@ -3,6 +3,7 @@
 #include "app/LevellingOption.h"
 #include "app/LoadedScene.h"
 #include "app/OptionChecks.h"
+#include "app/ProgressLine.h"
 #include "app/RunCurves.h"
 #include "app/RunFolder.h"
 #include "app/RunPictures.h"
@@ -98,7 +99,7 @@ void tellOutcome(const RunEvents& events) {
 
 void explore(const ExploreOptions& options) {
     const VirtualDisplay display;  // before anything is written: pictures need it at the end
-    const LoadedScene loaded = loadScene(options.input, options.overrides);
+    const LoadedScene loaded = loadSceneOnTerminal(options.input, options.overrides);
     for (const std::string& note : loaded.notes) {
         std::cerr << "note: " << note << '\n';
     }

@@ -5,6 +5,7 @@
 #include "app/LiveWindow.h"
 #include "app/LoopReport.h"
 #include "app/OptionChecks.h"
+#include "app/ProgressLine.h"
 #include "app/VirtualDisplay.h"
 #include "core/Error.h"
 #include "core/haptics/ScriptedHand.h"
@@ -37,7 +38,7 @@ LoadedScene loadForLoop(const LoopOptions& options) {
     if (input.empty()) {
         throw Error("the data that comes with the program is not there: name a scan or a scene");
     }
-    LoadedScene loaded = loadScene(input, {});
+    LoadedScene loaded = loadSceneOnTerminal(input, {});
     if (options.rate > 0.0) {
         loaded.scene.description.tickRate = options.rate;
     }

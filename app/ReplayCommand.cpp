@@ -2,6 +2,7 @@
 
 #include "app/LoadedScene.h"
 #include "app/OptionChecks.h"
+#include "app/ProgressLine.h"
 #include "app/RunFolder.h"
 #include "core/Error.h"
 #include "core/haptics/HapticTick.h"
@@ -115,7 +116,7 @@ void replay(const ReplayOptions& options) {
         throw Error("--out must be another folder than the run: its logs would be overwritten");
     }
     const CsvTable recorded = readCsv(folder / run_files::kLog);
-    const LoadedScene loaded = loadScene(folder / run_files::kScene, {});
+    const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
     if (loaded.sha256 != recordedHash(folder)) {
         throw InputError(loaded.scene.description.sample.file, "",
                          "the scan has changed since the run was recorded (its hash differs)");

@@ -2,6 +2,7 @@
 
 #include "app/LoadedScene.h"
 #include "app/OptionChecks.h"
+#include "app/ProgressLine.h"
 #include "app/RunFolder.h"
 #include "app/VirtualDisplay.h"
 #include "core/Version.h"
@@ -107,7 +108,7 @@ void drawFigure(const std::filesystem::path& path, const std::vector<TierResult>
 
 void tradeOff(const TradeOffOptions& options) {
     const VirtualDisplay display;  // before anything is written: the figure needs it at the end
-    const LoadedScene loaded = loadScene(options.scene, {});
+    const LoadedScene loaded = loadSceneOnTerminal(options.scene, {});
     const std::filesystem::path out = options.out;
     makeOutputFolder(out);
     const std::vector<TierResult> results = studyTradeOff(loaded.scene, {});

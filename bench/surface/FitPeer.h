@@ -42,5 +42,7 @@ public:
 [[nodiscard]] std::unique_ptr<FitPeer> openCvFitPeer();
 [[nodiscard]] std::unique_ptr<FitPeer> openCvFusedFitPeer();
 [[nodiscard]] std::unique_ptr<FitPeer> gwyddionFitPeer();
+/// Always there; says so when it is run without SciPy.
+[[nodiscard]] std::unique_ptr<FitPeer> sciPyFitPeer();
 
 }  // namespace asperity

@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<FitPeer>> fitPeers() {
 #ifdef ASPERITY_GWYDDION
     peers.push_back(gwyddionFitPeer());
 #endif
+    peers.push_back(sciPyFitPeer());
     return peers;
 }
 

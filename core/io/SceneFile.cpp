@@ -96,6 +96,25 @@ SampleMaterial readMaterialOf(TomlSection& section, const SampleMaterial& otherw
     return readMaterial(section, file.empty() ? otherwise : readMaterialFile(file));
 }
 
+/// By pixels or by length.
+void readSmoothing(TomlSection& section, SampleDescription& sample) {
+    if (section.has("smoothing_m")) {
+        if (section.has("smoothing_px")) {
+            section.refuse("smoothing_m", "one of smoothing_px and smoothing_m, not both");
+        }
+        sample.smoothingLength = section.number("smoothing_m", 0.0);
+        if (!(sample.smoothingLength >= 0.0 && sample.smoothingLength <= 1.0)) {
+            section.refuse("smoothing_m", "a length from 0 to 1 m");
+        }
+        sample.smoothingPixels = 0.0;
+        return;
+    }
+    sample.smoothingPixels = section.number("smoothing_px", sample.smoothingPixels);
+    if (!(sample.smoothingPixels >= 0.0 && sample.smoothingPixels <= 100.0)) {
+        section.refuse("smoothing_px", "a number from 0 to 100");
+    }
+}
+
 SampleDescription readSample(TomlSection section, const SampleDescription& otherwise) {
     SampleDescription sample = otherwise;
     sample.file = section.path("file").string();
@@ -104,10 +123,7 @@ SampleDescription readSample(TomlSection section, const SampleDescription& other
     }
     sample.channel = section.text("channel", otherwise.channel);
     sample.levelling = choice(section, "level", kLevellings, otherwise.levelling);
-    sample.smoothingPixels = section.number("smoothing_px", otherwise.smoothingPixels);
-    if (!(sample.smoothingPixels >= 0.0 && sample.smoothingPixels <= 100.0)) {
-        section.refuse("smoothing_px", "a number from 0 to 100");
-    }
+    readSmoothing(section, sample);
     sample.material = readMaterialOf(section, otherwise.material);
     section.refuseUnknownKeys();
     return sample;
@@ -213,7 +229,11 @@ toml::table sampleTable(const SampleDescription& sample) {
     table.insert("file", sample.file);
     table.insert("channel", sample.channel);
     table.insert("level", nameOf(kLevellings, sample.levelling));
-    table.insert("smoothing_px", sample.smoothingPixels);
+    if (sample.smoothingLength != 0.0) {
+        table.insert("smoothing_m", sample.smoothingLength);
+    } else {
+        table.insert("smoothing_px", sample.smoothingPixels);
+    }
     return table;
 }
 

@@ -34,6 +34,13 @@ void checkMap(const ScanMap& map) {
     }
 }
 
+Smoothing smoothingOf(const SampleDescription& sample, const ScanMap& map) {
+    if (sample.smoothingLength != 0.0) {
+        return smoothingByLength(sample.smoothingLength, map);
+    }
+    return {.x = sample.smoothingPixels, .y = sample.smoothingPixels};
+}
+
 InstrumentTruth instrumentTruth(const SceneDescription& scene) {
     CantileverGeometry probe = scene.probe;
     probe.thickness = thicknessForStiffness(probe, scene.truth.stiffness);
@@ -76,9 +83,9 @@ Scene buildScene(const SceneDescription& description, ScanMap map, Progress* pro
     reportTo(progress, 0.2);
     map = levelled(std::move(map), description.sample.levelling);
     reportTo(progress, 0.4);
-    const double sigma = description.sample.smoothingPixels;
+    const Smoothing smoothing = smoothingOf(description.sample, map);
     ProgressPart fit(progress, 0.4, 1.0);
-    return assemble(description, plane, fitSurface(std::move(map), {.x = sigma, .y = sigma}, &fit));
+    return assemble(description, plane, fitSurface(std::move(map), smoothing, &fit));
 }
 
 Scene buildScene(const SceneDescription& description, const HeightMap& map) {

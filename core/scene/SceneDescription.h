@@ -33,6 +33,7 @@ struct SampleDescription {
     std::string channel;  ///< empty: the file's default channel
     Levelling levelling = Levelling::Plane;
     double smoothingPixels = 1.0;  ///< standard deviation of the Gaussian low-pass [pixel]; 0: none
+    double smoothingLength = 0.0;  ///< above 0: it is this, in place of smoothingPixels [m]
     SampleMaterial material;
 };
 

@@ -12,6 +12,13 @@ struct Smoothing {
     double y = 0.0;  ///< [pixel]
 };
 
+/// The same length along both axes, whatever the shape of the pixels.
+/// @param sigma [m]
+template <class Map>
+[[nodiscard]] Smoothing smoothingByLength(double sigma, const Map& map) {
+    return {.x = sigma / map.pitchX, .y = sigma / map.pitchY};
+}
+
 /// The bicubic B-spline surface of the map after a Gaussian low-pass; without one it passes through
 /// every pixel centre.
 ///

@@ -24,6 +24,7 @@ constexpr std::ptrdiff_t kStrip = 512;
 using Lanes = float __attribute__((vector_size(32)));
 constexpr std::ptrdiff_t kLanes = 8;
 
+/// A function that is not inlined would be compiled for the baseline alone.
 #define ASPERITY_INLINE [[gnu::always_inline]] inline
 
 ASPERITY_INLINE Lanes load(const float* from) {
@@ -180,26 +181,30 @@ ASPERITY_INLINE void fitBorderRow(const Job& job, std::ptrdiff_t index, bool atE
     }
 }
 
+/// Fits rows of pixels along x up to `end`.
+ASPERITY_INLINE void fitRows(const Job& job, const Strip& strip, std::ptrdiff_t end,
+                             std::ptrdiff_t& fitted, Ring& ring) {
+    for (; fitted < end; ++fitted) {
+        fitAlongX(job.alongX, job.samples(fitted), strip, ring.row(fitted));
+    }
+}
+
 ASPERITY_INLINE void fitStrip(const Job& job, const Strip& strip, Scratch& scratch) {
     const LineFit& fit = job.alongY;
     const std::ptrdiff_t stride = job.alongX.controls();
     std::ptrdiff_t fitted = 0;  // rows of pixels so far
-    const auto fitUpTo = [&](std::ptrdiff_t end) {
-        for (; fitted < end; ++fitted) {
-            fitAlongX(job.alongX, job.samples(fitted), strip, scratch.ring.row(fitted));
-        }
-    };
     for (std::ptrdiff_t control = 0; control < fit.controls(); ++control) {
         float* out = job.controls + control * stride + strip.first;
         const std::ptrdiff_t fromEnd = fit.controls() - 1 - control;
-        if (control < fit.border() || fromEnd < fit.border()) {
-            const bool atEnd = control >= fit.border();
-            fitUpTo(atEnd ? fit.samples() : fit.span());
+        const bool isInside = control >= fit.border() && fromEnd >= fit.border();
+        const bool atEnd = !isInside && control >= fit.border();
+        const std::ptrdiff_t firstBorder = atEnd ? fit.samples() : fit.span();
+        fitRows(job, strip, isInside ? control + fit.reach() : firstBorder, fitted, scratch.ring);
+        if (!isInside) {
             fitBorderRow(job, atEnd ? fromEnd : control, atEnd, strip.count, scratch, out);
             continue;
         }
         const std::ptrdiff_t first = control - 1 - fit.reach();
-        fitUpTo(control + fit.reach());
         for (std::size_t i = 0; i < scratch.window.size(); ++i) {
             scratch.window[i] = scratch.ring.row(first + static_cast<std::ptrdiff_t>(i));
         }

@@ -43,6 +43,20 @@ TEST_F(SceneFile, FillsInDefaultsAndResolvesPathsAgainstItself) {
     EXPECT_EQ(scene.truth.material.workOfAdhesion, scene.sample.material.workOfAdhesion);
 }
 
+TEST_F(SceneFile, SmoothsByPixelsOrByALength) {
+    const SceneDescription pixels =
+        readScene(write("px.toml", "[sample]\nfile = \"map.gsf\"\nsmoothing_px = 2.5\n"));
+    EXPECT_EQ(pixels.sample.smoothingPixels, 2.5);
+    EXPECT_EQ(pixels.sample.smoothingLength, 0.0);
+    const SceneDescription length =
+        readScene(write("m.toml", "[sample]\nfile = \"map.gsf\"\nsmoothing_m = 3e-9\n"));
+    EXPECT_EQ(length.sample.smoothingLength, 3e-9);
+    const SceneDescription none =
+        readScene(write("none.toml", "[sample]\nfile = \"map.gsf\"\nsmoothing_m = 0\n"));
+    EXPECT_EQ(none.sample.smoothingLength, 0.0);
+    EXPECT_EQ(none.sample.smoothingPixels, 0.0);
+}
+
 TEST_F(SceneFile, IsKnownByItsContentAlso) {
     const auto scene = write("scene.txt", "# a scene\n[sample]\nfile = \"map.gsf\"\n");
     EXPECT_EQ(sceneFromInput(scene).sample.file, (scratch.path() / "map.gsf").string());
@@ -112,6 +126,8 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "level = \"flat\"\n", "plane, rows, none"},
         {std::string(sample) + "smoothing_px = \"one\"\n", "a number"},
         {std::string(sample) + "smoothing_px = -1\n", "smoothing_px"},
+        {std::string(sample) + "smoothing_m = -1e-9\n", "smoothing_m"},
+        {std::string(sample) + "smoothing_m = 1e-9\nsmoothing_px = 1\n", "not both"},
         {std::string(sample) + "smoothing_px = nan\n", "smoothing_px"},
         {std::string(sample) + "youngs_modulus_pa = -2e9\n", "youngs_modulus_pa"},
         {std::string(sample) + "poisson_ratio = nan\n", "poisson_ratio"},

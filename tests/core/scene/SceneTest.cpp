@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/surface/BSplineFit.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,19 @@ TEST(Scene, LevelsTheMapAndKeepsWhatItRemoved) {
     EXPECT_NEAR(scene.removedPlane.slopeX, 0.05, 3.0 * rounding / map.sizeX());
     EXPECT_NEAR(scene.surface.at(60.0_nm, 60.0_nm).height, 0.0, 2.0 * rounding);
     EXPECT_NEAR(scene.surface.at(60.0_nm, 60.0_nm).dx, 0.0, 3.0 * rounding / map.pitchX);
+}
+
+TEST(Scene, SmoothsByALengthAlongBothAxesWhateverThePixels) {
+    HeightMap map = test::hillyMap();
+    map.pitchY = 2.0 * map.pitchX;
+    SceneDescription description = test::plainScene();
+    description.sample.smoothingLength = 2.0 * map.pitchX;
+    const Scene scene = buildScene(description, map);
+    const BSplineSurface expected = fitSurface(map, {.x = 2.0, .y = 1.0});
+    EXPECT_EQ(scene.surface.control(7, 9), expected.control(7, 9));
+    EXPECT_NE(scene.surface.control(7, 9), fitSurface(map).control(7, 9));
+    description.sample.smoothingLength = 1000.0 * map.pitchX;
+    EXPECT_THROW((void)buildScene(description, map), Error);
 }
 
 TEST(Scene, RefusesWhatIsNoScan) {

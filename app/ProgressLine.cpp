@@ -1,0 +1,32 @@
+#include "app/ProgressLine.h"
+
+#include <cmath>
+#include <iostream>
+#include <unistd.h>
+#include <utility>
+
+namespace asperity {
+
+ProgressLine::ProgressLine(std::string work)
+    : work_(std::move(work)), isTerminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+    if (isTerminal_) {
+        std::cerr << "\r\033[K" << std::flush;
+    }
+}
+
+void ProgressLine::report(double fraction) {
+    if (isTerminal_) {
+        std::cerr << '\r' << work_ << ' ' << std::lround(100.0 * fraction) << " %\033[K"
+                  << std::flush;
+    }
+}
+
+LoadedScene loadSceneOnTerminal(const std::filesystem::path& input,
+                                const SceneOverrides& overrides) {
+    ProgressLine line("loading");
+    return loadScene(input, overrides, &line);
+}
+
+}  // namespace asperity

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/LoadedScene.h"
+#include "core/Progress.h"
+
+#include <string>
+
+namespace asperity {
+
+/// Shows on the terminal how far a load is; silent where standard error is no terminal. The line is
+/// wiped at the end.
+class ProgressLine : public Progress {
+public:
+    /// @param work a word for people: "loading"
+    explicit ProgressLine(std::string work);
+    ~ProgressLine() override;
+
+    void report(double fraction) override;
+    [[nodiscard]] bool isCancelled() const override { return false; }
+
+private:
+    std::string work_;
+    bool isTerminal_;
+};
+
+/// loadScene() that shows on the terminal how far it is.
+[[nodiscard]] LoadedScene loadSceneOnTerminal(const std::filesystem::path& input,
+                                              const SceneOverrides& overrides);
+
+}  // namespace asperity
