@@ -1,5 +1,5 @@
 #include "core/Error.h"
-#include "core/io/HeightMapFormat.h"
+#include "core/io/StoredRows.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -10,16 +10,17 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
         const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-        const asperity::HeightMapFile file = asperity::ASPERITY_FUZZED.read(bytes, "fuzz");
-        for (const asperity::ScanChannel& channel : file.channels) {
-            const asperity::HeightMap& map = channel.map;
+        const asperity::StoredScan scan = asperity::ASPERITY_FUZZED.read(bytes, "fuzz");
+        for (const asperity::StoredChannel& stored : scan.channels) {
+            asperity::HeightMap map = stored.channel.map;
+            asperity::readHeights(stored, map);
             const bool whole = map.heights.size() == map.index(map.rows, 0) &&
                                (map.invalid.empty() || map.invalid.size() == map.heights.size());
             if (!whole) {
                 std::abort();
             }
         }
-        if (file.channels.empty()) {
+        if (scan.channels.empty()) {
             std::abort();
         }
     } catch (const asperity::InputError&) {

@@ -1,0 +1,113 @@
+#include "core/Error.h"
+#include "core/Units.h"
+#include "core/io/HeightMapFile.h"
+#include "core/io/HeightMapWriter.h"
+#include "tests/core/io/BumpyMap.h"
+#include "tests/core/io/SyntheticScans.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::test {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// Both ways of reading a file give the same map, but for single precision.
+void expectSameMap(const std::filesystem::path& path) {
+    const HeightMapFile file = readHeightMapFile(path);
+    const ScanChannel& channel = heightChannel(file, path, "");
+    const HeightScan scan = readHeightScan(path, "");
+    EXPECT_EQ(scan.format, file.format);
+    EXPECT_EQ(scan.channel, channel.name);
+    EXPECT_EQ(scan.notes, file.notes);
+    EXPECT_EQ(scan.map.columns, channel.map.columns);
+    EXPECT_EQ(scan.map.rows, channel.map.rows);
+    EXPECT_EQ(scan.map.pitchX, channel.map.pitchX);
+    EXPECT_EQ(scan.map.pitchY, channel.map.pitchY);
+    EXPECT_EQ(scan.map.invalid, channel.map.invalid);
+    ASSERT_EQ(scan.map.heights.size(), channel.map.heights.size());
+    double largest = 0.0;
+    for (const double height : channel.map.heights) {
+        largest =
+            std::isnan(height) ? largest : std::max(largest, std::abs(height - scan.map.datum));
+    }
+    for (std::size_t i = 0; i < scan.map.heights.size(); ++i) {
+        const double height = scan.map.datum + static_cast<double>(scan.map.heights[i]);
+        ASSERT_EQ(std::isnan(height), std::isnan(channel.map.heights[i]));
+        if (!std::isnan(height)) {
+            ASSERT_NEAR(height, channel.map.heights[i], 0x1p-24 * largest);
+        }
+    }
+}
+
+/// Heights of micrometres with differences of nanometres, and two pixels without data.
+HeightMap highMap() {
+    HeightMap map = bumpyMap(37, 23);
+    for (double& height : map.heights) {
+        height += 3.0_um;
+    }
+    map.invalid.assign(map.heights.size(), 0);
+    for (const std::size_t pixel : {std::size_t{0}, std::size_t{100}}) {
+        map.heights[pixel] = kNan;
+        map.invalid[pixel] = 1;
+    }
+    return map;
+}
+
+class CancelledAtOnce : public Progress {
+public:
+    void report(double /*fraction*/) override {}
+    [[nodiscard]] bool isCancelled() const override { return true; }
+};
+
+}  // namespace
+
+TEST(HeightScan, IsTheMapInSinglePrecision) {
+    const ScratchFolder folder;
+    for (const char* name : {"map.gsf", "map.gwy"}) {
+        writeHeightMap(folder.file(name), highMap(), {.title = "Height"});
+        expectSameMap(folder.file(name));
+    }
+    expectSameMap(folder.write("scan.spm", nanoscopeFile({}, {1, 2, 3, 4, 5, -6})));
+}
+
+TEST(HeightScan, TakesTheHeightsAboutTheFirstOfThem) {
+    const ScratchFolder folder;
+    writeHeightMap(folder.file("map.gwy"), highMap(), {.title = "Height"});
+    EXPECT_EQ(readHeightScan(folder.file("map.gwy"), "").map.datum, highMap().heights[1]);
+}
+
+TEST(HeightScan, HeightsBeyondSinglePrecisionStayOutOfReachOfAnyScene) {
+    const ScratchFolder folder;
+    HeightMap map = bumpyMap(4, 4);
+    map.heights[5] = -1e300;
+    writeHeightMap(folder.file("map.gwy"), map, {.title = "Height"});
+    const HeightScan scan = readHeightScan(folder.file("map.gwy"), "");
+    EXPECT_EQ(scan.map.heights[5], std::numeric_limits<float>::lowest());
+    EXPECT_TRUE(scan.map.invalid.empty());
+}
+
+TEST(HeightScan, RefusesAsTheFileItself) {
+    const ScratchFolder folder;
+    EXPECT_THROW((void)readHeightScan(folder.file("none.gsf"), ""), InputError);
+    EXPECT_THROW((void)readHeightScan(folder.path(), ""), InputError);
+    EXPECT_THROW((void)readHeightScan(folder.write("empty.gsf", ""), ""), InputError);
+    EXPECT_THROW((void)readHeightScan(folder.write("text.gsf", "no scan"), ""), InputError);
+    writeHeightMap(folder.file("map.gsf"), bumpyMap(4, 4), {.title = "Height"});
+    EXPECT_THROW((void)readHeightScan(folder.file("map.gsf"), "another"), InputError);
+}
+
+TEST(HeightScan, EndsWhenItIsCancelled) {
+    const ScratchFolder folder;
+    writeHeightMap(folder.file("map.gsf"), bumpyMap(4, 4), {.title = "Height"});
+    CancelledAtOnce progress;
+    EXPECT_THROW((void)readHeightScan(folder.file("map.gsf"), "", &progress), Cancelled);
+}
+
+}  // namespace asperity::test
