@@ -17,7 +17,7 @@ public:
     [[nodiscard]] FootAnswer next(const Vector3& query) override {
         const SurfaceFoot foot = ourFoot(surface_, query, guess_);
         guess_ = {foot.point.x(), foot.point.y(), true};
-        return {.place = foot.point.head<2>(), .certified = foot.certified};
+        return {.place = foot.point.head<2>(), .certified = foot.certified()};
     }
 
 private:
