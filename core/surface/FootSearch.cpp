@@ -20,6 +20,9 @@ namespace {
 constexpr int kMostParts = 2048;
 /// A part of a cell smaller than this says no more than rounding does [pixel].
 constexpr double kSmallestPart = 0x1p-14;
+/// Half the size below which a part that holds one minimum at most is searched for it; quartering
+/// a larger one mostly shows sooner that it holds none [pixel].
+constexpr double kWorthASearch = 0.2;
 /// Two minima found from different starts are one when they are nearer than this [pixel].
 constexpr double kSameMinimum = 1e-4;
 
@@ -200,9 +203,14 @@ private:
             if (std::ranges::count(courses, Course::Falls) > 0) {
                 continue;
             }
-            if ((facts.convex & bit) != 0 || isConvexAtEdge(part, courses)) {
+            const bool oneAtMost = (facts.convex & bit) != 0 || isConvexAtEdge(part, courses);
+            if (oneAtMost && holdsKnownFoot(part)) {
+                continue;
+            }
+            const double size = part.half.cwiseQuotient(pitch_).maxCoeff();
+            if (oneAtMost && size < kWorthASearch) {
                 findIn(part, box);
-            } else if (part.half.cwiseQuotient(pitch_).maxCoeff() < 0.5 * kSmallestPart) {
+            } else if (size < 0.5 * kSmallestPart) {
                 complete_ = false;
             } else {
                 unclear |= bit;
@@ -221,7 +229,7 @@ private:
                                                     0.25 * pitch_.minCoeff());
         const BoxMinimum minimum = newton.minimise(part.centre);
         if (minimum.converged) {
-            feet_.add(footOf(minimum, query_), kSameMinimum * pitch_.minCoeff());
+            feet_.add(footOf(minimum, query_), sameMinimum());
         }
     }
 
@@ -276,15 +284,15 @@ private:
                box.high.x() < scan.high.x() && box.high.y() < scan.high.y();
     }
 
+    [[nodiscard]] bool holdsKnownFoot(const Part& part) const {
+        return std::ranges::any_of(feet_.all(), [&](const SurfaceFoot& foot) {
+            return foot.converged && part.contains(foot.point.head<2>(), sameMinimum());
+        });
+    }
+    [[nodiscard]] double sameMinimum() const { return kSameMinimum * pitch_.minCoeff(); }
+
     /// Takes up the only minimum that a part can hold, if it does hold one.
     void findIn(const Part& part, const Box& box) {
-        const double margin = kSameMinimum * pitch_.minCoeff();
-        const bool isKnown = std::ranges::any_of(feet_.all(), [&](const SurfaceFoot& foot) {
-            return foot.converged && part.contains(foot.point.head<2>(), margin);
-        });
-        if (isKnown) {
-            return;
-        }
         const BoxNewton<HalfSquaredDistance> newton(objective_, box, 0.0);
         const BoxMinimum minimum = newton.minimise(part.centre);
         if (!minimum.converged) {
@@ -295,7 +303,7 @@ private:
             return;
         }
         if (minimum.model.value <= 0.5 * limit() * limit()) {
-            feet_.add(footOf(minimum, query_), margin);
+            feet_.add(footOf(minimum, query_), sameMinimum());
         }
     }
 

@@ -161,13 +161,15 @@ SurfaceFoot localFoot(const BSplineSurface& surface, const Vector3& query,
     if (!isUsableQuery(query)) {
         return meaninglessFoot(surface);
     }
-    LocalSearch search(surface, query);
     const bool isGuided = guess.valid && surface.contains(guess.x, guess.y);
-    BoxMinimum minimum;
-    minimum.place = Vector2(guess.x, guess.y);
-    if (isGuided && dash(HalfSquaredDistance(surface, query), surface, minimum)) {
-        return footOf(minimum, query);
+    if (isGuided) {
+        BoxMinimum minimum;
+        minimum.place = Vector2(guess.x, guess.y);
+        if (dash(HalfSquaredDistance(surface, query), surface, minimum)) {
+            return footOf(minimum, query);
+        }
     }
+    LocalSearch search(surface, query);
     const bool warm = isGuided && search.tryFrom(Vector2(guess.x, guess.y));
     if (!warm && !search.tryFrom(query.head<2>())) {
         // Two pixels away the spline is another polynomial.
