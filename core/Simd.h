@@ -6,7 +6,7 @@
 /// A function compiled twice, for any x86-64 processor and for those with AVX2; the loader picks.
 /// What it calls must be inlined into it. Not for sanitizers: they are not yet at work when the
 /// loader picks.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define ASPERITY_WITH_AVX2 [[gnu::target_clones("avx2", "default")]]
 #else
@@ -30,10 +30,10 @@ ASPERITY_INLINE double magnitude(double a) { return std::abs(a); }
 
 /// Sums of the lanes of four vectors.
 ASPERITY_INLINE Double4 laneSums(Double4 a, Double4 b, Double4 c, Double4 d) {
-    const Double4 ab = __builtin_shuffle(a, b, Long4{0, 4, 2, 6}) +
-                       __builtin_shuffle(a, b, Long4{1, 5, 3, 7});
-    const Double4 cd = __builtin_shuffle(c, d, Long4{0, 4, 2, 6}) +
-                       __builtin_shuffle(c, d, Long4{1, 5, 3, 7});
+    const Double4 ab =
+        __builtin_shuffle(a, b, Long4{0, 4, 2, 6}) + __builtin_shuffle(a, b, Long4{1, 5, 3, 7});
+    const Double4 cd =
+        __builtin_shuffle(c, d, Long4{0, 4, 2, 6}) + __builtin_shuffle(c, d, Long4{1, 5, 3, 7});
     return __builtin_shuffle(ab, cd, Long4{0, 1, 4, 5}) +
            __builtin_shuffle(ab, cd, Long4{2, 3, 6, 7});
 }

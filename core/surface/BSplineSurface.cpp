@@ -64,8 +64,7 @@ ASPERITY_INLINE Cubic4 cubicOf(Double4 a, Double4 b, Double4 c, Double4 d) {
 }
 
 /// Height and derivatives from 4 x 4 control heights, per span.
-ASPERITY_INLINE HeightSample sampled(const std::array<Double4, 4>& rows, double t,
-                                                   double s) {
+ASPERITY_INLINE HeightSample sampled(const std::array<Double4, 4>& rows, double t, double s) {
     const Cubic4 up = cubicOf(rows[0], rows[1], rows[2], rows[3]);
     const Cubic4 weights = cubicOf(Double4{1.0, 0.0, 0.0, 0.0}, Double4{0.0, 1.0, 0.0, 0.0},
                                    Double4{0.0, 0.0, 1.0, 0.0}, Double4{0.0, 0.0, 0.0, 1.0});
@@ -74,8 +73,8 @@ ASPERITY_INLINE HeightSample sampled(const std::array<Double4, 4>& rows, double 
     const Double4 height = up.value(s);
     const Double4 rise = up.slope(s);
     const Double4 first = laneSums(height * value, height * slope, rise * value, rise * slope);
-    const Double4 second = laneSums(height * weights.curvature(t), up.curvature(s) * value,
-                                    Double4{}, Double4{});
+    const Double4 second =
+        laneSums(height * weights.curvature(t), up.curvature(s) * value, Double4{}, Double4{});
     return {.height = first[0],
             .dx = first[1],
             .dy = first[2],

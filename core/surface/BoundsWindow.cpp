@@ -80,20 +80,21 @@ ASPERITY_WITH_AVX2 void boundRows(const CodedRows& coded, const RowQuery& query,
         std::uint32_t reaching = 0;
         // Whole groups of lanes: what lies beyond the window is there to be read, and masked.
         for (int i = 0; i < coded.columns; i += kLanes) {
-            const std::size_t at = static_cast<std::size_t>(row) * coded.stride +
-                                   static_cast<std::size_t>(i);
+            const std::size_t at =
+                static_cast<std::size_t>(row) * coded.stride + static_cast<std::size_t>(i);
             const auto code = loaded<Word8>(coded.codes + at);
             const Word8 highest = code >> BoxCode::kHighestShift;
             const Float8 steps = __builtin_convertvector(loaded<Int8>(&highest), Float8);
             const Float8 below = query.height - query.units.step * steps;
-            const Float8 depth = below + query.units.drop * decodedShorts((code >> BoxCode::kDropShift) & BoxCode::kByte);
+            const Float8 depth =
+                below +
+                query.units.drop * decodedShorts((code >> BoxCode::kDropShift) & BoxCode::kByte);
             const Float8 outside = below > -depth ? below : -depth;
             const Float8 off = outside > zero ? outside : zero;
             const Float8 nearest = loaded<Float8>(away.x.data() + i) +
                                    away.y[static_cast<std::size_t>(row)] + off * off;
-            const Float8 concavity =
-                ((1.0F + kRelativeRounding) * query.units.concavity) *
-                decodedShorts(code & BoxCode::kByte);
+            const Float8 concavity = ((1.0F + kRelativeRounding) * query.units.concavity) *
+                                     decodedShorts(code & BoxCode::kByte);
             const Float8 bend = (1.0F - kRelativeRounding) - concavity * depth;
             const Float8 known = below >= zero ? bend : Float8{} + kBendsDown;
             const int to = row * BoundsWindow::kMostBlocks + i;

@@ -10,7 +10,6 @@
 #include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 namespace asperity {
 
@@ -51,12 +50,11 @@ struct Part {
 
 class GlobalSearch {
 public:
-    /// @param within none: as near as the nearest foot known
-    GlobalSearch(const BSplineSurface& surface, const Vector3& query, std::optional<double> within,
+    GlobalSearch(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
                  FootList& feet)
         : surface_(surface)
         , query_(query)
-        , within_(within)
+        , reach_(reach)
         , feet_(feet)
         , pitch_(surface.grid().pitchX, surface.grid().pitchY)
         , objective_(surface, query) {}
@@ -87,9 +85,11 @@ private:
         int around = -1;
     };
 
+    [[nodiscard]] double nearest() const { return std::abs(feet_.all().front().distance); }
+
     /// How far a foot may lie to matter [m].
     [[nodiscard]] double limit() const {
-        return within_.value_or(std::abs(feet_.all().front().distance));
+        return std::min(reach_.farthest, nearest() + reach_.behindNearest);
     }
 
     void settle(const BoundsWindow& window) {
@@ -163,7 +163,8 @@ private:
     void lookIntoCells() {
         constexpr std::size_t kLevels = 17;
         static_assert(kSmallestPart * (1U << (kLevels - 1U)) >= 2.0);
-        boost::container::static_vector<Waiting, kLevels> waiting(1, boost::container::default_init);
+        boost::container::static_vector<Waiting, kLevels> waiting(1,
+                                                                  boost::container::default_init);
         loadCells(surface_.grid(), {cells_.data(), cells_.size()}, waiting.back().parts);
         waiting.back().lanes = unclearIn(waiting.back().parts, (1U << cells_.size()) - 1U);
         cells_.clear();
@@ -222,7 +223,7 @@ private:
     /// A place nearer than the nearest foot known leads to a foot that rules out more.
     void lowerLimit(const Part& part) {
         constexpr double kWorthwhile = 0.999;
-        if (within_ || part.value >= kWorthwhile * 0.5 * limit() * limit()) {
+        if (part.value >= kWorthwhile * 0.5 * nearest() * nearest()) {
             return;
         }
         const BoxNewton<HalfSquaredDistance> newton(objective_, scanBox(surface_),
@@ -276,8 +277,8 @@ private:
         return box;
     }
 
-    /// Whether a part lies off the scan's edge, so that a minimum in it needs a level gradient and a
-    /// distance that bends up.
+    /// Whether a part lies off the scan's edge, so that a minimum in it needs a level gradient and
+    /// a distance that bends up.
     [[nodiscard]] bool isInside(const Box& box) const {
         const Box scan = scanBox(surface_);
         return box.low.x() > scan.low.x() && box.low.y() > scan.low.y() &&
@@ -328,7 +329,7 @@ private:
 
     const BSplineSurface& surface_;
     Vector3 query_;
-    std::optional<double> within_;  ///< [m]
+    FootReach reach_;
     FootList& feet_;
     Vector2 pitch_;  ///< [m]
     HalfSquaredDistance objective_;
@@ -340,14 +341,9 @@ private:
 
 }  // namespace
 
-FootProof completeFeet(const BSplineSurface& surface, const Vector3& query, double within,
+FootProof completeFeet(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
                        FootList& feet) noexcept {
-    return GlobalSearch(surface, query, within, feet).run();
-}
-
-FootProof findNearestFoot(const BSplineSurface& surface, const Vector3& query,
-                          FootList& feet) noexcept {
-    return GlobalSearch(surface, query, std::nullopt, feet).run();
+    return GlobalSearch(surface, query, reach, feet).run();
 }
 
 }  // namespace asperity

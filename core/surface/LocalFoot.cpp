@@ -129,8 +129,8 @@ void HalfSquaredDistance::expand(const Vector2& place, LocalModel& model) const 
     // Rounding of the place, of the height and of the slopes, as they enter value and gradient.
     const double steepness = model.convex(0, 0) + model.convex(1, 1);
     const double bend = std::abs(s.dxx) + std::abs(s.dxy) + std::abs(s.dyy);
-    const double common = rounding_.place * steepness +
-                          std::abs(r.z()) * (rounding_.slope + bend * rounding_.place);
+    const double common =
+        rounding_.place * steepness + std::abs(r.z()) * (rounding_.slope + bend * rounding_.place);
     model.gradientNoise = Vector2(common + rounding_.height * std::abs(s.dx),
                                   common + rounding_.height * std::abs(s.dy));
     model.valueNoise = r.lpNorm<1>() * (rounding_.place * steepness + rounding_.height);

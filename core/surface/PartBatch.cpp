@@ -2,6 +2,8 @@
 
 #include "core/surface/BezierCell.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace asperity {
@@ -155,8 +157,8 @@ struct SquareBends {
     }
 };
 
-ASPERITY_INLINE SquareBends squareBends(const PartBatch& batch, const Bends4& bends,
-                                        Double4 slopeX, Double4 slopeY, Double4 above) {
+ASPERITY_INLINE SquareBends squareBends(const PartBatch& batch, const Bends4& bends, Double4 slopeX,
+                                        Double4 slopeY, Double4 above) {
     const Double4 spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY;
     const Double4 spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY;
     const Range4 height = around(above, (magnitude(slopeX) + spreadX) * batch.halfX +
@@ -180,9 +182,23 @@ ASPERITY_INLINE void toBezier(Double4& a, Double4& b, Double4& c, Double4& d) {
     d = last;
 }
 
-ASPERITY_WITH_AVX2 void splinesToBezier(PartBatch& batch) {
-    for (auto& row : batch.net) {
+ASPERITY_INLINE Double4 widened(const float* heights) {
+    return Double4{heights[0], heights[1], heights[2], heights[3]};
+}
+
+/// Bezier points of four cells from the corners of their control heights.
+ASPERITY_WITH_AVX2 void bezierOfCells(const std::array<const float*, 4>& corners,
+                                      std::ptrdiff_t stride, PartBatch& batch) {
+    for (int i = 0; i < 4; ++i) {
+        Double4 row[4];
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+            row[lane] = widened(corners[lane] + i * stride);
+        }
+        transpose(row);
         toBezier(row[0], row[1], row[2], row[3]);
+        for (int k = 0; k < 4; ++k) {
+            batch.net[i][k] = row[k];
+        }
     }
     for (int k = 0; k < 4; ++k) {
         toBezier(batch.net[0][k], batch.net[1][k], batch.net[2][k], batch.net[3][k]);
@@ -247,8 +263,7 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const Vector3& quer
     facts.gradientX = x + above * slopeX;
     facts.gradientY = y + above * slopeY;
 
-    const SquareBends bends =
-        squareBends(batch, bendsOf(batch, perX, perY), slopeX, slopeY, above);
+    const SquareBends bends = squareBends(batch, bendsOf(batch, perX, perY), slopeX, slopeY, above);
     facts.spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY;
     facts.spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY;
     facts.bendX = bends.xx.low;
@@ -261,19 +276,28 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const Vector3& quer
     facts.convex = bitsOf(bends.areConvex());
 }
 
-void setLane(PartBatch& batch, int lane, const BSplineSurface::Grid& grid, const CellIndex& cell) {
-    const SpanPart x = cellExtent(cell.column, grid.columns);
-    const SpanPart y = cellExtent(cell.row, grid.rows);
-    batch.centreX[lane] = (cell.column + 0.5 + x.middle()) * grid.pitchX;
-    batch.centreY[lane] = (cell.row + 0.5 + y.middle()) * grid.pitchY;
-    batch.halfX[lane] = 0.5 * x.length() * grid.pitchX;
-    batch.halfY[lane] = 0.5 * y.length() * grid.pitchY;
-}
-
 /// Whether a cell reaches to the scan's edge, or has a single pixel along an axis.
 bool isOutermost(const BSplineSurface::Grid& grid, const CellIndex& cell) {
     return cell.row == 0 || cell.column == 0 || cell.row >= grid.rows - 2 ||
            cell.column >= grid.columns - 2;
+}
+
+/// The points of a cell that reaches farther than its span.
+void setOutermost(const BSplineSurface::Grid& grid, const CellIndex& cell, int lane,
+                  PartBatch& batch) {
+    const SpanPart x = cellExtent(cell.column, grid.columns);
+    const SpanPart y = cellExtent(cell.row, grid.rows);
+    const Eigen::Matrix4d net =
+        bezierOfSpan(y) * cellControls(grid, cell.row, cell.column) * bezierOfSpan(x).transpose();
+    for (int i = 0; i < 4; ++i) {
+        for (int k = 0; k < 4; ++k) {
+            batch.net[i][k][lane] = net(i, k);
+        }
+    }
+    batch.centreX[lane] = (cell.column + 0.5 + x.middle()) * grid.pitchX;
+    batch.centreY[lane] = (cell.row + 0.5 + y.middle()) * grid.pitchY;
+    batch.halfX[lane] = 0.5 * x.length() * grid.pitchX;
+    batch.halfY[lane] = 0.5 * y.length() * grid.pitchY;
 }
 
 }  // namespace
@@ -281,35 +305,30 @@ bool isOutermost(const BSplineSurface::Grid& grid, const CellIndex& cell) {
 void loadCells(const BSplineSurface::Grid& grid, std::span<const CellIndex> cells,
                PartBatch& batch) noexcept {
     const std::ptrdiff_t stride = grid.columns + 2;
-    for (int lane = 0; lane < PartBatch::kLanes; ++lane) {
-        const CellIndex& cell = cells[static_cast<std::size_t>(lane) < cells.size()
-                                          ? static_cast<std::size_t>(lane)
-                                          : 0];
-        setLane(batch, lane, grid, cell);
-        // An outermost cell's points are set below; any cell of the grid stands for it here.
-        const bool inner = !isOutermost(grid, cell);
-        const float* corner =
-            grid.controlHeights.data() + (inner ? cell.row * stride + cell.column : 0);
-        for (int i = 0; i < 4; ++i) {
-            for (int k = 0; k < 4; ++k) {
-                batch.net[i][k][lane] =
-                    inner ? static_cast<double>(corner[i * stride + k]) : 0.0;
-            }
-        }
+    std::array<CellIndex, PartBatch::kLanes> all;
+    all.fill(cells.front());
+    std::ranges::copy(cells, all.begin());
+    std::array<const float*, PartBatch::kLanes> corners{};
+    for (std::size_t lane = 0; lane < all.size(); ++lane) {
+        // The outermost are set below; until then any place of the grid will do.
+        const bool inner = !isOutermost(grid, all[lane]);
+        corners[lane] =
+            grid.controlHeights.data() + (inner ? all[lane].row * stride + all[lane].column : 0);
     }
-    splinesToBezier(batch);
-    for (std::size_t lane = 0; lane < cells.size(); ++lane) {
-        const CellIndex& cell = cells[lane];
-        if (isOutermost(grid, cell)) {
-            const Eigen::Matrix4d net =
-                bezierOfSpan(cellExtent(cell.row, grid.rows)) *
-                cellControls(grid, cell.row, cell.column) *
-                bezierOfSpan(cellExtent(cell.column, grid.columns)).transpose();
-            for (int i = 0; i < 4; ++i) {
-                for (int k = 0; k < 4; ++k) {
-                    batch.net[i][k][lane] = net(i, k);
-                }
-            }
+    const auto lanesOf = [&](int CellIndex::*index) {
+        return Double4{all[0].*index + 0.0, all[1].*index + 0.0, all[2].*index + 0.0,
+                       all[3].*index + 0.0};
+    };
+    batch.centreX = (lanesOf(&CellIndex::column) + 1.0) * grid.pitchX;
+    batch.centreY = (lanesOf(&CellIndex::row) + 1.0) * grid.pitchY;
+    batch.halfX = Double4{} + 0.5 * grid.pitchX;
+    batch.halfY = Double4{} + 0.5 * grid.pitchY;
+    if (grid.rows > 1 && grid.columns > 1) {
+        bezierOfCells(corners, stride, batch);
+    }
+    for (std::size_t lane = 0; lane < all.size(); ++lane) {
+        if (isOutermost(grid, all[lane])) {
+            setOutermost(grid, all[lane], static_cast<int>(lane), batch);
         }
     }
 }

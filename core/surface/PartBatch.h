@@ -29,16 +29,16 @@ struct PartBatch {
 /// Half the squared distance from a query over the parts of a batch: its value and gradient at the
 /// centre, and what is known of it everywhere in the part. A bit a lane.
 struct PartFacts {
-    Double4 value;               ///< at the centre [m^2]
-    Double4 gradientX;           ///< at the centre [m]
-    Double4 gradientY;           ///< at the centre [m]
-    Double4 spreadX;             ///< by which that component differs elsewhere, at most [m]
-    Double4 spreadY;             ///< by which that component differs elsewhere, at most [m]
-    Double4 bendX;               ///< least second derivative along x
-    Double4 bendY;               ///< least second derivative along y
-    unsigned far = 0;            ///< farther than the limit
-    unsigned withoutMinimum = 0; ///< no minimum, unless at the scan's edge
-    unsigned convex = 0;         ///< at most one minimum
+    Double4 value;                ///< at the centre [m^2]
+    Double4 gradientX;            ///< at the centre [m]
+    Double4 gradientY;            ///< at the centre [m]
+    Double4 spreadX;              ///< by which that component differs elsewhere, at most [m]
+    Double4 spreadY;              ///< by which that component differs elsewhere, at most [m]
+    Double4 bendX;                ///< least second derivative along x
+    Double4 bendY;                ///< least second derivative along y
+    unsigned far = 0;             ///< farther than the limit
+    unsigned withoutMinimum = 0;  ///< no minimum, unless at the scan's edge
+    unsigned convex = 0;          ///< at most one minimum
 };
 
 /// The whole of up to four cells; lanes left over repeat the first.
