@@ -44,13 +44,20 @@ QString sizeText(double width, double height) {
 OverviewPanel::OverviewPanel(QWidget* parent)
     : Card(QStringLiteral("Overview"), parent)
     , map_(new OverviewMap(this))
-    , colourBar_(new ColourBarWidget(this)) {
+    , colourBar_(new ColourBarWidget(this))
+    , scanNote_(captionLabel(QString(), this)) {
     auto* side = new QVBoxLayout;
     side->setSpacing(3);
     colourBar_->setFixedWidth(kSideWidth);
     side->addWidget(colourBar_);
     side->addSpacing(6);
     addLegend(*side);
+    side->addSpacing(6);
+    scanNote_->setObjectName(QStringLiteral("scanNote"));
+    scanNote_->setContentsMargins(kLegendIndent, 0, 0, 0);
+    scanNote_->setWordWrap(true);
+    scanNote_->setFixedWidth(kSideWidth);
+    side->addWidget(scanNote_);
     side->addStretch(1);
     auto* hint = captionLabel(QStringLiteral("Double click: go there"), this);
     hint->setContentsMargins(kLegendIndent, 0, 0, 0);
@@ -91,6 +98,11 @@ void OverviewPanel::setSurface(const BSplineSurface& surface) {
     map_->setSurface(surface);
     colourBar_->setScale(map_->colours());
     setNote(sizeText(surface.sizeX(), surface.sizeY()));
+}
+
+void OverviewPanel::setScanNote(const QString& words, const QString& whole) {
+    scanNote_->setText(words);
+    scanNote_->setToolTip(whole);
 }
 
 void OverviewPanel::showFrame(const QRectF& frame) { map_->showFrame(frame); }
