@@ -161,6 +161,9 @@ void ContactLayer::showWalls(const ContactStyle& style) {
     vtkNew<vtkUnsignedCharArray> rgb;
     rgb->SetNumberOfComponents(3);
     for (vtkIdType id = 0; id < sides->GetNumberOfPoints(); ++id) {
+        if (id % 2 == 1 && sides->GetPoint(id - 1)[2] < style.bottom) {  // a dent through the block
+            sides->GetPoints()->SetPoint(id, Vector3(sides->GetPoint(id - 1)).data());
+        }
         const Vector3 normal(normals->GetTuple(id));
         rgb->InsertNextTypedTuple(style.shading.lit(palette::kSide, normal, kWallMatt).data());
     }

@@ -24,11 +24,18 @@ constexpr double kRoomForContact = 1.6;
 /// Samples at the border lie cosh(k) times as far apart as at the contact.
 constexpr double kCrowding = 4.0;
 
-/// Places from `low` to `high`, crowded about `middle`, which is one of them for odd counts.
+/// A middle so close to an end that the samples between would lie on top of each other, part of the
+/// length.
+constexpr double kAtTheEnd = 1e-3;
+
+/// Places from `low` to `high`, crowded about `middle`: one of them for odd counts, or an end.
 std::vector<double> crowded(double low, double middle, double high, int count) {
+    const double close = kAtTheEnd * (high - low);
+    const double first = middle - low < close ? 0.0 : -1.0;
+    const double last = high - middle < close ? 0.0 : 1.0;
     std::vector<double> places;
     for (int i = 0; i < count; ++i) {
-        const double part = 2.0 * i / (count - 1) - 1.0;
+        const double part = std::lerp(first, last, i / (count - 1.0));
         const double away = std::sinh(kCrowding * std::abs(part)) / std::sinh(kCrowding);
         places.push_back(std::lerp(middle, part < 0.0 ? low : high, away));
     }

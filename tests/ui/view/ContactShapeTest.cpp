@@ -85,6 +85,11 @@ TEST(ContactShape, IsNotAtRestAlongTheScansEdge) {
         const Vector3 goesOn(area.left == 0.0 ? area.right : area.left, state.foot.point.y(),
                              state.foot.point.z());
         EXPECT_EQ(shape.moved(goesOn), goesOn) << "at rest where the surface goes on";
+        for (int i = 1; i < kSamples; ++i) {
+            const SurfacePatch& patch = shape.patch();
+            EXPECT_GT(patch.rest[patch.index(0, i)].x(), patch.rest[patch.index(0, i - 1)].x());
+            EXPECT_GT(patch.rest[patch.index(i, 0)].y(), patch.rest[patch.index(i - 1, 0)].y());
+        }
     }
 }
 
