@@ -50,6 +50,7 @@ private:
     OverviewMap* map_;
     ColourBarWidget* colourBar_;
     QLabel* scanNote_;
+    QWidget* filledLegend_;
 };
 
 }  // namespace asperity
