@@ -108,6 +108,8 @@ SampleDescription readSample(TomlSection section, const SampleDescription& other
     if (!(sample.smoothingPixels >= 0.0 && sample.smoothingPixels <= 100.0)) {
         section.refuse("smoothing_px", "a number from 0 to 100");
     }
+    sample.imagingTipRadius = section.number("imaging_tip_radius_m", otherwise.imagingTipRadius);
+    sample.erode = section.flag("erode", otherwise.erode);
     sample.material = readMaterialOf(section, otherwise.material);
     section.refuseUnknownKeys();
     return sample;
@@ -214,6 +216,8 @@ toml::table sampleTable(const SampleDescription& sample) {
     table.insert("channel", sample.channel);
     table.insert("level", nameOf(kLevellings, sample.levelling));
     table.insert("smoothing_px", sample.smoothingPixels);
+    table.insert("imaging_tip_radius_m", sample.imagingTipRadius);
+    table.insert("erode", sample.erode);
     return table;
 }
 

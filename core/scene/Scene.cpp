@@ -4,6 +4,7 @@
 #include "core/surface/BSplineFit.h"
 #include "core/surface/GaussianFilter.h"
 #include "core/surface/InvalidPixels.h"
+#include "core/surface/TipErosion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,11 +48,30 @@ InstrumentTruth instrumentTruth(const SceneDescription& scene) {
             .timeStep = 1.0 / scene.tickRate};
 }
 
-Scene assemble(const SceneDescription& description, const PlaneFit& removedPlane,
-               BSplineSurface surface) {
+/// What is made of a map.
+struct Ground {
+    PlaneFit removedPlane;
+    BSplineSurface surface;
+    CertaintyMap certainty;
+};
+
+/// Smoothing goes before erosion, which would take every dip of the noise for the surface.
+Ground groundOf(const SampleDescription& sample, const HeightMap& map) {
+    const HeightMap filled = withInvalidPixelsFilled(levelled(map, sample.levelling));
+    const HeightMap image = smoothed(filled, sample.smoothingPixels);
+    if (sample.imagingTipRadius == 0.0) {
+        return {fitPlane(map), fitSurface(image), {}};
+    }
+    TipReconstruction known = reconstructed(image, sample.imagingTipRadius);
+    return {fitPlane(map), fitSurface(sample.erode ? known.surface : image),
+            CertaintyMap(image, std::move(known.certain))};
+}
+
+Scene assemble(const SceneDescription& description, Ground ground) {
     return {.description = description,
-            .removedPlane = removedPlane,
-            .surface = std::move(surface),
+            .removedPlane = ground.removedPlane,
+            .surface = std::move(ground.surface),
+            .certainty = std::move(ground.certainty),
             .lawChoice =
                 chooseLaw(description.law, contactPair(description, description.sample.material)),
             .belief = probeSystem(description, description.sample.material, description.probe),
@@ -74,9 +94,7 @@ ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept 
 Scene buildScene(const SceneDescription& description, const HeightMap& map) {
     checkScene(description);
     checkMap(map);
-    const HeightMap filled = withInvalidPixelsFilled(levelled(map, description.sample.levelling));
-    return assemble(description, fitPlane(map),
-                    fitSurface(smoothed(filled, description.sample.smoothingPixels)));
+    return assemble(description, groundOf(description.sample, map));
 }
 
 Scene withMaterial(Scene scene, const SampleMaterial& material) {
@@ -86,7 +104,8 @@ Scene withMaterial(Scene scene, const SampleMaterial& material) {
     }
     description.sample.material = material;
     checkScene(description);
-    return assemble(description, scene.removedPlane, std::move(scene.surface));
+    return assemble(description,
+                    {scene.removedPlane, std::move(scene.surface), std::move(scene.certainty)});
 }
 
 }  // namespace asperity
