@@ -7,6 +7,7 @@
 #include "core/scene/ImagingTip.h"
 
 #include <cstdio>
+#include <utility>
 
 namespace asperity {
 
@@ -43,7 +44,8 @@ std::string lawNote(const Scene& scene) {
 
 }  // namespace
 
-LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides) {
+LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
+                      Progress* progress) {
     SceneDescription description = sceneFromInput(input);
     SampleDescription& sample = description.sample;
     if (!overrides.channel.empty()) {
@@ -53,14 +55,15 @@ LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& 
         sample.levelling = *overrides.levelling;
     }
     sample.file = std::filesystem::absolute(sample.file).lexically_normal().string();
-    const HeightMapFile file = readHeightMapFile(sample.file);
-    const ScanChannel& channel = heightChannel(file, sample.file, sample.channel);
-    sample.channel = channel.name;
+    ProgressPart reading(progress, 0.0, 0.4);
+    HeightScan scan = readHeightScan(sample.file, sample.channel, &reading);
+    sample.channel = scan.channel;
     try {
-        LoadedScene loaded{.scene = buildScene(description, channel.map),
-                           .format = file.format,
+        ProgressPart building(progress, 0.4, 1.0);
+        LoadedScene loaded{.scene = buildScene(description, std::move(scan.map), &building),
+                           .format = std::move(scan.format),
                            .sha256 = sha256OfFile(sample.file),
-                           .notes = file.notes};
+                           .notes = std::move(scan.notes)};
         loaded.notes.push_back(levellingNote(loaded.scene));
         loaded.notes.push_back(imagingTipNote(loaded.scene));
         loaded.notes.push_back(lawNote(loaded.scene));

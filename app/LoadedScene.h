@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/scene/Scene.h"
 
 #include <filesystem>
@@ -24,8 +25,8 @@ struct LoadedScene {
 };
 
 /// Loads a scene file or a height map, fits the surface, sets up the instrument.
-/// @throw InputError when anything it needs cannot be read or is out of range
+/// @throw InputError when anything it needs cannot be read or is out of range; Cancelled
 [[nodiscard]] LoadedScene loadScene(const std::filesystem::path& input,
-                                    const SceneOverrides& overrides);
+                                    const SceneOverrides& overrides, Progress* progress = nullptr);
 
 }  // namespace asperity

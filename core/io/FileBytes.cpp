@@ -2,7 +2,10 @@
 
 #include "core/Error.h"
 
+#include <fcntl.h>
 #include <fstream>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace asperity {
 
@@ -31,7 +34,47 @@ std::uintmax_t checkedSize(const std::filesystem::path& path) {
     return size;
 }
 
+/// A file descriptor that is closed at the end of its scope.
+class OpenFile {
+public:
+    explicit OpenFile(const std::filesystem::path& path)
+        : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile() {
+        if (descriptor_ >= 0) {
+            close(descriptor_);
+        }
+    }
+
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+private:
+    int descriptor_;
+};
+
+void* mapped(const std::filesystem::path& path, std::size_t size) {
+    const OpenFile file(path);
+    if (file.descriptor() < 0) {
+        throw InputError(path.string(), "", "the file cannot be opened for reading");
+    }
+    void* memory = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.descriptor(), 0);
+    if (memory == MAP_FAILED) {
+        throw InputError(path.string(), "", "the file cannot be brought into memory");
+    }
+    // Advice only.
+    (void)madvise(memory, size, MADV_SEQUENTIAL);
+    return memory;
+}
+
 }  // namespace
+
+MappedFile::MappedFile(const std::filesystem::path& path)
+    : size_(static_cast<std::size_t>(checkedSize(path))), memory_(mapped(path, size_)) {}
+
+MappedFile::~MappedFile() { munmap(memory_, size_); }
+
+void MappedFile::forget() const noexcept { (void)madvise(memory_, size_, MADV_DONTNEED); }
 
 std::string readFileBytes(const std::filesystem::path& path) {
     const std::uintmax_t size = checkedSize(path);

@@ -22,16 +22,16 @@ class GsfReader {
 public:
     GsfReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
-    HeightMapFile read() {
+    StoredScan read() {
         checkMagic();
         const std::size_t headerEnd = bytes_.find('\0');
         if (headerEnd == std::string_view::npos) {
             fail("header", "no NUL byte ends it; the file is truncated or damaged");
         }
         parseHeader(bytes_.substr(kMagic.size(), headerEnd - kMagic.size()));
-        HeightMapFile result;
+        StoredScan result;
         result.channels.push_back(channel(dataAfter(headerEnd)));
-        settleSize(result.channels.back(), result.notes);
+        settleSize(result.channels.back().channel, result.notes);
         return result;
     }
 
@@ -82,7 +82,7 @@ private:
         return bytes_.substr(start);
     }
 
-    ScanChannel channel(std::string_view data) {
+    StoredChannel channel(std::string_view data) {
         const PhysicalUnit lateral = parseUnit(takeText("XYUnits"));
         const PhysicalUnit vertical = parseUnit(takeText("ZUnits"));
         ScanChannel channel;
@@ -98,16 +98,14 @@ private:
         channel.originX = finiteOrZero(number("XOffset") * lateral.factor);
         channel.originY = finiteOrZero(number("YOffset") * lateral.factor);
         channel.metadata = fields_;
-        fillValues(channel.map, data, vertical.factor);
-        return channel;
-    }
-
-    static void fillValues(HeightMap& map, std::string_view data, double factor) {
-        map.heights.resize(data.size() / sizeof(float));
-        for (std::size_t i = 0; i < map.heights.size(); ++i) {
-            map.heights[i] = factor * littleEndian<float>(data.data() + i * sizeof(float));
-        }
-        invalidateNonFinite(map);
+        return {channel,
+                [data, columns = size_.columns, factor = vertical.factor](int row, double* values) {
+                    const std::size_t width = static_cast<std::size_t>(columns) * sizeof(float);
+                    const char* stored = data.data() + static_cast<std::size_t>(row) * width;
+                    for (int column = 0; column < columns; ++column, stored += sizeof(float)) {
+                        values[column] = factor * littleEndian<float>(stored);
+                    }
+                }};
     }
 
     /// Removes the field, so that what is left is metadata.

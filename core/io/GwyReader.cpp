@@ -6,6 +6,7 @@
 #include "core/io/ScanImage.h"
 #include "core/io/TextValue.h"
 
+#include <limits>
 #include <optional>
 
 // Gwyddion's own files: one container whose keys are paths; /N/data is image N.
@@ -40,6 +41,8 @@ struct DataField {
     [[nodiscard]] double value(std::size_t pixel) const {
         return littleEndian<double>(values.data() + pixel * sizeof(double));
     }
+    /// As a mask.
+    [[nodiscard]] bool marks(std::size_t pixel) const { return value(pixel) > 0.0; }
 };
 
 /// "/12/data/title" → 12 and "data/title"; empty for a key that belongs to no image.
@@ -67,7 +70,7 @@ class GwyReader {
 public:
     GwyReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
-    HeightMapFile read() {
+    StoredScan read() {
         collectImages();
         for (const auto& [number, parts] : images_) {
             if (parts.data) {
@@ -138,45 +141,52 @@ private:
         channel.originY = finiteOrZero(data.offsetY * data.lateralUnit.factor);
         channel.map = emptyMap(data.size, data.sizeX * data.lateralUnit.factor,
                                data.sizeY * data.lateralUnit.factor);
-        fillValues(channel.map, data);
+        std::optional<DataField> mask;
         if (parts.mask) {
-            applyMask(channel, *parts.mask);
+            mask = maskOf(channel, *parts.mask);
         }
         if (parts.metadata) {
             channel.metadata = readMetadata(*parts.metadata);
         }
         settleSize(channel, result_.notes);
-        result_.channels.push_back(std::move(channel));
+        result_.channels.push_back({std::move(channel), [data, mask](int row, double* values) {
+                                        readRow(data, mask, row, values);
+                                    }});
     }
 
-    static void fillValues(HeightMap& map, const DataField& data) {
-        map.heights.resize(static_cast<std::size_t>(data.size.pixels()));
-        for (std::size_t i = 0; i < map.heights.size(); ++i) {
-            map.heights[i] = data.unit.factor * data.value(i);
+    static void readRow(const DataField& data, const std::optional<DataField>& mask, int row,
+                        double* values) {
+        const auto columns = static_cast<std::size_t>(data.size.columns);
+        const std::size_t first = static_cast<std::size_t>(row) * columns;
+        for (std::size_t i = 0; i < columns; ++i) {
+            values[i] = data.unit.factor * data.value(first + i);
         }
-        invalidateNonFinite(map);
+        if (!mask) {
+            return;
+        }
+        for (std::size_t i = 0; i < columns; ++i) {
+            if (mask->marks(first + i)) {
+                values[i] = std::numeric_limits<double>::quiet_NaN();
+            }
+        }
     }
 
     /// Importers put void pixels into the mask and fill the data by interpolation.
-    void applyMask(ScanChannel& channel, const GwyObject& object) {
+    DataField maskOf(const ScanChannel& channel, const GwyObject& object) {
         const DataField mask = readField(object);
-        HeightMap& map = channel.map;
-        if (mask.size.columns != map.columns || mask.size.rows != map.rows) {
+        if (mask.size.columns != channel.map.columns || mask.size.rows != channel.map.rows) {
             throw InputError(file_, place(object),
                              "the mask of '" + channel.name + "' has another size than its image");
         }
         std::size_t marked = 0;
-        for (std::size_t i = 0; i < map.heights.size(); ++i) {
-            if (!(mask.value(i) > 0.0)) {
-                continue;
-            }
-            invalidate(map, i);
-            ++marked;
+        for (std::size_t i = 0; i < mask.size.pixels(); ++i) {
+            marked += mask.marks(i) ? 1 : 0;
         }
         if (marked > 0) {
             result_.notes.push_back("'" + channel.name + "': " + std::to_string(marked) +
                                     " pixels marked by the file's mask are taken as invalid");
         }
+        return mask;
     }
 
     [[nodiscard]] DataField readField(const GwyObject& object) const {
@@ -252,7 +262,7 @@ private:
     std::string_view bytes_;
     const std::string& file_;
     std::map<long long, ImageParts> images_;
-    HeightMapFile result_;
+    StoredScan result_;
 };
 
 }  // namespace

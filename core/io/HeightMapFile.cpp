@@ -4,6 +4,7 @@
 #include "core/io/DefaultChannel.h"
 #include "core/io/FileBytes.h"
 #include "core/io/HeightMapFormat.h"
+#include "core/io/StoredRows.h"
 
 #include <algorithm>
 #include <array>
@@ -72,9 +73,17 @@ const ScanChannel& defaultHeight(const HeightMapFile& file, const std::string& p
     return channel;
 }
 
-}  // namespace
+/// What the file holds, without the heights.
+struct Contents {
+    HeightMapFile file;
+    std::vector<StoredChannel> stored;  ///< as many as the file has channels
 
-HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file) {
+    [[nodiscard]] const StoredChannel& storedOf(const ScanChannel& channel) const {
+        return stored[static_cast<std::size_t>(&channel - file.channels.data())];
+    }
+};
+
+Contents contentsOf(std::string_view bytes, const std::string& file) {
     if (bytes.empty()) {
         throw InputError(file, "", "the file is empty");
     }
@@ -86,14 +95,42 @@ HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file
         throw InputError(file, "",
                          "this is no height map that can be read; known are " + formatNames());
     }
-    HeightMapFile result = (*format)->read(bytes, file);
-    result.format = (*format)->name;
-    result.defaultChannel = suggestDefaultChannel(result.channels);
-    return result;
+    StoredScan scan = (*format)->read(bytes, file);
+    Contents contents;
+    contents.file.format = (*format)->name;
+    contents.file.notes = std::move(scan.notes);
+    for (const StoredChannel& stored : scan.channels) {
+        contents.file.channels.push_back(stored.channel);
+    }
+    contents.file.defaultChannel = suggestDefaultChannel(contents.file.channels);
+    contents.stored = std::move(scan.channels);
+    return contents;
+}
+
+}  // namespace
+
+HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file) {
+    Contents contents = contentsOf(bytes, file);
+    for (ScanChannel& channel : contents.file.channels) {
+        readHeights(contents.storedOf(channel), channel.map);
+    }
+    return std::move(contents.file);
 }
 
 HeightMapFile readHeightMapFile(const std::filesystem::path& path) {
-    return readHeightMapBytes(readFileBytes(path), path.string());
+    const MappedFile file(path);
+    return readHeightMapBytes(file.bytes(), path.string());
+}
+
+HeightScan readHeightScan(const std::filesystem::path& path, const std::string& name,
+                          Progress* progress) {
+    const MappedFile file(path);
+    Contents contents = contentsOf(file.bytes(), path.string());
+    const ScanChannel& channel = heightChannel(contents.file, path, name);
+    HeightScan scan{.format = contents.file.format, .channel = channel.name, .notes = {}};
+    scan.map = readScanMap(contents.storedOf(channel), file, progress);
+    scan.notes = std::move(contents.file.notes);
+    return scan;
 }
 
 const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesystem::path& path,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/surface/HeightMap.h"
 
 #include <filesystem>
@@ -38,6 +39,20 @@ struct HeightMapFile {
 /// Reads any supported file; the type is found by content, never by extension.
 /// @throw InputError when the file cannot be read whole, or its type is unknown
 [[nodiscard]] HeightMapFile readHeightMapFile(const std::filesystem::path& path);
+
+/// One height channel of a file on its way into a scene.
+struct HeightScan {
+    std::string format;   ///< for people
+    std::string channel;  ///< its name
+    ScanMap map;
+    std::vector<std::string> notes;  ///< of the whole file
+};
+
+/// Reads the named channel alone (empty: the default one), a few rows at a time, so that a large
+/// file never lies in memory beside its map.
+/// @throw InputError as readHeightMapFile() and heightChannel(); Cancelled
+[[nodiscard]] HeightScan readHeightScan(const std::filesystem::path& path, const std::string& name,
+                                        Progress* progress = nullptr);
 
 /// The named channel (empty: the default one) as a height map.
 /// @throw InputError when there is no such channel, when its unit is not a length, when its lateral

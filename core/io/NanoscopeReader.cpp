@@ -6,6 +6,7 @@
 #include "core/io/ScanImage.h"
 #include "core/io/TextValue.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,7 @@ class NanoscopeReader {
 public:
     NanoscopeReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
-    HeightMapFile read() {
+    StoredScan read() {
         refuseRelatives();
         sections_ = readNanoscopeHeader(bytes_, file_);
         headerEnd_ = nanoscopeHeaderSize(bytes_);
@@ -70,9 +71,14 @@ private:
         channel.originY = image.scanLength("Y Offset");
         channel.map = emptyMap(layout.size, layout.sizeX, layout.sizeY);
         channel.metadata = metadata(section);
-        fillValues(channel.map, samples(layout, place), layout.sampleBytes, scale.factor);
+        const std::string_view data = samples(layout, place);
         addNotes(image, channel, layout.sampleBytes);
-        result_.channels.push_back(std::move(channel));
+        result_.channels.push_back(
+            {std::move(channel), [layout, data, factor = scale.factor](int row, double* values) {
+                 readRow(layout, data, row, values);
+                 std::transform(values, values + layout.size.columns, values,
+                                [factor](double count) { return factor * count; });
+             }});
     }
 
     std::string_view samples(const NanoscopeLayout& layout, const std::string& place) {
@@ -99,20 +105,19 @@ private:
                              static_cast<std::size_t>(length));
     }
 
-    /// The first stored row is the bottom of the image, whatever the scan's direction was.
-    static void fillValues(HeightMap& map, std::string_view samples, int sampleBytes,
-                           double factor) {
-        const auto width = static_cast<std::size_t>(sampleBytes);
-        map.heights.resize(samples.size() / width);
-        for (int row = 0; row < map.rows; ++row) {
-            const char* stored = samples.data() + map.index(map.rows - 1 - row, 0) * width;
-            for (int column = 0; column < map.columns; ++column, stored += width) {
-                const double count = sampleBytes == 4 ? littleEndian<std::int32_t>(stored)
-                                                      : littleEndian<std::int16_t>(stored);
-                map.heights[map.index(row, column)] = factor * count;
-            }
+    /// Counts of a row. The first stored row is the bottom of the image, whatever the scan's
+    /// direction was.
+    static void readRow(const NanoscopeLayout& layout, std::string_view samples, int row,
+                        double* counts) {
+        const auto width = static_cast<std::size_t>(layout.sampleBytes);
+        const int columns = layout.size.columns;
+        const auto first = static_cast<std::size_t>(layout.size.rows - 1 - row) *
+                           static_cast<std::size_t>(columns);
+        const char* stored = samples.data() + first * width;
+        for (int column = 0; column < columns; ++column, stored += width) {
+            counts[column] = layout.sampleBytes == 4 ? littleEndian<std::int32_t>(stored)
+                                                     : littleEndian<std::int16_t>(stored);
         }
-        invalidateNonFinite(map);
     }
 
     void addNotes(const NanoscopeImage& image, ScanChannel& channel, int sampleBytes) {
@@ -153,7 +158,7 @@ private:
     /// First and past-the-last byte of each image so far.
     std::size_t headerEnd_ = 0;
     std::vector<std::pair<std::uint64_t, std::uint64_t>> taken_;
-    HeightMapFile result_;
+    StoredScan result_;
 };
 
 }  // namespace

@@ -22,15 +22,15 @@ ProbeSystem probeSystem(const SceneDescription& scene, const SampleMaterial& mat
 }
 
 /// Beyond these bounds a map is no scan of a microscope, and rounding would be all that is left.
-void checkMap(const HeightMap& map) {
+void checkMap(const ScanMap& map) {
     constexpr double kSmallestPitch = 1e-13;  // [m]
     constexpr double kLargestLength = 1.0;    // [m]
     if (!(std::min(map.pitchX, map.pitchY) >= kSmallestPitch) ||
         !(std::max(map.sizeX(), map.sizeY()) <= kLargestLength)) {
         throw Error("the scan's pixels must be 0.1 pm or wider and the whole at most 1 m wide");
     }
-    const bool tooHigh = std::any_of(map.heights.begin(), map.heights.end(), [](double height) {
-        return std::abs(height) > kLargestLength;
+    const bool tooHigh = std::any_of(map.heights.begin(), map.heights.end(), [&](double height) {
+        return std::abs(map.datum + height) > kLargestLength;
     });
     if (tooHigh) {
         throw Error("the scan's heights must lie within 1 m of zero");
@@ -55,16 +55,26 @@ struct Ground {
     CertaintyMap certainty;
 };
 
-/// Smoothing goes before erosion, which would take every dip of the noise for the surface.
-Ground groundOf(const SampleDescription& sample, const HeightMap& map) {
-    const HeightMap filled = withInvalidPixelsFilled(levelled(map, sample.levelling));
-    const HeightMap image = smoothed(filled, sample.smoothingPixels);
-    if (sample.imagingTipRadius == 0.0) {
-        return {fitPlane(map), fitSurface(image), {}};
-    }
+/// The surface under the image that a tip recorded. Smoothing goes before erosion, which would take
+/// every dip of the noise for the surface.
+Ground groundUnder(const SampleDescription& sample, const PlaneFit& plane, const HeightMap& map) {
+    const HeightMap image = smoothed(withInvalidPixelsFilled(map), sample.smoothingPixels);
     TipReconstruction known = reconstructed(image, sample.imagingTipRadius);
-    return {fitPlane(map), fitSurface(sample.erode ? known.surface : image),
+    return {plane, fitSurface(sample.erode ? known.surface : image),
             CertaintyMap(image, std::move(known.certain))};
+}
+
+Ground groundOf(const SampleDescription& sample, ScanMap map, Progress* progress) {
+    const PlaneFit plane = fitPlane(map);
+    reportTo(progress, 0.2);
+    map = levelled(std::move(map), sample.levelling);
+    reportTo(progress, 0.4);
+    if (sample.imagingTipRadius > 0.0) {
+        return groundUnder(sample, plane, doublePrecision(map));
+    }
+    const double sigma = sample.smoothingPixels;
+    ProgressPart fit(progress, 0.4, 1.0);
+    return {plane, fitSurface(std::move(map), {.x = sigma, .y = sigma}, &fit), {}};
 }
 
 Scene assemble(const SceneDescription& description, Ground ground) {
@@ -91,10 +101,14 @@ ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept 
     return radius > 0.0 ? scene.belief.contact.withTipRadius(radius) : scene.belief.contact;
 }
 
-Scene buildScene(const SceneDescription& description, const HeightMap& map) {
+Scene buildScene(const SceneDescription& description, ScanMap map, Progress* progress) {
     checkScene(description);
     checkMap(map);
-    return assemble(description, groundOf(description.sample, map));
+    return assemble(description, groundOf(description.sample, std::move(map), progress));
+}
+
+Scene buildScene(const SceneDescription& description, const HeightMap& map) {
+    return buildScene(description, singlePrecision(map));
 }
 
 Scene withMaterial(Scene scene, const SampleMaterial& material) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/contact/LawChoice.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/SimulatedAfm.h"
@@ -32,7 +33,9 @@ struct Scene {
 
 /// Levels, fills, smooths, on request erodes, and fits the map, and sets up both sides of the
 /// instrument.
-/// @throw Error when a value of the description is outside its range
+/// @throw Error when a value of the description is outside its range; Cancelled
+[[nodiscard]] Scene buildScene(const SceneDescription& description, ScanMap map,
+                               Progress* progress = nullptr);
 [[nodiscard]] Scene buildScene(const SceneDescription& description, const HeightMap& map);
 
 /// The same scan of another material. The instrument's truth goes along where it was the same as

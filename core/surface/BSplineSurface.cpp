@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace asperity {
@@ -129,21 +131,24 @@ BSplineSurface::Grid usable(BSplineSurface::Grid grid) {
         (!grid.invalid.empty() && grid.invalid.size() != rows * columns)) {
         throw Error("the control heights of a spline surface do not match its size");
     }
+    if (!isFiniteHeight(grid.datum)) {
+        throw Error("the datum of the control heights is not a finite number");
+    }
     return grid;
 }
 
 double largestMagnitude(const BSplineSurface::Grid& grid) {
-    float largest = 0.0F;
+    // By the bits, whose order is that of the magnitudes: whole numbers are compared many at once.
+    constexpr std::int32_t kMagnitude = 0x7fffffff;
+    std::int32_t largest = 0;
     for (const float height : grid.controlHeights) {
-        if (!isFiniteHeight(height)) {
-            throw Error("a control height is not a finite number");
-        }
-        largest = std::max(largest, std::abs(height));
+        largest = std::max(largest, std::bit_cast<std::int32_t>(height) & kMagnitude);
     }
-    if (!isFiniteHeight(grid.datum)) {
-        throw Error("the datum of the control heights is not a finite number");
+    const auto magnitude = std::bit_cast<float>(largest);
+    if (!isFiniteHeight(magnitude)) {
+        throw Error("a control height is not a finite number");
     }
-    return std::abs(grid.datum) + static_cast<double>(largest);
+    return std::abs(grid.datum) + static_cast<double>(magnitude);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "core/Vector.h"
 #include "core/surface/CellBounds.h"
 #include "core/surface/HeightSample.h"
+#include "core/surface/PixelVector.h"
 
 #include <array>
 #include <cstdint>
@@ -26,7 +27,7 @@ public:
         double pitchX = 0.0;                ///< [m]
         double pitchY = 0.0;                ///< [m]
         double datum = 0.0;                 ///< height that control heights are relative to [m]
-        std::vector<float> controlHeights;  ///< (rows + 2) x (columns + 2), bottom row first [m]
+        PixelVector<float> controlHeights;  ///< (rows + 2) x (columns + 2), bottom row first [m]
         std::vector<std::uint8_t> invalid;  ///< rows x columns, bottom row first; empty: all valid
     };
 

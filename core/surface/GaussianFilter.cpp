@@ -12,37 +12,6 @@ namespace asperity {
 
 namespace {
 
-constexpr double kReachInSigmas = 5.0;
-
-/// Weights of the centre and of the pixels on one side of it; the whole kernel sums to 1.
-std::vector<double> halfKernel(double sigma) {
-    const auto reach = static_cast<std::size_t>(std::ceil(kReachInSigmas * sigma));
-    std::vector<double> weights(reach + 1);
-    double sum = 0.0;
-    for (std::size_t k = 0; k <= reach; ++k) {
-        const double distance = static_cast<double>(k) / sigma;
-        weights[k] = std::exp(-0.5 * distance * distance);
-        sum += k == 0 ? weights[k] : 2.0 * weights[k];
-    }
-    for (double& weight : weights) {
-        weight /= sum;
-    }
-    return weights;
-}
-
-/// Value of a line continued by point reflection about its end pixels, as often as needed.
-double reflected(const double* line, std::ptrdiff_t count, std::ptrdiff_t index) {
-    if (count == 1) {
-        return line[0];
-    }
-    const std::ptrdiff_t period = 2 * (count - 1);
-    const std::ptrdiff_t turns = (index >= 0 ? index : index - period + 1) / period;
-    const std::ptrdiff_t phase = index - turns * period;
-    const double climb = 2.0 * static_cast<double>(turns) * (line[count - 1] - line[0]);
-    return phase < count ? climb + line[phase]
-                         : climb + 2.0 * line[count - 1] - line[period - phase];
-}
-
 /// Smooths one line after the other, in place.
 void smoothLines(std::vector<double>& values, std::size_t length,
                  const std::vector<double>& kernel) {
@@ -51,9 +20,10 @@ void smoothLines(std::vector<double>& values, std::size_t length,
     for (std::size_t start = 0; start < values.size(); start += length) {
         double* line = values.data() + start;
         for (std::size_t i = 0; i < extended.size(); ++i) {
-            extended[i] =
-                reflected(line, static_cast<std::ptrdiff_t>(length),
-                          static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(reach));
+            const ReflectedSample sample = reflectedSample(
+                static_cast<int>(length), static_cast<int>(i) - static_cast<int>(reach));
+            extended[i] = sample.own * line[sample.index] + sample.first * line[0] +
+                          sample.last * line[length - 1];
         }
         const double* centre = extended.data() + reach;
         for (std::size_t i = 0; i < length; ++i) {
@@ -83,21 +53,67 @@ std::vector<double> transposed(const std::vector<double>& values, std::size_t ro
     return result;
 }
 
+/// @throw Error naming the first height that is no number
+void requireFinite(const HeightMap& map) {
+    requireUsable(map);
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            if (!isFiniteHeight(map.at(row, column))) {
+                throw Error("the height at row " + std::to_string(row) + ", column " +
+                            std::to_string(column) + " is not a finite number");
+            }
+        }
+    }
+}
+
 }  // namespace
 
-HeightMap smoothed(const HeightMap& map, double sigmaPixels) {
-    requireFinite(map);
-    if (!std::isgreaterequal(sigmaPixels, 0.0) || sigmaPixels > kWidestSmoothing) {
+std::vector<double> halfGaussian(double sigma) {
+    if (!std::isgreaterequal(sigma, 0.0) || sigma > kWidestSmoothing) {
         throw Error("the smoothing width must be between 0 and " +
                     std::to_string(static_cast<int>(kWidestSmoothing)) + " pixels");
     }
-    HeightMap result = map;
-    // Narrower than this, every weight but the centre's rounds to nothing.
+    // Narrower than this, every weight but the middle one rounds to nothing.
     constexpr double kNarrowest = 0.05;
-    if (sigmaPixels < kNarrowest) {
+    if (sigma < kNarrowest) {
+        return {1.0};
+    }
+    constexpr double kReachInSigmas = 5.0;
+    const auto reach = static_cast<std::size_t>(std::ceil(kReachInSigmas * sigma));
+    std::vector<double> weights(reach + 1);
+    double sum = 0.0;
+    for (std::size_t k = 0; k <= reach; ++k) {
+        const double distance = static_cast<double>(k) / sigma;
+        weights[k] = std::exp(-0.5 * distance * distance);
+        sum += k == 0 ? weights[k] : 2.0 * weights[k];
+    }
+    for (double& weight : weights) {
+        weight /= sum;
+    }
+    return weights;
+}
+
+ReflectedSample reflectedSample(int samples, int index) {
+    if (samples == 1) {
+        return {};
+    }
+    const int period = 2 * (samples - 1);
+    const int turns = (index >= 0 ? index : index - period + 1) / period;
+    const int phase = index - turns * period;
+    const double climb = 2.0 * turns;
+    if (phase < samples) {
+        return {.index = phase, .own = 1.0, .first = -climb, .last = climb};
+    }
+    return {.index = period - phase, .own = -1.0, .first = -climb, .last = climb + 2.0};
+}
+
+HeightMap smoothed(const HeightMap& map, double sigma) {
+    requireFinite(map);
+    const std::vector<double> kernel = halfGaussian(sigma);
+    HeightMap result = map;
+    if (kernel.size() == 1) {
         return result;
     }
-    const std::vector<double> kernel = halfKernel(sigmaPixels);
     smoothLines(result.heights, static_cast<std::size_t>(map.columns), kernel);
     result.heights = transposed(result.heights, static_cast<std::size_t>(map.columns));
     smoothLines(result.heights, static_cast<std::size_t>(map.rows), kernel);

@@ -2,17 +2,35 @@
 
 #include "core/surface/HeightMap.h"
 
+#include <vector>
+
 namespace asperity {
 
 /// Widest low-pass that is offered [pixel]: what is left of a scan beyond it is no surface.
 inline constexpr double kWidestSmoothing = 100.0;
 
-/// The map after a Gaussian low-pass with a standard deviation of `sigmaPixels` along both axes.
-///
-/// Beyond its borders the map is continued by point reflection about the border pixel, so that a
-/// plane comes back unchanged. The kernel is cut off at 5 standard deviations. 0: unchanged.
-/// @throw Error when the map is unusable, a height is not finite, or `sigmaPixels` is not in
+/// Weights of the middle and of the pixels on one side of it, cut off at 5 standard deviations; the
+/// whole kernel sums to 1. Only the middle where all others would round to nothing.
+/// @param sigma standard deviation [pixel]
+/// @throw Error when it is not in 0..kWidestSmoothing
+[[nodiscard]] std::vector<double> halfGaussian(double sigma);
+
+/// A sample beyond the ends of a line, which is continued by point reflection about its end
+/// samples, as often as needed: own line[index] + first line[0] + last line[samples - 1].
+struct ReflectedSample {
+    int index = 0;
+    double own = 1.0;
+    double first = 0.0;
+    double last = 0.0;
+};
+
+[[nodiscard]] ReflectedSample reflectedSample(int samples, int index);
+
+/// The map after a Gaussian low-pass with a standard deviation of `sigma` along both axes, the map
+/// being continued by point reflection, so that a plane comes back unchanged. 0: unchanged.
+/// A scan on its way into a scene is smoothed by fitSurface(), which is far faster.
+/// @throw Error when the map is unusable, a height is not finite, or sigma [pixel] is not in
 ///        0..kWidestSmoothing
-[[nodiscard]] HeightMap smoothed(const HeightMap& map, double sigmaPixels);
+[[nodiscard]] HeightMap smoothed(const HeightMap& map, double sigma);
 
 }  // namespace asperity

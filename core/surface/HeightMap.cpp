@@ -2,12 +2,39 @@
 
 #include "core/Error.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace asperity {
 
-void requireUsable(const HeightMap& map) {
+namespace {
+
+/// The middle between the lowest and the highest height; 0 when there is none.
+double middleOf(const HeightMap& map) {
+    double lowest = std::numeric_limits<double>::max();
+    double highest = -lowest;
+    for (const double height : map.heights) {
+        if (isFiniteHeight(height)) {
+            lowest = std::min(lowest, height);
+            highest = std::max(highest, height);
+        }
+    }
+    if (lowest > highest) {
+        return 0.0;
+    }
+    const double middle = 0.5 * lowest + 0.5 * highest;
+    if (highest - middle > std::numeric_limits<float>::max()) {
+        throw Error("the heights of the map lie too far apart for single precision");
+    }
+    return middle;
+}
+
+}  // namespace
+
+template <class Heights>
+void requireUsable(const BasicHeightMap<Heights>& map) {
     if (map.columns < 1 || map.rows < 1) {
         throw Error("a height map needs at least one pixel");
     }
@@ -23,16 +50,38 @@ void requireUsable(const HeightMap& map) {
     }
 }
 
-void requireFinite(const HeightMap& map) {
+template void requireUsable(const BasicHeightMap<std::vector<double>>&);
+template void requireUsable(const BasicHeightMap<PixelVector<float>>&);
+
+ScanMap singlePrecision(const HeightMap& map) {
     requireUsable(map);
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column) {
-            if (!isFiniteHeight(map.at(row, column))) {
-                throw Error("the height at row " + std::to_string(row) + ", column " +
-                            std::to_string(column) + " is not a finite number");
-            }
-        }
+    ScanMap result;
+    result.columns = map.columns;
+    result.rows = map.rows;
+    result.pitchX = map.pitchX;
+    result.pitchY = map.pitchY;
+    result.datum = middleOf(map);
+    result.heights.reserve(map.heights.size());
+    for (const double height : map.heights) {
+        result.heights.push_back(static_cast<float>(height - result.datum));
     }
+    result.invalid = map.invalid;
+    return result;
+}
+
+HeightMap doublePrecision(const ScanMap& map) {
+    requireUsable(map);
+    HeightMap result;
+    result.columns = map.columns;
+    result.rows = map.rows;
+    result.pitchX = map.pitchX;
+    result.pitchY = map.pitchY;
+    result.heights.reserve(map.heights.size());
+    for (const float height : map.heights) {
+        result.heights.push_back(map.datum + static_cast<double>(height));
+    }
+    result.invalid = map.invalid;
+    return result;
 }
 
 }  // namespace asperity

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/surface/PixelVector.h"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -12,12 +14,13 @@ namespace asperity {
 /// Row-major; row 0 is the top row of the image, column 0 its left column. In the world frame
 /// (x right, y up, z out of the sample; origin at the image's lower-left corner) the centre of
 /// pixel (row, column) lies at ((column + 0.5) pitchX, (rows - row - 0.5) pitchY).
-struct HeightMap {
+template <class Heights>
+struct BasicHeightMap {
     int columns = 0;
     int rows = 0;
-    double pitchX = 0.0;          ///< pixel width [m]
-    double pitchY = 0.0;          ///< pixel height [m]
-    std::vector<double> heights;  ///< rows x columns [m]; NaN where invalid
+    double pitchX = 0.0;  ///< pixel width [m]
+    double pitchY = 0.0;  ///< pixel height [m]
+    Heights heights;      ///< rows x columns [m]; NaN where invalid
     /// rows x columns, 1 where the scan holds no data; empty when every pixel is valid.
     std::vector<std::uint8_t> invalid;
 
@@ -33,6 +36,22 @@ struct HeightMap {
     [[nodiscard]] double sizeY() const { return rows * pitchY; }     ///< [m]
 };
 
+/// Heights as exactly as any file gives them.
+using HeightMap = BasicHeightMap<std::vector<double>>;
+
+/// Heights in single precision, relative to a datum: half the memory, for the way of a large scan
+/// into a scene. Off by at most 2^-24 of a height's distance from the datum.
+struct ScanMap : BasicHeightMap<PixelVector<float>> {
+    double datum = 0.0;  ///< the height that `heights` and at() are relative to [m]
+};
+
+/// The map in single precision, about the middle of its heights.
+/// @throw Error when the map is unusable, or its heights lie too far apart for single precision
+[[nodiscard]] ScanMap singlePrecision(const HeightMap& map);
+
+/// The map with its datum added to every height.
+[[nodiscard]] HeightMap doublePrecision(const ScanMap& map);
+
 /// Whether a height is a finite number. Told by its bits: over a whole map the compiler turns
 /// std::isfinite into comparisons that raise the invalid flag on a NaN.
 [[nodiscard]] constexpr bool isFiniteHeight(double height) {
@@ -46,10 +65,7 @@ struct HeightMap {
 
 /// Refuses a map that no computation can use.
 /// @throw Error when it has no pixels, its arrays do not match its size, or a pitch is not positive
-void requireUsable(const HeightMap& map);
-
-/// Refuses a map that holds a height which is not a number (fill such pixels first).
-/// @throw Error as requireUsable, or naming the first such pixel
-void requireFinite(const HeightMap& map);
+template <class Heights>
+void requireUsable(const BasicHeightMap<Heights>& map);
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -13,9 +14,10 @@ namespace {
 enum class Pixel : std::uint8_t { Unknown, Queued, Known };
 
 /// Grows the known pixels into the unknown ones, one layer at a time.
+template <class Map>
 class Filler {
 public:
-    explicit Filler(HeightMap& map) : map_(map), state_(map.heights.size(), Pixel::Unknown) {
+    explicit Filler(Map& map) : map_(map), state_(map.heights.size(), Pixel::Unknown) {
         for (std::size_t i = 0; i < state_.size(); ++i) {
             if (isFiniteHeight(map.heights[i])) {
                 state_[i] = Pixel::Known;
@@ -32,7 +34,7 @@ public:
                 heights.push_back(meanOfKnown(place));
             }
             for (std::size_t i = 0; i < layer.size(); ++i) {
-                map_.heights[index(layer[i])] = heights[i];
+                map_.heights[index(layer[i])] = static_cast<Height>(heights[i]);
                 state_[index(layer[i])] = Pixel::Known;
             }
             layer = unknownAround(layer);
@@ -40,6 +42,8 @@ public:
     }
 
 private:
+    using Height = typename decltype(Map::heights)::value_type;
+
     struct Place {
         int row = 0;
         int column = 0;
@@ -71,7 +75,7 @@ private:
             if (state_[index(place)] != Pixel::Known) {
                 return;
             }
-            sum += weight * map_.heights[index(place)];
+            sum += weight * static_cast<double>(map_.heights[index(place)]);
             weights += weight;
         });
         return sum / weights;
@@ -115,11 +119,12 @@ private:
         return next;
     }
 
-    HeightMap& map_;
+    Map& map_;
     std::vector<Pixel> state_;
 };
 
-void markMissing(HeightMap& map) {
+template <class Map>
+void markMissing(Map& map) {
     if (map.invalid.empty()) {
         map.invalid.resize(map.heights.size(), 0);
     }
@@ -130,20 +135,24 @@ void markMissing(HeightMap& map) {
     }
 }
 
-}  // namespace
-
-HeightMap withInvalidPixelsFilled(HeightMap map) {
+template <class Map>
+Map filled(Map map) {
     requireUsable(map);
-    const auto known =
-        std::ranges::count_if(map.heights, [](double height) { return isFiniteHeight(height); });
-    if (known == 0) {
+    const auto isKnown = [](auto height) { return isFiniteHeight(height); };
+    if (std::ranges::all_of(map.heights, isKnown)) {
+        return map;
+    }
+    if (std::ranges::none_of(map.heights, isKnown)) {
         throw Error("the height map holds no valid pixel");
     }
-    if (static_cast<std::size_t>(known) < map.heights.size()) {
-        markMissing(map);
-        Filler(map).run();
-    }
+    markMissing(map);
+    Filler<Map>(map).run();
     return map;
 }
+
+}  // namespace
+
+HeightMap withInvalidPixelsFilled(HeightMap map) { return filled(std::move(map)); }
+ScanMap withInvalidPixelsFilled(ScanMap map) { return filled(std::move(map)); }
 
 }  // namespace asperity

@@ -11,5 +11,6 @@ namespace asperity {
 /// but holds a finite height (filled before, or masked by the user) keeps both.
 /// @throw Error when the map is unusable or no pixel holds a height
 [[nodiscard]] HeightMap withInvalidPixelsFilled(HeightMap map);
+[[nodiscard]] ScanMap withInvalidPixelsFilled(ScanMap map);
 
 }  // namespace asperity

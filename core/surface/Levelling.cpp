@@ -6,62 +6,119 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace asperity {
 
 namespace {
 
-bool counts(const HeightMap& map, int row, int column) {
+template <class Heights>
+bool counts(const BasicHeightMap<Heights>& map, int row, int column) {
     return map.isValid(row, column) && isFiniteHeight(map.at(row, column));
 }
 
-/// Mean of value(row, column) over the valid pixels: row by row, then once more over what is left,
-/// so that rounding does not grow with the number of pixels.
-template <class Value>
-double meanOverValid(const HeightMap& map, const Value& value) {
-    double mean = 0.0;
-    for (int pass = 0; pass < 2; ++pass) {
-        double sum = 0.0;
-        double count = 0.0;
-        for (int row = 0; row < map.rows; ++row) {
-            double rowSum = 0.0;
-            for (int column = 0; column < map.columns; ++column) {
-                if (!counts(map, row, column)) {
-                    continue;
-                }
-                rowSum += value(row, column) - mean;
-                count += 1.0;
-            }
-            sum += rowSum;
-        }
-        if (count == 0.0) {
-            throw Error("the height map holds no valid pixel");
-        }
-        mean += sum / count;
+/// Sums over valid pixels of place [pixel], seen from the middle of the map, y up, and of height.
+struct Moments {
+    double count = 0.0;
+    Vector2 place = Vector2::Zero();
+    Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
+    double height = 0.0;
+    Vector2 tilt = Vector2::Zero();  ///< of place times height
+
+    Moments& operator+=(const Moments& other) {
+        count += other.count;
+        place += other.place;
+        square += other.square;
+        height += other.height;
+        tilt += other.tilt;
+        return *this;
     }
-    return mean;
+};
+
+/// Of one row; heights are taken from `origin`, so that an offset costs no digits.
+template <class Heights>
+Moments rowMoments(const BasicHeightMap<Heights>& map, int row, double origin) {
+    double count = 0.0;
+    double x = 0.0;
+    double xx = 0.0;
+    double z = 0.0;
+    double xz = 0.0;
+    const double middle = 0.5 * (map.columns - 1);
+    for (int column = 0; column < map.columns; ++column) {
+        if (!counts(map, row, column)) {
+            continue;
+        }
+        const double place = column - middle;
+        const double height = map.at(row, column) - origin;
+        count += 1.0;
+        x += place;
+        xx += place * place;
+        z += height;
+        xz += place * height;
+    }
+    const double y = 0.5 * (map.rows - 1) - row;
+    Moments moments{.count = count, .place = {x, count * y}, .height = z, .tilt = {xz, y * z}};
+    moments.square << xx, x * y, x * y, count * y * y;
+    return moments;
 }
 
-double heightMean(const HeightMap& map) {
-    return meanOverValid(map, [&](int row, int column) { return map.at(row, column); });
-}
-
-template <class Removed>
-void subtract(HeightMap& map, const Removed& removed) {
+/// Height of the first valid pixel. @throw Error when there is none
+template <class Heights>
+double firstHeight(const BasicHeightMap<Heights>& map) {
     for (int row = 0; row < map.rows; ++row) {
         for (int column = 0; column < map.columns; ++column) {
-            map.heights[map.index(row, column)] -= removed(row, column);
+            if (counts(map, row, column)) {
+                return map.at(row, column);
+            }
+        }
+    }
+    throw Error("the height map holds no valid pixel");
+}
+
+template <class Heights>
+Moments mapMoments(const BasicHeightMap<Heights>& map, double origin) {
+    Moments sum;
+    for (int row = 0; row < map.rows; ++row) {
+        sum += rowMoments(map, row, origin);
+    }
+    return sum;
+}
+
+template <class Heights>
+PlaneFit planeOf(const BasicHeightMap<Heights>& map) {
+    requireUsable(map);
+    const double origin = firstHeight(map);
+    const Moments sums = mapMoments(map, origin);
+    const Vector2 centre = sums.place / sums.count;
+    const Eigen::Matrix2d spread = sums.square - sums.place * centre.transpose();
+    // The smallest solution: level across a line, should the pixels form one.
+    const Vector2 perPixel = Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix2d>(spread).solve(
+        sums.tilt - centre * sums.height);
+    return {.slopeX = perPixel.x() / map.pitchX,
+            .slopeY = perPixel.y() / map.pitchY,
+            .mean = origin + sums.height / sums.count,
+            .centreX = (centre.x() + 0.5 * map.columns) * map.pitchX,
+            .centreY = (centre.y() + 0.5 * map.rows) * map.pitchY};
+}
+
+template <class Heights, class Removed>
+void subtract(BasicHeightMap<Heights>& map, const Removed& removed) {
+    using Height = typename Heights::value_type;
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            Height& height = map.heights[map.index(row, column)];
+            height = static_cast<Height>(height - removed(row, column));
         }
     }
 }
 
-double xOf(const HeightMap& map, int column) { return (column + 0.5) * map.pitchX; }
-double yOf(const HeightMap& map, int row) { return (map.rows - row - 0.5) * map.pitchY; }
-
-void removePlane(HeightMap& map) {
-    const PlaneFit plane = fitPlane(map);
-    subtract(map, [&](int row, int column) { return plane.at(xOf(map, column), yOf(map, row)); });
+template <class Heights>
+void removePlane(BasicHeightMap<Heights>& map) {
+    const PlaneFit plane = planeOf(map);
+    subtract(map, [&](int row, int column) {
+        return plane.at((column + 0.5) * map.pitchX, (map.rows - row - 0.5) * map.pitchY);
+    });
 }
 
 /// The mean of the two middle values when their number is even, as in statistics.
@@ -74,7 +131,8 @@ double median(std::vector<double>& values) {
     return 0.5 * (*std::max_element(values.begin(), middle) + *middle);
 }
 
-void removeRowMedians(HeightMap& map) {
+template <class Heights>
+void removeRowMedians(BasicHeightMap<Heights>& map) {
     std::vector<double> medians(static_cast<std::size_t>(map.rows), 0.0);
     std::vector<double> values;
     for (int row = 0; row < map.rows; ++row) {
@@ -89,40 +147,12 @@ void removeRowMedians(HeightMap& map) {
         }
     }
     subtract(map, [&](int row, int) { return medians[static_cast<std::size_t>(row)]; });
-    const double mean = heightMean(map);
+    const double mean = planeOf(map).mean;
     subtract(map, [mean](int, int) { return mean; });
 }
 
-}  // namespace
-
-PlaneFit fitPlane(const HeightMap& map) {
-    requireUsable(map);
-    const double centreColumn = meanOverValid(map, [](int, int column) { return column; });
-    const double centreRow = meanOverValid(map, [](int row, int) { return row; });
-    const double mean = heightMean(map);
-    Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
-    Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column) {
-            if (!counts(map, row, column)) {
-                continue;
-            }
-            const Eigen::Vector2d arm(column - centreColumn, centreRow - row);
-            moments += arm * arm.transpose();
-            tilt += arm * (map.at(row, column) - mean);
-        }
-    }
-    // The smallest solution: level across a line, should the pixels form one.
-    const Eigen::Vector2d perPixel =
-        Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix2d>(moments).solve(tilt);
-    return {.slopeX = perPixel.x() / map.pitchX,
-            .slopeY = perPixel.y() / map.pitchY,
-            .mean = mean,
-            .centreX = (centreColumn + 0.5) * map.pitchX,
-            .centreY = (map.rows - centreRow - 0.5) * map.pitchY};
-}
-
-HeightMap levelled(HeightMap map, Levelling levelling) {
+template <class Heights>
+void level(BasicHeightMap<Heights>& map, Levelling levelling) {
     requireUsable(map);
     switch (levelling) {
     case Levelling::None:
@@ -133,6 +163,28 @@ HeightMap levelled(HeightMap map, Levelling levelling) {
     case Levelling::Rows:
         removeRowMedians(map);
         break;
+    }
+}
+
+}  // namespace
+
+PlaneFit fitPlane(const HeightMap& map) { return planeOf(map); }
+
+PlaneFit fitPlane(const ScanMap& map) {
+    PlaneFit plane = planeOf(map);
+    plane.mean += map.datum;
+    return plane;
+}
+
+HeightMap levelled(HeightMap map, Levelling levelling) {
+    level(map, levelling);
+    return map;
+}
+
+ScanMap levelled(ScanMap map, Levelling levelling) {
+    level(map, levelling);
+    if (levelling != Levelling::None) {
+        map.datum = 0.0;
     }
     return map;
 }

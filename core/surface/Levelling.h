@@ -28,9 +28,12 @@ struct PlaneFit {
 /// Where the valid pixels do not span a plane (one line of them), it is level across that line.
 /// @throw Error when the map is unusable or no pixel is valid
 [[nodiscard]] PlaneFit fitPlane(const HeightMap& map);
+[[nodiscard]] PlaneFit fitPlane(const ScanMap& map);
 
-/// The map after levelling; invalid pixels take no part in it and stay what they are.
+/// The map after levelling; invalid pixels take no part in it and stay what they are. A ScanMap's
+/// datum is 0 after its plane or rows were removed.
 /// @throw Error when the map is unusable or no pixel is valid
 [[nodiscard]] HeightMap levelled(HeightMap map, Levelling levelling);
+[[nodiscard]] ScanMap levelled(ScanMap map, Levelling levelling);
 
 }  // namespace asperity
