@@ -1,6 +1,7 @@
 #include "app/ConvertCommand.h"
 
 #include "app/LevellingOption.h"
+#include "app/OptionChecks.h"
 #include "core/Error.h"
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
@@ -9,9 +10,11 @@
 #include "core/surface/GaussianFilter.h"
 #include "core/surface/Levelling.h"
 #include "core/surface/Residual.h"
+#include "core/surface/TipErosion.h"
 #include "vtkplugins/io/HeightMapWriter.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <utility>
@@ -28,13 +31,20 @@ struct ConvertOptions {
     bool residual = false;
     double smoothingPixels = 1.0;  ///< of the residual's surface
     double smoothingLength = 0.0;  ///< above 0: in place of smoothingPixels [m]
+    double tipRadius = 0.0;        ///< of the tip whose shape is taken out [m]; 0: none is
+    std::string certainty;         ///< file for the certainty map; empty: none
 };
 
 /// A scan is often the only copy of a measurement.
 void refuseToOverwriteInput(const ConvertOptions& options) {
-    std::error_code ignored;
-    if (std::filesystem::equivalent(options.input, options.output, ignored)) {
-        throw Error(options.output + ": this is the input itself; give another output file");
+    for (const std::string& output : {options.output, options.certainty}) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(options.input, output, ignored)) {
+            throw Error(output + ": this is the input itself; give another output file");
+        }
+    }
+    if (options.output == options.certainty) {
+        throw Error(options.output + ": heights and certainty need a file each");
     }
 }
 
@@ -57,16 +67,47 @@ void writeInAnyFormat(const std::filesystem::path& path, const HeightMap& map,
                                           known + ".vti .vtp .stl");
 }
 
-HeightMap result(const ConvertOptions& options, const HeightMap& map) {
-    HeightMap level = levelled(map, options.levelling);
-    if (!options.residual) {
-        return level;
-    }
+HeightMap residual(const ConvertOptions& options, HeightMap level) {
     const Smoothing smoothing = options.smoothingLength > 0.0
                                     ? smoothingByLength(options.smoothingLength, level)
                                     : Smoothing{options.smoothingPixels, options.smoothingPixels};
     const BSplineSurface surface = fitSurface(level, smoothing);
     return residualOf(std::move(level), surface);
+}
+
+/// The certainty as a map of its own: 1 where certain, 0 elsewhere; pixels without data stay so.
+void writeCertainty(const ConvertOptions& options, const TipReconstruction& known,
+                    HeightMapMeta meta) {
+    HeightMap map = known.surface;
+    for (std::size_t i = 0; i < map.heights.size(); ++i) {
+        map.heights[i] = isFiniteHeight(map.heights[i]) ? known.certain[i] : map.heights[i];
+    }
+    meta.title = "Certainty (1: touched by the imaging tip)";
+    writeInAnyFormat(options.certainty, map, meta);
+}
+
+void tellCertainty(const TipReconstruction& known) {
+    const auto certain = std::ranges::count(known.certain, 1);
+    std::cerr << "note: eroded; the imaging tip certainly touched " << certain << " of "
+              << known.certain.size()
+              << " pixels, elsewhere the surface may lie below the heights written\n";
+}
+
+/// What is to be written; on the way, the certainty map.
+HeightMap prepared(const ConvertOptions& options, const HeightMap& map, const HeightMapMeta& meta) {
+    HeightMap level = levelled(map, options.levelling);
+    if (options.residual) {
+        return residual(options, std::move(level));
+    }
+    if (options.tipRadius == 0.0) {
+        return level;
+    }
+    TipReconstruction known = reconstructed(level, options.tipRadius);
+    tellCertainty(known);
+    if (!options.certainty.empty()) {
+        writeCertainty(options, known, meta);
+    }
+    return std::move(known.surface);
 }
 
 void convert(const ConvertOptions& options) {
@@ -77,7 +118,7 @@ void convert(const ConvertOptions& options) {
         std::cerr << "note: " << note << '\n';
     }
     const HeightMapMeta meta{channel.name, channel.originX, channel.originY};
-    writeInAnyFormat(options.output, result(options, channel.map), meta);
+    writeInAnyFormat(options.output, prepared(options, channel.map, meta), meta);
     std::cerr << options.output << ": '" << channel.name << "', " << channel.map.columns << " x "
               << channel.map.rows << " pixels";
     if (const std::size_t lost = countInvalid(channel.map); lost > 0) {
@@ -112,6 +153,20 @@ void addConvertCommand(CLI::App& program) {
         ->check(CLI::PositiveNumber)
         ->needs(residual)
         ->excludes(pixels);
+    auto* erode = command
+                      ->add_option("--erode", options->tipRadius,
+                                   "take out the shape of the spherical tip that recorded the "
+                                   "heights, by grey-scale erosion, after levelling: its radius "
+                                   "[m]")
+                      ->check(finiteNumber())
+                      ->check(CLI::Range(1e-12, 1.0));
+    command
+        ->add_option("--certainty", options->certainty,
+                     "with --erode, a second map to write: 1 where the tip certainly touched the "
+                     "surface, 0 elsewhere")
+        ->needs(erode)
+        ->check(notEmpty());
+    residual->excludes(erode);
     command->callback([options] { convert(*options); });
 }
 

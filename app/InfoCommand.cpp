@@ -6,6 +6,7 @@
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightStatistics.h"
 #include "core/io/PhysicalUnit.h"
+#include "core/scene/ImagingTip.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -66,6 +67,15 @@ nlohmann::json channelJson(const HeightMapFile& file, const ScanChannel& channel
             {"metadata", channel.metadata}};
 }
 
+/// Of the reader, and what holds for every scan.
+std::vector<std::string> notesOf(const HeightMapFile& file) {
+    std::vector<std::string> notes = file.notes;
+    if (isTopography(file.channels.at(file.defaultChannel))) {
+        notes.emplace_back(kScanHoldsItsTip);
+    }
+    return notes;
+}
+
 void printJson(const HeightMapFile& file, const std::string& path) {
     nlohmann::json channels = nlohmann::json::array();
     for (const ScanChannel& channel : file.channels) {
@@ -79,7 +89,7 @@ void printJson(const HeightMapFile& file, const std::string& path) {
                                    {"sha256", sha256OfFile(path)},
                                    {"default_channel", defaultName},
                                    {"channels", channels},
-                                   {"notes", file.notes}};
+                                   {"notes", notesOf(file)}};
     std::cout << report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
@@ -156,7 +166,7 @@ void printForPeople(const HeightMapFile& file, const std::string& path) {
     const bool hasHeight = isTopography(file.channels.at(file.defaultChannel));
     std::cout << (hasHeight ? "\n* taken when no channel is named; rms is about the mean\n"
                             : "\nNo channel is a height map; rms is about the mean\n");
-    for (const std::string& note : file.notes) {
+    for (const std::string& note : notesOf(file)) {
         std::cout << "- " << note << '\n';
     }
 }

@@ -4,6 +4,7 @@
 #include "core/io/FileHash.h"
 #include "core/io/HeightMapFile.h"
 #include "core/io/SceneFile.h"
+#include "core/scene/ImagingTip.h"
 
 #include <cstdio>
 #include <utility>
@@ -64,6 +65,7 @@ LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& 
                            .sha256 = sha256OfFile(sample.file),
                            .notes = std::move(scan.notes)};
         loaded.notes.push_back(levellingNote(loaded.scene));
+        loaded.notes.push_back(imagingTipNote(loaded.scene));
         loaded.notes.push_back(lawNote(loaded.scene));
         return loaded;
     } catch (const InputError&) {

@@ -1,6 +1,7 @@
 #include "ui/MainWindow.h"
 
 #include "core/Version.h"
+#include "core/scene/ImagingTip.h"
 #include "ui/WindowMenus.h"
 #include "ui/panels/CantileverPanel.h"
 #include "ui/panels/ColourBarWidget.h"
@@ -172,6 +173,8 @@ void MainWindow::showScene(const Scene* scene, const QString& title) {
     if (scene != nullptr) {
         cantilever_->setCantilever(scene->belief.cantilever);
         overview_->setSurface(scene->surface);
+        overview_->setScanNote(QString::fromStdString(imagingTipWords(*scene)),
+                               QString::fromStdString(imagingTipNote(*scene)));
         loopStatus_->setRateAsked(scene->description.tickRate);
     }
     view_->setScene(scene);

@@ -82,6 +82,7 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     flags.set(Validity::FrictionLock, out.model.locked);
     flags.set(Validity::ModelContradicted, contradicted);
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
+    flags.set(Validity::UncertainPixel, bonded && scene.certainty.isUncertain(foot.x(), foot.y()));
     flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
     flags.set(Validity::SharpValley, bonded && !out.model.fits);
     flags.set(Validity::SeveralFeet, out.model.feet > 1);

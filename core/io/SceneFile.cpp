@@ -124,6 +124,8 @@ SampleDescription readSample(TomlSection section, const SampleDescription& other
     sample.channel = section.text("channel", otherwise.channel);
     sample.levelling = choice(section, "level", kLevellings, otherwise.levelling);
     readSmoothing(section, sample);
+    sample.imagingTipRadius = section.number("imaging_tip_radius_m", otherwise.imagingTipRadius);
+    sample.erode = section.flag("erode", otherwise.erode);
     sample.material = readMaterialOf(section, otherwise.material);
     section.refuseUnknownKeys();
     return sample;
@@ -234,6 +236,8 @@ toml::table sampleTable(const SampleDescription& sample) {
     } else {
         table.insert("smoothing_px", sample.smoothingPixels);
     }
+    table.insert("imaging_tip_radius_m", sample.imagingTipRadius);
+    table.insert("erode", sample.erode);
     return table;
 }
 

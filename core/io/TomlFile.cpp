@@ -65,6 +65,17 @@ std::uint64_t TomlSection::count(const std::string& key, std::uint64_t otherwise
     return static_cast<std::uint64_t>(*node->value<std::int64_t>());
 }
 
+bool TomlSection::flag(const std::string& key, bool otherwise) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return otherwise;
+    }
+    if (!node->is_boolean()) {
+        refuse(key, "true or false");
+    }
+    return *node->value<bool>();
+}
+
 std::string TomlSection::text(const std::string& key, const std::string& otherwise) {
     const toml::node* node = find(key);
     if (node == nullptr) {

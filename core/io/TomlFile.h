@@ -20,6 +20,7 @@ public:
     [[nodiscard]] bool has(const std::string& key) const;
     [[nodiscard]] double number(const std::string& key, double otherwise);
     [[nodiscard]] std::uint64_t count(const std::string& key, std::uint64_t otherwise);
+    [[nodiscard]] bool flag(const std::string& key, bool otherwise);
     [[nodiscard]] std::string text(const std::string& key, const std::string& otherwise);
     /// A path, resolved against the folder of the file.
     [[nodiscard]] std::filesystem::path path(const std::string& key);

@@ -2,6 +2,9 @@
 
 #include "core/Error.h"
 #include "core/surface/BSplineFit.h"
+#include "core/surface/GaussianFilter.h"
+#include "core/surface/InvalidPixels.h"
+#include "core/surface/TipErosion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +37,8 @@ void checkMap(const ScanMap& map) {
     }
 }
 
-Smoothing smoothingOf(const SampleDescription& sample, const ScanMap& map) {
+template <class Map>
+Smoothing smoothingOf(const SampleDescription& sample, const Map& map) {
     if (sample.smoothingLength != 0.0) {
         return smoothingByLength(sample.smoothingLength, map);
     }
@@ -52,11 +56,40 @@ InstrumentTruth instrumentTruth(const SceneDescription& scene) {
             .timeStep = 1.0 / scene.tickRate};
 }
 
-Scene assemble(const SceneDescription& description, const PlaneFit& removedPlane,
-               BSplineSurface surface) {
+/// What is made of a map.
+struct Ground {
+    PlaneFit removedPlane;
+    BSplineSurface surface;
+    CertaintyMap certainty;
+};
+
+/// The surface under the image that a tip recorded. Smoothing goes before erosion, which would take
+/// every dip of the noise for the surface.
+Ground groundUnder(const SampleDescription& sample, const PlaneFit& plane, const HeightMap& map) {
+    const HeightMap image = smoothed(withInvalidPixelsFilled(map), smoothingOf(sample, map));
+    TipReconstruction known = reconstructed(image, sample.imagingTipRadius);
+    return {plane, fitSurface(sample.erode ? known.surface : image),
+            CertaintyMap(image, std::move(known.certain))};
+}
+
+Ground groundOf(const SampleDescription& sample, ScanMap map, Progress* progress) {
+    const PlaneFit plane = fitPlane(map);
+    reportTo(progress, 0.2);
+    map = levelled(std::move(map), sample.levelling);
+    reportTo(progress, 0.4);
+    if (sample.imagingTipRadius > 0.0) {
+        return groundUnder(sample, plane, doublePrecision(map));
+    }
+    const Smoothing smoothing = smoothingOf(sample, map);
+    ProgressPart fit(progress, 0.4, 1.0);
+    return {plane, fitSurface(std::move(map), smoothing, &fit), {}};
+}
+
+Scene assemble(const SceneDescription& description, Ground ground) {
     return {.description = description,
-            .removedPlane = removedPlane,
-            .surface = std::move(surface),
+            .removedPlane = ground.removedPlane,
+            .surface = std::move(ground.surface),
+            .certainty = std::move(ground.certainty),
             .lawChoice =
                 chooseLaw(description.law, contactPair(description, description.sample.material)),
             .belief = probeSystem(description, description.sample.material, description.probe),
@@ -79,13 +112,7 @@ ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept 
 Scene buildScene(const SceneDescription& description, ScanMap map, Progress* progress) {
     checkScene(description);
     checkMap(map);
-    const PlaneFit plane = fitPlane(map);
-    reportTo(progress, 0.2);
-    map = levelled(std::move(map), description.sample.levelling);
-    reportTo(progress, 0.4);
-    const Smoothing smoothing = smoothingOf(description.sample, map);
-    ProgressPart fit(progress, 0.4, 1.0);
-    return assemble(description, plane, fitSurface(std::move(map), smoothing, &fit));
+    return assemble(description, groundOf(description.sample, std::move(map), progress));
 }
 
 Scene buildScene(const SceneDescription& description, const HeightMap& map) {
@@ -99,7 +126,8 @@ Scene withMaterial(Scene scene, const SampleMaterial& material) {
     }
     description.sample.material = material;
     checkScene(description);
-    return assemble(description, scene.removedPlane, std::move(scene.surface));
+    return assemble(description,
+                    {scene.removedPlane, std::move(scene.surface), std::move(scene.certainty)});
 }
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include "core/scene/SceneDescription.h"
 #include "core/scene/Settings.h"
 #include "core/surface/BSplineSurface.h"
+#include "core/surface/CertaintyMap.h"
 #include "core/surface/HeightMap.h"
 #include "core/surface/Levelling.h"
 
@@ -17,6 +18,7 @@ struct Scene {
     SceneDescription description;
     PlaneFit removedPlane;  ///< of the scan as loaded
     BSplineSurface surface;
+    CertaintyMap certainty;    ///< of the surface, where the tip that recorded it is known
     LawChoice lawChoice;       ///< of the belief, and why
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     InstrumentTruth truth;     ///< what the simulated instrument is
@@ -29,7 +31,8 @@ struct Scene {
 /// The believed contact law with the effective radius of the tip's place.
 [[nodiscard]] ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept;
 
-/// Levels, fills, smooths and fits the map, and sets up both sides of the instrument.
+/// Levels, fills, smooths, on request erodes, and fits the map, and sets up both sides of the
+/// instrument.
 /// @throw Error when a value of the description is outside its range; Cancelled
 [[nodiscard]] Scene buildScene(const SceneDescription& description, ScanMap map,
                                Progress* progress = nullptr);

@@ -50,6 +50,14 @@ void check(const Meniscus& meniscus) {
             "[physics]: a meniscus needs both meniscus_tension_n_m and meniscus_range_m");
 }
 
+void check(const SampleDescription& sample) {
+    require(sample.imagingTipRadius == 0.0 || isWithin(sample.imagingTipRadius, 1e-12, 1.0),
+            "[sample]: imaging_tip_radius_m must be 0 (not known) or lie between 1e-12 and 1");
+    require(!sample.erode || sample.imagingTipRadius > 0.0,
+            "[sample]: erode needs imaging_tip_radius_m, the radius of the tip that recorded the "
+            "scan: another radius would make up a surface");
+}
+
 }  // namespace
 
 SceneDescription defaultScene() {
@@ -88,6 +96,7 @@ void checkScene(const SceneDescription& scene) {
     check(scene.sample.material, "[sample]");
     check(scene.truth.material, "[truth]");
     check(scene.tip.elastic, "[tip]");
+    check(scene.sample);
     require(std::isfinite(scene.tip.radius) && scene.tip.radius > 0.0,
             "[tip]: radius_m must be a positive number of metres");
     require(isWithin(scene.cohesiveRange, 1e-12, 1e-6),

@@ -34,6 +34,8 @@ struct SampleDescription {
     Levelling levelling = Levelling::Plane;
     double smoothingPixels = 1.0;  ///< standard deviation of the Gaussian low-pass [pixel]; 0: none
     double smoothingLength = 0.0;  ///< above 0: it is this, in place of smoothingPixels [m]
+    double imagingTipRadius = 0.0;  ///< of the tip that recorded the map [m]; 0: not known
+    bool erode = false;             ///< whether that tip's shape is taken out of the map
     SampleMaterial material;
 };
 

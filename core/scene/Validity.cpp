@@ -34,6 +34,8 @@ const char* validityName(Validity flag) noexcept {
         return "implausible_estimate";
     case Validity::SnapInAhead:
         return "snap_in_ahead";
+    case Validity::UncertainPixel:
+        return "uncertain_pixel";
     case Validity::SingularGeometry:
         return "singular_geometry";
     }

@@ -23,6 +23,7 @@ enum class Validity : std::uint32_t {
     ThinFilm = 1U << 13U,          ///< contact radius above a tenth of the film's thickness
     SnapInAhead = 1U << 14U,       ///< the lever is so soft that the tip will jump within 1 nm
     Implausible = 1U << 15U,       ///< the estimate breaks the friction law by more than 3 sigma
+    UncertainPixel = 1U << 16U,    ///< the tip that recorded the scan may not have touched here
 };
 
 /// A set of validity flags.
@@ -43,7 +44,7 @@ private:
     std::uint32_t bits_ = 0;
 };
 
-inline constexpr int kValidityFlagCount = 16;
+inline constexpr int kValidityFlagCount = 17;
 
 /// Name of one flag as logs and panels show it, e.g. "large_contact".
 [[nodiscard]] const char* validityName(Validity flag) noexcept;

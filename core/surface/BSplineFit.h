@@ -2,22 +2,10 @@
 
 #include "core/Progress.h"
 #include "core/surface/BSplineSurface.h"
+#include "core/surface/GaussianFilter.h"
 #include "core/surface/HeightMap.h"
 
 namespace asperity {
-
-/// Standard deviation of a Gaussian low-pass along each axis; 0: none.
-struct Smoothing {
-    double x = 0.0;  ///< [pixel]
-    double y = 0.0;  ///< [pixel]
-};
-
-/// The same length along both axes, whatever the shape of the pixels.
-/// @param sigma [m]
-template <class Map>
-[[nodiscard]] Smoothing smoothingByLength(double sigma, const Map& map) {
-    return {.x = sigma / map.pitchX, .y = sigma / map.pitchY};
-}
 
 /// The bicubic B-spline surface of the map after a Gaussian low-pass; without one it passes through
 /// every pixel centre.

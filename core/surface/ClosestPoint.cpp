@@ -13,7 +13,7 @@ SurfaceFoot closestPoint(const BSplineSurface& surface, const Vector3& query,
     }
     FootList feet;
     feet.add(start, 0.0);
-    const FootProof proof = findNearestFoot(surface, query, feet);
+    const FootProof proof = completeFeet(surface, query, {}, feet);
     SurfaceFoot foot = feet.all().front();
     foot.proof = foot.converged ? proof : FootProof::NotConverged;
     return foot;

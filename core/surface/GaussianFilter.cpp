@@ -107,17 +107,19 @@ ReflectedSample reflectedSample(int samples, int index) {
     return {.index = period - phase, .own = -1.0, .first = -climb, .last = climb + 2.0};
 }
 
-HeightMap smoothed(const HeightMap& map, double sigma) {
+HeightMap smoothed(const HeightMap& map, const Smoothing& smoothing) {
     requireFinite(map);
-    const std::vector<double> kernel = halfGaussian(sigma);
+    const std::vector<double> alongX = halfGaussian(smoothing.x);
+    const std::vector<double> alongY = halfGaussian(smoothing.y);
     HeightMap result = map;
-    if (kernel.size() == 1) {
-        return result;
+    if (alongX.size() > 1) {
+        smoothLines(result.heights, static_cast<std::size_t>(map.columns), alongX);
     }
-    smoothLines(result.heights, static_cast<std::size_t>(map.columns), kernel);
-    result.heights = transposed(result.heights, static_cast<std::size_t>(map.columns));
-    smoothLines(result.heights, static_cast<std::size_t>(map.rows), kernel);
-    result.heights = transposed(result.heights, static_cast<std::size_t>(map.rows));
+    if (alongY.size() > 1) {
+        result.heights = transposed(result.heights, static_cast<std::size_t>(map.columns));
+        smoothLines(result.heights, static_cast<std::size_t>(map.rows), alongY);
+        result.heights = transposed(result.heights, static_cast<std::size_t>(map.rows));
+    }
     return result;
 }
 

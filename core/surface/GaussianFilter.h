@@ -9,6 +9,19 @@ namespace asperity {
 /// Widest low-pass that is offered [pixel]: what is left of a scan beyond it is no surface.
 inline constexpr double kWidestSmoothing = 100.0;
 
+/// Standard deviation of a Gaussian low-pass along each axis; 0: none.
+struct Smoothing {
+    double x = 0.0;  ///< [pixel]
+    double y = 0.0;  ///< [pixel]
+};
+
+/// The same length along both axes, whatever the shape of the pixels.
+/// @param sigma [m]
+template <class Map>
+[[nodiscard]] Smoothing smoothingByLength(double sigma, const Map& map) {
+    return {.x = sigma / map.pitchX, .y = sigma / map.pitchY};
+}
+
 /// Weights of the middle and of the pixels on one side of it, cut off at 5 standard deviations; the
 /// whole kernel sums to 1. Only the middle where all others would round to nothing.
 /// @param sigma standard deviation [pixel]
@@ -26,11 +39,15 @@ struct ReflectedSample {
 
 [[nodiscard]] ReflectedSample reflectedSample(int samples, int index);
 
-/// The map after a Gaussian low-pass with a standard deviation of `sigma` along both axes, the map
-/// being continued by point reflection, so that a plane comes back unchanged. 0: unchanged.
-/// A scan on its way into a scene is smoothed by fitSurface(), which is far faster.
-/// @throw Error when the map is unusable, a height is not finite, or sigma [pixel] is not in
+/// The map after a Gaussian low-pass, the map being continued by point reflection, so that a plane
+/// comes back unchanged. A scan on its way into a scene is smoothed by fitSurface(), far faster.
+/// @throw Error when the map is unusable, a height is not finite, or a width is not in
 ///        0..kWidestSmoothing
-[[nodiscard]] HeightMap smoothed(const HeightMap& map, double sigma);
+[[nodiscard]] HeightMap smoothed(const HeightMap& map, const Smoothing& smoothing);
+
+/// The same width along both axes. @param sigma [pixel]
+[[nodiscard]] inline HeightMap smoothed(const HeightMap& map, double sigma) {
+    return smoothed(map, Smoothing{.x = sigma, .y = sigma});
+}
 
 }  // namespace asperity

@@ -7,6 +7,10 @@ namespace asperity {
 
 namespace {
 
+/// A foot that lies farther than the nearest one by more than this bears too little of the force to
+/// matter: across a gap of 3 nm van der Waals attraction is a hundredth of that in contact [m].
+constexpr double kBehindNearest = 3e-9;
+
 /// Minima this near to each other bear one contact, which must not be counted twice.
 FootList withoutDoubles(const FootList& feet, double same) {
     FootList apart;
@@ -33,7 +37,8 @@ TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reac
         return feet;
     }
     const double within = tip.radius + reach;
-    feet.proof = completeFeet(surface, tip.centre, within, feet.list);
+    feet.proof = completeFeet(surface, tip.centre,
+                              {.farthest = within, .behindNearest = kBehindNearest}, feet.list);
     feet.list = withoutDoubles(feet.list, same);
     if (feet.list.all().front().distance > within && feet.proof == FootProof::Nearest) {
         feet.proof = FootProof::OutOfReach;

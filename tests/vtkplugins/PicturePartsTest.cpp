@@ -174,4 +174,14 @@ TEST(RestingPatch, FindsTheFootAndWhatMovedWithIt) {
     EXPECT_NEAR(resting.at(patch.points, foot.x(), foot.y()).z(), 5.0_nm - 0.6_nm, 1e-18);
 }
 
+TEST(RestingPatch, KeepsItsBordersNormalBeyondThem) {
+    const RestingPatch resting(slope());
+    const Vector3 normal = Vector3(-0.3, 0.0, 1.0).normalized();
+    for (const double x : {-30.0_nm, 0.0, 2.0_nm, 4.0_nm, 30.0_nm}) {
+        for (const double y : {-30.0_nm, 0.0, 1.0_nm, 3.0_nm, 30.0_nm}) {
+            EXPECT_LT((resting.normal(x, y) - normal).norm(), 1e-12) << x << ' ' << y;
+        }
+    }
+}
+
 }  // namespace asperity

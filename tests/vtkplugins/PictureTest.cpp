@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -195,6 +196,30 @@ TEST_F(Pictures, OverviewMarksTipPathAndZoom) {
     EXPECT_GT(with.colours(), 1000U);
     EXPECT_GT(with.count(isMarker), 200);
     EXPECT_EQ(without.count(isMarker), 0);
+}
+
+TEST_F(Pictures, OverviewIsGreyWhereTheScanHoldsNoData) {
+    ASPERITY_NEEDS_DISPLAY();
+    const BSplineSurface whole = test::eggBox();
+    BSplineSurface::Grid grid = whole.grid();
+    grid.invalid.assign(
+        static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns), 0);
+    std::fill_n(grid.invalid.begin(), grid.invalid.size() / 2, 1);
+    const BSplineSurface holed(grid);
+    const auto overviewWith = [&](const BSplineSurface& surface) {
+        return drawn([&](const std::filesystem::path& path) {
+            writeOverviewPicture(path, {.title = "Egg box", .caption = "", .surface = surface},
+                                 kSize);
+        });
+    };
+    const auto isColourful = [](const std::array<int, 3>& rgb) {
+        return *std::ranges::max_element(rgb) - *std::ranges::min_element(rgb) > 40;
+    };
+    const int all = overviewWith(whole).count(isColourful);
+    const int half = overviewWith(holed).count(isColourful);
+    EXPECT_GT(all, 50000);
+    EXPECT_GT(half, all / 4);
+    EXPECT_LT(half, 3 * all / 4);
 }
 
 TEST_F(Pictures, AFlatScanHasAnOverviewToo) {

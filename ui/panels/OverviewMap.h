@@ -32,6 +32,8 @@ public:
     /// What stands under a pixel, in words; empty beside the scan.
     [[nodiscard]] QString toolTipAt(const QPointF& pixel) const;
     [[nodiscard]] const ColourScale& colours() const { return relief_.colours; }
+    /// Whether the scan holds no data somewhere.
+    [[nodiscard]] bool hasFilled() const { return relief_.hasFilled; }
 
 Q_SIGNALS:
     /// A person wants to go there: double click [m].

@@ -30,6 +30,15 @@ QPixmap markPixmap(const Draw& draw) {
     return pixmap;
 }
 
+void drawHatching(QPainter& painter) {
+    constexpr int kInset = 3;  // [px]
+    for (int row = kInset; row < kMarkSize - kInset; ++row) {
+        for (int column = kInset; column < kMarkSize - kInset; ++column) {
+            painter.fillRect(column, row, 1, 1, hatched(row, column));
+        }
+    }
+}
+
 /// "1.00 x 0.50 µm"
 QString sizeText(double width, double height) {
     const SiScale scale = siScaleFor(std::max(width, height), "m");
@@ -44,13 +53,21 @@ QString sizeText(double width, double height) {
 OverviewPanel::OverviewPanel(QWidget* parent)
     : Card(QStringLiteral("Overview"), parent)
     , map_(new OverviewMap(this))
-    , colourBar_(new ColourBarWidget(this)) {
+    , colourBar_(new ColourBarWidget(this))
+    , scanNote_(captionLabel(QString(), this))
+    , filledLegend_(new QWidget(this)) {
     auto* side = new QVBoxLayout;
     side->setSpacing(3);
     colourBar_->setFixedWidth(kSideWidth);
     side->addWidget(colourBar_);
     side->addSpacing(6);
     addLegend(*side);
+    side->addSpacing(6);
+    scanNote_->setObjectName(QStringLiteral("scanNote"));
+    scanNote_->setContentsMargins(kLegendIndent, 0, 0, 0);
+    scanNote_->setWordWrap(true);
+    scanNote_->setFixedWidth(kSideWidth);
+    side->addWidget(scanNote_);
     side->addStretch(1);
     auto* hint = captionLabel(QStringLiteral("Double click: go there"), this);
     hint->setContentsMargins(kLegendIndent, 0, 0, 0);
@@ -64,14 +81,17 @@ OverviewPanel::OverviewPanel(QWidget* parent)
 }
 
 void OverviewPanel::addLegend(QVBoxLayout& side) {
-    const auto add = [&](const QPixmap& mark, const QString& text) {
+    const auto rowOf = [this](const QPixmap& mark, const QString& text) {
         auto* row = new QHBoxLayout;
         row->setContentsMargins(kLegendIndent, 0, 0, 0);
         auto* sign = new QLabel(this);
         sign->setPixmap(mark);
         row->addWidget(sign);
         row->addWidget(captionLabel(text, this), 1);
-        side.addLayout(row);
+        return row;
+    };
+    const auto add = [&](const QPixmap& mark, const QString& text) {
+        side.addLayout(rowOf(mark, text));
     };
     const QPointF centre(kMarkSize / 2.0, kMarkSize / 2.0);
     add(markPixmap([&](QPainter& painter) { drawTipMark(painter, centre); }),
@@ -85,12 +105,22 @@ void OverviewPanel::addLegend(QVBoxLayout& side) {
                          QVector<QPointF>{{2.0, centre.y()}, {kMarkSize - 2.0, centre.y()}});
         }),
         QStringLiteral("path"));
+    filledLegend_->setLayout(rowOf(markPixmap(drawHatching), QStringLiteral("no data: filled in")));
+    filledLegend_->setObjectName(QStringLiteral("filledLegend"));
+    filledLegend_->hide();
+    side.addWidget(filledLegend_);
 }
 
 void OverviewPanel::setSurface(const BSplineSurface& surface) {
     map_->setSurface(surface);
     colourBar_->setScale(map_->colours());
+    filledLegend_->setVisible(map_->hasFilled());
     setNote(sizeText(surface.sizeX(), surface.sizeY()));
+}
+
+void OverviewPanel::setScanNote(const QString& words, const QString& whole) {
+    scanNote_->setText(words);
+    scanNote_->setToolTip(whole);
 }
 
 void OverviewPanel::showFrame(const QRectF& frame) { map_->showFrame(frame); }

@@ -7,6 +7,7 @@
 #include <QPolygonF>
 #include <QRectF>
 
+class QLabel;
 class QVBoxLayout;
 
 namespace asperity {
@@ -24,6 +25,8 @@ public:
 
     /// The surface of a new scene; forgets what was shown over the old one.
     void setSurface(const BSplineSurface& surface);
+    /// What there is to say of the scan as a whole: in a few words, and for the tool tip.
+    void setScanNote(const QString& words, const QString& whole);
     /// Where the zoomed view looks.
     void showFrame(const QRectF& frame);
     /// The way a scripted hand goes; empty: none.
@@ -46,6 +49,8 @@ private:
 
     OverviewMap* map_;
     ColourBarWidget* colourBar_;
+    QLabel* scanNote_;
+    QWidget* filledLegend_;
 };
 
 }  // namespace asperity

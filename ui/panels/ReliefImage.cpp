@@ -1,6 +1,7 @@
 #include "ui/panels/ReliefImage.h"
 
 #include "ui/panels/HeightColours.h"
+#include "vtkplugins/pictures/Palette.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,8 @@ constexpr double kShadeStrength = 0.55;
 struct Samples {
     int columns = 0;
     int rows = 0;
-    std::vector<HeightSample> values;  ///< top row first
+    std::vector<HeightSample> values;    ///< top row first
+    std::vector<std::uint8_t> measured;  ///< whether the scan holds data there
 };
 
 Samples sampled(const BSplineSurface& surface) {
@@ -34,8 +36,9 @@ Samples sampled(const BSplineSurface& surface) {
     for (int row = 0; row < samples.rows; ++row) {
         const double y = surface.sizeY() * (samples.rows - row - 0.5) / samples.rows;
         for (int column = 0; column < samples.columns; ++column) {
-            samples.values.push_back(
-                surface.at(surface.sizeX() * (column + 0.5) / samples.columns, y));
+            const double x = surface.sizeX() * (column + 0.5) / samples.columns;
+            samples.values.push_back(surface.at(x, y));
+            samples.measured.push_back(surface.isMeasured(x, y) ? 1 : 0);
         }
     }
     return samples;
@@ -69,6 +72,16 @@ std::array<QColor, kColours> colourTable(const ColourScale& scale) {
     return table;
 }
 
+}  // namespace
+
+QColor hatched(int row, int column) {
+    constexpr int kStripe = 5;  // [pixel]
+    const QColor grey(palette::kNoData.red, palette::kNoData.green, palette::kNoData.blue);
+    return ((row + column) / kStripe) % 2 == 0 ? grey : grey.lighter(140);
+}
+
+namespace {
+
 QRgb shaded(const QColor& colour, double brightness) {
     const auto part = [brightness](int channel) {
         return std::min(255, static_cast<int>(std::lround(channel * brightness)));
@@ -88,7 +101,7 @@ ColourScale coloursOf(const Samples& samples) {
 ReliefImage reliefImage(const BSplineSurface& surface) {
     const Samples samples = sampled(surface);
     ReliefImage relief{
-        QImage(samples.columns, samples.rows, QImage::Format_RGB32), {}, coloursOf(samples)};
+        QImage(samples.columns, samples.rows, QImage::Format_RGB32), {}, coloursOf(samples), false};
     relief.heights.reserve(samples.values.size());
     const std::array<QColor, kColours> table = colourTable(relief.colours);
     const double extent = relief.colours.high - relief.colours.low;
@@ -101,7 +114,10 @@ ReliefImage reliefImage(const BSplineSurface& surface) {
             const double share = extent > 0.0 ? (sample.height - relief.colours.low) / extent : 0.5;
             const auto entry = static_cast<std::size_t>(std::lround(share * (kColours - 1)));
             relief.heights.push_back(sample.height);
-            line[column] = shaded(table.at(entry), shade(sample, scale));
+            const bool measured = samples.measured[next] != 0;
+            relief.hasFilled = relief.hasFilled || !measured;
+            line[column] =
+                shaded(measured ? table.at(entry) : hatched(row, column), shade(sample, scale));
         }
     }
     return relief;

@@ -42,6 +42,8 @@ QString validityWords(Validity flag) {
         return QStringLiteral("tip outside the scan");
     case Validity::FilledPixel:
         return QStringLiteral("the scan holds no data here: height filled in");
+    case Validity::UncertainPixel:
+        return QStringLiteral("height uncertain: the imaging tip may not have touched here");
     case Validity::FootNotFound:
         return QStringLiteral("closest point of the surface not found");
     case Validity::NotInEquilibrium:

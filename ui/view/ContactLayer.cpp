@@ -57,6 +57,23 @@ Vector3 drawnNormal(const ContactShape& shape, int row, int column, double facto
     return (rest + slopeX * axis.cross(alongY) + slopeY * alongX.cross(axis)).normalized();
 }
 
+struct Range {
+    double low;
+    double high;
+};
+
+/// Multiples of the spacing, and those ends of the area at which the terrain ends.
+std::vector<double> linePlaces(const Range& area, const Range& window, double spacing) {
+    std::vector<double> places = gridPlaces(area.low, area.high, spacing);
+    if (area.low == window.low) {
+        places.push_back(area.low);
+    }
+    if (area.high == window.high) {
+        places.push_back(area.high);
+    }
+    return places;
+}
+
 }  // namespace
 
 Vector3 drawnAt(const ContactShape& shape, const Vector3& rest, double factor) {
@@ -72,7 +89,9 @@ ContactLayer::ContactLayer(vtkRenderer* solid, vtkRenderer* through) {
     vtkNew<vtkPolyData> nothing;
     grid_ = thinLines(nothing);
     rim_ = linesAsDrawn(nothing, palette::kContact, 2.0);
+    walls_ = surfaceAsColoured(nothing);
     solid->AddActor(surface_);
+    solid->AddActor(walls_);
     solid->AddActor(grid_);
     through->AddActor(rim_);
     hide();
@@ -82,13 +101,15 @@ ContactLayer::~ContactLayer() = default;
 
 void ContactLayer::hide() {
     surface_->VisibilityOff();
+    walls_->VisibilityOff();
     grid_->VisibilityOff();
     rim_->VisibilityOff();
 }
 
 void ContactLayer::show(const Scene& scene, const ContactShape& shape, const ContactStyle& style) {
     fitSize(shape.patch());
-    showSurface(shape, style);
+    showSurface(scene, shape, style);
+    showWalls(style);
     showGrid(scene, shape, style);
     showRim(scene, shape, style.magnification);
 }
@@ -104,7 +125,8 @@ void ContactLayer::fitSize(const SurfacePatch& patch) {
     mesh_->SetStrips(gridStrips(patch.columns, patch.rows));
 }
 
-void ContactLayer::showSurface(const ContactShape& shape, const ContactStyle& style) {
+void ContactLayer::showSurface(const Scene& scene, const ContactShape& shape,
+                               const ContactStyle& style) {
     const SurfacePatch& patch = shape.patch();
     const double factor = style.magnification;
     for (int row = 0; row < patch.rows; ++row) {
@@ -113,7 +135,10 @@ void ContactLayer::showSurface(const ContactShape& shape, const ContactStyle& st
             const auto id = static_cast<vtkIdType>(i);
             const Vector3& rest = patch.rest[i];
             points_->SetPoint(id, Vector3(rest + factor * (patch.points[i] - rest)).data());
-            const Color colour = style.colours.at(rest.z(), shape.displacements()[i]);
+            const double pushed = shape.displacements()[i];
+            const Color colour = scene.surface.isMeasured(rest.x(), rest.y())
+                                     ? style.colours.at(rest.z(), pushed)
+                                     : style.colours.withoutData(pushed);
             const Vector3 normal = drawnNormal(shape, row, column, factor);
             rgb_->SetTypedTuple(id, style.shading.lit(colour, normal).data());
         }
@@ -123,10 +148,35 @@ void ContactLayer::showSurface(const ContactShape& shape, const ContactStyle& st
     surface_->VisibilityOn();
 }
 
+/// From the drawn surface down, on the sides where the terrain ends and has no walls of its own.
+void ContactLayer::showWalls(const ContactStyle& style) {
+    const ScanWindow& area = style.gridArea;
+    const ScanWindow& window = style.window;
+    const auto sides = blockSides(mesh_, {samples_, samples_}, style.bottom,
+                                  {.front = area.bottom == window.bottom,
+                                   .back = area.top == window.top,
+                                   .left = area.left == window.left,
+                                   .right = area.right == window.right});
+    vtkDataArray* normals = sides->GetPointData()->GetNormals();
+    vtkNew<vtkUnsignedCharArray> rgb;
+    rgb->SetNumberOfComponents(3);
+    for (vtkIdType id = 0; id < sides->GetNumberOfPoints(); ++id) {
+        if (id % 2 == 1 && sides->GetPoint(id - 1)[2] < style.bottom) {  // a dent through the block
+            sides->GetPoints()->SetPoint(id, Vector3(sides->GetPoint(id - 1)).data());
+        }
+        const Vector3 normal(normals->GetTuple(id));
+        rgb->InsertNextTypedTuple(style.shading.lit(palette::kSide, normal, kWallMatt).data());
+    }
+    sides->GetPointData()->SetNormals(nullptr);  // they are lit already
+    sides->GetPointData()->SetScalars(rgb);
+    setData(walls_, sides);
+}
+
 void ContactLayer::showGrid(const Scene& scene, const ContactShape& shape,
                             const ContactStyle& style) {
     const SurfacePatch& patch = shape.patch();
     const ScanWindow& area = style.gridArea;
+    const ScanWindow& window = style.window;
     const auto drawn = [&](double x, double y) {
         const double inX = std::clamp(x, area.left, area.right);
         const double inY = std::clamp(y, area.bottom, area.top);
@@ -135,13 +185,15 @@ void ContactLayer::showGrid(const Scene& scene, const ContactShape& shape,
     Polylines grid;
     // The patch has as many rows as columns.
     std::vector<Vector3> line(static_cast<std::size_t>(patch.columns));
-    for (const double x : gridPlaces(area.left, area.right, style.gridSpacing)) {
+    for (const double x :
+         linePlaces({area.left, area.right}, {window.left, window.right}, style.gridSpacing)) {
         for (std::size_t row = 0; row < line.size(); ++row) {
             line[row] = drawn(x, patch.rest[row * line.size()].y());
         }
         grid.add(line);
     }
-    for (const double y : gridPlaces(area.bottom, area.top, style.gridSpacing)) {
+    for (const double y :
+         linePlaces({area.bottom, area.top}, {window.bottom, window.top}, style.gridSpacing)) {
         for (std::size_t column = 0; column < line.size(); ++column) {
             line[column] = drawn(patch.rest[column].x(), y);
         }

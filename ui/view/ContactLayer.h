@@ -22,9 +22,12 @@ struct ContactStyle {
     double magnification = 1.0;  ///< of displacements
     double gridSpacing = 0.0;    ///< of the draped grid [m]
     ScanWindow gridArea;         ///< that the grid covers
+    ScanWindow window;           ///< of the terrain around the contact
+    double bottom = 0.0;         ///< world z where the terrain's walls end below [m]
 };
 
-/// The deformed surface around the contact with its draped grid, and the contact's rim.
+/// The deformed surface around the contact with its draped grid, its walls where it lies at an edge
+/// of the terrain, and the contact's rim.
 class ContactLayer {
 public:
     /// @param solid   where the surface goes
@@ -39,7 +42,8 @@ public:
 
 private:
     void fitSize(const SurfacePatch& patch);
-    void showSurface(const ContactShape& shape, const ContactStyle& style);
+    void showSurface(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
+    void showWalls(const ContactStyle& style);
     void showGrid(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
     void showRim(const Scene& scene, const ContactShape& shape, double factor);
 
@@ -48,6 +52,7 @@ private:
     vtkNew<vtkUnsignedCharArray> rgb_;
     vtkNew<vtkPolyData> mesh_;
     vtkSmartPointer<vtkActor> surface_;
+    vtkSmartPointer<vtkActor> walls_;
     vtkSmartPointer<vtkActor> grid_;
     vtkSmartPointer<vtkActor> rim_;
 };

@@ -9,12 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 
 namespace {
 
-/// Part of the rectangle's half width over which the displacement goes over into rest.
+/// Part of the room around the contact over which the displacement goes over into rest.
 constexpr double kBlend = 0.35;
 
 /// In contact radii: a narrower rectangle begins to cut the contact's rim, and shows less of it.
@@ -23,15 +24,44 @@ constexpr double kRoomForContact = 1.6;
 /// Samples at the border lie cosh(k) times as far apart as at the contact.
 constexpr double kCrowding = 4.0;
 
-/// Places from `low` to `high`, crowded about `middle`, which is one of them for odd counts.
+/// A middle so close to an end that the samples between would lie on top of each other, part of the
+/// length.
+constexpr double kAtTheEnd = 1e-3;
+
+/// Places from `low` to `high`, crowded about `middle`: one of them for odd counts, or an end.
 std::vector<double> crowded(double low, double middle, double high, int count) {
+    const double close = kAtTheEnd * (high - low);
+    const double first = middle - low < close ? 0.0 : -1.0;
+    const double last = high - middle < close ? 0.0 : 1.0;
     std::vector<double> places;
     for (int i = 0; i < count; ++i) {
-        const double part = 2.0 * i / (count - 1) - 1.0;
+        const double part = std::lerp(first, last, i / (count - 1.0));
         const double away = std::sinh(kCrowding * std::abs(part)) / std::sinh(kCrowding);
         places.push_back(std::lerp(middle, part < 0.0 ? low : high, away));
     }
     return places;
+}
+
+/// The rectangle, with the sides on the scan's edge pushed out of reach.
+ScanWindow withoutScanEdges(const ScanWindow& area, const BSplineSurface& surface) {
+    const auto pushed = [](double side, double edge, double size, double direction) {
+        constexpr double kRounding = 1e-9;
+        const bool isOnEdge = std::abs(side - edge) <= kRounding * size;
+        return isOnEdge ? direction * std::numeric_limits<double>::infinity() : side;
+    };
+    const double x = surface.sizeX();
+    const double y = surface.sizeY();
+    return {.left = pushed(area.left, 0.0, x, -1.0),
+            .right = pushed(area.right, x, x, 1.0),
+            .bottom = pushed(area.bottom, 0.0, y, -1.0),
+            .top = pushed(area.top, y, y, 1.0)};
+}
+
+/// Half the length of a side, or what there is of it on one side of the contact; without end where
+/// the side has none.
+double roomAlong(double low, double middle, double high) {
+    const bool isWhole = std::isfinite(low) && std::isfinite(high);
+    return isWhole ? 0.5 * (high - low) : std::min(middle - low, high - middle);
 }
 
 TipContact contactOf(const Scene& scene, const TipState& state) {
@@ -73,6 +103,7 @@ bool isDrawable(const TipState& state) {
 ContactShape::ContactShape(const Scene& scene, const TipState& state, const ScanWindow& area,
                            int samples)
     : area_(area)
+    , rest_(withoutScanEdges(area, scene.surface))
     , contact_(contactOf(scene, state))
     , share_(sampleShareOf(scene))
     , table_(displacementTable(scene, state, area))
@@ -123,24 +154,30 @@ double ContactShape::largestDisplacement() const {
     return std::max(-*low, *high);
 }
 
-/// Of the shorter side [m].
-double ContactShape::halfWidth() const {
-    return 0.5 * std::min(area_.right - area_.left, area_.top - area_.bottom);
+/// From the contact to where the surface must be at rest, along the shorter side; at most what the
+/// rectangle holds [m].
+double ContactShape::room() const {
+    const Vector3& foot = contact_.foot;
+    const double x =
+        roomAlong(rest_.left, std::clamp(foot.x(), area_.left, area_.right), rest_.right);
+    const double y =
+        roomAlong(rest_.bottom, std::clamp(foot.y(), area_.bottom, area_.top), rest_.top);
+    return std::min({x, y, std::hypot(area_.right - area_.left, area_.top - area_.bottom)});
 }
 
 /// 1 where the rectangle holds the contact, down to 0 where the contact fills it: without it the
 /// rim, which stands high on the tip, would leave spikes in the corners.
 double ContactShape::fade() const {
     const double radius = contact_.contactRadius;
-    const double room = (kRoomForContact - 1.0) * radius;
-    return room > 0.0 ? smoothStep((halfWidth() - radius) / room) : 1.0;
+    const double wanted = (kRoomForContact - 1.0) * radius;
+    return wanted > 0.0 ? smoothStep((room() - radius) / wanted) : 1.0;
 }
 
-/// 1 inside, smoothly down to 0 at the border.
+/// 1 inside, smoothly down to 0 at the border but for the scan's edges.
 double ContactShape::blend(double x, double y) const {
-    const double inX = std::min(x - area_.left, area_.right - x);
-    const double inY = std::min(y - area_.bottom, area_.top - y);
-    return fade() * smoothStep(std::min(inX, inY) / (kBlend * halfWidth()));
+    const double inX = std::min(x - rest_.left, rest_.right - x);
+    const double inY = std::min(y - rest_.bottom, rest_.top - y);
+    return fade() * smoothStep(std::min(inX, inY) / (kBlend * room()));
 }
 
 Vector3 ContactShape::moved(const Vector3& rest) const {

@@ -12,7 +12,8 @@ namespace asperity {
 
 /// The surface around the contact, as one tick of the model deforms it: sampled most finely at the
 /// contact, and at rest along the border of its rectangle, where it joins the surface around it.
-/// World frame; derived afresh for every picture.
+/// Sides on the scan's edge join nothing: there the surface moves as it does inside. World frame;
+/// derived afresh for every picture.
 class ContactShape {
 public:
     /// @param area    rectangle to sample
@@ -43,11 +44,12 @@ public:
 private:
     [[nodiscard]] DisplacementField fieldFor(const Scene& scene) const;
     void sample(const BSplineSurface& surface, int samples);
-    [[nodiscard]] double halfWidth() const;
+    [[nodiscard]] double room() const;
     [[nodiscard]] double fade() const;
     [[nodiscard]] double blend(double x, double y) const;
 
     ScanWindow area_;
+    ScanWindow rest_;  ///< where the surface is at rest: area_, without end beyond the scan's edges
     TipContact contact_;
     double share_;       ///< of the sample in the displacement, the tip takes the rest
     RadialTable table_;  ///< displacement of sample and tip together

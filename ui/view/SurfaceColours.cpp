@@ -69,18 +69,25 @@ bool SurfaceColours::fitDisplacement(double largest) {
 }
 
 Color SurfaceColours::at(double height, double displacement) const {
-    const Color relief = colourIn(heights_, height);
+    return moved(colourIn(heights_, height), displacement);
+}
+
+Color SurfaceColours::withoutData(double displacement) const {
+    return moved(palette::kNoData, displacement);
+}
+
+/// Goes over from the colour at rest to that of the displacement.
+Color SurfaceColours::moved(const Color& rest, double displacement) const {
     const double part = std::min(1.0, std::abs(displacement) / displacementRange_.range().high);
     if (part <= kFaint) {
-        return relief;
+        return rest;
     }
     const double weight = 1.0 - std::pow((1.0 - part) / (1.0 - kFaint), 4);
-    const Color moved = colourIn(displacements_, displacement);
+    const Color pushed = colourIn(displacements_, displacement);
     const auto mix = [weight](std::uint8_t from, std::uint8_t to) {
         return static_cast<std::uint8_t>(std::lround(std::lerp(double(from), double(to), weight)));
     };
-    return {mix(relief.red, moved.red), mix(relief.green, moved.green),
-            mix(relief.blue, moved.blue)};
+    return {mix(rest.red, pushed.red), mix(rest.green, pushed.green), mix(rest.blue, pushed.blue)};
 }
 
 ColourScale SurfaceColours::heightScale() const { return scaleOf("height", heights_); }

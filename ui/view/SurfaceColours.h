@@ -24,11 +24,15 @@ public:
     [[nodiscard]] const AxisRange& heightRange() const { return heightRange_.range(); }  ///< [m]
     /// Colour of a place at this height at rest. @param displacement into the sample [m]
     [[nodiscard]] Color at(double height, double displacement = 0.0) const;
+    /// The same where the scan holds no data: heights filled in have no colour of a height.
+    [[nodiscard]] Color withoutData(double displacement = 0.0) const;
 
     [[nodiscard]] ColourScale heightScale() const;
     [[nodiscard]] ColourScale displacementScale() const;
 
 private:
+    [[nodiscard]] Color moved(const Color& rest, double displacement) const;
+
     SteadyRange heightRange_;
     SteadyRange displacementRange_;
     vtkSmartPointer<vtkLookupTable> heights_;

@@ -8,6 +8,7 @@
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -54,7 +55,7 @@ std::vector<Stroke> strokes(const Extent& across, const Extent& along, double sp
     places.insert(places.end(), {across.low, across.high});
     std::vector<Stroke> found;
     for (const double place : places) {
-        if (place <= across.patchLow || place >= across.patchHigh) {
+        if (place < across.patchLow || place > across.patchHigh) {
             found.push_back({place, along.low, along.high});
             continue;
         }
@@ -66,6 +67,32 @@ std::vector<Stroke> strokes(const Extent& across, const Extent& along, double sp
         }
     }
     return found;
+}
+
+Color groundColour(const BSplineSurface& surface, const double* place,
+                   const SurfaceColours& colours) {
+    return surface.isMeasured(place[0], place[1]) ? colours.at(place[2]) : colours.withoutData();
+}
+
+/// Whether a place on the border of the window lies at the hole: between its corners, or at a
+/// corner that is also the window's.
+bool opensIntoHole(const Vector3& place, const ScanWindow& hole, const ScanWindow& window) {
+    const double rounding = 1e-6 * widthOf(window);  // places are single-precision numbers
+    const auto isWithin = [rounding](double at, const Vector2& inner, const Vector2& outer) {
+        return (at > inner.x() + rounding || inner.x() == outer.x()) &&
+               (at < inner.y() - rounding || inner.y() == outer.y());
+    };
+    return isWithin(place.x(), {hole.left, hole.right}, {window.left, window.right}) &&
+           isWithin(place.y(), {hole.bottom, hole.top}, {window.bottom, window.top});
+}
+
+/// Takes the walls away where the contact is drawn with walls of its own.
+void openWalls(vtkPolyData* sides, const TerrainPlace& place) {
+    for (vtkIdType top = 0; top < sides->GetNumberOfPoints(); top += 2) {
+        if (opensIntoHole(Vector3(sides->GetPoint(top)), place.hole, place.window)) {
+            sides->GetPoints()->SetPoint(top, sides->GetPoint(top + 1));
+        }
+    }
 }
 
 }  // namespace
@@ -102,14 +129,14 @@ struct TerrainLayer::Mesh {
         grid->SetVisibility(visible ? 1 : 0);
     }
 
-    void paint(const SurfaceColours& colours, const Shading& shading) const {
+    void paint(const BSplineSurface& ground, const SurfaceColours& colours,
+               const Shading& shading) const {
         vtkPolyData* sampled = source->GetOutput();
         vtkDataArray* normals = sampled->GetPointData()->GetNormals();
-        vtkDataArray* heights = sampled->GetPointData()->GetScalars();
         const vtkIdType count = sampled->GetNumberOfPoints();
         rgb->SetNumberOfTuples(count);
         for (vtkIdType id = 0; id < count; ++id) {
-            const Color colour = colours.at(heights->GetTuple1(id));
+            const Color colour = groundColour(ground, sampled->GetPoint(id), colours);
             rgb->SetTypedTuple(id, shading.lit(colour, Vector3(normals->GetTuple(id))).data());
         }
         rgb->Modified();
@@ -155,7 +182,7 @@ void TerrainLayer::show(TerrainDetail detail, const SurfaceColours& colours,
     if (!mesh.built) {
         build(mesh, fine ? finest : std::min(finest, kCoarse));
     }
-    mesh.paint(colours, shading);
+    mesh.paint(*surface_, colours, shading);
     fine_->setVisible(fine);
     coarse_->setVisible(!fine);
 }
@@ -193,6 +220,7 @@ void TerrainLayer::build(Mesh& mesh, int samples) const {
     mesh.data->SetStrips(sampled->GetStrips());
     mesh.data->GetPointData()->SetScalars(mesh.rgb);
     const auto sides = blockSides(sampled, {samples, samples}, bottom_);
+    openWalls(sides, place_);
     mesh.wallData->SetPoints(sides->GetPoints());
     mesh.wallData->SetStrips(sides->GetStrips());
     mesh.wallData->GetPointData()->SetScalars(mesh.wallRgb);

@@ -29,7 +29,7 @@ enum class TerrainDetail : std::uint8_t {
 };
 
 /// A part of the surface at rest as a block of sample: lit, coloured by height, a grid draped over
-/// it; with a hole where the contact is drawn.
+/// it; with a hole where the contact is drawn, through its walls too where it lies at an edge.
 class TerrainLayer {
 public:
     explicit TerrainLayer(vtkRenderer* renderer);
@@ -41,6 +41,7 @@ public:
     void setPlace(const BSplineSurface& surface, const TerrainPlace& place);
     /// World z where the block of sample ends below [m].
     void setBottom(double bottom) { bottom_ = bottom; }
+    [[nodiscard]] double bottom() const { return bottom_; }
     void hide();
 
     /// Shows the place; does only what has changed since.

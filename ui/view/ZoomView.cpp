@@ -190,7 +190,9 @@ void ZoomView::showContact(const TickSample& sample) {
                    .shading = shading,
                    .magnification = factor,
                    .gridSpacing = gridSpacing(width),
-                   .gridArea = terrain_.place().patch});
+                   .gridArea = terrain_.place().patch,
+                   .window = window,
+                   .bottom = terrain_.bottom()});
     tip_.show(shape, factor, {.top = kTipTop * gear, .toEye = camera_.out(), .shading = shading});
     force_.show(sample.output.estimate, drawnAt(shape, shape.contact().foot, factor), sample.time,
                 kArrowRoom * gear);

@@ -11,7 +11,7 @@ namespace asperity {
 
 namespace {
 
-std::vector<LegendEntry> legendOf(const OverviewView& view) {
+std::vector<LegendEntry> legendOf(const OverviewView& view, bool hasFilled) {
     std::vector<LegendEntry> entries;
     if (view.tip) {
         entries.push_back({palette::kMarker, "tip", LegendMark::Point});
@@ -23,6 +23,9 @@ std::vector<LegendEntry> legendOf(const OverviewView& view) {
         const ScanWindow& zoom = *view.zoom;
         entries.push_back({palette::kZoom, "zoom, " + formatSi(zoom.right - zoom.left, "m") +
                                                " × " + formatSi(zoom.top - zoom.bottom, "m")});
+    }
+    if (hasFilled) {
+        entries.push_back({palette::kNoData, "no data: filled in", LegendMark::Point});
     }
     return entries;
 }
@@ -44,7 +47,7 @@ void writeOverviewPicture(const std::filesystem::path& path, const OverviewView&
     const ScenePanel panel(
         {0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)});
     const OverviewScene scene(picture, view, panel.scene());
-    const PanelText text{view.title, legendOf(view), scene.colourBar(),
+    const PanelText text{view.title, legendOf(view, scene.hasFilled()), scene.colourBar(),
                          view.caption + "\n" + scaleNote(view.surface, scene.magnification())};
     picture.paint([&scene, &panel, &text](Painter& painter) {
         panel.paint(painter, text);

@@ -7,8 +7,10 @@
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <vtkActor.h>
+#include <vtkDataArray.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 
@@ -70,6 +73,7 @@ void OverviewScene::addSurface() {
     magnification_ = wanted >= 2.0 ? niceBelow(wanted) : 1.0;
     bottom_ = magnification_ * low_ - kBlockDepth * side_;
     colours_ = heightTable(low_, high_);
+    markFilled(source->GetOutput());
     SurfacePatch plane;  // that heights are measured from
     plane.columns = 2;
     plane.rows = 2;
@@ -78,6 +82,20 @@ void OverviewScene::addSurface() {
     const auto drawn = Stretch(plane, Vector3::UnitZ(), magnification_).apply(source->GetOutput());
     solid_->AddActor(colouredSurface(drawn, colours_));
     solid_->AddActor(blockWalls(drawn, size, bottom_));
+}
+
+/// Heights filled in have no colour of a height.
+void OverviewScene::markFilled(vtkPolyData* surface) {
+    vtkDataArray* heights = surface->GetPointData()->GetScalars();
+    for (vtkIdType id = 0; id < surface->GetNumberOfPoints(); ++id) {
+        const double* place = surface->GetPoint(id);
+        if (!data_.surface.isMeasured(place[0], place[1])) {
+            heights->SetTuple1(id, std::numeric_limits<double>::quiet_NaN());
+            hasFilled_ = true;
+        }
+    }
+    const std::array<double, 3> grey = palette::kNoData.fractions();
+    colours_->SetNanColor(grey[0], grey[1], grey[2], 1.0);
 }
 
 std::vector<Vector3> OverviewScene::draped(double fromX, double fromY, double toX,

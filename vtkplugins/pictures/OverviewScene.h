@@ -8,6 +8,8 @@
 
 #include <vector>
 
+class vtkPolyData;
+
 namespace asperity {
 
 /// The 3-D part of the overview picture, and what its labels need to know.
@@ -20,9 +22,12 @@ public:
     [[nodiscard]] ColourBar colourBar() const;
     /// How much larger than life heights are drawn; 1: to scale.
     [[nodiscard]] double magnification() const { return magnification_; }
+    /// Whether the scan holds no data somewhere.
+    [[nodiscard]] bool hasFilled() const { return hasFilled_; }
 
 private:
     void addSurface();
+    void markFilled(vtkPolyData* surface);
     void addZoomFrame();
     void addPath();
     void addPin();
@@ -42,6 +47,7 @@ private:
     double low_ = 0.0;   ///< heights shown [m]
     double high_ = 0.0;
     double magnification_ = 1.0;
+    bool hasFilled_ = false;
     double bottom_ = 0.0;    ///< of the drawn block, world z [m]
     double scaleBar_ = 0.0;  ///< length that it stands for [m]
     Vector3 scaleBarAt_ = Vector3::Zero();

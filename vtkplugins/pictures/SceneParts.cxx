@@ -109,13 +109,20 @@ vtkSmartPointer<vtkActor> plainSurface(vtkPolyData* data, const Color& color) {
     return actor;
 }
 
-vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size, double bottom) {
+vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size, double bottom,
+                                        const BlockWalls& walls) {
+    const std::array<bool, 4> wanted{walls.front, walls.back, walls.left, walls.right};
+    const std::array<GridSide, 4> sides = gridSides(size);
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     vtkNew<vtkFloatArray> normals;
     normals->SetNumberOfComponents(3);
     vtkNew<vtkCellArray> strips;
-    for (const GridSide& side : gridSides(size)) {
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const GridSide& side = sides[i];
+        if (!wanted[i]) {
+            continue;
+        }
         strips->InsertNextCell(static_cast<int>(2 * side.ids.size()));
         for (const vtkIdType id : side.ids) {
             const Vector3 top(surface->GetPoint(id));

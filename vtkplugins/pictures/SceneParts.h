@@ -37,9 +37,17 @@ inline constexpr Matt kWallMatt{0.8, 0.25};  ///< of blockWalls()
 /// Walls from the border of a grid surface straight down to z = bottom: a solid block.
 [[nodiscard]] vtkSmartPointer<vtkActor> blockWalls(vtkPolyData* surface, GridSize size,
                                                    double bottom);
-/// What they are made of.
+/// Which sides of a block have walls.
+struct BlockWalls {
+    bool front = true;  ///< smallest y
+    bool back = true;
+    bool left = true;  ///< smallest x
+    bool right = true;
+};
+
+/// What they are made of: pairs of points, one of the surface and one below it.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size,
-                                                      double bottom);
+                                                      double bottom, const BlockWalls& walls = {});
 /// Lines of one colour that win against the surface they lie on; width in pixels of the picture.
 [[nodiscard]] vtkSmartPointer<vtkActor> lines(vtkPolyData* data, const Color& color, double width);
 /// The same; width in pixels as they are drawn.

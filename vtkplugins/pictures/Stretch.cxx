@@ -65,8 +65,10 @@ Vector3 RestingPatch::at(const std::vector<Vector3>& field, double x, double y) 
 Vector3 RestingPatch::normal(double x, double y) const {
     const double stepX = x_[1] - x_[0];
     const double stepY = y_[1] - y_[0];
-    const Vector3 alongX = at(rest_, x + stepX, y) - at(rest_, x - stepX, y);
-    const Vector3 alongY = at(rest_, x, y + stepY) - at(rest_, x, y - stepY);
+    const double inX = std::clamp(x, x_.front(), x_.back());
+    const double inY = std::clamp(y, y_.front(), y_.back());
+    const Vector3 alongX = at(rest_, inX + stepX, inY) - at(rest_, inX - stepX, inY);
+    const Vector3 alongY = at(rest_, inX, inY + stepY) - at(rest_, inX, inY - stepY);
     return alongX.stableNormalized().cross(alongY.stableNormalized()).normalized();
 }
 

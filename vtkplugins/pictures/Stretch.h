@@ -20,7 +20,7 @@ public:
 
     /// A field with one vector a sample, at the place that rests at (x, y).
     [[nodiscard]] Vector3 at(const std::vector<Vector3>& field, double x, double y) const;
-    /// Unit normal of the surface at rest.
+    /// Unit normal of the surface at rest; beyond the border that of the border.
     [[nodiscard]] Vector3 normal(double x, double y) const;
     /// Where the line through `point` along the unit vector `direction` meets the surface at rest.
     [[nodiscard]] Vector3 foot(const Vector3& point, const Vector3& direction) const;

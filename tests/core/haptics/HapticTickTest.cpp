@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/probe/SimulatedAfm.h"
+#include "core/surface/TipErosion.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -184,6 +185,20 @@ TEST(HapticTick, FlagsSamplesTooCurvedForOneEffectiveRadius) {
     const Scene grooves = buildScene(test::plainScene(), test::ridgedMap(25.0_nm));
     const auto groove = tick(grooves, inputAt({45.0_nm, 64.0_nm, -18.0_nm}), inGroove).flags;
     EXPECT_TRUE(groove.has(Validity::SeveralFeet));
+}
+
+TEST(HapticTick, FlagsContactWhereTheImagingTipDidNotReach) {
+    SceneDescription description = test::plainScene();
+    description.sample.imagingTipRadius = 20.0_nm;
+    const Scene scene = buildScene(description, dilated(test::ridgedMap(25.0_nm), 20.0_nm));
+    const auto flaggedAt = [&](double x, double y, double z) {
+        TickMemory memory;
+        return tick(scene, inputAt({x, y, z}), memory).flags.has(Validity::UncertainPixel);
+    };
+    EXPECT_FALSE(flaggedAt(75.0_nm, 64.0_nm, 24.5_nm)) << "crest";
+    const double groove = scene.surface.at(45.0_nm, 64.0_nm).height;
+    EXPECT_TRUE(flaggedAt(45.0_nm, 64.0_nm, groove - 0.5_nm));
+    EXPECT_FALSE(flaggedAt(45.0_nm, 64.0_nm, groove + 200.0_nm)) << "no contact";
 }
 
 TEST(HapticTick, FlagsPressureBeyondTheHardnessAndContactsAsWideAsTheFilm) {

@@ -95,6 +95,8 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.detector.invOls = 42e-9;
     scene.detector.lateralCrossTalk = -0.02;
     scene.truth.temperature = 296.15;
+    scene.sample.imagingTipRadius = 8e-9;
+    scene.sample.erode = true;
     scene.law = ContactLaw::Hertz;
     scene.deformation = DeformationTier::FourPoint;
     const std::string text = sceneText(scene);
@@ -108,6 +110,8 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.truth.temperature, scene.truth.temperature);
     EXPECT_EQ(again.truth.stiffness, scene.truth.stiffness);
     EXPECT_EQ(again.law, scene.law);
+    EXPECT_EQ(again.sample.imagingTipRadius, 8e-9);
+    EXPECT_TRUE(again.sample.erode);
 }
 
 TEST_F(SceneFile, RefusesAnUnknownKeyByNameAndLine) {
@@ -129,6 +133,9 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "smoothing_m = -1e-9\n", "smoothing_m"},
         {std::string(sample) + "smoothing_m = 1e-9\nsmoothing_px = 1\n", "not both"},
         {std::string(sample) + "smoothing_px = nan\n", "smoothing_px"},
+        {std::string(sample) + "erode = true\n", "erode needs imaging_tip_radius_m"},
+        {std::string(sample) + "erode = 1\n", "true or false"},
+        {std::string(sample) + "imaging_tip_radius_m = -1e-9\n", "imaging_tip_radius_m"},
         {std::string(sample) + "youngs_modulus_pa = -2e9\n", "youngs_modulus_pa"},
         {std::string(sample) + "poisson_ratio = nan\n", "poisson_ratio"},
         {std::string(sample) + "material = \"missing.toml\"\n", "missing.toml"},

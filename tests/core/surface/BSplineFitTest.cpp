@@ -87,15 +87,9 @@ TEST(BSplineFit, IsTheSplineOfTheSmoothedMap) {
 
 TEST(BSplineFit, SmoothesEachAxisByItsOwnWidth) {
     const HeightMap map = roughMap(160, 150);
-    const BSplineSurface alongX = fitSurface(map, {.x = 3.0});
-    HeightMap rows = map;
-    for (int row = 0; row < map.rows; ++row) {
-        HeightMap line = flatMap({.columns = 160, .rows = 1, .sizeX = 1.0, .sizeY = 1.0});
-        std::copy_n(map.heights.begin() + row * 160, 160, line.heights.begin());
-        line = smoothed(line, 3.0);
-        std::copy_n(line.heights.begin(), 160, rows.heights.begin() + row * 160);
+    for (const Smoothing& smoothing : {Smoothing{.x = 3.0}, Smoothing{.x = 0.7, .y = 2.0}}) {
+        expectControls(fitSurface(map, smoothing), splineOf(smoothed(map, smoothing)));
     }
-    expectControls(alongX, splineOf(rows));
 }
 
 TEST(BSplineFit, SmoothingLeavesAPlaneUnchangedUpToTheEdges) {

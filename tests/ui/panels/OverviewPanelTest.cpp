@@ -14,7 +14,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 namespace {
@@ -29,6 +31,19 @@ BSplineSurface wideSurface() {
         }
     }
     return fitSurface(map);
+}
+
+/// Hills with the first rows and part of the left half without data.
+HeightMap holedMap() {
+    HeightMap map = test::hillyMap();
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            if (row < 4 || (column < 20 && row > 20 && row < 40)) {
+                map.heights[map.index(row, column)] = std::numeric_limits<double>::quiet_NaN();
+            }
+        }
+    }
+    return map;
 }
 
 void doubleClick(OverviewMap& map, const QPointF& pixel) {
@@ -219,6 +234,40 @@ TEST(ColourBarWidget, NamesTheQuantityWithItsPrefix) {
                   .high = 0.0,
                   .colours = {Qt::red, Qt::white}});
     EXPECT_EQ(bar.heading(), QStringLiteral("displacement [pm]"));
+}
+
+TEST(ReliefImage, IsGreyWhereTheScanHoldsNoData) {
+    EXPECT_FALSE(reliefImage(fitSurface(test::hillyMap())).hasFilled);
+    const ReliefImage relief = reliefImage(fitSurface(holedMap()));
+    EXPECT_TRUE(relief.hasFilled);
+    const auto colourfulness = [&](double x, double y) {
+        const QColor colour = relief.image.pixelColor(static_cast<int>(x * relief.image.width()),
+                                                      static_cast<int>(y * relief.image.height()));
+        return std::max({colour.red(), colour.green(), colour.blue()}) -
+               std::min({colour.red(), colour.green(), colour.blue()});
+    };
+    EXPECT_EQ(colourfulness(0.2, 0.5), 0);
+    EXPECT_EQ(colourfulness(0.8, 0.01), 0) << "the rows without data lie at the top";
+    EXPECT_GT(colourfulness(0.8, 0.5), 40);
+    EXPECT_GT(colourfulness(0.8, 0.99), 40);
+}
+
+TEST(OverviewPanel, SaysThatPartsOfTheScanAreFilledInOnlyWhereTheyAre) {
+    OverviewPanel panel;
+    const auto* legend = panel.findChild<QWidget*>(QStringLiteral("filledLegend"));
+    ASSERT_NE(legend, nullptr);
+    panel.setSurface(fitSurface(holedMap()));
+    EXPECT_FALSE(legend->isHidden());
+    panel.setSurface(fitSurface(test::hillyMap()));
+    EXPECT_TRUE(legend->isHidden());
+}
+
+TEST(OverviewPanel, SaysWhatThereIsToSayOfTheScan) {
+    OverviewPanel panel;
+    panel.setScanNote(QStringLiteral("Holds the imaging tip's shape"), QStringLiteral("more"));
+    EXPECT_EQ(test::textOf(panel, "scanNote"), QStringLiteral("Holds the imaging tip's shape"));
+    EXPECT_EQ(panel.findChild<QLabel*>(QStringLiteral("scanNote"))->toolTip(),
+              QStringLiteral("more"));
 }
 
 TEST(AxisTicks, AreNeverOnlyOne) {

@@ -4,6 +4,7 @@
 #include "core/scene/ContactPatch.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
+#include "ui/view/ViewFrame.h"
 
 #include <gtest/gtest.h>
 
@@ -66,6 +67,39 @@ TEST(ContactShape, IsAtRestAlongItsBorder) {
             EXPECT_EQ(shape.displacements()[index], 0.0);
         }
     }
+}
+
+/// Beyond the scan's edge there is nothing to join: the dent goes on up to it.
+TEST(ContactShape, IsNotAtRestAlongTheScansEdge) {
+    const Scene scene = test::flatScene();
+    const Snapshot deep = test::momentsOf(scene).deep;
+    const double reach = 20.0_nm;
+    for (const Vector3& way : {Vector3(-64.0_nm, 0.0, 0.0), Vector3(64.0_nm, 0.0, 0.0),
+                               Vector3(0.0, -64.0_nm, 0.0), Vector3(64.0_nm, 64.0_nm, 0.0)}) {
+        const TipState state = test::movedBy(deep, way).sample.output.model;
+        const ScanWindow scan{.left = 0.0, .right = 128.0_nm, .bottom = 0.0, .top = 128.0_nm};
+        const ScanWindow area = windowAround(state.tip.head<2>(), reach, scan);
+        const ContactShape shape(scene, state, area, kSamples);
+        EXPECT_NEAR((state.foot.point - shape.contactPoint()).z(), state.contact.indentation,
+                    0.05 * state.contact.indentation);
+        const Vector3 goesOn(area.left == 0.0 ? area.right : area.left, state.foot.point.y(),
+                             state.foot.point.z());
+        EXPECT_EQ(shape.moved(goesOn), goesOn) << "at rest where the surface goes on";
+        for (int i = 1; i < kSamples; ++i) {
+            const SurfacePatch& patch = shape.patch();
+            EXPECT_GT(patch.rest[patch.index(0, i)].x(), patch.rest[patch.index(0, i - 1)].x());
+            EXPECT_GT(patch.rest[patch.index(i, 0)].y(), patch.rest[patch.index(i - 1, 0)].y());
+        }
+    }
+}
+
+TEST(ContactShape, FillsAScanSmallerThanTheView) {
+    const Scene scene = test::flatScene();
+    const TipState state = test::momentsOf(scene).deep.sample.output.model;
+    const ScanWindow scan{.left = 0.0, .right = 128.0_nm, .bottom = 0.0, .top = 128.0_nm};
+    const ContactShape shape(scene, state, scan, kSamples);
+    EXPECT_NEAR((state.foot.point - shape.contactPoint()).z(), state.contact.indentation,
+                0.05 * state.contact.indentation);
 }
 
 TEST(ContactShape, SamplesTheContactMostFinely) {

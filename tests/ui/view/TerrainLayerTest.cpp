@@ -41,6 +41,20 @@ public:
         return area;
     }
 
+    /// Of walls that face left or right; of level ground nothing.
+    [[nodiscard]] double areaFromTheSide() const {
+        double area = 0.0;
+        forEachCell([&](vtkPolyData* data, vtkIdType count, const vtkIdType* ids) {
+            for (vtkIdType i = 0; i + 2 < count; ++i) {
+                const Vector3 a(data->GetPoint(ids[i]));
+                const Vector3 b = Vector3(data->GetPoint(ids[i + 1])) - a;
+                const Vector3 c = Vector3(data->GetPoint(ids[i + 2])) - a;
+                area += 0.5 * std::abs(b.y() * c.z() - b.z() * c.y());
+            }
+        });
+        return area;
+    }
+
     [[nodiscard]] vtkIdType points() const {
         vtkIdType most = 0;
         forEachCell([&](vtkPolyData* data, vtkIdType, const vtkIdType*) {
@@ -85,6 +99,25 @@ TEST(TerrainLayer, CoversItsWindowButForTheHole) {
     }
     terrain.hide();
     EXPECT_EQ(SeenFromAbove(renderer).areaOfStrips(), 0.0);
+}
+
+TEST(TerrainLayer, HasNoWallWhereTheHoleLiesAtItsEdge) {
+    const Scene scene = test::flatScene();
+    vtkNew<vtkRenderer> renderer;
+    TerrainLayer terrain(renderer);
+    terrain.setBottom(-10.0_nm);
+    const auto wallArea = [&](const ScanWindow& hole) {
+        terrain.setPlace(scene.surface, {.window = kPlace.window, .hole = hole, .patch = hole});
+        terrain.show(TerrainDetail::Fine, SurfaceColours(), Shading(ViewCamera()));
+        return SeenFromAbove(renderer).areaFromTheSide();
+    };
+    const double whole = 2.0 * 80.0_nm * 10.0_nm;
+    const double cell = 80.0_nm / 159.0 * 10.0_nm;
+    EXPECT_NEAR(wallArea(kPlace.hole), whole, 1e-6 * whole);
+    const ScanWindow atEdge{20.0_nm, 50.0_nm, 40.0_nm, 70.0_nm};
+    EXPECT_NEAR(wallArea(atEdge), whole - 30.0_nm * 10.0_nm, 1.5 * cell);
+    const ScanWindow atCorner{70.0_nm, 100.0_nm, 20.0_nm, 50.0_nm};
+    EXPECT_NEAR(wallArea(atCorner), whole - 30.0_nm * 10.0_nm, 1.5 * cell);
 }
 
 TEST(TerrainLayer, IsCoarseOrFineAsAsked) {

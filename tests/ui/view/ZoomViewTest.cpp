@@ -9,6 +9,7 @@
 #include <QOpenGLFunctions>
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -70,6 +71,40 @@ TEST_F(ZoomViewTest, ShowsTheDentInBlueAndTheNeckInOrange) {
     const Vector3 onNeck = pulled.foot.point - 2.0_nm * view->camera().right();
     const QColor neck = colourAt(pictureOf(moments.neck), onNeck);
     EXPECT_GT(neck.red(), neck.blue() + 30);
+}
+
+TEST_F(ZoomViewTest, ShowsTheDentAtTheScansEdge) {
+    view->setMagnification(1.0);
+    const Vector3 way(0.0, -64.0_nm, 0.0);  // to the edge that faces the eye
+    const TipState state = movedBy(moments.deep, way).sample.output.model;
+    const double radius = state.contact.contactRadius;
+    const Vector3 inDent =
+        state.foot.point - 0.6 * radius * view->camera().right() + Vector3(0.0, 0.3 * radius, 0.0);
+    const QColor rest = colourAt(pictureOf(movedBy(moments.away, way)), inDent);
+    const QColor dent = colourAt(pictureOf(movedBy(moments.deep, way)), inDent);
+    EXPECT_GT(difference(rest, dent), 60);
+    EXPECT_GT(dent.blue(), dent.red() + 30);
+}
+
+TEST_F(ZoomViewTest, ShowsWhatTheScanHoldsNoDataOfInGrey) {
+    HeightMap map = flatMap();
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 36; column < 44; ++column) {
+            map.heights[map.index(row, column)] = std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+    Scene holed = buildScene(plainScene(), map);
+    view->setScene(&holed);
+    const QImage picture = pictureOf(moments.away);
+    const auto colourfulness = [&](double x, double y) {
+        const QColor colour = colourAt(picture, {x, y, 0.0});
+        return std::max({colour.red(), colour.green(), colour.blue()}) -
+               std::min({colour.red(), colour.green(), colour.blue()});
+    };
+    EXPECT_LE(colourfulness(80.5_nm, 63.0_nm), 8);
+    EXPECT_LE(colourfulness(76.3_nm, 81.0_nm), 8) << "around the contact";
+    EXPECT_GT(colourfulness(93.0_nm, 63.0_nm), 40);
+    view->setScene(nullptr);  // which goes before the view
 }
 
 TEST_F(ZoomViewTest, ShowsTheForceInRed) {

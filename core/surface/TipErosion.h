@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/surface/HeightMap.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace asperity {
+
+/// What a scan says about the surface under it, for a spherical tip of known radius.
+///
+/// A scan is the surface dilated by the tip's shape: image(x) = max over d of surface(x + d) -
+/// rise(d), with rise(d) = R - sqrt(R^2 - d^2) for d <= R, the tip's surface above its apex. The
+/// erosion surface(x) <= min over d of image(x + d) + rise(d) is the highest surface that would
+/// have given the same image. All on the pixel grid; the tip's axis is z. Source: Villarrubia
+/// (1997), J. Res. NIST 102, 425; docs/surface.md.
+///
+/// A pixel that is marked invalid, or whose height is not a finite number, takes no part and stays
+/// what it is. Nothing lies beyond the map's borders. Linear time in the pixels, and few times a
+/// block of pixels for each, however wide the tip, on the surfaces of scans.
+
+/// The image that a tip of this radius would record of the surface.
+/// @throw Error when the map is unusable or the radius is not a positive length
+[[nodiscard]] HeightMap dilated(const HeightMap& surface, double tipRadius);
+
+/// The reconstruction from an image that a tip of this radius recorded; nowhere above the image.
+/// @throw Error as dilated()
+[[nodiscard]] HeightMap eroded(const HeightMap& image, double tipRadius);
+
+/// An eroded map with what is certain about it.
+struct TipReconstruction {
+    HeightMap surface;
+    /// rows x columns, 1 where the tip must have touched the surface: the reconstruction is it.
+    /// Elsewhere it is an upper bound.
+    std::vector<std::uint8_t> certain;
+};
+
+/// As eroded(), with the certainty map: a pixel is certain where, for some place of the tip, it is
+/// the only one that the tip can have touched. Pixels next to each other count as one place: what
+/// lies between the pixels is below the grid's resolution. The tip touches something everywhere;
+/// places where it reaches beyond the map's edges or where it can have touched below an invalid
+/// pixel prove nothing.
+/// @throw Error as dilated()
+[[nodiscard]] TipReconstruction reconstructed(const HeightMap& image, double tipRadius);
+
+}  // namespace asperity
