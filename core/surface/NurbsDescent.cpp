@@ -1,0 +1,185 @@
+#include "core/surface/NurbsDescent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kEscapeStep = 0.05;  // off a saddle, of the parameters' range
+constexpr int kMostLegs = 3;          // of a way across seams and poles
+constexpr int kMeridians = 16;
+constexpr double kBesidePole = 1e-7;  // of the parameter's range
+constexpr int kMostMeridianSteps = 20;
+constexpr double kFinestMeridian = 1e-8;  // of the parameter's range
+
+const Box kWhole{.low = Vector2::Zero(), .high = Vector2::Ones()};
+
+/// Rounding of Su and Sv [m]: differences of control points over the width of a patch.
+Vector2 slopeNoise(const NurbsPatch& patch, double placeNoise) {
+    return {placeNoise * patch.net.degreeU / (patch.highU - patch.lowU),
+            placeNoise * patch.net.degreeV / (patch.highV - patch.lowV)};
+}
+
+/// Which parameter is constant along an edge, and what it is there.
+int axisAcross(int edge) { return edge >= 2 ? 1 : 0; }
+double placeAcross(int edge) { return edge % 2 == 0 ? 0.0 : 1.0; }
+
+NurbsMinimum minimumOf(const BoxMinimum& found) {
+    return {.place = found.place,
+            .distance = std::sqrt(2.0 * found.model.value),
+            .iterations = found.iterations,
+            .converged = found.converged,
+            .pushedOut = found.pushedOut};
+}
+
+}  // namespace
+
+NurbsHalfSquare::NurbsHalfSquare(const NurbsSurface& surface, const Vector3& query,
+                                 int patch) noexcept
+    : surface_(surface)
+    , query_(query)
+    , patch_(patch)
+    , noise_(kEpsilon * (surface.scale() + query.lpNorm<Eigen::Infinity>())) {}
+
+LocalModel NurbsHalfSquare::operator()(const Vector2& place) const noexcept {
+    const int index = patch_ < 0 ? surface_.patchAt(place.x(), place.y()) : patch_;
+    const NurbsPatch& patch = surface_.patches()[static_cast<std::size_t>(index)];
+    const ParametricSample s = sampleOf(patch, place.x(), place.y());
+    const Vector3 r = s.point - query_;
+    LocalModel model;
+    model.value = 0.5 * r.squaredNorm();
+    model.gradient = Vector2(r.dot(s.du), r.dot(s.dv));
+    const double mixed = s.du.dot(s.dv);
+    model.convex << s.du.squaredNorm(), mixed, mixed, s.dv.squaredNorm();
+    model.hessian << r.dot(s.duu), r.dot(s.duv), r.dot(s.duv), r.dot(s.dvv);
+    model.hessian += model.convex;
+    // At a pole one derivative is 0: the stand-in stays regular.
+    model.convex += Matrix2::Identity() * (1e-9 * model.convex.trace() + noise_ * noise_);
+    model.valueNoise = r.lpNorm<1>() * noise_;
+    model.gradientNoise = noise_ * Vector2(s.du.norm(), s.dv.norm()) +
+                          r.norm() * slopeNoise(patch, kEpsilon * surface_.scale()) +
+                          kEpsilon * model.hessian.cwiseAbs().rowwise().sum();
+    return model;
+}
+
+NurbsMinimum NurbsDescent::within(int patch, const Box& box, const Vector2& start) const noexcept {
+    const NurbsHalfSquare objective(surface_, query_, patch);
+    const double width = (box.high - box.low).minCoeff();
+    return minimumOf(BoxNewton(objective, box, kEscapeStep * width).minimise(start));
+}
+
+NurbsMinimum NurbsDescent::from(const Vector2& start) const noexcept {
+    NurbsMinimum state = within(-1, kWhole, start);
+    for (int leg = 0; leg < kMostLegs && crossSeam(state); ++leg) {
+    }
+    leavePole(state);
+    return state;
+}
+
+/// Takes up the search again from elsewhere; whether that led farther down.
+bool NurbsDescent::tryFrom(const Vector2& start, NurbsMinimum& state) const noexcept {
+    NurbsMinimum next = within(-1, kWhole, start);
+    next.iterations += state.iterations;
+    state.iterations = next.iterations;
+    if (!(next.distance < state.distance)) {
+        return false;
+    }
+    state = next;
+    return true;
+}
+
+bool NurbsDescent::crossSeam(NurbsMinimum& state) const noexcept {
+    if (!state.pushedOut) {
+        return false;
+    }
+    for (int axis = 0; axis < 2; ++axis) {
+        const double place = state.place[axis];
+        if (surface_.closed()[static_cast<std::size_t>(axis)] && (place == 0.0 || place == 1.0)) {
+            Vector2 other = state.place;
+            other[axis] = 1.0 - place;
+            return tryFrom(other, state);
+        }
+    }
+    return false;
+}
+
+/// Derivative of half the squared distance into the surface from an edge [m^2].
+double NurbsDescent::slopeInto(int edge, double along) const noexcept {
+    const double across = placeAcross(edge);
+    const bool alongU = axisAcross(edge) == 1;
+    const ParametricSample s = alongU ? surface_.at(along, across) : surface_.at(across, along);
+    const double slope = (s.point - query_).dot(alongU ? s.dv : s.du);
+    return across == 0.0 ? slope : -slope;
+}
+
+/// The meridian along which the distance falls most steeply from a pole: where it leaves the edge.
+double NurbsDescent::steepestMeridian(int edge) const noexcept {
+    double best = 0.0;
+    double steepest = std::numeric_limits<double>::max();
+    const auto tryAt = [&](double along) {
+        const double place = std::clamp(along, 0.0, 1.0);
+        const double slope = slopeInto(edge, place);
+        if (slope < steepest) {
+            steepest = slope;
+            best = place;
+        }
+    };
+    for (int i = 0; i < kMeridians; ++i) {
+        tryAt((i + 0.5) / kMeridians);
+    }
+    for (double step = 0.5 / kMeridians; step > kFinestMeridian; step *= 0.5) {
+        const double middle = best;
+        tryAt(middle - step);
+        tryAt(middle + step);
+    }
+    return best;
+}
+
+/// The minimum along one meridian, from the pole on.
+NurbsMinimum NurbsDescent::downMeridian(int edge, double along) const noexcept {
+    const int axis = axisAcross(edge);
+    const NurbsHalfSquare objective(surface_, query_, -1);
+    NurbsMinimum state;
+    state.place[axis] = placeAcross(edge);
+    state.place[1 - axis] = along;
+    LocalModel model = objective(state.place);
+    for (int i = 0; i < kMostMeridianSteps && !state.converged; ++i) {
+        const double bend = std::max(model.hessian(axis, axis), 0.5 * model.convex(axis, axis));
+        state.place[axis] = std::clamp(state.place[axis] - model.gradient[axis] / bend, 0.0, 1.0);
+        model = objective(state.place);
+        state.converged = std::abs(model.gradient[axis]) <= 4.0 * model.gradientNoise[axis];
+        ++state.iterations;
+    }
+    state.distance = std::sqrt(2.0 * model.value);
+    return state;
+}
+
+/// At a pole all meridians begin, and beside it the distance hardly depends on them: Newton's
+/// method may have stopped there, or have come down a wrong one.
+void NurbsDescent::leavePole(NurbsMinimum& state) const noexcept {
+    const double rounding = 8.0 * kEpsilon * (surface_.scale() + query_.lpNorm<Eigen::Infinity>());
+    for (int edge = 0; edge < 4; ++edge) {
+        const double away = std::abs(state.place[axisAcross(edge)] - placeAcross(edge));
+        if (!surface_.collapsed()[static_cast<std::size_t>(edge)] || away > kBesidePole) {
+            continue;
+        }
+        const double along = steepestMeridian(edge);
+        const bool atPole = slopeInto(edge, along) >= 0.0;
+        NurbsMinimum next = atPole ? state : downMeridian(edge, along);
+        next.pushedOut = false;  // beyond this edge is the surface's other side
+        next.iterations += state.iterations;
+        // The search goes on from there; where rounding lets nothing be told it stays.
+        if (next.converged && next.distance <= state.distance + rounding) {
+            state = next;
+        }
+        if (away == 0.0 && !atPole) {
+            tryFrom(next.place, state);
+        }
+    }
+}
+
+}  // namespace asperity

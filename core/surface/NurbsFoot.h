@@ -1,0 +1,71 @@
+#pragma once
+
+#include "core/surface/ClosestPoint.h"
+#include "core/surface/NurbsSurface.h"
+#include "core/surface/TipFeet.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace asperity {
+
+/// What is known about a foot on a NURBS surface.
+enum class NurbsFootProof : std::uint8_t {
+    Nearest,      ///< no other surface point is nearer, to rounding
+    Focal,        ///< the same, but the query is a centre of curvature: the foot may be one of many
+    NotProven,    ///< the search ended before all of the surface was looked through
+    Meaningless,  ///< the query is no point within kFarthestQuery
+};
+
+/// Beyond this no square can be compared with another one. [m]
+inline constexpr double kFarthestQuery = 1e50;
+
+/// A foot and where it lies on the surface.
+struct NurbsFoot {
+    SurfaceFoot foot;  ///< `insideScan`: not held back by an edge of the surface
+    double u = 0.0;
+    double v = 0.0;
+};
+
+/// The nearest foot and others about as near, nearest first.
+class NurbsFeet {
+public:
+    [[nodiscard]] std::span<const NurbsFoot> all() const noexcept { return {feet_.data(), count_}; }
+    [[nodiscard]] const NurbsFoot& nearest() const noexcept { return feet_.front(); }
+    [[nodiscard]] NurbsFootProof proof() const noexcept { return proof_; }
+    /// Pieces of the surface looked at one by one.
+    [[nodiscard]] int pieces() const noexcept { return pieces_; }
+
+private:
+    friend class NurbsFootSearch;
+
+    std::array<NurbsFoot, kMostFeet> feet_{};
+    std::size_t count_ = 0;
+    NurbsFootProof proof_ = NurbsFootProof::NotProven;
+    int pieces_ = 0;
+};
+
+/// Where the search for the nearest foot starts, and which others are wanted.
+struct NurbsFootWish {
+    double u = 0.5;
+    double v = 0.5;
+    bool startThere = false;   ///< u, v are worth a try: where the last foot was
+    double reach = 0.0;        ///< feet up to so much farther than the nearest are wanted [m]
+    double sameWithin = 1e-9;  ///< feet nearer to each other than this are one [m]
+};
+
+/// The surface point nearest to the query, and on request the other local minima of the distance.
+/// Global: every part of the surface is looked at or ruled out, by bounds on the squared distance
+/// over rational Bezier patches, cut until it is convex or above the best foot. The nearest foot
+/// is proven to about 1e-13 of the larger of surface and query; of the others some may be missing.
+/// Allocation-free, bounded, never throws.
+/// Source: Johnson, Cohen (1998) for the branch and bound; Vogl, Ma, Sitti (2005), section III, for
+/// r.Su = 0, r.Sv = 0.
+[[nodiscard]] NurbsFeet nearestFeet(const NurbsSurface& surface, const Vector3& query,
+                                    const NurbsFootWish& wish) noexcept;
+
+/// The nearest foot alone, as on a height field; `certified` where it is proven.
+[[nodiscard]] SurfaceFoot closestPoint(const NurbsSurface& surface, const Vector3& query) noexcept;
+
+}  // namespace asperity
