@@ -12,7 +12,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostPieces = 4096;
+constexpr int kMostPieces = 2048;          // looked at for the proof: a millisecond or so
+constexpr int kMorePieces = 256;           // looked at for other feet
 constexpr std::size_t kMostWaiting = 112;  // pieces: two for each time that a patch can be halved
 constexpr std::size_t kMostBoxes = 128;
 /// What rounding of the bounds may hide, in units of the surface's and the query's size.
@@ -73,6 +74,11 @@ public:
             descend(middleOfNearestPatch());
         }
         const bool complete = searchBoxes();
+        if (complete && wish_.reach > 0.0) {
+            reach_ = wish_.reach;
+            mostPieces_ = feet_.pieces_ + kMorePieces;
+            searchBoxes();
+        }
         for (std::size_t i = 0; i < count_; ++i) {
             if (minima_[i].distance <= best() + wish_.reach) {
                 feet_.feet_[feet_.count_++] = footOf(minima_[i]);
@@ -93,7 +99,7 @@ private:
     [[nodiscard]] double proven() const { return square(std::max(0.0, best() - certain_)); }
     /// Squared distance from which on nothing is of interest [m^2].
     [[nodiscard]] double beyond() const {
-        return wish_.reach > 0.0 ? square(best() + wish_.reach) : proven();
+        return reach_ > 0.0 ? square(best() + reach_) : proven();
     }
 
     [[nodiscard]] Vector2 middleOfNearestPatch() const {
@@ -150,7 +156,7 @@ private:
             [](const NurbsMinimum& a, const NurbsMinimum& b) { return a.distance < b.distance; });
     }
 
-    /// Whether all that could hold a nearer point was looked through.
+    /// Whether all that could hold a point of interest was looked through.
     bool searchBoxes() {
         const auto boxes = surface_.boxes();
         boost::container::static_vector<int, kMostBoxes> waiting;
@@ -190,7 +196,7 @@ private:
                 continue;
             }
             const bool canBeCut = piece.width().maxCoeff() > kSmallestPiece;
-            if (!canBeCut || feet_.pieces_ >= kMostPieces || waiting.size() + 2 > kMostWaiting) {
+            if (!canBeCut || feet_.pieces_ >= mostPieces_ || waiting.size() + 2 > kMostWaiting) {
                 return false;
             }
             cut(piece, waiting);
@@ -223,14 +229,13 @@ private:
             return true;
         }
         lookAt(piece);
-        const bool isSmall = extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
-        return isSmall && (proven() == 0.0 || bound.isAtLeast(proven()));
+        return reach_ > 0.0 && extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
     }
 
     /// By how much the excess over a squared distance may fall short of being convex [m^2].
     [[nodiscard]] double slackAt(double distance) const {
         const double spare = 0.5 * (square(distance) - proven());
-        return wish_.reach > 0.0 ? std::min(spare, distance * certain_) : spare;
+        return reach_ > 0.0 ? std::min(spare, distance * certain_) : spare;
     }
 
     /// A piece whose squared distance is convex (in the sense of SquaredDistanceNet) has one
@@ -240,7 +245,7 @@ private:
         const NurbsMinimum minimum = descent_.within(piece.patch, piece.box, start);
         iterations_ += minimum.iterations;
         if (minimum.distance < best() - certain_ ||
-            (wish_.reach > 0.0 && minimum.distance <= best() + wish_.reach)) {
+            (reach_ > 0.0 && minimum.distance <= best() + reach_)) {
             descend(minimum.place);
         }
         return minimum.converged && minimum.distance >= best() - certain_ &&
@@ -250,8 +255,8 @@ private:
     /// Starts a search from the middle of the piece where that is nearer than the best foot.
     void lookAt(const Piece& piece) {
         const double distance = piece.net.sample(0.5, 0.5).point.norm();
-        const bool isSmall = extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
-        if (distance < best() - certain_ || (isSmall && distance <= best() + wish_.reach)) {
+        const bool isSmall = reach_ > 0.0 && extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
+        if (distance < best() - certain_ || (isSmall && distance <= best() + reach_)) {
             descend(piece.middle());
         }
     }
@@ -280,7 +285,9 @@ private:
     Vector3 query_;
     NurbsFootWish wish_;
     NurbsDescent descent_;
-    double certain_;  ///< [m]
+    double certain_;      ///< [m]
+    double reach_ = 0.0;  ///< of this pass: what is farther than the best foot by more is out [m]
+    int mostPieces_ = kMostPieces;
     std::array<NurbsMinimum, kMostFeet> minima_{};
     std::size_t count_ = 0;
     int iterations_ = 0;
