@@ -36,13 +36,15 @@ struct InversePitch {
 };
 
 /// Height and derivatives from the 4 x 4 control heights that start at `corner`.
-inline HeightSample sampled(const double* corner, std::ptrdiff_t stride, const CubicSpan& across,
-                            const CubicSpan& up, InversePitch scale) {
+template <class Height>
+HeightSample sampled(const Height* corner, std::ptrdiff_t stride, const CubicSpan& across,
+                     const CubicSpan& up, InversePitch scale) {
+    using Controls = Eigen::Matrix<Height, 4, 1>;
     Weights height = Weights::Zero();
     Weights slope = Weights::Zero();
     Weights curvature = Weights::Zero();
     for (int j = 0; j < 4; ++j) {
-        const Weights row = Eigen::Map<const Weights>(corner + j * stride);
+        const Weights row = Eigen::Map<const Controls>(corner + j * stride).template cast<double>();
         height += up.value[j] * row;
         slope += up.slope[j] * row;
         curvature += up.curvature[j] * row;
@@ -92,15 +94,18 @@ BSplineSurface::Grid usable(BSplineSurface::Grid grid) {
     return grid;
 }
 
-double largestMagnitude(const std::vector<double>& heights) {
-    double largest = 0.0;
-    for (const double height : heights) {
+double largestMagnitude(const BSplineSurface::Grid& grid) {
+    float largest = 0.0F;
+    for (const float height : grid.controlHeights) {
         if (!isFiniteHeight(height)) {
             throw Error("a control height is not a finite number");
         }
         largest = std::max(largest, std::abs(height));
     }
-    return largest;
+    if (!isFiniteHeight(grid.datum)) {
+        throw Error("the datum of the control heights is not a finite number");
+    }
+    return std::abs(grid.datum) + static_cast<double>(largest);
 }
 
 /// Second derivatives of a cubic spline are averages of its control heights' second differences,
@@ -114,15 +119,14 @@ double largestConcavity(const BSplineSurface::Grid& grid) {
     double alongY = 0.0;
     double mixed = 0.0;
     for (std::ptrdiff_t row = 1; row <= grid.rows; ++row) {
-        const double* c = grid.controlHeights.data() + row * stride;
+        const float* c = grid.controlHeights.data() + row * stride;
         for (std::ptrdiff_t column = 1; column <= grid.columns; ++column) {
-            const double* at = c + column;
-            alongX = std::max(alongX, at[-1] - 2.0 * at[0] + at[1]);
-            alongY = std::max(alongY, at[-stride] - 2.0 * at[0] + at[stride]);
-            for (const std::ptrdiff_t up : {std::ptrdiff_t{0}, -stride}) {
-                const double* corner = at + up;
-                mixed = std::max(
-                    mixed, std::abs(corner[0] - corner[-1] - corner[stride] + corner[stride - 1]));
+            const auto at = [c = c + column](std::ptrdiff_t i) -> double { return c[i]; };
+            alongX = std::max(alongX, at(-1) - 2.0 * at(0) + at(1));
+            alongY = std::max(alongY, at(-stride) - 2.0 * at(0) + at(stride));
+            for (const std::ptrdiff_t corner : {std::ptrdiff_t{0}, -stride}) {
+                mixed = std::max(mixed, std::abs(at(corner) - at(corner - 1) - at(corner + stride) +
+                                                 at(corner + stride - 1)));
             }
         }
     }
@@ -135,25 +139,30 @@ BSplineSurface::BSplineSurface(Grid grid)
     : grid_(usable(std::move(grid)))
     , inversePitchX_(1.0 / grid_.pitchX)
     , inversePitchY_(1.0 / grid_.pitchY)
-    , heightScale_(largestMagnitude(grid_.controlHeights))
+    , heightScale_(largestMagnitude(grid_))
     , concavityBound_(largestConcavity(grid_)) {}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
     const CubicSpan across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);
     const CubicSpan up = spanAt(clampedToScan(y, sizeY()) * inversePitchY_, grid_.rows);
+    const InversePitch scale{inversePitchX_, inversePitchY_};
+    HeightSample sample;
     if (grid_.columns == 1 || grid_.rows == 1) {
-        const std::array<double, 16> heights = controlsFrom(up.first - 1, across.first - 1);
-        return sampled(heights.data(), 4, across, up, {inversePitchX_, inversePitchY_});
+        const std::array<double, 16> heights = relativeControlsFrom(up.first - 1, across.first - 1);
+        sample = sampled(heights.data(), 4, across, up, scale);
+    } else {
+        const std::ptrdiff_t stride = grid_.columns + 2;
+        const float* corner = grid_.controlHeights.data() + up.first * stride + across.first;
+        sample = sampled(corner, stride, across, up, scale);
     }
-    const std::ptrdiff_t stride = grid_.columns + 2;
-    const double* corner = grid_.controlHeights.data() + up.first * stride + across.first;
-    return sampled(corner, stride, across, up, {inversePitchX_, inversePitchY_});
+    sample.height += grid_.datum;
+    return sample;
 }
 
-std::array<double, 16> BSplineSurface::controlsFrom(int row, int column) const noexcept {
+std::array<double, 16> BSplineSurface::relativeControlsFrom(int row, int column) const noexcept {
     std::array<double, 16> heights{};
     for (int i = 0; i < 16; ++i) {
-        heights[static_cast<std::size_t>(i)] = control(row + i / 4, column + i % 4);
+        heights[static_cast<std::size_t>(i)] = relativeControl(row + i / 4, column + i % 4);
     }
     return heights;
 }
@@ -176,14 +185,18 @@ bool BSplineSurface::isMeasured(double x, double y) const noexcept {
 }
 
 double BSplineSurface::control(int row, int column) const noexcept {
+    return grid_.datum + relativeControl(row, column);
+}
+
+double BSplineSurface::relativeControl(int row, int column) const noexcept {
     return controlAlong(row, grid_.rows, [&](int r) { return controlInRow(r, column); });
 }
 
 double BSplineSurface::controlInRow(int row, int column) const noexcept {
     const std::size_t stride = static_cast<std::size_t>(grid_.columns) + 2;
-    const double* line =
+    const float* line =
         grid_.controlHeights.data() + static_cast<std::size_t>(row + 1) * stride + 1;
-    return controlAlong(column, grid_.columns, [line](int c) { return line[c]; });
+    return controlAlong(column, grid_.columns, [line](int c) -> double { return line[c]; });
 }
 
 }  // namespace asperity
