@@ -3,7 +3,6 @@
 #include "core/contact/EffectiveRadius.h"
 #include "core/contact/Within.h"
 #include "core/probe/Sliding.h"
-#include "core/surface/Curvature.h"
 
 #include <Eigen/LU>
 
@@ -77,7 +76,7 @@ EffectiveRadius takenAsFlat(EffectiveRadius curved, double tipRadius) {
 /// time while the others answer to first order.
 class Balance {
 public:
-    Balance(const BSplineSurface& surface, const ProbeSystem& system, const BaseMotion& base,
+    Balance(const TouchedSurface& surface, const ProbeSystem& system, const BaseMotion& base,
             const Matrix3& compliance)
         : surface_(surface), system_(system), base_(base), compliance_(compliance) {}
 
@@ -127,7 +126,7 @@ private:
         }
         boost::container::static_vector<FootGuess, kMostFeet> known;
         for (const Foot& foot : feet_) {
-            known.push_back(guessOf(foot.place));
+            known.push_back(foot.place.guess());
         }
         const std::size_t before = feet_.size();
         addFeet({known.data(), known.size()}, memory);
@@ -137,8 +136,8 @@ private:
 
     void addFeet(std::span<const FootGuess> known, const EquilibriumMemory& memory) {
         lookedFrom_ = centre();
-        const TipFeet found = tipFeet(surface_, {lookedFrom_, system_.tipRadius()}, kReach, known);
-        for (const SurfaceFoot& place : found.all()) {
+        const TipFeet found = surface_.tipFeet({lookedFrom_, system_.tipRadius()}, kReach, known);
+        for (const SurfaceFoot& place : found.list.all()) {
             if (feet_.size() < kMostFeet && !isKnown(place, feet_.size())) {
                 feet_.push_back({.place = place,
                                  .memory = takeMemory(place, memory),
@@ -147,10 +146,6 @@ private:
                                  .contact = {}});
             }
         }
-    }
-
-    static FootGuess guessOf(const SurfaceFoot& place) {
-        return {place.point.x(), place.point.y(), place.converged};
     }
 
     /// Whether one of the first `count` feet stands there.
@@ -185,8 +180,7 @@ private:
     bool followCurvature() {
         bool changed = false;
         for (Foot& foot : feet_) {
-            const auto bend =
-                principalCurvatures(surface_.at(foot.place.point.x(), foot.place.point.y()));
+            const PrincipalCurvatures& bend = foot.place.curvatures;
             foot.radius = effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
             if (isSphere(system_.contact.law())) {
                 foot.radius = takenAsFlat(foot.radius, system_.tipRadius());
@@ -220,7 +214,7 @@ private:
 
     /// Balances lever and contact at one foot.
     void settle(Foot& foot) {
-        foot.place = closestPoint(surface_, centre(), guessOf(foot.place));
+        foot.place = surface_.localFoot(centre(), foot.place.guess());
         const Vector3& normal = foot.place.normal;
         foot.slip = slidingOf(normal, base_.velocity).slip();
         const Lever lever = leverOf(foot);
@@ -302,13 +296,13 @@ private:
             if (memory.footCount > 0 && isFar) {
                 continue;
             }
-            memory.feet[memory.footCount++] = {.guess = guessOf(foot.place),
+            memory.feet[memory.footCount++] = {.guess = foot.place.guess(),
                                                .contact = foot.contact.memory(),
                                                .friction = foot.memory.friction};
         }
     }
 
-    const BSplineSurface& surface_;
+    TouchedSurface surface_;
     const ProbeSystem& system_;
     const BaseMotion& base_;
     const Matrix3& compliance_;
@@ -321,7 +315,7 @@ private:
 
 }  // namespace
 
-TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system,
+TipState tipEquilibrium(const TouchedSurface& surface, const ProbeSystem& system,
                         const BaseMotion& base, EquilibriumMemory& memory) noexcept {
     if (!isPlace(base.position)) {
         return nowhere();
@@ -329,7 +323,7 @@ TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system
     return Balance(surface, system, base, system.cantilever.compliance()).solve(memory);
 }
 
-TipState heldTip(const BSplineSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
+TipState heldTip(const TouchedSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
                  const EquilibriumMemory& memory) noexcept {
     if (!isPlace(tip.position)) {
         return nowhere();

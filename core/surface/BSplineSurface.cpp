@@ -1,6 +1,7 @@
 #include "core/surface/BSplineSurface.h"
 
 #include "core/Error.h"
+#include "core/surface/CellBoundsBuilder.h"
 #include "core/surface/HeightMap.h"
 #include "core/surface/UniformCubic.h"
 
@@ -108,31 +109,6 @@ double largestMagnitude(const BSplineSurface::Grid& grid) {
     return std::abs(grid.datum) + static_cast<double>(largest);
 }
 
-/// Second derivatives of a cubic spline are averages of its control heights' second differences,
-/// and no principal curvature is stronger than the largest eigenvalue of the second derivatives.
-double largestConcavity(const BSplineSurface::Grid& grid) {
-    const std::ptrdiff_t stride = grid.columns + 2;
-    const double perX = 1.0 / (grid.pitchX * grid.pitchX);
-    const double perY = 1.0 / (grid.pitchY * grid.pitchY);
-    const double perXy = 1.0 / (grid.pitchX * grid.pitchY);
-    double alongX = 0.0;
-    double alongY = 0.0;
-    double mixed = 0.0;
-    for (std::ptrdiff_t row = 1; row <= grid.rows; ++row) {
-        const float* c = grid.controlHeights.data() + row * stride;
-        for (std::ptrdiff_t column = 1; column <= grid.columns; ++column) {
-            const auto at = [c = c + column](std::ptrdiff_t i) -> double { return c[i]; };
-            alongX = std::max(alongX, at(-1) - 2.0 * at(0) + at(1));
-            alongY = std::max(alongY, at(-stride) - 2.0 * at(0) + at(stride));
-            for (const std::ptrdiff_t corner : {std::ptrdiff_t{0}, -stride}) {
-                mixed = std::max(mixed, std::abs(at(corner) - at(corner - 1) - at(corner + stride) +
-                                                 at(corner + stride - 1)));
-            }
-        }
-    }
-    return std::max(alongX * perX, alongY * perY) + mixed * perXy;
-}
-
 }  // namespace
 
 BSplineSurface::BSplineSurface(Grid grid)
@@ -140,7 +116,7 @@ BSplineSurface::BSplineSurface(Grid grid)
     , inversePitchX_(1.0 / grid_.pitchX)
     , inversePitchY_(1.0 / grid_.pitchY)
     , heightScale_(largestMagnitude(grid_))
-    , concavityBound_(largestConcavity(grid_)) {}
+    , bounds_(cellBoundsOf(grid_)) {}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
     const CubicSpan across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);
@@ -197,6 +173,19 @@ double BSplineSurface::controlInRow(int row, int column) const noexcept {
     const float* line =
         grid_.controlHeights.data() + static_cast<std::size_t>(row + 1) * stride + 1;
     return controlAlong(column, grid_.columns, [line](int c) -> double { return line[c]; });
+}
+
+Eigen::Matrix4d cellControls(const BSplineSurface::Grid& grid, int row, int column) noexcept {
+    const std::ptrdiff_t stride = grid.columns + 2;
+    Eigen::Matrix4d controls;
+    for (int i = 0; i < 4; ++i) {
+        // Along an axis with a single pixel the surface is level.
+        const float* line = grid.controlHeights.data() + (grid.rows == 1 ? 1 : row + i) * stride;
+        for (int j = 0; j < 4; ++j) {
+            controls(i, j) = line[grid.columns == 1 ? 1 : column + j];
+        }
+    }
+    return controls;
 }
 
 }  // namespace asperity

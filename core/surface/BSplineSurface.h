@@ -1,25 +1,14 @@
 #pragma once
 
 #include "core/Vector.h"
+#include "core/surface/CellBounds.h"
+#include "core/surface/HeightSample.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 namespace asperity {
-
-/// Height of a surface and its derivatives at one place of the world frame.
-struct HeightSample {
-    double height = 0.0;  ///< [m]
-    double dx = 0.0;      ///< slope along x
-    double dy = 0.0;      ///< slope along y
-    double dxx = 0.0;     ///< [1/m]
-    double dxy = 0.0;     ///< [1/m]
-    double dyy = 0.0;     ///< [1/m]
-
-    /// Unit normal, pointing out of the sample.
-    [[nodiscard]] Vector3 normal() const noexcept { return Vector3(-dx, -dy, 1.0).normalized(); }
-};
 
 /// A uniform bicubic B-spline height field: immutable, O(1) look-up, safe to read from any thread.
 ///
@@ -64,7 +53,9 @@ public:
     /// No control height is larger in magnitude [m]: the scale of rounding errors in at().
     [[nodiscard]] double heightScale() const noexcept { return heightScale_; }
     /// No valley is curved more strongly than this, >= 0 [1/m].
-    [[nodiscard]] double concavityBound() const noexcept { return concavityBound_; }
+    [[nodiscard]] double concavityBound() const noexcept { return bounds_.all().concavity; }
+    /// What is known of each cell without looking into it.
+    [[nodiscard]] const CellBounds& bounds() const noexcept { return bounds_; }
 
 private:
     [[nodiscard]] double controlInRow(int row, int column) const noexcept;
@@ -72,10 +63,14 @@ private:
     [[nodiscard]] std::array<double, 16> relativeControlsFrom(int row, int column) const noexcept;
 
     Grid grid_;
-    double inversePitchX_;   ///< [1/m]
-    double inversePitchY_;   ///< [1/m]
-    double heightScale_;     ///< [m]
-    double concavityBound_;  ///< [1/m]
+    double inversePitchX_;  ///< [1/m]
+    double inversePitchY_;  ///< [1/m]
+    double heightScale_;    ///< [m]
+    CellBounds bounds_;
 };
+
+/// The 4 x 4 control heights of a cell (see CellBounds) above the grid's datum, rows along y [m].
+[[nodiscard]] Eigen::Matrix4d cellControls(const BSplineSurface::Grid& grid, int row,
+                                           int column) noexcept;
 
 }  // namespace asperity

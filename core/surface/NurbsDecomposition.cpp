@@ -18,6 +18,8 @@ void require(bool holds, const std::string& sentence) {
     }
 }
 
+bool isFinite(double value) { return isFiniteHeight(value); }
+
 /// One parameter of the surface.
 struct KnotAxis {
     const std::vector<double>& knots;
@@ -35,10 +37,10 @@ void check(const KnotAxis& axis, const std::string& name) {
     require(axis.degree >= 1 && axis.degree <= kMostDegree,
             "must have a degree from 1 to " + std::to_string(kMostDegree) + " along " + name);
     require(axis.controls() > axis.degree, knots + "are at least twice the degree and two");
-    require(std::all_of(axis.knots.begin(), axis.knots.end(), isFiniteHeight),
+    require(std::all_of(axis.knots.begin(), axis.knots.end(), isFinite),
             knots + "are finite numbers");
     require(std::is_sorted(axis.knots.begin(), axis.knots.end()), knots + "never fall");
-    require(axis.high() > axis.low() && isFiniteHeight(axis.high() - axis.low()),
+    require(axis.high() > axis.low() && isFinite(axis.high() - axis.low()),
             knots + "span a length");
     for (auto knot = axis.knots.begin(); knot != axis.knots.end(); ++knot) {
         const auto repeated = std::upper_bound(knot, axis.knots.end(), *knot) - knot;
@@ -56,8 +58,7 @@ void checkPoints(const NurbsSurface::Net& net, std::size_t count) {
             "must have one weight a control point, or none");
     for (const Vector3& point : net.points) {
         for (int axis = 0; axis < 3; ++axis) {
-            require(isFiniteHeight(point[axis]) &&
-                        std::abs(point[axis]) <= NurbsSurface::kFarthestPoint,
+            require(isFinite(point[axis]) && std::abs(point[axis]) <= NurbsSurface::kFarthestPoint,
                     "must have control points within 1e9 m of the origin");
         }
     }
@@ -65,7 +66,7 @@ void checkPoints(const NurbsSurface::Net& net, std::size_t count) {
         return;
     }
     require(std::all_of(net.weights.begin(), net.weights.end(),
-                        [](double weight) { return isFiniteHeight(weight) && weight > 0.0; }),
+                        [](double weight) { return isFinite(weight) && weight > 0.0; }),
             "must have weights that are positive numbers");
     const auto [least, most] = std::minmax_element(net.weights.begin(), net.weights.end());
     require(*most / NurbsSurface::kWeightRatio <= *least,

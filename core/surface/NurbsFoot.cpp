@@ -18,8 +18,6 @@ constexpr std::size_t kMostWaiting = 112;  // pieces: two for each time that a p
 constexpr std::size_t kMostBoxes = 128;
 /// What rounding of the bounds may hide, in units of the surface's and the query's size.
 constexpr double kCertain = 256.0 * std::numeric_limits<double>::epsilon();
-/// A query so near to a centre of curvature, as a share of the radius, has no one foot.
-constexpr double kFocal = 1e-9;
 /// A piece this small, in parameters, cannot be cut.
 constexpr double kSmallestPiece = 1e-15;
 
@@ -34,6 +32,10 @@ struct Piece {
     [[nodiscard]] Vector2 middle() const { return 0.5 * (box.low + box.high); }
     [[nodiscard]] Vector2 width() const { return box.high - box.low; }
 };
+
+Box boxOf(const NurbsPatch& patch) {
+    return {.low = Vector2(patch.lowU, patch.lowV), .high = Vector2(patch.highU, patch.highV)};
+}
 
 /// Length of the control net along u and along v [m].
 Vector2 extentOf(const BezierNet& net) {
@@ -74,22 +76,22 @@ public:
             descend(middleOfNearestPatch());
         }
         const bool complete = searchBoxes();
-        if (complete && wish_.reach > 0.0) {
-            reach_ = wish_.reach;
+        if (complete && !minima_.front().converged) {
+            settleOnCrease();
+        }
+        if (complete && wish_.within > best()) {
+            within_ = wish_.within;
             mostPieces_ = feet_.pieces_ + kMorePieces;
             searchBoxes();
         }
         for (std::size_t i = 0; i < count_; ++i) {
-            if (minima_[i].distance <= best() + wish_.reach) {
+            if (i == 0 || minima_[i].distance <= wish_.within) {
                 feet_.feet_[feet_.count_++] = footOf(minima_[i]);
             }
         }
-        feet_.feet_[0].foot.iterations = iterations_;
-        feet_.proof_ = complete ? NurbsFootProof::Nearest : NurbsFootProof::NotProven;
-        if (complete && isFocal(feet_.nearest())) {
-            feet_.proof_ = NurbsFootProof::Focal;
-        }
-        feet_.feet_[0].foot.certified = complete;
+        SurfaceFoot& nearest = feet_.feet_.front().foot;
+        nearest.iterations = iterations_;
+        nearest.proof = feet_.proof_ = proofOf(nearest, complete);
         return feet_;
     }
 
@@ -98,9 +100,7 @@ private:
     /// Squared distance from which on nothing is nearer than the best foot, to rounding [m^2].
     [[nodiscard]] double proven() const { return square(std::max(0.0, best() - certain_)); }
     /// Squared distance from which on nothing is of interest [m^2].
-    [[nodiscard]] double beyond() const {
-        return reach_ > 0.0 ? square(best() + reach_) : proven();
-    }
+    [[nodiscard]] double beyond() const { return within_ > best() ? square(within_) : proven(); }
 
     [[nodiscard]] Vector2 middleOfNearestPatch() const {
         const auto boxes = surface_.boxes();
@@ -148,7 +148,7 @@ private:
         return asNear && a.converged != b.converged ? a.converged : a.distance < b.distance;
     }
 
-    [[nodiscard]] std::size_t wanted() const { return wish_.reach > 0.0 ? kMostFeet : 1; }
+    [[nodiscard]] std::size_t wanted() const { return wish_.within > 0.0 ? kMostFeet : 1; }
 
     void sort() {
         std::sort(
@@ -185,10 +185,7 @@ private:
     bool searchPatch(int index) {
         const NurbsPatch& patch = surface_.patches()[static_cast<std::size_t>(index)];
         boost::container::static_vector<Piece, kMostWaiting> waiting;
-        waiting.push_back({.net = patch.net.seenFrom(query_),
-                           .box = {.low = Vector2(patch.lowU, patch.lowV),
-                                   .high = Vector2(patch.highU, patch.highV)},
-                           .patch = index});
+        waiting.push_back({.net = patch.net.seenFrom(query_), .box = boxOf(patch), .patch = index});
         while (!waiting.empty()) {
             const Piece piece = waiting.back();
             waiting.pop_back();
@@ -229,13 +226,13 @@ private:
             return true;
         }
         lookAt(piece);
-        return reach_ > 0.0 && extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
+        return within_ > best() && extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
     }
 
     /// By how much the excess over a squared distance may fall short of being convex [m^2].
     [[nodiscard]] double slackAt(double distance) const {
         const double spare = 0.5 * (square(distance) - proven());
-        return reach_ > 0.0 ? std::min(spare, distance * certain_) : spare;
+        return within_ > best() ? std::min(spare, distance * certain_) : spare;
     }
 
     /// A piece whose squared distance is convex (in the sense of SquaredDistanceNet) has one
@@ -244,19 +241,36 @@ private:
         const Vector2 start = piece.box.nearest(minima_.front().place);
         const NurbsMinimum minimum = descent_.within(piece.patch, piece.box, start);
         iterations_ += minimum.iterations;
-        if (minimum.distance < best() - certain_ ||
-            (reach_ > 0.0 && minimum.distance <= best() + reach_)) {
+        if (minimum.distance < best() - certain_ || minimum.distance <= within_) {
             descend(minimum.place);
         }
         return minimum.converged && minimum.distance >= best() - certain_ &&
                bound.isConvex(square(minimum.distance), slackAt(minimum.distance));
     }
 
+    /// On a crease the gradient vanishes nowhere, but there is a minimum of the patch beside it,
+    /// which is that of the surface since no other place is nearer.
+    void settleOnCrease() {
+        const Vector2 place = minima_.front().place;
+        const int index = surface_.patchAt(place.x(), place.y());
+        const NurbsPatch& patch = surface_.patches()[static_cast<std::size_t>(index)];
+        NurbsMinimum minimum = descent_.within(index, boxOf(patch), place);
+        bool atEdge = false;
+        for (int axis = 0; axis < 2; ++axis) {
+            const bool isEdge = minimum.place[axis] == 0.0 || minimum.place[axis] == 1.0;
+            atEdge |= isEdge && !surface_.closed()[static_cast<std::size_t>(axis)];
+        }
+        minimum.pushedOut &= atEdge;
+        if (minimum.distance <= best() + certain_) {
+            take(minimum);
+        }
+    }
+
     /// Starts a search from the middle of the piece where that is nearer than the best foot.
     void lookAt(const Piece& piece) {
         const double distance = piece.net.sample(0.5, 0.5).point.norm();
-        const bool isSmall = reach_ > 0.0 && extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
-        if (distance < best() - certain_ || (isSmall && distance <= best() + reach_)) {
+        const bool isSmall = extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
+        if (distance < best() - certain_ || (isSmall && distance <= within_)) {
             descend(piece.middle());
         }
     }
@@ -265,6 +279,7 @@ private:
         NurbsFoot foot{.foot = {}, .u = minimum.place.x(), .v = minimum.place.y()};
         foot.foot.point = surface_.at(foot.u, foot.v).point;
         foot.foot.normal = surface_.normal(foot.u, foot.v);
+        foot.foot.curvatures = surface_.curvatures(foot.u, foot.v);
         const Vector3 towardsQuery = query_ - foot.foot.point;
         foot.foot.distance = std::copysign(towardsQuery.norm(), towardsQuery.dot(foot.foot.normal));
         foot.foot.iterations = minimum.iterations;
@@ -273,20 +288,28 @@ private:
         return foot;
     }
 
-    [[nodiscard]] bool isFocal(const NurbsFoot& foot) const {
-        const PrincipalCurvatures bend = surface_.curvatures(foot.u, foot.v);
+    [[nodiscard]] static FootProof proofOf(const SurfaceFoot& foot, bool complete) {
+        if (!foot.converged) {
+            return FootProof::NotConverged;
+        }
+        return complete && !isFocal(foot) ? FootProof::Nearest : FootProof::ManyFeet;
+    }
+
+    /// Whether the distance grows less than to the second order around the foot.
+    [[nodiscard]] static bool isFocal(const SurfaceFoot& foot) {
         const auto isCentre = [&](double curvature) {
-            return std::abs(1.0 + curvature * foot.foot.distance) <= kFocal;
+            return std::abs(1.0 + curvature * foot.distance) <= kSameDistance;
         };
-        return foot.foot.insideScan && (isCentre(bend.largest) || isCentre(bend.smallest));
+        return foot.insideScan &&
+               (isCentre(foot.curvatures.largest) || isCentre(foot.curvatures.smallest));
     }
 
     const NurbsSurface& surface_;
     Vector3 query_;
     NurbsFootWish wish_;
     NurbsDescent descent_;
-    double certain_;      ///< [m]
-    double reach_ = 0.0;  ///< of this pass: what is farther than the best foot by more is out [m]
+    double certain_;       ///< [m]
+    double within_ = 0.0;  ///< what is farther than this and than the best foot is out [m]
     int mostPieces_ = kMostPieces;
     std::array<NurbsMinimum, kMostFeet> minima_{};
     std::size_t count_ = 0;
@@ -301,9 +324,10 @@ public:
         foot.u = foot.v = 0.5;
         foot.foot.point = surface.at(foot.u, foot.v).point;
         foot.foot.normal = surface.normal(foot.u, foot.v);
+        foot.foot.curvatures = surface.curvatures(foot.u, foot.v);
         foot.foot.insideScan = false;
+        foot.foot.proof = feet.proof_ = FootProof::NotConverged;
         feet.count_ = 1;
-        feet.proof_ = NurbsFootProof::Meaningless;
         return feet;
     }
 };
@@ -319,7 +343,8 @@ NurbsFeet nearestFeet(const NurbsSurface& surface, const Vector3& query,
     return NurbsFootSearch(surface, query, wish).run();
 }
 
-SurfaceFoot closestPoint(const NurbsSurface& surface, const Vector3& query) noexcept {
+SurfaceFoot closestPoint(const NurbsSurface& surface, const Vector3& query,
+                         const FootGuess& /*guess*/) noexcept {
     return nearestFeet(surface, query, {}).nearest().foot;
 }
 

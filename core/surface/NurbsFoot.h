@@ -1,22 +1,12 @@
 #pragma once
 
-#include "core/surface/ClosestPoint.h"
+#include "core/surface/FootList.h"
 #include "core/surface/NurbsSurface.h"
-#include "core/surface/TipFeet.h"
 
 #include <array>
-#include <cstdint>
 #include <span>
 
 namespace asperity {
-
-/// What is known about a foot on a NURBS surface.
-enum class NurbsFootProof : std::uint8_t {
-    Nearest,      ///< no other surface point is nearer, to rounding
-    Focal,        ///< the same, but the query is a centre of curvature: the foot may be one of many
-    NotProven,    ///< the search ended before all of the surface was looked through
-    Meaningless,  ///< the query is no point within kFarthestQuery
-};
 
 /// Beyond this no square can be compared with another one. [m]
 inline constexpr double kFarthestQuery = 1e50;
@@ -28,12 +18,13 @@ struct NurbsFoot {
     double v = 0.0;
 };
 
-/// The nearest foot and others about as near, nearest first.
+/// The nearest foot and on request others, nearest first. The proof is about the nearest one:
+/// ManyFeet also where the query is its centre of curvature, so that it may be one of many.
 class NurbsFeet {
 public:
     [[nodiscard]] std::span<const NurbsFoot> all() const noexcept { return {feet_.data(), count_}; }
     [[nodiscard]] const NurbsFoot& nearest() const noexcept { return feet_.front(); }
-    [[nodiscard]] NurbsFootProof proof() const noexcept { return proof_; }
+    [[nodiscard]] FootProof proof() const noexcept { return proof_; }
     /// Pieces of the surface looked at one by one.
     [[nodiscard]] int pieces() const noexcept { return pieces_; }
 
@@ -42,7 +33,7 @@ private:
 
     std::array<NurbsFoot, kMostFeet> feet_{};
     std::size_t count_ = 0;
-    NurbsFootProof proof_ = NurbsFootProof::NotProven;
+    FootProof proof_ = FootProof::NotSought;
     int pieces_ = 0;
 };
 
@@ -51,7 +42,7 @@ struct NurbsFootWish {
     double u = 0.5;
     double v = 0.5;
     bool startThere = false;   ///< u, v are worth a try: where the last foot was
-    double reach = 0.0;        ///< feet up to so much farther than the nearest are wanted [m]
+    double within = 0.0;       ///< feet at most so far away are wanted, too [m]
     double sameWithin = 1e-9;  ///< feet nearer to each other than this are one [m]
 };
 
@@ -65,7 +56,8 @@ struct NurbsFootWish {
 [[nodiscard]] NurbsFeet nearestFeet(const NurbsSurface& surface, const Vector3& query,
                                     const NurbsFootWish& wish) noexcept;
 
-/// The nearest foot alone, as on a height field; `certified` where it is proven.
-[[nodiscard]] SurfaceFoot closestPoint(const NurbsSurface& surface, const Vector3& query) noexcept;
+/// The nearest foot alone. No guess is needed.
+[[nodiscard]] SurfaceFoot closestPoint(const NurbsSurface& surface, const Vector3& query,
+                                       const FootGuess& guess) noexcept;
 
 }  // namespace asperity

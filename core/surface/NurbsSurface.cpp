@@ -21,6 +21,10 @@ constexpr int kHighV = 3;
 constexpr double kSamePoint = 1e-13;  // of the surface's scale
 /// So near to a pole, in shares of its patch, the derivative around it is more rounding than value.
 constexpr double kNearPole = 1e-3;
+/// Rounding of a curvature, as a share of the largest one.
+constexpr double kFlat = 1e-9;
+/// Unit normals that differ by more make an edge.
+constexpr double kSharp = 1e-5;
 /// Three directions whose determinant is smaller are no three directions.
 constexpr double kParallel = 1e-9;
 
@@ -53,6 +57,7 @@ NurbsSurface::NurbsSurface(const Net& net) {
     boxes_ = boxTree(patches_);
     scale_ = bounds().low.cwiseAbs().cwiseMax(bounds().high.cwiseAbs()).maxCoeff();
     findClosedEdges();
+    findConcavity();
 }
 
 ParametricSample NurbsSurface::at(double u, double v) const noexcept {
@@ -100,6 +105,48 @@ void NurbsSurface::findClosedEdges() {
             }
         }
     }
+}
+
+void NurbsSurface::findConcavity() {
+    constexpr int kPlaces = 5;
+    if (hasCrease()) {
+        concavity_ = kCrease;
+        return;
+    }
+    double largest = 0.0;
+    for (const NurbsPatch& patch : patches_) {
+        for (int i = 0; i < kPlaces * kPlaces; ++i) {
+            const double u = std::lerp(patch.lowU, patch.highU, (i % kPlaces + 0.5) / kPlaces);
+            const double v = std::lerp(patch.lowV, patch.highV, (i / kPlaces + 0.5) / kPlaces);
+            const PrincipalCurvatures bend = curvatures(u, v);
+            largest = std::max(largest, std::abs(bend.largest));
+            concavity_ = std::max(concavity_, -bend.smallest);
+        }
+    }
+    if (concavity_ < kFlat * std::max(largest, 1.0 / scale_)) {
+        concavity_ = 0.0;
+    }
+}
+
+/// Whether the tangent planes of two patches differ where these meet.
+bool NurbsSurface::hasCrease() const noexcept {
+    constexpr int kPlaces = 3;
+    constexpr double kAside = 1e-9;  // of the parameters' range
+    const auto bendsBetween = [this](double u0, double v0, double u1, double v1) {
+        return (normal(u0, v0) - normal(u1, v1)).norm() > kSharp;
+    };
+    for (const NurbsPatch& patch : patches_) {
+        for (int i = 0; i < kPlaces; ++i) {
+            const double share = (i + 0.5) / kPlaces;
+            const double u = std::lerp(patch.lowU, patch.highU, share);
+            const double v = std::lerp(patch.lowV, patch.highV, share);
+            if ((patch.highU < 1.0 && bendsBetween(patch.highU - kAside, v, patch.highU, v)) ||
+                (patch.highV < 1.0 && bendsBetween(u, patch.highV - kAside, u, patch.highV))) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 /// The collapsed edge beside which the place lies, or -1.

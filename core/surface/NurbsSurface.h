@@ -69,11 +69,15 @@ public:
     [[nodiscard]] const std::array<bool, 2>& closed() const noexcept { return closed_; }
     /// Whether all of an edge is one point: u = 0, u = 1, v = 0, v = 1.
     [[nodiscard]] const std::array<bool, 4>& collapsed() const noexcept { return collapsed_; }
+    /// The sharpest bend of a hollow found on a grid over each patch, >= 0 [1/m]; where patches
+    /// meet at an angle, kCrease.
+    [[nodiscard]] double concavity() const noexcept { return concavity_; }
     /// Largest magnitude of a control point's coordinate [m]: the scale of rounding errors.
     [[nodiscard]] double scale() const noexcept { return scale_; }
 
     static constexpr double kFarthestPoint = 1e9;  // [m]
     static constexpr double kWeightRatio = 1e6;
+    static constexpr double kCrease = 1e30;  // [1/m]
 
 private:
     [[nodiscard]] Vector3 edgePoint(int edge, double along) const noexcept;
@@ -81,6 +85,8 @@ private:
     [[nodiscard]] Vector3 directionAroundPole(int edge, double u, double v) const noexcept;
     [[nodiscard]] PrincipalCurvatures curvaturesOfPole(int edge, double along) const noexcept;
     void findClosedEdges();
+    void findConcavity();
+    [[nodiscard]] bool hasCrease() const noexcept;
 
     std::vector<double> breaksU_;  ///< from 0 to 1, where patches meet
     std::vector<double> breaksV_;
@@ -89,6 +95,7 @@ private:
     std::array<bool, 2> closed_{};
     std::array<bool, 4> collapsed_{};
     double scale_ = 0.0;
+    double concavity_ = 0.0;
 };
 
 /// Point and derivatives of one patch, by the surface's parameters; beyond its edges the patch is

@@ -61,7 +61,7 @@ void expectFoot(const BSplineSurface& surface, const SurfaceFoot& foot,
     const double place = 1e-12 * kSize + footError(surface, expected.distance);
     EXPECT_TRUE(foot.converged);
     EXPECT_TRUE(foot.insideScan);
-    EXPECT_FALSE(foot.certified);
+    EXPECT_TRUE(foot.certified());
     EXPECT_LT((foot.point - expected.point).norm(), place);
     EXPECT_LT((foot.normal - expected.normal).norm(),
               1e-11 + storage.slope + kStrongestBend * place);

@@ -3,6 +3,7 @@
 #include "core/Random.h"
 #include "core/Units.h"
 #include "core/surface/BSplineFit.h"
+#include "core/surface/ClosestPoint.h"
 #include "core/surface/NurbsShapes.h"
 #include "core/surface/SyntheticSurface.h"
 
@@ -27,9 +28,9 @@ Vector3 onUnitSphere(Random& random) {
 /// The nearest foot, which must be proven, of unit normal, and on the surface where u, v say.
 NurbsFoot provenFoot(const NurbsSurface& surface, const Vector3& query) {
     const NurbsFeet feet = nearestFeet(surface, query, {});
-    EXPECT_EQ(feet.proof(), NurbsFootProof::Nearest);
+    EXPECT_EQ(feet.proof(), FootProof::Nearest);
     const NurbsFoot& foot = feet.nearest();
-    EXPECT_TRUE(foot.foot.certified);
+    EXPECT_TRUE(foot.foot.certified());
     EXPECT_TRUE(foot.foot.converged);
     EXPECT_NEAR(foot.foot.normal.norm(), 1.0, 1e-14);
     EXPECT_EQ(foot.foot.point, surface.at(foot.u, foot.v).point);
@@ -144,19 +145,19 @@ TEST(NurbsFoot, OfATorusIsNeverCertifiedAndWrong) {
         const NurbsFeet feet = nearestFeet(torus, query, {});
         const double expected = torusDistance(kRadius, tube, query);
         ASSERT_NEAR(feet.nearest().foot.distance, expected, 2e-13 * kRadius);
-        certified += feet.nearest().foot.certified ? 1 : 0;
+        certified += feet.nearest().foot.certified() ? 1 : 0;
     }
     EXPECT_EQ(certified, 10000);
 }
 
-TEST(NurbsFoot, AtTheCentreOfASphereIsNamedFocal) {
+TEST(NurbsFoot, AtTheCentreOfASphereIsOneOfMany) {
     const NurbsSurface sphere = sphereSurface(kFrame, kRadius);
     const NurbsFeet feet = nearestFeet(sphere, kFrame.centre, {});
-    EXPECT_EQ(feet.proof(), NurbsFootProof::Focal);
+    EXPECT_EQ(feet.proof(), FootProof::ManyFeet);
     EXPECT_NEAR(feet.nearest().foot.distance, -kRadius, 1e-13 * kRadius);
     const NurbsSurface cylinder = cylinderSurface(kFrame, kRadius, kRadius);
     const NurbsFeet line = nearestFeet(cylinder, kFrame.centre, {});
-    EXPECT_EQ(line.proof(), NurbsFootProof::Focal);
+    EXPECT_EQ(line.proof(), FootProof::ManyFeet);
     EXPECT_NEAR(line.nearest().foot.distance, -kRadius, 1e-13 * kRadius);
 }
 
@@ -191,8 +192,8 @@ TEST(NurbsFoot, OfNoPointIsMeaningless) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     for (const double value : {kNaN, kInfinity, -kInfinity, 1e60}) {
         const NurbsFeet feet = nearestFeet(sphere, Vector3(0.0, value, 0.0), {});
-        EXPECT_EQ(feet.proof(), NurbsFootProof::Meaningless);
-        EXPECT_FALSE(feet.nearest().foot.certified);
+        EXPECT_EQ(feet.proof(), FootProof::NotConverged);
+        EXPECT_FALSE(feet.nearest().foot.certified());
         EXPECT_TRUE(feet.nearest().foot.point.allFinite());
     }
 }
@@ -213,16 +214,16 @@ TEST(NurbsFoot, InAGrooveIsOneOfTwo) {
     const NurbsSurface groove(net);
     const double distance = 20.0_nm * std::numbers::sqrt2 / 2.0;
     const NurbsFeet feet = nearestFeet(groove, Vector3(0.0, 40.0_nm, 20.0_nm),
-                                       {.reach = 1.0_nm, .sameWithin = 0.3_nm});
+                                       {.within = 15.0_nm, .sameWithin = 0.3_nm});
     ASSERT_EQ(feet.all().size(), 2U);
-    EXPECT_EQ(feet.proof(), NurbsFootProof::Nearest);
+    EXPECT_EQ(feet.proof(), FootProof::Nearest);
     for (const NurbsFoot& foot : feet.all()) {
         EXPECT_NEAR(foot.foot.distance, distance, 1e-12_nm);
         EXPECT_NEAR(std::abs(foot.foot.point.x()), 10.0_nm, 1e-12_nm);
     }
     const Vector3 aside(1.0_nm, 40.0_nm, 20.0_nm);
-    EXPECT_EQ(nearestFeet(groove, aside, {.reach = 1.0_nm}).all().size(), 1U);
-    EXPECT_EQ(nearestFeet(groove, aside, {.reach = 2.0_nm}).all().size(), 2U);
+    EXPECT_EQ(nearestFeet(groove, aside, {.within = 14.5_nm}).all().size(), 1U);
+    EXPECT_EQ(nearestFeet(groove, aside, {.within = 15.5_nm}).all().size(), 2U);
 }
 
 TEST(NurbsFoot, ARidgeIsNearestToAllThatIsAboveIt) {
@@ -239,7 +240,7 @@ TEST(NurbsFoot, ARidgeIsNearestToAllThatIsAboveIt) {
                              .weights = {}});
     for (const double aside : {0.0, 3.0_nm, -9.0_nm}) {
         const NurbsFeet feet = nearestFeet(roof, Vector3(aside, 30.0_nm, 60.0_nm), {});
-        EXPECT_EQ(feet.proof(), NurbsFootProof::Nearest);
+        EXPECT_EQ(feet.proof(), FootProof::Nearest);
         EXPECT_NEAR(feet.nearest().foot.distance, std::hypot(aside, 10.0_nm), 1e-12_nm);
     }
 }
@@ -267,7 +268,7 @@ TEST(NurbsFoot, OfAWildSurfaceIsNoFartherThanAnySample) {
             const Vector3 query(60.0_nm * random.uniform(), 40.0_nm * random.uniform(),
                                 20.0_nm * random.normal());
             const NurbsFeet feet = nearestFeet(surface, query, {});
-            EXPECT_EQ(feet.proof(), NurbsFootProof::Nearest);
+            EXPECT_EQ(feet.proof(), FootProof::Nearest);
             const double found = std::abs(feet.nearest().foot.distance);
             double sampled = 1.0;
             constexpr int kSamples = 150;
