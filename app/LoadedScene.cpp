@@ -40,10 +40,17 @@ std::string lawNote(const Scene& scene) {
     return note;
 }
 
-}  // namespace
+LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
+    if (!overrides.channel.empty() || overrides.levelling) {
+        throw Error("a scene with a shape has no height map whose channel or levelling to choose");
+    }
+    return {.scene = buildScene(description),
+            .format = "shape",
+            .sha256 = "",
+            .notes = {"the sample is an exact shape, drawn by 256 x 256 heights"}};
+}
 
-LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides) {
-    SceneDescription description = sceneFromInput(input);
+LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrides) {
     SampleDescription& sample = description.sample;
     if (!overrides.channel.empty()) {
         sample.channel = overrides.channel;
@@ -55,12 +62,21 @@ LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& 
     const HeightMapFile file = readHeightMapFile(sample.file);
     const ScanChannel& channel = heightChannel(file, sample.file, sample.channel);
     sample.channel = channel.name;
+    LoadedScene loaded{.scene = buildScene(description, channel.map),
+                       .format = file.format,
+                       .sha256 = sha256OfFile(sample.file),
+                       .notes = file.notes};
+    loaded.notes.push_back(levellingNote(loaded.scene));
+    return loaded;
+}
+
+}  // namespace
+
+LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides) {
+    const SceneDescription description = sceneFromInput(input);
     try {
-        LoadedScene loaded{.scene = buildScene(description, channel.map),
-                           .format = file.format,
-                           .sha256 = sha256OfFile(sample.file),
-                           .notes = file.notes};
-        loaded.notes.push_back(levellingNote(loaded.scene));
+        LoadedScene loaded = description.sample.shape ? shapeScene(description, overrides)
+                                                      : mapScene(description, overrides);
         loaded.notes.push_back(lawNote(loaded.scene));
         return loaded;
     } catch (const InputError&) {

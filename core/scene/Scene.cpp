@@ -1,6 +1,7 @@
 #include "core/scene/Scene.h"
 
 #include "core/Error.h"
+#include "core/scene/ShapeSample.h"
 #include "core/surface/BSplineFit.h"
 #include "core/surface/GaussianFilter.h"
 #include "core/surface/InvalidPixels.h"
@@ -48,10 +49,11 @@ InstrumentTruth instrumentTruth(const SceneDescription& scene) {
 }
 
 Scene assemble(const SceneDescription& description, const PlaneFit& removedPlane,
-               BSplineSurface surface) {
+               BSplineSurface surface, std::optional<NurbsSurface> shape) {
     return {.description = description,
             .removedPlane = removedPlane,
             .surface = std::move(surface),
+            .shape = std::move(shape),
             .lawChoice =
                 chooseLaw(description.law, contactPair(description, description.sample.material)),
             .belief = probeSystem(description, description.sample.material, description.probe),
@@ -76,7 +78,16 @@ Scene buildScene(const SceneDescription& description, const HeightMap& map) {
     checkMap(map);
     const HeightMap filled = withInvalidPixelsFilled(levelled(map, description.sample.levelling));
     return assemble(description, fitPlane(map),
-                    fitSurface(smoothed(filled, description.sample.smoothingPixels)));
+                    fitSurface(smoothed(filled, description.sample.smoothingPixels)), {});
+}
+
+Scene buildScene(const SceneDescription& description) {
+    checkScene(description);
+    if (!description.sample.shape) {
+        throw Error("[sample]: a scene without a height map needs a shape");
+    }
+    const ShapeDescription& shape = *description.sample.shape;
+    return assemble(description, {}, fitSurface(shapeMap(shape)), shapeSurface(shape));
 }
 
 Scene withMaterial(Scene scene, const SampleMaterial& material) {
@@ -86,7 +97,8 @@ Scene withMaterial(Scene scene, const SampleMaterial& material) {
     }
     description.sample.material = material;
     checkScene(description);
-    return assemble(description, scene.removedPlane, std::move(scene.surface));
+    return assemble(description, scene.removedPlane, std::move(scene.surface),
+                    std::move(scene.shape));
 }
 
 }  // namespace asperity

@@ -8,20 +8,29 @@
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/HeightMap.h"
 #include "core/surface/Levelling.h"
+#include "core/surface/NurbsSurface.h"
+#include "core/surface/TouchedSurface.h"
+
+#include <optional>
 
 namespace asperity {
 
 /// Everything that stays constant while the loop runs. A new scan or material is a new scene.
 struct Scene {
     SceneDescription description;
-    PlaneFit removedPlane;  ///< of the scan as loaded
-    BSplineSurface surface;
-    LawChoice lawChoice;       ///< of the belief, and why
+    PlaneFit removedPlane;              ///< of the scan as loaded
+    BSplineSurface surface;             ///< as it is drawn, and touched unless it is a shape
+    std::optional<NurbsSurface> shape;  ///< what the tip touches in place of `surface`
+    LawChoice lawChoice;                ///< of the belief, and why
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     InstrumentTruth truth;     ///< what the simulated instrument is
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
     Settings settings;         ///< that a run starts with
 
+    /// What the tip touches; the scene must outlive it.
+    [[nodiscard]] TouchedSurface touched() const noexcept {
+        return shape ? TouchedSurface(*shape) : TouchedSurface(surface);
+    }
     [[nodiscard]] double timeStep() const noexcept { return 1.0 / description.tickRate; }  ///< [s]
 };
 
@@ -31,6 +40,10 @@ struct Scene {
 /// Levels, fills, smooths and fits the map, and sets up both sides of the instrument.
 /// @throw Error when a value of the description is outside its range
 [[nodiscard]] Scene buildScene(const SceneDescription& description, const HeightMap& map);
+
+/// The scene of a description whose sample is a shape.
+/// @throw Error when it is none, or a value of the description is outside its range
+[[nodiscard]] Scene buildScene(const SceneDescription& description);
 
 /// The same scan of another material. The instrument's truth goes along where it was the same as
 /// what the scene said. @throw Error as buildScene()

@@ -5,6 +5,7 @@
 #include "core/contact/Within.h"
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 namespace asperity {
@@ -50,7 +51,29 @@ void check(const Meniscus& meniscus) {
             "[physics]: a meniscus needs both meniscus_tension_n_m and meniscus_range_m");
 }
 
+/// The window must show the upper side alone, and not where it is steeper than a picture shows.
+double widestWindow(const ShapeDescription& shape) {
+    constexpr double kOfASphere = 1.25;    // radii: its corners lie at 0.88 of the radius
+    constexpr double kOfACylinder = 1.75;  // radii: its sides lie at 0.88 of the radius
+    return shape.radius * (shape.kind == ShapeKind::Sphere ? kOfASphere : kOfACylinder);
+}
+
 }  // namespace
+
+void checkShape(const ShapeDescription& shape) {
+    constexpr double kSteepest = 1.4835298641951802;  // 85 degrees [rad]
+    require(isWithin(shape.size, 1e-9, 1e-3),
+            "[sample]: shape_size_m must lie between 1e-9 and 1e-3");
+    if (shape.kind == ShapeKind::Plane) {
+        require(isWithin(shape.slope, -kSteepest, kSteepest),
+                "[sample]: shape_slope_rad must lie between -1.4835 and 1.4835 (85 degrees)");
+        return;
+    }
+    require(isWithin(shape.radius, 1e-9, 1e-3),
+            "[sample]: shape_radius_m must lie between 1e-9 and 1e-3");
+    require(shape.size <= widestWindow(shape),
+            "[sample]: shape_size_m must be at most 1.25 radii of a sphere or 1.75 of a cylinder");
+}
 
 SceneDescription defaultScene() {
     SceneDescription scene;
@@ -71,6 +94,22 @@ SceneDescription defaultScene() {
     return scene;
 }
 
+std::string sampleName(const SampleDescription& sample) {
+    if (!sample.shape) {
+        return std::filesystem::path(sample.file).filename().string() + ", channel " +
+               sample.channel;
+    }
+    switch (sample.shape->kind) {
+    case ShapeKind::Sphere:
+        return "a sphere";
+    case ShapeKind::Cylinder:
+        return "a cylinder";
+    case ShapeKind::Plane:
+        break;
+    }
+    return "a plane";
+}
+
 ContactPair contactPair(const SceneDescription& scene, const SampleMaterial& material) {
     return {.tipRadius = scene.tip.radius,
             .reducedModulus = reducedModulus(material.elastic, scene.tip.elastic),
@@ -85,6 +124,9 @@ ContactOptions contactOptions(const SceneDescription& scene, const SampleMateria
 }
 
 void checkScene(const SceneDescription& scene) {
+    if (scene.sample.shape) {
+        checkShape(*scene.sample.shape);
+    }
     check(scene.sample.material, "[sample]");
     check(scene.truth.material, "[truth]");
     check(scene.tip.elastic, "[tip]");
