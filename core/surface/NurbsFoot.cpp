@@ -16,8 +16,8 @@ constexpr int kMostPieces = 2048;          // looked at for the proof: a millise
 constexpr int kMorePieces = 256;           // looked at for other feet
 constexpr std::size_t kMostWaiting = 112;  // pieces: two for each time that a patch can be halved
 constexpr std::size_t kMostBoxes = 128;
-/// What rounding of the bounds may hide, in units of the surface's and the query's size.
-constexpr double kCertain = 256.0 * std::numeric_limits<double>::epsilon();
+/// How much nearer another place may be unnoticed, in roundings of a place in space.
+constexpr double kCertainNoise = 256.0;
 /// A piece this small, in parameters, cannot be cut.
 constexpr double kSmallestPiece = 1e-15;
 
@@ -32,6 +32,28 @@ struct Piece {
     [[nodiscard]] Vector2 middle() const { return 0.5 * (box.low + box.high); }
     [[nodiscard]] Vector2 width() const { return box.high - box.low; }
 };
+
+/// A place of a piece and how far from the query it is.
+struct NearPlace {
+    Vector2 place = Vector2::Zero();  ///< (u, v)
+    double distance = 0.0;            ///< [m]
+};
+
+/// The nearest one of the middle and the four corners.
+NearPlace nearestSample(const Piece& piece) {
+    NearPlace nearest{.place = piece.middle(), .distance = piece.net.sample(0.5, 0.5).point.norm()};
+    for (const int i : {0, piece.net.degreeU}) {
+        for (const int j : {0, piece.net.degreeV}) {
+            const double distance = piece.net.place(i, j).norm();
+            if (distance < nearest.distance) {
+                nearest = {.place = Vector2((i == 0 ? piece.box.low : piece.box.high)[0],
+                                            (j == 0 ? piece.box.low : piece.box.high)[1]),
+                           .distance = distance};
+            }
+        }
+    }
+    return nearest;
+}
 
 Box boxOf(const NurbsPatch& patch) {
     return {.low = Vector2(patch.lowU, patch.lowV), .high = Vector2(patch.highU, patch.highV)};
@@ -67,14 +89,11 @@ public:
         , query_(query)
         , wish_(wish)
         , descent_(surface, query)
-        , certain_(kCertain * (surface.scale() + query.lpNorm<Eigen::Infinity>())) {}
+        , certain_(kCertainNoise * std::numeric_limits<double>::epsilon() *
+                   (surface.scale() + query.lpNorm<Eigen::Infinity>())) {}
 
     NurbsFeet run() {
-        if (wish_.startThere) {
-            descend(Vector2(wish_.u, wish_.v).cwiseMax(0.0).cwiseMin(1.0));
-        } else {
-            descend(middleOfNearestPatch());
-        }
+        descend(middleOfNearestPatch());
         const bool complete = searchBoxes();
         if (complete && !minima_.front().converged) {
             settleOnCrease();
@@ -211,22 +230,23 @@ private:
         Box low = piece.box;
         Box high = piece.box;
         low.high[axis] = high.low[axis] = piece.middle()[axis];
-        waiting.push_back({.net = halves.high, .box = high, .patch = piece.patch});
         waiting.push_back({.net = halves.low, .box = low, .patch = piece.patch});
+        waiting.push_back({.net = halves.high, .box = high, .patch = piece.patch});
     }
 
     /// Whether nothing in the piece can change the answer any more.
     bool isSettled(const Piece& piece) {
         ++feet_.pieces_;
-        const SquaredDistanceNet bound(piece.net);
+        const SquaredDistanceNet bound(piece.net, certain_ / kCertainNoise);
         if (beyond() == 0.0 || bound.isAtLeast(beyond())) {
             return true;
         }
         if (bound.isConvex(square(best()), slackAt(best())) && minimumSettles(piece, bound)) {
             return true;
         }
-        lookAt(piece);
-        return within_ > best() && extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
+        const bool isSmall = within_ > best() && extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
+        lookAt(piece, isSmall);
+        return isSmall;
     }
 
     /// By how much the excess over a squared distance may fall short of being convex [m^2].
@@ -266,12 +286,12 @@ private:
         }
     }
 
-    /// Starts a search from the middle of the piece where that is nearer than the best foot.
-    void lookAt(const Piece& piece) {
-        const double distance = piece.net.sample(0.5, 0.5).point.norm();
-        const bool isSmall = extentOf(piece.net).maxCoeff() <= wish_.sameWithin;
+    /// Starts a search from the piece where that is nearer than the best foot, or
+    /// where another foot may be and the piece is too small to be cut for it.
+    void lookAt(const Piece& piece, bool isSmall) {
+        const auto [place, distance] = nearestSample(piece);
         if (distance < best() - certain_ || (isSmall && distance <= within_)) {
-            descend(piece.middle());
+            descend(place);
         }
     }
 

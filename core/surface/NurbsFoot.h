@@ -37,12 +37,9 @@ private:
     int pieces_ = 0;
 };
 
-/// Where the search for the nearest foot starts, and which others are wanted.
+/// Which feet are wanted beside the nearest one.
 struct NurbsFootWish {
-    double u = 0.5;
-    double v = 0.5;
-    bool startThere = false;   ///< u, v are worth a try: where the last foot was
-    double within = 0.0;       ///< feet at most so far away are wanted, too [m]
+    double within = 0.0;       ///< those at most so far away; 0: none [m]
     double sameWithin = 1e-9;  ///< feet nearer to each other than this are one [m]
 };
 

@@ -38,18 +38,24 @@ struct Range {
 
 }  // namespace
 
-SquaredDistanceNet::SquaredDistanceNet(const BezierNet& net) noexcept
+SquaredDistanceNet::SquaredDistanceNet(const BezierNet& net, double placeNoise) noexcept
     : degreeU_(2 * net.degreeU), degreeV_(2 * net.degreeV), leastWeight_(net.at(0, 0)[3]) {
+    double greatest = 0.0;  // the farthest control point tells how large the products are
+    double greatestWeight = 0.0;
     // The product of two Bernstein polynomials, the binomial factors taken out.
     std::array<HomogeneousPoint, BezierNet::kMostAlong * BezierNet::kMostAlong> scaled;
     for (int j = 0; j <= net.degreeV; ++j) {
         for (int i = 0; i <= net.degreeU; ++i) {
+            greatest = std::max(greatest, net.at(i, j).head<3>().squaredNorm());
             leastWeight_ = std::min(leastWeight_, net.at(i, j)[3]);
+            greatestWeight = std::max(greatestWeight, net.at(i, j)[3]);
             scaled[BezierNet::index(i, j)] =
                 binomial(net.degreeU, i) * binomial(net.degreeV, j) * net.at(i, j);
         }
     }
     leastWeight_ *= leastWeight_;
+    noise_ = 16.0 * std::numeric_limits<double>::epsilon() * greatest +
+             4.0 * std::sqrt(greatest) * greatestWeight * placeNoise;
     for (int l = 0; l <= degreeV_; ++l) {
         for (int k = 0; k <= degreeU_; ++k) {
             Eigen::Vector4d sum = Eigen::Vector4d::Zero();
@@ -69,7 +75,7 @@ SquaredDistanceNet::SquaredDistanceNet(const BezierNet& net) noexcept
 bool SquaredDistanceNet::isAtLeast(double square) const noexcept {
     for (int l = 0; l <= degreeV_; ++l) {
         for (int k = 0; k <= degreeU_; ++k) {
-            if (distance_[index(k, l)] < square * weight_[index(k, l)]) {
+            if (distance_[index(k, l)] < square * weight_[index(k, l)] + noise_) {
                 return false;
             }
         }
@@ -103,10 +109,13 @@ bool SquaredDistanceNet::isConvex(double square, double slack) const noexcept {
             }
         }
     }
+    // Each difference has coefficients of a total weight of 4.
+    const double noise = 4.0 * noise_;
     const double shift = slack * leastWeight_;
-    const double leastU = degreeU_ * (degreeU_ - 1) * uu.least + shift;
-    const double leastV = degreeV_ * (degreeV_ - 1) * vv.least + shift;
-    const double mixed = degreeU_ * degreeV_ * std::max(std::abs(uv.least), std::abs(uv.most));
+    const double leastU = degreeU_ * (degreeU_ - 1) * (uu.least - noise) + shift;
+    const double leastV = degreeV_ * (degreeV_ - 1) * (vv.least - noise) + shift;
+    const double mixed =
+        degreeU_ * degreeV_ * (std::max(std::abs(uv.least), std::abs(uv.most)) + noise);
     return leastU > 0.0 && leastV > 0.0 && leastU * leastV > mixed * mixed;
 }
 

@@ -13,9 +13,11 @@ namespace asperity {
 class SquaredDistanceNet {
 public:
     /// @param net seen from the query (BezierNet::seenFrom)
-    explicit SquaredDistanceNet(const BezierNet& net) noexcept;
+    /// @param placeNoise rounding of its control points [m]
+    SquaredDistanceNet(const BezierNet& net, double placeNoise) noexcept;
 
-    /// Whether no point of the patch is nearer than the root of `square` [m^2].
+    /// Whether no point of the patch is nearer than the root of `square` [m^2]. Like isConvex(),
+    /// true only where that holds whatever the rounding.
     [[nodiscard]] bool isAtLeast(double square) const noexcept;
 
     /// Whether F - square W + slack w_min^2 (u^2 + v^2) / 2, w_min the least weight, is convex over
@@ -36,6 +38,7 @@ private:
     Coefficients distance_;  ///< of F [m^2]
     Coefficients weight_;    ///< of W
     double leastWeight_;     ///< of W
+    double noise_;           ///< rounding of a coefficient of F [m^2]
 };
 
 }  // namespace asperity

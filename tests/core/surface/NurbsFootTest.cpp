@@ -4,6 +4,7 @@
 #include "core/Units.h"
 #include "core/surface/BSplineFit.h"
 #include "core/surface/ClosestPoint.h"
+#include "core/surface/NurbsDescent.h"
 #include "core/surface/NurbsShapes.h"
 #include "core/surface/SyntheticSurface.h"
 
@@ -280,6 +281,12 @@ TEST(NurbsFoot, OfAWildSurfaceIsNoFartherThanAnySample) {
                 sampled = std::min(sampled, (point - query).norm());
             }
             ASSERT_LE(found, sampled * (1.0 + 1e-13));
+            const NurbsDescent descent(surface, query);
+            for (int start = 0; start < 30; ++start) {
+                const NurbsMinimum other =
+                    descent.from(Vector2(random.uniform(), random.uniform()));
+                ASSERT_LE(found, other.distance + 1e-13 * 60.0_nm);
+            }
             ASSERT_GT(found, sampled - 0.6_nm);
         }
     }
