@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kEscapeStep = 0.05;  // off a saddle, of the parameters' range
+constexpr double kOnEdge = 1e-9;      // of the width of a box
 constexpr int kMostLegs = 3;          // of a way across seams and poles
 constexpr int kMeridians = 16;
 constexpr double kBesidePole = 1e-7;  // of the parameter's range
@@ -27,6 +28,20 @@ Vector2 slopeNoise(const NurbsPatch& patch, double placeNoise) {
 /// Which parameter is constant along an edge, and what it is there.
 int axisAcross(int edge) { return edge >= 2 ? 1 : 0; }
 double placeAcross(int edge) { return edge % 2 == 0 ? 0.0 : 1.0; }
+
+/// A search that halves its steps towards an edge never gets there: puts it onto the edge.
+Vector2 ontoEdges(const Vector2& place, const Box& box) {
+    Vector2 moved = place;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double near = kOnEdge * (box.high[axis] - box.low[axis]);
+        if (place[axis] < box.low[axis] + near) {
+            moved[axis] = box.low[axis];
+        } else if (place[axis] > box.high[axis] - near) {
+            moved[axis] = box.high[axis];
+        }
+    }
+    return moved;
+}
 
 NurbsMinimum minimumOf(const BoxMinimum& found) {
     return {.place = found.place,
@@ -66,10 +81,17 @@ LocalModel NurbsHalfSquare::operator()(const Vector2& place) const noexcept {
     return model;
 }
 
+NurbsDescent::NurbsDescent(const NurbsSurface& surface, const Vector3& query) noexcept
+    : surface_(surface)
+    , query_(query)
+    , rounding_(8.0 * kEpsilon * (surface.scale() + query.lpNorm<Eigen::Infinity>())) {}
+
 NurbsMinimum NurbsDescent::within(int patch, const Box& box, const Vector2& start) const noexcept {
     const NurbsHalfSquare objective(surface_, query_, patch);
     const double width = (box.high - box.low).minCoeff();
-    return minimumOf(BoxNewton(objective, box, kEscapeStep * width).minimise(start));
+    const BoxNewton newton(objective, box, kEscapeStep * width);
+    const BoxMinimum found = newton.minimise(start);
+    return minimumOf(found.converged ? found : newton.minimise(ontoEdges(found.place, box)));
 }
 
 NurbsMinimum NurbsDescent::from(const Vector2& start) const noexcept {
@@ -80,12 +102,13 @@ NurbsMinimum NurbsDescent::from(const Vector2& start) const noexcept {
     return state;
 }
 
-/// Takes up the search again from elsewhere; whether that led farther down.
-bool NurbsDescent::tryFrom(const Vector2& start, NurbsMinimum& state) const noexcept {
-    NurbsMinimum next = within(-1, kWhole, start);
+/// Goes on to what a search from elsewhere found, if that is nearer, or as near to rounding and a
+/// proper minimum; whether it did.
+bool NurbsDescent::goOnTo(NurbsMinimum next, NurbsMinimum& state) const noexcept {
     next.iterations += state.iterations;
     state.iterations = next.iterations;
-    if (!(next.distance < state.distance)) {
+    const bool isProper = next.converged && !next.pushedOut;
+    if (next.distance > state.distance + (isProper ? rounding_ : -rounding_)) {
         return false;
     }
     state = next;
@@ -101,7 +124,7 @@ bool NurbsDescent::crossSeam(NurbsMinimum& state) const noexcept {
         if (surface_.closed()[static_cast<std::size_t>(axis)] && (place == 0.0 || place == 1.0)) {
             Vector2 other = state.place;
             other[axis] = 1.0 - place;
-            return tryFrom(other, state);
+            return goOnTo(within(-1, kWhole, other), state);
         }
     }
     return false;
@@ -161,23 +184,17 @@ NurbsMinimum NurbsDescent::downMeridian(int edge, double along) const noexcept {
 /// At a pole all meridians begin, and beside it the distance hardly depends on them: Newton's
 /// method may have stopped there, or have come down a wrong one.
 void NurbsDescent::leavePole(NurbsMinimum& state) const noexcept {
-    const double rounding = 8.0 * kEpsilon * (surface_.scale() + query_.lpNorm<Eigen::Infinity>());
     for (int edge = 0; edge < 4; ++edge) {
         const double away = std::abs(state.place[axisAcross(edge)] - placeAcross(edge));
         if (!surface_.collapsed()[static_cast<std::size_t>(edge)] || away > kBesidePole) {
             continue;
         }
+        state.pushedOut &= away > 0.0;  // beyond this edge is the surface's other side
         const double along = steepestMeridian(edge);
-        const bool atPole = slopeInto(edge, along) >= 0.0;
-        NurbsMinimum next = atPole ? state : downMeridian(edge, along);
-        next.pushedOut = false;  // beyond this edge is the surface's other side
-        next.iterations += state.iterations;
-        // The search goes on from there; where rounding lets nothing be told it stays.
-        if (next.converged && next.distance <= state.distance + rounding) {
-            state = next;
-        }
-        if (away == 0.0 && !atPole) {
-            tryFrom(next.place, state);
+        if (slopeInto(edge, along) < 0.0) {
+            const NurbsMinimum beside = downMeridian(edge, along);
+            const NurbsMinimum beyond = within(-1, kWhole, beside.place);
+            goOnTo(beyond.distance < beside.distance - rounding_ ? beyond : beside, state);
         }
     }
 }

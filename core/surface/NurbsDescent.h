@@ -35,8 +35,7 @@ struct NurbsMinimum {
 /// Allocation-free, bounded.
 class NurbsDescent {
 public:
-    NurbsDescent(const NurbsSurface& surface, const Vector3& query) noexcept
-        : surface_(surface), query_(query) {}
+    NurbsDescent(const NurbsSurface& surface, const Vector3& query) noexcept;
 
     [[nodiscard]] NurbsMinimum from(const Vector2& start) const noexcept;
     /// The minimum over a rectangle of one patch, its edges included.
@@ -46,13 +45,14 @@ public:
 private:
     bool crossSeam(NurbsMinimum& state) const noexcept;
     void leavePole(NurbsMinimum& state) const noexcept;
-    bool tryFrom(const Vector2& start, NurbsMinimum& state) const noexcept;
+    bool goOnTo(NurbsMinimum next, NurbsMinimum& state) const noexcept;
     [[nodiscard]] NurbsMinimum downMeridian(int edge, double along) const noexcept;
     [[nodiscard]] double steepestMeridian(int edge) const noexcept;
     [[nodiscard]] double slopeInto(int edge, double along) const noexcept;
 
     const NurbsSurface& surface_;
     Vector3 query_;
+    double rounding_;  ///< of a distance [m]
 };
 
 }  // namespace asperity

@@ -71,7 +71,7 @@ TEST(NurbsFoot, OfASphereIsAsGoodAtThePolesAndOnTheSeam) {
             }
         }
     }
-    for (const double off : {-1e-3, -1e-9, -1e-15, 0.0, 1e-15, 1e-9, 1e-3}) {
+    for (const double off : {-1e-3, -1e-9, -1e-12, -1e-15, 0.0, 1e-15, 1e-12, 1e-9, 1e-3}) {
         const Vector3 direction = (kFrame.first + off * kFrame.second + 0.3 * pole).normalized();
         const NurbsFoot foot = provenFoot(sphere, kFrame.centre + 1.1 * kRadius * direction);
         EXPECT_NEAR(foot.foot.distance, 0.1 * kRadius, 1e-13 * kRadius);
@@ -249,7 +249,7 @@ TEST(NurbsFoot, ARidgeIsNearestToAllThatIsAboveIt) {
 /// Not one shape of these is symmetric: the proof is held against a dense sampling.
 TEST(NurbsFoot, OfAWildSurfaceIsNoFartherThanAnySample) {
     Random random(7);
-    for (int shape = 0; shape < 10; ++shape) {
+    for (int shape = 0; shape < 60; ++shape) {
         NurbsSurface::Net net{.degreeU = 3,
                               .degreeV = 2,
                               .knotsU = {0.0, 0.0, 0.0, 0.0, 0.3, 0.6, 0.6, 1.0, 1.0, 1.0, 1.0},
@@ -272,7 +272,7 @@ TEST(NurbsFoot, OfAWildSurfaceIsNoFartherThanAnySample) {
             EXPECT_EQ(feet.proof(), FootProof::Nearest);
             const double found = std::abs(feet.nearest().foot.distance);
             double sampled = 1.0;
-            constexpr int kSamples = 150;
+            constexpr int kSamples = 40;
             for (int k = 0; k <= kSamples * kSamples; ++k) {
                 const Vector3 point = surface
                                           .at(static_cast<double>(k % kSamples) / (kSamples - 1),
@@ -282,12 +282,12 @@ TEST(NurbsFoot, OfAWildSurfaceIsNoFartherThanAnySample) {
             }
             ASSERT_LE(found, sampled * (1.0 + 1e-13));
             const NurbsDescent descent(surface, query);
-            for (int start = 0; start < 30; ++start) {
+            for (int start = 0; start < 8; ++start) {
                 const NurbsMinimum other =
                     descent.from(Vector2(random.uniform(), random.uniform()));
                 ASSERT_LE(found, other.distance + 1e-13 * 60.0_nm);
             }
-            ASSERT_GT(found, sampled - 0.6_nm);
+            ASSERT_GT(found, sampled - 2.5_nm);
         }
     }
 }
