@@ -1,6 +1,7 @@
 #include "core/scene/SceneDescription.h"
 
 #include "core/Error.h"
+#include "core/SiFormat.h"
 #include "core/Units.h"
 #include "core/contact/Within.h"
 
@@ -101,13 +102,13 @@ std::string sampleName(const SampleDescription& sample) {
     }
     switch (sample.shape->kind) {
     case ShapeKind::Sphere:
-        return "a sphere";
+        return "sphere of radius " + formatSi(sample.shape->radius, "m");
     case ShapeKind::Cylinder:
-        return "a cylinder";
+        return "cylinder of radius " + formatSi(sample.shape->radius, "m");
     case ShapeKind::Plane:
         break;
     }
-    return "a plane";
+    return "plane of slope " + formatSi(sample.shape->slope, "rad");
 }
 
 ContactPair contactPair(const SceneDescription& scene, const SampleMaterial& material) {

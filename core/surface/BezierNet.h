@@ -27,11 +27,12 @@ struct ParametricSample {
 
 /// The control net of one rational Bezier patch. Both its parameters go from 0 to 1.
 struct BezierNet {
-    static constexpr int kMostAlong = kMostDegree + 1;
+    static constexpr std::size_t kMostAlong = kMostDegree + 1;
+    static constexpr std::size_t kMostPoints = kMostAlong * kMostAlong;
 
     int degreeU = 1;
     int degreeV = 1;
-    std::array<HomogeneousPoint, kMostAlong * kMostAlong> points;
+    std::array<HomogeneousPoint, kMostPoints> points;
 
     [[nodiscard]] static constexpr std::size_t index(int i, int j) {
         return static_cast<std::size_t>(j) * kMostAlong + static_cast<std::size_t>(i);

@@ -15,7 +15,7 @@ constexpr int kMostLegs = 3;          // of a way across seams and poles
 constexpr int kMeridians = 16;
 constexpr double kBesidePole = 1e-7;  // of the parameter's range
 constexpr int kMostMeridianSteps = 20;
-constexpr double kFinestMeridian = 1e-8;  // of the parameter's range
+constexpr int kMeridianHalvings = 22;  // down to 1e-8 of the parameter's range
 
 const Box kWhole{.low = Vector2::Zero(), .high = Vector2::Ones()};
 
@@ -154,10 +154,12 @@ double NurbsDescent::steepestMeridian(int edge) const noexcept {
     for (int i = 0; i < kMeridians; ++i) {
         tryAt((i + 0.5) / kMeridians);
     }
-    for (double step = 0.5 / kMeridians; step > kFinestMeridian; step *= 0.5) {
+    double step = 0.5 / kMeridians;
+    for (int halving = 0; halving < kMeridianHalvings; ++halving) {
         const double middle = best;
         tryAt(middle - step);
         tryAt(middle + step);
+        step *= 0.5;
     }
     return best;
 }

@@ -115,12 +115,14 @@ void NurbsSurface::findConcavity() {
     }
     double largest = 0.0;
     for (const NurbsPatch& patch : patches_) {
-        for (int i = 0; i < kPlaces * kPlaces; ++i) {
-            const double u = std::lerp(patch.lowU, patch.highU, (i % kPlaces + 0.5) / kPlaces);
-            const double v = std::lerp(patch.lowV, patch.highV, (i / kPlaces + 0.5) / kPlaces);
-            const PrincipalCurvatures bend = curvatures(u, v);
-            largest = std::max(largest, std::abs(bend.largest));
-            concavity_ = std::max(concavity_, -bend.smallest);
+        for (int i = 0; i < kPlaces; ++i) {
+            const double u = std::lerp(patch.lowU, patch.highU, (i + 0.5) / kPlaces);
+            for (int j = 0; j < kPlaces; ++j) {
+                const double v = std::lerp(patch.lowV, patch.highV, (j + 0.5) / kPlaces);
+                const PrincipalCurvatures bend = curvatures(u, v);
+                largest = std::max(largest, std::abs(bend.largest));
+                concavity_ = std::max(concavity_, -bend.smallest);
+            }
         }
     }
     if (concavity_ < kFlat * std::max(largest, 1.0 / scale_)) {

@@ -43,7 +43,7 @@ SquaredDistanceNet::SquaredDistanceNet(const BezierNet& net, double placeNoise) 
     double greatest = 0.0;  // the farthest control point tells how large the products are
     double greatestWeight = 0.0;
     // The product of two Bernstein polynomials, the binomial factors taken out.
-    std::array<HomogeneousPoint, BezierNet::kMostAlong * BezierNet::kMostAlong> scaled;
+    std::array<HomogeneousPoint, BezierNet::kMostPoints> scaled;
     for (int j = 0; j <= net.degreeV; ++j) {
         for (int i = 0; i <= net.degreeU; ++i) {
             greatest = std::max(greatest, net.at(i, j).head<3>().squaredNorm());

@@ -17,7 +17,7 @@ constexpr double kFartherFoot = 2.0;
 
 SurfaceFoot localFootOn(const NurbsSurface& surface, const Vector3& query,
                         const FootGuess& guess) noexcept {
-    const SurfaceFoot nearest = closestPoint(surface, query, guess);
+    SurfaceFoot nearest = closestPoint(surface, query, guess);
     if (!guess.valid || surface.concavity() * std::abs(nearest.distance) < kShallow) {
         return nearest;
     }

@@ -273,12 +273,12 @@ TEST(NurbsFoot, OfAWildSurfaceIsNoFartherThanAnySample) {
             const double found = std::abs(feet.nearest().foot.distance);
             double sampled = 1.0;
             constexpr int kSamples = 40;
-            for (int k = 0; k <= kSamples * kSamples; ++k) {
-                const Vector3 point = surface
-                                          .at(static_cast<double>(k % kSamples) / (kSamples - 1),
-                                              static_cast<double>(k / kSamples) / kSamples)
-                                          .point;
-                sampled = std::min(sampled, (point - query).norm());
+            for (int k = 0; k <= kSamples; ++k) {
+                for (int l = 0; l <= kSamples; ++l) {
+                    const double u = static_cast<double>(k) / kSamples;
+                    const double v = static_cast<double>(l) / kSamples;
+                    sampled = std::min(sampled, (surface.at(u, v).point - query).norm());
+                }
             }
             ASSERT_LE(found, sampled * (1.0 + 1e-13));
             const NurbsDescent descent(surface, query);
