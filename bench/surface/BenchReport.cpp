@@ -17,7 +17,7 @@ double percent(std::size_t part, std::size_t whole) {
 }
 
 void printMethod(const MethodResult& method, const MethodResult& ours) {
-    std::printf("  %-46s %10.1f %10.0f %7zu %7.2f %% %9.1e %9.1f %8.1f", method.name.c_str(),
+    std::printf("  %-46s %10.1f %10.0f %7zu %7.2f %% %9.1e %9.2f %8.2f", method.name.c_str(),
                 method.median, method.p99, method.wrong, percent(method.wrong, method.queries),
                 method.worst / 1.0_nm, method.median / ours.median, method.p99 / ours.p99);
     if (method.certified > 0) {

@@ -60,7 +60,7 @@ public:
     /// @return the force that was told, which the compiler must believe to be used [N]
     double next(const Vector3& centre) {
         const SurfaceFoot foot = ourFoot(surface_, centre, guess_);
-        guess_ = {foot.point.x(), foot.point.y(), true};
+        guess_ = foot.guess();
         const ContactState state =
             model_.equilibrium(kBenchTipRadius - foot.distance, 0.0, memory_);
         memory_ = state.memory();

@@ -22,12 +22,18 @@ double outside(double value, double low, double high) {
     return std::max({low - value, value - high, 0.0});
 }
 
+/// Place of an entry in a row-major array with rows of this length.
+std::size_t indexOf(int row, int column, int length) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(length) +
+           static_cast<std::size_t>(column);
+}
+
 /// Whether no neighbour in the n x n lattice is lower.
 bool isLowest(const std::vector<double>& values, int n, int i, int j) {
-    const double value = values[static_cast<std::size_t>(i * n + j)];
+    const double value = values[indexOf(i, j, n)];
     for (int k = std::max(i - 1, 0); k <= std::min(i + 1, n - 1); ++k) {
         for (int l = std::max(j - 1, 0); l <= std::min(j + 1, n - 1); ++l) {
-            if (values[static_cast<std::size_t>(k * n + l)] < value) {
+            if (values[indexOf(k, l, n)] < value) {
                 return false;
             }
         }
@@ -88,9 +94,7 @@ GlobalReference::CellRange GlobalReference::cellsWithin(double centre, double re
 double GlobalReference::leastDistance(const Vector3& query, int row, int column) const {
     const Extent x = extentOf(column, columns_, surface_.grid().pitchX);
     const Extent y = extentOf(row, rows_, surface_.grid().pitchY);
-    const HeightRange& z =
-        ranges_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                static_cast<std::size_t>(column)];
+    const HeightRange& z = ranges_[indexOf(row, column, columns_)];
     return std::hypot(outside(query.x(), x.low, x.high), outside(query.y(), y.low, y.high),
                       outside(query.z(), z.low, z.high));
 }
@@ -119,7 +123,7 @@ void GlobalReference::searchCell(const Vector3& query, int row, int column, Near
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) {
             if (isLowest(values, n, i, j)) {
-                polish(query, places[static_cast<std::size_t>(i * n + j)], best);
+                polish(query, places[indexOf(i, j, n)], best);
             }
         }
     }

@@ -83,8 +83,10 @@ MethodResult resultOf(const FootWork& work, std::span<const GlobalReference::Nea
 }  // namespace
 
 double clockCost() {
+    constexpr int kLooks = 2001;
     std::vector<double> times;
-    for (int i = 0; i < 2001; ++i) {
+    times.reserve(kLooks);
+    for (int i = 0; i < kLooks; ++i) {
         const auto begin = Clock::now();
         times.push_back(nanoseconds(Clock::now() - begin));
     }
@@ -140,6 +142,7 @@ std::vector<MethodResult> runMethods(const FootWork& work,
                                      int passes) {
     const double clock = clockCost();
     std::vector<Course> courses;
+    courses.reserve(methods.size());
     for (const auto& method : methods) {
         courses.push_back(courseOf(*method, work.centres.size()));
     }
@@ -150,6 +153,7 @@ std::vector<MethodResult> runMethods(const FootWork& work,
         }
     }
     std::vector<MethodResult> results;
+    results.reserve(courses.size());
     for (const Course& course : courses) {
         results.push_back(resultOf(work, truth, course));
     }

@@ -1,27 +1,35 @@
 #include "bench/surface/OurQuery.h"
 
 #include "bench/surface/FootNewton.h"
+#include "core/surface/ClosestPoint.h"
+#include "core/surface/LocalFoot.h"
 
 namespace asperity {
 
 namespace {
 
+/// One way of the product, as it is called.
+using OurSearch = SurfaceFoot (*)(const BSplineSurface&, const Vector3&, const FootGuess&);
+
 class OurMethod : public FootMethod {
 public:
-    explicit OurMethod(const BSplineSurface& surface) : surface_(surface) {}
+    OurMethod(const BSplineSurface& surface, const char* name, OurSearch search)
+        : surface_(surface), name_(name), search_(search) {}
 
-    [[nodiscard]] std::string name() const override { return "Asperity"; }
+    [[nodiscard]] std::string name() const override { return name_; }
 
     void start(const Vector2& foot) override { guess_ = {foot.x(), foot.y(), true}; }
 
     [[nodiscard]] FootAnswer next(const Vector3& query) override {
-        const SurfaceFoot foot = ourFoot(surface_, query, guess_);
-        guess_ = {foot.point.x(), foot.point.y(), true};
-        return {.place = foot.point.head<2>(), .certified = foot.certified};
+        const SurfaceFoot foot = search_(surface_, query, guess_);
+        guess_ = foot.guess();
+        return {.place = foot.point.head<2>(), .certified = foot.certified()};
     }
 
 private:
     const BSplineSurface& surface_;
+    const char* name_;
+    OurSearch search_;
     FootGuess guess_;
 };
 
@@ -52,7 +60,11 @@ SurfaceFoot ourFoot(const BSplineSurface& surface, const Vector3& query, const F
 }
 
 std::unique_ptr<FootMethod> ourMethod(const BSplineSurface& surface) {
-    return std::make_unique<OurMethod>(surface);
+    return std::make_unique<OurMethod>(surface, "Asperity", ourFoot);
+}
+
+std::unique_ptr<FootMethod> ourLocalMethod(const BSplineSurface& surface) {
+    return std::make_unique<OurMethod>(surface, "Asperity, local search alone", localFoot);
 }
 
 std::unique_ptr<FootMethod> warmNewtonMethod(const BSplineSurface& surface) {

@@ -52,7 +52,7 @@ RandomResult runRandom(const FootWork& work, std::uint64_t seed) {
                             work, truth, std::max<std::size_t>(truth.size() / kDoubted, 1))};
     for (std::size_t i = 0; i < work.centres.size(); ++i) {
         const SurfaceFoot foot = ourFoot(*work.surface, work.centres[i], {});
-        judge(work, i, {.place = foot.point.head<2>(), .certified = foot.certified}, truth[i],
+        judge(work, i, {.place = foot.point.head<2>(), .certified = foot.certified()}, truth[i],
               judged);
         if (i % kRestartEvery == 0) {
             restart(work, work.centres[i], foot, random, result);

@@ -43,6 +43,7 @@ WorkResult runSlide(const std::string& name, const HeightMap& map, const Options
     const auto truth = referenceOf(work);
     std::vector<std::unique_ptr<FootMethod>> methods;
     methods.push_back(ourMethod(surface));
+    methods.push_back(ourLocalMethod(surface));
     methods.push_back(warmNewtonMethod(surface));
     std::ranges::move(peerMethods(surface), std::back_inserter(methods));
     constexpr std::size_t kDoubted = 200;  // queries that are looked at again
@@ -134,12 +135,8 @@ BenchResults runAll(const Options& options) {
     return results;
 }
 
-}  // namespace
-
-}  // namespace asperity
-
-int main(int argc, char** argv) {
-    asperity::Options options;
+int runBench(int argc, char** argv) {
+    Options options;
     CLI::App app("Closest point on a spline surface: time and error, beside other programs");
     app.add_option("--work", options.work, "what to measure")
         ->check(CLI::IsMember({"all", "path", "concave", "random", "size", "chain"}))
@@ -150,12 +147,20 @@ int main(int argc, char** argv) {
         ->check(CLI::PositiveNumber);
     app.add_flag("--json", options.json, "for programs");
     CLI11_PARSE(app, argc, argv);
+    const BenchResults results = runAll(options);
+    options.json ? printJson(results) : printTables(results);
+    return 0;
+}
+
+}  // namespace
+
+}  // namespace asperity
+
+int main(int argc, char** argv) {
     try {
-        const asperity::BenchResults results = asperity::runAll(options);
-        options.json ? asperity::printJson(results) : asperity::printTables(results);
+        return asperity::runBench(argc, argv);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
     }
-    return 0;
 }

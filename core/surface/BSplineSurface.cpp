@@ -1,9 +1,9 @@
 #include "core/surface/BSplineSurface.h"
 
 #include "core/Error.h"
+#include "core/Simd.h"
 #include "core/surface/CellBoundsBuilder.h"
 #include "core/surface/HeightMap.h"
-#include "core/surface/UniformCubic.h"
 
 #include <algorithm>
 #include <array>
@@ -25,37 +25,75 @@ double clampedToScan(double place, double size) {
     return std::isless(place, size) ? place : size;
 }
 
-/// The span at `place` pixels from the scan's edge.
-CubicSpan spanAt(double place, int pixels) {
-    return cubicSpan(place - 0.5, std::max(pixels - 1, 1));
-}
-
-/// One over the pixel size [1/m].
-struct InversePitch {
-    double x = 0.0;
-    double y = 0.0;
+/// A place within a span of one axis.
+struct SpanPlace {
+    int first = 0;   ///< control height that the span starts with, in the padded grid
+    double t = 0.0;  ///< 0..1 in the span; beyond it at the scan's edges
 };
 
-/// Height and derivatives from the 4 x 4 control heights that start at `corner`.
-template <class Height>
-HeightSample sampled(const Height* corner, std::ptrdiff_t stride, const CubicSpan& across,
-                     const CubicSpan& up, InversePitch scale) {
-    using Controls = Eigen::Matrix<Height, 4, 1>;
-    Weights height = Weights::Zero();
-    Weights slope = Weights::Zero();
-    Weights curvature = Weights::Zero();
-    for (int j = 0; j < 4; ++j) {
-        const Weights row = Eigen::Map<const Controls>(corner + j * stride).template cast<double>();
-        height += up.value[j] * row;
-        slope += up.slope[j] * row;
-        curvature += up.curvature[j] * row;
+/// The span at `place` pixels from the scan's edge.
+SpanPlace spanAt(double place, int pixels) {
+    // The conversion rounds up only below 0, where span 0 is continued anyway.
+    const int first = std::clamp(static_cast<int>(place - 0.5), 0, std::max(pixels - 2, 0));
+    return {.first = first, .t = place - 0.5 - first};
+}
+
+/// A uniform cubic B-spline on one span as the polynomial c0 + c1 t + c2 t^2 + c3 t^3, for four
+/// splines at a time.
+struct Cubic4 {
+    Double4 c0;
+    Double4 c1;
+    Double4 c2;
+    Double4 c3;
+
+    [[nodiscard]] ASPERITY_INLINE Double4 value(double t) const {
+        return c0 + t * (c1 + t * (c2 + t * c3));
     }
-    return {.height = height.dot(across.value),
-            .dx = height.dot(across.slope) * scale.x,
-            .dy = slope.dot(across.value) * scale.y,
-            .dxx = height.dot(across.curvature) * (scale.x * scale.x),
-            .dxy = slope.dot(across.slope) * (scale.x * scale.y),
-            .dyy = curvature.dot(across.value) * (scale.y * scale.y)};
+    [[nodiscard]] ASPERITY_INLINE Double4 slope(double t) const {
+        return c1 + t * (2.0 * c2 + t * (3.0 * c3));
+    }
+    [[nodiscard]] ASPERITY_INLINE Double4 curvature(double t) const {
+        return 2.0 * c2 + t * (6.0 * c3);
+    }
+};
+
+/// From the four rows of control heights that shape the span.
+ASPERITY_INLINE Cubic4 cubicOf(Double4 a, Double4 b, Double4 c, Double4 d) {
+    const Double4 bend = 0.5 * (a + c) - b;
+    return {b + bend * (1.0 / 3.0), 0.5 * (c - a), bend, ((d - a) + 3.0 * (b - c)) * (1.0 / 6.0)};
+}
+
+/// Height and derivatives from 4 x 4 control heights, per span.
+ASPERITY_INLINE HeightSample sampled(const std::array<Double4, 4>& rows, double t,
+                                                   double s) {
+    const Cubic4 up = cubicOf(rows[0], rows[1], rows[2], rows[3]);
+    const Cubic4 weights = cubicOf(Double4{1.0, 0.0, 0.0, 0.0}, Double4{0.0, 1.0, 0.0, 0.0},
+                                   Double4{0.0, 0.0, 1.0, 0.0}, Double4{0.0, 0.0, 0.0, 1.0});
+    const Double4 value = weights.value(t);
+    const Double4 slope = weights.slope(t);
+    const Double4 height = up.value(s);
+    const Double4 rise = up.slope(s);
+    const Double4 first = laneSums(height * value, height * slope, rise * value, rise * slope);
+    const Double4 second = laneSums(height * weights.curvature(t), up.curvature(s) * value,
+                                    Double4{}, Double4{});
+    return {.height = first[0],
+            .dx = first[1],
+            .dy = first[2],
+            .dxx = second[0],
+            .dxy = first[3],
+            .dyy = second[1]};
+}
+
+template <class Height>
+ASPERITY_INLINE Double4 widened(const Height* heights) {
+    return Double4{heights[0], heights[1], heights[2], heights[3]};
+}
+
+ASPERITY_WITH_AVX2 void sampleCell(const float* corner, std::ptrdiff_t stride, double t, double s,
+                                   HeightSample& sample) {
+    sample = sampled({widened(corner), widened(corner + stride), widened(corner + 2 * stride),
+                      widened(corner + 3 * stride)},
+                     t, s);
 }
 
 /// Continues a cubic sequence before c0: the fourth difference is zero.
@@ -119,19 +157,26 @@ BSplineSurface::BSplineSurface(Grid grid)
     , bounds_(cellBoundsOf(grid_)) {}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
-    const CubicSpan across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);
-    const CubicSpan up = spanAt(clampedToScan(y, sizeY()) * inversePitchY_, grid_.rows);
-    const InversePitch scale{inversePitchX_, inversePitchY_};
+    const SpanPlace across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);
+    const SpanPlace up = spanAt(clampedToScan(y, sizeY()) * inversePitchY_, grid_.rows);
     HeightSample sample;
     if (grid_.columns == 1 || grid_.rows == 1) {
         const std::array<double, 16> heights = relativeControlsFrom(up.first - 1, across.first - 1);
-        sample = sampled(heights.data(), 4, across, up, scale);
+        const double* corner = heights.data();
+        sample = sampled(
+            {widened(corner), widened(corner + 4), widened(corner + 8), widened(corner + 12)},
+            across.t, up.t);
     } else {
         const std::ptrdiff_t stride = grid_.columns + 2;
         const float* corner = grid_.controlHeights.data() + up.first * stride + across.first;
-        sample = sampled(corner, stride, across, up, scale);
+        sampleCell(corner, stride, across.t, up.t, sample);
     }
     sample.height += grid_.datum;
+    sample.dx *= inversePitchX_;
+    sample.dy *= inversePitchY_;
+    sample.dxx *= inversePitchX_ * inversePitchX_;
+    sample.dxy *= inversePitchX_ * inversePitchY_;
+    sample.dyy *= inversePitchY_ * inversePitchY_;
     return sample;
 }
 

@@ -15,8 +15,7 @@ struct SpanPart {
     double high = 1.0;
 
     [[nodiscard]] double length() const { return high - low; }
-    [[nodiscard]] SpanPart lowerHalf() const { return {low, 0.5 * (low + high)}; }
-    [[nodiscard]] SpanPart upperHalf() const { return {0.5 * (low + high), high}; }
+    [[nodiscard]] double middle() const { return 0.5 * (low + high); }
 };
 
 /// The part of its span that cell `cell` of an axis covers: the outermost reach to the scan's edge.
@@ -76,20 +75,6 @@ inline BendRange bendsOf(const Eigen::Matrix4d& net, const BoxSize& size) {
                           9.0 / (size.x * size.y)),
             .yy = rangeOf((alongY.bottomRows<2>() - alongY.topRows<2>()).eval(),
                           6.0 / (size.y * size.y))};
-}
-
-/// Height in the middle of a box, and how much the tangent plane there rises across the box [m].
-struct BezierMiddle {
-    double height = 0.0;
-    double riseX = 0.0;
-    double riseY = 0.0;
-};
-
-inline BezierMiddle middleOf(const Eigen::Matrix4d& net) {
-    const Eigen::Vector4d value(0.125, 0.375, 0.375, 0.125);
-    const Eigen::Vector4d rise(-0.75, -0.75, 0.75, 0.75);
-    const Eigen::Vector4d alongX = net * value;
-    return {.height = value.dot(alongX), .riseX = value.dot(net * rise), .riseY = rise.dot(alongX)};
 }
 
 /// No second derivative in any direction is larger [1/m].

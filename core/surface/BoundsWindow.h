@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace asperity {
 
@@ -14,45 +15,47 @@ class BoundsWindow {
 public:
     static constexpr int kMostBlocks = 32;  ///< along an axis
 
-    /// @param reach how far blocks are looked at along x and y [m]
-    BoundsWindow(const BSplineSurface& surface, const Vector3& query, double reach) noexcept;
+    /// @param distance blocks that cannot hold a point within it are left out [m]
+    BoundsWindow(const BSplineSurface& surface, const Vector3& query, double distance) noexcept;
 
     [[nodiscard]] int level() const noexcept { return level_; }
     [[nodiscard]] const BlockRun& rows() const noexcept { return rows_; }
     [[nodiscard]] const BlockRun& columns() const noexcept { return columns_; }
 
-    /// Whether a block, counted from the window's first, can hold a point within `distance` [m].
+    /// Bit k: block k of the row can hold a point within the window's distance. Rows and blocks are
+    /// counted from the window's first.
+    [[nodiscard]] std::uint32_t reaching(int row) const noexcept {
+        return reaching_[static_cast<std::size_t>(row)];
+    }
+    /// Whether a block can hold a point within `distance` [m].
     [[nodiscard]] bool reaches(int row, int column, double distance) const noexcept {
         return nearest_[index(row, column)] <= squaredWithRounding(distance);
-    }
-    /// The squared distance along a straight line through the block bends up at least so much, as a
-    /// share of that from a level plane; 1 or less, < 0: it may bend down.
-    [[nodiscard]] float bend(int row, int column) const noexcept {
-        return bend_[index(row, column)];
     }
 
     /// Of the window's blocks, those in which the distance from a local minimum at (x, y) [m] can
     /// only grow: all whose offset from the minimum's block is at most this along either axis.
-    [[nodiscard]] int settledAround(double x, double y, double distance) const noexcept;
+    [[nodiscard]] int settledAround(double x, double y) const noexcept;
     [[nodiscard]] int rowAt(double y) const noexcept;     ///< counted from the window's first
     [[nodiscard]] int columnAt(double x) const noexcept;  ///< counted from the window's first
 
 private:
-    using Lane = std::array<float, kMostBlocks>;
-
     [[nodiscard]] static std::size_t index(int row, int column) noexcept {
         return static_cast<std::size_t>(row * kMostBlocks + column);
     }
     [[nodiscard]] float squaredWithRounding(double distance) const noexcept;
-    void boundRow(int row, const Lane& across, float up) noexcept;
+    void bound(const Vector3& query, double distance) noexcept;
+    [[nodiscard]] int widestOffset(int row, int column) const noexcept;
 
-    const BSplineSurface& surface_;
+    BlockAxis x_;
+    BlockAxis y_;
     int level_ = 0;
     BlockRun rows_;
     BlockRun columns_;
-    float queryHeight_ = 0.0F;                              ///< above the bounds' base [m]
     double rounding_ = 0.0;                                 ///< of a height difference [m]
+    std::array<std::uint32_t, kMostBlocks> reaching_;       ///< of each row
     std::array<float, kMostBlocks * kMostBlocks> nearest_;  ///< squared distance, at least [m^2]
+    /// The squared distance along a straight line through the block bends up at least so much, as a
+    /// share of that from a level plane; 1 or less, < 0: it may bend down.
     std::array<float, kMostBlocks * kMostBlocks> bend_;
 };
 

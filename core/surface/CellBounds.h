@@ -25,14 +25,11 @@ public:
     /// Each row of bounds may be read this far beyond its end.
     static constexpr std::size_t kReadAhead = 32;
 
-    /// Bounds of one size of block, encoded: row-major, bottom row first, kReadAhead more at the
-    /// end.
+    /// Bounds of one size of block: row-major, bottom row first, kReadAhead more at the end.
     struct Level {
         int columns = 0;
         int rows = 0;
-        std::vector<std::uint16_t> highest;   ///< in units of `step` above `base`
-        std::vector<std::uint8_t> drop;       ///< highest - lowest, short code
-        std::vector<std::uint8_t> concavity;  ///< short code
+        std::vector<std::uint32_t> codes;  ///< see BoxCode
 
         [[nodiscard]] std::size_t index(int row, int column) const noexcept {
             return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
@@ -84,5 +81,26 @@ inline constexpr std::uint32_t kShortCodeBias = 96U << 23U;
                ? std::uint8_t{0}
                : static_cast<std::uint8_t>((bits - kShortCodeBias + kRoundUp) >> kShortCodeShift);
 }
+
+/// The bounds of a box in four bytes, as multiples of CellBounds::Units.
+struct BoxCode {
+    std::uint16_t highest = 0;   ///< above the base
+    std::uint8_t drop = 0;       ///< highest - lowest, short code
+    std::uint8_t concavity = 0;  ///< short code
+
+    static constexpr unsigned kHighestShift = 16U;
+    static constexpr unsigned kDropShift = 8U;
+    static constexpr std::uint32_t kByte = 0xffU;
+
+    [[nodiscard]] static BoxCode of(std::uint32_t bits) noexcept {
+        return {.highest = static_cast<std::uint16_t>(bits >> kHighestShift),
+                .drop = static_cast<std::uint8_t>((bits >> kDropShift) & kByte),
+                .concavity = static_cast<std::uint8_t>(bits & kByte)};
+    }
+    [[nodiscard]] std::uint32_t bits() const noexcept {
+        return (static_cast<std::uint32_t>(highest) << kHighestShift) |
+               (static_cast<std::uint32_t>(drop) << kDropShift) | concavity;
+    }
+};
 
 }  // namespace asperity

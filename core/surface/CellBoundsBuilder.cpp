@@ -165,12 +165,8 @@ private:
     }
 
     static CellBounds::Level emptyLevel(int rows, int columns) {
-        CellBounds::Level level{
-            .columns = columns, .rows = rows, .highest = {}, .drop = {}, .concavity = {}};
-        const std::size_t size = level.index(rows, 0) + CellBounds::kReadAhead;
-        level.highest.resize(size);
-        level.drop.resize(size);
-        level.concavity.resize(size);
+        CellBounds::Level level{.columns = columns, .rows = rows, .codes = {}};
+        level.codes.resize(level.index(rows, 0) + CellBounds::kReadAhead);
         return level;
     }
 
@@ -265,9 +261,10 @@ private:
             const auto highest = static_cast<std::uint16_t>(steps);
             const float top = static_cast<float>(highest) * units_.step;
             const float drop = (top - (bounds[j].lowest - base_) + units_.step) * perDrop;
-            level.highest[first + j] = highest;
-            level.drop[first + j] = encodedShort(drop);
-            level.concavity[first + j] = encodedShort(bounds[j].concavity * perConcavity);
+            const BoxCode code{.highest = highest,
+                               .drop = encodedShort(drop),
+                               .concavity = encodedShort(bounds[j].concavity * perConcavity)};
+            level.codes[first + j] = code.bits();
         }
     }
 
@@ -287,21 +284,24 @@ private:
     void joinParts(const CellBounds::Level& parts, int row, int column,
                    CellBounds::Level& blocks) const {
         constexpr int kFactor = CellBounds::kFactor;
-        const std::size_t target = blocks.index(row, column);
+        BoxCode joined;
         float lowest = std::numeric_limits<float>::max();
         for (int i = row * kFactor; i < std::min((row + 1) * kFactor, parts.rows); ++i) {
             for (int j = column * kFactor; j < std::min((column + 1) * kFactor, parts.columns);
                  ++j) {
-                const std::size_t part = parts.index(i, j);
-                const float top = static_cast<float>(parts.highest[part]) * units_.step;
-                lowest = std::min(lowest, top - decodedShort(parts.drop[part]) * units_.drop);
-                blocks.highest[target] = std::max(blocks.highest[target], parts.highest[part]);
-                blocks.concavity[target] =
-                    std::max(blocks.concavity[target], parts.concavity[part]);
+                const BoxCode part = BoxCode::of(parts.codes[parts.index(i, j)]);
+                lowest = std::min(lowest, top(part) - decodedShort(part.drop) * units_.drop);
+                joined.highest = std::max(joined.highest, part.highest);
+                joined.concavity = std::max(joined.concavity, part.concavity);
             }
         }
-        const float top = static_cast<float>(blocks.highest[target]) * units_.step;
-        blocks.drop[target] = encodedShort((top - lowest + units_.step) / units_.drop);
+        joined.drop = encodedShort((top(joined) - lowest + units_.step) / units_.drop);
+        blocks.codes[blocks.index(row, column)] = joined.bits();
+    }
+
+    /// Upper height bound above that of code 0 [m].
+    [[nodiscard]] float top(const BoxCode& code) const {
+        return static_cast<float>(code.highest) * units_.step;
     }
 
     const BSplineSurface::Grid& grid_;

@@ -12,18 +12,15 @@ void FootList::add(const SurfaceFoot& foot, double sameWithin) noexcept {
     if (isKnown) {
         return;
     }
-    std::size_t place = count_;
-    while (place > 0 && std::abs(foot.distance) < std::abs(feet_[place - 1].distance)) {
-        --place;
+    const auto place = std::ranges::find_if(feet_, [&](const SurfaceFoot& known) {
+        return std::abs(foot.distance) < std::abs(known.distance);
+    });
+    if (feet_.size() < kMostFeet) {
+        feet_.insert(place, foot);
+    } else if (place != feet_.end()) {
+        std::move_backward(place, feet_.end() - 1, feet_.end());
+        *place = foot;
     }
-    if (place == feet_.size()) {
-        return;
-    }
-    count_ = std::min(count_ + 1, feet_.size());
-    std::move_backward(feet_.begin() + static_cast<std::ptrdiff_t>(place),
-                       feet_.begin() + static_cast<std::ptrdiff_t>(count_ - 1),
-                       feet_.begin() + static_cast<std::ptrdiff_t>(count_));
-    feet_[place] = foot;
 }
 
 }  // namespace asperity

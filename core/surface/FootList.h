@@ -2,7 +2,7 @@
 
 #include "core/surface/SurfaceFoot.h"
 
-#include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstddef>
 #include <span>
 
@@ -18,14 +18,11 @@ public:
     void add(const SurfaceFoot& foot, double sameWithin) noexcept;
 
     [[nodiscard]] std::span<const SurfaceFoot> all() const noexcept {
-        return {feet_.data(), count_};
+        return {feet_.data(), feet_.size()};
     }
-    [[nodiscard]] std::span<SurfaceFoot> all() noexcept { return {feet_.data(), count_}; }
-    [[nodiscard]] bool isFull() const noexcept { return count_ == feet_.size(); }
 
 private:
-    std::array<SurfaceFoot, kMostFeet> feet_{};
-    std::size_t count_ = 0;
+    boost::container::static_vector<SurfaceFoot, kMostFeet> feet_;
 };
 
 }  // namespace asperity

@@ -1,11 +1,12 @@
 #include "core/surface/FootSearch.h"
 
-#include "core/surface/BezierCell.h"
 #include "core/surface/BoundsWindow.h"
 #include "core/surface/LocalFoot.h"
+#include "core/surface/PartBatch.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <cstdint>
@@ -19,66 +20,29 @@ namespace {
 constexpr int kMostParts = 2048;
 /// A part of a cell smaller than this says no more than rounding does [pixel].
 constexpr double kSmallestPart = 0x1p-14;
+/// Half the size below which a part that holds one minimum at most is searched for it; quartering
+/// a larger one mostly shows sooner that it holds none [pixel].
+constexpr double kWorthASearch = 0.2;
 /// Two minima found from different starts are one when they are nearer than this [pixel].
 constexpr double kSameMinimum = 1e-4;
 
-/// Rectangle within a cell, in spans from the cell's first pixel centre.
-struct CellPart {
-    SpanPart x;
-    SpanPart y;
-};
-
-/// Least value of slope * t + bend * t^2 / 2 for |t| <= half.
-double leastOnAxis(double slope, double bend, double half) {
-    const double steep = std::abs(slope);
-    if (steep >= bend * half) {
-        return half * (0.5 * bend * half - steep);
-    }
-    return -0.5 * steep * steep / bend;
-}
-
-Range product(const Range& a, const Range& b) {
-    const auto [low, high] =
-        std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-    return {low, high};
-}
-
-/// Range of a square or product of slopes within `spread` of their value at the centre.
-Range squareNear(double centre, double spread) {
-    const double high = std::abs(centre) + spread;
-    const double low = std::max(0.0, std::abs(centre) - spread);
-    return {low * low, high * high};
-}
-
-/// Half the squared distance from the query over a part of a cell: its value and gradient at the
-/// part's centre, and what its second derivatives can be anywhere in the part.
-struct PartModel {
+/// One part of a batch, as the search around it sees it.
+struct Part {
     Vector2 centre = Vector2::Zero();    ///< world [m]
-    Vector2 half = Vector2::Zero();      ///< half the part's size [m]
-    double value = 0.0;                  ///< [m^2]
-    Vector2 gradient = Vector2::Zero();  ///< [m]
-    Range xx;
-    Range yy;
-    Range xy;
+    Vector2 half = Vector2::Zero();      ///< half its size [m]
+    double value = 0.0;                  ///< half the squared distance of its centre [m^2]
+    Vector2 gradient = Vector2::Zero();  ///< of that [m]
+    Vector2 spread = Vector2::Zero();    ///< by which it differs elsewhere in the part [m]
+    Vector2 bend = Vector2::Zero();      ///< its least second derivatives along x and y
 
-    [[nodiscard]] double least() const {
-        return value + leastOnAxis(gradient.x(), xx.low, half.x()) +
-               leastOnAxis(gradient.y(), yy.low, half.y()) - xy.magnitude() * half.x() * half.y();
-    }
-    /// How much the gradient's components can differ from those at the centre [m].
-    [[nodiscard]] Vector2 gradientSpread() const {
-        return {xx.magnitude() * half.x() + xy.magnitude() * half.y(),
-                xy.magnitude() * half.x() + yy.magnitude() * half.y()};
-    }
-    [[nodiscard]] bool isConvex() const {
-        const double mixed = xy.magnitude();
-        return xx.low > 0.0 && yy.low > 0.0 && xx.low * yy.low > mixed * mixed;
-    }
-    [[nodiscard]] bool bendsDown() const {
-        const double least =
-            xy.low > 0.0 || xy.high < 0.0 ? std::min(std::abs(xy.low), std::abs(xy.high)) : 0.0;
-        return xx.high < 0.0 || yy.high < 0.0 || product(xx, yy).high < least * least;
-    }
+    Part(const PartBatch& batch, const PartFacts& facts, int lane)
+        : centre(batch.centreX[lane], batch.centreY[lane])
+        , half(batch.halfX[lane], batch.halfY[lane])
+        , value(facts.value[lane])
+        , gradient(facts.gradientX[lane], facts.gradientY[lane])
+        , spread(facts.spreadX[lane], facts.spreadY[lane])
+        , bend(facts.bendX[lane], facts.bendY[lane]) {}
+
     [[nodiscard]] bool contains(const Vector2& place, double margin) const {
         return std::abs(place.x() - centre.x()) <= half.x() + margin &&
                std::abs(place.y() - centre.y()) <= half.y() + margin;
@@ -101,12 +65,16 @@ public:
         const BoundsWindow window(surface_, query_, limit());
         settle(window);
         for (int row = 0; row < window.rows().count; ++row) {
-            for (int column = 0; column < window.columns().count; ++column) {
-                if (window.reaches(row, column, limit()) && !isSettled(row, column)) {
+            for (std::uint32_t blocks = window.reaching(row); blocks != 0; blocks &= blocks - 1) {
+                const int column = std::countr_zero(blocks);
+                if (!isSettled(row, column) && window.reaches(row, column, limit())) {
                     lookIntoBlock(window.level(), window.rows().first + row,
                                   window.columns().first + column);
                 }
             }
+        }
+        if (!cells_.empty()) {
+            lookIntoCells();
         }
         return complete_ ? FootProof::Nearest : FootProof::ManyFeet;
     }
@@ -129,7 +97,7 @@ private:
             if (!foot.converged) {
                 continue;
             }
-            const int around = window.settledAround(foot.point.x(), foot.point.y(), limit());
+            const int around = window.settledAround(foot.point.x(), foot.point.y());
             settled_.push_back(
                 {window.rowAt(foot.point.y()), window.columnAt(foot.point.x()), around});
             if (around == BoundsWindow::kMostBlocks) {
@@ -179,106 +147,124 @@ private:
     }
 
     void lookIntoCell(int row, int column) {
-        const Eigen::Matrix4d controls = cellControls(surface_.grid(), row, column);
-        const Vector2 corner((column + 0.5) * pitch_.x(), (row + 0.5) * pitch_.y());
-        // Depth first: three brothers wait at each halving, and the last one's four children.
-        constexpr int kHalvings = 16;
-        boost::container::static_vector<CellPart, 3 * kHalvings + 4> waiting;
-        waiting.push_back(
-            {cellExtent(column, surface_.grid().columns), cellExtent(row, surface_.grid().rows)});
-        while (!waiting.empty() && mayLook()) {
-            const CellPart part = waiting.back();
-            waiting.pop_back();
-            const PartModel model = modelOf(controls, corner, part);
-            lowerLimit(model);
-            const Box box = boxOf(model);
-            const Courses courses = coursesIn(model, box);
-            if (isFar(model) || std::ranges::count(courses, Course::Falls) > 0 ||
-                isSaddle(model, box)) {
-                continue;
-            }
-            if (isConvex(model, courses)) {
-                findIn(model, box);
-            } else if (std::max(part.x.length(), part.y.length()) < kSmallestPart) {
-                complete_ = false;
-            } else {
-                halve(part, waiting);
-            }
+        cells_.push_back({row, column});
+        if (cells_.size() == cells_.capacity()) {
+            lookIntoCells();
         }
     }
 
+    /// Parts of a batch that are still to be quartered, a bit a lane.
+    struct Waiting {
+        PartBatch parts;
+        unsigned lanes = 0;
+    };
+
+    /// Looks into the cells that have gathered: depth first, a batch a level.
+    void lookIntoCells() {
+        constexpr std::size_t kLevels = 17;
+        static_assert(kSmallestPart * (1U << (kLevels - 1U)) >= 2.0);
+        boost::container::static_vector<Waiting, kLevels> waiting(1, boost::container::default_init);
+        loadCells(surface_.grid(), {cells_.data(), cells_.size()}, waiting.back().parts);
+        waiting.back().lanes = unclearIn(waiting.back().parts, (1U << cells_.size()) - 1U);
+        cells_.clear();
+        while (!waiting.empty()) {
+            Waiting& last = waiting.back();
+            if (last.lanes == 0 || !mayLook()) {
+                waiting.pop_back();
+                continue;
+            }
+            const int lane = std::countr_zero(last.lanes);
+            last.lanes &= last.lanes - 1;
+            waiting.emplace_back(boost::container::default_init);
+            Waiting& next = waiting.back();
+            quarter(waiting[waiting.size() - 2].parts, lane, next.parts);
+            next.lanes = unclearIn(next.parts, (1U << PartBatch::kLanes) - 1U);
+        }
+    }
+
+    /// Looks at the parts of a batch; @return those that need a closer look.
+    unsigned unclearIn(const PartBatch& batch, unsigned lanes) {
+        constexpr double kNearEnough = 1.0 - 2.0 * kSameDistance;
+        PartFacts facts;
+        examine(batch, query_ - Vector3(0.0, 0.0, surface_.grid().datum),
+                0.5 * limit() * limit() * kNearEnough, facts);
+        unsigned unclear = 0;
+        for (unsigned left = lanes & ~facts.far; left != 0; left &= left - 1) {
+            const int lane = std::countr_zero(left);
+            const unsigned bit = left & -left;
+            const Part part(batch, facts, lane);
+            lowerLimit(part);
+            const Box box = boxOf(part);
+            const bool inside = isInside(box);
+            if (inside && (facts.withoutMinimum & bit) != 0) {
+                continue;
+            }
+            const Courses courses = inside ? Courses{} : coursesIn(part, box);
+            if (std::ranges::count(courses, Course::Falls) > 0) {
+                continue;
+            }
+            const bool oneAtMost = (facts.convex & bit) != 0 || isConvexAtEdge(part, courses);
+            if (oneAtMost && holdsKnownFoot(part)) {
+                continue;
+            }
+            const double size = part.half.cwiseQuotient(pitch_).maxCoeff();
+            if (oneAtMost && size < kWorthASearch) {
+                findIn(part, box);
+            } else if (size < 0.5 * kSmallestPart) {
+                complete_ = false;
+            } else {
+                unclear |= bit;
+            }
+        }
+        return unclear;
+    }
+
     /// A place nearer than the nearest foot known leads to a foot that rules out more.
-    void lowerLimit(const PartModel& model) {
+    void lowerLimit(const Part& part) {
         constexpr double kWorthwhile = 0.999;
-        if (within_ || model.value >= kWorthwhile * 0.5 * limit() * limit()) {
+        if (within_ || part.value >= kWorthwhile * 0.5 * limit() * limit()) {
             return;
         }
         const BoxNewton<HalfSquaredDistance> newton(objective_, scanBox(surface_),
                                                     0.25 * pitch_.minCoeff());
-        const BoxMinimum minimum = newton.minimise(model.centre);
+        const BoxMinimum minimum = newton.minimise(part.centre);
         if (minimum.converged) {
-            feet_.add(footOf(minimum, query_), kSameMinimum * pitch_.minCoeff());
+            feet_.add(footOf(minimum, query_), sameMinimum());
         }
     }
 
-    template <class Waiting>
-    static void halve(const CellPart& part, Waiting& waiting) {
-        for (const SpanPart& x : {part.x.lowerHalf(), part.x.upperHalf()}) {
-            for (const SpanPart& y : {part.y.lowerHalf(), part.y.upperHalf()}) {
-                waiting.push_back({x, y});
+    /// How the distance goes along one axis, anywhere in a part.
+    enum class Course : std::uint8_t {
+        Unclear,
+        Falls,        ///< towards a side, and goes on falling behind it: no minimum in the part
+        FallsToEdge,  ///< towards a side that is the scan's edge: a minimum can only lie on it
+    };
+    using Courses = std::array<Course, 2>;
+
+    [[nodiscard]] Courses coursesIn(const Part& part, const Box& box) const {
+        const Box scan = scanBox(surface_);
+        Courses courses{};
+        for (int axis = 0; axis < 2; ++axis) {
+            const double slope = part.gradient[axis];
+            if (std::abs(slope) > part.spread[axis]) {
+                const bool atEdge = slope > 0.0 ? box.low[axis] <= scan.low[axis]
+                                                : box.high[axis] >= scan.high[axis];
+                courses[static_cast<std::size_t>(axis)] =
+                    atEdge ? Course::FallsToEdge : Course::Falls;
             }
         }
+        return courses;
     }
 
-    [[nodiscard]] PartModel modelOf(const Eigen::Matrix4d& controls, const Vector2& corner,
-                                    const CellPart& part) const {
-        const Eigen::Matrix4d net =
-            bezierOfSpan(part.y) * controls * bezierOfSpan(part.x).transpose();
-        PartModel model;
-        model.half = 0.5 * Vector2(part.x.length() * pitch_.x(), part.y.length() * pitch_.y());
-        model.centre = corner + Vector2(0.5 * (part.x.low + part.x.high) * pitch_.x(),
-                                        0.5 * (part.y.low + part.y.high) * pitch_.y());
-        const BendRange bends = bendsOf(net, {2.0 * model.half.x(), 2.0 * model.half.y()});
-        const BezierMiddle middle = middleOf(net);
-        const Vector2 slope(middle.riseX / (2.0 * model.half.x()),
-                            middle.riseY / (2.0 * model.half.y()));
-        const Vector3 r(model.centre.x() - query_.x(), model.centre.y() - query_.y(),
-                        surface_.grid().datum + middle.height - query_.z());
-        model.value = 0.5 * r.squaredNorm();
-        model.gradient = r.head<2>() + r.z() * slope;
-        addBends(bends, slope, r.z(), model);
-        return model;
-    }
-
-    /// Second derivatives of (h - z)^2 / 2 are those of h times h - z, plus products of slopes.
-    static void addBends(const BendRange& bends, const Vector2& slope, double above,
-                         PartModel& model) {
-        const double xx = bends.xx.magnitude();
-        const double xy = bends.xy.magnitude();
-        const double yy = bends.yy.magnitude();
-        const Vector2 spread(xx * model.half.x() + xy * model.half.y(),
-                             xy * model.half.x() + yy * model.half.y());
-        const Vector2 steepest = slope.cwiseAbs() + spread;
-        const double rise = steepest.dot(model.half);
-        const Range e{above - rise, above + rise};
-        const Range squareX = squareNear(slope.x(), spread.x());
-        const Range squareY = squareNear(slope.y(), spread.y());
-        const Range bentX = product(e, bends.xx);
-        const Range bentY = product(e, bends.yy);
-        model.xx = {1.0 + squareX.low + bentX.low, 1.0 + squareX.high + bentX.high};
-        model.yy = {1.0 + squareY.low + bentY.low, 1.0 + squareY.high + bentY.high};
-        const Range bentXy = product(e, bends.xy);
-        const Range slopes = product({slope.x() - spread.x(), slope.x() + spread.x()},
-                                     {slope.y() - spread.y(), slope.y() + spread.y()});
-        model.xy = {slopes.low + bentXy.low, slopes.high + bentXy.high};
-    }
-
-    [[nodiscard]] bool isFar(const PartModel& model) const {
-        return model.least() >= 0.5 * limit() * limit() * (1.0 - 2.0 * kSameDistance);
+    /// Whether the part holds one minimum at most because the scan's edge leaves it no other place.
+    static bool isConvexAtEdge(const Part& part, const Courses& courses) {
+        const bool heldX = courses[0] == Course::FallsToEdge;
+        const bool heldY = courses[1] == Course::FallsToEdge;
+        return (heldX && (heldY || part.bend.y() > 0.0)) || (heldY && part.bend.x() > 0.0);
     }
 
     /// The part as the place of a search, its sides on the scan's edge where they reach it.
-    [[nodiscard]] Box boxOf(const PartModel& part) const {
+    [[nodiscard]] Box boxOf(const Part& part) const {
         const Box scan = scanBox(surface_);
         Box box{.low = part.centre - part.half, .high = part.centre + part.half};
         for (int axis = 0; axis < 2; ++axis) {
@@ -290,57 +276,23 @@ private:
         return box;
     }
 
-    /// How the distance goes along one axis, anywhere in a part.
-    enum class Course : std::uint8_t {
-        Unclear,
-        Falls,        ///< towards a side, and goes on falling behind it: no minimum in the part
-        FallsToEdge,  ///< towards a side that is the scan's edge: a minimum can only lie on it
-    };
-    using Courses = std::array<Course, 2>;
-
-    [[nodiscard]] Courses coursesIn(const PartModel& model, const Box& box) const {
-        const Vector2 spread = model.gradientSpread();
+    /// Whether a part lies off the scan's edge, so that a minimum in it needs a level gradient and a
+    /// distance that bends up.
+    [[nodiscard]] bool isInside(const Box& box) const {
         const Box scan = scanBox(surface_);
-        Courses courses{};
-        for (int axis = 0; axis < 2; ++axis) {
-            const double slope = model.gradient[axis];
-            if (std::abs(slope) > spread[axis]) {
-                const bool atEdge = slope > 0.0 ? box.low[axis] <= scan.low[axis]
-                                                : box.high[axis] >= scan.high[axis];
-                courses[static_cast<std::size_t>(axis)] =
-                    atEdge ? Course::FallsToEdge : Course::Falls;
-            }
-        }
-        return courses;
-    }
-
-    /// Whether the part holds one minimum at most.
-    static bool isConvex(const PartModel& model, const Courses& courses) {
-        const bool heldX = courses[0] == Course::FallsToEdge;
-        const bool heldY = courses[1] == Course::FallsToEdge;
-        if (heldX || heldY) {
-            return (heldX || model.xx.low > 0.0) && (heldY || model.yy.low > 0.0);
-        }
-        return model.isConvex();
-    }
-
-    /// Whether the distance bends down in some direction throughout the part, which leaves room for
-    /// a minimum only at the scan's edge.
-    [[nodiscard]] bool isSaddle(const PartModel& model, const Box& box) const {
-        const Box scan = scanBox(surface_);
-        return model.bendsDown() && box.low.x() > scan.low.x() && box.low.y() > scan.low.y() &&
+        return box.low.x() > scan.low.x() && box.low.y() > scan.low.y() &&
                box.high.x() < scan.high.x() && box.high.y() < scan.high.y();
     }
 
-    /// Takes up the only minimum that a part can hold, if it does hold one.
-    void findIn(const PartModel& part, const Box& box) {
-        const double margin = kSameMinimum * pitch_.minCoeff();
-        const bool isKnown = std::ranges::any_of(feet_.all(), [&](const SurfaceFoot& foot) {
-            return foot.converged && part.contains(foot.point.head<2>(), margin);
+    [[nodiscard]] bool holdsKnownFoot(const Part& part) const {
+        return std::ranges::any_of(feet_.all(), [&](const SurfaceFoot& foot) {
+            return foot.converged && part.contains(foot.point.head<2>(), sameMinimum());
         });
-        if (isKnown) {
-            return;
-        }
+    }
+    [[nodiscard]] double sameMinimum() const { return kSameMinimum * pitch_.minCoeff(); }
+
+    /// Takes up the only minimum that a part can hold, if it does hold one.
+    void findIn(const Part& part, const Box& box) {
         const BoxNewton<HalfSquaredDistance> newton(objective_, box, 0.0);
         const BoxMinimum minimum = newton.minimise(part.centre);
         if (!minimum.converged) {
@@ -351,7 +303,7 @@ private:
             return;
         }
         if (minimum.model.value <= 0.5 * limit() * limit()) {
-            feet_.add(footOf(minimum, query_), margin);
+            feet_.add(footOf(minimum, query_), sameMinimum());
         }
     }
 
@@ -381,6 +333,7 @@ private:
     Vector2 pitch_;  ///< [m]
     HalfSquaredDistance objective_;
     boost::container::static_vector<Settled, kMostFeet> settled_;
+    boost::container::static_vector<CellIndex, PartBatch::kLanes> cells_;
     int looks_ = 0;
     bool complete_ = true;
 };
