@@ -114,6 +114,20 @@ public:
         return feet_;
     }
 
+    /// The answer to a query that is no point: a surface point, and the word that it means nothing.
+    static NurbsFeet meaningless(const NurbsSurface& surface) {
+        NurbsFeet feet;
+        NurbsFoot& foot = feet.feet_.front();
+        foot.u = foot.v = 0.5;
+        foot.foot.point = surface.at(foot.u, foot.v).point;
+        foot.foot.normal = surface.normal(foot.u, foot.v);
+        foot.foot.curvatures = surface.curvatures(foot.u, foot.v);
+        foot.foot.insideScan = false;
+        foot.foot.proof = feet.proof_ = FootProof::NotConverged;
+        feet.count_ = 1;
+        return feet;
+    }
+
 private:
     [[nodiscard]] double best() const { return minima_.front().distance; }
     /// Squared distance from which on nothing is nearer than the best foot, to rounding [m^2].
@@ -335,21 +349,6 @@ private:
     std::size_t count_ = 0;
     int iterations_ = 0;
     NurbsFeet feet_;
-
-public:
-    /// The answer to a query that is no point: a surface point, and the word that it means nothing.
-    static NurbsFeet meaningless(const NurbsSurface& surface) {
-        NurbsFeet feet;
-        NurbsFoot& foot = feet.feet_.front();
-        foot.u = foot.v = 0.5;
-        foot.foot.point = surface.at(foot.u, foot.v).point;
-        foot.foot.normal = surface.normal(foot.u, foot.v);
-        foot.foot.curvatures = surface.curvatures(foot.u, foot.v);
-        foot.foot.insideScan = false;
-        foot.foot.proof = feet.proof_ = FootProof::NotConverged;
-        feet.count_ = 1;
-        return feet;
-    }
 };
 
 NurbsFeet nearestFeet(const NurbsSurface& surface, const Vector3& query,
