@@ -109,7 +109,7 @@ void explore(const ExploreOptions& options) {
     makeOutputFolder(out);
 
     RunKeeper keeper{.recorder = RunRecorder(out), .events = {}, .curves = {}};
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.touched(), scene.truth);
     const long ticks = std::lround(plan.duration / scene.timeStep()) + 1;
     runVirtually(scene, plan.hand, afm, ticks,
                  [&keeper](const TickSample& sample) { keeper.take(sample); });

@@ -14,7 +14,7 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
     : loaded_(std::move(loaded))
     , start_(start)
     , settings_(loaded_.scene.settings)
-    , afm_(loaded_.scene.surface, loaded_.scene.truth)
+    , afm_(loaded_.scene.touched(), loaded_.scene.truth)
     , hand_(std::make_unique<PointerHand>(start / settings_.positionGain))
     , loop_(loaded_.scene, *hand_, afm_) {}
 

@@ -42,11 +42,18 @@ std::string lawNote(const Scene& scene) {
     return note;
 }
 
-}  // namespace
+LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
+    if (!overrides.channel.empty() || overrides.levelling) {
+        throw Error("a scene with a shape has no height map whose channel or levelling to choose");
+    }
+    return {.scene = buildScene(description),
+            .format = "shape",
+            .sha256 = "",
+            .notes = {"the sample is an exact shape, drawn by 256 x 256 heights"}};
+}
 
-LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
-                      Progress* progress) {
-    SceneDescription description = sceneFromInput(input);
+LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrides,
+                     Progress* progress) {
     SampleDescription& sample = description.sample;
     if (!overrides.channel.empty()) {
         sample.channel = overrides.channel;
@@ -58,14 +65,25 @@ LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& 
     ProgressPart reading(progress, 0.0, 0.4);
     HeightScan scan = readHeightScan(sample.file, sample.channel, &reading);
     sample.channel = scan.channel;
+    ProgressPart building(progress, 0.4, 1.0);
+    LoadedScene loaded{.scene = buildScene(description, std::move(scan.map), &building),
+                       .format = std::move(scan.format),
+                       .sha256 = sha256OfFile(sample.file),
+                       .notes = std::move(scan.notes)};
+    loaded.notes.push_back(levellingNote(loaded.scene));
+    loaded.notes.push_back(imagingTipNote(loaded.scene));
+    return loaded;
+}
+
+}  // namespace
+
+LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
+                      Progress* progress) {
+    const SceneDescription description = sceneFromInput(input);
     try {
-        ProgressPart building(progress, 0.4, 1.0);
-        LoadedScene loaded{.scene = buildScene(description, std::move(scan.map), &building),
-                           .format = std::move(scan.format),
-                           .sha256 = sha256OfFile(sample.file),
-                           .notes = std::move(scan.notes)};
-        loaded.notes.push_back(levellingNote(loaded.scene));
-        loaded.notes.push_back(imagingTipNote(loaded.scene));
+        LoadedScene loaded = description.sample.shape
+                                 ? shapeScene(description, overrides)
+                                 : mapScene(description, overrides, progress);
         loaded.notes.push_back(lawNote(loaded.scene));
         return loaded;
     } catch (const InputError&) {

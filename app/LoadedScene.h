@@ -19,8 +19,8 @@ struct SceneOverrides {
 /// A scene with what is known of the file that it stands on.
 struct LoadedScene {
     Scene scene;
-    std::string format;              ///< of the height map, for people
-    std::string sha256;              ///< of the height map's file
+    std::string format;              ///< of the height map, for people; "shape" without one
+    std::string sha256;              ///< of the height map's file; empty without one
     std::vector<std::string> notes;  ///< one sentence each: levelling, decisions of the reader
 };
 

@@ -87,11 +87,9 @@ void writeOverview(const std::filesystem::path& folder, const Scene& scene, cons
     const TickSample& moment = *events.deepest;
     const Vector3& tip = moment.output.model.tip;
     const double half = zoomHalfWidth(scene, moment);
-    const SampleDescription& sample = scene.description.sample;
-    const std::filesystem::path file = sample.file;
     writeOverviewPicture(
         folder / "overview.png",
-        {.title = file.filename().string() + ", channel " + sample.channel,
+        {.title = sampleName(scene.description.sample),
          .caption = "The tip at the largest indentation, " + timeText(moment.time) + ".",
          .surface = scene.surface,
          .tip = tip,

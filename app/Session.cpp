@@ -162,8 +162,10 @@ void Session::begin(LoadedScene scene, const Vector3& start, const Settings& set
     run_ = std::make_unique<LiveRun>(std::move(scene), start);
     run_->setSettings(settings);
     hand_.attach(*run_);
-    const std::filesystem::path file = run_->scene().description.sample.file;
-    const QString name = QString::fromStdString(file.filename().string());
+    const SampleDescription& sample = run_->scene().description.sample;
+    const std::filesystem::path file = sample.file;
+    const QString name =
+        QString::fromStdString(sample.shape ? sampleName(sample) : file.filename().string());
     window_.showScene(&run_->scene(), name);
     window_.tell(name);
     showKnobs();

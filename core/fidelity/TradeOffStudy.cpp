@@ -41,7 +41,7 @@ struct TierRun {
 
 /// All inputs of the run, recorded once, so that every tier works on the same ones.
 std::vector<TickInput> recordInputs(const Scene& scene, const TradeOffPlan& plan) {
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.touched(), scene.truth);
     std::vector<TickInput> inputs;
     const long ticks = std::lround(plan.path.duration / scene.timeStep()) + 1;
     runVirtually(scene, approachPath(scene, plan.path), afm, ticks,

@@ -75,7 +75,9 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     const Vector3& foot = out.model.foot.point;
     ValidityFlags flags;
     flags.set(Validity::LargeContact, isLargeContact(out.model.contactRatio, 1.0));
-    flags.set(Validity::OutsideScan, !out.model.foot.insideScan);
+    // A shape goes on beyond the window.
+    flags.set(Validity::OutsideScan,
+              !out.model.foot.insideScan || !scene.surface.contains(foot.x(), foot.y()));
     flags.set(Validity::FilledPixel, !scene.surface.isMeasured(foot.x(), foot.y()));
     flags.set(Validity::FootNotFound, !out.model.foot.converged);
     flags.set(Validity::NotInEquilibrium, !out.model.converged || !out.model.contact.solved());
@@ -116,7 +118,7 @@ bool allFinite(const TickOutput& out) {
 bool holdsTip(const Scene& scene, const BaseMotion& tip, const Vector3& compensation,
               const EquilibriumMemory& memory) {
     EquilibriumMemory tried = memory;
-    const TipState state = tipEquilibrium(scene.surface, scene.belief,
+    const TipState state = tipEquilibrium(scene.touched(), scene.belief,
                                           {tip.position - compensation, tip.velocity}, tried);
     return state.converged && !state.contact.jumped && !state.locked &&
            (state.tip - tip.position).norm() <= kHeldWithin;
@@ -142,7 +144,7 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     const BaseMotion tip{memory.started ? Vector3(command.base.position + command.compensation)
                                         : command.base.position,
                          command.base.velocity};
-    const TipState held = heldTip(scene.surface, scene.belief, tip, memory.model);
+    const TipState held = heldTip(scene.touched(), scene.belief, tip, memory.model);
     const Vector3 deflection = scene.belief.cantilever.compliance() * held.force;
     command.tipHeld =
         held.converged && !held.contact.jumped && holdsTip(scene, tip, deflection, memory.model);
@@ -162,7 +164,7 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     TickOutput out;
     const BaseCommand command = commandBase(scene, input, memory);
     out.base = command.base;
-    out.model = tipEquilibrium(scene.surface, scene.belief, out.base, memory.model);
+    out.model = tipEquilibrium(scene.touched(), scene.belief, out.base, memory.model);
     const NormalForcePrior prior = normalForcePrior(scene, input, out.model);
     out.estimate =
         estimateForce(scene.belief.cantilever, decouplingInput(scene, input, out, prior));

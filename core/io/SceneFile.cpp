@@ -28,6 +28,9 @@ constexpr std::array<NamedValue<SolverTier>, 3> kSolvers{
     {{"exact", SolverTier::Exact}, {"newton", SolverTier::Newton}, {"table", SolverTier::Table}}};
 constexpr std::array<NamedValue<PositionControl>, 2> kPositionControls{
     {{"base", PositionControl::Base}, {"tip", PositionControl::Tip}}};
+constexpr std::array<NamedValue<ShapeKind>, 3> kShapes{{{"sphere", ShapeKind::Sphere},
+                                                        {"cylinder", ShapeKind::Cylinder},
+                                                        {"plane", ShapeKind::Plane}}};
 constexpr const char* kChosenLaw = "auto";
 
 template <class Value, std::size_t Size>
@@ -115,17 +118,41 @@ void readSmoothing(TomlSection& section, SampleDescription& sample) {
     }
 }
 
-SampleDescription readSample(TomlSection section, const SampleDescription& otherwise) {
-    SampleDescription sample = otherwise;
+/// A shape; keys that are not its own stay unread, and are refused with the unknown ones.
+ShapeDescription readShape(TomlSection& section) {
+    ShapeDescription shape;
+    shape.kind = choice(section, "shape", kShapes, shape.kind);
+    if (shape.kind == ShapeKind::Plane) {
+        shape.slope = section.number("shape_slope_rad", shape.slope);
+    } else {
+        shape.radius = section.number("shape_radius_m", shape.radius);
+    }
+    shape.size = section.number("shape_size_m", shape.radius);
+    return shape;
+}
+
+void readMapKeys(TomlSection& section, const SampleDescription& otherwise,
+                 SampleDescription& sample) {
     sample.file = section.path("file").string();
     if (sample.file.empty()) {
-        section.refuse("file", "the path of a height map");
+        section.refuse("file", "the path of a height map, or 'shape' in its place");
     }
     sample.channel = section.text("channel", otherwise.channel);
     sample.levelling = choice(section, "level", kLevellings, otherwise.levelling);
     readSmoothing(section, sample);
     sample.imagingTipRadius = section.number("imaging_tip_radius_m", otherwise.imagingTipRadius);
     sample.erode = section.flag("erode", otherwise.erode);
+}
+
+SampleDescription readSample(TomlSection section, const SampleDescription& otherwise) {
+    SampleDescription sample = otherwise;
+    if (!section.has("shape")) {
+        readMapKeys(section, otherwise, sample);
+    } else if (section.has("file")) {
+        section.refuse("shape", "a shape or a height map ('file'), not both");
+    } else {
+        sample.shape = readShape(section);
+    }
     sample.material = readMaterialOf(section, otherwise.material);
     section.refuseUnknownKeys();
     return sample;
@@ -226,8 +253,22 @@ toml::table materialTable(const SampleMaterial& material) {
                        {"film_thickness_m", material.filmThickness}};
 }
 
+void insertShape(const ShapeDescription& shape, toml::table& table) {
+    table.insert("shape", nameOf(kShapes, shape.kind));
+    if (shape.kind == ShapeKind::Plane) {
+        table.insert("shape_slope_rad", shape.slope);
+    } else {
+        table.insert("shape_radius_m", shape.radius);
+    }
+    table.insert("shape_size_m", shape.size);
+}
+
 toml::table sampleTable(const SampleDescription& sample) {
     toml::table table = materialTable(sample.material);
+    if (sample.shape) {
+        insertShape(*sample.shape, table);
+        return table;
+    }
     table.insert("file", sample.file);
     table.insert("channel", sample.channel);
     table.insert("level", nameOf(kLevellings, sample.levelling));

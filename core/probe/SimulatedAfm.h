@@ -26,7 +26,7 @@ class SimulatedAfm final : public AfmController {
 public:
     /// The surface must outlive the instrument. @throw Error when time step or temperature is no
     /// such thing
-    SimulatedAfm(const BSplineSurface& surface, const InstrumentTruth& truth);
+    SimulatedAfm(const TouchedSurface& surface, const InstrumentTruth& truth);
 
     AfmMeasurement exchange(const BaseMotion& target) noexcept override;
 
@@ -34,10 +34,10 @@ public:
     [[nodiscard]] const TipState& trueState() const noexcept { return state_; }
 
 private:
-    SimulatedAfm(const BSplineSurface& surface, const InstrumentTruth& truth,
+    SimulatedAfm(const TouchedSurface& surface, const InstrumentTruth& truth,
                  const FlexuralMode& fundamental);
 
-    const BSplineSurface& surface_;
+    TouchedSurface surface_;
     InstrumentTruth truth_;
     Random random_;
     ThermalNoise thermal_;

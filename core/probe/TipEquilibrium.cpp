@@ -3,7 +3,6 @@
 #include "core/contact/EffectiveRadius.h"
 #include "core/contact/Within.h"
 #include "core/probe/Sliding.h"
-#include "core/surface/LocalFoot.h"
 
 #include <Eigen/LU>
 
@@ -77,7 +76,7 @@ EffectiveRadius takenAsFlat(EffectiveRadius curved, double tipRadius) {
 /// time while the others answer to first order.
 class Balance {
 public:
-    Balance(const BSplineSurface& surface, const ProbeSystem& system, const BaseMotion& base,
+    Balance(const TouchedSurface& surface, const ProbeSystem& system, const BaseMotion& base,
             const Matrix3& compliance)
         : surface_(surface), system_(system), base_(base), compliance_(compliance) {}
 
@@ -137,7 +136,7 @@ private:
 
     void addFeet(std::span<const FootGuess> known, const EquilibriumMemory& memory) {
         lookedFrom_ = centre();
-        const TipFeet found = tipFeet(surface_, {lookedFrom_, system_.tipRadius()}, kReach, known);
+        const TipFeet found = surface_.tipFeet({lookedFrom_, system_.tipRadius()}, kReach, known);
         for (const SurfaceFoot& place : found.list.all()) {
             if (feet_.size() < kMostFeet && !isKnown(place, feet_.size())) {
                 feet_.push_back({.place = place,
@@ -215,7 +214,7 @@ private:
 
     /// Balances lever and contact at one foot.
     void settle(Foot& foot) {
-        foot.place = localFoot(surface_, centre(), foot.place.guess());
+        foot.place = surface_.localFoot(centre(), foot.place.guess());
         const Vector3& normal = foot.place.normal;
         foot.slip = slidingOf(normal, base_.velocity).slip();
         const Lever lever = leverOf(foot);
@@ -303,7 +302,7 @@ private:
         }
     }
 
-    const BSplineSurface& surface_;
+    TouchedSurface surface_;
     const ProbeSystem& system_;
     const BaseMotion& base_;
     const Matrix3& compliance_;
@@ -316,7 +315,7 @@ private:
 
 }  // namespace
 
-TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system,
+TipState tipEquilibrium(const TouchedSurface& surface, const ProbeSystem& system,
                         const BaseMotion& base, EquilibriumMemory& memory) noexcept {
     if (!isPlace(base.position)) {
         return nowhere();
@@ -324,7 +323,7 @@ TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system
     return Balance(surface, system, base, system.cantilever.compliance()).solve(memory);
 }
 
-TipState heldTip(const BSplineSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
+TipState heldTip(const TouchedSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
                  const EquilibriumMemory& memory) noexcept {
     if (!isPlace(tip.position)) {
         return nowhere();

@@ -2,8 +2,8 @@
 
 #include "core/Vector.h"
 #include "core/probe/ProbeSystem.h"
-#include "core/surface/BSplineSurface.h"
 #include "core/surface/TipFeet.h"
+#include "core/surface/TouchedSurface.h"
 
 #include <array>
 
@@ -55,12 +55,12 @@ struct TipState {
 /// A base beyond 500 m along an axis or at no number has the contact status ApproachOutOfRange,
 /// does not converge and leaves the memory as it is. Allocation-free, bounded, never throws.
 /// Source: docs/physics.md 1, 7.1-7.2.
-[[nodiscard]] TipState tipEquilibrium(const BSplineSurface& surface, const ProbeSystem& system,
+[[nodiscard]] TipState tipEquilibrium(const TouchedSurface& surface, const ProbeSystem& system,
                                       const BaseMotion& base, EquilibriumMemory& memory) noexcept;
 
 /// State of a tip that is held at `tip` (apex) whatever the lever, i.e. in displacement control;
 /// `memory` stays as it is.
-[[nodiscard]] TipState heldTip(const BSplineSurface& surface, const ProbeSystem& system,
+[[nodiscard]] TipState heldTip(const TouchedSurface& surface, const ProbeSystem& system,
                                const BaseMotion& tip, const EquilibriumMemory& memory) noexcept;
 
 }  // namespace asperity

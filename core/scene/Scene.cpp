@@ -1,6 +1,7 @@
 #include "core/scene/Scene.h"
 
 #include "core/Error.h"
+#include "core/scene/ShapeSample.h"
 #include "core/surface/BSplineFit.h"
 #include "core/surface/GaussianFilter.h"
 #include "core/surface/InvalidPixels.h"
@@ -61,6 +62,7 @@ struct Ground {
     PlaneFit removedPlane;
     BSplineSurface surface;
     CertaintyMap certainty;
+    std::optional<NurbsSurface> shape = std::nullopt;
 };
 
 /// The surface under the image that a tip recorded. Smoothing goes before erosion, which would take
@@ -90,6 +92,7 @@ Scene assemble(const SceneDescription& description, Ground ground) {
             .removedPlane = ground.removedPlane,
             .surface = std::move(ground.surface),
             .certainty = std::move(ground.certainty),
+            .shape = std::move(ground.shape),
             .lawChoice =
                 chooseLaw(description.law, contactPair(description, description.sample.material)),
             .belief = probeSystem(description, description.sample.material, description.probe),
@@ -119,6 +122,15 @@ Scene buildScene(const SceneDescription& description, const HeightMap& map) {
     return buildScene(description, singlePrecision(map));
 }
 
+Scene buildScene(const SceneDescription& description) {
+    checkScene(description);
+    if (!description.sample.shape) {
+        throw Error("[sample]: a scene without a height map needs a shape");
+    }
+    const ShapeDescription& shape = *description.sample.shape;
+    return assemble(description, {{}, fitSurface(shapeMap(shape)), {}, shapeSurface(shape)});
+}
+
 Scene withMaterial(Scene scene, const SampleMaterial& material) {
     SceneDescription description = scene.description;
     if (description.truth.material == description.sample.material) {
@@ -126,8 +138,8 @@ Scene withMaterial(Scene scene, const SampleMaterial& material) {
     }
     description.sample.material = material;
     checkScene(description);
-    return assemble(description,
-                    {scene.removedPlane, std::move(scene.surface), std::move(scene.certainty)});
+    return assemble(description, {scene.removedPlane, std::move(scene.surface),
+                                  std::move(scene.certainty), std::move(scene.shape)});
 }
 
 }  // namespace asperity

@@ -10,21 +10,30 @@
 #include "core/surface/CertaintyMap.h"
 #include "core/surface/HeightMap.h"
 #include "core/surface/Levelling.h"
+#include "core/surface/NurbsSurface.h"
+#include "core/surface/TouchedSurface.h"
+
+#include <optional>
 
 namespace asperity {
 
 /// Everything that stays constant while the loop runs. A new scan or material is a new scene.
 struct Scene {
     SceneDescription description;
-    PlaneFit removedPlane;  ///< of the scan as loaded
-    BSplineSurface surface;
-    CertaintyMap certainty;    ///< of the surface, where the tip that recorded it is known
-    LawChoice lawChoice;       ///< of the belief, and why
+    PlaneFit removedPlane;              ///< of the scan as loaded
+    BSplineSurface surface;             ///< as it is drawn, and touched unless it is a shape
+    CertaintyMap certainty;             ///< of the surface, where its imaging tip is known
+    std::optional<NurbsSurface> shape;  ///< what the tip touches in place of `surface`
+    LawChoice lawChoice;                ///< of the belief, and why
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     InstrumentTruth truth;     ///< what the simulated instrument is
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
     Settings settings;         ///< that a run starts with
 
+    /// What the tip touches; the scene must outlive it.
+    [[nodiscard]] TouchedSurface touched() const noexcept {
+        return shape ? TouchedSurface(*shape) : TouchedSurface(surface);
+    }
     [[nodiscard]] double timeStep() const noexcept { return 1.0 / description.tickRate; }  ///< [s]
 };
 
@@ -37,6 +46,10 @@ struct Scene {
 [[nodiscard]] Scene buildScene(const SceneDescription& description, ScanMap map,
                                Progress* progress = nullptr);
 [[nodiscard]] Scene buildScene(const SceneDescription& description, const HeightMap& map);
+
+/// The scene of a description whose sample is a shape.
+/// @throw Error when it is none, or a value of the description is outside its range
+[[nodiscard]] Scene buildScene(const SceneDescription& description);
 
 /// The same scan of another material. The instrument's truth goes along where it was the same as
 /// what the scene said. @throw Error as buildScene()

@@ -1,10 +1,12 @@
 #include "core/scene/SceneDescription.h"
 
 #include "core/Error.h"
+#include "core/SiFormat.h"
 #include "core/Units.h"
 #include "core/contact/Within.h"
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 namespace asperity {
@@ -58,7 +60,29 @@ void check(const SampleDescription& sample) {
             "scan: another radius would make up a surface");
 }
 
+/// The window must show the upper side alone, and not where it is steeper than a picture shows.
+double widestWindow(const ShapeDescription& shape) {
+    constexpr double kOfASphere = 1.25;    // radii: its corners lie at 0.88 of the radius
+    constexpr double kOfACylinder = 1.75;  // radii: its sides lie at 0.88 of the radius
+    return shape.radius * (shape.kind == ShapeKind::Sphere ? kOfASphere : kOfACylinder);
+}
+
 }  // namespace
+
+void checkShape(const ShapeDescription& shape) {
+    constexpr double kSteepest = 1.4835298641951802;  // 85 degrees [rad]
+    require(isWithin(shape.size, 1e-9, 1e-3),
+            "[sample]: shape_size_m must lie between 1e-9 and 1e-3");
+    if (shape.kind == ShapeKind::Plane) {
+        require(isWithin(shape.slope, -kSteepest, kSteepest),
+                "[sample]: shape_slope_rad must lie between -1.4835 and 1.4835 (85 degrees)");
+        return;
+    }
+    require(isWithin(shape.radius, 1e-9, 1e-3),
+            "[sample]: shape_radius_m must lie between 1e-9 and 1e-3");
+    require(shape.size <= widestWindow(shape),
+            "[sample]: shape_size_m must be at most 1.25 radii of a sphere or 1.75 of a cylinder");
+}
 
 SceneDescription defaultScene() {
     SceneDescription scene;
@@ -79,6 +103,22 @@ SceneDescription defaultScene() {
     return scene;
 }
 
+std::string sampleName(const SampleDescription& sample) {
+    if (!sample.shape) {
+        return std::filesystem::path(sample.file).filename().string() + ", channel " +
+               sample.channel;
+    }
+    switch (sample.shape->kind) {
+    case ShapeKind::Sphere:
+        return "sphere of radius " + formatSi(sample.shape->radius, "m");
+    case ShapeKind::Cylinder:
+        return "cylinder of radius " + formatSi(sample.shape->radius, "m");
+    case ShapeKind::Plane:
+        break;
+    }
+    return "plane of slope " + formatSi(sample.shape->slope, "rad");
+}
+
 ContactPair contactPair(const SceneDescription& scene, const SampleMaterial& material) {
     return {.tipRadius = scene.tip.radius,
             .reducedModulus = reducedModulus(material.elastic, scene.tip.elastic),
@@ -93,6 +133,9 @@ ContactOptions contactOptions(const SceneDescription& scene, const SampleMateria
 }
 
 void checkScene(const SceneDescription& scene) {
+    if (scene.sample.shape) {
+        checkShape(*scene.sample.shape);
+    }
     check(scene.sample.material, "[sample]");
     check(scene.truth.material, "[truth]");
     check(scene.tip.elastic, "[tip]");

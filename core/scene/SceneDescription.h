@@ -27,10 +27,24 @@ struct SampleMaterial {
     bool operator==(const SampleMaterial&) const = default;
 };
 
-/// The map under the tip and what is done to it on load.
+/// Shapes that a sample can have without error, in place of a height map.
+enum class ShapeKind : std::uint8_t { Sphere, Cylinder, Plane };
+
+/// A shape as the sample; see shapeSurface() for where it lies.
+struct ShapeDescription {
+    ShapeKind kind = ShapeKind::Sphere;
+    double radius = 100e-9;  ///< of a sphere or cylinder [m]
+    double slope = 0.0;      ///< of a plane, along x [rad]
+    double size = 100e-9;    ///< side of the square window that is looked at [m]
+
+    bool operator==(const ShapeDescription&) const = default;
+};
+
+/// The map or shape under the tip and what is done to the map on load.
 struct SampleDescription {
-    std::string file;     ///< height map, as resolved against the scene file
-    std::string channel;  ///< empty: the file's default channel
+    std::optional<ShapeDescription> shape;  ///< none: the map of `file`
+    std::string file;                       ///< height map, as resolved against the scene file
+    std::string channel;                    ///< empty: the file's default channel
     Levelling levelling = Levelling::Plane;
     double smoothingPixels = 1.0;  ///< standard deviation of the Gaussian low-pass [pixel]; 0: none
     double smoothingLength = 0.0;  ///< above 0: it is this, in place of smoothingPixels [m]
@@ -77,12 +91,18 @@ struct SceneDescription {
 /// The scene that a height map alone stands for: polystyrene, 15 nm silicon tip, 14 N/m lever.
 [[nodiscard]] SceneDescription defaultScene();
 
+/// What the sample is, for people: its file and channel, or its shape.
+[[nodiscard]] std::string sampleName(const SampleDescription& sample);
+
 /// Tip and a material of the scene as one pair.
 [[nodiscard]] ContactPair contactPair(const SceneDescription& scene,
                                       const SampleMaterial& material);
 /// What else a contact with that material has.
 [[nodiscard]] ContactOptions contactOptions(const SceneDescription& scene,
                                             const SampleMaterial& material);
+
+/// @throw Error naming the key of the first value outside its range
+void checkShape(const ShapeDescription& shape);
 
 /// @throw Error naming the section and key of the first value outside its range
 void checkScene(const SceneDescription& scene);

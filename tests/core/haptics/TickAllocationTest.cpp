@@ -40,6 +40,12 @@ TEST(TickAllocation, TickAndSimulatedInstrumentAllocateNothingInAnyState) {
     expectNoAllocation(buildScene(test::plainScene(), test::hillyMap()));
 }
 
+TEST(TickAllocation, NorDoesAShape) {
+    SceneDescription description = test::plainScene();
+    description.sample.shape = ShapeDescription{.kind = ShapeKind::Sphere};
+    expectNoAllocation(buildScene(description));
+}
+
 TEST(TickAllocation, NorDoesAnyLawSolverOrControl) {
     SceneDescription description = test::plainScene();
     description.sample.material.filmThickness = 100.0_nm;

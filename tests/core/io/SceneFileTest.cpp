@@ -83,6 +83,49 @@ noise_seed = 7
     EXPECT_EQ(scene.truth.noiseSeed, 7U);
 }
 
+TEST_F(SceneFile, TakesAShapeInPlaceOfAHeightMap) {
+    const SceneDescription ball = readScene(write("ball.toml", R"(
+[sample]
+shape = "sphere"
+shape_radius_m = 2e-7
+shape_size_m = 1.5e-7
+)"));
+    EXPECT_EQ(ball.sample.shape,
+              (ShapeDescription{.kind = ShapeKind::Sphere, .radius = 2e-7, .size = 1.5e-7}));
+    EXPECT_TRUE(ball.sample.file.empty());
+    const std::string text = sceneText(ball);
+    EXPECT_EQ(sceneText(readScene(write("again.toml", text))), text);
+
+    const SceneDescription slope = readScene(write("slope.toml", R"(
+[sample]
+shape = "plane"
+shape_slope_rad = 0.3
+)"));
+    EXPECT_EQ(slope.sample.shape,
+              (ShapeDescription{.kind = ShapeKind::Plane, .slope = 0.3, .size = 1e-7}));
+    const std::string slopeText = sceneText(slope);
+    EXPECT_EQ(sceneText(readScene(write("again.toml", slopeText))), slopeText);
+}
+
+TEST_F(SceneFile, RefusesAShapeThatIsNone) {
+    const std::string path = (scratch.path() / "scene.toml").string();
+    EXPECT_EQ(refusal("[sample]\nshape = \"cone\"\n"),
+              path +
+                  ": line 2, [sample] shape: expected one of sphere, cylinder, plane, not 'cone'");
+    EXPECT_EQ(refusal("[sample]\nshape = \"sphere\"\nfile = \"map.gsf\"\n"),
+              path +
+                  ": line 2, [sample] shape: expected a shape or a height map ('file'), not both");
+    EXPECT_NE(refusal("[sample]\nshape = \"sphere\"\nshape_slope_rad = 0.1\n"), "");
+    EXPECT_NE(refusal("[sample]\nshape = \"plane\"\nshape_radius_m = 1e-7\n"), "");
+    EXPECT_NE(refusal("[sample]\nshape = \"sphere\"\nsmoothing_px = 1.0\n"), "");
+    EXPECT_NE(refusal("[sample]\nfile = \"map.gsf\"\nshape_radius_m = 1e-7\n"), "");
+    EXPECT_EQ(refusal("[sample]\nshape = \"sphere\"\nshape_size_m = 2e-7\n"),
+              path + ": [sample]: shape_size_m must be at most 1.25 radii of a sphere or 1.75 of a "
+                     "cylinder");
+    EXPECT_NE(refusal("[sample]\nshape = \"plane\"\nshape_slope_rad = 1.5\n"), "");
+    EXPECT_NE(refusal("[sample]\nshape = \"cylinder\"\nshape_radius_m = nan\n"), "");
+}
+
 TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     SceneDescription scene = defaultScene();
     scene.sample.file = "/somewhere/map.gsf";
@@ -162,7 +205,8 @@ TEST(ShippedScenes, AllReadAndNameFilesThatAreThere) {
     for (const auto& entry :
          std::filesystem::directory_iterator(std::string(ASPERITY_DATA_DIR) + "/scenes")) {
         const SceneDescription scene = readScene(entry.path());
-        EXPECT_TRUE(std::filesystem::exists(scene.sample.file)) << scene.sample.file;
+        EXPECT_TRUE(scene.sample.shape || std::filesystem::exists(scene.sample.file))
+            << scene.sample.file;
         ++scenes;
     }
     EXPECT_GE(scenes, 4);

@@ -1,6 +1,8 @@
 #include "core/Units.h"
 #include "core/surface/BSplineFit.h"
 #include "core/surface/ClosestPoint.h"
+#include "core/surface/NurbsFoot.h"
+#include "core/surface/NurbsShapes.h"
 #include "core/surface/SyntheticSurface.h"
 #include "tests/support/AllocationCounter.h"
 
@@ -26,6 +28,19 @@ TEST(ClosestPoint, DoesNotAllocate) {
     }
     const Vector3 noPoint = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
     sum += closestPoint(surface, noPoint, guess).distance;
+    EXPECT_EQ(test::allocationCount(), before);
+    EXPECT_NE(sum, 0.0);
+}
+
+TEST(NurbsFoot, DoesNotAllocate) {
+    const NurbsSurface torus = torusSurface({}, 200.0_nm, 60.0_nm);
+    const std::size_t before = test::allocationCount();
+    double sum = 0.0;
+    for (int i = 0; i < 200; ++i) {
+        const Vector3 query(3.0_nm * i - 200.0_nm, 30.0_nm, 60.0_nm - 1.3_nm * i);
+        sum += nearestFeet(torus, query, {.within = 150.0_nm}).nearest().foot.distance;
+    }
+    sum += nearestFeet(torus, Vector3::Zero(), {}).nearest().foot.distance;
     EXPECT_EQ(test::allocationCount(), before);
     EXPECT_NE(sum, 0.0);
 }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/NurbsSurface.h"
+#include "core/surface/TipFeet.h"
+
+#include <span>
+#include <variant>
+
+namespace asperity {
+
+/// What a tip touches: a height field or a NURBS surface. A view: the surface must outlive it.
+class TouchedSurface {
+public:
+    // NOLINTBEGIN(google-explicit-constructor): either surface can be touched as it is
+    TouchedSurface(const BSplineSurface& field) noexcept : surface_(&field) {}
+    TouchedSurface(const NurbsSurface& shape) noexcept : surface_(&shape) {}
+    // NOLINTEND(google-explicit-constructor)
+
+    /// The feet of a tip, as on a height field (TipFeet.h). On a NURBS surface the guesses are not
+    /// needed, and of the feet beside the nearest one some may be missing.
+    [[nodiscard]] TipFeet tipFeet(const TipSphere& tip, double reach,
+                                  std::span<const FootGuess> known) const noexcept;
+
+    /// A foot of `query`, as on a height field (LocalFoot.h); on a NURBS surface the one that lies
+    /// nearest to the guess as seen from above.
+    [[nodiscard]] SurfaceFoot localFoot(const Vector3& query,
+                                        const FootGuess& guess) const noexcept;
+
+private:
+    std::variant<const BSplineSurface*, const NurbsSurface*> surface_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,82 @@
+#include "core/surface/TouchedSurface.h"
+
+#include "core/Units.h"
+#include "core/surface/BSplineFit.h"
+#include "core/surface/NurbsShapes.h"
+#include "core/surface/SyntheticSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+namespace {
+
+constexpr double kTipRadius = 15.0_nm;
+
+/// Two slopes of 45 degrees that meet along y at x = 0, z = 0.
+NurbsSurface groove() {
+    return NurbsSurface({.degreeU = 1,
+                         .degreeV = 1,
+                         .knotsU = {0.0, 0.0, 1.0, 2.0, 2.0},
+                         .knotsV = {0.0, 0.0, 1.0, 1.0},
+                         .points = {{-50.0_nm, 0.0, 50.0_nm},
+                                    {0.0, 0.0, 0.0},
+                                    {50.0_nm, 0.0, 50.0_nm},
+                                    {-50.0_nm, 100.0_nm, 50.0_nm},
+                                    {0.0, 100.0_nm, 0.0},
+                                    {50.0_nm, 100.0_nm, 50.0_nm}},
+                         .weights = {}});
+}
+
+TEST(TouchedSurface, ATipInAGrooveHasTwoFeet) {
+    const NurbsSurface surface = groove();
+    const TouchedSurface touched(surface);
+    // Nearer to the left slope by a nanometre.
+    const Vector3 centre(-0.5_nm * std::numbers::sqrt2, 40.0_nm, kTipRadius * std::numbers::sqrt2);
+    const TipFeet feet = touched.tipFeet({centre, kTipRadius}, 10.0_nm, {});
+    EXPECT_EQ(feet.proof, FootProof::Nearest);
+    ASSERT_EQ(feet.list.all().size(), 2U);
+    EXPECT_NEAR(feet.list.all()[0].distance, kTipRadius - 0.5_nm, 1e-12_nm);
+    EXPECT_NEAR(feet.list.all()[1].distance, kTipRadius + 0.5_nm, 1e-12_nm);
+    EXPECT_LT(feet.list.all()[0].point.x(), 0.0);
+    for (const SurfaceFoot& foot : feet.list.all()) {
+        const SurfaceFoot again = touched.localFoot(centre, foot.guess());
+        EXPECT_LT((again.point - foot.point).norm(), 1e-12_nm) << "each is found again from itself";
+        EXPECT_NEAR(std::abs(foot.normal.x()), std::numbers::sqrt2 / 2.0, 1e-12);
+        EXPECT_NEAR(foot.curvatures.largest, 0.0, 1e-6 / kTipRadius);
+    }
+    EXPECT_EQ(touched.tipFeet({centre, kTipRadius}, 0.0, {}).list.all().size(), 1U)
+        << "the other one is out of reach";
+}
+
+TEST(TouchedSurface, ATipOnABallHasOne) {
+    const NurbsSurface ball = sphereSurface({.centre = Vector3::Zero()}, 100.0_nm);
+    EXPECT_EQ(ball.concavity(), 0.0);
+    const TouchedSurface touched(ball);
+    const Vector3 above(0.0, 0.0, 120.0_nm);
+    const TipFeet near = touched.tipFeet({above, kTipRadius}, 10.0_nm, {});
+    ASSERT_EQ(near.list.all().size(), 1U);
+    EXPECT_EQ(near.proof, FootProof::Nearest);
+    EXPECT_EQ(touched.tipFeet({above, kTipRadius}, 1.0_nm, {}).proof, FootProof::OutOfReach);
+    const TipFeet none = touched.tipFeet({Vector3::Constant(NAN), kTipRadius}, 10.0_nm, {});
+    EXPECT_EQ(none.proof, FootProof::NotConverged);
+    ASSERT_EQ(none.list.all().size(), 1U);
+    EXPECT_TRUE(none.list.all()[0].point.allFinite());
+}
+
+TEST(TouchedSurface, AHeightFieldIsTouchedAsItIs) {
+    const BSplineSurface field = fitSurface(
+        sampledMap({.columns = 32, .rows = 32, .sizeX = 64.0_nm, .sizeY = 64.0_nm},
+                   EggBox{.amplitude = 10.0_nm, .periodX = 30.0_nm, .periodY = 30.0_nm}));
+    const TipSphere tip{.centre = Vector3(30.0_nm, 31.0_nm, 20.0_nm), .radius = kTipRadius};
+    const TipFeet direct = tipFeet(field, tip, 10.0_nm, {});
+    const TipFeet feet = TouchedSurface(field).tipFeet(tip, 10.0_nm, {});
+    ASSERT_EQ(feet.list.all().size(), direct.list.all().size());
+    EXPECT_EQ(feet.proof, direct.proof);
+    EXPECT_EQ(feet.list.all()[0].point, direct.list.all()[0].point);
+}
+
+}  // namespace
+}  // namespace asperity
