@@ -55,7 +55,8 @@ HalfSpaceContact contactAt(int samples, double x, bool adhesive) {
     for (int row = 0; row < samples; ++row) {
         for (int column = 0; column < samples; ++column) {
             const double r2 = std::pow(place(column), 2) + std::pow(place(row), 2);
-            const double sphere = r2 / (kTipRadius + std::sqrt(kTipRadius * kTipRadius - r2));
+            const double up = std::sqrt(std::max(0.0, kTipRadius * kTipRadius - r2));
+            const double sphere = r2 / (kTipRadius + up);
             contact.gap.push_back(sphere - height(x + place(column), place(row)));
         }
     }
