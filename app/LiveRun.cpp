@@ -16,7 +16,10 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
     , settings_(loaded_.scene.settings)
     , afm_(loaded_.scene.surface, loaded_.scene.truth)
     , hand_(std::make_unique<PointerHand>(start / settings_.positionGain))
-    , loop_(loaded_.scene, *hand_, afm_) {}
+    , loop_(loaded_.scene, *hand_, afm_)
+    , halfSpace_(loaded_.scene.description.deformation == DeformationTier::HalfSpace
+                     ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
+                     : nullptr) {}
 
 void LiveRun::setSettings(const Settings& settings) noexcept {
     settings_ = settings;
@@ -54,6 +57,7 @@ Vector3 LiveRun::basePosition() noexcept {
 
 LoadedScene LiveRun::release(std::unique_ptr<LiveRun> run) {
     run->loop_.stop();
+    run->halfSpace_.reset();
     return std::move(run->loaded_);
 }
 

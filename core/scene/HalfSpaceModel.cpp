@@ -89,6 +89,15 @@ const char* reasonOf(HalfSpaceVerdict verdict) {
 
 }  // namespace
 
+bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now) {
+    constexpr double kSameWidth = 0.1;
+    const ContactState& then = answer.state.contact;
+    const double width = then.cohesiveRadius;
+    return answer.valid() && now.contact.region() == then.region() &&
+           std::abs(now.contact.cohesiveRadius - width) < kSameWidth * width &&
+           (now.foot.point - answer.state.foot.point).norm() < width;
+}
+
 std::string sentenceOf(const HalfSpaceAnswer& answer) {
     if (!answer.valid()) {
         return std::string("half-space not valid (") + reasonOf(answer.verdict) +

@@ -36,6 +36,10 @@ struct HalfSpaceAnswer {
     [[nodiscard]] bool valid() const noexcept { return verdict == HalfSpaceVerdict::Valid; }
 };
 
+/// Whether a valid answer still shows what the surface does at a later state: as bonded, about as
+/// wide and about there.
+[[nodiscard]] bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now);
+
 /// For people, in one sentence: own force beside the law's, or why the answer is not used.
 [[nodiscard]] std::string sentenceOf(const HalfSpaceAnswer& answer);
 
