@@ -15,7 +15,8 @@ struct HalfSpaceContact {
     double reducedModulus = 0.0;  ///< E* [Pa]
     double cohesiveStress = 0.0;  ///< sigma0, which acts across gaps < cohesiveRange [Pa]; 0: none
     double cohesiveRange = 0.0;   ///< h0 [m]
-    double tipRadius = 0.0;       ///< R, what contact radii are judged by [m]
+    double tipRadius = 0.0;       ///< what contact radii are judged by; of tip and sample together
+                                  ///< where that is less than the tip's [m]
 };
 
 /// What acts on each pixel. The pressure is contact - sigma0 * cohesion.

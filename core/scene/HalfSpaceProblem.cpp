@@ -48,7 +48,7 @@ HalfSpaceContact halfSpaceContact(const Scene& scene, const TipState& state,
                              .reducedModulus = model.pair().reducedModulus,
                              .cohesiveStress = cohesion.stress,
                              .cohesiveRange = cohesion.range,
-                             .tipRadius = radius};
+                             .tipRadius = std::min(radius, model.pair().tipRadius)};
     auto height = contact.gap.begin();
     patch.forEachDistance([&](double distance) {
         const double up = (radius - distance) * (radius + distance);
