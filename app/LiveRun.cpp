@@ -16,10 +16,10 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
     , settings_(loaded_.scene.settings)
     , afm_(loaded_.scene.surface, loaded_.scene.truth)
     , hand_(std::make_unique<PointerHand>(start / settings_.positionGain))
-    , loop_(loaded_.scene, *hand_, afm_)
     , halfSpace_(loaded_.scene.description.deformation == DeformationTier::HalfSpace
                      ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
-                     : nullptr) {}
+                     : nullptr)
+    , loop_(loaded_.scene, *hand_, afm_) {}
 
 void LiveRun::setSettings(const Settings& settings) noexcept {
     settings_ = settings;

@@ -44,8 +44,8 @@ private:
     Settings settings_;
     SimulatedAfm afm_;
     std::unique_ptr<HapticDevice> hand_;
-    HapticLoop loop_;
     std::unique_ptr<HalfSpaceWorker> halfSpace_;
+    HapticLoop loop_;
 };
 
 /// In the middle of the scan, above the sample [m].

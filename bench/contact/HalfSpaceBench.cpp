@@ -1,15 +1,16 @@
 // Time of the half-space solver on a rough surface, cold and from the frame before, in one run.
-// Times are medians over places; the limits they stand beside are a quarter of a frame of 25 Hz
-// and the time that the solver's own convolutions take alone.
+// Times are of the processor, medians over places: one thread solves, and others may share the
+// machine. The limits they stand beside are a quarter of a frame of 25 Hz and what as many
+// convolutions of the whole grid would take alone.
 #include "core/contact/FieldConvolution.h"
 #include "core/contact/HalfSpaceSolver.h"
 #include "core/contact/LoveKernel.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <ctime>
 #include <vector>
 
 namespace asperity {
@@ -25,10 +26,8 @@ constexpr double kRange = 0.35677581392778259e-9;
 constexpr double kFrame = 0.25 * 1e3 / 25.0;  // a quarter of one [ms]
 constexpr int kPlaces = 25;
 
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+double millisecondsSince(std::clock_t start) {
+    return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 double median(std::vector<double> values) {
@@ -73,7 +72,7 @@ struct Timing {
 
     HalfSpaceSolution run(HalfSpaceSolver& solver, const HalfSpaceContact& contact,
                           const SurfaceTraction& start) {
-        const Clock::time_point begin = Clock::now();
+        const std::clock_t begin = std::clock();
         HalfSpaceSolution solution = solver.solve(contact, start);
         times.push_back(millisecondsSince(begin));
         iterations.push_back(solution.iterations);
@@ -98,7 +97,7 @@ double convolutionTime(int samples) {
     std::vector<double> result(field.size());
     std::vector<double> times;
     for (int i = 0; i < kPlaces; ++i) {
-        const Clock::time_point begin = Clock::now();
+        const std::clock_t begin = std::clock();
         convolution.apply(field, result);
         times.push_back(millisecondsSince(begin));
     }

@@ -47,14 +47,14 @@ Scene sceneOf(Scene scene, const SampleMaterial& material) {
 
 /// The tip is lowered in the middle of the scan until the sample bears the load.
 std::optional<TipState> loadedState(const Scene& scene, double load) {
-    constexpr double kStart = 10e-9;
-    constexpr double kEnd = -100e-9;
+    constexpr double kStart = 10e-9;  // above the surface
     constexpr double kStep = 0.02e-9;
+    constexpr int kSteps = 5500;
     EquilibriumMemory memory;
     Vector3 position(0.5 * scene.surface.sizeX(), 0.5 * scene.surface.sizeY(), 0.0);
     const double surface = scene.surface.at(position.x(), position.y()).height;
-    for (double height = kStart; height > kEnd; height -= kStep) {
-        position.z() = surface + height;
+    for (int step = 0; step < kSteps; ++step) {
+        position.z() = surface + kStart - step * kStep;
         const TipState state =
             tipEquilibrium(scene.surface, scene.belief, {.position = position}, memory);
         if (state.contact.contactRadius > 0.0 && state.normalForce > load) {

@@ -48,9 +48,12 @@ TEST(FieldConvolution, MultipliesWavesOfPeriodicFieldsByTheSymbol) {
     FieldConvolution convolution =
         FieldConvolution::periodic(size, [](int row, int column) { return 10.0 * row + column; });
     const auto wave = [](int i) {
-        return std::cos(2.0 * std::numbers::pi * (5 * (i / size) + 3 * (i % size)) / size);
+        const int row = i / size;
+        const int column = i % size;
+        return std::cos(2.0 * std::numbers::pi * (5 * row + 3 * column) / size);
     };
     std::vector<double> field;
+    field.reserve(static_cast<std::size_t>(size) * size);
     for (int i = 0; i < size * size; ++i) {
         field.push_back(wave(i));
     }
@@ -76,6 +79,7 @@ TEST(LoveKernel, IsAPointForceFromAfarAndBoundedOnThePixelItself) {
 TEST(CohesiveZone, EndsWithinAPixelWhereTheGapGrowsBeyondItsRange) {
     const int size = 16;
     std::vector<double> gaps;
+    gaps.reserve(static_cast<std::size_t>(size) * size);
     for (int i = 0; i < size * size; ++i) {
         gaps.push_back(0.1 * (i % size));
     }
@@ -84,7 +88,8 @@ TEST(CohesiveZone, EndsWithinAPixelWhereTheGapGrowsBeyondItsRange) {
         cohesiveShares(gaps, size, range, shares);
         double width = 0.0;
         for (int column = 0; column < size; ++column) {
-            width += shares[static_cast<std::size_t>(5 * size + column)];
+            const int pixel = 5 * size + column;
+            width += shares[static_cast<std::size_t>(pixel)];
         }
         EXPECT_NEAR(width - 0.5, range / 0.1, 1e-12);  // the first pixel lies on both sides of 0
     }

@@ -55,8 +55,8 @@ inline double displacementAt(const HalfSpaceSolution& solution, const PixelGrid&
     const double place = x / grid.pitch();
     const int before = static_cast<int>(place);
     const auto at = [&](int steps) {
-        return solution
-            .displacement[static_cast<std::size_t>(middle * grid.samples + middle + steps)];
+        const int pixel = middle * grid.samples + middle + steps;
+        return solution.displacement[static_cast<std::size_t>(pixel)];
     };
     return std::lerp(at(before), at(before + 1), place - before);
 }

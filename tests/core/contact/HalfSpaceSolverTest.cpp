@@ -114,28 +114,29 @@ TEST(HalfSpaceSolver, HasTheHertzianDisplacementInsideAndOutsideOfTheContact) {
 
 /// Hertz's ellipse from its axes. Source: Johnson, Contact Mechanics (1985), (4.26).
 struct HertzEllipse {
-    HertzEllipse(double longAxis, double shortAxis, double modulus, double pressure)
-        : a(longAxis), b(shortAxis) {
-        const double e2 = 1.0 - (b * b) / (a * a);
-        const double k = std::comp_ellint_1(std::sqrt(e2));
-        const double e = std::comp_ellint_2(std::sqrt(e2));
-        const double scale = pressure / modulus * b;
-        alongA = scale / (e2 * a * a) * (k - e);
-        alongB = scale / (e2 * a * a) * (a * a / (b * b) * e - k);
-        indentation = scale * k;
-        force = 2.0 / 3.0 * pi * pressure * a * b;
-    }
-    double a;
-    double b;
-    double alongA;       ///< half the gap's curvature [1/m]
-    double alongB;       ///< [1/m]
-    double indentation;  ///< [m]
-    double force;        ///< [N]
+    double alongA = 0.0;       ///< half the gap's curvature along the long axis [1/m]
+    double alongB = 0.0;       ///< and along the short one [1/m]
+    double indentation = 0.0;  ///< [m]
+    double force = 0.0;        ///< [N]
 };
+
+/// @param a long half axis [m]  @param b short one [m]  @param strain largest pressure over E*
+HertzEllipse hertzEllipse(double a, double b, double strain, double modulus) {
+    const double e2 = 1.0 - (b * b) / (a * a);
+    const double k = std::comp_ellint_1(std::sqrt(e2));
+    const double e = std::comp_ellint_2(std::sqrt(e2));
+    const double scale = strain * b;
+    return {.alongA = scale / (e2 * a * a) * (k - e),
+            .alongB = scale / (e2 * a * a) * (a * a / (b * b) * e - k),
+            .indentation = scale * k,
+            .force = 2.0 / 3.0 * pi * strain * modulus * a * b};
+}
 
 TEST(HalfSpaceSolver, HasHertzEllipseWhereTheSampleIsCurvedOneWayMore) {
     const ContactPair pair = hertzModel().pair();
-    const HertzEllipse ellipse(4.0_nm, 2.0_nm, pair.reducedModulus, 100.0_MPa);
+    const double longAxis = 4.0_nm;
+    const double shortAxis = 2.0_nm;
+    const HertzEllipse ellipse = hertzEllipse(longAxis, shortAxis, 0.04, pair.reducedModulus);
     const PixelGrid grid{.samples = 128, .halfWidth = 6.0_nm};
     HalfSpaceContact contact = elasticContact(grid, pair, [&](double x, double y) {
         return ellipse.alongA * x * x + ellipse.alongB * y * y;
@@ -143,7 +144,7 @@ TEST(HalfSpaceSolver, HasHertzEllipseWhereTheSampleIsCurvedOneWayMore) {
     contact.approach = ellipse.indentation;
     const HalfSpaceSolution solution = HalfSpaceSolver().solve(contact);
     EXPECT_NEAR(solution.force, ellipse.force, 2e-3 * ellipse.force);
-    EXPECT_NEAR(solution.contactRadius, std::sqrt(ellipse.a * ellipse.b), 0.5 * contact.pitch);
+    EXPECT_NEAR(solution.contactRadius, std::sqrt(longAxis * shortAxis), 0.5 * contact.pitch);
 }
 
 /// Two bumps far from each other each sink into the hollow of the other one.
@@ -173,8 +174,8 @@ double pullOffForce(const ContactModel& model, PixelGrid grid) {
     HalfSpaceSolver solver;
     SurfaceTraction traction;
     double lowest = 0.0;
-    for (double approach = 0.1_nm; approach > -0.6_nm; approach -= 0.01_nm) {
-        contact.approach = approach;
+    for (int step = 0; step < 70; ++step) {
+        contact.approach = 0.1_nm - step * 0.01_nm;
         const HalfSpaceSolution solution = solver.solve(contact, traction);
         EXPECT_EQ(solution.status, HalfSpaceStatus::Converged);
         traction = solution.traction;
@@ -206,7 +207,8 @@ TEST(HalfSpaceSolver, StaysBondedWhereItComesFromContactAndFreeWhereItDoesNot) {
     HalfSpaceSolver solver;
     contact.approach = 0.1_nm;
     SurfaceTraction traction = solver.solve(contact).traction;
-    for (; contact.approach > -0.4_nm; contact.approach -= 0.02_nm) {
+    for (int step = 1; step <= 25; ++step) {
+        contact.approach = 0.1_nm - step * 0.02_nm;
         traction = solver.solve(contact, traction).traction;
     }
     ASSERT_LT(contact.approach, -contact.cohesiveRange) << "beyond the reach of separate bodies";

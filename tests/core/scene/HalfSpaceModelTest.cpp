@@ -23,8 +23,9 @@ TipState pressed(const Scene& scene, double indentation, Vector2 place = {64.0_n
     EquilibriumMemory memory;
     TipState state;
     const double surface = scene.surface.at(place.x(), place.y()).height;
-    for (double depth = -8.0_nm; depth < 20.0_nm; depth += 0.02_nm) {
-        const BaseMotion base{.position = {place.x(), place.y(), surface - depth}};
+    for (int step = 0; step < 1400; ++step) {
+        const double height = surface + 8.0_nm - step * 0.02_nm;
+        const BaseMotion base{.position = {place.x(), place.y(), height}};
         state = tipEquilibrium(scene.surface, scene.belief, base, memory);
         if (state.contact.contactRadius > 0.0 && state.contact.indentation > indentation) {
             return state;
@@ -179,8 +180,9 @@ TEST(TangentFrame, MeetsHillsAlongTheNormal) {
     const TangentFrame frame = tangentFrame({70.0_nm, 20.0_nm, sample.height}, sample.normal());
     const std::vector<double> heights = heightsOver(scene.surface, frame, 20, 1.0_nm);
     for (int i = 0; i < 400; ++i) {
+        const int row = i / 20;
         const Vector3 point = frame.origin + (i % 20 - 9.5) * 1.0_nm * frame.along +
-                              (i / 20 - 9.5) * 1.0_nm * frame.across +
+                              (row - 9.5) * 1.0_nm * frame.across +
                               heights[static_cast<std::size_t>(i)] * frame.normal;
         EXPECT_NEAR(scene.surface.at(point.x(), point.y()).height, point.z(), 1e-5_nm);
     }

@@ -18,7 +18,8 @@ protected:
     [[nodiscard]] TipState bondedAt(double x) const {
         EquilibriumMemory memory;
         TipState state;
-        for (double height = 3.0_nm; height > 0.0; height -= 0.05_nm) {
+        for (int step = 0; step < 60; ++step) {
+            const double height = 3.0_nm - step * 0.05_nm;
             state = tipEquilibrium(scene.surface, scene.belief, {.position = {x, 64.0_nm, height}},
                                    memory);
         }
@@ -28,7 +29,7 @@ protected:
     static std::shared_ptr<const HalfSpaceAnswer> answerFor(const HalfSpaceWorker& worker,
                                                             const TipState& state) {
         for (int i = 0; i < 10000; ++i) {
-            const auto answer = worker.newest();
+            auto answer = worker.newest();
             if (answer && answer->state.tip == state.tip) {
                 return answer;
             }
