@@ -82,7 +82,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.detector.lateralCrossTalk = -0.02;
     scene.truth.temperature = 296.15;
     scene.law = ContactLaw::Hertz;
-    scene.deformation = DeformationTier::FourPoint;
+    scene.deformation = DeformationTier::HalfSpace;
     const std::string text = sceneText(scene);
     const SceneDescription again = readScene(write("again.toml", text));
     EXPECT_EQ(sceneText(again), text);
@@ -94,6 +94,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.truth.temperature, scene.truth.temperature);
     EXPECT_EQ(again.truth.stiffness, scene.truth.stiffness);
     EXPECT_EQ(again.law, scene.law);
+    EXPECT_EQ(again.deformation, scene.deformation);
 }
 
 TEST_F(SceneFile, RefusesAnUnknownKeyByNameAndLine) {
