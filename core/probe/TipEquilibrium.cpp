@@ -3,7 +3,7 @@
 #include "core/contact/EffectiveRadius.h"
 #include "core/contact/Within.h"
 #include "core/probe/Sliding.h"
-#include "core/surface/Curvature.h"
+#include "core/surface/LocalFoot.h"
 
 #include <Eigen/LU>
 
@@ -127,7 +127,7 @@ private:
         }
         boost::container::static_vector<FootGuess, kMostFeet> known;
         for (const Foot& foot : feet_) {
-            known.push_back(guessOf(foot.place));
+            known.push_back(foot.place.guess());
         }
         const std::size_t before = feet_.size();
         addFeet({known.data(), known.size()}, memory);
@@ -138,7 +138,7 @@ private:
     void addFeet(std::span<const FootGuess> known, const EquilibriumMemory& memory) {
         lookedFrom_ = centre();
         const TipFeet found = tipFeet(surface_, {lookedFrom_, system_.tipRadius()}, kReach, known);
-        for (const SurfaceFoot& place : found.all()) {
+        for (const SurfaceFoot& place : found.list.all()) {
             if (feet_.size() < kMostFeet && !isKnown(place, feet_.size())) {
                 feet_.push_back({.place = place,
                                  .memory = takeMemory(place, memory),
@@ -147,10 +147,6 @@ private:
                                  .contact = {}});
             }
         }
-    }
-
-    static FootGuess guessOf(const SurfaceFoot& place) {
-        return {place.point.x(), place.point.y(), place.converged};
     }
 
     /// Whether one of the first `count` feet stands there.
@@ -185,8 +181,7 @@ private:
     bool followCurvature() {
         bool changed = false;
         for (Foot& foot : feet_) {
-            const auto bend =
-                principalCurvatures(surface_.at(foot.place.point.x(), foot.place.point.y()));
+            const PrincipalCurvatures& bend = foot.place.curvatures;
             foot.radius = effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
             if (isSphere(system_.contact.law())) {
                 foot.radius = takenAsFlat(foot.radius, system_.tipRadius());
@@ -220,7 +215,7 @@ private:
 
     /// Balances lever and contact at one foot.
     void settle(Foot& foot) {
-        foot.place = closestPoint(surface_, centre(), guessOf(foot.place));
+        foot.place = localFoot(surface_, centre(), foot.place.guess());
         const Vector3& normal = foot.place.normal;
         foot.slip = slidingOf(normal, base_.velocity).slip();
         const Lever lever = leverOf(foot);
@@ -302,7 +297,7 @@ private:
             if (memory.footCount > 0 && isFar) {
                 continue;
             }
-            memory.feet[memory.footCount++] = {.guess = guessOf(foot.place),
+            memory.feet[memory.footCount++] = {.guess = foot.place.guess(),
                                                .contact = foot.contact.memory(),
                                                .friction = foot.memory.friction};
         }

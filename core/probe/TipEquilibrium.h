@@ -3,7 +3,6 @@
 #include "core/Vector.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/ClosestPoint.h"
 #include "core/surface/TipFeet.h"
 
 #include <array>

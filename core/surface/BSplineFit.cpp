@@ -1,9 +1,11 @@
 #include "core/surface/BSplineFit.h"
 
+#include "core/Error.h"
 #include "core/surface/InvalidPixels.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -91,36 +93,46 @@ void solve(const Lanes& line, const std::vector<double>& factors) {
 }
 
 /// The heights, bottom row first, inside a frame of padding.
-BSplineSurface::Grid paddedGrid(const HeightMap& map) {
+std::vector<double> paddedHeights(const HeightMap& map) {
     const auto columns = static_cast<std::size_t>(map.columns);
     const auto rows = static_cast<std::size_t>(map.rows);
-    BSplineSurface::Grid grid{.columns = map.columns,
-                              .rows = map.rows,
-                              .pitchX = map.pitchX,
-                              .pitchY = map.pitchY,
-                              .controlHeights = std::vector<double>((rows + 2) * (columns + 2)),
-                              .invalid = {}};
-    grid.invalid.reserve(map.invalid.size());
+    std::vector<double> padded((rows + 2) * (columns + 2));
     for (std::size_t row = 0; row < rows; ++row) {
-        const auto source = static_cast<std::ptrdiff_t>((rows - 1 - row) * columns);
-        const auto width = static_cast<std::ptrdiff_t>(columns);
-        std::copy_n(map.heights.begin() + source, columns,
-                    grid.controlHeights.begin() +
-                        static_cast<std::ptrdiff_t>((row + 1) * (columns + 2) + 1));
-        if (!map.invalid.empty()) {
-            grid.invalid.insert(grid.invalid.end(), map.invalid.begin() + source,
-                                map.invalid.begin() + source + width);
-        }
+        std::copy_n(map.heights.begin() + static_cast<std::ptrdiff_t>((rows - 1 - row) * columns),
+                    columns,
+                    padded.begin() + static_cast<std::ptrdiff_t>((row + 1) * (columns + 2) + 1));
     }
-    return grid;
+    return padded;
+}
+
+std::vector<std::uint8_t> bottomRowFirst(const std::vector<std::uint8_t>& mask, int columns) {
+    std::vector<std::uint8_t> turned;
+    turned.reserve(mask.size());
+    for (auto end = mask.end(); end != mask.begin(); end -= columns) {
+        turned.insert(turned.end(), end - columns, end);
+    }
+    return turned;
+}
+
+/// Single precision loses least half way between the lowest and the highest control height.
+void storeControls(BSplineSurface::Grid& grid, const std::vector<double>& controls) {
+    const auto [lowest, highest] = std::ranges::minmax_element(controls);
+    grid.datum = 0.5 * *lowest + 0.5 * *highest;
+    if (!(*highest - grid.datum <= std::numeric_limits<float>::max())) {
+        throw Error("the heights of the map lie too far apart for a surface");
+    }
+    grid.controlHeights.reserve(controls.size());
+    for (const double control : controls) {
+        grid.controlHeights.push_back(static_cast<float>(control - grid.datum));
+    }
 }
 
 BSplineSurface fitFinite(const HeightMap& map) {
-    BSplineSurface::Grid grid = paddedGrid(map);
     const auto columns = static_cast<std::size_t>(map.columns);
     const auto rows = static_cast<std::size_t>(map.rows);
     const std::size_t stride = columns + 2;
-    double* data = grid.controlHeights.data();
+    std::vector<double> controls = paddedHeights(map);
+    double* data = controls.data();
 
     const std::vector<double> alongX = eliminationFactors(columns);
     for (std::size_t row = 1; row <= rows; ++row) {
@@ -128,6 +140,13 @@ BSplineSurface fitFinite(const HeightMap& map) {
     }
     solve({.first = data + stride, .count = rows, .step = stride, .lanes = stride},
           eliminationFactors(rows));
+    BSplineSurface::Grid grid{.columns = map.columns,
+                              .rows = map.rows,
+                              .pitchX = map.pitchX,
+                              .pitchY = map.pitchY,
+                              .controlHeights = {},
+                              .invalid = bottomRowFirst(map.invalid, map.columns)};
+    storeControls(grid, controls);
     return BSplineSurface(std::move(grid));
 }
 
@@ -135,7 +154,8 @@ BSplineSurface fitFinite(const HeightMap& map) {
 
 BSplineSurface fitSurface(const HeightMap& map) {
     requireUsable(map);
-    const bool complete = std::ranges::all_of(map.heights, isFiniteHeight);
+    const bool complete =
+        std::ranges::all_of(map.heights, [](double height) { return isFiniteHeight(height); });
     return complete ? fitFinite(map) : fitFinite(withInvalidPixelsFilled(map));
 }
 

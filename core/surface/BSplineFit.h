@@ -10,8 +10,10 @@ namespace asperity {
 /// At a border the first span is a quadratic, so quadratics come back exactly; the error inside the
 /// scan falls with the fourth power of the pitch. Pixels whose height is not a number are filled
 /// first (see withInvalidPixelsFilled()); the map's mask is kept, so isMeasured() tells them.
-/// Linear time.
-/// @throw Error when the map is unusable or holds no height at all
+/// Linear time. Solved in double precision; the stored control heights then lie within 2^-25 of
+/// their range (see BSplineSurface).
+/// @throw Error when the map is unusable, holds no height at all, or its heights lie so far apart
+///        that single precision cannot hold them
 [[nodiscard]] BSplineSurface fitSurface(const HeightMap& map);
 
 }  // namespace asperity

@@ -1,8 +1,9 @@
 #include "core/surface/BSplineSurface.h"
 
 #include "core/Error.h"
+#include "core/Simd.h"
+#include "core/surface/CellBoundsBuilder.h"
 #include "core/surface/HeightMap.h"
-#include "core/surface/UniformCubic.h"
 
 #include <algorithm>
 #include <array>
@@ -24,35 +25,75 @@ double clampedToScan(double place, double size) {
     return std::isless(place, size) ? place : size;
 }
 
-/// The span at `place` pixels from the scan's edge.
-CubicSpan spanAt(double place, int pixels) {
-    return cubicSpan(place - 0.5, std::max(pixels - 1, 1));
-}
-
-/// One over the pixel size [1/m].
-struct InversePitch {
-    double x = 0.0;
-    double y = 0.0;
+/// A place within a span of one axis.
+struct SpanPlace {
+    int first = 0;   ///< control height that the span starts with, in the padded grid
+    double t = 0.0;  ///< 0..1 in the span; beyond it at the scan's edges
 };
 
-/// Height and derivatives from the 4 x 4 control heights that start at `corner`.
-inline HeightSample sampled(const double* corner, std::ptrdiff_t stride, const CubicSpan& across,
-                            const CubicSpan& up, InversePitch scale) {
-    Weights height = Weights::Zero();
-    Weights slope = Weights::Zero();
-    Weights curvature = Weights::Zero();
-    for (int j = 0; j < 4; ++j) {
-        const Weights row = Eigen::Map<const Weights>(corner + j * stride);
-        height += up.value[j] * row;
-        slope += up.slope[j] * row;
-        curvature += up.curvature[j] * row;
+/// The span at `place` pixels from the scan's edge.
+SpanPlace spanAt(double place, int pixels) {
+    // The conversion rounds up only below 0, where span 0 is continued anyway.
+    const int first = std::clamp(static_cast<int>(place - 0.5), 0, std::max(pixels - 2, 0));
+    return {.first = first, .t = place - 0.5 - first};
+}
+
+/// A uniform cubic B-spline on one span as the polynomial c0 + c1 t + c2 t^2 + c3 t^3, for four
+/// splines at a time.
+struct Cubic4 {
+    Double4 c0;
+    Double4 c1;
+    Double4 c2;
+    Double4 c3;
+
+    [[nodiscard]] ASPERITY_INLINE Double4 value(double t) const {
+        return c0 + t * (c1 + t * (c2 + t * c3));
     }
-    return {.height = height.dot(across.value),
-            .dx = height.dot(across.slope) * scale.x,
-            .dy = slope.dot(across.value) * scale.y,
-            .dxx = height.dot(across.curvature) * (scale.x * scale.x),
-            .dxy = slope.dot(across.slope) * (scale.x * scale.y),
-            .dyy = curvature.dot(across.value) * (scale.y * scale.y)};
+    [[nodiscard]] ASPERITY_INLINE Double4 slope(double t) const {
+        return c1 + t * (2.0 * c2 + t * (3.0 * c3));
+    }
+    [[nodiscard]] ASPERITY_INLINE Double4 curvature(double t) const {
+        return 2.0 * c2 + t * (6.0 * c3);
+    }
+};
+
+/// From the four rows of control heights that shape the span.
+ASPERITY_INLINE Cubic4 cubicOf(Double4 a, Double4 b, Double4 c, Double4 d) {
+    const Double4 bend = 0.5 * (a + c) - b;
+    return {b + bend * (1.0 / 3.0), 0.5 * (c - a), bend, ((d - a) + 3.0 * (b - c)) * (1.0 / 6.0)};
+}
+
+/// Height and derivatives from 4 x 4 control heights, per span.
+ASPERITY_INLINE HeightSample sampled(const std::array<Double4, 4>& rows, double t,
+                                                   double s) {
+    const Cubic4 up = cubicOf(rows[0], rows[1], rows[2], rows[3]);
+    const Cubic4 weights = cubicOf(Double4{1.0, 0.0, 0.0, 0.0}, Double4{0.0, 1.0, 0.0, 0.0},
+                                   Double4{0.0, 0.0, 1.0, 0.0}, Double4{0.0, 0.0, 0.0, 1.0});
+    const Double4 value = weights.value(t);
+    const Double4 slope = weights.slope(t);
+    const Double4 height = up.value(s);
+    const Double4 rise = up.slope(s);
+    const Double4 first = laneSums(height * value, height * slope, rise * value, rise * slope);
+    const Double4 second = laneSums(height * weights.curvature(t), up.curvature(s) * value,
+                                    Double4{}, Double4{});
+    return {.height = first[0],
+            .dx = first[1],
+            .dy = first[2],
+            .dxx = second[0],
+            .dxy = first[3],
+            .dyy = second[1]};
+}
+
+template <class Height>
+ASPERITY_INLINE Double4 widened(const Height* heights) {
+    return Double4{heights[0], heights[1], heights[2], heights[3]};
+}
+
+ASPERITY_WITH_AVX2 void sampleCell(const float* corner, std::ptrdiff_t stride, double t, double s,
+                                   HeightSample& sample) {
+    sample = sampled({widened(corner), widened(corner + stride), widened(corner + 2 * stride),
+                      widened(corner + 3 * stride)},
+                     t, s);
 }
 
 /// Continues a cubic sequence before c0: the fourth difference is zero.
@@ -92,41 +133,18 @@ BSplineSurface::Grid usable(BSplineSurface::Grid grid) {
     return grid;
 }
 
-double largestMagnitude(const std::vector<double>& heights) {
-    double largest = 0.0;
-    for (const double height : heights) {
+double largestMagnitude(const BSplineSurface::Grid& grid) {
+    float largest = 0.0F;
+    for (const float height : grid.controlHeights) {
         if (!isFiniteHeight(height)) {
             throw Error("a control height is not a finite number");
         }
         largest = std::max(largest, std::abs(height));
     }
-    return largest;
-}
-
-/// Second derivatives of a cubic spline are averages of its control heights' second differences,
-/// and no principal curvature is stronger than the largest eigenvalue of the second derivatives.
-double largestConcavity(const BSplineSurface::Grid& grid) {
-    const std::ptrdiff_t stride = grid.columns + 2;
-    const double perX = 1.0 / (grid.pitchX * grid.pitchX);
-    const double perY = 1.0 / (grid.pitchY * grid.pitchY);
-    const double perXy = 1.0 / (grid.pitchX * grid.pitchY);
-    double alongX = 0.0;
-    double alongY = 0.0;
-    double mixed = 0.0;
-    for (std::ptrdiff_t row = 1; row <= grid.rows; ++row) {
-        const double* c = grid.controlHeights.data() + row * stride;
-        for (std::ptrdiff_t column = 1; column <= grid.columns; ++column) {
-            const double* at = c + column;
-            alongX = std::max(alongX, at[-1] - 2.0 * at[0] + at[1]);
-            alongY = std::max(alongY, at[-stride] - 2.0 * at[0] + at[stride]);
-            for (const std::ptrdiff_t up : {std::ptrdiff_t{0}, -stride}) {
-                const double* corner = at + up;
-                mixed = std::max(
-                    mixed, std::abs(corner[0] - corner[-1] - corner[stride] + corner[stride - 1]));
-            }
-        }
+    if (!isFiniteHeight(grid.datum)) {
+        throw Error("the datum of the control heights is not a finite number");
     }
-    return std::max(alongX * perX, alongY * perY) + mixed * perXy;
+    return std::abs(grid.datum) + static_cast<double>(largest);
 }
 
 }  // namespace
@@ -135,25 +153,37 @@ BSplineSurface::BSplineSurface(Grid grid)
     : grid_(usable(std::move(grid)))
     , inversePitchX_(1.0 / grid_.pitchX)
     , inversePitchY_(1.0 / grid_.pitchY)
-    , heightScale_(largestMagnitude(grid_.controlHeights))
-    , concavityBound_(largestConcavity(grid_)) {}
+    , heightScale_(largestMagnitude(grid_))
+    , bounds_(cellBoundsOf(grid_)) {}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
-    const CubicSpan across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);
-    const CubicSpan up = spanAt(clampedToScan(y, sizeY()) * inversePitchY_, grid_.rows);
+    const SpanPlace across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);
+    const SpanPlace up = spanAt(clampedToScan(y, sizeY()) * inversePitchY_, grid_.rows);
+    HeightSample sample;
     if (grid_.columns == 1 || grid_.rows == 1) {
-        const std::array<double, 16> heights = controlsFrom(up.first - 1, across.first - 1);
-        return sampled(heights.data(), 4, across, up, {inversePitchX_, inversePitchY_});
+        const std::array<double, 16> heights = relativeControlsFrom(up.first - 1, across.first - 1);
+        const double* corner = heights.data();
+        sample = sampled(
+            {widened(corner), widened(corner + 4), widened(corner + 8), widened(corner + 12)},
+            across.t, up.t);
+    } else {
+        const std::ptrdiff_t stride = grid_.columns + 2;
+        const float* corner = grid_.controlHeights.data() + up.first * stride + across.first;
+        sampleCell(corner, stride, across.t, up.t, sample);
     }
-    const std::ptrdiff_t stride = grid_.columns + 2;
-    const double* corner = grid_.controlHeights.data() + up.first * stride + across.first;
-    return sampled(corner, stride, across, up, {inversePitchX_, inversePitchY_});
+    sample.height += grid_.datum;
+    sample.dx *= inversePitchX_;
+    sample.dy *= inversePitchY_;
+    sample.dxx *= inversePitchX_ * inversePitchX_;
+    sample.dxy *= inversePitchX_ * inversePitchY_;
+    sample.dyy *= inversePitchY_ * inversePitchY_;
+    return sample;
 }
 
-std::array<double, 16> BSplineSurface::controlsFrom(int row, int column) const noexcept {
+std::array<double, 16> BSplineSurface::relativeControlsFrom(int row, int column) const noexcept {
     std::array<double, 16> heights{};
     for (int i = 0; i < 16; ++i) {
-        heights[static_cast<std::size_t>(i)] = control(row + i / 4, column + i % 4);
+        heights[static_cast<std::size_t>(i)] = relativeControl(row + i / 4, column + i % 4);
     }
     return heights;
 }
@@ -176,14 +206,31 @@ bool BSplineSurface::isMeasured(double x, double y) const noexcept {
 }
 
 double BSplineSurface::control(int row, int column) const noexcept {
+    return grid_.datum + relativeControl(row, column);
+}
+
+double BSplineSurface::relativeControl(int row, int column) const noexcept {
     return controlAlong(row, grid_.rows, [&](int r) { return controlInRow(r, column); });
 }
 
 double BSplineSurface::controlInRow(int row, int column) const noexcept {
     const std::size_t stride = static_cast<std::size_t>(grid_.columns) + 2;
-    const double* line =
+    const float* line =
         grid_.controlHeights.data() + static_cast<std::size_t>(row + 1) * stride + 1;
-    return controlAlong(column, grid_.columns, [line](int c) { return line[c]; });
+    return controlAlong(column, grid_.columns, [line](int c) -> double { return line[c]; });
+}
+
+Eigen::Matrix4d cellControls(const BSplineSurface::Grid& grid, int row, int column) noexcept {
+    const std::ptrdiff_t stride = grid.columns + 2;
+    Eigen::Matrix4d controls;
+    for (int i = 0; i < 4; ++i) {
+        // Along an axis with a single pixel the surface is level.
+        const float* line = grid.controlHeights.data() + (grid.rows == 1 ? 1 : row + i) * stride;
+        for (int j = 0; j < 4; ++j) {
+            controls(i, j) = line[grid.columns == 1 ? 1 : column + j];
+        }
+    }
+    return controls;
 }
 
 }  // namespace asperity

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/Vector.h"
+#include "core/surface/CellBounds.h"
+#include "core/surface/HeightSample.h"
 
 #include <array>
 #include <cstdint>
@@ -8,36 +10,28 @@
 
 namespace asperity {
 
-/// Height of a surface and its derivatives at one place of the world frame.
-struct HeightSample {
-    double height = 0.0;  ///< [m]
-    double dx = 0.0;      ///< slope along x
-    double dy = 0.0;      ///< slope along y
-    double dxx = 0.0;     ///< [1/m]
-    double dxy = 0.0;     ///< [1/m]
-    double dyy = 0.0;     ///< [1/m]
-
-    /// Unit normal, pointing out of the sample.
-    [[nodiscard]] Vector3 normal() const noexcept { return Vector3(-dx, -dy, 1.0).normalized(); }
-};
-
 /// A uniform bicubic B-spline height field: immutable, O(1) look-up, safe to read from any thread.
 ///
 /// Control point (row, column) of the padded grid belongs to the pixel (row - 1, column - 1), rows
 /// counted from the BOTTOM (y up), so that the spline's parameter grows with world x and y.
+///
+/// Control heights are kept in single precision, so that large scans fit into memory, and relative
+/// to a datum, so that single precision tells them to 2^-24 of their distance from it. They DEFINE
+/// the surface: at() evaluates them in double precision.
 class BSplineSurface {
 public:
     struct Grid {
-        int columns = 0;                     ///< pixels along x
-        int rows = 0;                        ///< pixels along y
-        double pitchX = 0.0;                 ///< [m]
-        double pitchY = 0.0;                 ///< [m]
-        std::vector<double> controlHeights;  ///< (rows + 2) x (columns + 2), bottom row first [m]
-        std::vector<std::uint8_t> invalid;   ///< rows x columns, bottom row first; empty: all valid
+        int columns = 0;                    ///< pixels along x
+        int rows = 0;                       ///< pixels along y
+        double pitchX = 0.0;                ///< [m]
+        double pitchY = 0.0;                ///< [m]
+        double datum = 0.0;                 ///< height that control heights are relative to [m]
+        std::vector<float> controlHeights;  ///< (rows + 2) x (columns + 2), bottom row first [m]
+        std::vector<std::uint8_t> invalid;  ///< rows x columns, bottom row first; empty: all valid
     };
 
     /// @throw Error when the arrays do not match the size, a pitch is not positive, or a control
-    ///        height is not finite
+    ///        height or the datum is not finite
     explicit BSplineSurface(Grid grid);
 
     /// Height and derivatives at world (x, y) [m]. Outside the pixel centres the spline of the
@@ -56,20 +50,27 @@ public:
     /// Control height of pixel (row, column), rows from the bottom; either may lie beyond the scan
     /// by any amount: the outermost span's polynomial is continued exactly. [m]
     [[nodiscard]] double control(int row, int column) const noexcept;
-    /// Largest magnitude of a control height [m]: the scale of rounding errors in at().
+    /// No control height is larger in magnitude [m]: the scale of rounding errors in at().
     [[nodiscard]] double heightScale() const noexcept { return heightScale_; }
     /// No valley is curved more strongly than this, >= 0 [1/m].
-    [[nodiscard]] double concavityBound() const noexcept { return concavityBound_; }
+    [[nodiscard]] double concavityBound() const noexcept { return bounds_.all().concavity; }
+    /// What is known of each cell without looking into it.
+    [[nodiscard]] const CellBounds& bounds() const noexcept { return bounds_; }
 
 private:
     [[nodiscard]] double controlInRow(int row, int column) const noexcept;
-    [[nodiscard]] std::array<double, 16> controlsFrom(int row, int column) const noexcept;
+    [[nodiscard]] double relativeControl(int row, int column) const noexcept;
+    [[nodiscard]] std::array<double, 16> relativeControlsFrom(int row, int column) const noexcept;
 
     Grid grid_;
-    double inversePitchX_;   ///< [1/m]
-    double inversePitchY_;   ///< [1/m]
-    double heightScale_;     ///< [m]
-    double concavityBound_;  ///< [1/m]
+    double inversePitchX_;  ///< [1/m]
+    double inversePitchY_;  ///< [1/m]
+    double heightScale_;    ///< [m]
+    CellBounds bounds_;
 };
+
+/// The 4 x 4 control heights of a cell (see CellBounds) above the grid's datum, rows along y [m].
+[[nodiscard]] Eigen::Matrix4d cellControls(const BSplineSurface::Grid& grid, int row,
+                                           int column) noexcept;
 
 }  // namespace asperity

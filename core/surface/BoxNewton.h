@@ -124,20 +124,57 @@ private:
         return !free[1] || h(1, 1) > 0.0;
     }
 
-    static Vector2 newtonStep(const LocalModel& model, const Free& free) {
+    /// Step to the least value of the local quadratic along one axis, within the box.
+    [[nodiscard]] double stepAlong(int axis, const Vector2& place, double slope,
+                                   double bend) const {
+        return std::clamp(-slope / bend, box_.low[axis] - place[axis],
+                          box_.high[axis] - place[axis]);
+    }
+
+    /// The least value of the quadratic lies outside the box: the step to the least one on a side
+    /// that is in the way. Cutting the free step off there would not even lead downhill.
+    [[nodiscard]] Vector2 stepAlongSide(const Vector2& place, const Vector2& g, const Matrix2& h,
+                                        const Vector2& freeStep) const {
+        Vector2 best = Vector2::Zero();
+        double lowest = std::numeric_limits<double>::max();
+        for (int axis = 0; axis < 2; ++axis) {
+            const int other = 1 - axis;
+            Vector2 step;
+            step[axis] = std::clamp(freeStep[axis], box_.low[axis] - place[axis],
+                                    box_.high[axis] - place[axis]);
+            if (step[axis] == freeStep[axis]) {
+                continue;
+            }
+            step[other] = stepAlong(other, place, g[other] + h(0, 1) * step[axis], h(other, other));
+            const double value = g.dot(step) + 0.5 * step.dot(h * step);
+            if (value < lowest) {
+                lowest = value;
+                best = step;
+            }
+        }
+        return best;
+    }
+
+    /// Step to the least value of the local quadratic in the box.
+    [[nodiscard]] Vector2 newtonStep(const BoxMinimum& state, const Free& free) const {
+        const LocalModel& model = state.model;
         const Matrix2& h = isConvex(model.hessian, free) ? model.hessian : model.convex;
         const Vector2& g = model.gradient;
         if (free[0] && free[1]) {
             const double determinant = h(0, 0) * h(1, 1) - h(0, 1) * h(0, 1);
-            return Vector2(h(0, 1) * g[1] - h(1, 1) * g[0], h(0, 1) * g[0] - h(0, 0) * g[1]) /
-                   determinant;
+            const Vector2 step =
+                Vector2(h(0, 1) * g[1] - h(1, 1) * g[0], h(0, 1) * g[0] - h(0, 0) * g[1]) /
+                determinant;
+            const Vector2 place = state.place + step;
+            return place == box_.nearest(place) ? step : stepAlongSide(state.place, g, h, step);
         }
-        return {free[0] ? -g[0] / h(0, 0) : 0.0, free[1] ? -g[1] / h(1, 1) : 0.0};
+        return {free[0] ? stepAlong(0, state.place, g[0], h(0, 0)) : 0.0,
+                free[1] ? stepAlong(1, state.place, g[1], h(1, 1)) : 0.0};
     }
 
     /// Steps down by Newton's method, halving the step until the value falls.
     bool step(BoxMinimum& state, const Free& free, int& evaluations) const {
-        Vector2 move = newtonStep(state.model, free);
+        Vector2 move = newtonStep(state, free);
         for (int halving = 0; halving < kMaxHalvings && evaluations < kMaxEvaluations; ++halving) {
             const Vector2 place = box_.nearest(state.place + move);
             if (place == state.place) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/surface/BSplineSurface.h"
+#include "core/surface/HeightSample.h"
 
 namespace asperity {
 

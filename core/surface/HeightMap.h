@@ -39,6 +39,10 @@ struct HeightMap {
     constexpr std::uint64_t kExponent = 0x7ff0000000000000U;
     return (std::bit_cast<std::uint64_t>(height) & kExponent) != kExponent;
 }
+[[nodiscard]] constexpr bool isFiniteHeight(float height) {
+    constexpr std::uint32_t kExponent = 0x7f800000U;
+    return (std::bit_cast<std::uint32_t>(height) & kExponent) != kExponent;
+}
 
 /// Refuses a map that no computation can use.
 /// @throw Error when it has no pixels, its arrays do not match its size, or a pitch is not positive

@@ -134,7 +134,8 @@ void markMissing(HeightMap& map) {
 
 HeightMap withInvalidPixelsFilled(HeightMap map) {
     requireUsable(map);
-    const auto known = std::ranges::count_if(map.heights, isFiniteHeight);
+    const auto known =
+        std::ranges::count_if(map.heights, [](double height) { return isFiniteHeight(height); });
     if (known == 0) {
         throw Error("the height map holds no valid pixel");
     }

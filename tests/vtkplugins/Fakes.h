@@ -10,10 +10,16 @@ namespace asperity::test {
 /// Surface whose control heights are height(x, y) at the pixel centres.
 template <typename Height>
 [[nodiscard]] BSplineSurface splineOf(int pixels, double pitch, const Height& height) {
-    BSplineSurface::Grid grid{pixels, pixels, pitch, pitch, {}, {}};
+    BSplineSurface::Grid grid{.columns = pixels,
+                              .rows = pixels,
+                              .pitchX = pitch,
+                              .pitchY = pitch,
+                              .controlHeights = {},
+                              .invalid = {}};
     for (int row = -1; row <= pixels; ++row) {
         for (int column = -1; column <= pixels; ++column) {
-            grid.controlHeights.push_back(height((column + 0.5) * pitch, (row + 0.5) * pitch));
+            grid.controlHeights.push_back(
+                static_cast<float>(height((column + 0.5) * pitch, (row + 0.5) * pitch)));
         }
     }
     return BSplineSurface(std::move(grid));

@@ -4,6 +4,7 @@
 #include "core/Units.h"
 #include "core/surface/BSplineFit.h"
 #include "core/surface/SyntheticSurface.h"
+#include "tests/support/StorageError.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +57,8 @@ TEST(TipContactHeight, OnASlopeIsTheRadiusOverTheCosine) {
     for (const double slope : {0.1, 1.0, 5.0}) {
         const BSplineSurface surface = fitSurface(sampledMap(kScan, Shape{.slope = slope}));
         const double expected = slope * (90.0_nm - 0.5 * kSize) + kTip * std::hypot(1.0, slope);
-        EXPECT_NEAR(tipContactHeight(surface, 90.0_nm, 60.0_nm, kTip), expected, 1e-19);
+        EXPECT_NEAR(tipContactHeight(surface, 90.0_nm, 60.0_nm, kTip), expected,
+                    1e-19 + test::storageErrorOf(surface).height);
     }
 }
 
@@ -67,7 +69,8 @@ TEST(TipContactHeight, OnAHillTouchesWhereTheNormalPointsAtTheTip) {
     const double slope = bend * offset;
     const double x = 0.5 * kSize + offset - kTip * slope / std::hypot(1.0, slope);
     const double expected = 0.5 * bend * offset * offset + kTip / std::hypot(1.0, slope);
-    EXPECT_NEAR(tipContactHeight(surface, x, 0.5 * kSize, kTip), expected, 1e-19);
+    EXPECT_NEAR(tipContactHeight(surface, x, 0.5 * kSize, kTip), expected,
+                1e-19 + test::storageErrorOf(surface).height);
 }
 
 TEST(TipContactHeight, BridgesAValleyThatTheTipDoesNotFit) {
@@ -76,7 +79,8 @@ TEST(TipContactHeight, BridgesAValleyThatTheTipDoesNotFit) {
     // Highest s^2 / (2 r) + sqrt(R^2 - s^2): at sqrt(R^2 - s^2) = r.
     const double expected =
         0.5 * (kTip * kTip - valleyRadius * valleyRadius) / valleyRadius + valleyRadius;
-    EXPECT_NEAR(tipContactHeight(surface, 0.5 * kSize, 0.5 * kSize, kTip), expected, 1e-18);
+    EXPECT_NEAR(tipContactHeight(surface, 0.5 * kSize, 0.5 * kSize, kTip), expected,
+                1e-18 + test::storageErrorOf(surface).height);
 }
 
 TEST(TipContactHeight, IsTheHighestOfAllContactsOnRoughGround) {

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "bench/surface/MethodRun.h"
+#include "bench/surface/RandomRun.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// One work, how far its reference may be off, and what each method did on it; the product first.
+struct WorkResult {
+    std::string name;
+    double referenceDoubt = 0.0;  ///< [m]
+    std::vector<MethodResult> methods;
+};
+
+/// The same slide over a small and a large map.
+struct SizeResult {
+    int smallPixels = 0;  ///< along one axis
+    int largePixels = 0;
+    MethodResult onSmall;
+    MethodResult onLarge;
+};
+
+/// Foot point, contact force and decoupling of one instant.
+struct ChainResult {
+    TimeSummary time;  ///< of the whole chain
+    TimeSummary foot;  ///< of its foot point alone
+};
+
+/// A plain copy of a map of float heights.
+struct CopyResult {
+    int pixels = 0;     ///< along one axis
+    double time = 0.0;  ///< [ns]
+};
+
+struct BenchResults {
+    std::vector<WorkResult> works;
+    std::vector<RandomResult> random;
+    std::optional<SizeResult> size;
+    std::optional<ChainResult> chain;
+    std::vector<CopyResult> copies;
+    std::vector<std::string> missingPeers;
+};
+
+/// For people, to stdout.
+void printTables(const BenchResults& results);
+/// For programs, to stdout.
+void printJson(const BenchResults& results);
+
+}  // namespace asperity

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "bench/surface/FootMethod.h"
+#include "bench/surface/FootWork.h"
+#include "bench/surface/GlobalReference.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// A distance this far above the reference is wrong [m].
+inline constexpr double kWrong = 1e-15;
+
+/// What one method did on one work.
+struct MethodResult {
+    std::string name;
+    std::size_t queries = 0;
+    double median = 0.0;  ///< time of a query; below 1 us its mean over a block of them [ns]
+    double p99 = 0.0;     ///< of single queries, to the clock's resolution [ns]
+    std::size_t wrong = 0;
+    double worst = 0.0;  ///< distance above the reference [m]
+    double below = 0.0;  ///< distance below the reference: an error of the reference [m]
+    std::size_t certified = 0;
+    std::size_t certifiedWrong = 0;
+};
+
+/// The reference's answer to each query of a work.
+[[nodiscard]] std::vector<GlobalReference::Nearest> referenceOf(const FootWork& work);
+
+/// How far denser samples in every cell in reach, none skipped, get below the answers, for one
+/// query in `stride` [m]: what the reference may be off.
+[[nodiscard]] double referenceDoubt(const FootWork& work,
+                                    std::span<const GlobalReference::Nearest> truth,
+                                    std::size_t stride);
+
+/// Takes up one answer.
+void judge(const FootWork& work, std::size_t query, const FootAnswer& answer,
+           const GlobalReference::Nearest& truth, MethodResult& result);
+
+/// Runs all methods over the work, taking turns; a time is the best of `passes`, so that what else
+/// the machine does stays out of it.
+[[nodiscard]] std::vector<MethodResult>
+runMethods(const FootWork& work, std::span<const GlobalReference::Nearest> truth,
+           std::span<const std::unique_ptr<FootMethod>> methods, int passes);
+
+/// Sorts the times: their median and 99th percentile.
+struct TimeSummary {
+    double median = 0.0;  ///< [ns]
+    double p99 = 0.0;     ///< [ns]
+};
+[[nodiscard]] TimeSummary summaryOf(std::vector<double> times);
+
+/// What reading the clock itself takes [ns].
+[[nodiscard]] double clockCost();
+
+}  // namespace asperity

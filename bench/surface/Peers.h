@@ -1,0 +1,26 @@
+#pragma once
+
+#include "bench/surface/FootMethod.h"
+#include "core/surface/BSplineSurface.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// The other programs' closest points that this benchmark was built with (tools/peers.txt).
+[[nodiscard]] std::vector<std::unique_ptr<FootMethod>> peerMethods(const BSplineSurface& surface);
+
+/// Names of those that were not found when it was built.
+[[nodiscard]] std::vector<std::string> missingPeers();
+
+/// One for each peer; only those that were found are compiled.
+[[nodiscard]] std::unique_ptr<FootMethod> openCascadeMethod(const BSplineSurface& surface);
+[[nodiscard]] std::unique_ptr<FootMethod> openCascadeWindowMethod(const BSplineSurface& surface);
+[[nodiscard]] std::unique_ptr<FootMethod> sislMethod(const BSplineSurface& surface);
+[[nodiscard]] std::unique_ptr<FootMethod> embreeMethod(const BSplineSurface& surface);
+[[nodiscard]] std::unique_ptr<FootMethod> cgalMethod(const BSplineSurface& surface);
+[[nodiscard]] std::unique_ptr<FootMethod> vtkMethod(const BSplineSurface& surface);
+
+}  // namespace asperity

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+/// A function compiled twice, for any x86-64 processor and for those with AVX2; the loader picks.
+/// What it calls must be inlined into it. Not for sanitizers: they are not yet at work when the
+/// loader picks.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define ASPERITY_WITH_AVX2 [[gnu::target_clones("avx2", "default")]]
+#else
+#define ASPERITY_WITH_AVX2
+#endif
+#define ASPERITY_INLINE [[gnu::always_inline]] inline
+
+namespace asperity {
+
+// Four doubles that the compiler keeps in one register where the processor has such. Lanes are
+// added and multiplied in the written order with and without AVX2, so results are the same bits.
+using Double4 [[gnu::vector_size(32)]] = double;
+using Long4 [[gnu::vector_size(32)]] = long;
+
+ASPERITY_INLINE Double4 least(Double4 a, Double4 b) { return b < a ? b : a; }
+ASPERITY_INLINE Double4 most(Double4 a, Double4 b) { return a < b ? b : a; }
+ASPERITY_INLINE Double4 magnitude(Double4 a) { return a < 0.0 ? -a : a; }
+ASPERITY_INLINE double least(double a, double b) { return std::min(a, b); }
+ASPERITY_INLINE double most(double a, double b) { return std::max(a, b); }
+ASPERITY_INLINE double magnitude(double a) { return std::abs(a); }
+
+/// Sums of the lanes of four vectors.
+ASPERITY_INLINE Double4 laneSums(Double4 a, Double4 b, Double4 c, Double4 d) {
+    const Double4 ab = __builtin_shuffle(a, b, Long4{0, 4, 2, 6}) +
+                       __builtin_shuffle(a, b, Long4{1, 5, 3, 7});
+    const Double4 cd = __builtin_shuffle(c, d, Long4{0, 4, 2, 6}) +
+                       __builtin_shuffle(c, d, Long4{1, 5, 3, 7});
+    return __builtin_shuffle(ab, cd, Long4{0, 1, 4, 5}) +
+           __builtin_shuffle(ab, cd, Long4{2, 3, 6, 7});
+}
+
+/// Four rows of four become four columns.
+ASPERITY_INLINE void transpose(Double4 (&rows)[4]) {
+    const Double4 a = __builtin_shuffle(rows[0], rows[1], Long4{0, 4, 2, 6});
+    const Double4 b = __builtin_shuffle(rows[0], rows[1], Long4{1, 5, 3, 7});
+    const Double4 c = __builtin_shuffle(rows[2], rows[3], Long4{0, 4, 2, 6});
+    const Double4 d = __builtin_shuffle(rows[2], rows[3], Long4{1, 5, 3, 7});
+    rows[0] = __builtin_shuffle(a, c, Long4{0, 1, 4, 5});
+    rows[1] = __builtin_shuffle(b, d, Long4{0, 1, 4, 5});
+    rows[2] = __builtin_shuffle(a, c, Long4{2, 3, 6, 7});
+    rows[3] = __builtin_shuffle(b, d, Long4{2, 3, 6, 7});
+}
+
+}  // namespace asperity

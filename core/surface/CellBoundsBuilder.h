@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/CellBounds.h"
+
+namespace asperity {
+
+/// Bounds of every cell of the height field that a usable grid defines, from the Bezier points of
+/// each cell. Linear time.
+[[nodiscard]] CellBounds cellBoundsOf(const BSplineSurface::Grid& grid);
+
+}  // namespace asperity

@@ -1,0 +1,26 @@
+#include "core/surface/FootList.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+void FootList::add(const SurfaceFoot& foot, double sameWithin) noexcept {
+    const bool isKnown = std::ranges::any_of(all(), [&](const SurfaceFoot& known) {
+        return (known.point - foot.point).norm() <= sameWithin;
+    });
+    if (isKnown) {
+        return;
+    }
+    const auto place = std::ranges::find_if(feet_, [&](const SurfaceFoot& known) {
+        return std::abs(foot.distance) < std::abs(known.distance);
+    });
+    if (feet_.size() < kMostFeet) {
+        feet_.insert(place, foot);
+    } else if (place != feet_.end()) {
+        std::move_backward(place, feet_.end() - 1, feet_.end());
+        *place = foot;
+    }
+}
+
+}  // namespace asperity
