@@ -23,6 +23,11 @@ void FrameShow::take(const TickSample& sample) {
     window_.banner().take(sample);
 }
 
+void FrameShow::setHalfSpace(const std::shared_ptr<const HalfSpaceAnswer>& answer) {
+    window_.view().setHalfSpace(answer);
+    window_.banner().setHalfSpace(answer.get());
+}
+
 void FrameShow::show(const Snapshot& latest, double now) {
     frame_ = (frame_ + 1) % kFramesPerPanelFrame;
     if (frame_ == 0) {

@@ -2,8 +2,10 @@
 
 #include "app/LoopReport.h"
 #include "core/haptics/Snapshot.h"
+#include "core/scene/HalfSpaceModel.h"
 #include "ui/FrameCounter.h"
 
+#include <memory>
 #include <vector>
 
 namespace asperity {
@@ -17,6 +19,8 @@ public:
 
     /// Every tick, in order.
     void take(const TickSample& sample);
+    /// What the half-space says, for the frames to come; or null.
+    void setHalfSpace(const std::shared_ptr<const HalfSpaceAnswer>& answer);
     /// One frame: the same tick in all views that are drawn in it.
     /// @param now monotonic time [s]
     void show(const Snapshot& latest, double now);

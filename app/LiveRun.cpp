@@ -16,6 +16,9 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
     , settings_(loaded_.scene.settings)
     , afm_(loaded_.scene.touched(), loaded_.scene.truth)
     , hand_(std::make_unique<PointerHand>(start / settings_.positionGain))
+    , halfSpace_(loaded_.scene.description.deformation == DeformationTier::HalfSpace
+                     ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
+                     : nullptr)
     , loop_(loaded_.scene, *hand_, afm_) {}
 
 void LiveRun::setSettings(const Settings& settings) noexcept {
@@ -54,6 +57,7 @@ Vector3 LiveRun::basePosition() noexcept {
 
 LoadedScene LiveRun::release(std::unique_ptr<LiveRun> run) {
     run->loop_.stop();
+    run->halfSpace_.reset();
     return std::move(run->loaded_);
 }
 

@@ -3,6 +3,7 @@
 #include "app/LoadedScene.h"
 #include "core/haptics/HapticLoop.h"
 #include "core/probe/SimulatedAfm.h"
+#include "core/scene/HalfSpaceWorker.h"
 
 #include <functional>
 #include <memory>
@@ -18,6 +19,8 @@ public:
     [[nodiscard]] const LoadedScene& loaded() const noexcept { return loaded_; }
     [[nodiscard]] const Scene& scene() const noexcept { return loaded_.scene; }
     [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
+    /// What solves the half-space beside the loop; null where the scene does not ask for it.
+    [[nodiscard]] HalfSpaceWorker* halfSpace() noexcept { return halfSpace_.get(); }
 
     /// The knobs as they are now; they begin as the scene says.
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
@@ -41,6 +44,7 @@ private:
     Settings settings_;
     SimulatedAfm afm_;
     std::unique_ptr<HapticDevice> hand_;
+    std::unique_ptr<HalfSpaceWorker> halfSpace_;
     HapticLoop loop_;
 };
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace asperity {
 
@@ -53,12 +54,31 @@ std::string captionOf(const Scene& scene, const TickSample& sample) {
     return caption;
 }
 
+/// The surface as it is drawn, and what there is to say of it.
+struct DrawnSurface {
+    SurfacePatch patch;
+    std::string remark;
+};
+
+DrawnSurface drawnSurface(const Scene& scene, const TickSample& sample) {
+    const TipState& state = sample.output.model;
+    const DeformationTier tier = scene.description.deformation;
+    const PatchGrid grid = gridAt(scene, sample);
+    if (tier != DeformationTier::HalfSpace) {
+        return {.patch = drawnPatch(scene, state, tier, grid), .remark = ""};
+    }
+    const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
+    return {.patch = answer.valid() ? halfSpacePatch(scene, answer, grid)
+                                    : drawnPatch(scene, state, DeformationTier::ClosedForm, grid),
+            .remark = " The " + sentenceOf(answer) + "."};
+}
+
 DeformationView viewOf(const Scene& scene, const TickSample& sample, const char* what) {
     const TickOutput& out = sample.output;
+    DrawnSurface surface = drawnSurface(scene, sample);
     return {.title = std::string(what) + ", " + timeText(sample.time),
-            .caption = captionOf(scene, sample),
-            .patch =
-                drawnPatch(scene, out.model, scene.description.deformation, gridAt(scene, sample)),
+            .caption = captionOf(scene, sample) + surface.remark,
+            .patch = std::move(surface.patch),
             .tipCentre = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
             .tipRadius = scene.belief.tipRadius(),
             .tipDisplacement = tipDisplacement(scene, out.model, scene.description.deformation),

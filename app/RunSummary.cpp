@@ -2,6 +2,7 @@
 
 #include "core/Version.h"
 #include "core/io/SceneFile.h"
+#include "core/scene/HalfSpaceModel.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -54,6 +55,19 @@ Json optionalState(const std::optional<TickSample>& sample) {
     return sample ? stateJson(*sample) : Json(nullptr);
 }
 
+/// The half-space's view of a state; null where the scene does not ask for it.
+Json halfSpaceJson(const Scene& scene, const std::optional<TickSample>& sample) {
+    if (!sample || scene.description.deformation != DeformationTier::HalfSpace) {
+        return nullptr;
+    }
+    const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, sample->output.model);
+    return {{"valid", answer.valid()},
+            {"remark", sentenceOf(answer)},
+            {"normal_force_n", answer.force},
+            {"law_normal_force_n", sample->output.model.normalForce},
+            {"contact_radius_m", answer.contactRadius}};
+}
+
 /// A jump between two states; null when there was none.
 Json jumpJson(const std::optional<TickSample>& before, const std::optional<TickSample>& after) {
     if (!before || !after) {
@@ -75,20 +89,22 @@ Json flagsJson(const RunEvents& events) {
 }  // namespace
 
 std::string runSummary(const LoadedScene& loaded, const RunEvents& events) {
-    const Json summary{{"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
-                       {"input", inputJson(loaded)},
-                       {"scene", sceneJson(loaded.scene.description)},
-                       {"statistics",
-                        {{"ticks", events.ticks},
-                         {"tick_rate_hz", loaded.scene.description.tickRate},
-                         {"largest_model_force_n", events.largestForce},
-                         {"largest_estimated_force_n", events.largestEstimatedForce},
-                         {"ticks_flagged", flagsJson(events)},
-                         {"ticks_faulted", events.faults}}},
-                       {"snap_in", jumpJson(events.beforeSnapIn, events.snapIn)},
-                       {"pull_off", jumpJson(events.beforePullOff, events.pullOff)},
-                       {"largest_indentation", optionalState(events.deepest)},
-                       {"strongest_attraction", optionalState(events.strongestPull)}};
+    const Json summary{
+        {"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
+        {"input", inputJson(loaded)},
+        {"scene", sceneJson(loaded.scene.description)},
+        {"statistics",
+         {{"ticks", events.ticks},
+          {"tick_rate_hz", loaded.scene.description.tickRate},
+          {"largest_model_force_n", events.largestForce},
+          {"largest_estimated_force_n", events.largestEstimatedForce},
+          {"ticks_flagged", flagsJson(events)},
+          {"ticks_faulted", events.faults}}},
+        {"snap_in", jumpJson(events.beforeSnapIn, events.snapIn)},
+        {"pull_off", jumpJson(events.beforePullOff, events.pullOff)},
+        {"largest_indentation", optionalState(events.deepest)},
+        {"largest_indentation_half_space", halfSpaceJson(loaded.scene, events.deepest)},
+        {"strongest_attraction", optionalState(events.strongestPull)}};
     constexpr int kIndent = 2;
     return summary.dump(kIndent) + '\n';
 }

@@ -11,6 +11,7 @@
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/panels/StateBanner.h"
+#include "ui/view/ContactShape.h"
 #include "ui/view/ZoomView.h"
 
 #include <QAction>
@@ -326,10 +327,22 @@ void Session::onFrame() {
         if (!run_->loop().running()) {
             show_.rest();
         }
-        show_.show(run_->loop().snapshot(), now);
+        const Snapshot& latest = run_->loop().snapshot();
+        solveHalfSpace(latest);
+        show_.show(latest, now);
         if (recording_ && recording_->broken()) {
             finishRecording();
         }
+    }
+}
+
+/// The frame shows the newest solution there is; the one it asks for is for a frame to come.
+void Session::solveHalfSpace(const Snapshot& latest) {
+    HalfSpaceWorker* const worker = run_->halfSpace();
+    if (worker != nullptr && latest.statistics.ticks > 0 &&
+        isDrawable(latest.sample.output.model)) {
+        worker->ask(latest.sample.output.model);
+        show_.setHalfSpace(worker->newest());
     }
 }
 

@@ -81,6 +81,7 @@ private:
     void savePicture(const QString& file);
 
     void onFrame();
+    void solveHalfSpace(const Snapshot& latest);
     void moveHand(double seconds);
     void fetchTicks();
     void showKnobs();

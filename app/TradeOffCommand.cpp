@@ -6,6 +6,7 @@
 #include "app/RunFolder.h"
 #include "app/VirtualDisplay.h"
 #include "core/Version.h"
+#include "core/fidelity/DeformationStudy.h"
 #include "core/fidelity/TradeOffStudy.h"
 #include "core/io/CsvWriter.h"
 #include "vtkplugins/pictures/Charts.h"
@@ -14,6 +15,7 @@
 #include <array>
 #include <cstdio>
 #include <iostream>
+#include <limits>
 #include <memory>
 
 namespace asperity {
@@ -41,6 +43,47 @@ void writeTable(const std::filesystem::path& path, const std::vector<TierResult>
         csv.endRow();
     }
     csv.close();
+}
+
+void writeDeformations(const std::filesystem::path& path,
+                       const std::vector<DeformationResult>& results) {
+    CsvWriter csv(
+        path,
+        {std::string("Asperity ") + kVersion +
+             ": cost and error of each deformation on the paper's materials; times are "
+             "of this machine",
+         "errors over the patch, relative to the indentation, against the closed form of "
+         "the exact sphere on a flat sample and a half-space of finer pixels on the scan; "
+         "nan: no reference holds"},
+        {"material", "surface", "deformation", "indentation_m", "contact_ratio", "patch_p50_s",
+         "cold_patch_p50_s", "error_rms", "error_max", "law_force_n", "own_force_n", "remark"});
+    for (const DeformationResult& result : results) {
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        csv.add(result.material).add(result.surface).add(nameOf(result.tier));
+        csv.add(result.indentation).add(result.contactRatio).add(result.time).add(result.coldTime);
+        csv.add(result.compared ? result.errorRms : none);
+        csv.add(result.compared ? result.errorMax : none);
+        csv.add(result.lawForce).add(result.ownForce).add(result.remark);
+        csv.endRow();
+    }
+    csv.close();
+}
+
+void printDeformations(const std::vector<DeformationResult>& results) {
+    std::printf("\n%-16s %-6s %-15s %6s %9s %9s %9s %10s %10s\n", "material", "on", "deformation",
+                "a/R", "patch", "rms err.", "max err.", "law", "own");
+    std::printf("%-16s %-6s %-15s %6s %9s %9s %9s %10s %10s\n", "", "", "", "", "[ms]", "[%]",
+                "[%]", "force [nN]", "force [nN]");
+    for (const DeformationResult& r : results) {
+        std::printf("%-16s %-6s %-15s %6.2f %9.2f", r.material.c_str(), r.surface.c_str(),
+                    nameOf(r.tier), r.contactRatio, r.time * 1e3);
+        if (r.compared) {
+            std::printf(" %9.3g %9.3g", r.errorRms * 1e2, r.errorMax * 1e2);
+        } else {
+            std::printf(" %9s %9s", "-", "-");
+        }
+        std::printf(" %10.3f %10.3f %s\n", r.lawForce * 1e9, r.ownForce * 1e9, r.remark.c_str());
+    }
 }
 
 void printTable(const std::vector<TierResult>& results) {
@@ -115,6 +158,9 @@ void tradeOff(const TradeOffOptions& options) {
     writeTable(out / "tradeoff.csv", results);
     drawFigure(out / "tradeoff.png", results);
     printTable(results);
+    const std::vector<DeformationResult> deformations = studyDeformation(loaded.scene, {});
+    writeDeformations(out / "deformation.csv", deformations);
+    printDeformations(deformations);
 }
 
 }  // namespace

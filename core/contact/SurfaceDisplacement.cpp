@@ -47,26 +47,31 @@ CohesiveContact contactProfile(const ContactModel& model, const ContactState& st
     return contact;
 }
 
+double tailLift(const ContactModel& model, const ContactState& state, double radius) noexcept {
+    const ContactModel::Split* split = model.split();
+    if (split == nullptr || state.branch == ContactBranch::Far) {
+        return 0.0;
+    }
+    const AdhesionSplit& shares = split->bonded().split();
+    const double outside = std::max(0.0, radius - state.contactRadius);
+    return shares.tailSnaps
+               ? 0.0
+               : attractionLift(split->separate().tail(), shares.jointSeparation, outside);
+}
+
 double surfaceDisplacement(const ContactModel& model, const ContactState& state,
                            double radius) noexcept {
-    const ContactModel::Split* split = model.split();
     const bool untouched = state.branch == ContactBranch::Far && !(state.force < 0.0);
     if (!state.solved() || untouched || !isWithin(radius, 0.0, kFarAway)) {
         return 0.0;
     }
-    const CohesiveContact contact = contactProfile(model, state);
-    if (split == nullptr) {
-        return surfaceDisplacement(contact, radius);
-    }
-    const AttractiveTail& tail = split->separate().tail();
-    if (state.branch == ContactBranch::Far) {
+    const ContactModel::Split* split = model.split();
+    if (split != nullptr && state.branch == ContactBranch::Far) {
+        const AttractiveTail& tail = split->separate().tail();
         return -attractionLift(tail, tail.attraction().separationAt(state.force), radius);
     }
-    const AdhesionSplit& shares = split->bonded().split();
-    const double outside = std::max(0.0, radius - state.contactRadius);
-    const double lift =
-        shares.tailSnaps ? 0.0 : attractionLift(tail, shares.jointSeparation, outside);
-    return surfaceDisplacement(contact, radius) - lift;
+    return surfaceDisplacement(contactProfile(model, state), radius) -
+           tailLift(model, state, radius);
 }
 
 }  // namespace asperity

@@ -10,6 +10,8 @@ const char* nameOf(DeformationTier deformation) noexcept {
         return "contact radius";
     case DeformationTier::ClosedForm:
         return "closed form";
+    case DeformationTier::HalfSpace:
+        return "half-space";
     }
     return "unknown";
 }

@@ -19,10 +19,11 @@ using NamedValue = std::pair<std::string_view, Value>;
 
 constexpr std::array<NamedValue<Levelling>, 3> kLevellings{
     {{"plane", Levelling::Plane}, {"rows", Levelling::Rows}, {"none", Levelling::None}}};
-constexpr std::array<NamedValue<DeformationTier>, 3> kDeformations{
+constexpr std::array<NamedValue<DeformationTier>, 4> kDeformations{
     {{"four_point", DeformationTier::FourPoint},
      {"contact_radius", DeformationTier::ContactRadius},
-     {"closed_form", DeformationTier::ClosedForm}}};
+     {"closed_form", DeformationTier::ClosedForm},
+     {"half_space", DeformationTier::HalfSpace}}};
 
 constexpr std::array<NamedValue<SolverTier>, 3> kSolvers{
     {{"exact", SolverTier::Exact}, {"newton", SolverTier::Newton}, {"table", SolverTier::Table}}};

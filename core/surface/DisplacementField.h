@@ -3,12 +3,7 @@
 #include "core/surface/SurfaceDeformation.h"
 #include "core/surface/SurfaceRefinement.h"
 
-#include <functional>
-
 namespace asperity {
-
-/// By how much a point of the undeformed surface moves; world [m].
-using DisplacementField = std::function<Vector3(const Vector3&)>;
 
 /// The four control points around the foot move by the indentation against the normal.
 [[nodiscard]] DisplacementField fourPointField(const BSplineSurface& surface,

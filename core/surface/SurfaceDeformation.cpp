@@ -51,7 +51,7 @@ SurfacePatch restPatch(const BSplineSurface& surface, const Vector2& centre,
 
 DisplacementField fieldFor(const BSplineSurface& surface, const TipContact& contact,
                            DeformationTier tier, const RadialDisplacement& displacement) {
-    if (tier == DeformationTier::ClosedForm) {
+    if (sharesDisplacement(tier)) {
         if (!displacement) {
             throw Error("the closed form needs a displacement");
         }
@@ -90,7 +90,12 @@ SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& cont
                            const PatchGrid& grid, DeformationTier tier,
                            const RadialDisplacement& displacement) {
     requireUsable(contact, grid);
-    const DisplacementField field = fieldFor(surface, contact, tier, displacement);
+    return deformedPatch(surface, contact, grid, fieldFor(surface, contact, tier, displacement));
+}
+
+SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
+                           const PatchGrid& grid, const DisplacementField& field) {
+    requireUsable(contact, grid);
     SurfacePatch patch = restPatch(surface, contact.foot.head<2>(), grid);
     patch.points.reserve(patch.rest.size());
     for (const Vector3& rest : patch.rest) {

@@ -30,6 +30,7 @@ enum class DeformationTier : std::uint8_t {
     FourPoint,      ///< the four control points around the foot, by the indentation: cheap
     ContactRadius,  ///< control points within the contact radius onto the tip: the paper's choice
     ClosedForm,     ///< every point by the contact model's displacement, also outside the contact
+    HalfSpace,      ///< every point by boundary elements on the real topography around the foot
 };
 
 /// Where tip and surface meet; world frame.
@@ -45,6 +46,9 @@ struct TipContact {
 /// Displacement of the surface into the sample at a distance from the contact's axis [m -> m].
 using RadialDisplacement = std::function<double(double)>;
 
+/// By how much a point of the undeformed surface moves; world [m].
+using DisplacementField = std::function<Vector3(const Vector3&)>;
+
 /// Where a patch is sampled: a square around the foot, cut off at the scan's edges.
 struct PatchGrid {
     double halfWidth = 0.0;  ///< along x and y [m]
@@ -56,13 +60,24 @@ struct PatchGrid {
 /// FourPoint and ContactRadius move control points of the surface refined around the contact
 /// (spacing about the contact radius, and at most an eighth of it); without contact they move
 /// nothing. ContactRadius leaves a step at the contact's rim, since the surface outside does not
-/// follow. ClosedForm moves each point by `displacement` against the contact normal; the other
-/// tiers do not use it. Source: Vogl, Ma, Sitti (2005), section III; docs/physics.md 4.
+/// follow. ClosedForm moves each point by `displacement` against the contact normal, and so does
+/// HalfSpace, which where it is solved has a field of its own; the other tiers do not use it.
+/// Source: Vogl, Ma, Sitti (2005), section III; docs/physics.md 4.
 /// @throw Error when the contact is not finite, a size is not positive, the grid has fewer than 2
 ///        or more than kMostPatchSamples samples a side, or ClosedForm is given no displacement
 [[nodiscard]] SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
                                          const PatchGrid& grid, DeformationTier tier,
                                          const RadialDisplacement& displacement = {});
+
+/// The patch around the contact, each point moved by a field. @throw Error as above
+[[nodiscard]] SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
+                                         const PatchGrid& grid, const DisplacementField& field);
+
+/// Whether the tier shares the displacement between sample and tip; the others move the sample
+/// alone.
+[[nodiscard]] constexpr bool sharesDisplacement(DeformationTier tier) noexcept {
+    return tier == DeformationTier::ClosedForm || tier == DeformationTier::HalfSpace;
+}
 
 inline constexpr int kMostPatchSamples = 2048;
 

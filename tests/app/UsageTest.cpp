@@ -145,6 +145,8 @@ TEST(TradeOff, WritesATableAndAFigureAndPrintsThem) {
     const CsvTable table = readCsv(scratch.path() / "out/tradeoff.csv");
     EXPECT_EQ(table.rows(), 5U);
     EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/tradeoff.png"), 5000U);
+    const CsvTable deformations = readCsv(scratch.path() / "out/deformation.csv");
+    EXPECT_EQ(deformations.rows(), 24U) << "three materials, flat and scan, four deformations";
 }
 
 }  // namespace

@@ -131,6 +131,15 @@ void StateBanner::show(const Snapshot& snapshot) {
     showFlags();
 }
 
+void StateBanner::setHalfSpace(const HalfSpaceAnswer* answer) {
+    halfSpace_.clear();
+    notHolding_.clear();
+    // Far from the sample there is nothing to solve, and nothing wrong.
+    if (answer != nullptr && answer->verdict != HalfSpaceVerdict::NotBonded) {
+        (answer->valid() ? halfSpace_ : notHolding_) = QString::fromStdString(sentenceOf(*answer));
+    }
+}
+
 void StateBanner::setPaused(bool paused) {
     paused_ = paused;
     showState();
@@ -140,6 +149,7 @@ void StateBanner::clear() {
     latest_ = {};
     hasRun_ = false;
     lastSeen_.fill(kNever);
+    setHalfSpace(nullptr);
     showState();
     showFlags();
 }
@@ -160,6 +170,9 @@ QString StateBanner::stateWords() const {
         words << QStringLiteral("forces off (Esc)");
     }
     words << regionWords(output.region());
+    if (!halfSpace_.isEmpty()) {
+        words << halfSpace_;
+    }
     return words.join(QStringLiteral(" · "));
 }
 
@@ -216,6 +229,9 @@ void StateBanner::showFlags() {
         if (isShown(flag)) {
             words << validityWords(flagNumber(flag));
         }
+    }
+    if (!notHolding_.isEmpty()) {
+        words << notHolding_;
     }
     const QString whole = words.join(QStringLiteral(" · "));
     if (whole != caution_) {

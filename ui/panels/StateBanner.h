@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/haptics/Snapshot.h"
+#include "core/scene/HalfSpaceModel.h"
 #include "core/scene/Validity.h"
 
 #include <QFrame>
@@ -30,6 +31,9 @@ public:
     /// Once a frame.
     void show(const Snapshot& snapshot);
     using QWidget::show;
+    /// What the half-space says of the contact, shown from the next tick on: its own force beside
+    /// the law's, or that it does not hold; null: nothing.
+    void setHalfSpace(const HalfSpaceAnswer* answer);
     /// The run stands still, or goes on.
     void setPaused(bool paused);
     void clear();
@@ -53,7 +57,9 @@ private:
     bool paused_ = false;
     std::array<double, kValidityFlagCount> lastSeen_{};  ///< time of each flag [s]
     QRgb shownColour_ = 0;
-    QString caution_;  ///< all flags, whole
+    QString caution_;     ///< all flags, whole
+    QString halfSpace_;   ///< its force beside the law's
+    QString notHolding_;  ///< why it is not shown
     QLabel* state_;
     QLabel* flags_;
     QPushButton* rearm_;

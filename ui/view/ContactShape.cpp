@@ -64,19 +64,9 @@ double roomAlong(double low, double middle, double high) {
     return isWhole ? 0.5 * (high - low) : std::min(middle - low, high - middle);
 }
 
-TipContact contactOf(const Scene& scene, const TipState& state) {
-    const double radius = scene.belief.tipRadius();
-    return {.foot = state.foot.point,
-            .normal = state.foot.normal,
-            .tipCentre = state.tip + Vector3(0.0, 0.0, radius),
-            .tipRadius = radius,
-            .contactRadius = state.contact.contactRadius,
-            .indentation = state.contact.indentation};
-}
-
 double sampleShareOf(const Scene& scene) {
     const SceneDescription& description = scene.description;
-    return description.deformation == DeformationTier::ClosedForm
+    return sharesDisplacement(description.deformation)
                ? sampleShare(description.sample.material.elastic, description.tip.elastic)
                : 1.0;
 }
@@ -101,19 +91,24 @@ bool isDrawable(const TipState& state) {
 }
 
 ContactShape::ContactShape(const Scene& scene, const TipState& state, const ScanWindow& area,
-                           int samples)
+                           int samples, const HalfSpaceAnswer* halfSpace)
     : area_(area)
     , rest_(withoutScanEdges(area, scene.surface))
-    , contact_(contactOf(scene, state))
+    , contact_(tipContact(scene, state))
     , share_(sampleShareOf(scene))
     , table_(displacementTable(scene, state, area))
-    , field_(fieldFor(scene)) {
+    , field_(fieldFor(scene, halfSpace != nullptr && stillHolds(*halfSpace, state) ? halfSpace
+                                                                                   : nullptr)) {
     sample(scene.surface, samples);
 }
 
-DisplacementField ContactShape::fieldFor(const Scene& scene) const {
+DisplacementField ContactShape::fieldFor(const Scene& scene,
+                                         const HalfSpaceAnswer* halfSpace) const {
     const DeformationTier tier = scene.description.deformation;
-    if (tier == DeformationTier::ClosedForm) {
+    if (tier == DeformationTier::HalfSpace && halfSpace != nullptr) {
+        return halfSpaceField(contact_, halfSpace->field, share_);
+    }
+    if (sharesDisplacement(tier)) {
         return closedFormField(contact_,
                                [this](double distance) { return share_ * table_.at(distance); });
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene/HalfSpaceModel.h"
 #include "core/scene/RadialTable.h"
 #include "core/scene/Scene.h"
 #include "core/surface/DisplacementField.h"
@@ -17,8 +18,11 @@ namespace asperity {
 class ContactShape {
 public:
     /// @param area    rectangle to sample
-    /// @param samples along each side, at least 3
-    ContactShape(const Scene& scene, const TipState& state, const ScanWindow& area, int samples);
+    /// @param samples   along each side, at least 3
+    /// @param halfSpace what tier HalfSpace shows where it still holds, else the closed form; or
+    /// null
+    ContactShape(const Scene& scene, const TipState& state, const ScanWindow& area, int samples,
+                 const HalfSpaceAnswer* halfSpace = nullptr);
     ~ContactShape() = default;
     ContactShape(const ContactShape&) = delete;
     ContactShape& operator=(const ContactShape&) = delete;
@@ -42,7 +46,8 @@ public:
     [[nodiscard]] Vector3 contactPoint() const;
 
 private:
-    [[nodiscard]] DisplacementField fieldFor(const Scene& scene) const;
+    [[nodiscard]] DisplacementField fieldFor(const Scene& scene,
+                                             const HalfSpaceAnswer* halfSpace) const;
     void sample(const BSplineSurface& surface, int samples);
     [[nodiscard]] double room() const;
     [[nodiscard]] double fade() const;

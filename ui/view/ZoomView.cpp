@@ -89,6 +89,7 @@ void ZoomView::addLayers() {
 void ZoomView::setScene(const Scene* scene) {
     scene_ = scene;
     sample_.reset();
+    halfSpace_.reset();
     frame_.reset();
     terrain_.hide();
     cache_.invalidate();
@@ -109,6 +110,10 @@ void ZoomView::showSnapshot(const Snapshot& snapshot) {
         contactDue_ = true;
         renderNow();
     }
+}
+
+void ZoomView::setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer) {
+    halfSpace_ = std::move(answer);
 }
 
 void ZoomView::showPicture() {
@@ -174,7 +179,8 @@ FrameBox ZoomView::frameBox() const {
 
 void ZoomView::showContact(const TickSample& sample) {
     const TipState& state = sample.output.model;
-    const ContactShape shape(*scene_, state, terrain_.place().patch, kPatchSamples);
+    const ContactShape shape(*scene_, state, terrain_.place().patch, kPatchSamples,
+                             halfSpace_.get());
     const double largest = shape.largestDisplacement();
     if (colours_.fitDisplacement(largest)) {
         Q_EMIT scalesChanged();

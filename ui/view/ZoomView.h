@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/haptics/Snapshot.h"
+#include "core/scene/HalfSpaceModel.h"
 #include "core/scene/Scene.h"
 #include "ui/ColourScale.h"
 #include "ui/view/ContactLayer.h"
@@ -21,6 +22,7 @@
 #include <QPointF>
 #include <QTimer>
 
+#include <memory>
 #include <optional>
 
 class vtkGenericOpenGLRenderWindow;
@@ -45,6 +47,9 @@ public:
     void setScene(const Scene* scene);
     /// Shows a tick of the present scene: draws one frame.
     void showSnapshot(const Snapshot& snapshot);
+
+    /// What is drawn from the next snapshot on where the scene asks for the half-space; or null.
+    void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer);
 
     /// The part of the scan that is shown, world [m]; empty without a scene.
     [[nodiscard]] std::optional<ScanWindow> window() const;
@@ -109,6 +114,7 @@ private:
     const Scene* scene_ = nullptr;
     ViewScale scale_;
     std::optional<TickSample> sample_;
+    std::shared_ptr<const HalfSpaceAnswer> halfSpace_;
     std::optional<ViewFrame> frame_;
     ViewCamera camera_;
     SurfaceColours colours_;

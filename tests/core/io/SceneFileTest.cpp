@@ -141,7 +141,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.sample.imagingTipRadius = 8e-9;
     scene.sample.erode = true;
     scene.law = ContactLaw::Hertz;
-    scene.deformation = DeformationTier::FourPoint;
+    scene.deformation = DeformationTier::HalfSpace;
     const std::string text = sceneText(scene);
     const SceneDescription again = readScene(write("again.toml", text));
     EXPECT_EQ(sceneText(again), text);
@@ -155,6 +155,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.law, scene.law);
     EXPECT_EQ(again.sample.imagingTipRadius, 8e-9);
     EXPECT_TRUE(again.sample.erode);
+    EXPECT_EQ(again.deformation, scene.deformation);
 }
 
 TEST_F(SceneFile, RefusesAnUnknownKeyByNameAndLine) {

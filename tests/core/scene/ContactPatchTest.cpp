@@ -2,11 +2,13 @@
 
 #include "core/Units.h"
 #include "core/contact/Material.h"
+#include "tests/support/ReferenceTable.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace asperity {
 namespace {
@@ -32,6 +34,54 @@ TEST_F(ContactPatchOnAFlatSample, ClosedFormPushesTheSampleByItsShareOfTheIndent
     EXPECT_NEAR(patch.points[middle].z(), -share * state.contact.indentation,
                 1e-9 * state.contact.indentation);
     EXPECT_GT(share, 0.98) << "polystyrene under silicon takes nearly all";
+}
+
+/// The scene of a material of T08 under the law whose profiles it holds.
+Scene sceneOfMaterial(const std::string& material) {
+    SceneDescription description = test::plainScene();
+    description.law = ContactLaw::Maugis;
+    if (material == "SiO2") {
+        description.sample.material.elastic = {.youngsModulus = 70.0_GPa, .poissonRatio = 0.27};
+        description.sample.material.workOfAdhesion = 0.2;
+    }
+    return buildScene(description, test::flatMap());
+}
+
+/// The state that a row of T08 describes, in the middle of the scan.
+TipState stateOf(const test::ReferenceTable& table, std::size_t row) {
+    TipState state;
+    state.tip = {64.0_nm, 64.0_nm, -table.number(row, "delta_m")};
+    state.foot.point = {64.0_nm, 64.0_nm, 0.0};
+    state.contact.indentation = table.number(row, "delta_m");
+    state.contact.contactRadius = table.number(row, "a_m");
+    state.contact.cohesiveRadius = table.number(row, "c_m");
+    state.contact.branch = ContactBranch::Bonded;
+    return state;
+}
+
+TEST(ContactPatch, ClosedFormHasTheReferenceProfiles) {
+    const test::ReferenceTable table = test::referenceTable("T08_surface_profiles.csv");
+    std::size_t compared = 0;
+    for (const char* material : {"PS", "SiO2"}) {
+        const Scene scene = sceneOfMaterial(material);
+        const double share =
+            sampleShare(scene.description.sample.material.elastic, scene.description.tip.elastic);
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            const double radius = table.number(row, "r_m");
+            if (table.text(row, "model") != "MD" || table.text(row, "material") != material ||
+                radius == 0.0 || radius > 60.0_nm) {
+                continue;
+            }
+            const SurfacePatch patch =
+                contactPatch(scene, stateOf(table, row), DeformationTier::ClosedForm,
+                             {.halfWidth = radius, .samples = 3});
+            const double depth = -patch.points[patch.index(1, 2)].z();
+            // A ten thousandth of an atom: the places of the patch are rounded in the scan.
+            EXPECT_NEAR(depth, share * table.number(row, "u_z_m"), 1e-14) << "row " << row;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 150U);
 }
 
 TEST_F(ContactPatchOnAFlatSample, ContactRadiusLeavesTheSurfaceOutsideAlone) {

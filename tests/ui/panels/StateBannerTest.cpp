@@ -128,6 +128,26 @@ TEST(StateBanner, SaysInWordsWhatAResultDoesNotHoldFor) {
     EXPECT_EQ(test::textOf(banner, "flags"), QString());
 }
 
+TEST(StateBanner, SaysWhatTheHalfSpaceFindsOrThatItDoesNotHold) {
+    StateBanner banner;
+    banner.resize(1200, banner.height());
+    banner.grab();
+    HalfSpaceAnswer answer{.verdict = HalfSpaceVerdict::Valid, .state = {}, .field = nullptr};
+    answer.force = 4.6e-9;
+    banner.setHalfSpace(&answer);
+    banner.show(test::snapshotOf(far()));
+    EXPECT_TRUE(test::textOf(banner, "state").contains(QStringLiteral("half-space: normal force")));
+    answer.verdict = HalfSpaceVerdict::LargeContact;
+    banner.setHalfSpace(&answer);
+    banner.show(test::snapshotOf(far()));
+    EXPECT_TRUE(test::textOf(banner, "flags").contains(QStringLiteral("closed form shown")));
+    EXPECT_FALSE(test::textOf(banner, "state").contains(QStringLiteral("half-space")));
+    answer.verdict = HalfSpaceVerdict::NotBonded;
+    banner.setHalfSpace(&answer);
+    banner.show(test::snapshotOf(far()));
+    EXPECT_EQ(test::textOf(banner, "flags"), QString());
+}
+
 TEST(StateBanner, AFlagOfASingleTickStaysLongEnoughToBeRead) {
     StateBanner banner;
     banner.resize(1200, banner.height());

@@ -50,6 +50,32 @@ TEST_P(ContactShapeOnHills, DeformsTheSurfaceAsTheContactPatchDoes) {
     }
 }
 
+TEST(ContactShape, ShowsTheHalfSpaceWhereItStillHoldsAndElseTheClosedForm) {
+    SceneDescription description = test::plainScene();
+    description.deformation = DeformationTier::HalfSpace;
+    const Scene scene = buildScene(description, test::hillyMap());
+    const TipState state = test::momentsOf(scene).neck.sample.output.model;
+    const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
+    ASSERT_TRUE(answer.valid()) << sentenceOf(answer);
+    const ScanWindow area = around(state.tip, 30.0_nm);
+    const ContactShape solved(scene, state, area, kSamples, &answer);
+    const ContactShape closed(scene, state, area, kSamples);
+    const PatchGrid grid{.halfWidth = 12.0_nm, .samples = 41};
+    const SurfacePatch exact = halfSpacePatch(scene, answer, grid);
+    double differences = 0.0;
+    for (std::size_t i = 0; i < exact.rest.size(); ++i) {
+        EXPECT_LT((solved.moved(exact.rest[i]) - exact.points[i]).norm(), 5e-12);
+        differences += (closed.moved(exact.rest[i]) - exact.points[i]).norm();
+    }
+    EXPECT_GT(differences, 1e-10) << "the two do differ on hills";
+    TipState elsewhere = state;
+    elsewhere.foot.point.x() += 10.0_nm;
+    EXPECT_FALSE(stillHolds(answer, elsewhere));
+    const ContactShape late(scene, elsewhere, area, kSamples, &answer);
+    const ContactShape there(scene, elsewhere, area, kSamples);
+    EXPECT_EQ(late.moved(state.foot.point), there.moved(state.foot.point));
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryTier, ContactShapeOnHills,
                          ::testing::Values(DeformationTier::ClosedForm,
                                            DeformationTier::ContactRadius,
