@@ -44,11 +44,16 @@ double reflected(double length, double span) {
     return phase < span ? phase : 2.0 * span - phase;
 }
 
-}  // namespace
+/// What the maps of rough ground differ in.
+struct Ground {
+    int particles = 0;
+    double roughness = 0.0;     ///< rms height [m]
+    double shortestWave = 0.0;  ///< of the roughness [m]
+};
 
-HeightMap roughMap() {
+HeightMap groundMap(const Ground& ground) {
     constexpr double kRimRounding = 0.8;  // [pixel]
-    HeightMap map = sampledMap(kScan, Nanoparticles({.count = 80,
+    HeightMap map = sampledMap(kScan, Nanoparticles({.count = ground.particles,
                                                      .medianRadius = 24.0_nm,
                                                      .spread = 0.4,
                                                      .smallest = 10.0_nm,
@@ -65,13 +70,23 @@ HeightMap roughMap() {
                                             .angle = 0.4,
                                             .seed = 18},
                                            kScan)));
-    add(map, selfAffineMap(kScan, {.rms = 5.0_nm,
+    add(map, selfAffineMap(kScan, {.rms = ground.roughness,
                                    .hurst = 0.8,
                                    .longestWave = 1.0_um,
                                    .rollOffWave = 200.0_nm,
-                                   .shortestWave = 16.0_nm,
+                                   .shortestWave = ground.shortestWave,
                                    .seed = 19}));
     return map;
+}
+
+}  // namespace
+
+HeightMap pathMap() {
+    return groundMap({.particles = 130, .roughness = 1.0_nm, .shortestWave = 32.0_nm});
+}
+
+HeightMap roughMap() {
+    return groundMap({.particles = 80, .roughness = 5.0_nm, .shortestWave = 16.0_nm});
 }
 
 HeightMap concaveMap() {

@@ -65,7 +65,7 @@ SizeResult runSizes(const Options& options) {
     constexpr int kTimes = 8;
     constexpr int kTile = 4;  // away from every edge
     const std::size_t steps = options.queriesOr(kSlideSteps);
-    const HeightMap map = roughMap();
+    const HeightMap map = pathMap();
     const HeightMap large = tiled(map, kTimes);
     return {.smallPixels = map.columns,
             .largePixels = large.columns,
@@ -75,7 +75,7 @@ SizeResult runSizes(const Options& options) {
 }
 
 ChainResult runChain(const Options& options) {
-    const BSplineSurface surface = fitSurface(roughMap());
+    const BSplineSurface surface = fitSurface(pathMap());
     const auto tips = slidingTip(surface, options.queriesOr(kSlideSteps), Vector2::Zero());
     return timeChain(surface, tips, kPasses);
 }
@@ -117,7 +117,10 @@ std::vector<RandomResult> runRandoms(const Options& options) {
 BenchResults runAll(const Options& options) {
     BenchResults results{.missingPeers = missingPeers()};
     if (options.wants("path")) {
-        results.works.push_back(runSlide("path", roughMap(), options));
+        results.works.push_back(runSlide("path", pathMap(), options));
+    }
+    if (options.wants("rough")) {
+        results.works.push_back(runSlide("rough", roughMap(), options));
     }
     if (options.wants("concave")) {
         results.works.push_back(runSlide("concave", concaveMap(), options));
@@ -139,7 +142,7 @@ int runBench(int argc, char** argv) {
     Options options;
     CLI::App app("Closest point on a spline surface: time and error, beside other programs");
     app.add_option("--work", options.work, "what to measure")
-        ->check(CLI::IsMember({"all", "path", "concave", "random", "size", "chain"}))
+        ->check(CLI::IsMember({"all", "path", "rough", "concave", "random", "size", "chain"}))
         ->capture_default_str();
     app.add_option("--scan", options.scans, "scan for the random work, in place of its own")
         ->check(CLI::ExistingFile);

@@ -85,8 +85,7 @@ ASPERITY_INLINE HeightSample sampled(const std::array<Double4, 4>& rows, double 
             .dyy = second[1]};
 }
 
-template <class Height>
-ASPERITY_INLINE Double4 widened(const Height* heights) {
+ASPERITY_INLINE Double4 widened(const float* heights) {
     return Double4{heights[0], heights[1], heights[2], heights[3]};
 }
 
@@ -95,6 +94,18 @@ ASPERITY_WITH_AVX2 void sampleCell(const float* corner, std::ptrdiff_t stride, d
     sample = sampled({widened(corner), widened(corner + stride), widened(corner + 2 * stride),
                       widened(corner + 3 * stride)},
                      t, s);
+}
+
+/// On a grid with a single pixel along an axis; apart, so that it costs the others nothing.
+[[gnu::noinline]] void sampleThin(const BSplineSurface::Grid& grid, const SpanPlace& across,
+                                  const SpanPlace& up, HeightSample& sample) {
+    const Eigen::Matrix4d controls = cellControls(grid, up.first, across.first);
+    std::array<Double4, 4> rows{};
+    for (int i = 0; i < 4; ++i) {
+        rows[static_cast<std::size_t>(i)] =
+            Double4{controls(i, 0), controls(i, 1), controls(i, 2), controls(i, 3)};
+    }
+    sample = sampled(rows, across.t, up.t);
 }
 
 /// Continues a cubic sequence before c0: the fourth difference is zero.
@@ -165,11 +176,7 @@ HeightSample BSplineSurface::at(double x, double y) const noexcept {
     const SpanPlace up = spanAt(clampedToScan(y, sizeY()) * inversePitchY_, grid_.rows);
     HeightSample sample;
     if (grid_.columns == 1 || grid_.rows == 1) {
-        const std::array<double, 16> heights = relativeControlsFrom(up.first - 1, across.first - 1);
-        const double* corner = heights.data();
-        sample = sampled(
-            {widened(corner), widened(corner + 4), widened(corner + 8), widened(corner + 12)},
-            across.t, up.t);
+        sampleThin(grid_, across, up, sample);
     } else {
         const std::ptrdiff_t stride = grid_.columns + 2;
         const float* corner = grid_.controlHeights.data() + up.first * stride + across.first;
@@ -182,14 +189,6 @@ HeightSample BSplineSurface::at(double x, double y) const noexcept {
     sample.dxy *= inversePitchX_ * inversePitchY_;
     sample.dyy *= inversePitchY_ * inversePitchY_;
     return sample;
-}
-
-std::array<double, 16> BSplineSurface::relativeControlsFrom(int row, int column) const noexcept {
-    std::array<double, 16> heights{};
-    for (int i = 0; i < 16; ++i) {
-        heights[static_cast<std::size_t>(i)] = relativeControl(row + i / 4, column + i % 4);
-    }
-    return heights;
 }
 
 bool BSplineSurface::contains(double x, double y) const noexcept {

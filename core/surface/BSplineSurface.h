@@ -5,7 +5,6 @@
 #include "core/surface/HeightSample.h"
 #include "core/surface/PixelVector.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -61,7 +60,6 @@ public:
 private:
     [[nodiscard]] double controlInRow(int row, int column) const noexcept;
     [[nodiscard]] double relativeControl(int row, int column) const noexcept;
-    [[nodiscard]] std::array<double, 16> relativeControlsFrom(int row, int column) const noexcept;
 
     Grid grid_;
     double inversePitchX_;  ///< [1/m]

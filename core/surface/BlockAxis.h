@@ -18,10 +18,12 @@ struct BlockAxis {
     int pixels = 0;
     int blocks = 0;
     int cells = 1;
-    double pitch = 0.0;  ///< [m]
+    double pitch = 0.0;     ///< [m]
+    double perPitch = 0.0;  ///< 1 / pitch [1/m]
+    double perCells = 1.0;  ///< 1 / cells
 
     [[nodiscard]] int at(double place) const {
-        const double block = (place / pitch - 0.5) / cells;
+        const double block = (place * perPitch - 0.5) * perCells;
         return std::isgreater(block, 0.0)
                    ? static_cast<int>(std::min(block, static_cast<double>(blocks - 1)))
                    : 0;
@@ -38,31 +40,32 @@ struct BlockAxis {
     }
     /// Squared distance from a place to a block along the axis [m^2].
     [[nodiscard]] double squaredDistance(double place, int block) const {
-        const double away = std::max({low(block) - place, place - high(block), 0.0});
+        const double away = std::max(std::max(low(block) - place, place - high(block)), 0.0);
         return away * away;
     }
 };
 
-inline int cellsPerBlock(int level) {
+inline BlockAxis blockAxis(int pixels, int blocks, int level, double pitch) {
     int cells = 1;
     for (int i = 0; i < level; ++i) {
         cells *= CellBounds::kFactor;
     }
-    return cells;
+    return {.pixels = pixels,
+            .blocks = blocks,
+            .cells = cells,
+            .pitch = pitch,
+            .perPitch = 1.0 / pitch,
+            .perCells = 1.0 / cells};
 }
 
 inline BlockAxis blocksAlongX(const BSplineSurface& surface, int level) {
-    return {.pixels = surface.grid().columns,
-            .blocks = surface.bounds().level(level).columns,
-            .cells = cellsPerBlock(level),
-            .pitch = surface.grid().pitchX};
+    const BSplineSurface::Grid& grid = surface.grid();
+    return blockAxis(grid.columns, surface.bounds().level(level).columns, level, grid.pitchX);
 }
 
 inline BlockAxis blocksAlongY(const BSplineSurface& surface, int level) {
-    return {.pixels = surface.grid().rows,
-            .blocks = surface.bounds().level(level).rows,
-            .cells = cellsPerBlock(level),
-            .pitch = surface.grid().pitchY};
+    const BSplineSurface::Grid& grid = surface.grid();
+    return blockAxis(grid.rows, surface.bounds().level(level).rows, level, grid.pitchY);
 }
 
 }  // namespace asperity
