@@ -43,8 +43,10 @@ std::string lawNote(const Scene& scene) {
 }
 
 LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
-    if (!overrides.channel.empty() || overrides.levelling) {
-        throw Error("a scene with a shape has no height map whose channel or levelling to choose");
+    if (!overrides.channel.empty() || overrides.levelling || overrides.smoothingPixels) {
+        throw Error(
+            "a scene with a shape has no height map whose channel, levelling or smoothing to "
+            "choose");
     }
     return {.scene = buildScene(description),
             .format = "shape",
@@ -60,6 +62,10 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     }
     if (overrides.levelling) {
         sample.levelling = *overrides.levelling;
+    }
+    if (overrides.smoothingPixels) {
+        sample.smoothingPixels = *overrides.smoothingPixels;
+        sample.smoothingLength = 0.0;
     }
     sample.file = std::filesystem::absolute(sample.file).lexically_normal().string();
     ProgressPart reading(progress, 0.0, 0.2);

@@ -14,6 +14,7 @@ namespace asperity {
 struct SceneOverrides {
     std::string channel;
     std::optional<Levelling> levelling;
+    std::optional<double> smoothingPixels;  ///< [pixel]
 };
 
 /// A scene with what is known of the file that it stands on.

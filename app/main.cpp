@@ -6,6 +6,7 @@
 #include "app/ExploreCommand.h"
 #include "app/InfoCommand.h"
 #include "app/LoopCommand.h"
+#include "app/ProjectCommand.h"
 #include "app/ReplayCommand.h"
 #include "app/TradeOffCommand.h"
 #include "app/WindowCommand.h"
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
     asperity::addContactCommand(program);
     asperity::addCurveCommand(program);
     asperity::addDecoupleCommand(program);
+    asperity::addProjectCommand(program);
     asperity::addTradeOffCommand(program);
     asperity::addReplayCommand(program);
     asperity::addLoopCommand(program);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kFarGap = 1.0;        // of what lies beyond the grid [m]
 constexpr double kLargeContact = 0.3;  // contact radius over tip radius; docs/physics.md 2.10
-constexpr double kFewestAcross = 8.0;  // pixels across a contact
+constexpr double kFewestAcross = 8.0;  // pixels across contact and cohesive zone
 constexpr double kFewestInZone = 1.0;  // pixels from the contact's edge to the cohesive zone's
 
 std::size_t pixelCount(int samples) {
@@ -106,7 +106,9 @@ void summarise(const HalfSpaceContact& contact, HalfSpaceSolution& solution) {
 HalfSpaceDoubts doubtsAbout(const HalfSpaceContact& contact, const HalfSpaceSolution& solution,
                             const PixelBounds& reach) {
     const PixelWindow grid{.row = 0, .column = 0, .size = contact.samples};
-    const double across = 2.0 * solution.contactRadius / contact.pitch;
+    // Of all that bears traction: within a wide cohesive zone the contact may shrink to nothing, as
+    // it does before the tip parts.
+    const double across = 2.0 * solution.cohesiveRadius / contact.pitch;
     const double zone = (solution.cohesiveRadius - solution.contactRadius) / contact.pitch;
     const bool narrowZone = contact.cohesiveStress > 0.0 && zone < kFewestInZone;
     return {.largeContact = solution.contactRadius > kLargeContact * contact.tipRadius,

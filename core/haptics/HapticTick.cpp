@@ -88,6 +88,7 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
     flags.set(Validity::SharpValley, bonded && !out.model.fits);
     flags.set(Validity::SeveralFeet, out.model.feet > 1);
+    flags.set(Validity::FeetUnproven, out.model.proof == FootProof::ManyFeet);
     if (out.model.contact.contactRadius > 0.0) {
         flags.add(contactValidity(contactModelAt(scene, out.model), out.model.contact,
                                   scene.description.sample.material));

@@ -137,6 +137,7 @@ private:
     void addFeet(std::span<const FootGuess> known, const EquilibriumMemory& memory) {
         lookedFrom_ = centre();
         const TipFeet found = surface_.tipFeet({lookedFrom_, system_.tipRadius()}, kReach, known);
+        state_.proof = found.proof;
         for (const SurfaceFoot& place : found.list.all()) {
             if (feet_.size() < kMostFeet && !isKnown(place, feet_.size())) {
                 feet_.push_back({.place = place,

@@ -36,6 +36,8 @@ const char* validityName(Validity flag) noexcept {
         return "snap_in_ahead";
     case Validity::UncertainPixel:
         return "uncertain_pixel";
+    case Validity::FeetUnproven:
+        return "feet_unproven";
     case Validity::SingularGeometry:
         return "singular_geometry";
     }

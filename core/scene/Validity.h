@@ -24,6 +24,7 @@ enum class Validity : std::uint32_t {
     SnapInAhead = 1U << 14U,       ///< the lever is so soft that the tip will jump within 1 nm
     Implausible = 1U << 15U,       ///< the estimate breaks the friction law by more than 3 sigma
     UncertainPixel = 1U << 16U,    ///< the tip that recorded the scan may not have touched here
+    FeetUnproven = 1U << 17U,      ///< other places may be as near to the tip as the feet found
 };
 
 /// A set of validity flags.
@@ -44,7 +45,7 @@ private:
     std::uint32_t bits_ = 0;
 };
 
-inline constexpr int kValidityFlagCount = 17;
+inline constexpr int kValidityFlagCount = 18;
 
 /// Name of one flag as logs and panels show it, e.g. "large_contact".
 [[nodiscard]] const char* validityName(Validity flag) noexcept;

@@ -17,7 +17,10 @@ void FootList::add(const SurfaceFoot& foot, double sameWithin) noexcept {
     });
     if (feet_.size() < kMostFeet) {
         feet_.insert(place, foot);
-    } else if (place != feet_.end()) {
+        return;
+    }
+    hasLeftOut_ = true;
+    if (place != feet_.end()) {
         std::move_backward(place, feet_.end() - 1, feet_.end());
         *place = foot;
     }

@@ -21,8 +21,12 @@ public:
         return {feet_.data(), feet_.size()};
     }
 
+    /// Whether a foot had no room.
+    [[nodiscard]] bool hasLeftOut() const noexcept { return hasLeftOut_; }
+
 private:
     boost::container::static_vector<SurfaceFoot, kMostFeet> feet_;
+    bool hasLeftOut_ = false;
 };
 
 }  // namespace asperity

@@ -39,6 +39,9 @@ TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reac
     const double within = tip.radius + reach;
     feet.proof = completeFeet(surface, tip.centre,
                               {.farthest = within, .behindNearest = kBehindNearest}, feet.list);
+    if (feet.list.hasLeftOut()) {
+        feet.proof = FootProof::ManyFeet;
+    }
     feet.list = withoutDoubles(feet.list, same);
     if (feet.list.all().front().distance > within && feet.proof == FootProof::Nearest) {
         feet.proof = FootProof::OutOfReach;

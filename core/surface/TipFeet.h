@@ -19,6 +19,7 @@ struct TipSphere {
 /// Feet of a sphere on a surface: in a valley that it does not fit there are several.
 struct TipFeet {
     FootList list;  ///< the nearest first; at least one, which may lie out of reach
+    /// Nearest: these are all; ManyFeet: there may be more, or are more than have room.
     FootProof proof = FootProof::NotSought;
 };
 

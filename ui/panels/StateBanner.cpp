@@ -44,6 +44,8 @@ QString validityWords(Validity flag) {
         return QStringLiteral("the scan holds no data here: height filled in");
     case Validity::UncertainPixel:
         return QStringLiteral("height uncertain: the imaging tip may not have touched here");
+    case Validity::FeetUnproven:
+        return QStringLiteral("other places may be as near to the tip as those it is felt on");
     case Validity::FootNotFound:
         return QStringLiteral("closest point of the surface not found");
     case Validity::NotInEquilibrium:

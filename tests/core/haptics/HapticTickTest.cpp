@@ -187,6 +187,28 @@ TEST(HapticTick, FlagsSamplesTooCurvedForOneEffectiveRadius) {
     EXPECT_TRUE(groove.has(Validity::SeveralFeet));
 }
 
+TEST(HapticTick, FlagsAPitOfTheTipsOwnShape) {
+    const SceneDescription description = test::plainScene();
+    const double radius = description.tip.radius;
+    HeightMap pit = test::flatMap();
+    for (int row = 0; row < pit.rows; ++row) {
+        for (int column = 0; column < pit.columns; ++column) {
+            const double x = (column + 0.5) * pit.pitchX - 0.5 * pit.sizeX();
+            const double y = (row + 0.5) * pit.pitchY - 0.5 * pit.sizeY();
+            const double below = std::max(radius * radius - x * x - y * y, 0.0);
+            pit.heights[pit.index(row, column)] = std::min(0.6 * radius - std::sqrt(below), 0.0);
+        }
+    }
+    const Scene scene = buildScene(description, pit);
+    TickMemory memory;
+    const auto seated =
+        tick(scene, inputAt({0.5 * pit.sizeX(), 0.5 * pit.sizeY(), -0.4 * radius}), memory).flags;
+    EXPECT_TRUE(seated.has(Validity::FeetUnproven));
+    TickMemory beside;
+    EXPECT_FALSE(tick(scene, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), beside)
+                     .flags.has(Validity::FeetUnproven));
+}
+
 TEST(HapticTick, FlagsContactWhereTheImagingTipDidNotReach) {
     SceneDescription description = test::plainScene();
     description.sample.imagingTipRadius = 20.0_nm;
