@@ -97,8 +97,16 @@ void tellOutcome(const RunEvents& events) {
     }
 }
 
-void explore(const ExploreOptions& options) {
-    const VirtualDisplay display;  // before anything is written: pictures need it at the end
+/// What is left of a run when its scene is gone.
+struct FinishedRun {
+    RunEvents events;
+    RunCurves curves;
+    RunPictures pictures;
+    double tickRate = 0.0;  ///< [Hz]
+};
+
+/// Runs, and leaves in the folder all but the pictures.
+FinishedRun finishedRun(const ExploreOptions& options) {
     const LoadedScene loaded = loadSceneOnTerminal(options.input, options.overrides);
     for (const std::string& note : loaded.notes) {
         std::cerr << "note: " << note << '\n';
@@ -118,10 +126,19 @@ void explore(const ExploreOptions& options) {
     const RunEvents& events = keeper.events.events();
     writeTextFile(out / run_files::kScene, sceneText(scene.description));
     writeTextFile(out / run_files::kSummary, runSummary(loaded, events));
-    writeRunPictures(out, scene, events, keeper.curves);
-    tellOutcome(events);
-    std::cout << ticks << " ticks at " << scene.description.tickRate << " Hz; results in "
-              << out.string() << "/\n";
+    return {.events = events,
+            .curves = std::move(keeper.curves),
+            .pictures = RunPictures(scene, events),
+            .tickRate = scene.description.tickRate};
+}
+
+void explore(const ExploreOptions& options) {
+    const VirtualDisplay display;  // before anything is written: pictures need it at the end
+    const FinishedRun run = finishedRun(options);
+    run.pictures.write(options.out, run.curves);
+    tellOutcome(run.events);
+    std::cout << run.events.ticks << " ticks at " << run.tickRate << " Hz; results in "
+              << options.out << "/\n";
 }
 
 }  // namespace

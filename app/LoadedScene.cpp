@@ -68,13 +68,14 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
         sample.smoothingLength = 0.0;
     }
     sample.file = std::filesystem::absolute(sample.file).lexically_normal().string();
-    ProgressPart reading(progress, 0.0, 0.4);
+    ProgressPart reading(progress, 0.0, 0.2);
     HeightScan scan = readHeightScan(sample.file, sample.channel, &reading);
     sample.channel = scan.channel;
-    ProgressPart building(progress, 0.4, 1.0);
+    ProgressPart building(progress, 0.2, 0.8);
+    ProgressPart hashing(progress, 0.8, 1.0);
     LoadedScene loaded{.scene = buildScene(description, std::move(scan.map), &building),
                        .format = std::move(scan.format),
-                       .sha256 = sha256OfFile(sample.file),
+                       .sha256 = sha256OfFile(sample.file, &hashing),
                        .notes = std::move(scan.notes)};
     loaded.notes.push_back(levellingNote(loaded.scene));
     loaded.notes.push_back(imagingTipNote(loaded.scene));

@@ -3,8 +3,7 @@
 #include "core/SiFormat.h"
 #include "core/io/PatchExr.h"
 #include "core/scene/ContactPatch.h"
-#include "vtkplugins/pictures/DeformationPicture.h"
-#include "vtkplugins/pictures/OverviewPicture.h"
+#include "core/surface/CoarserSurface.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -15,6 +14,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPatchSamples = 241;
+constexpr int kOverviewPixels = 1024;  // twice as many as the overview draws
 
 /// Half the width of the zoomed view: the surface that visibly follows the tip.
 double zoomHalfWidth(const Scene& scene, const TickSample& sample) {
@@ -87,42 +87,44 @@ DeformationView viewOf(const Scene& scene, const TickSample& sample, const char*
             .contactRadius = out.model.contact.contactRadius};
 }
 
-void writeDeformation(const std::filesystem::path& folder, const Scene& scene,
-                      const RunEvents& events) {
+std::vector<DeformationView> deformationViews(const Scene& scene, const RunEvents& events) {
     std::vector<DeformationView> views;
     views.push_back(viewOf(scene, *events.deepest, "Largest indentation"));
     if (events.beforePullOff) {
         views.push_back(viewOf(scene, *events.beforePullOff, "Just before pull-off"));
     }
-    writeDeformationPicture(folder / "deformation.png", views);
-    // Data, not a picture: with the rim as sharp as it is.
-    const TickSample& deepest = *events.deepest;
-    writePatchExr(folder / "deformation.exr",
-                  contactPatch(scene, deepest.output.model, scene.description.deformation,
-                               gridAt(scene, deepest)));
+    return views;
 }
 
-void writeOverview(const std::filesystem::path& folder, const Scene& scene, const RunEvents& events,
-                   const RunCurves& curves) {
-    const TickSample& moment = *events.deepest;
+/// Where the zoomed view is at this moment.
+ScanWindow zoomAt(const Scene& scene, const TickSample& moment) {
     const Vector3& tip = moment.output.model.tip;
     const double half = zoomHalfWidth(scene, moment);
-    writeOverviewPicture(
-        folder / "overview.png",
-        {.title = sampleName(scene.description.sample),
-         .caption = "The tip at the largest indentation, " + timeText(moment.time) + ".",
-         .surface = scene.surface,
-         .tip = tip,
-         .zoom = ScanWindow{tip.x() - half, tip.x() + half, tip.y() - half, tip.y() + half},
-         .path = curves.tipPath()});
+    return {tip.x() - half, tip.x() + half, tip.y() - half, tip.y() + half};
 }
 
 }  // namespace
 
-void writeRunPictures(const std::filesystem::path& folder, const Scene& scene,
-                      const RunEvents& events, const RunCurves& curves) {
-    writeDeformation(folder, scene, events);
-    writeOverview(folder, scene, events, curves);
+RunPictures::RunPictures(const Scene& scene, const RunEvents& events)
+    : name_(sampleName(scene.description.sample))
+    , deepest_(*events.deepest)
+    , deformation_(deformationViews(scene, events))
+    , deepestPatch_(contactPatch(scene, deepest_.output.model, scene.description.deformation,
+                                 gridAt(scene, deepest_)))
+    , surface_(coarserSurface(scene.surface, kOverviewPixels))
+    , zoom_(zoomAt(scene, deepest_)) {}
+
+void RunPictures::write(const std::filesystem::path& folder, const RunCurves& curves) const {
+    writeDeformationPicture(folder / "deformation.png", deformation_);
+    writePatchExr(folder / "deformation.exr", deepestPatch_);
+    writeOverviewPicture(
+        folder / "overview.png",
+        {.title = name_,
+         .caption = "The tip at the largest indentation, " + timeText(deepest_.time) + ".",
+         .surface = surface_,
+         .tip = deepest_.output.model.tip,
+         .zoom = zoom_,
+         .path = curves.tipPath()});
     curves.write(folder / "forces.png");
 }
 

@@ -53,13 +53,7 @@ Session::Session(MainWindow& window)
     connectControls();
     connectMenus();
     connectViews();
-    connect(&loader_, &SceneLoader::loaded, this,
-            [this](const std::shared_ptr<LoadedScene>& scene) { use(std::move(*scene)); });
-    connect(&loader_, &SceneLoader::failed, this, [this](const QString& reason) {
-        window_.tell({});
-        window_.complain(reason);
-        Q_EMIT openFailed(reason);
-    });
+    connectLoader();
     qApp->installEventFilter(this);
     frames_.setTimerType(Qt::PreciseTimer);
     connect(&frames_, &QTimer::timeout, this, &Session::onFrame);
@@ -73,6 +67,7 @@ bool Session::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
         if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
             setForces(false);
+            cancelOpen();
         }
     }
     return QObject::eventFilter(watched, event);
@@ -142,12 +137,6 @@ void Session::connectViews() {
     connect(&window_.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
         travelTo({x, y});
     });
-}
-
-void Session::open(const std::filesystem::path& input) {
-    window_.tellUntilNext(
-        tr("Loading %1 …").arg(QString::fromStdString(input.filename().string())));
-    loader_.load(input);
 }
 
 void Session::use(LoadedScene scene) {

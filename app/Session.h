@@ -9,6 +9,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -30,8 +31,13 @@ public:
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    /// Loads in the background, then shows; says so in the window when that fails.
+    /// Loads in the background, then shows; says so in the window when that fails. Another one that
+    /// is being loaded is given up.
     void open(const std::filesystem::path& input);
+    /// Gives up what is being loaded; the scene stays as it is.
+    void cancelOpen();
+    /// Why the last scene that failed to open did so; null: none did.
+    [[nodiscard]] std::exception_ptr openError() const { return openError_; }
     /// Shows a scene that is loaded, and starts its loop.
     void use(LoadedScene scene);
 
@@ -53,6 +59,7 @@ Q_SIGNALS:
     /// Another scene is shown.
     void sceneShown();
     void openFailed(QString reason);
+    void openCancelled();
     void recordingFinished(QString folder);
 
 private:
@@ -61,8 +68,11 @@ private:
     void connectControls();
     void connectMenus();
     void connectViews();
+    void connectLoader();
     void fillChoices();
 
+    void onLoaded(LoadedScene& scene);
+    void onLoadFailed(const std::exception_ptr& error);
     void begin(LoadedScene scene, const Vector3& start, const Settings& settings);
     void endRun();
     void chooseMaterial(int index);
@@ -97,6 +107,8 @@ private:
     std::unique_ptr<Recording> recording_;
     std::filesystem::path recordings_;
     std::vector<SampleMaterial> materials_;
+    QString loading_;  ///< name of the file that is being loaded; empty: none
+    std::exception_ptr openError_;
     std::string deviceStatus_;  ///< as told last
     double lastFrame_ = 0.0;    ///< [s]
 };

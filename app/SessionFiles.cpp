@@ -1,15 +1,18 @@
-// What a session leaves in files: recordings and pictures.
+// What a session reads from files and leaves in them: scenes, recordings, pictures.
 
 #include "app/Session.h"
 #include "core/Error.h"
 #include "ui/MainWindow.h"
 #include "ui/WindowMenus.h"
 #include "ui/panels/ControlBar.h"
+#include "ui/panels/LoadingBar.h"
 
 #include <QAction>
 #include <QDateTime>
 #include <QPixmap>
 #include <QStandardPaths>
+
+#include <utility>
 
 namespace asperity {
 
@@ -20,7 +23,56 @@ std::filesystem::path folderOfThisMoment(const std::filesystem::path& parent) {
     return parent / now.toStdString();
 }
 
+QString reasonOf(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        return Session::tr("out of memory");
+    } catch (const std::exception& known) {
+        return QString::fromUtf8(known.what());
+    }
+}
+
 }  // namespace
+
+void Session::connectLoader() {
+    connect(&loader_, &SceneLoader::progressed, &window_.loading(), &LoadingBar::setFraction);
+    connect(&loader_, &SceneLoader::loaded, this,
+            [this](const std::shared_ptr<LoadedScene>& scene) { onLoaded(*scene); });
+    connect(&loader_, &SceneLoader::failed, this, &Session::onLoadFailed);
+    connect(&window_, &MainWindow::cancelLoadingRequested, this, &Session::cancelOpen);
+}
+
+void Session::open(const std::filesystem::path& input) {
+    loading_ = QString::fromStdString(input.filename().string());
+    window_.showLoading(loading_);
+    loader_.load(input);
+}
+
+void Session::cancelOpen() {
+    if (loading_.isEmpty()) {
+        return;
+    }
+    loader_.cancel();
+    window_.showLoading({});
+    window_.tell(tr("Loading of %1 cancelled").arg(std::exchange(loading_, {})));
+    Q_EMIT openCancelled();
+}
+
+void Session::onLoaded(LoadedScene& scene) {
+    loading_.clear();
+    window_.showLoading({});
+    use(std::move(scene));
+}
+
+void Session::onLoadFailed(const std::exception_ptr& error) {
+    loading_.clear();
+    window_.showLoading({});
+    openError_ = error;
+    const QString reason = reasonOf(error);
+    window_.complain(reason);
+    Q_EMIT openFailed(reason);
+}
 
 std::filesystem::path Session::standardRecordingsFolder() {
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);

@@ -4,6 +4,7 @@
 #include "app/LiveWindow.h"
 
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <filesystem>
 #include <system_error>
 
@@ -23,6 +24,26 @@ CLI::Validator noMistypedCommand() {
             ""};
 }
 
+/// Shows the window, and the file as soon as it is loaded. Where that fails the program ends as
+/// every command does; from then on the window stays, whatever a person opens in it.
+int execWith(LiveWindow& live, const std::filesystem::path& input) {
+    Session& session = live.session();
+    std::exception_ptr reason;
+    const auto quits = QObject::connect(&session, &Session::openFailed, [&session, &reason] {
+        reason = session.openError();
+        QApplication::quit();
+    });
+    const auto goOn = [quits] { QObject::disconnect(quits); };
+    QObject::connect(&session, &Session::sceneShown, goOn);
+    QObject::connect(&session, &Session::openCancelled, goOn);
+    session.open(input);
+    const int status = live.exec();
+    if (reason) {
+        std::rethrow_exception(reason);
+    }
+    return status;
+}
+
 }  // namespace
 
 std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
@@ -39,10 +60,7 @@ int openWindow(const WindowOptions& options) {
     LiveWindow live;
     const std::filesystem::path input =
         options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
-    if (!input.empty()) {
-        live.session().use(loadScene(input, {}));
-    }
-    return live.exec();
+    return input.empty() ? live.exec() : execWith(live, input);
 }
 
 }  // namespace asperity

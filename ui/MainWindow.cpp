@@ -7,6 +7,7 @@
 #include "ui/panels/ColourBarWidget.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/ForcePanel.h"
+#include "ui/panels/LoadingBar.h"
 #include "ui/panels/LoopStatusBar.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/panels/StateBanner.h"
@@ -21,6 +22,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QStackedLayout>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
@@ -47,7 +49,7 @@ QString controlsText() {
         "<tr><td><b>Ctrl + wheel</b>, <b>+</b>, <b>−</b></td><td>zoom</td></tr>"
         "<tr><td><b>Double click</b> on the scan</td><td>travel there</td></tr>"
         "<tr><td><b>Space</b></td><td>pause and go on</td></tr>"
-        "<tr><td><b>Esc</b></td><td>forces off</td></tr></table>");
+        "<tr><td><b>Esc</b></td><td>forces off; stops loading</td></tr></table>");
 }
 
 }  // namespace
@@ -59,7 +61,8 @@ MainWindow::MainWindow()
     , view_(new ZoomView(this))
     , heightBar_(new ColourBarWidget(this))
     , displacementBar_(new ColourBarWidget(this))
-    , hint_(new QLabel(this))
+    , bottomLine_(new QStackedLayout)
+    , loading_(new LoadingBar(this))
     , forces_(new ForcePanel(this))
     , cantilever_(new CantileverPanel(this))
     , overview_(new OverviewPanel(this))
@@ -70,6 +73,7 @@ MainWindow::MainWindow()
     connectView();
     giveFocusBack();
     showScene(nullptr, {});
+    showLoading({});
     resize(1600, 1000);
     view_->setFocus();
 }
@@ -86,12 +90,20 @@ QWidget* MainWindow::leftSide() {
     bars->addWidget(heightBar_);
     bars->addWidget(displacementBar_);
     column->addLayout(bars);
-    hint_->setObjectName(QStringLiteral("hint"));
-    hint_->setText(tr("Drag: move the tip   ·   Wheel: up and down   ·   Right drag: turn   ·   "
-                      "Ctrl + wheel: zoom   ·   Esc: forces off"));
-    hint_->setAlignment(Qt::AlignCenter);
-    column->addWidget(hint_);
+    column->addLayout(bottomLine());
     return side;
+}
+
+/// Both in one place, so that nothing moves when a file is loaded.
+QStackedLayout* MainWindow::bottomLine() {
+    auto* hint = new QLabel(this);
+    hint->setObjectName(QStringLiteral("hint"));
+    hint->setText(tr("Drag: move the tip   ·   Wheel: up and down   ·   Right drag: turn   ·   "
+                     "Ctrl + wheel: zoom   ·   Esc: forces off"));
+    hint->setAlignment(Qt::AlignCenter);
+    bottomLine_->addWidget(hint);
+    bottomLine_->addWidget(loading_);
+    return bottomLine_;
 }
 
 QWidget* MainWindow::rightSide() {
@@ -127,6 +139,8 @@ void MainWindow::connectMenus() {
     connect(menus_->followPathFile, &QAction::triggered, this, &MainWindow::choosePath);
     connect(menus_->followRecording, &QAction::triggered, this, &MainWindow::chooseRecording);
     connect(controls_, &ControlBar::pathFileRequested, this, &MainWindow::choosePath);
+    connect(menus_->cancelLoading, &QAction::triggered, this, &MainWindow::cancelLoadingRequested);
+    connect(loading_, &LoadingBar::cancelRequested, this, &MainWindow::cancelLoadingRequested);
     connect(menus_->quit, &QAction::triggered, this, &QWidget::close);
     connect(menus_->zoomIn, &QAction::triggered, this,
             [this] { view_->setHalfWidth(view_->halfWidth() / 1.25); });
@@ -183,7 +197,11 @@ void MainWindow::showScene(const Scene* scene, const QString& title) {
 
 void MainWindow::tell(const QString& message) { statusBar()->showMessage(message, kMessageTime); }
 
-void MainWindow::tellUntilNext(const QString& message) { statusBar()->showMessage(message); }
+void MainWindow::showLoading(const QString& name) {
+    loading_->begin(name);
+    bottomLine_->setCurrentIndex(name.isEmpty() ? 0 : 1);
+    menus_->cancelLoading->setEnabled(!name.isEmpty());
+}
 
 void MainWindow::lock() {
     setAcceptDrops(false);

@@ -4,7 +4,7 @@
 
 #include <QMainWindow>
 
-class QLabel;
+class QStackedLayout;
 
 namespace asperity {
 
@@ -12,6 +12,7 @@ class CantileverPanel;
 class ColourBarWidget;
 class ControlBar;
 class ForcePanel;
+class LoadingBar;
 class LoopStatusBar;
 class OverviewPanel;
 class StateBanner;
@@ -37,10 +38,11 @@ public:
 
     /// Gives all panels a scene; null: none. The scene outlives its use here.
     void showScene(const Scene* scene, const QString& title);
+    /// Says in place of the hint that a file is being loaded; empty: nothing is.
+    void showLoading(const QString& name);
+    [[nodiscard]] LoadingBar& loading() { return *loading_; }
     /// A short message for a while.
     void tell(const QString& message);
-    /// A message that stays until there is another one.
-    void tellUntilNext(const QString& message);
     /// Nothing can be changed any more: for measurements.
     void lock();
     /// A message that must be read; the window goes on meanwhile.
@@ -52,6 +54,7 @@ Q_SIGNALS:
     void pathFileChosen(QString file);
     void recordingChosen(QString forceLog);
     void pictureFileChosen(QString file);
+    void cancelLoadingRequested();
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -60,6 +63,7 @@ protected:
 private:
     [[nodiscard]] QWidget* leftSide();
     [[nodiscard]] QWidget* rightSide();
+    [[nodiscard]] QStackedLayout* bottomLine();
     void placeAll();
     void connectMenus();
     void connectView();
@@ -78,7 +82,8 @@ private:
     ZoomView* view_;
     ColourBarWidget* heightBar_;
     ColourBarWidget* displacementBar_;
-    QLabel* hint_;
+    QStackedLayout* bottomLine_;  ///< hint, loading
+    LoadingBar* loading_;
     ForcePanel* forces_;
     CantileverPanel* cantilever_;
     OverviewPanel* overview_;

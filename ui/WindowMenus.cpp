@@ -18,6 +18,7 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     QMenu* menu = bar.addMenu(tr("&File"));
     open = menu->addAction(tr("&Open scan or scene…"));
     open->setShortcut(QKeySequence::Open);
+    cancelLoading = menu->addAction(tr("&Cancel loading"));
     savePicture = menu->addAction(tr("&Save picture of the window…"));
     savePicture->setShortcut(QKeySequence::Save);
     record = menu->addAction(tr("&Record"));

@@ -18,6 +18,7 @@ public:
     explicit WindowMenus(QMenuBar& bar);
 
     QAction* open;
+    QAction* cancelLoading;
     QAction* savePicture;
     QAction* record;  ///< checkable
     QAction* quit;

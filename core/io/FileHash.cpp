@@ -2,10 +2,13 @@
 
 #include "core/Error.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <memory>
 #include <openssl/evp.h>
+#include <system_error>
 #include <vector>
 
 namespace asperity {
@@ -36,7 +39,7 @@ std::string hexadecimal(const unsigned char* bytes, std::size_t count) {
 
 }  // namespace
 
-std::string sha256OfFile(const std::filesystem::path& path) {
+std::string sha256OfFile(const std::filesystem::path& path, Progress* progress) {
     std::ifstream stream(path, std::ios::binary);
     if (!stream || std::filesystem::is_directory(path)) {
         throw InputError(path.string(), "", "the file cannot be opened for reading");
@@ -44,7 +47,13 @@ std::string sha256OfFile(const std::filesystem::path& path) {
     const std::unique_ptr<EVP_MD_CTX, FreeContext> context(EVP_MD_CTX_new());
     require(EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr));
     std::vector<char> block(kBlockBytes);
-    while (stream) {
+    std::error_code unknown;  // of a pipe, say: then the size reads as huge
+    const std::uintmax_t blocks = std::filesystem::file_size(path, unknown) / kBlockBytes + 1;
+    const std::uintmax_t blocksPerStep = blocks / 32 + 1;
+    for (std::uintmax_t i = 0; stream; ++i) {
+        if (i % blocksPerStep == 0) {
+            reportTo(progress, std::min(1.0, static_cast<double>(i) / static_cast<double>(blocks)));
+        }
         stream.read(block.data(), static_cast<std::streamsize>(block.size()));
         require(EVP_DigestUpdate(context.get(), block.data(),
                                  static_cast<std::size_t>(stream.gcount())));

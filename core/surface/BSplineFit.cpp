@@ -30,16 +30,18 @@ BSplineSurface fitSurface(ScanMap map, const Smoothing& smoothing, Progress* pro
     reportTo(progress, 0.0);
     const LineFit alongX(map.columns, smoothing.x);
     const LineFit alongY(map.rows, smoothing.y);
+    ProgressPart fitting(progress, 0.0, 0.5);
     BSplineSurface::Grid grid{.columns = map.columns,
                               .rows = map.rows,
                               .pitchX = map.pitchX,
                               .pitchY = map.pitchY,
                               .datum = map.datum,
-                              .controlHeights = separableFit(map, alongX, alongY, progress),
+                              .controlHeights = separableFit(map, alongX, alongY, &fitting),
                               .invalid = bottomRowFirst(std::move(map.invalid), map.columns)};
     // The surface's own bounds take the room that the map had.
     map.heights = PixelVector<float>();
-    return BSplineSurface(std::move(grid));
+    ProgressPart bounding(progress, 0.5, 1.0);
+    return BSplineSurface(std::move(grid), &bounding);
 }
 
 BSplineSurface fitSurface(const HeightMap& map, const Smoothing& smoothing) {

@@ -164,12 +164,12 @@ double largestMagnitude(const BSplineSurface::Grid& grid) {
 
 }  // namespace
 
-BSplineSurface::BSplineSurface(Grid grid)
+BSplineSurface::BSplineSurface(Grid grid, Progress* progress)
     : grid_(usable(std::move(grid)))
     , inversePitchX_(1.0 / grid_.pitchX)
     , inversePitchY_(1.0 / grid_.pitchY)
     , heightScale_(largestMagnitude(grid_))
-    , bounds_(cellBoundsOf(grid_)) {}
+    , bounds_(cellBoundsOf(grid_, progress)) {}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
     const SpanPlace across = spanAt(clampedToScan(x, sizeX()) * inversePitchX_, grid_.columns);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/Vector.h"
 #include "core/surface/CellBounds.h"
 #include "core/surface/HeightSample.h"
@@ -31,8 +32,8 @@ public:
     };
 
     /// @throw Error when the arrays do not match the size, a pitch is not positive, or a control
-    ///        height or the datum is not finite
-    explicit BSplineSurface(Grid grid);
+    ///        height or the datum is not finite; Cancelled
+    explicit BSplineSurface(Grid grid, Progress* progress = nullptr);
 
     /// Height and derivatives at world (x, y) [m]. Outside the pixel centres the spline of the
     /// nearest span is continued; outside the scan the place is clamped to its edge. Along an axis

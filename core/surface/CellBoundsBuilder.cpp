@@ -135,17 +135,18 @@ public:
                  .yy = static_cast<float>(6.0 / (grid.pitchY * grid.pitchY)),
                  .xy = static_cast<float>(9.0 / (grid.pitchX * grid.pitchY))} {}
 
-    CellBounds build() {
+    CellBounds build(Progress* progress) {
         findUnits();
         std::vector<CellBounds::Level> levels;
         levels.push_back(emptyLevel(rows_, columns_));
-        forEachHalf([&](int first, int last) {
+        const auto fill = [&](int first, int last, const auto& beforeRow) {
             std::vector<RawBounds> row(static_cast<std::size_t>(columns_));
-            for (int i = first; i < last; ++i) {
+            for (int i = first; i < last && beforeRow(i - first, last - first); ++i) {
                 rowBounds(i, row);
                 encode(row, i, levels.front());
             }
-        });
+        };
+        fillByHalves(fill, progress);
         while (levels.back().rows > 1 || levels.back().columns > 1) {
             levels.push_back(blocksOf(levels.back()));
         }
@@ -153,16 +154,31 @@ public:
     }
 
 private:
-    template <class Work>
-    void forEachHalf(const Work& work) const {
+    /// @param fill calls, before each row of a range, a function of the rows done and of all rows
+    /// that says whether to go on
+    template <class Fill>
+    void fillByHalves(const Fill& fill, Progress* progress) const {
+        const auto report = [progress](int done, int all) {
+            if (done % (all / 32 + 1) == 0) {
+                reportTo(progress, static_cast<double>(done) / all);
+            }
+            return true;
+        };
         constexpr int kWorthAThread = 1 << 18;
-        if (static_cast<long>(rows_) * columns_ < kWorthAThread) {
-            work(0, rows_);
-            return;
+        const bool alone = static_cast<long>(rows_) * columns_ < kWorthAThread;
+        const int middle = alone ? rows_ : rows_ / 2;
+        // Asked to stop and waited for at the end, when Cancelled flies by, too.
+        std::jthread other;
+        if (!alone) {
+            other = std::jthread([&](const std::stop_token& stop) {
+                fill(middle, rows_, [&stop](int, int) { return !stop.stop_requested(); });
+            });
         }
-        std::thread other([&] { work(rows_ / 2, rows_); });
-        work(0, rows_ / 2);
-        other.join();
+        fill(0, middle, report);
+        if (!alone) {
+            other.join();
+        }
+        reportTo(progress, 1.0);
     }
 
     static CellBounds::Level emptyLevel(int rows, int columns) {
@@ -315,6 +331,8 @@ private:
 
 }  // namespace
 
-CellBounds cellBoundsOf(const BSplineSurface::Grid& grid) { return Builder(grid).build(); }
+CellBounds cellBoundsOf(const BSplineSurface::Grid& grid, Progress* progress) {
+    return Builder(grid).build(progress);
+}
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/CellBounds.h"
 
@@ -7,6 +8,8 @@ namespace asperity {
 
 /// Bounds of every cell of the height field that a usable grid defines, from the Bezier points of
 /// each cell. Linear time.
-[[nodiscard]] CellBounds cellBoundsOf(const BSplineSurface::Grid& grid);
+/// @throw Cancelled
+[[nodiscard]] CellBounds cellBoundsOf(const BSplineSurface::Grid& grid,
+                                      Progress* progress = nullptr);
 
 }  // namespace asperity

@@ -174,5 +174,12 @@ TEST(BSplineFit, EndsWhenItIsCancelled) {
     EXPECT_EQ(recorder.fractions.size(), 1U);
 }
 
+TEST(BSplineFit, EndsWhenItIsCancelledWhileTwoThreadsFindTheBoundsOfCells) {
+    Recorder recorder(0.6);
+    const ScanMap map = singlePrecision(roughMap(600, 600));
+    EXPECT_THROW((void)fitSurface(map, {}, &recorder), Cancelled);
+    EXPECT_LT(recorder.fractions.back(), 0.7);
+}
+
 }  // namespace
 }  // namespace asperity

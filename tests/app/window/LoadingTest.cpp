@@ -1,0 +1,147 @@
+#include "app/LoadedScene.h"
+#include "tests/app/window/WindowFixture.h"
+#include "ui/WindowMenus.h"
+#include "ui/panels/LoadingBar.h"
+
+#include <QAction>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QtTest>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace asperity::test {
+namespace {
+
+/// A file of level heights, side x side pixels of 1 nm.
+std::filesystem::path levelScan(ScratchFolder& folder, int side) {
+    const std::string count = std::to_string(side);
+    const std::string size = count + "e-9";
+    std::string bytes = "Gwyddion Simple Field 1.0\nXRes = " + count + "\nYRes = " + count +
+                        "\nXReal = " + size + "\nYReal = " + size +
+                        "\nXYUnits = m\nZUnits = m\nTitle = Height\n";
+    bytes.append(4 - bytes.size() % 4, '\0');
+    bytes.append(sizeof(float) * static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
+                 '\0');
+    return folder.write("level" + count + ".gsf", bytes);
+}
+
+class CancelledAt : public Progress {
+public:
+    explicit CancelledAt(double fraction) : fraction_(fraction) {}
+
+    void report(double fraction) override { cancelled_ = fraction >= fraction_; }
+    [[nodiscard]] bool isCancelled() const override { return cancelled_; }
+
+private:
+    double fraction_;
+    bool cancelled_ = false;
+};
+
+TEST(Loading, CanBeCancelledAllTheWay) {
+    ScratchFolder folder;
+    const std::filesystem::path scan = levelScan(folder, 1024);
+    for (const double fraction : {0.0, 0.1, 0.25, 0.5, 0.75, 0.85, 0.95}) {
+        CancelledAt progress(fraction);
+        EXPECT_THROW((void)loadScene(scan, {}, &progress), Cancelled) << fraction;
+    }
+    CancelledAt never(2.0);
+    EXPECT_NO_THROW((void)loadScene(scan, {}, &never));
+}
+
+/// With a flat scene shown and a large scan to open.
+class WindowThatLoads : public Window {
+protected:
+    void SetUp() override {
+        Window::SetUp();
+        openFlatScene();
+        large_ = levelScan(folder, 2048);
+    }
+
+    bool isLoading() {
+        const bool shown = window.loading().isVisible();
+        EXPECT_EQ(window.menus().cancelLoading->isEnabled(), shown);
+        return shown;
+    }
+    /// The loader works one by one: once another scene is shown, nothing can come of one before.
+    void expectTheNextToBeTheFirstShown() {
+        window.setWindowTitle({});
+        session.open(std::filesystem::path(ASPERITY_DATA_DIR) / "samples" / "steps.gsf");
+        ASSERT_TRUE(eventually([this] { return shown_.count() > 0; }));
+        EXPECT_EQ(shown_.count(), 1);
+        EXPECT_TRUE(window.windowTitle().startsWith("steps.gsf"));
+        EXPECT_FALSE(isLoading());
+        EXPECT_TRUE(window.findChildren<QMessageBox*>().empty());
+    }
+
+    std::filesystem::path large_;
+    QSignalSpy shown_{&session, &Session::sceneShown};
+};
+
+TEST_F(WindowThatLoads, ShowsHowFarItIsWhileTheRunGoesOn) {
+    shown_.clear();
+    std::vector<int> percents;
+    QObject::connect(child<QProgressBar>("loadingBar"), &QProgressBar::valueChanged, &window,
+                     [&](int percent) { percents.push_back(percent); });
+    EXPECT_FALSE(isLoading());
+    session.open(large_);
+    EXPECT_TRUE(isLoading());
+    EXPECT_TRUE(session.run()->loop().running());
+    ASSERT_TRUE(eventually([this] { return shown_.count() == 1; }));
+    EXPECT_FALSE(isLoading());
+    EXPECT_GT(percents.size(), 10U);
+    percents.pop_back();  // back at the beginning, for the next file
+    EXPECT_TRUE(std::is_sorted(percents.begin(), percents.end()));
+}
+
+TEST_F(WindowThatLoads, CancelLeavesTheSceneAsItWas) {
+    shown_.clear();
+    QSignalSpy cancelled(&session, &Session::openCancelled);
+    const LiveRun* run = session.run();
+    const QString title = window.windowTitle();
+    session.open(large_);
+    QTest::mouseClick(child<QPushButton>("cancelLoading"), Qt::LeftButton);
+    EXPECT_EQ(cancelled.count(), 1);
+    EXPECT_FALSE(isLoading());
+    live(300);
+    EXPECT_EQ(session.run(), run);
+    EXPECT_EQ(window.windowTitle(), title);
+    EXPECT_TRUE(session.run()->settings().forcesOn);
+    EXPECT_TRUE(session.run()->loop().running());
+    expectTheNextToBeTheFirstShown();
+}
+
+TEST_F(WindowThatLoads, TheMenuCancels) {
+    shown_.clear();
+    session.open(large_);
+    window.menus().cancelLoading->trigger();
+    EXPECT_FALSE(isLoading());
+    expectTheNextToBeTheFirstShown();
+}
+
+TEST_F(WindowThatLoads, EscCancelsAndTakesTheForcesAway) {
+    shown_.clear();
+    session.open(large_);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_FALSE(isLoading());
+    EXPECT_FALSE(session.run()->settings().forcesOn);
+    expectTheNextToBeTheFirstShown();
+}
+
+TEST_F(WindowThatLoads, AnotherFileTakesThePlaceOfTheOneBefore) {
+    shown_.clear();
+    session.open(large_);
+    expectTheNextToBeTheFirstShown();
+}
+
+// A loader that outlives its session would be found by the sanitizers.
+TEST_F(WindowThatLoads, MayBeClosedMeanwhile) {
+    session.open(large_);
+    live(20);
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,51 @@
+#include "ui/panels/LoadingBar.h"
+
+#include "ui/Theme.h"
+#include "ui/panels/Card.h"
+
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kBarHeight = 14;  ///< [px]
+constexpr int kWhole = 100;     ///< of the bar [%]
+
+}  // namespace
+
+LoadingBar::LoadingBar(QWidget* parent)
+    : QWidget(parent), words_(captionLabel(QString(), this)), bar_(new QProgressBar(this)) {
+    words_->setObjectName(QStringLiteral("loadingWords"));
+    words_->setTextFormat(Qt::PlainText);
+    bar_->setObjectName(QStringLiteral("loadingBar"));
+    bar_->setRange(0, kWhole);
+    bar_->setFixedHeight(kBarHeight);
+    bar_->setFont(theme::textFont(theme::kSmallSize));
+    auto* cancel = new QPushButton(tr("Cancel"), this);
+    cancel->setObjectName(QStringLiteral("cancelLoading"));
+    cancel->setFocusPolicy(Qt::NoFocus);  // it comes and goes; the keys lead the hand meanwhile
+    cancel->setToolTip(tr("Stop loading; the scene stays as it is"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(12, 0, 10, 0);
+    layout->setSpacing(12);
+    layout->addWidget(words_);
+    layout->addWidget(bar_, 1);
+    layout->addWidget(cancel);
+    connect(cancel, &QPushButton::clicked, this, &LoadingBar::cancelRequested);
+}
+
+void LoadingBar::begin(const QString& name) {
+    words_->setText(tr("Loading %1 …").arg(name));
+    setFraction(0.0);
+}
+
+void LoadingBar::setFraction(double fraction) {
+    bar_->setValue(static_cast<int>(std::floor(kWhole * fraction)));
+}
+
+}  // namespace asperity
