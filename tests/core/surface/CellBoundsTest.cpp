@@ -133,8 +133,8 @@ TEST_P(CellBoundsOf, HoldEverywhereOnEveryLevel) {
     }
 }
 
-/// Bezier points can lie beyond a bicubic by a multiple of its range, mostly by a small share of it;
-/// codes add an eighth.
+/// Bezier points can lie beyond a bicubic by a multiple of its range, mostly by a small share of
+/// it; codes add an eighth.
 TEST_P(CellBoundsOf, OfACellAreTight) {
     const CellBounds::Units units = surface_.bounds().units();
     const double step = static_cast<double>(units.step);

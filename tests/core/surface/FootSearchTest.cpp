@@ -116,8 +116,7 @@ TEST_P(FootSearchOn, NeverCallsAFootNearestThatIsNot) {
 
 /// Smallest second derivative of half the squared distance at a foot, 1 over a plane.
 double leastBend(const BSplineSurface& surface, const Vector3& query, const SurfaceFoot& foot) {
-    const LocalModel model =
-        HalfSquaredDistance(surface, query)({foot.point.x(), foot.point.y()});
+    const LocalModel model = HalfSquaredDistance(surface, query)({foot.point.x(), foot.point.y()});
     const Eigen::Matrix2d& h = model.hessian;
     return 0.5 * (h(0, 0) + h(1, 1)) - std::hypot(0.5 * (h(0, 0) - h(1, 1)), h(0, 1));
 }
@@ -160,9 +159,8 @@ TEST_P(FootSearchOn, TipFeetMissNone) {
             continue;
         }
         const auto known = feet.list.all();
-        ASSERT_TRUE(std::ranges::is_sorted(known, {}, [](const SurfaceFoot& foot) {
-            return std::abs(foot.distance);
-        }));
+        ASSERT_TRUE(std::ranges::is_sorted(
+            known, {}, [](const SurfaceFoot& foot) { return std::abs(foot.distance); }));
         for (const SurfaceFoot& sought : brute.near(tip.centre)) {
             const double distance = std::abs(sought.distance);
             const bool matters = sought.converged &&
@@ -171,8 +169,8 @@ TEST_P(FootSearchOn, TipFeetMissNone) {
             const bool listed = std::ranges::any_of(known, [&](const SurfaceFoot& foot) {
                 return (foot.point - sought.point).norm() <= (kSameFoot + 1e-6) * radius;
             });
-            const bool crowdedOut = known.size() == kMostFeet &&
-                                    distance >= std::abs(known.back().distance) - 1e-6_nm;
+            const bool crowdedOut =
+                known.size() == kMostFeet && distance >= std::abs(known.back().distance) - 1e-6_nm;
             ASSERT_TRUE(!matters || listed || crowdedOut)
                 << tip.centre.transpose() << " r " << radius << " foot "
                 << sought.point.transpose();

@@ -18,9 +18,9 @@ struct RoughMap {
     int rows = 1;
     double pitchX = 2.0_nm;  ///< [m]
     double pitchY = 2.0_nm;  ///< [m]
-    double range = 0.0;       ///< between the lowest and the highest pixel, at most [m]
-    double offset = 0.0;      ///< of all heights [m]
-    double smoothing = 0.0;   ///< standard deviation of the low-pass [pixel]
+    double range = 0.0;      ///< between the lowest and the highest pixel, at most [m]
+    double offset = 0.0;     ///< of all heights [m]
+    double smoothing = 0.0;  ///< standard deviation of the low-pass [pixel]
     std::uint64_t seed = 11;
 };
 
