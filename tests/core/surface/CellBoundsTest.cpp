@@ -8,19 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ostream>
 #include <vector>
 
 ASPERITY_TRAP_FLOATING_POINT();
 
 namespace asperity {
-
-namespace test {
-
-// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
-void PrintTo(const RoughMap& rough, std::ostream* out) { *out << rough.name; }
-
-}  // namespace test
 
 namespace {
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <ostream>
 #include <string>
@@ -245,6 +246,45 @@ void expectManyFeetOrTheRightDistance(const BSplineSurface& surface, const Vecto
     const TipFeet feet = tipFeet(surface, tip, 10.0_nm, {});
     EXPECT_TRUE(feet.proof == FootProof::ManyFeet || feet.proof == FootProof::Nearest);
     EXPECT_LE(std::abs(feet.list.all().front().distance), nearest + 0.1_nm);
+}
+
+/// The middle of the scan is where parts of cells meet, and where the minima of a map that is the
+/// same from all four sides stand: each must be found, and so must its mirror images.
+TEST(FootSearch, FindsMinimaWherePartsMeet) {
+    int found = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        HeightMap map = test::noisyMap({.name = "",
+                                        .columns = 24 + static_cast<int>(seed % 2),
+                                        .rows = 20,
+                                        .range = 30.0_nm,
+                                        .seed = seed});
+        for (int row = 0; row < map.rows; ++row) {
+            for (int column = 0; column < map.columns; ++column) {
+                map.heights[map.index(row, column)] = map.at(
+                    std::min(row, map.rows - 1 - row), std::min(column, map.columns - 1 - column));
+            }
+        }
+        const BSplineSurface surface = fitSurface(map, {.x = 1.5, .y = 1.5});
+        const double middleX = 0.5 * surface.sizeX();
+        const double middleY = 0.5 * surface.sizeY();
+        const Vector3 query(middleX, middleY, surface.at(middleX, middleY).height + 12.0_nm);
+        const TipFeet feet = tipFeet(surface, {.centre = query, .radius = 12.0_nm}, 10.0_nm, {});
+        const auto known = feet.list.all();
+        if (feet.proof != FootProof::Nearest || known.size() == kMostFeet) {
+            continue;
+        }
+        const SurfaceFoot sought = BruteFeet(surface, 6).nearest(query);
+        ASSERT_NEAR(std::abs(known.front().distance), std::abs(sought.distance), 1e-6_nm);
+        for (const SurfaceFoot& foot : known) {
+            const Vector3 mirrored(2.0 * middleX - foot.point.x(), 2.0 * middleY - foot.point.y(),
+                                   foot.point.z());
+            ++found;
+            ASSERT_TRUE(std::ranges::any_of(known, [&](const SurfaceFoot& other) {
+                return (other.point - mirrored).norm() < 1.01 * kSameFoot * 12.0_nm;
+            })) << seed;
+        }
+    }
+    EXPECT_GT(found, 60);
 }
 
 TEST(FootSearch, EndsOnTheAxisOfACircularGroove) {

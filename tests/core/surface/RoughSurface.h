@@ -6,7 +6,9 @@
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/SyntheticSurface.h"
 
+#include <cmath>
 #include <cstdint>
+#include <ostream>
 #include <string>
 
 namespace asperity::test {
@@ -23,6 +25,9 @@ struct RoughMap {
     double smoothing = 0.0;  ///< standard deviation of the low-pass [pixel]
     std::uint64_t seed = 11;
 };
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
+inline void PrintTo(const RoughMap& rough, std::ostream* out) { *out << rough.name; }
 
 inline HeightMap noisyMap(const RoughMap& rough) {
     HeightMap map = flatMap({.columns = rough.columns,
