@@ -57,7 +57,8 @@ public:
         , reach_(reach)
         , feet_(feet)
         , pitch_(surface.grid().pitchX, surface.grid().pitchY)
-        , objective_(surface, query) {}
+        , objective_(surface, query)
+        , rounding_(roundingOf(surface, query)) {}
 
     FootProof run() {
         const BoundsWindow window(surface_, query_, limit());
@@ -187,8 +188,11 @@ private:
     unsigned unclearIn(const PartBatch& batch, unsigned lanes) {
         constexpr double kNearEnough = 1.0 - 2.0 * kSameDistance;
         PartFacts facts;
-        examine(batch, query_ - Vector3(0.0, 0.0, surface_.grid().datum),
-                0.5 * limit() * limit() * kNearEnough, facts);
+        examine(batch,
+                {.point = query_ - Vector3(0.0, 0.0, surface_.grid().datum),
+                 .rounding = rounding_,
+                 .limit = 0.5 * limit() * limit() * kNearEnough},
+                facts);
         unsigned unclear = 0;
         for (unsigned left = lanes & ~facts.far; left != 0; left &= left - 1) {
             const int lane = std::countr_zero(left);
@@ -333,6 +337,7 @@ private:
     FootList& feet_;
     Vector2 pitch_;  ///< [m]
     HalfSquaredDistance objective_;
+    SurfaceRounding rounding_;
     boost::container::static_vector<Settled, kMostFeet> settled_;
     boost::container::static_vector<CellIndex, PartBatch::kLanes> cells_;
     int looks_ = 0;

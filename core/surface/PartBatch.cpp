@@ -118,6 +118,12 @@ ASPERITY_INLINE Double4 middleRise(Double4 a, Double4 b, Double4 c, Double4 d) {
     return 0.75 * ((d - a) + (c - b));
 }
 
+/// A number along x and one along y.
+struct Pair4 {
+    Double4 x;
+    Double4 y;
+};
+
 /// Second derivatives of half the squared distance: those of (h - z)^2 / 2 are those of h times
 /// h - z, plus products of slopes.
 struct SquareBends {
@@ -138,14 +144,14 @@ struct SquareBends {
     /// it by more than what the second derivatives differ in the part can bring back.
     /// Source: Krawczyk (1969), Newton-Algorithmen zur Bestimmung von Nullstellen mit
     /// Fehlerschranken.
-    [[nodiscard]] ASPERITY_INLINE Long4 areSloped(const PartBatch& part,
-                                                  const PartFacts& facts) const {
+    [[nodiscard]] ASPERITY_INLINE Long4 areSloped(const PartBatch& part, const PartFacts& facts,
+                                                  const Pair4& rounding) const {
         const Double4 a = xx.middle();
         const Double4 b = xy.middle();
         const Double4 c = yy.middle();
         const Double4 size = magnitude(a * c - b * b);
-        const Double4 unsureX = xx.radius() * part.halfX + xy.radius() * part.halfY;
-        const Double4 unsureY = xy.radius() * part.halfX + yy.radius() * part.halfY;
+        const Double4 unsureX = xx.radius() * part.halfX + xy.radius() * part.halfY + rounding.x;
+        const Double4 unsureY = xy.radius() * part.halfX + yy.radius() * part.halfY + rounding.y;
         const Double4 stepX = magnitude(b * facts.gradientY - c * facts.gradientX);
         const Double4 stepY = magnitude(b * facts.gradientX - a * facts.gradientY);
         const Double4 backX = magnitude(c) * unsureX + magnitude(b) * unsureY;
@@ -167,6 +173,25 @@ ASPERITY_INLINE SquareBends squareBends(const PartBatch& batch, const Bends4& be
     return {one + squared(slopeX, spreadX) + height * bends.xx,
             around(slopeX, spreadX) * around(slopeY, spreadY) + height * bends.xy,
             one + squared(slopeY, spreadY) + height * bends.yy};
+}
+
+/// Rounding of the gradient at the centre of a part and of its spread over it: a minimum on the
+/// side that two parts share must not be denied to both.
+/// @param slope of the height at the centre; @param above the query, there [m]
+ASPERITY_INLINE Pair4 gradientRounding(const PartBatch& batch, const SquareBends& bends,
+                                       const Pair4& slope, Double4 above,
+                                       const SurfaceRounding& rounding) {
+    constexpr double kRelative = 1e-13;
+    const auto along = [&](Double4 bend, Double4 mixed, Double4 steepness, Double4 half) {
+        // A slope is told from heights no farther apart than the part is wide.
+        const Double4 lever = magnitude(steepness) + magnitude(above) * (2.0 / half);
+        return rounding.place * (1.0 + bend + mixed) + rounding.height * lever +
+               kRelative * (bend * half);
+    };
+    const Double4 mixed = bends.xy.size();
+    const Double4 x = along(bends.xx.size(), mixed, slope.x, batch.halfX);
+    const Double4 y = along(bends.yy.size(), mixed, slope.y, batch.halfY);
+    return {x + kRelative * mixed * batch.halfY, y + kRelative * mixed * batch.halfX};
 }
 
 ASPERITY_INLINE void toBezier(Double4& a, Double4& b, Double4& c, Double4& d) {
@@ -243,7 +268,7 @@ ASPERITY_WITH_AVX2 void quarterNet(const PartBatch& batch, int lane, PartBatch& 
     }
 }
 
-ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const Vector3& query, double limit,
+ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& query,
                                      PartFacts& facts) {
     const Double4 perX = 0.5 / batch.halfX;
     const Double4 perY = 0.5 / batch.halfY;
@@ -254,25 +279,26 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const Vector3& quer
         alongX[i] = middle(row[0], row[1], row[2], row[3]);
         riseX[i] = middleRise(row[0], row[1], row[2], row[3]);
     }
-    const Double4 above = middle(alongX[0], alongX[1], alongX[2], alongX[3]) - query.z();
+    const Double4 above = middle(alongX[0], alongX[1], alongX[2], alongX[3]) - query.point.z();
     const Double4 slopeX = perX * middle(riseX[0], riseX[1], riseX[2], riseX[3]);
     const Double4 slopeY = perY * middleRise(alongX[0], alongX[1], alongX[2], alongX[3]);
-    const Double4 x = batch.centreX - query.x();
-    const Double4 y = batch.centreY - query.y();
+    const Double4 x = batch.centreX - query.point.x();
+    const Double4 y = batch.centreY - query.point.y();
     facts.value = 0.5 * (x * x + y * y + above * above);
     facts.gradientX = x + above * slopeX;
     facts.gradientY = y + above * slopeY;
 
     const SquareBends bends = squareBends(batch, bendsOf(batch, perX, perY), slopeX, slopeY, above);
-    facts.spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY;
-    facts.spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY;
+    const Pair4 rounding = gradientRounding(batch, bends, {slopeX, slopeY}, above, query.rounding);
+    facts.spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY + rounding.x;
+    facts.spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY + rounding.y;
     facts.bendX = bends.xx.low;
     facts.bendY = bends.yy.low;
     const Double4 nearest = facts.value + leastOnAxis(facts.gradientX, facts.bendX, batch.halfX) +
                             leastOnAxis(facts.gradientY, facts.bendY, batch.halfY) -
                             bends.xy.size() * batch.halfX * batch.halfY;
-    facts.far = bitsOf(nearest >= limit);
-    facts.withoutMinimum = bitsOf(bends.areSloped(batch, facts) | bends.bendDown());
+    facts.far = bitsOf(nearest >= query.limit);
+    facts.withoutMinimum = bitsOf(bends.areSloped(batch, facts, rounding) | bends.bendDown());
     facts.convex = bitsOf(bends.areConvex());
 }
 
@@ -343,9 +369,8 @@ void quarter(const PartBatch& batch, int lane, PartBatch& quarters) noexcept {
     quarters.centreY = batch.centreY[lane] + halfY * Double4{-1.0, -1.0, 1.0, 1.0};
 }
 
-void examine(const PartBatch& batch, const Vector3& query, double limit,
-             PartFacts& facts) noexcept {
-    examineLanes(batch, query, limit, facts);
+void examine(const PartBatch& batch, const PartQuery& query, PartFacts& facts) noexcept {
+    examineLanes(batch, query, facts);
 }
 
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #include "core/Simd.h"
 #include "core/Vector.h"
 #include "core/surface/BSplineSurface.h"
+#include "core/surface/BoxNewton.h"
 
 #include <span>
 
@@ -32,8 +33,8 @@ struct PartFacts {
     Double4 value;                ///< at the centre [m^2]
     Double4 gradientX;            ///< at the centre [m]
     Double4 gradientY;            ///< at the centre [m]
-    Double4 spreadX;              ///< by which that component differs elsewhere, at most [m]
-    Double4 spreadY;              ///< by which that component differs elsewhere, at most [m]
+    Double4 spreadX;              ///< by which that differs elsewhere, rounding included [m]
+    Double4 spreadY;              ///< by which that differs elsewhere, rounding included [m]
     Double4 bendX;                ///< least second derivative along x
     Double4 bendY;                ///< least second derivative along y
     unsigned far = 0;             ///< farther than the limit
@@ -48,8 +49,13 @@ void loadCells(const BSplineSurface::Grid& grid, std::span<const CellIndex> cell
 /// The four quarters of the part in a lane: lane 1 and 3 the upper halves along x, 2 and 3 along y.
 void quarter(const PartBatch& batch, int lane, PartBatch& quarters) noexcept;
 
-/// @param query above the datum [m]
-/// @param limit half a squared distance [m^2]
-void examine(const PartBatch& batch, const Vector3& query, double limit, PartFacts& facts) noexcept;
+/// What a part is asked about.
+struct PartQuery {
+    Vector3 point = Vector3::Zero();  ///< x and y world, z above the datum [m]
+    SurfaceRounding rounding;         ///< of places and heights
+    double limit = 0.0;               ///< half a squared distance [m^2]
+};
+
+void examine(const PartBatch& batch, const PartQuery& query, PartFacts& facts) noexcept;
 
 }  // namespace asperity

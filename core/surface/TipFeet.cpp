@@ -3,6 +3,9 @@
 #include "core/surface/FootSearch.h"
 #include "core/surface/LocalFoot.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace asperity {
 
 namespace {
@@ -11,11 +14,15 @@ namespace {
 /// matter: across a gap of 3 nm van der Waals attraction is a hundredth of that in contact [m].
 constexpr double kBehindNearest = 3e-9;
 
-/// Minima this near to each other bear one contact, which must not be counted twice.
-FootList withoutDoubles(const FootList& feet, double same) {
+/// The nearest foot, and those of the others that lie within `farthest` [m]. Minima nearer to each
+/// other than `same` [m] bear one contact, which must not be counted twice.
+FootList bearing(const FootList& feet, double same, double farthest) {
     FootList apart;
-    for (const SurfaceFoot& foot : feet.all()) {
-        apart.add(foot, same);
+    apart.add(feet.all().front(), same);
+    for (const SurfaceFoot& foot : feet.all().subspan(1)) {
+        if (std::abs(foot.distance) <= farthest) {
+            apart.add(foot, same);
+        }
     }
     return apart;
 }
@@ -37,12 +44,14 @@ TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reac
         return feet;
     }
     const double within = tip.radius + reach;
+    FootList minima = feet.list;
     feet.proof = completeFeet(surface, tip.centre,
-                              {.farthest = within, .behindNearest = kBehindNearest}, feet.list);
-    if (feet.list.hasLeftOut()) {
+                              {.farthest = within, .behindNearest = kBehindNearest}, minima);
+    if (minima.hasLeftOut()) {
         feet.proof = FootProof::ManyFeet;
     }
-    feet.list = withoutDoubles(feet.list, same);
+    const double nearest = std::abs(minima.all().front().distance);
+    feet.list = bearing(minima, same, std::min(within, nearest + kBehindNearest));
     if (feet.list.all().front().distance > within && feet.proof == FootProof::Nearest) {
         feet.proof = FootProof::OutOfReach;
     }

@@ -4,10 +4,13 @@
 #include "core/surface/NurbsFoot.h"
 #include "core/surface/NurbsShapes.h"
 #include "core/surface/SyntheticSurface.h"
+#include "core/surface/TipFeet.h"
+#include "tests/core/surface/RoughSurface.h"
 #include "tests/support/AllocationCounter.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 namespace asperity {
@@ -30,6 +33,30 @@ TEST(ClosestPoint, DoesNotAllocate) {
     sum += closestPoint(surface, noPoint, guess).distance;
     EXPECT_EQ(test::allocationCount(), before);
     EXPECT_NE(sum, 0.0);
+}
+
+TEST(TipFeet, DoNotAllocateOnARoughMap) {
+    const BSplineSurface surface =
+        test::surfaceOf({.name = "", .columns = 48, .rows = 48, .range = 20.0_nm});
+    const std::size_t before = test::allocationCount();
+    double sum = 0.0;
+    std::size_t several = 0;
+    TipFeet feet;
+    for (int i = 0; i < 300; ++i) {
+        const Vector3 centre(0.4_nm * i - 10.0_nm, 0.3_nm * i, 30.0_nm - 0.05_nm * i);
+        std::array<FootGuess, kMostFeet> known;
+        const std::size_t kept = i % 3 == 0 ? 0 : feet.list.all().size();
+        for (std::size_t k = 0; k < kept; ++k) {
+            known[k] = feet.list.all()[k].guess();
+        }
+        feet =
+            tipFeet(surface, {.centre = centre, .radius = 15.0_nm}, 10.0_nm, {known.data(), kept});
+        sum += feet.list.all().front().distance;
+        several += feet.list.all().size() > 1 ? 1U : 0U;
+    }
+    EXPECT_EQ(test::allocationCount(), before);
+    EXPECT_NE(sum, 0.0);
+    EXPECT_GT(several, 10U);
 }
 
 TEST(NurbsFoot, DoesNotAllocate) {
