@@ -21,9 +21,9 @@ struct FootWork {
     std::vector<Vector3> centres;  ///< of the tip's sphere, world [m]
 };
 
-/// Slightly rough ground with particles and terraces: 512 x 512 pixels of 4 nm. Plain Newton errs on
-/// 7 % of a sliding tip's queries and the bounds of the curvature settle 84 %, about as on the path
-/// that the project's targets were set on (9 %, 81 %).
+/// Slightly rough ground with particles and terraces: 512 x 512 pixels of 4 nm. Plain Newton errs
+/// on 7 % of a sliding tip's queries and the bounds of the curvature settle 84 %, about as on the
+/// path that the project's targets were set on (9 %, 81 %).
 [[nodiscard]] HeightMap pathMap();
 
 /// The same with roughness down to four pixels: hardly any answer is settled by its bounds.

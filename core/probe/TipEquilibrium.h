@@ -45,7 +45,7 @@ struct TipState {
     double effectiveRadius = 0.0;       ///< of tip and curved sample together [m]
     int feet = 1;                       ///< that bear a force
     FootProof proof = FootProof::NotSought;  ///< whether all feet are known
-    bool fits = true;                   ///< false: the sample is as sharply hollow as the tip
+    bool fits = true;                        ///< false: the sample is as sharply hollow as the tip
     bool radiusIsRough = false;  ///< the sample is curved so that effectiveRadius is a rough word
     bool converged = false;      ///< tip position found to rounding
     bool locked = false;         ///< friction would lock the lever: no quasi-static state

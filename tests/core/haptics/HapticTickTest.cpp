@@ -205,8 +205,8 @@ TEST(HapticTick, FlagsAPitOfTheTipsOwnShape) {
         tick(scene, inputAt({0.5 * pit.sizeX(), 0.5 * pit.sizeY(), -0.4 * radius}), memory).flags;
     EXPECT_TRUE(seated.has(Validity::FeetUnproven));
     TickMemory beside;
-    EXPECT_FALSE(tick(scene, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), beside)
-                     .flags.has(Validity::FeetUnproven));
+    EXPECT_FALSE(
+        tick(scene, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), beside).flags.has(Validity::FeetUnproven));
 }
 
 TEST(HapticTick, FlagsContactWhereTheImagingTipDidNotReach) {
