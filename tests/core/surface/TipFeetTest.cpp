@@ -182,7 +182,7 @@ struct Ring {
 TEST(TipFeet, AreTheNearestOnesWhereThereAreMoreThanTheListHolds) {
     const Ring ring{{0.4_nm, 1.6_nm, 0.0, 2.4_nm, 1.2_nm, 2.0_nm, 0.8_nm}};
     const TipFeet feet = ring.feet();
-    EXPECT_EQ(feet.proof, FootProof::Nearest);
+    EXPECT_EQ(feet.proof, FootProof::ManyFeet) << "three had no room";
     ASSERT_EQ(feet.list.all().size(), kMostFeet);
     const std::array<std::size_t, kMostFeet> order{2, 0, 6, 4};
     for (std::size_t i = 0; i < order.size(); ++i) {
