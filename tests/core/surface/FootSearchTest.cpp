@@ -248,23 +248,28 @@ void expectManyFeetOrTheRightDistance(const BSplineSurface& surface, const Vecto
     EXPECT_LE(std::abs(feet.list.all().front().distance), nearest + 0.1_nm);
 }
 
+/// A rough map that is the same from all four sides.
+HeightMap mirroredMap(std::uint64_t seed) {
+    HeightMap map = test::noisyMap({.name = "",
+                                    .columns = 24 + static_cast<int>(seed % 2),
+                                    .rows = 20,
+                                    .range = 30.0_nm,
+                                    .seed = seed});
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            map.heights[map.index(row, column)] = map.at(
+                std::min(row, map.rows - 1 - row), std::min(column, map.columns - 1 - column));
+        }
+    }
+    return map;
+}
+
 /// The middle of the scan is where parts of cells meet, and where the minima of a map that is the
 /// same from all four sides stand: each must be found, and so must its mirror images.
 TEST(FootSearch, FindsMinimaWherePartsMeet) {
     int found = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-        HeightMap map = test::noisyMap({.name = "",
-                                        .columns = 24 + static_cast<int>(seed % 2),
-                                        .rows = 20,
-                                        .range = 30.0_nm,
-                                        .seed = seed});
-        for (int row = 0; row < map.rows; ++row) {
-            for (int column = 0; column < map.columns; ++column) {
-                map.heights[map.index(row, column)] = map.at(
-                    std::min(row, map.rows - 1 - row), std::min(column, map.columns - 1 - column));
-            }
-        }
-        const BSplineSurface surface = fitSurface(map, {.x = 1.5, .y = 1.5});
+        const BSplineSurface surface = fitSurface(mirroredMap(seed), {.x = 1.5, .y = 1.5});
         const double middleX = 0.5 * surface.sizeX();
         const double middleY = 0.5 * surface.sizeY();
         const Vector3 query(middleX, middleY, surface.at(middleX, middleY).height + 12.0_nm);
