@@ -15,7 +15,7 @@ void FootList::add(const SurfaceFoot& foot, double sameWithin) noexcept {
     const auto place = std::ranges::find_if(feet_, [&](const SurfaceFoot& known) {
         return std::abs(foot.distance) < std::abs(known.distance);
     });
-    if (feet_.size() < kMostFeet) {
+    if (feet_.size() < kMostMinima) {
         feet_.insert(place, foot);
         return;
     }
@@ -23,6 +23,12 @@ void FootList::add(const SurfaceFoot& foot, double sameWithin) noexcept {
     if (place != feet_.end()) {
         std::move_backward(place, feet_.end() - 1, feet_.end());
         *place = foot;
+    }
+}
+
+void FootList::keepNearest(std::size_t count) noexcept {
+    while (feet_.size() > count) {
+        feet_.pop_back();
     }
 }
 

@@ -11,7 +11,12 @@ namespace asperity {
 /// More places than these do not touch a sphere at once on any real scan.
 inline constexpr std::size_t kMostFeet = 4;
 
-/// Feet of one query, the nearest first; where there are more than kMostFeet, the nearest of them.
+/// More minima of the distance than these are not kept apart: several may stand so near to each
+/// other that they are one foot.
+inline constexpr std::size_t kMostMinima = 12;
+
+/// Minima of the distance of one query, the nearest first; where there are more than kMostMinima,
+/// the nearest of them.
 class FootList {
 public:
     /// Takes a foot up unless it stands nearer than `sameWithin` [m] to one that does already.
@@ -21,11 +26,13 @@ public:
         return {feet_.data(), feet_.size()};
     }
 
+    /// Drops all but the nearest ones.
+    void keepNearest(std::size_t count) noexcept;
     /// Whether a foot had no room.
     [[nodiscard]] bool hasLeftOut() const noexcept { return hasLeftOut_; }
 
 private:
-    boost::container::static_vector<SurfaceFoot, kMostFeet> feet_;
+    boost::container::static_vector<SurfaceFoot, kMostMinima> feet_;
     bool hasLeftOut_ = false;
 };
 

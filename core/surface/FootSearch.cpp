@@ -338,7 +338,7 @@ private:
     Vector2 pitch_;  ///< [m]
     HalfSquaredDistance objective_;
     SurfaceRounding rounding_;
-    boost::container::static_vector<Settled, kMostFeet> settled_;
+    boost::container::static_vector<Settled, kMostMinima> settled_;
     boost::container::static_vector<CellIndex, PartBatch::kLanes> cells_;
     int looks_ = 0;
     bool complete_ = true;

@@ -47,11 +47,12 @@ TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reac
     FootList minima = feet.list;
     feet.proof = completeFeet(surface, tip.centre,
                               {.farthest = within, .behindNearest = kBehindNearest}, minima);
-    if (minima.hasLeftOut()) {
-        feet.proof = FootProof::ManyFeet;
-    }
     const double nearest = std::abs(minima.all().front().distance);
     feet.list = bearing(minima, same, std::min(within, nearest + kBehindNearest));
+    if (minima.hasLeftOut() || feet.list.all().size() > kMostFeet) {
+        feet.proof = FootProof::ManyFeet;
+        feet.list.keepNearest(kMostFeet);
+    }
     if (feet.list.all().front().distance > within && feet.proof == FootProof::Nearest) {
         feet.proof = FootProof::OutOfReach;
     }

@@ -247,11 +247,22 @@ TEST(FootList, KeepsTheNearestInOrderAndNoFootTwice) {
         list.add(footAt(place, -place), 0.5);
     }
     list.add(footAt(3.4, 0.1), 0.5);  // as good as the one at 3
-    std::vector<double> places;
-    for (const SurfaceFoot& foot : list.all()) {
-        places.push_back(foot.point.x());
+    const auto places = [&list] {
+        std::vector<double> result;
+        for (const SurfaceFoot& foot : list.all()) {
+            result.push_back(foot.point.x());
+        }
+        return result;
+    };
+    EXPECT_EQ(places(), (std::vector<double>{1.0, 3.0, 4.0, 5.0, 6.0, -7.0}));
+    EXPECT_FALSE(list.hasLeftOut());
+    for (std::size_t i = 0; i < kMostMinima; ++i) {
+        list.add(footAt(100.0 + static_cast<double>(i), 10.0 + static_cast<double>(i)), 0.5);
     }
-    EXPECT_EQ(places, (std::vector<double>{1.0, 3.0, 4.0, 5.0}));
+    EXPECT_EQ(list.all().size(), kMostMinima);
+    EXPECT_TRUE(list.hasLeftOut());
+    list.keepNearest(kMostFeet);
+    EXPECT_EQ(places(), (std::vector<double>{1.0, 3.0, 4.0, 5.0}));
 }
 
 }  // namespace
