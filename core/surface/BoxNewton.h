@@ -59,15 +59,19 @@ public:
         int evaluations = 1;
         while (evaluations < kMaxEvaluations) {
             const Free free = freeAxes(state);
-            const bool moved = atRest(state.model, free, 1.0) ? escape(state, free, evaluations)
-                                                              : step(state, free, evaluations);
+            bool moved = !atRest(state.model, free, 1.0) && step(state, free, evaluations);
+            // Also where rounding ends the steps a little before the gradient vanishes.
+            if (!moved && atRest(state.model, free, kNoiseAllowance)) {
+                moved = escape(state, free, evaluations);
+            }
             if (!moved) {
                 break;
             }
             ++state.iterations;
         }
         const Free free = freeAxes(state);
-        state.converged = atRest(state.model, free, kNoiseAllowance);
+        state.converged = atRest(state.model, free, kNoiseAllowance) &&
+                          downwardCurvature(state.model.hessian, free).isZero(0.0);
         state.pushedOut = pushes(state, free);
         return state;
     }

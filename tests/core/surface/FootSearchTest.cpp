@@ -323,5 +323,33 @@ TEST(FootSearch, EndsOnTheAxisOfACylindricalGroove) {
     expectManyFeetOrTheRightDistance(surface, {30.0_nm, 30.0_nm, 40.0_nm});
 }
 
+/// On the axis of a mirrored map a search may run straight into a saddle.
+TEST(FootSearch, CallsNoSaddleAFoot) {
+    int saddles = 0;
+    int converged = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const BSplineSurface surface = fitSurface(mirroredMap(seed), {.x = 1.5, .y = 1.5});
+        const double x = 0.5 * surface.sizeX();
+        const double y = 0.5 * surface.sizeY();
+        for (const double above : {6.0_nm, 12.0_nm, 18.0_nm}) {
+            const Vector3 query(x, y, surface.at(x, y).height + above);
+            for (const FootGuess& guess : {FootGuess{}, FootGuess{x, y, true}}) {
+                const SurfaceFoot foot = localFoot(surface, query, guess);
+                const HeightSample s = surface.at(foot.point.x(), foot.point.y());
+                const double e = foot.point.z() - query.z();
+                const double a = 1.0 + s.dx * s.dx + e * s.dxx;
+                const double b = s.dx * s.dy + e * s.dxy;
+                const double c = 1.0 + s.dy * s.dy + e * s.dyy;
+                converged += foot.converged ? 1 : 0;
+                saddles += foot.converged && foot.insideScan && (a < -1e-6 || a * c < b * b - 1e-6)
+                               ? 1
+                               : 0;
+            }
+        }
+    }
+    EXPECT_EQ(saddles, 0);
+    EXPECT_GT(converged, 350);
+}
+
 }  // namespace
 }  // namespace asperity
