@@ -170,8 +170,12 @@ int BoundsWindow::widestOffset(int row, int column) const noexcept {
 }
 
 int BoundsWindow::settledAround(double x, double y) const noexcept {
-    const int row = std::clamp(rowAt(y), 0, rows_.count - 1);
-    const int column = std::clamp(columnAt(x), 0, columns_.count - 1);
+    const int row = rowAt(y);
+    const int column = columnAt(x);
+    // Nothing is known of the way from a minimum outside the window into it.
+    if (row < 0 || row >= rows_.count || column < 0 || column >= columns_.count) {
+        return -1;
+    }
     const int widest = widestOffset(row, column);
     // Least bend of all blocks at the same offset from the foot's block. On the way to a block at
     // offset k the slope of the squared distance, zero at the foot, grows by these.

@@ -1,5 +1,6 @@
 #include "core/surface/TipFeet.h"
 
+#include "core/surface/LocalFoot.h"
 #include "tests/core/surface/RoughSurface.h"
 
 #include <gtest/gtest.h>
@@ -217,6 +218,17 @@ TEST(TipFeet, SaveTimeButChangeNothingWithKnownGuesses) {
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_LT((warm.list.all()[i].point - cold.list.all()[i].point).norm(), 1e-9 * kPitch);
     }
+}
+
+TEST(TipFeet, AreFoundThoughTheKnownGuessLeadsFarAway) {
+    const BSplineSurface wall = surfaceOf(
+        [](double x, double) { return 30.0_nm * (1.0 + std::tanh((x - 45.0_nm) / 2.0_nm)); });
+    const Vector3 query(kMiddle, kMiddle, kTipRadius);
+    const FootGuess onTheWall{kMiddle + 42.5_nm, kMiddle, true};
+    ASSERT_GT(localFoot(wall, query, onTheWall).distance, kTipRadius + kReach);
+    const TipFeet feet = tipFeet(wall, {query, kTipRadius}, kReach, {&onTheWall, 1});
+    EXPECT_EQ(feet.proof, FootProof::Nearest);
+    EXPECT_NEAR(feet.list.all().front().distance, kTipRadius, 0.01_nm);
 }
 
 TEST(TipFeet, OutOfReachSaySo) {
