@@ -6,11 +6,11 @@
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
 #include "core/io/ScanImage.h"
-#include "core/surface/BSplineFit.h"
-#include "core/surface/GaussianFilter.h"
 #include "core/surface/Levelling.h"
 #include "core/surface/Residual.h"
-#include "core/surface/TipErosion.h"
+#include "core/surface/fit/BSplineFit.h"
+#include "core/surface/fit/GaussianFilter.h"
+#include "core/surface/imaging/TipErosion.h"
 #include "vtkplugins/io/HeightMapWriter.h"
 
 #include <CLI/CLI.hpp>

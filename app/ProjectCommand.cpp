@@ -8,8 +8,8 @@
 #include "core/Version.h"
 #include "core/io/CaseTable.h"
 #include "core/io/SceneFile.h"
-#include "core/surface/ClosestPoint.h"
-#include "core/surface/NurbsFoot.h"
+#include "core/surface/foot/ClosestPoint.h"
+#include "core/surface/nurbs/NurbsFoot.h"
 
 #include <memory>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/ScriptedHand.h"
 #include "core/probe/SimulatedAfm.h"
-#include "core/surface/SyntheticSurface.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
 #include "ui/view/ZoomView.h"
 
 #include <QVTKOpenGLNativeWidget.h>

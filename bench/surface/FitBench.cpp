@@ -3,8 +3,8 @@
 #include "bench/surface/FitPeer.h"
 #include "core/Error.h"
 #include "core/Random.h"
-#include "core/surface/BSplineFit.h"
-#include "core/surface/SeparableFit.h"
+#include "core/surface/fit/BSplineFit.h"
+#include "core/surface/fit/SeparableFit.h"
 
 #include <algorithm>
 #include <chrono>

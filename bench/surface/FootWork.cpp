@@ -2,9 +2,9 @@
 
 #include "core/Random.h"
 #include "core/Units.h"
-#include "core/surface/ContactHeight.h"
-#include "core/surface/GaussianFilter.h"
-#include "core/surface/SyntheticSurface.h"
+#include "core/surface/deformation/ContactHeight.h"
+#include "core/surface/fit/GaussianFilter.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,8 +1,8 @@
 #include "bench/surface/OurQuery.h"
 
 #include "bench/surface/FootNewton.h"
-#include "core/surface/ClosestPoint.h"
-#include "core/surface/LocalFoot.h"
+#include "core/surface/foot/ClosestPoint.h"
+#include "core/surface/foot/LocalFoot.h"
 
 namespace asperity {
 

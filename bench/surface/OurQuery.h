@@ -2,7 +2,7 @@
 
 #include "bench/surface/FootMethod.h"
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/SurfaceFoot.h"
+#include "core/surface/foot/SurfaceFoot.h"
 
 #include <memory>
 

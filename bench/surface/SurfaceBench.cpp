@@ -6,8 +6,8 @@
 #include "bench/surface/Peers.h"
 #include "core/Error.h"
 #include "core/io/HeightMapFile.h"
-#include "core/surface/BSplineFit.h"
 #include "core/surface/Levelling.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "tools/samples/SampleScans.h"
 
 #include <CLI/CLI.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/Scene.h"
-#include "core/surface/SurfaceDeformation.h"
+#include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <array>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "core/contact/ContactModel.h"
 #include "core/scene/Scene.h"
-#include "core/surface/SurfaceDeformation.h"
+#include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "core/haptics/HandPath.h"
 
-#include "core/surface/ContactHeight.h"
+#include "core/surface/deformation/ContactHeight.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/surface/SurfaceDeformation.h"
+#include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <filesystem>
 

@@ -3,7 +3,7 @@
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/HalfSpaceModel.h"
 #include "core/scene/Scene.h"
-#include "core/surface/SurfaceDeformation.h"
+#include "core/surface/deformation/SurfaceDeformation.h"
 
 namespace asperity {
 

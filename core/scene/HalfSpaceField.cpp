@@ -1,8 +1,8 @@
 #include "core/scene/HalfSpaceField.h"
 
-#include "core/surface/BSplineFit.h"
 #include "core/surface/HeightMap.h"
 #include "core/surface/TangentFrame.h"
+#include "core/surface/fit/BSplineFit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/DisplacementField.h"
+#include "core/surface/deformation/DisplacementField.h"
 
 #include <memory>
 #include <vector>

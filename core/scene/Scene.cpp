@@ -2,10 +2,10 @@
 
 #include "core/Error.h"
 #include "core/scene/ShapeSample.h"
-#include "core/surface/BSplineFit.h"
-#include "core/surface/GaussianFilter.h"
 #include "core/surface/InvalidPixels.h"
-#include "core/surface/TipErosion.h"
+#include "core/surface/fit/BSplineFit.h"
+#include "core/surface/fit/GaussianFilter.h"
+#include "core/surface/imaging/TipErosion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,11 +7,11 @@
 #include "core/scene/SceneDescription.h"
 #include "core/scene/Settings.h"
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/CertaintyMap.h"
 #include "core/surface/HeightMap.h"
 #include "core/surface/Levelling.h"
-#include "core/surface/NurbsSurface.h"
 #include "core/surface/TouchedSurface.h"
+#include "core/surface/imaging/CertaintyMap.h"
+#include "core/surface/nurbs/NurbsSurface.h"
 
 #include <optional>
 

@@ -7,7 +7,7 @@
 #include "core/probe/ProbeSystem.h"
 #include "core/scene/Settings.h"
 #include "core/surface/Levelling.h"
-#include "core/surface/SurfaceDeformation.h"
+#include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <cstdint>
 #include <optional>

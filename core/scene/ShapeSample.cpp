@@ -1,7 +1,7 @@
 #include "core/scene/ShapeSample.h"
 
-#include "core/surface/NurbsShapes.h"
-#include "core/surface/SyntheticSurface.h"
+#include "core/surface/nurbs/NurbsShapes.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include "core/scene/SceneDescription.h"
 #include "core/surface/HeightMap.h"
-#include "core/surface/NurbsSurface.h"
+#include "core/surface/nurbs/NurbsSurface.h"
 
 namespace asperity {
 

@@ -1,7 +1,7 @@
 #include "core/surface/CoarserSurface.h"
 
-#include "core/surface/BSplineFit.h"
 #include "core/surface/HeightMap.h"
+#include "core/surface/fit/BSplineFit.h"
 
 #include <algorithm>
 

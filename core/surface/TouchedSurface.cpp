@@ -1,7 +1,7 @@
 #include "core/surface/TouchedSurface.h"
 
-#include "core/surface/LocalFoot.h"
-#include "core/surface/NurbsFoot.h"
+#include "core/surface/foot/LocalFoot.h"
+#include "core/surface/nurbs/NurbsFoot.h"
 
 #include <algorithm>
 #include <cmath>

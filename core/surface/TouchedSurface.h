@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/NurbsSurface.h"
-#include "core/surface/TipFeet.h"
+#include "core/surface/foot/TipFeet.h"
+#include "core/surface/nurbs/NurbsSurface.h"
 
 #include <span>
 #include <variant>

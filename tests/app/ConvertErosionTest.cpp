@@ -1,8 +1,8 @@
 #include "core/Units.h"
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
-#include "core/surface/SyntheticSurface.h"
-#include "core/surface/TipErosion.h"
+#include "core/surface/imaging/TipErosion.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ScratchFolder.h"
 

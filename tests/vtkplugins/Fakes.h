@@ -2,7 +2,7 @@
 
 #include "core/Units.h"
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/SurfaceDeformation.h"
+#include "core/surface/deformation/SurfaceDeformation.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
 
 namespace asperity::test {

@@ -1,8 +1,8 @@
 #include "tools/samples/SampleScans.h"
 
 #include "core/Units.h"
-#include "core/surface/GaussianFilter.h"
-#include "core/surface/SyntheticSurface.h"
+#include "core/surface/fit/GaussianFilter.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <numbers>
 

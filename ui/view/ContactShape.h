@@ -3,8 +3,8 @@
 #include "core/scene/HalfSpaceModel.h"
 #include "core/scene/RadialTable.h"
 #include "core/scene/Scene.h"
-#include "core/surface/DisplacementField.h"
-#include "core/surface/SurfaceDeformation.h"
+#include "core/surface/deformation/DisplacementField.h"
+#include "core/surface/deformation/SurfaceDeformation.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 #ifndef vtkAspPatchSource_h
 #define vtkAspPatchSource_h
 
-#include "core/surface/SurfaceDeformation.h"
+#include "core/surface/deformation/SurfaceDeformation.h"
 #include "vtkAsperityModule.h"
 
 #include <vtkPolyDataAlgorithm.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/Vector.h"
-#include "core/surface/SurfaceDeformation.h"
+#include "core/surface/deformation/SurfaceDeformation.h"
 #include "vtkplugins/pictures/PictureSize.h"
 
 #include <filesystem>

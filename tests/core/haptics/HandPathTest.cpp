@@ -1,7 +1,7 @@
 #include "core/haptics/HandPath.h"
 
 #include "core/Units.h"
-#include "core/surface/ContactHeight.h"
+#include "core/surface/deformation/ContactHeight.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

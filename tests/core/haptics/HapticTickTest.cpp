@@ -3,7 +3,7 @@
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/probe/SimulatedAfm.h"
-#include "core/surface/TipErosion.h"
+#include "core/surface/imaging/TipErosion.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
-#include "core/surface/TipErosion.h"
+#include "core/surface/imaging/TipErosion.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
-#include "core/surface/BSplineFit.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "core/Units.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/Scene.h"
-#include "core/surface/ContactHeight.h"
+#include "core/surface/deformation/ContactHeight.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

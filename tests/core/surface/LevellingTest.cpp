@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
-#include "core/surface/SyntheticSurface.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <gtest/gtest.h>
 

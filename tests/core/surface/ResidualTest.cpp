@@ -3,9 +3,9 @@
 #include "core/Error.h"
 #include "core/Random.h"
 #include "core/Units.h"
-#include "core/surface/BSplineFit.h"
-#include "core/surface/GaussianFilter.h"
-#include "core/surface/SyntheticSurface.h"
+#include "core/surface/fit/BSplineFit.h"
+#include "core/surface/fit/GaussianFilter.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
 #include "tests/support/StorageError.h"
 

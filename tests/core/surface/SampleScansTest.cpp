@@ -1,7 +1,7 @@
 #include "tools/samples/SampleScans.h"
 
 #include "core/io/HeightMapWriter.h"
-#include "core/surface/BSplineFit.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>

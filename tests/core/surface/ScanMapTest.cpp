@@ -1,9 +1,9 @@
 #include "core/Error.h"
 #include "core/Units.h"
-#include "core/surface/BSplineFit.h"
 #include "core/surface/InvalidPixels.h"
 #include "core/surface/Levelling.h"
-#include "core/surface/SyntheticSurface.h"
+#include "core/surface/fit/BSplineFit.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
 
 #include <gtest/gtest.h>

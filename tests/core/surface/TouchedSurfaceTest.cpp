@@ -1,9 +1,9 @@
 #include "core/surface/TouchedSurface.h"
 
 #include "core/Units.h"
-#include "core/surface/BSplineFit.h"
-#include "core/surface/NurbsShapes.h"
-#include "core/surface/SyntheticSurface.h"
+#include "core/surface/fit/BSplineFit.h"
+#include "core/surface/nurbs/NurbsShapes.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <gtest/gtest.h>
 

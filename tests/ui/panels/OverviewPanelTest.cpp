@@ -1,7 +1,7 @@
 #include "ui/panels/OverviewPanel.h"
 
 #include "core/Units.h"
-#include "core/surface/BSplineFit.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/panels/PanelSamples.h"
 #include "ui/Theme.h"

@@ -1,0 +1,32 @@
+#include "core/surface/deformation/DisplacementField.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity {
+
+SplinePatch netAroundContact(const BSplineSurface& surface, const TipContact& contact,
+                             double spacing) {
+    // A slope stretches the net along the surface; past this much the picture gains nothing.
+    constexpr double kSteepest = 0.1;
+    const double flatness = std::max(contact.normal.z(), kSteepest);
+    const Vector2 foot = contact.foot.head<2>();
+    const Vector2 reach = Vector2::Constant(contact.contactRadius + 3.0 * spacing);
+    return refined(surface, {.low = foot - reach, .high = foot + reach}, spacing * flatness);
+}
+
+DisplacementField fieldOf(SplinePatch displacements) {
+    return [net = std::move(displacements)](const Vector3& rest) -> Vector3 {
+        if (!net.contains(rest.x(), rest.y())) {
+            return Vector3::Zero();
+        }
+        return net.point(rest.x(), rest.y());
+    };
+}
+
+double distanceFromAxis(const TipContact& contact, const Vector3& point) {
+    const Vector3 arm = point - contact.foot;
+    return (arm - arm.dot(contact.normal) * contact.normal).norm();
+}
+
+}  // namespace asperity

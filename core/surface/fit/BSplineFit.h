@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/Progress.h"
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/HeightMap.h"
+#include "core/surface/fit/GaussianFilter.h"
+
+namespace asperity {
+
+/// The bicubic B-spline surface of the map after a Gaussian low-pass; without one it passes through
+/// every pixel centre.
+///
+/// A plane comes back unchanged whatever the smoothing. Without smoothing quadratics do, because
+/// the first span at a border is a quadratic; the error inside the scan falls with the fourth power
+/// of the pitch. What smoothing and spline do near the borders: see lineFitWeights().
+/// Pixels whose height is not a number are filled first (see withInvalidPixelsFilled()); the map's
+/// mask is kept, so isMeasured() tells them. Linear time, two threads.
+///
+/// Computed in single precision about the map's datum: a control height is off by a few times, at
+/// most 16 times, 2^-24 of the largest distance of a height from the datum.
+/// @throw Error when the map is unusable, holds no height at all, or a width is not in
+///        0..kWidestSmoothing; Cancelled
+[[nodiscard]] BSplineSurface fitSurface(ScanMap map, const Smoothing& smoothing = {},
+                                        Progress* progress = nullptr);
+
+/// The same for a map in double precision.
+[[nodiscard]] BSplineSurface fitSurface(const HeightMap& map, const Smoothing& smoothing = {});
+
+}  // namespace asperity

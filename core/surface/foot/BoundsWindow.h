@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/foot/BlockAxis.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace asperity {
+
+/// Bounds of the blocks within some distance of a point: how near each can come to it, and how far
+/// the squared distance from it is from having a second minimum there. Allocation-free.
+class BoundsWindow {
+public:
+    static constexpr int kMostBlocks = 32;  ///< along an axis
+
+    /// @param distance blocks that cannot hold a point within it are left out [m]
+    BoundsWindow(const BSplineSurface& surface, const Vector3& query, double distance) noexcept;
+
+    [[nodiscard]] int level() const noexcept { return level_; }
+    [[nodiscard]] const BlockRun& rows() const noexcept { return rows_; }
+    [[nodiscard]] const BlockRun& columns() const noexcept { return columns_; }
+
+    /// Bit k: block k of the row can hold a point within the window's distance. Rows and blocks are
+    /// counted from the window's first.
+    [[nodiscard]] std::uint32_t reaching(int row) const noexcept {
+        return reaching_[static_cast<std::size_t>(row)];
+    }
+    /// Whether a block can hold a point within `distance` [m].
+    [[nodiscard]] bool reaches(int row, int column, double distance) const noexcept {
+        return nearest_[index(row, column)] <= squaredWithRounding(distance);
+    }
+
+    /// Of the window's blocks, those in which the distance from a local minimum at (x, y) [m] can
+    /// only grow: all whose offset from the minimum's block is at most this along either axis.
+    [[nodiscard]] int settledAround(double x, double y) const noexcept;
+    [[nodiscard]] int rowAt(double y) const noexcept;     ///< counted from the window's first
+    [[nodiscard]] int columnAt(double x) const noexcept;  ///< counted from the window's first
+
+private:
+    [[nodiscard]] static std::size_t index(int row, int column) noexcept {
+        return static_cast<std::size_t>(row * kMostBlocks + column);
+    }
+    [[nodiscard]] float squaredWithRounding(double distance) const noexcept;
+    void bound(const Vector3& query, double distance) noexcept;
+    [[nodiscard]] int widestOffset(int row, int column) const noexcept;
+
+    BlockAxis x_;
+    BlockAxis y_;
+    int level_ = 0;
+    BlockRun rows_;
+    BlockRun columns_;
+    double rounding_ = 0.0;                                 ///< of a height difference [m]
+    std::array<std::uint32_t, kMostBlocks> reaching_;       ///< of each row
+    std::array<float, kMostBlocks * kMostBlocks> nearest_;  ///< squared distance, at least [m^2]
+    /// The squared distance along a straight line through the block bends up at least so much, as a
+    /// share of that from a level plane; 1 or less, < 0: it may bend down.
+    std::array<float, kMostBlocks * kMostBlocks> bend_;
+};
+
+}  // namespace asperity

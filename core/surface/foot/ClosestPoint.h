@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/foot/SurfaceFoot.h"
+
+namespace asperity {
+
+/// The surface point nearest to `query`, whatever the guess, which only saves time. Where several
+/// are as near (to kSameDistance) it is one of them. Its proof says whether it is certain.
+/// Allocation-free, bounded, never throws.
+[[nodiscard]] SurfaceFoot closestPoint(const BSplineSurface& surface, const Vector3& query,
+                                       const FootGuess& guess) noexcept;
+
+}  // namespace asperity

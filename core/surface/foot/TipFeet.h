@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/foot/FootList.h"
+
+#include <span>
+
+namespace asperity {
+
+/// Two feet nearer to each other than this are one, in tip radii.
+inline constexpr double kSameFoot = 0.02;
+
+/// The sphere that is looked at.
+struct TipSphere {
+    Vector3 centre = Vector3::Zero();  ///< world [m]
+    double radius = 0.0;               ///< [m]
+};
+
+/// Feet of a sphere on a surface: in a valley that it does not fit there are several.
+struct TipFeet {
+    FootList list;  ///< the nearest first; at least one, which may lie out of reach
+    /// Nearest: these are all; ManyFeet: there may be more, or are more than have room.
+    FootProof proof = FootProof::NotSought;
+};
+
+/// All feet of the sphere's centre that lie within `reach` of the sphere's surface; `known` guesses
+/// save time. Allocation-free, bounded, never throws.
+[[nodiscard]] TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
+                              std::span<const FootGuess> known) noexcept;
+
+}  // namespace asperity

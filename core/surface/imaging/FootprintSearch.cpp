@@ -1,0 +1,251 @@
+#include "core/surface/imaging/FootprintSearch.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <future>
+#include <limits>
+#include <span>
+#include <thread>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+
+int blocksOf(int pixels) { return (pixels + kFootprintBlock - 1) / kFootprintBlock; }
+
+/// Calls work(index) for 0..count - 1 on as many threads as the machine has cores.
+template <class Work>
+void shareOut(int count, const Work& work) {
+    std::atomic<int> next = 0;
+    const auto run = [&] {
+        for (int index = next++; index < count; index = next++) {
+            work(index);
+        }
+    };
+    const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, count);
+    std::vector<std::future<void>> others;
+    for (int i = 1; i < threads; ++i) {
+        others.push_back(std::async(std::launch::async, run));
+    }
+    run();
+    for (std::future<void>& other : others) {
+        other.get();
+    }
+}
+
+}  // namespace
+
+/// Pixels that reach the level of one place, as long as they are direct neighbours.
+class FootprintSearch::Touches {
+public:
+    void add(Pixel pixel) {
+        low_ = {std::min(low_.row, pixel.row), std::min(low_.column, pixel.column)};
+        high_ = {std::max(high_.row, pixel.row), std::max(high_.column, pixel.column)};
+        if (!areApart()) {
+            pixels_[count_++] = pixel;
+        }
+    }
+    [[nodiscard]] bool areApart() const {
+        return high_.row - low_.row > 1 || high_.column - low_.column > 1;
+    }
+    [[nodiscard]] std::span<const Pixel> pixels() const { return {pixels_.data(), count_}; }
+
+private:
+    static constexpr int kFarthest = std::numeric_limits<int>::max();
+    Pixel low_{kFarthest, kFarthest};
+    Pixel high_;
+    std::array<Pixel, 4> pixels_{};
+    std::size_t count_ = 0;
+};
+
+FootprintSearch::FootprintSearch(const Grid& grid, const std::vector<double>& heights,
+                                 double tipRadius)
+    : grid_(grid)
+    , tip_(grid, tipRadius)
+    , blockColumns_(blocksOf(grid.columns))
+    , blockRows_(blocksOf(grid.rows)) {
+    const std::size_t blocks =
+        static_cast<std::size_t>(blockColumns_) * static_cast<std::size_t>(blockRows_);
+    blockHeights_.assign(blocks, kNone);
+    heights_.assign(blocks * kFootprintBlock * kFootprintBlock, kNone);
+    for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+            const double height = heights[index(row, column)];
+            heights_[paddedIndex(row, column)] = height;
+            double& highest =
+                blockHeights_[blockIndex(row / kFootprintBlock, column / kFootprintBlock)];
+            highest = std::max(highest, height);
+        }
+    }
+}
+
+/// Blocks that hold any height, as far as the tip reaches from the tile.
+template <class Visit>
+void FootprintSearch::forEachBlockAround(const Tile& tile, const Visit& visit) const {
+    const int lowRow = std::max(tile.row - tip_.blockReachY(), 0);
+    const int highRow = std::min(tile.row + tip_.blockReachY(), blockRows_ - 1);
+    const int lowColumn = std::max(tile.column - tip_.blockReachX(), 0);
+    const int highColumn = std::min(tile.column + tip_.blockReachX(), blockColumns_ - 1);
+    for (int row = lowRow; row <= highRow; ++row) {
+        for (int column = lowColumn; column <= highColumn; ++column) {
+            if (blockHeights_[blockIndex(row, column)] != kNone) {
+                visit(row, column);
+            }
+        }
+    }
+}
+
+template <class Visit>
+void FootprintSearch::forEachPixel(const Tile& tile, const Visit& visit) const {
+    const int top = tile.row * kFootprintBlock;
+    const int left = tile.column * kFootprintBlock;
+    for (int row = top; row < std::min(top + kFootprintBlock, grid_.rows); ++row) {
+        for (int column = left; column < std::min(left + kFootprintBlock, grid_.columns);
+             ++column) {
+            visit(row, column);
+        }
+    }
+}
+
+template <class Work>
+void FootprintSearch::forEachTile(const Work& work) const {
+    shareOut(blockRows_, [&](int row) {
+        Tile tile{.row = row, .column = 0, .candidates = {}};
+        for (; tile.column < blockColumns_; ++tile.column) {
+            work(tile);
+        }
+    });
+}
+
+/// What every place of the tile finds at least.
+double FootprintSearch::floorOf(const Tile& tile) const {
+    double floor = kNone;
+    forEachBlockAround(tile, [&](int row, int column) {
+        const double rise = tip_.greatestRise(row - tile.row, column - tile.column);
+        floor = std::max(floor, blockHeights_[blockIndex(row, column)] - rise);
+    });
+    return floor;
+}
+
+void FootprintSearch::findCandidates(Tile& tile, double floor) const {
+    tile.candidates.clear();
+    forEachBlockAround(tile, [&](int row, int column) {
+        const double rise = tip_.leastRise(row - tile.row, column - tile.column);
+        const double bound = blockHeights_[blockIndex(row, column)] - rise;
+        if (bound != kNone && bound >= floor) {
+            tile.candidates.push_back({bound, row * kFootprintBlock, column * kFootprintBlock});
+        }
+    });
+    std::ranges::sort(tile.candidates, std::ranges::greater(), &Block::bound);
+}
+
+/// Eight lanes, each with its own maximum: a form that compilers turn into vector instructions.
+double FootprintSearch::bestOf(const Block& block, int row, int column) const {
+    std::array<double, kFootprintBlock> best{};
+    best.fill(kNone);
+    const int first = std::max(block.row, row - tip_.reachY());
+    const int last = std::min(block.row + kFootprintBlock - 1, row + tip_.reachY());
+    for (int from = first; from <= last; ++from) {
+        const double* heights = heights_.data() + paddedIndex(from, block.column);
+        const double* rises = tip_.risesFrom(from - row, block.column - column);
+        for (std::size_t lane = 0; lane < best.size(); ++lane) {
+            const double height = heights[lane] - rises[lane];
+            best[lane] = height > best[lane] ? height : best[lane];
+        }
+    }
+    return *std::ranges::max_element(best);
+}
+
+double FootprintSearch::bestFor(const Tile& tile, int row, int column) const {
+    double best = kNone;
+    for (const Block& block : tile.candidates) {
+        if (block.bound <= best) {
+            break;
+        }
+        best = std::max(best, bestOf(block, row, column));
+    }
+    return best;
+}
+
+std::vector<double> FootprintSearch::highest() const {
+    std::vector<double> result(index(grid_.rows, 0));
+    forEachTile([&](Tile& tile) {
+        findCandidates(tile, floorOf(tile));
+        forEachPixel(tile, [&](int row, int column) {
+            result[index(row, column)] = bestFor(tile, row, column);
+        });
+    });
+    return result;
+}
+
+void FootprintSearch::collect(const Block& block, int row, int column, double level,
+                              Touches& touches) const {
+    const int first = std::max(block.row, row - tip_.reachY());
+    const int last = std::min(block.row + kFootprintBlock - 1, row + tip_.reachY());
+    for (int from = first; from <= last; ++from) {
+        const double* heights = heights_.data() + paddedIndex(from, block.column);
+        const double* rises = tip_.risesFrom(from - row, block.column - column);
+        for (int lane = 0; lane < kFootprintBlock; ++lane) {
+            if (heights[lane] - rises[lane] >= level) {
+                touches.add({from, block.column + lane});
+            }
+        }
+    }
+}
+
+FootprintSearch::Touches FootprintSearch::touchesOf(const Tile& tile, int row, int column,
+                                                    double level) const {
+    Touches touches;
+    for (const Block& block : tile.candidates) {
+        if (block.bound < level || touches.areApart()) {
+            break;
+        }
+        if (bestOf(block, row, column) >= level) {
+            collect(block, row, column, level, touches);
+        }
+    }
+    return touches;
+}
+
+std::vector<std::uint8_t> FootprintSearch::reachingAlone(const std::vector<double>& levels) const {
+    std::vector<std::uint8_t> alone(levels.size(), 0);
+    const auto hasLevel = [&](Pixel pixel) {
+        return levels[index(pixel.row, pixel.column)] != kNone;
+    };
+    const auto tells = [&](int row, int column) {
+        return tip_.isWithin(grid_, row, column) && hasLevel({row, column});
+    };
+    forEachTile([&](Tile& tile) {
+        double floor = -kNone;
+        forEachPixel(tile, [&](int row, int column) {
+            if (tells(row, column)) {
+                floor = std::min(floor, levels[index(row, column)]);
+            }
+        });
+        if (floor == -kNone) {
+            return;
+        }
+        findCandidates(tile, floor);
+        forEachPixel(tile, [&](int row, int column) {
+            if (!tells(row, column)) {
+                return;
+            }
+            const Touches touches = touchesOf(tile, row, column, levels[index(row, column)]);
+            if (touches.areApart() || !std::ranges::all_of(touches.pixels(), hasLevel)) {
+                return;
+            }
+            for (const Pixel& pixel : touches.pixels()) {
+                // Two threads may mark the same pixel.
+                std::atomic_ref(alone[index(pixel.row, pixel.column)])
+                    .store(1, std::memory_order_relaxed);
+            }
+        });
+    });
+    return alone;
+}
+
+}  // namespace asperity

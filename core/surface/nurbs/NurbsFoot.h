@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/surface/foot/FootList.h"
+#include "core/surface/nurbs/NurbsSurface.h"
+
+#include <array>
+#include <span>
+
+namespace asperity {
+
+/// Beyond this no square can be compared with another one. [m]
+inline constexpr double kFarthestQuery = 1e50;
+
+/// A foot and where it lies on the surface.
+struct NurbsFoot {
+    SurfaceFoot foot;  ///< `insideScan`: not held back by an edge of the surface
+    double u = 0.0;
+    double v = 0.0;
+};
+
+/// The nearest foot and on request others, nearest first. The proof is about the nearest one:
+/// ManyFeet also where the query is its centre of curvature, so that it may be one of many.
+class NurbsFeet {
+public:
+    [[nodiscard]] std::span<const NurbsFoot> all() const noexcept { return {feet_.data(), count_}; }
+    [[nodiscard]] const NurbsFoot& nearest() const noexcept { return feet_.front(); }
+    [[nodiscard]] FootProof proof() const noexcept { return proof_; }
+    /// Pieces of the surface looked at one by one.
+    [[nodiscard]] int pieces() const noexcept { return pieces_; }
+
+private:
+    friend class NurbsFootSearch;
+
+    std::array<NurbsFoot, kMostFeet> feet_{};
+    std::size_t count_ = 0;
+    FootProof proof_ = FootProof::NotSought;
+    int pieces_ = 0;
+};
+
+/// Which feet are wanted beside the nearest one.
+struct NurbsFootWish {
+    double within = 0.0;       ///< those at most so far away; 0: none [m]
+    double sameWithin = 1e-9;  ///< feet nearer to each other than this are one [m]
+};
+
+/// The surface point nearest to the query, and on request the other local minima of the distance.
+/// Global: every part of the surface is looked at or ruled out, by bounds on the squared distance
+/// over rational Bezier patches, cut until it is convex or above the best foot. The nearest foot
+/// is proven to about 1e-13 of the larger of surface and query; of the others some may be missing.
+/// Allocation-free, bounded, never throws.
+/// Source: Johnson, Cohen (1998) for the branch and bound; Vogl, Ma, Sitti (2005), section III, for
+/// r.Su = 0, r.Sv = 0.
+[[nodiscard]] NurbsFeet nearestFeet(const NurbsSurface& surface, const Vector3& query,
+                                    const NurbsFootWish& wish) noexcept;
+
+/// The nearest foot alone. No guess is needed.
+[[nodiscard]] SurfaceFoot closestPoint(const NurbsSurface& surface, const Vector3& query,
+                                       const FootGuess& guess) noexcept;
+
+}  // namespace asperity

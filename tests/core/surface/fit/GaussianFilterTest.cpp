@@ -1,0 +1,99 @@
+#include "core/surface/fit/GaussianFilter.h"
+
+#include "core/Error.h"
+#include "core/Units.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace asperity {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+HeightMap plane(int columns, int rows) {
+    HeightMap map = flatMap({.columns = columns, .rows = rows, .sizeX = 1.0_um, .sizeY = 1.0_um});
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            map.heights[map.index(row, column)] = 7.0_nm + column * 2.0_nm - row * 3.0_nm;
+        }
+    }
+    return map;
+}
+
+TEST(GaussianFilter, LeavesAPlaneUnchangedUpToTheBorders) {
+    for (const double sigma :
+         {0.3, 1.0, 2.5, 40.0}) {  // the last reaches many times past 20 pixels
+        const HeightMap map = plane(20, 11);
+        const HeightMap smooth = smoothed(map, sigma);
+        for (std::size_t i = 0; i < map.heights.size(); ++i) {
+            ASSERT_NEAR(smooth.heights[i], map.heights[i], 1e-12 * 50.0_nm * (1.0 + sigma));
+        }
+    }
+}
+
+TEST(GaussianFilter, DampsAWaveByItsTransferFunction) {
+    constexpr int kColumns = 400;
+    constexpr double kSigma = 2.0;
+    constexpr double kPeriod = 16.0;  // [pixel]
+    HeightMap map = flatMap({.columns = kColumns, .rows = 60, .sizeX = 1.0_um, .sizeY = 1.0_um});
+    const double wave = 2.0 * std::numbers::pi / kPeriod;
+    for (int row = 0; row < 60; ++row) {
+        for (int column = 0; column < kColumns; ++column) {
+            map.heights[map.index(row, column)] = std::sin(wave * column);
+        }
+    }
+    const double damping = std::exp(-0.5 * kSigma * kSigma * wave * wave);
+    const HeightMap smooth = smoothed(map, kSigma);
+    for (int column = 20; column < kColumns - 20; ++column) {
+        // 6e-7 of the kernel lies beyond 5 standard deviations
+        ASSERT_NEAR(smooth.at(30, column), damping * map.at(30, column), 3e-6);
+    }
+}
+
+TEST(GaussianFilter, SpreadsASpikeEvenlyWithoutLosingVolume) {
+    HeightMap map = flatMap({.columns = 41, .rows = 41, .sizeX = 1.0_um, .sizeY = 1.0_um});
+    map.heights[map.index(20, 20)] = 1.0;
+    const HeightMap smooth = smoothed(map, 2.0);
+    double sum = 0.0;
+    for (const double height : smooth.heights) {
+        sum += height;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    EXPECT_NEAR(smooth.at(20, 20), 1.0 / (8.0 * std::numbers::pi), 1e-6);
+    EXPECT_DOUBLE_EQ(smooth.at(17, 20), smooth.at(20, 23));
+    EXPECT_NEAR(smooth.at(17, 20) / smooth.at(20, 20), std::exp(-9.0 / 8.0), 1e-9);
+}
+
+TEST(GaussianFilter, ZeroIsIdentityAndTinyWidthsAreNothing) {
+    const HeightMap map = plane(6, 5);
+    EXPECT_EQ(smoothed(map, 0.0).heights, map.heights);
+    EXPECT_EQ(smoothed(map, 1e-300).heights, map.heights);
+}
+
+TEST(GaussianFilter, WorksOnLinesAndSinglePixels) {
+    for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}}) {
+        const HeightMap map = plane(columns, rows);
+        const HeightMap smooth = smoothed(map, 3.0);
+        for (std::size_t i = 0; i < map.heights.size(); ++i) {
+            ASSERT_NEAR(smooth.heights[i], map.heights[i], 1e-19);
+        }
+    }
+}
+
+TEST(GaussianFilter, RefusesWidthsAndHeightsThatAreNoNumbers) {
+    HeightMap map = plane(4, 4);
+    for (const double sigma : {-1.0, kNan, std::numeric_limits<double>::infinity(), 1e9}) {
+        EXPECT_THROW((void)smoothed(map, sigma), Error);
+    }
+    map.heights[3] = kNan;
+    EXPECT_THROW((void)smoothed(map, 1.0), Error);
+    EXPECT_THROW((void)smoothed(HeightMap{}, 1.0), Error);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,281 @@
+#include "core/surface/foot/TipFeet.h"
+
+#include "core/surface/foot/LocalFoot.h"
+#include "tests/core/surface/foot/RoughSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+constexpr double kTipRadius = 15.0_nm;
+constexpr double kReach = 10.0_nm;
+/// What a spline through pixels misses of a shape with kinks, ten pixels from them [m].
+constexpr double kFit = 1e-3_nm;
+
+constexpr int kPixels = 120;
+constexpr double kPitch = 1.0_nm;
+constexpr double kMiddle = 0.5 * kPixels * kPitch;
+constexpr ScanSize kScan{
+    .columns = kPixels, .rows = kPixels, .sizeX = kPixels * kPitch, .sizeY = kPixels * kPitch};
+
+/// A surface by its height over places counted from the middle of the scan.
+struct Shape {
+    std::function<double(double x, double y)> above;
+
+    [[nodiscard]] double height(double x, double y) const {
+        return above(x - kMiddle, y - kMiddle);
+    }
+};
+
+BSplineSurface surfaceOf(const std::function<double(double, double)>& above) {
+    return fitSurface(sampledMap(kScan, Shape{above}));
+}
+
+/// Feet of a tip over the middle of the scan.
+TipFeet feetAt(const BSplineSurface& surface, double height) {
+    return tipFeet(surface, {.centre = {kMiddle, kMiddle, height}, .radius = kTipRadius}, kReach,
+                   {});
+}
+
+/// Whether a foot stands at (x, y), counted from the middle.
+bool standsAt(const TipFeet& feet, double x, double y, double tolerance) {
+    return std::ranges::any_of(feet.list.all(), [&](const SurfaceFoot& foot) {
+        return std::hypot(foot.point.x() - kMiddle - x, foot.point.y() - kMiddle - y) < tolerance;
+    });
+}
+
+TEST(TipFeet, InASymmetricalGrooveStandOnBothFlanks) {
+    constexpr double kSlope = 1.0;
+    const BSplineSurface groove = surfaceOf([](double x, double) { return kSlope * std::abs(x); });
+    const double height = 15.0_nm * std::sqrt(2.0);
+    const TipFeet feet = feetAt(groove, height);
+    EXPECT_EQ(feet.proof, FootProof::Nearest);
+    ASSERT_EQ(feet.list.all().size(), 2U);
+    EXPECT_TRUE(standsAt(feet, 0.5 * height, 0.0, kFit));
+    EXPECT_TRUE(standsAt(feet, -0.5 * height, 0.0, kFit));
+    for (const SurfaceFoot& foot : feet.list.all()) {
+        EXPECT_NEAR(foot.distance, 15.0_nm, kFit);
+        EXPECT_EQ(foot.proof, FootProof::NotSought);
+    }
+}
+
+TEST(TipFeet, OnARidgeAreOne) {
+    const BSplineSurface ridge =
+        surfaceOf([](double x, double) { return -x * x / (2.0 * 8.0_nm); });
+    const TipFeet feet = feetAt(ridge, kTipRadius);
+    EXPECT_EQ(feet.proof, FootProof::Nearest);
+    ASSERT_EQ(feet.list.all().size(), 1U);
+    EXPECT_TRUE(standsAt(feet, 0.0, 0.0, kFit));
+}
+
+/// A ball that stands out of a level ground. Where it is steeper than 45 degrees, a cone takes its
+/// place, so that a spline can follow.
+struct Ball {
+    Vector3 centre = Vector3::Zero();  ///< x and y from the scan's middle [m]
+    double radius = 0.0;               ///< [m]
+
+    [[nodiscard]] double height(double x, double y) const {
+        const double across = std::hypot(x - centre.x(), y - centre.y());
+        return centre.z() + (across < radius * M_SQRT1_2
+                                 ? std::sqrt(radius * radius - across * across)
+                                 : radius * M_SQRT2 - across);
+    }
+};
+
+BSplineSurface surfaceOf(const std::vector<Ball>& balls, double ground) {
+    return surfaceOf([&](double x, double y) {
+        double height = ground;
+        for (const Ball& ball : balls) {
+            height = std::max(height, ball.height(x, y));
+        }
+        return height;
+    });
+}
+
+TEST(TipFeet, BetweenTwoParticlesTouchBoth) {
+    const std::vector<Ball> balls{{.centre = {-22.0_nm, 0.0, 0.0}, .radius = 20.0_nm},
+                                  {.centre = {22.0_nm, 0.0, 0.0}, .radius = 20.0_nm}};
+    const BSplineSurface surface = surfaceOf(balls, 0.0);
+    const double height = std::sqrt(35.0 * 35.0 - 22.0 * 22.0) * 1.0_nm;
+    const TipFeet feet = feetAt(surface, height);
+    EXPECT_EQ(feet.proof, FootProof::Nearest);
+    ASSERT_EQ(feet.list.all().size(), 2U);
+    const double offset = 22.0_nm * 15.0 / 35.0;
+    EXPECT_TRUE(standsAt(feet, offset, 0.0, 10.0 * kFit));
+    EXPECT_TRUE(standsAt(feet, -offset, 0.0, 10.0 * kFit));
+    EXPECT_NEAR(feet.list.all().front().distance, 15.0_nm, kFit);
+}
+
+/// Least distance of (0, z) from a curve, by looking at places 1e-5 nm apart.
+double offsetOfNearest(double z, const std::function<double(double)>& curve) {
+    double best = 0.0;
+    double least = std::hypot(0.0, z - curve(0.0));
+    for (double offset = 0.0; offset < 30.0_nm; offset += 1e-5_nm) {
+        const double distance = std::hypot(offset, z - curve(offset));
+        if (distance < least) {
+            least = distance;
+            best = offset;
+        }
+    }
+    return best;
+}
+
+TEST(TipFeet, InAPitOfAnEggBoxAreFour) {
+    constexpr double kAmplitude = 12.0_nm;
+    constexpr double kWave = 2.0 * M_PI / 40.0_nm;
+    const BSplineSurface surface = surfaceOf(
+        [](double x, double y) { return -kAmplitude * std::cos(kWave * x) * std::cos(kWave * y); });
+    const double height = 6.0_nm;
+    const double offset =
+        offsetOfNearest(height, [](double x) { return -kAmplitude * std::cos(kWave * x); });
+    ASSERT_GT(offset, 5.0_nm);
+    const TipFeet feet = feetAt(surface, height);
+    EXPECT_EQ(feet.proof, FootProof::Nearest);
+    ASSERT_EQ(feet.list.all().size(), 4U);
+    for (const double side : {-offset, offset}) {
+        EXPECT_TRUE(standsAt(feet, side, 0.0, 10.0 * kFit));
+        EXPECT_TRUE(standsAt(feet, 0.0, side, 10.0 * kFit));
+    }
+}
+
+/// Balls of 8 nm in a ring, ball i farther from a point over the middle by behind[i].
+struct Ring {
+    static constexpr double kRadius = 40.0_nm;
+    static constexpr double kBall = 8.0_nm;
+    static constexpr double kHeight = 60.0_nm;  ///< of the point over the balls' centres
+    std::vector<double> behind;                 ///< [m]
+
+    [[nodiscard]] static double nearest() { return std::hypot(kRadius, kHeight) - kBall; }
+
+    [[nodiscard]] Vector3 centre(std::size_t i) const {
+        const double turn =
+            2.0 * M_PI * (static_cast<double>(i) + 0.2) / static_cast<double>(behind.size());
+        const double away = nearest() + kBall + behind[i];
+        return {kRadius * std::cos(turn), kRadius * std::sin(turn),
+                kHeight - std::sqrt(away * away - kRadius * kRadius)};
+    }
+    [[nodiscard]] BSplineSurface surface() const {
+        std::vector<Ball> balls;
+        for (std::size_t i = 0; i < behind.size(); ++i) {
+            balls.push_back({.centre = centre(i), .radius = kBall});
+        }
+        return surfaceOf(balls, -12.0_nm);
+    }
+    [[nodiscard]] TipFeet feet() const {
+        const BSplineSurface balls = surface();
+        return tipFeet(balls, {.centre = {kMiddle, kMiddle, kHeight}, .radius = nearest()}, kReach,
+                       {});
+    }
+    /// Place of the foot on ball i, from the scan's middle.
+    [[nodiscard]] Vector2 foot(std::size_t i) const {
+        const double away = nearest() + kBall + behind[i];
+        return centre(i).head<2>() * (1.0 - kBall / away);
+    }
+};
+
+TEST(TipFeet, AreTheNearestOnesWhereThereAreMoreThanTheListHolds) {
+    const Ring ring{{0.4_nm, 1.6_nm, 0.0, 2.4_nm, 1.2_nm, 2.0_nm, 0.8_nm}};
+    const TipFeet feet = ring.feet();
+    EXPECT_EQ(feet.proof, FootProof::ManyFeet) << "three had no room";
+    ASSERT_EQ(feet.list.all().size(), kMostFeet);
+    const std::array<std::size_t, kMostFeet> order{2, 0, 6, 4};
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const SurfaceFoot& foot = feet.list.all()[i];
+        const Vector2 place = foot.point.head<2>() - Vector2::Constant(kMiddle);
+        EXPECT_LT((place - ring.foot(order[i])).norm(), 0.1_nm) << i;
+        EXPECT_NEAR(foot.distance, Ring::nearest() + ring.behind[order[i]], 0.01_nm) << i;
+    }
+}
+
+TEST(TipFeet, ReachThreeNanometresBehindTheNearest) {
+    const Ring ring{{0.0, 3.3_nm, 2.7_nm}};
+    const TipFeet feet = ring.feet();
+    EXPECT_EQ(feet.proof, FootProof::Nearest);
+    ASSERT_EQ(feet.list.all().size(), 2U);
+    EXPECT_NEAR(feet.list.all()[1].distance, Ring::nearest() + 2.7_nm, 0.01_nm);
+}
+
+TEST(TipFeet, SaveTimeButChangeNothingWithKnownGuesses) {
+    const Ring ring{{0.4_nm, 1.6_nm, 0.0, 2.4_nm}};
+    const BSplineSurface surface = ring.surface();
+    const TipSphere tip{.centre = {kMiddle, kMiddle, Ring::kHeight}, .radius = Ring::nearest()};
+    const TipFeet cold = tipFeet(surface, tip, kReach, {});
+    ASSERT_EQ(cold.list.all().size(), 4U);
+    std::vector<FootGuess> known;
+    for (const SurfaceFoot& foot : cold.list.all()) {
+        known.insert(known.begin(), foot.guess());
+    }
+    const TipFeet warm = tipFeet(surface, tip, kReach, known);
+    EXPECT_EQ(warm.proof, FootProof::Nearest);
+    ASSERT_EQ(warm.list.all().size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_LT((warm.list.all()[i].point - cold.list.all()[i].point).norm(), 1e-9 * kPitch);
+    }
+}
+
+TEST(TipFeet, AreFoundThoughTheKnownGuessLeadsFarAway) {
+    const BSplineSurface wall = surfaceOf(
+        [](double x, double) { return 30.0_nm * (1.0 + std::tanh((x - 45.0_nm) / 2.0_nm)); });
+    const Vector3 query(kMiddle, kMiddle, kTipRadius);
+    const FootGuess onTheWall{kMiddle + 42.5_nm, kMiddle, true};
+    ASSERT_GT(localFoot(wall, query, onTheWall).distance, kTipRadius + kReach);
+    const TipFeet feet = tipFeet(wall, {query, kTipRadius}, kReach, {&onTheWall, 1});
+    EXPECT_EQ(feet.proof, FootProof::Nearest);
+    EXPECT_NEAR(feet.list.all().front().distance, kTipRadius, 0.01_nm);
+}
+
+TEST(TipFeet, OutOfReachSaySo) {
+    const BSplineSurface level = surfaceOf([](double, double) { return 0.0; });
+    EXPECT_EQ(feetAt(level, kTipRadius + 0.99 * kReach).proof, FootProof::Nearest);
+    const TipFeet far = feetAt(level, kTipRadius + 1.01 * kReach);
+    EXPECT_EQ(far.proof, FootProof::OutOfReach);
+    ASSERT_EQ(far.list.all().size(), 1U);
+    EXPECT_NEAR(far.list.all().front().distance, kTipRadius + 1.01 * kReach, 1e-9_nm);
+}
+
+TEST(TipFeet, OfAPointThatIsNoneAreNotConverged) {
+    const BSplineSurface level = surfaceOf([](double, double) { return 0.0; });
+    const TipFeet none =
+        tipFeet(level, {.centre = Vector3::Constant(NAN), .radius = kTipRadius}, kReach, {});
+    EXPECT_EQ(none.proof, FootProof::NotConverged);
+}
+
+TEST(FootList, KeepsTheNearestInOrderAndNoFootTwice) {
+    const auto footAt = [](double x, double distance) {
+        SurfaceFoot foot;
+        foot.point = {x, 0.0, 0.0};
+        foot.distance = distance;
+        return foot;
+    };
+    FootList list;
+    for (const double place : {5.0, 3.0, -7.0, 4.0, 1.0, 6.0}) {
+        list.add(footAt(place, -place), 0.5);
+    }
+    list.add(footAt(3.4, 0.1), 0.5);  // as good as the one at 3
+    const auto places = [&list] {
+        std::vector<double> result;
+        for (const SurfaceFoot& foot : list.all()) {
+            result.push_back(foot.point.x());
+        }
+        return result;
+    };
+    EXPECT_EQ(places(), (std::vector<double>{1.0, 3.0, 4.0, 5.0, 6.0, -7.0}));
+    EXPECT_FALSE(list.hasLeftOut());
+    for (std::size_t i = 0; i < kMostMinima; ++i) {
+        list.add(footAt(100.0 + static_cast<double>(i), 10.0 + static_cast<double>(i)), 0.5);
+    }
+    EXPECT_EQ(list.all().size(), kMostMinima);
+    EXPECT_TRUE(list.hasLeftOut());
+    list.keepNearest(kMostFeet);
+    EXPECT_EQ(places(), (std::vector<double>{1.0, 3.0, 4.0, 5.0}));
+}
+
+}  // namespace
+}  // namespace asperity

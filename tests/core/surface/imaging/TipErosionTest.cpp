@@ -1,0 +1,355 @@
+#include "core/surface/imaging/TipErosion.h"
+
+#include "core/Error.h"
+#include "core/Random.h"
+#include "core/Units.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// R - sqrt(R^2 - d^2), infinite beyond the tip.
+double riseOf(const HeightMap& map, int rows, int columns, double tip) {
+    const double d = std::hypot(columns * map.pitchX, rows * map.pitchY);
+    return d > tip ? std::numeric_limits<double>::infinity()
+                   : d * (d / (tip + std::sqrt((tip - d) * (tip + d))));
+}
+
+template <class Visit>
+void forEachPixel(const HeightMap& map, const Visit& visit) {
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            visit(row, column);
+        }
+    }
+}
+
+/// The definition, pixel by pixel; plus infinity where no valid pixel is in reach.
+double erosionAt(const HeightMap& image, int row, int column, double tip) {
+    double lowest = std::numeric_limits<double>::infinity();
+    forEachPixel(image, [&](int r, int c) {
+        if (image.isValid(r, c) && isFiniteHeight(image.at(r, c))) {
+            lowest = std::min(lowest, image.at(r, c) + riseOf(image, r - row, c - column, tip));
+        }
+    });
+    return lowest;
+}
+
+HeightMap randomMap(const ScanSize& size, double height, double missing, Random& random) {
+    HeightMap map = flatMap(size);
+    for (double& pixel : map.heights) {
+        pixel = random.uniform(0.0, 1.0) < missing ? kNan : random.uniform(0.0, height);
+    }
+    return map;
+}
+
+/// A random map of a random size and a tip for it, from smaller than a pixel to wider than all.
+struct RandomCase {
+    HeightMap map;
+    double tip = 0.0;  ///< [m]
+};
+
+RandomCase randomCase(Random& random) {
+    const auto count = [&] { return 1 + static_cast<int>(random.uniform(0.0, 40.0)); };
+    ScanSize size{.columns = count(), .rows = count()};
+    size.sizeX = size.columns * random.uniform(0.3, 2.0) * 1.0_nm;
+    size.sizeY = size.rows * random.uniform(0.3, 2.0) * 1.0_nm;
+    const double height = std::pow(10.0, random.uniform(-11.0, -7.0));
+    return {randomMap(size, height, random.uniform(0.0, 0.3), random),
+            std::pow(10.0, random.uniform(-9.5, -6.5))};
+}
+
+TEST(TipErosion, IsItsDefinitionToTheLastBit) {
+    Random random(7);
+    for (int run = 0; run < 60; ++run) {
+        const RandomCase given = randomCase(random);
+        const HeightMap surface = eroded(given.map, given.tip);
+        forEachPixel(given.map, [&](int row, int column) {
+            const double before = given.map.at(row, column);
+            if (isFiniteHeight(before)) {
+                EXPECT_EQ(surface.at(row, column), erosionAt(given.map, row, column, given.tip));
+            } else {
+                EXPECT_FALSE(isFiniteHeight(surface.at(row, column)));
+            }
+        });
+    }
+}
+
+/// Pixels within the bounding box of those that the tip can touch from (row, column), or none when
+/// they are farther apart than neighbours or one of them holds no data; `surface` is the erosion,
+/// infinite where unknown.
+std::vector<std::size_t> soleTouch(const HeightMap& image, const std::vector<double>& surface,
+                                   int row, int column, double tip) {
+    std::vector<std::size_t> touched;
+    int lowRow = image.rows;
+    int highRow = 0;
+    int lowColumn = image.columns;
+    int highColumn = 0;
+    forEachPixel(image, [&](int r, int c) {
+        const double height = surface[image.index(r, c)];
+        const double level = image.at(row, column) - 1e-12 * tip;
+        if (isFiniteHeight(height) && height - riseOf(image, r - row, c - column, tip) >= level) {
+            touched.push_back(image.index(r, c));
+            lowRow = std::min(lowRow, r);
+            highRow = std::max(highRow, r);
+            lowColumn = std::min(lowColumn, c);
+            highColumn = std::max(highColumn, c);
+        }
+    });
+    const bool isApart = highRow - lowRow > 1 || highColumn - lowColumn > 1;
+    const bool isHidden = std::ranges::any_of(
+        touched, [&](std::size_t pixel) { return !isFiniteHeight(image.heights[pixel]); });
+    return isApart || isHidden ? std::vector<std::size_t>{} : touched;
+}
+
+bool tipIsWithin(const HeightMap& map, int row, int column, double tip) {
+    const double x = std::floor(tip / map.pitchX);
+    const double y = std::floor(tip / map.pitchY);
+    return std::min(row, map.rows - 1 - row) >= y &&
+           std::min(column, map.columns - 1 - column) >= x;
+}
+
+TEST(TipErosion, CertaintyIsItsDefinition) {
+    Random random(11);
+    std::size_t certain = 0;
+    for (int run = 0; run < 60; ++run) {
+        const RandomCase given = randomCase(random);
+        const HeightMap& map = given.map;
+        std::vector<double> surface;
+        forEachPixel(map, [&](int row, int column) {
+            surface.push_back(erosionAt(map, row, column, given.tip));
+        });
+        std::vector<std::uint8_t> expected(map.heights.size(), 0);
+        forEachPixel(map, [&](int row, int column) {
+            if (isFiniteHeight(map.at(row, column)) && tipIsWithin(map, row, column, given.tip)) {
+                for (const std::size_t pixel : soleTouch(map, surface, row, column, given.tip)) {
+                    expected[pixel] = 1;
+                }
+            }
+        });
+        EXPECT_EQ(reconstructed(map, given.tip).certain, expected);
+        certain += static_cast<std::size_t>(std::ranges::count(expected, 1));
+    }
+    EXPECT_GT(certain, 1000U);
+}
+
+HeightMap roughMap() {
+    return selfAffineMap({.columns = 150, .rows = 90, .sizeX = 150.0_nm, .sizeY = 120.0_nm},
+                         {.rms = 3.0_nm,
+                          .hurst = 0.7,
+                          .longestWave = 120.0_nm,
+                          .rollOffWave = 60.0_nm,
+                          .shortestWave = 4.0_nm,
+                          .seed = 5});
+}
+
+void expectSame(const HeightMap& a, const HeightMap& b, double tolerance) {
+    forEachPixel(a, [&](int row, int column) {
+        ASSERT_NEAR(a.at(row, column), b.at(row, column), tolerance);
+    });
+}
+
+TEST(TipErosion, IsBelowTheImageAndDilationAboveTheSurface) {
+    const HeightMap map = roughMap();
+    const HeightMap below = eroded(map, 12.0_nm);
+    const HeightMap above = dilated(map, 12.0_nm);
+    double lowered = 0.0;
+    forEachPixel(map, [&](int row, int column) {
+        EXPECT_LE(below.at(row, column), map.at(row, column));
+        EXPECT_GE(above.at(row, column), map.at(row, column));
+        lowered = std::max(lowered, map.at(row, column) - below.at(row, column));
+    });
+    EXPECT_GT(lowered, 1.0_nm);
+}
+
+TEST(TipErosion, ReconstructsABoundThatGivesTheSameImage) {
+    const HeightMap surface = roughMap();
+    const HeightMap image = dilated(surface, 12.0_nm);
+    const TipReconstruction reconstruction = reconstructed(image, 12.0_nm);
+    const double rounding = 8.0 * kEpsilon * 20.0_nm;
+    expectSame(dilated(reconstruction.surface, 12.0_nm), image, rounding);
+    expectSame(eroded(dilated(reconstruction.surface, 12.0_nm), 12.0_nm), reconstruction.surface,
+               rounding);
+    forEachPixel(surface, [&](int row, int column) {
+        EXPECT_GE(reconstruction.surface.at(row, column), surface.at(row, column) - rounding);
+    });
+}
+
+TEST(TipErosion, OpeningAnImageTwiceChangesNothingMore) {
+    const auto opened = [](const HeightMap& map) { return dilated(eroded(map, 9.0_nm), 9.0_nm); };
+    const HeightMap once = opened(roughMap());
+    expectSame(opened(once), once, 8.0 * kEpsilon * 20.0_nm);
+}
+
+TEST(TipErosion, AWiderTipReconstructsNoHigherSurface) {
+    const HeightMap image = roughMap();
+    const HeightMap slim = eroded(image, 6.0_nm);
+    const HeightMap wide = eroded(image, 12.0_nm);
+    forEachPixel(
+        image, [&](int row, int column) { EXPECT_LE(wide.at(row, column), slim.at(row, column)); });
+}
+
+/// Where the tip fits into every hollow it touches all of the surface, and all comes back.
+TEST(TipErosion, UndoesDilationOfASurfaceThatTheTipFits) {
+    const EggBox shape{.amplitude = 4.0_nm, .periodX = 200.0_nm, .periodY = 160.0_nm};
+    const ScanSize size{.columns = 300, .rows = 200, .sizeX = 300.0_nm, .sizeY = 200.0_nm};
+    const HeightMap surface = sampledMap(size, shape);
+    const double tip = 50.0_nm;  // the sharpest hollow has a radius of 162 nm
+    const TipReconstruction back = reconstructed(dilated(surface, tip), tip);
+    const double bound = 0.5 * 0.5 * 1.0_nm * 1.0_nm * (1.0 / tip + 1.0 / 160.0_nm);
+    double largest = 0.0;
+    double certain = 0.0;
+    forEachPixel(surface, [&](int row, int column) {
+        const bool isInside = tipIsWithin(surface, row, column, 1.2 * tip);
+        const bool isCertain = back.certain[surface.index(row, column)] != 0;
+        const double error = back.surface.at(row, column) - surface.at(row, column);
+        if (isCertain) {
+            EXPECT_GE(error, -1e-12 * tip);
+            largest = std::max(largest, error);
+        }
+        certain += isInside && isCertain ? 1.0 : 0.0;
+        EXPECT_TRUE(isCertain || !isInside) << row << ' ' << column;
+    });
+    EXPECT_LE(largest, bound);
+    EXPECT_GT(certain, 10000.0);
+    std::printf("egg box 4 nm under a tip of 50 nm: certain places at most %.2g nm off\n",
+                largest * 1e9);
+}
+
+TEST(TipErosion, TheFloorOfATrenchThatTheTipDoesNotFitIsUncertain) {
+    const TrapezoidGrating shape{
+        .pitch = 200.0_nm, .depth = 20.0_nm, .topWidth = 184.0_nm, .flankWidth = 0.0};
+    const ScanSize size{.columns = 300, .rows = 100, .sizeX = 300.0_nm, .sizeY = 100.0_nm};
+    const HeightMap surface = sampledMap(size, shape);
+    const double tip = 30.0_nm;  // the trench is 16 nm wide: the tip sinks in by about 1 nm
+    const TipReconstruction back = reconstructed(dilated(surface, tip), tip);
+    int floors = 0;
+    for (int column = 40; column < 260; ++column) {
+        const bool isFloor = surface.at(50, column) < 10.0_nm;
+        const bool isCertain = back.certain[surface.index(50, column)] != 0;
+        EXPECT_EQ(isCertain, !isFloor) << column;
+        if (isFloor) {
+            EXPECT_GT(back.surface.at(50, column), surface.at(50, column) + 15.0_nm);
+            ++floors;
+        }
+    }
+    EXPECT_GE(floors, 15);
+}
+
+TEST(TipErosion, LeavesAFlatSurfaceFlatAndCertainWhereTheTipLiesOverTheMap) {
+    HeightMap map = flatMap({.columns = 30, .rows = 24, .sizeX = 30.0_nm, .sizeY = 48.0_nm});
+    std::ranges::fill(map.heights, 7.0_nm);
+    const TipReconstruction back = reconstructed(map, 5.0_nm);
+    EXPECT_EQ(back.surface.heights, map.heights);
+    forEachPixel(map, [&](int row, int column) {
+        EXPECT_EQ(back.certain[map.index(row, column)] != 0, tipIsWithin(map, row, column, 5.0_nm));
+    });
+}
+
+TEST(TipErosion, RowsWithoutDataStayAndTakeNoPart) {
+    HeightMap missing = roughMap();
+    for (int row = 60; row < 90; ++row) {
+        for (int column = 0; column < missing.columns; ++column) {
+            missing.heights[missing.index(row, column)] = kNan;
+        }
+    }
+    HeightMap masked = missing;
+    masked.invalid.assign(masked.heights.size(), 0);
+    for (std::size_t i = masked.index(60, 0); i < masked.heights.size(); ++i) {
+        masked.heights[i] = -1.0;
+        masked.invalid[i] = 1;
+    }
+    const TipReconstruction a = reconstructed(missing, 12.0_nm);
+    const TipReconstruction b = reconstructed(masked, 12.0_nm);
+    EXPECT_EQ(a.certain, b.certain);
+    EXPECT_EQ(b.surface.invalid, masked.invalid);
+    forEachPixel(missing, [&](int row, int column) {
+        if (row < 60) {
+            EXPECT_EQ(a.surface.at(row, column), b.surface.at(row, column));
+            return;
+        }
+        EXPECT_FALSE(isFiniteHeight(a.surface.at(row, column)));
+        EXPECT_EQ(b.surface.at(row, column), -1.0);
+        EXPECT_EQ(a.certain[missing.index(row, column)], 0);
+    });
+}
+
+/// Over the rim of a hole the tip may rest on something inside it.
+TEST(TipErosion, NothingIsCertainAtTheRimOfAHole) {
+    HeightMap map = flatMap({.columns = 40, .rows = 40, .sizeX = 40.0_nm, .sizeY = 40.0_nm});
+    map.heights[map.index(20, 20)] = kNan;
+    const TipReconstruction back = reconstructed(map, 6.0_nm);
+    EXPECT_EQ(back.certain[map.index(20, 20)], 0);
+    EXPECT_EQ(back.certain[map.index(20, 21)], 0);
+    EXPECT_EQ(back.certain[map.index(20, 22)], 1);
+}
+
+TEST(TipErosion, ATipSmallerThanAPixelChangesNothing) {
+    const HeightMap map = roughMap();
+    const TipReconstruction back = reconstructed(map, 0.9_nm);
+    EXPECT_EQ(back.surface.heights, map.heights);
+    EXPECT_EQ(std::ranges::count(back.certain, 1), static_cast<long>(map.heights.size()));
+    EXPECT_EQ(dilated(map, 0.9_nm).heights, map.heights);
+}
+
+TEST(TipErosion, ATipWiderThanTheMapIsCertainOfNothing) {
+    const HeightMap map = roughMap();
+    const TipReconstruction back = reconstructed(map, 1000.0_um);
+    EXPECT_EQ(std::ranges::count(back.certain, 1), 0);
+    const double lowest = *std::ranges::min_element(map.heights);
+    for (int row = 0; row < map.rows; ++row) {
+        EXPECT_EQ(back.surface.at(row, row), erosionAt(map, row, row, 1000.0_um));
+        EXPECT_LT(back.surface.at(row, row), lowest + 0.1_nm);
+    }
+}
+
+TEST(TipErosion, OfTwoByTwoPixels) {
+    HeightMap map = flatMap({.columns = 2, .rows = 2, .sizeX = 6.0_nm, .sizeY = 8.0_nm});
+    map.heights = {0.0, 5.0_nm, 1.0_nm, 9.0_nm};
+    // Of a tip of 5 nm: 5 - 4 nm higher 3 nm away, 5 - 3 nm higher 4 nm away, 5 nm at the corner.
+    const HeightMap surface = eroded(map, 5.0_nm);
+    const double tolerance = 1e-6 * 1.0_nm;
+    EXPECT_EQ(surface.at(0, 0), 0.0);
+    EXPECT_NEAR(surface.at(0, 1), 1.0_nm, tolerance);
+    EXPECT_EQ(surface.at(1, 0), 1.0_nm);
+    EXPECT_NEAR(surface.at(1, 1), 2.0_nm, tolerance);
+    const HeightMap image = dilated(map, 5.0_nm);
+    EXPECT_NEAR(image.at(0, 0), 4.0_nm, tolerance);
+    EXPECT_NEAR(image.at(0, 1), 7.0_nm, tolerance);
+    EXPECT_NEAR(image.at(1, 0), 8.0_nm, tolerance);
+    EXPECT_EQ(image.at(1, 1), 9.0_nm);
+}
+
+TEST(TipErosion, OfOneLineOfPixels) {
+    HeightMap row = flatMap({.columns = 20, .rows = 1, .sizeX = 60.0_nm, .sizeY = 3.0_nm});
+    row.heights[10] = 9.0_nm;
+    HeightMap column = flatMap({.columns = 1, .rows = 20, .sizeX = 3.0_nm, .sizeY = 60.0_nm});
+    column.heights[10] = 9.0_nm;
+    EXPECT_NEAR(eroded(row, 5.0_nm).heights[10], 1.0_nm, 1e-6 * 1.0_nm);
+    EXPECT_NEAR(dilated(row, 5.0_nm).heights[9], 8.0_nm, 1e-6 * 1.0_nm);
+    EXPECT_EQ(eroded(row, 5.0_nm).heights, eroded(column, 5.0_nm).heights);
+    EXPECT_EQ(dilated(row, 5.0_nm).heights, dilated(column, 5.0_nm).heights);
+}
+
+TEST(TipErosion, RefusesARadiusThatIsNoLength) {
+    const HeightMap map = roughMap();
+    for (const double radius : {0.0, -1.0_nm, kNan, std::numeric_limits<double>::infinity()}) {
+        EXPECT_THROW((void)eroded(map, radius), Error);
+        EXPECT_THROW((void)dilated(map, radius), Error);
+        EXPECT_THROW((void)reconstructed(map, radius), Error);
+    }
+    EXPECT_THROW((void)eroded(HeightMap{}, 1.0_nm), Error);
+}
+
+}  // namespace
+}  // namespace asperity

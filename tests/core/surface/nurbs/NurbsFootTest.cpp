@@ -1,0 +1,320 @@
+#include "core/surface/nurbs/NurbsFoot.h"
+
+#include "core/Random.h"
+#include "core/Units.h"
+#include "core/surface/fit/BSplineFit.h"
+#include "core/surface/foot/ClosestPoint.h"
+#include "core/surface/nurbs/NurbsDescent.h"
+#include "core/surface/nurbs/NurbsShapes.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace asperity {
+namespace {
+
+constexpr double kRadius = 200.0_nm;
+const RevolutionFrame kFrame{.centre = Vector3(100.0_nm, -50.0_nm, 200.0_nm),
+                             .first = -Vector3::UnitZ(),
+                             .second = -Vector3::UnitX()};
+
+Vector3 onUnitSphere(Random& random) {
+    return Vector3(random.normal(), random.normal(), random.normal()).normalized();
+}
+
+/// The nearest foot, which must be proven, of unit normal, and on the surface where u, v say.
+NurbsFoot provenFoot(const NurbsSurface& surface, const Vector3& query) {
+    const NurbsFeet feet = nearestFeet(surface, query, {});
+    EXPECT_EQ(feet.proof(), FootProof::Nearest);
+    const NurbsFoot& foot = feet.nearest();
+    EXPECT_TRUE(foot.foot.certified());
+    EXPECT_TRUE(foot.foot.converged);
+    EXPECT_NEAR(foot.foot.normal.norm(), 1.0, 1e-14);
+    EXPECT_EQ(foot.foot.point, surface.at(foot.u, foot.v).point);
+    return foot;
+}
+
+TEST(NurbsFoot, OfASphereLiesOnTheLineFromItsCentre) {
+    const NurbsSurface sphere = sphereSurface(kFrame, kRadius);
+    Random random(1);
+    for (const double distance : {1.0_pm, 15.0_nm, 3.0 * kRadius, 1.0, -1.0_pm, -0.9 * kRadius}) {
+        for (int i = 0; i < 200; ++i) {
+            const Vector3 direction = onUnitSphere(random);
+            const Vector3 query = kFrame.centre + (kRadius + distance) * direction;
+            const NurbsFoot foot = provenFoot(sphere, query);
+            const double reach = kRadius + std::abs(distance);
+            ASSERT_NEAR(foot.foot.distance, distance, 1e-13 * std::max(kRadius, distance));
+            ASSERT_LT((foot.foot.normal - direction).norm(), 1e-10 * reach / kRadius);
+            ASSERT_TRUE(foot.foot.insideScan);
+        }
+    }
+}
+
+TEST(NurbsFoot, OfASphereIsAsGoodAtThePolesAndOnTheSeam) {
+    const NurbsSurface sphere = sphereSurface(kFrame, kRadius);
+    const Vector3 pole = kFrame.axis();
+    for (const double sign : {1.0, -1.0}) {
+        for (const double off : {0.0, 1e-16, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2}) {
+            for (const double turn : {0.1, 2.0, 3.0, 5.9}) {
+                const Vector3 around =
+                    std::cos(turn) * kFrame.first + std::sin(turn) * kFrame.second;
+                const Vector3 direction = (sign * pole + off * around).normalized();
+                const NurbsFoot foot =
+                    provenFoot(sphere, kFrame.centre + 1.1 * kRadius * direction);
+                EXPECT_NEAR(foot.foot.distance, 0.1 * kRadius, 1e-13 * kRadius);
+                EXPECT_LT((foot.foot.normal - direction).norm(), 1e-10) << off << ' ' << turn;
+                EXPECT_TRUE(foot.foot.insideScan);
+            }
+        }
+    }
+    for (const double off : {-1e-3, -1e-9, -1e-12, -1e-15, 0.0, 1e-15, 1e-12, 1e-9, 1e-3}) {
+        const Vector3 direction = (kFrame.first + off * kFrame.second + 0.3 * pole).normalized();
+        const NurbsFoot foot = provenFoot(sphere, kFrame.centre + 1.1 * kRadius * direction);
+        EXPECT_NEAR(foot.foot.distance, 0.1 * kRadius, 1e-13 * kRadius);
+        EXPECT_LT((foot.foot.normal - direction).norm(), 1e-12);
+        EXPECT_TRUE(foot.foot.insideScan);
+    }
+}
+
+TEST(NurbsFoot, OnAPlaneOfEightyDegreesIsThePerpendicularFoot) {
+    const double slope = 80.0 * std::numbers::pi / 180.0;
+    const Vector3 up(std::cos(slope), 0.0, std::sin(slope));
+    const NurbsSurface plane =
+        planeSurface(Vector3::Zero(), 300.0_nm * up, 300.0_nm * Vector3::UnitY());
+    const Vector3 normal(-std::sin(slope), 0.0, std::cos(slope));
+    Random random(2);
+    for (int i = 0; i < 1000; ++i) {
+        const Vector3 point =
+            300.0_nm * (random.uniform() * up + random.uniform() * Vector3::UnitY());
+        const double distance = 50.0_nm * random.normal();
+        const NurbsFoot foot = provenFoot(plane, point + distance * normal);
+        ASSERT_NEAR(foot.foot.distance, distance, 1e-13 * 300.0_nm);
+        ASSERT_LT((foot.foot.point - point).norm(), 1e-12 * 300.0_nm);
+        ASSERT_LT((foot.foot.normal - normal).norm(), 1e-14);
+    }
+}
+
+TEST(NurbsFoot, BeyondAnEdgeIsHeldBackByIt) {
+    const NurbsSurface plane =
+        planeSurface(Vector3::Zero(), 100.0_nm * Vector3::UnitX(), 100.0_nm * Vector3::UnitY());
+    const NurbsFoot side = provenFoot(plane, Vector3(130.0_nm, 40.0_nm, 40.0_nm));
+    EXPECT_FALSE(side.foot.insideScan);
+    EXPECT_NEAR(side.foot.distance, 50.0_nm, 1e-12_nm);
+    const NurbsFoot corner = provenFoot(plane, Vector3(-20.0_nm, -20.0_nm, -10.0_nm));
+    EXPECT_FALSE(corner.foot.insideScan);
+    EXPECT_NEAR(corner.foot.distance, -30.0_nm, 1e-12_nm);
+}
+
+TEST(NurbsFoot, OfACylinderLiesOnTheLineFromItsAxis) {
+    const double length = 5.0 * kRadius;
+    const NurbsSurface cylinder = cylinderSurface(kFrame, kRadius, length);
+    Random random(3);
+    for (int i = 0; i < 1000; ++i) {
+        const double turn = 2.0 * std::numbers::pi * random.uniform();
+        const Vector3 out = std::cos(turn) * kFrame.first + std::sin(turn) * kFrame.second;
+        const Vector3 axisPoint = kFrame.centre + (random.uniform() - 0.5) * length * kFrame.axis();
+        const double distance = kRadius * (3.0 * random.uniform() - 0.99);
+        const NurbsFoot foot = provenFoot(cylinder, axisPoint + (kRadius + distance) * out);
+        ASSERT_NEAR(foot.foot.distance, distance, 1e-13 * 5.0 * kRadius);
+        ASSERT_LT((foot.foot.normal - out).norm(), 1e-11);
+    }
+}
+
+/// Signed distance from a torus about the frame's axis, and its nearer rim.
+double torusDistance(double radius, double tube, const Vector3& query) {
+    const Vector3 arm = query - kFrame.centre;
+    const double up = arm.dot(kFrame.axis());
+    const double out = (arm - up * kFrame.axis()).norm();
+    return std::hypot(out - radius, up) - tube;
+}
+
+/// Ten thousand queries all over: a certified answer is right, and nearly all are certified.
+TEST(NurbsFoot, OfATorusIsNeverCertifiedAndWrong) {
+    const double tube = 60.0_nm;
+    const NurbsSurface torus = torusSurface(kFrame, kRadius, tube);
+    Random random(4);
+    int certified = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const Vector3 query =
+            kFrame.centre +
+            2.5 * kRadius *
+                Vector3(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5);
+        const NurbsFeet feet = nearestFeet(torus, query, {});
+        const double expected = torusDistance(kRadius, tube, query);
+        ASSERT_NEAR(feet.nearest().foot.distance, expected, 2e-13 * kRadius);
+        certified += feet.nearest().foot.certified() ? 1 : 0;
+    }
+    EXPECT_EQ(certified, 10000);
+}
+
+TEST(NurbsFoot, AtTheCentreOfASphereIsOneOfMany) {
+    const NurbsSurface sphere = sphereSurface(kFrame, kRadius);
+    const NurbsFeet feet = nearestFeet(sphere, kFrame.centre, {});
+    EXPECT_EQ(feet.proof(), FootProof::ManyFeet);
+    EXPECT_NEAR(feet.nearest().foot.distance, -kRadius, 1e-13 * kRadius);
+    const NurbsSurface cylinder = cylinderSurface(kFrame, kRadius, kRadius);
+    const NurbsFeet line = nearestFeet(cylinder, kFrame.centre, {});
+    EXPECT_EQ(line.proof(), FootProof::ManyFeet);
+    EXPECT_NEAR(line.nearest().foot.distance, -kRadius, 1e-13 * kRadius);
+}
+
+TEST(NurbsFoot, OnASurfaceHasNoDistance) {
+    const NurbsSurface sphere = sphereSurface(kFrame, kRadius);
+    Random random(5);
+    for (int i = 0; i < 200; ++i) {
+        const NurbsFoot foot =
+            provenFoot(sphere, sphere.at(random.uniform(), random.uniform()).point);
+        ASSERT_NEAR(foot.foot.distance, 0.0, 1e-14 * kRadius);
+    }
+    EXPECT_NEAR(provenFoot(sphere, sphere.at(0.3, 1.0).point).foot.distance, 0.0, 1e-14 * kRadius);
+}
+
+TEST(NurbsFoot, FarAwayIsStillTheNearestPoint) {
+    const NurbsSurface sphere = sphereSurface(kFrame, kRadius);
+    Random random(6);
+    for (const double distance : {1e-3, 1.0, 1e3}) {
+        for (int i = 0; i < 20; ++i) {
+            const Vector3 direction = onUnitSphere(random);
+            const NurbsFoot foot = provenFoot(sphere, kFrame.centre + distance * direction);
+            ASSERT_NEAR(foot.foot.distance, distance - kRadius, 1e-15 * distance);
+        }
+    }
+    EXPECT_TRUE(
+        std::isfinite(nearestFeet(sphere, Vector3(1e49, -1e49, 1e49), {}).nearest().foot.distance));
+}
+
+TEST(NurbsFoot, OfNoPointIsMeaningless) {
+    const NurbsSurface sphere = sphereSurface(kFrame, kRadius);
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    for (const double value : {kNaN, kInfinity, -kInfinity, 1e60}) {
+        const NurbsFeet feet = nearestFeet(sphere, Vector3(0.0, value, 0.0), {});
+        EXPECT_EQ(feet.proof(), FootProof::NotConverged);
+        EXPECT_FALSE(feet.nearest().foot.certified());
+        EXPECT_TRUE(feet.nearest().foot.point.allFinite());
+    }
+}
+
+/// In a groove between two equal slopes there are two feet, as a tip meets them.
+TEST(NurbsFoot, InAGrooveIsOneOfTwo) {
+    NurbsSurface::Net net{.degreeU = 1,
+                          .degreeV = 1,
+                          .knotsU = {0.0, 0.0, 1.0, 2.0, 2.0},
+                          .knotsV = {0.0, 0.0, 1.0, 1.0},
+                          .points = {},
+                          .weights = {}};
+    for (const double y : {0.0, 100.0_nm}) {
+        net.points.emplace_back(-50.0_nm, y, 50.0_nm);
+        net.points.emplace_back(0.0, y, 0.0);
+        net.points.emplace_back(50.0_nm, y, 50.0_nm);
+    }
+    const NurbsSurface groove(net);
+    const double distance = 20.0_nm * std::numbers::sqrt2 / 2.0;
+    const NurbsFeet feet = nearestFeet(groove, Vector3(0.0, 40.0_nm, 20.0_nm),
+                                       {.within = 15.0_nm, .sameWithin = 0.3_nm});
+    ASSERT_EQ(feet.all().size(), 2U);
+    EXPECT_EQ(feet.proof(), FootProof::Nearest);
+    for (const NurbsFoot& foot : feet.all()) {
+        EXPECT_NEAR(foot.foot.distance, distance, 1e-12_nm);
+        EXPECT_NEAR(std::abs(foot.foot.point.x()), 10.0_nm, 1e-12_nm);
+    }
+    const Vector3 aside(1.0_nm, 40.0_nm, 20.0_nm);
+    EXPECT_EQ(nearestFeet(groove, aside, {.within = 14.5_nm}).all().size(), 1U);
+    EXPECT_EQ(nearestFeet(groove, aside, {.within = 15.5_nm}).all().size(), 2U);
+}
+
+TEST(NurbsFoot, ARidgeIsNearestToAllThatIsAboveIt) {
+    const NurbsSurface roof({.degreeU = 1,
+                             .degreeV = 1,
+                             .knotsU = {0.0, 0.0, 1.0, 2.0, 2.0},
+                             .knotsV = {0.0, 0.0, 1.0, 1.0},
+                             .points = {{-50.0_nm, 0.0, 0.0},
+                                        {0.0, 0.0, 50.0_nm},
+                                        {50.0_nm, 0.0, 0.0},
+                                        {-50.0_nm, 100.0_nm, 0.0},
+                                        {0.0, 100.0_nm, 50.0_nm},
+                                        {50.0_nm, 100.0_nm, 0.0}},
+                             .weights = {}});
+    for (const double aside : {0.0, 3.0_nm, -9.0_nm}) {
+        const NurbsFeet feet = nearestFeet(roof, Vector3(aside, 30.0_nm, 60.0_nm), {});
+        EXPECT_EQ(feet.proof(), FootProof::Nearest);
+        EXPECT_NEAR(feet.nearest().foot.distance, std::hypot(aside, 10.0_nm), 1e-12_nm);
+    }
+}
+
+/// Not one shape of these is symmetric: the proof is held against a dense sampling.
+TEST(NurbsFoot, OfAWildSurfaceIsNoFartherThanAnySample) {
+    Random random(7);
+    for (int shape = 0; shape < 60; ++shape) {
+        NurbsSurface::Net net{.degreeU = 3,
+                              .degreeV = 2,
+                              .knotsU = {0.0, 0.0, 0.0, 0.0, 0.3, 0.6, 0.6, 1.0, 1.0, 1.0, 1.0},
+                              .knotsV = {-1.0, 0.0, 1.0, 2.0, 2.5, 4.0, 5.0, 7.0},
+                              .points = {},
+                              .weights = {}};
+        for (int j = 0; j < 5; ++j) {
+            for (int i = 0; i < 7; ++i) {
+                net.points.emplace_back(10.0_nm * i + 4.0_nm * random.normal(),
+                                        10.0_nm * j + 4.0_nm * random.normal(),
+                                        8.0_nm * random.normal());
+                net.weights.push_back(std::exp(0.5 * random.normal()));
+            }
+        }
+        const NurbsSurface surface(net);
+        for (int i = 0; i < 20; ++i) {
+            const Vector3 query(60.0_nm * random.uniform(), 40.0_nm * random.uniform(),
+                                20.0_nm * random.normal());
+            const NurbsFeet feet = nearestFeet(surface, query, {});
+            EXPECT_EQ(feet.proof(), FootProof::Nearest);
+            const double found = std::abs(feet.nearest().foot.distance);
+            double sampled = 1.0;
+            constexpr int kSamples = 40;
+            for (int k = 0; k <= kSamples; ++k) {
+                for (int l = 0; l <= kSamples; ++l) {
+                    const double u = static_cast<double>(k) / kSamples;
+                    const double v = static_cast<double>(l) / kSamples;
+                    sampled = std::min(sampled, (surface.at(u, v).point - query).norm());
+                }
+            }
+            ASSERT_LE(found, sampled * (1.0 + 1e-13));
+            const NurbsDescent descent(surface, query);
+            for (int start = 0; start < 8; ++start) {
+                const NurbsMinimum other =
+                    descent.from(Vector2(random.uniform(), random.uniform()));
+                ASSERT_LE(found, other.distance + 1e-13 * 60.0_nm);
+            }
+            ASSERT_GT(found, sampled - 2.5_nm);
+        }
+    }
+}
+
+TEST(NurbsFoot, OfAHeightFieldIsThatOfTheHeightField) {
+    const BSplineSurface field =
+        fitSurface(sampledMap({.columns = 40, .rows = 30, .sizeX = 80.0_nm, .sizeY = 60.0_nm},
+                              EggBox{.amplitude = 3.0_nm, .periodX = 30.0_nm, .periodY = 25.0_nm}));
+    const NurbsSurface surface = heightFieldSurface(field);
+    Random random(8);
+    for (int i = 0; i < 500; ++i) {
+        const Vector3 query(80.0_nm * (0.1 + 0.8 * random.uniform()),
+                            60.0_nm * (0.1 + 0.8 * random.uniform()),
+                            4.0_nm + 6.0_nm * random.uniform());
+        const NurbsFoot foot = provenFoot(surface, query);
+        const SurfaceFoot expected = closestPoint(
+            field, query, {.x = foot.foot.point.x(), .y = foot.foot.point.y(), .valid = true});
+        ASSERT_TRUE(expected.converged);
+        ASSERT_NEAR(foot.foot.distance, expected.distance, 1e-13 * 80.0_nm);
+        ASSERT_LT((foot.foot.point - expected.point).norm(), 1e-11 * 80.0_nm);
+        ASSERT_LT((foot.foot.normal - expected.normal).norm(), 1e-10);
+        const HeightSample sample = field.at(expected.point.x(), expected.point.y());
+        const PrincipalCurvatures bend = surface.curvatures(foot.u, foot.v);
+        ASSERT_NEAR(bend.largest, principalCurvatures(sample).largest, 1e-9 / 1.0_nm);
+        ASSERT_NEAR(bend.smallest, principalCurvatures(sample).smallest, 1e-9 / 1.0_nm);
+    }
+}
+
+}  // namespace
+}  // namespace asperity
