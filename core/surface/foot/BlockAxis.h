@@ -11,6 +11,9 @@ namespace asperity {
 struct BlockRun {
     int first = 0;
     int count = 0;
+
+    [[nodiscard]] int end() const { return first + count; }
+    [[nodiscard]] bool holds(int block) const { return block >= first && block < end(); }
 };
 
 /// Blocks of `cells` cells along one axis of a surface.

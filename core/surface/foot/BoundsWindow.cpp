@@ -50,6 +50,7 @@ struct RowQuery {
     CellBounds::Units units;
     float height = 0.0F;  ///< of the query above the bounds' base [m]
     float limit = 0.0F;   ///< squared distance [m^2]
+    float ball = 0.0F;    ///< by how much the query may move [m]
 };
 
 /// The encoded bounds of some rows of blocks.
@@ -95,8 +96,8 @@ ASPERITY_WITH_AVX2 void boundRows(const CodedRows& coded, const RowQuery& query,
                                    away.y[static_cast<std::size_t>(row)] + off * off;
             const Float8 concavity = ((1.0F + kRelativeRounding) * query.units.concavity) *
                                      decodedShorts(code & BoxCode::kByte);
-            const Float8 bend = (1.0F - kRelativeRounding) - concavity * depth;
-            const Float8 known = below >= zero ? bend : Float8{} + kBendsDown;
+            const Float8 bend = (1.0F - kRelativeRounding) - concavity * (depth + query.ball);
+            const Float8 known = below >= query.ball ? bend : Float8{} + kBendsDown;
             const int to = row * BoundsWindow::kMostBlocks + i;
             std::memcpy(window.nearest + to, &nearest, sizeof nearest);
             std::memcpy(window.bend + to, &known, sizeof known);
@@ -109,8 +110,8 @@ ASPERITY_WITH_AVX2 void boundRows(const CodedRows& coded, const RowQuery& query,
 
 }  // namespace
 
-BoundsWindow::BoundsWindow(const BSplineSurface& surface, const Vector3& query,
-                           double distance) noexcept {
+BoundsWindow::BoundsWindow(const BSplineSurface& surface, const Vector3& query, double distance,
+                           double ball) noexcept {
     const auto fits = [](const BlockRun& run) { return run.count <= kMostBlocks; };
     for (;; ++level_) {
         x_ = blocksAlongX(surface, level_);
@@ -143,7 +144,8 @@ BoundsWindow::BoundsWindow(const BSplineSurface& surface, const Vector3& query,
                .columns = columns_.count},
               {.units = bounds.units(),
                .height = static_cast<float>(height),
-               .limit = squaredWithRounding(distance)},
+               .limit = squaredWithRounding(distance),
+               .ball = static_cast<float>(ball)},
               away,
               {.nearest = nearest_.data(), .bend = bend_.data(), .reaching = reaching_.data()});
 }
@@ -157,6 +159,13 @@ int BoundsWindow::rowAt(double y) const noexcept { return y_.at(y) - rows_.first
 
 int BoundsWindow::columnAt(double x) const noexcept { return x_.at(x) - columns_.first; }
 
+WindowBlocks BoundsWindow::blocksAround(double x, double y, double reach) const noexcept {
+    const int row = rowAt(y - reach);
+    const int column = columnAt(x - reach);
+    return {.rows = {.first = row, .count = rowAt(y + reach) - row + 1},
+            .columns = {.first = column, .count = columnAt(x + reach) - column + 1}};
+}
+
 int BoundsWindow::widestOffset(int row, int column) const noexcept {
     int widest = 0;
     for (int i = 0; i < rows_.count; ++i) {
@@ -169,9 +178,7 @@ int BoundsWindow::widestOffset(int row, int column) const noexcept {
     return widest;
 }
 
-int BoundsWindow::settledAround(double x, double y) const noexcept {
-    const int row = rowAt(y);
-    const int column = columnAt(x);
+int BoundsWindow::settledAround(int row, int column) const noexcept {
     // Nothing is known of the way from a minimum outside the window into it.
     if (row < 0 || row >= rows_.count || column < 0 || column >= columns_.count) {
         return -1;

@@ -9,6 +9,12 @@
 
 namespace asperity {
 
+/// Some blocks of a window, counted from its first row and column.
+struct WindowBlocks {
+    BlockRun rows;
+    BlockRun columns;
+};
+
 /// Bounds of the blocks within some distance of a point: how near each can come to it, and how far
 /// the squared distance from it is from having a second minimum there. Allocation-free.
 class BoundsWindow {
@@ -16,7 +22,9 @@ public:
     static constexpr int kMostBlocks = 32;  ///< along an axis
 
     /// @param distance blocks that cannot hold a point within it are left out [m]
-    BoundsWindow(const BSplineSurface& surface, const Vector3& query, double distance) noexcept;
+    /// @param ball what is settled is so for all queries within this distance of `query` [m]
+    BoundsWindow(const BSplineSurface& surface, const Vector3& query, double distance,
+                 double ball = 0.0) noexcept;
 
     [[nodiscard]] int level() const noexcept { return level_; }
     [[nodiscard]] const BlockRun& rows() const noexcept { return rows_; }
@@ -32,18 +40,19 @@ public:
         return nearest_[index(row, column)] <= squaredWithRounding(distance);
     }
 
-    /// Of the window's blocks, those in which the distance from a local minimum at (x, y) [m] can
+    /// Of the window's blocks, those in which the distance from a local minimum in this block can
     /// only grow: all whose offset from the minimum's block is at most this along either axis.
-    [[nodiscard]] int settledAround(double x, double y) const noexcept;
+    [[nodiscard]] int settledAround(int row, int column) const noexcept;
     [[nodiscard]] int rowAt(double y) const noexcept;     ///< counted from the window's first
     [[nodiscard]] int columnAt(double x) const noexcept;  ///< counted from the window's first
+    /// The blocks within `reach` of (x, y) along either axis [m].
+    [[nodiscard]] WindowBlocks blocksAround(double x, double y, double reach) const noexcept;
 
 private:
     [[nodiscard]] static std::size_t index(int row, int column) noexcept {
         return static_cast<std::size_t>(row * kMostBlocks + column);
     }
     [[nodiscard]] float squaredWithRounding(double distance) const noexcept;
-    void bound(const Vector3& query, double distance) noexcept;
     [[nodiscard]] int widestOffset(int row, int column) const noexcept;
 
     BlockAxis x_;

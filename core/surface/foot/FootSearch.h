@@ -2,17 +2,9 @@
 
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/foot/FootList.h"
-
-#include <limits>
+#include "core/surface/foot/PartSearch.h"
 
 namespace asperity {
-
-/// Which feet a search is for: those no farther than `farthest`, nor farther than the nearest by
-/// more than `behindNearest`.
-struct FootReach {
-    double farthest = std::numeric_limits<double>::infinity();  ///< [m]
-    double behindNearest = 0.0;                                 ///< [m]
-};
 
 /// Looks everywhere for feet of `query`: local minima of its distance from the surface within
 /// `reach`, and adds them to `feet`, which holds at least one local foot already.

@@ -4,21 +4,17 @@
 #include "core/Vector.h"
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/foot/BoxNewton.h"
+#include "core/surface/foot/CellIndex.h"
 
 #include <span>
 
 namespace asperity {
 
-/// Row and column of a spline cell, see CellBounds.
-struct CellIndex {
-    int row = 0;
-    int column = 0;
-};
-
 /// Four rectangles within cells of a height field, each with the Bezier points of the height over
 /// it: what a search looks at at a time, a lane each.
 struct PartBatch {
     static constexpr int kLanes = 4;
+    static constexpr unsigned kAllLanes = (1U << kLanes) - 1U;
 
     Double4 net[4][4];  ///< heights above the datum, [along y][along x] [m]
     Double4 centreX;    ///< world [m]
@@ -54,6 +50,8 @@ struct PartQuery {
     Vector3 point = Vector3::Zero();  ///< x and y world, z above the datum [m]
     SurfaceRounding rounding;         ///< of places and heights
     double limit = 0.0;               ///< half a squared distance [m^2]
+    /// What is said of minima holds for all queries within this distance of the point [m].
+    double ball = 0.0;
 };
 
 void examine(const PartBatch& batch, const PartQuery& query, PartFacts& facts) noexcept;

@@ -53,10 +53,12 @@ TEST_P(BoundsWindowOf, LeavesOutNoPlaceWithinItsDistanceAndSettlesNoneThatIsNear
         const SurfaceFoot foot = localFoot(surface_, query, {});
         const double distance = std::abs(foot.distance) + 3.0_nm;
         const BoundsWindow bounds(surface_, query, distance);
+        const int row = bounds.rowAt(foot.point.y());
+        const int column = bounds.columnAt(foot.point.x());
         const Window window{.bounds = bounds,
-                            .row = bounds.rowAt(foot.point.y()),
-                            .column = bounds.columnAt(foot.point.x()),
-                            .settled = bounds.settledAround(foot.point.x(), foot.point.y())};
+                            .row = row,
+                            .column = column,
+                            .settled = bounds.settledAround(row, column)};
         settled += static_cast<int>(window.settled >= 0);
         for (int k = 0; k < 2000; ++k) {
             const Vector2 place = test::placeOn(surface_, random_);

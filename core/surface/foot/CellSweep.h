@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/surface/foot/BoundsWindow.h"
+#include "core/surface/foot/CellIndex.h"
+#include "core/surface/foot/FootList.h"
+
+#include <algorithm>
+#include <bit>
+#include <boost/container/static_vector.hpp>
+#include <cstdint>
+#include <cstdlib>
+
+namespace asperity {
+
+/// Goes over the cells in which a query may have a foot, by their bounds: leaves out those that lie
+/// too far, and those around a known foot where the distance can only grow. Allocation-free.
+class CellSweep {
+public:
+    /// @param distance how far a foot may lie to matter [m]
+    /// @param ball what is left out is left out for all queries within this distance of `query` [m]
+    CellSweep(const BSplineSurface& surface, const Vector3& query, double distance,
+              double ball = 0.0) noexcept
+        : surface_(surface), query_(query), window_(surface, query, distance, ball) {}
+
+    /// Leaves out what is settled around a local minimum, wherever in these blocks it lies.
+    /// @return whether nothing is left
+    bool settle(const WindowBlocks& blocks) noexcept;
+
+    [[nodiscard]] const BoundsWindow& window() const noexcept { return window_; }
+
+    /// Calls search.take(CellIndex) for each cell that is left. search.limit() is how far a foot
+    /// may lie by now [m]; search.mayLook() whether there is time to look at one more block.
+    template <class Search>
+    void visit(Search& search) const {
+        for (int row = 0; row < window_.rows().count; ++row) {
+            for (std::uint32_t blocks = window_.reaching(row); blocks != 0; blocks &= blocks - 1) {
+                const int column = std::countr_zero(blocks);
+                if (!isSettled(row, column) && window_.reaches(row, column, search.limit())) {
+                    visitBlock(search, window_.level(), window_.rows().first + row,
+                               window_.columns().first + column);
+                }
+            }
+        }
+    }
+
+private:
+    /// Everything whose offset from each of the blocks is at most `around`.
+    struct Settled {
+        WindowBlocks blocks;
+        int around = -1;
+    };
+
+    template <class Search>
+    void visitBlock(Search& search, int level, int row, int column) const {
+        if (level == 0) {
+            search.take({row, column});
+            return;
+        }
+        constexpr int kFactor = CellBounds::kFactor;
+        const CellBounds::Level& parts = surface_.bounds().level(level - 1);
+        for (int i = row * kFactor; i < std::min((row + 1) * kFactor, parts.rows); ++i) {
+            for (int j = column * kFactor; j < std::min((column + 1) * kFactor, parts.columns);
+                 ++j) {
+                if (reaches(level - 1, i, j, search.limit()) && search.mayLook()) {
+                    visitBlock(search, level - 1, i, j);
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] bool reaches(int level, int row, int column, double distance) const noexcept;
+    [[nodiscard]] bool isSettled(int row, int column) const noexcept;
+
+    const BSplineSurface& surface_;
+    Vector3 query_;
+    BoundsWindow window_;
+    boost::container::static_vector<Settled, kMostMinima> settled_;
+};
+
+}  // namespace asperity

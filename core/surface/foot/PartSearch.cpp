@@ -1,0 +1,140 @@
+#include "core/surface/foot/PartSearch.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+/// Parts of cells that are looked into before a search gives up.
+constexpr int kMostParts = 2048;
+/// A part of a cell smaller than this says no more than rounding does [pixel].
+constexpr double kSmallestPart = 0x1p-14;
+/// Half the size below which a part that holds one minimum at most is searched for it; quartering
+/// a larger one mostly shows sooner that it holds none [pixel].
+constexpr double kWorthASearch = 0.2;
+/// Two minima found from different starts are one when they are nearer than this [pixel].
+constexpr double kSameMinimum = 1e-4;
+/// As BoxNewton allows.
+constexpr double kEdgeNoise = 32.0;
+
+}  // namespace
+
+PartSearch::PartSearch(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
+                       FootList& feet) noexcept
+    : surface_(surface)
+    , query_(query)
+    , reach_(reach)
+    , feet_(feet)
+    , pitch_(surface.grid().pitchX, surface.grid().pitchY)
+    , objective_(surface, query)
+    , rounding_(roundingOf(surface, query)) {}
+
+double PartSearch::nearest() const { return std::abs(feet_.all().front().distance); }
+
+double PartSearch::limit() const noexcept {
+    return std::min(reach_.farthest, nearest() + reach_.behindNearest);
+}
+
+bool PartSearch::mayLook() noexcept {
+    ++looks_;
+    complete_ = complete_ && looks_ <= kMostParts;
+    return looks_ <= kMostParts;
+}
+
+void PartSearch::lookInto(const PartBatch& batch, unsigned lanes) noexcept {
+    for (unsigned left = unclearIn(batch, lanes); left != 0 && mayLook(); left &= left - 1) {
+        PartBatch quarters;
+        quarter(batch, std::countr_zero(left), quarters);
+        lookInto(quarters, PartBatch::kAllLanes);
+    }
+}
+
+/// Looks at the parts of a batch; @return those that need a closer look.
+unsigned PartSearch::unclearIn(const PartBatch& batch, unsigned lanes) {
+    constexpr double kNearEnough = 1.0 - 2.0 * kSameDistance;
+    PartFacts facts;
+    examine(batch,
+            {.point = query_ - Vector3(0.0, 0.0, surface_.grid().datum),
+             .rounding = rounding_,
+             .limit = 0.5 * limit() * limit() * kNearEnough},
+            facts);
+    unsigned unclear = 0;
+    for (unsigned left = lanes & ~facts.far; left != 0; left &= left - 1) {
+        const Part part(batch, facts, std::countr_zero(left));
+        lowerLimit(part);
+        const Box box = boxOf(part, surface_);
+        const MinimaIn minima = minimaIn(part, box, surface_);
+        const bool oneAtMost = minima == MinimaIn::OneAtMost;
+        if (minima == MinimaIn::None || (oneAtMost && holdsKnownFoot(part))) {
+            continue;
+        }
+        const double size = part.half.cwiseQuotient(pitch_).maxCoeff();
+        if (oneAtMost && size < kWorthASearch) {
+            findIn(part, box);
+        } else if (size < 0.5 * kSmallestPart) {
+            complete_ = false;
+        } else {
+            unclear |= left & -left;
+        }
+    }
+    return unclear;
+}
+
+/// A place nearer than the nearest foot known leads to a foot that rules out more.
+void PartSearch::lowerLimit(const Part& part) {
+    constexpr double kWorthwhile = 0.999;
+    if (part.value >= kWorthwhile * 0.5 * nearest() * nearest()) {
+        return;
+    }
+    const BoxNewton<HalfSquaredDistance> newton(objective_, scanBox(surface_),
+                                                0.25 * pitch_.minCoeff());
+    const BoxMinimum minimum = newton.minimise(part.centre);
+    if (minimum.converged) {
+        feet_.add(footOf(minimum, query_), sameMinimum());
+    }
+}
+
+bool PartSearch::holdsKnownFoot(const Part& part) const {
+    return std::ranges::any_of(feet_.all(), [&](const SurfaceFoot& foot) {
+        return foot.converged && part.contains(foot.point.head<2>(), sameMinimum());
+    });
+}
+
+double PartSearch::sameMinimum() const { return kSameMinimum * pitch_.minCoeff(); }
+
+/// Takes up the only minimum that a part can hold, if it does hold one.
+void PartSearch::findIn(const Part& part, const Box& box) {
+    const BoxNewton<HalfSquaredDistance> newton(objective_, box, 0.0);
+    const BoxMinimum minimum = newton.minimise(part.centre);
+    if (!minimum.converged) {
+        complete_ = false;
+        return;
+    }
+    if (minimum.pushedOut && !isPushedOutOfScan(minimum, box)) {
+        return;
+    }
+    if (minimum.model.value <= 0.5 * limit() * limit()) {
+        feet_.add(footOf(minimum, query_), sameMinimum());
+    }
+}
+
+/// Whether every side of `box` that holds the minimum back is a side of the scan.
+bool PartSearch::isPushedOutOfScan(const BoxMinimum& minimum, const Box& box) const {
+    const Box scan = scanBox(surface_);
+    for (int axis = 0; axis < 2; ++axis) {
+        const double slope = minimum.model.gradient[axis];
+        const bool pushes = std::abs(slope) > kEdgeNoise * minimum.model.gradientNoise[axis];
+        const bool low = slope > 0.0 && minimum.place[axis] <= box.low[axis];
+        const bool high = slope < 0.0 && minimum.place[axis] >= box.high[axis];
+        if (pushes && ((low && box.low[axis] > scan.low[axis]) ||
+                       (high && box.high[axis] < scan.high[axis]))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace asperity

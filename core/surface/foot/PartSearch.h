@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/foot/FootList.h"
+#include "core/surface/foot/LocalFoot.h"
+#include "core/surface/foot/Part.h"
+
+#include <limits>
+
+namespace asperity {
+
+/// Which feet a search is for: those no farther than `farthest`, nor farther than the nearest by
+/// more than `behindNearest`.
+struct FootReach {
+    double farthest = std::numeric_limits<double>::infinity();  ///< [m]
+    double behindNearest = 0.0;                                 ///< [m]
+};
+
+/// Looks into parts of cells for feet of one query: each part is quartered until the distance has
+/// no minimum in it, or one that is known or found. Allocation-free, bounded, never throws.
+class PartSearch {
+public:
+    /// @param feet holds at least one local foot; those found are added
+    PartSearch(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
+               FootList& feet) noexcept;
+
+    /// How far a foot may lie to matter: falls as nearer feet are found [m].
+    [[nodiscard]] double limit() const noexcept;
+    /// Counts one more look; whether there is still time for it.
+    bool mayLook() noexcept;
+    /// Looks into the parts of a batch, a bit a lane.
+    void lookInto(const PartBatch& batch, unsigned lanes) noexcept;
+    /// Whether no part was left undecided.
+    [[nodiscard]] bool isComplete() const noexcept { return complete_; }
+
+private:
+    [[nodiscard]] double nearest() const;
+    [[nodiscard]] unsigned unclearIn(const PartBatch& batch, unsigned lanes);
+    void lowerLimit(const Part& part);
+    [[nodiscard]] bool holdsKnownFoot(const Part& part) const;
+    [[nodiscard]] double sameMinimum() const;
+    void findIn(const Part& part, const Box& box);
+    [[nodiscard]] bool isPushedOutOfScan(const BoxMinimum& minimum, const Box& box) const;
+
+    const BSplineSurface& surface_;
+    Vector3 query_;
+    FootReach reach_;
+    FootList& feet_;
+    Vector2 pitch_;  ///< [m]
+    HalfSquaredDistance objective_;
+    SurfaceRounding rounding_;
+    int looks_ = 0;
+    bool complete_ = true;
+};
+
+}  // namespace asperity
