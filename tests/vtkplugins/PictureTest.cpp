@@ -182,6 +182,25 @@ TEST_F(Pictures, LinesOnASteepSurfaceAreWhole) {
     EXPECT_GT(linesOnSurface, 0.98 * lines);
 }
 
+TEST_F(Pictures, FourViewsStandInTwoRows) {
+    ASPERITY_NEEDS_DISPLAY();
+    const DeformationView dent = test::hertzDent();
+    const Image image = drawn([&dent](const std::filesystem::path& path) {
+        writeDeformationPicture(path, std::array{dent, dent, dent, dent}, kSize);
+    });
+    std::array<int, 4> blue{};
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const int quarter = (2 * x / image.width()) + 2 * (2 * y / image.height());
+            blue.at(static_cast<std::size_t>(quarter)) += isBlue(image.at(x, y)) ? 1 : 0;
+        }
+    }
+    for (const int count : blue) {
+        EXPECT_GT(count, 500);
+        EXPECT_NEAR(count, blue[0], 0.02 * blue[0]);
+    }
+}
+
 TEST_F(Pictures, DentIsBlueAndNeckIsOrange) {
     ASPERITY_NEEDS_DISPLAY();
     const DeformationView dent = test::hertzDent();
