@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
-# Makes the pictures of the live window in docs/pictures anew, from the scene that comes with the
-# program, or from the scan named, and both window sizes of docs/window.md.
+# Makes pictures in docs/pictures anew: of the live window, from the scene that comes with the
+# program, or from the scan named, in both window sizes of docs/window.md; and of deformed surfaces,
+# docs/deformation.md, on samples made up for them.
 # Usage: tools/screenshots.sh [FILE or SCENE.toml [OUT_FOLDER]]
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 input=${1:-$top/data/scenes/polystyrene.toml}
 out=${2:-$top/docs/pictures}
-"$top/tools/build.sh" release asperity_screenshots
+"$top/tools/build.sh" release asperity_screenshots asperity_deformation_pictures
 unset DISPLAY  # the window's size must not depend on a window manager: it starts its own Xvfb
 for size in "1600 1000" "1280 800"; do
     read -r width height <<<"$size"
     "$top/build/release/bin/asperity_screenshots" "$input" "$width" "$height" "$out/window_${width}_"
 done
+"$top/build/release/bin/asperity_deformation_pictures" "$out"

@@ -2,13 +2,20 @@
 #include "core/Units.h"
 #include "tests/vtkplugins/Fakes.h"
 #include "tests/vtkplugins/NeedsDisplay.h"
+#include "vtkplugins/module/vtkAspPatchSource.h"
 #include "vtkplugins/pictures/Charts.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
+#include "vtkplugins/pictures/OffscreenPicture.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
+#include "vtkplugins/pictures/SceneParts.h"
 
+#include <vtkActor.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
 
 #include <gtest/gtest.h>
 
@@ -130,7 +137,69 @@ OverviewView overviewOf(const BSplineSurface& surface) {
     return view;
 }
 
+/// A slope across the view, looked at from not far above its own plane.
+SurfacePatch steepPatch() {
+    constexpr int kSide = 61;
+    SurfacePatch patch{.columns = kSide, .rows = kSide, .rest = {}, .points = {}, .normals = {}};
+    for (int row = 0; row < kSide; ++row) {
+        for (int column = 0; column < kSide; ++column) {
+            patch.rest.emplace_back(0.5_nm * column, 0.5_nm * row, -0.15_nm * row);
+        }
+    }
+    patch.points = patch.rest;
+    patch.normals.assign(patch.rest.size(), Vector3(0.0, 0.3, 1.0).normalized());
+    return patch;
+}
+
+/// Grid lines in black on paper; the surface under them, where there is one, as white as the paper.
+void writeGrid(const std::filesystem::path& path, bool hasSurface) {
+    OffscreenPicture picture(kSize);
+    vtkRenderer* view = picture.addView({0.0, 0.0, kSize.width * 1.0, kSize.height * 1.0}, 1);
+    vtkNew<vtkAspPatchSource> source;
+    source->SetPatch(steepPatch());
+    source->Update();
+    if (hasSurface) {
+        const vtkSmartPointer<vtkActor> surface =
+            plainSurface(source->GetOutput(), {255, 255, 255});
+        surface->GetProperty()->LightingOff();
+        view->AddActor(surface);
+    }
+    view->AddActor(lines(drapedGrid(source->GetOutput(), {61, 61}, 24), {0, 0, 0}, 0.7));
+    fitCamera(std::array{view}, Vector3(-0.28, -0.78, 0.5), 1.6);
+    picture.writePng(path);
+}
+
 }  // namespace
+
+TEST_F(Pictures, LinesOnASteepSurfaceAreWhole) {
+    ASPERITY_NEEDS_DISPLAY();
+    writeGrid(folder / "lines.png", false);
+    writeGrid(folder / "surface.png", true);
+    const auto isInk = [](const std::array<int, 3>& rgb) { return rgb[0] < 160; };
+    const int lines = Image(folder / "lines.png").count(isInk);
+    const int linesOnSurface = Image(folder / "surface.png").count(isInk);
+    EXPECT_GT(lines, 10000);
+    EXPECT_GT(linesOnSurface, 0.98 * lines);
+}
+
+TEST_F(Pictures, FourViewsStandInTwoRows) {
+    ASPERITY_NEEDS_DISPLAY();
+    const DeformationView dent = test::hertzDent();
+    const Image image = drawn([&dent](const std::filesystem::path& path) {
+        writeDeformationPicture(path, std::array{dent, dent, dent, dent}, kSize);
+    });
+    std::array<int, 4> blue{};
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const int quarter = (2 * x / image.width()) + 2 * (2 * y / image.height());
+            blue.at(static_cast<std::size_t>(quarter)) += isBlue(image.at(x, y)) ? 1 : 0;
+        }
+    }
+    for (const int count : blue) {
+        EXPECT_GT(count, 500);
+        EXPECT_NEAR(count, blue[0], 0.02 * blue[0]);
+    }
+}
 
 TEST_F(Pictures, DentIsBlueAndNeckIsOrange) {
     ASPERITY_NEEDS_DISPLAY();

@@ -4,6 +4,7 @@
 
 #include "app/LiveWindow.h"
 #include "app/VirtualDisplay.h"
+#include "core/Error.h"
 
 #include <QStatusBar>
 #include <QTimer>
@@ -41,7 +42,8 @@ public:
             save("indenting");
             indented_ = true;
         }
-        if (indented_ && !retracting_ && bonded && now.model.contact.force < 0.9 * pull()) {
+        if (indented_ && !retracting_ && bonded &&
+            now.model.contact.force < 0.9 * pull(now.model)) {
             save("retracting");
             retracting_ = true;
             live_.window().close();
@@ -49,15 +51,16 @@ public:
         last_ = indentation;
     }
 
+    [[nodiscard]] bool isDone() const { return retracting_; }
+
 private:
     [[nodiscard]] bool settled(double indentation) const {
         return indentation > 0.5e-9 && indentation <= last_;
     }
     /// Force at which the tip lets go, about [N].
-    [[nodiscard]] double pull() const {
-        const Scene& scene = live_.session().run()->scene();
-        return -1.3 * std::numbers::pi * scene.belief.tipRadius() *
-               scene.description.sample.material.workOfAdhesion;
+    [[nodiscard]] double pull(const TipState& state) const {
+        const ContactPair pair = contactModelAt(live_.session().run()->scene(), state).pair();
+        return -1.3 * std::numbers::pi * pair.tipRadius * pair.workOfAdhesion;
     }
     void save(const std::string& name) {
         live_.window().statusBar()->clearMessage();  // it names the file of the picture before
@@ -82,7 +85,11 @@ int run(char** argv) {
     QObject::connect(&timer, &QTimer::timeout, [&photographer] { photographer.look(); });
     timer.start(30);
     QTimer::singleShot(40000, &live.window(), &QWidget::close);
-    return live.exec();
+    const int status = live.exec();
+    if (!photographer.isDone()) {
+        throw Error("the tip was not seen indenting and about to let go");
+    }
+    return status;
 }
 
 }  // namespace

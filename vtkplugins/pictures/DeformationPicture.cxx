@@ -63,6 +63,17 @@ std::string scaleNote(double magnification) {
            " (distance from the resting surface, for sample and tip alike).";
 }
 
+/// The i-th of `count` panels: side by side, from four on in rows of two. From the picture's lower
+/// left.
+PixelRect panelArea(std::size_t i, std::size_t count, PictureSize size) {
+    const std::size_t columns = count < 4 ? count : 2;
+    const std::size_t rows = (count + columns - 1) / columns;
+    const double width = static_cast<double>(size.width) / static_cast<double>(columns);
+    const double height = static_cast<double>(size.height) / static_cast<double>(rows);
+    return {static_cast<double>(i % columns) * width,
+            static_cast<double>(rows - 1 - i / columns) * height, width, height};
+}
+
 }  // namespace
 
 void writeDeformationPicture(const std::filesystem::path& path,
@@ -74,18 +85,15 @@ void writeDeformationPicture(const std::filesystem::path& path,
         check(view);
     }
     OffscreenPicture picture(size);
-    const double width = static_cast<double>(size.width) / static_cast<double>(views.size());
-    double left = 0.0;
-    for (const DeformationView& view : views) {
-        const ScenePanel panel({left, 0.0, width, static_cast<double>(size.height)});
-        const auto scene = std::make_shared<DeformationScene>(picture, view, panel.scene());
-        const PanelText text{view.title, legendOf(view), scene->colourBar(),
-                             view.caption + "\n" + scaleNote(scene->magnification())};
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const ScenePanel panel(panelArea(i, views.size(), size));
+        const auto scene = std::make_shared<DeformationScene>(picture, views[i], panel.scene());
+        const PanelText text{views[i].title, legendOf(views[i]), scene->colourBar(),
+                             views[i].caption + "\n" + scaleNote(scene->magnification())};
         picture.paint([scene, panel, text](Painter& painter) {
             panel.paint(painter, text);
             scene->paintLabels(painter);
         });
-        left += width;
     }
     picture.writePng(path);
 }

@@ -25,9 +25,10 @@ struct DeformationView {
     double contactRadius = 0.0;              ///< 0: no contact circle is drawn [m]
 };
 
-/// Draws the deformed surface of each view in 3-D, side by side: coloured by displacement, with the
-/// edge of the contact, the tip and the force. Small displacements are drawn larger, and the
-/// picture says by how much. The same views give the same bytes.
+/// Draws the deformed surface of each view in 3-D, side by side, four and more in rows of two:
+/// coloured by displacement, with the edge of the contact, the tip and the force. Small
+/// displacements are drawn larger, and the picture says by how much. The same views give the same
+/// bytes.
 /// @throw Error when a patch is not whole or a value not finite, no display answers, or the file
 /// cannot be written
 void writeDeformationPicture(const std::filesystem::path& path,

@@ -224,8 +224,10 @@ void DeformationScene::addScaleBars() {
     verticalBar_ = niceBelow(0.2 * width_ / magnification_);
     const Vector3 corner(right.x() > 0.0 ? high.x() : low.x(), right.y() > 0.0 ? high.y() : low.y(),
                          bottom_);
-    const Vector3 foot = corner + gap * right;
-    const Vector3 top = foot + magnification_ * verticalBar_ * outward_;
+    const Vector3 rise = magnification_ * verticalBar_ * outward_;
+    constexpr double kLabelRoom = 1.8;  // gaps: half of the label lies on the block's side
+    const Vector3 foot = corner + (kLabelRoom * gap + std::max(0.0, -rise.dot(right))) * right;
+    const Vector3 top = foot + rise;
     verticalBarAt_ = top;
     solid_->AddActor(lines(polyline({foot, top}), palette::kInk, 3.0));
 }

@@ -28,6 +28,8 @@ namespace {
 
 constexpr double kMargin = 1.04;  // of the view around the scene
 
+constexpr double kLineOffset = -24.0;  // of depth, in VTK's units
+
 const Vector3 kKeyLight(-0.9, 1.0, 0.6);  // rightwards, upwards, to the eye
 constexpr double kKeyIntensity = 0.8;
 constexpr double kFillIntensity = 0.42;
@@ -156,7 +158,8 @@ vtkSmartPointer<vtkActor> linesAsDrawn(vtkPolyData* data, const Color& color, do
     actor->GetProperty()->LightingOff();
     actor->GetProperty()->SetLineWidth(static_cast<float>(width));
     vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
-    actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -8.0);
+    // A line is a few pixels wide; on a steep surface its lower half lies that much deeper.
+    actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, kLineOffset);
     return actor;
 }
 

@@ -12,22 +12,27 @@ constexpr double kControlsPerRadius = 8.0;
 /// From a point near the contact's axis, along that axis, to the side of the tip that faces the
 /// sample.
 Vector3 ontoTip(const TipContact& contact, const Vector3& point) {
-    const double fromAxis = distanceFromAxis(contact, point);
+    const double fromAxis = std::min(distanceFromAxis(contact, point), contact.tipRadius);
     const double drop = std::sqrt((contact.tipRadius - fromAxis) * (contact.tipRadius + fromAxis));
     const double above = (point - contact.tipCentre).dot(contact.normal);
     return -(above + drop) * contact.normal;
 }
 
+/// 1 inside `reach` of the contact's axis, 0 outside, and in between across one spacing: without it
+/// the rows and columns of the net would show as teeth of the rim.
+double partInside(const TipContact& contact, const Vector3& point, double reach, double spacing) {
+    return std::clamp((reach - distanceFromAxis(contact, point)) / spacing + 0.5, 0.0, 1.0);
+}
+
 }  // namespace
 
 DisplacementField contactRadiusField(const BSplineSurface& surface, const TipContact& contact) {
-    SplinePatch net =
-        netAroundContact(surface, contact, contact.contactRadius / kControlsPerRadius);
+    const double spacing = contact.contactRadius / kControlsPerRadius;
+    SplinePatch net = netAroundContact(surface, contact, spacing);
     // A contact wider than the tip has no sphere to lie on beyond the tip's own radius.
     const double reach = std::min(contact.contactRadius, contact.tipRadius);
     for (Vector3& control : net.controls) {
-        control = distanceFromAxis(contact, control) <= reach ? ontoTip(contact, control)
-                                                              : Vector3(Vector3::Zero());
+        control = partInside(contact, control, reach, spacing) * ontoTip(contact, control);
     }
     return fieldOf(std::move(net));
 }

@@ -10,7 +10,8 @@ namespace asperity {
                                                const TipContact& contact);
 
 /// The control points within the contact radius of the contact's axis move along that axis onto the
-/// tip: down where the tip indents the surface, up where it draws out a neck.
+/// tip: down where the tip indents the surface, up where it draws out a neck. Those at the rim move
+/// part of the way, so that it is round.
 [[nodiscard]] DisplacementField contactRadiusField(const BSplineSurface& surface,
                                                    const TipContact& contact);
 

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/surface/deformation/DisplacementField.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/foot/ClosestPoint.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
@@ -9,8 +10,11 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace asperity {
 namespace {
@@ -158,6 +162,25 @@ TEST(ContactRadiusTier, LeavesTheSurfaceOutsideTheContactAlone) {
         if (fromAxis(contact, patch.rest[i]) > 4.0_nm + 3.0 * 0.5_nm) {
             ASSERT_EQ(patch.points[i], patch.rest[i]);
         }
+    }
+}
+
+TEST(ContactRadiusTier, HasARoundRim) {
+    const BSplineSurface surface = plane();
+    const double radius = 2.0_nm;
+    const TipContact contact = contactAt(surface, 61.3_nm, 58.2_nm, 0.5_nm, radius);
+    const DisplacementField field = contactRadiusField(surface, contact);
+    for (const double distance : {0.9 * radius, radius, 1.1 * radius}) {
+        double deepest = 0.0;
+        double shallowest = contact.indentation;
+        for (int i = 0; i < 200; ++i) {
+            const double angle = 0.01 * std::numbers::pi * i;
+            const Vector3 arm(std::cos(angle), std::sin(angle), 0.0);
+            const double depth = -field(contact.foot + distance * arm).z();
+            deepest = std::max(deepest, depth);
+            shallowest = std::min(shallowest, depth);
+        }
+        EXPECT_LT(deepest - shallowest, 0.1 * contact.indentation) << distance / radius;
     }
 }
 

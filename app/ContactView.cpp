@@ -1,0 +1,89 @@
+#include "app/ContactView.h"
+
+#include "core/SiFormat.h"
+#include "core/scene/ContactPatch.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPatchSamples = 241;
+
+/// Half the width of the zoomed view: the surface that visibly follows the tip.
+double zoomHalfWidth(const Scene& scene, const TickSample& sample) {
+    const double given = scene.description.zoomHalfWidth;
+    if (given > 0.0) {
+        return given;
+    }
+    return std::max(scene.belief.tipRadius(), 4.0 * sample.output.model.contact.contactRadius);
+}
+
+std::string captionOf(const Scene& scene, const TickSample& sample) {
+    const TickOutput& out = sample.output;
+    const ContactState& contact = out.model.contact;
+    std::string caption = "Indentation " + formatSi(contact.indentation, "m") +
+                          ", contact radius " + formatSi(contact.contactRadius, "m") +
+                          ", normal force " + formatSi(contact.force, "N") + " (model), " +
+                          formatSi(out.estimate.force.dot(out.model.foot.normal), "N") +
+                          " (estimate). Tip of " + formatSi(scene.belief.tipRadius(), "m") +
+                          " on " + scene.description.sample.material.name + ".";
+    std::replace(caption.begin(), caption.end(), '_', ' ');
+    if (out.flags.has(Validity::LargeContact)) {
+        caption += " Contact radius above 0.3 tip radii: beyond what half-space theory holds for.";
+    }
+    if (out.flags.bits() != 0) {
+        caption += " Flags: " + validityText(out.flags) + ".";
+    }
+    return caption;
+}
+
+std::string capitalised(std::string sentence) {
+    sentence.front() = static_cast<char>(std::toupper(sentence.front()));
+    return sentence;
+}
+
+/// The surface as it is drawn, and what there is to say of it.
+struct DrawnSurface {
+    SurfacePatch patch;
+    std::string remark;
+};
+
+DrawnSurface drawnSurface(const Scene& scene, const TickSample& sample) {
+    const TipState& state = sample.output.model;
+    const DeformationTier tier = scene.description.deformation;
+    const PatchGrid grid = zoomGrid(scene, sample);
+    if (tier != DeformationTier::HalfSpace) {
+        return {.patch = drawnPatch(scene, state, tier, grid), .remark = ""};
+    }
+    const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
+    return {.patch = answer.valid() ? halfSpacePatch(scene, answer, grid)
+                                    : drawnPatch(scene, state, DeformationTier::ClosedForm, grid),
+            .remark = " " + capitalised(sentenceOf(answer)) + "."};
+}
+
+}  // namespace
+
+PatchGrid zoomGrid(const Scene& scene, const TickSample& sample) {
+    return {.halfWidth = zoomHalfWidth(scene, sample), .samples = kPatchSamples};
+}
+
+DeformationView contactView(const Scene& scene, const TickSample& sample,
+                            const std::string& title) {
+    const TickOutput& out = sample.output;
+    DrawnSurface surface = drawnSurface(scene, sample);
+    return {.title = title,
+            .caption = captionOf(scene, sample) + surface.remark,
+            .patch = std::move(surface.patch),
+            .tipCentre = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
+            .tipRadius = scene.belief.tipRadius(),
+            .tipDisplacement = tipDisplacement(scene, out.model, scene.description.deformation),
+            .contactPoint = displacedFoot(scene, out.model, scene.description.deformation),
+            .force = out.estimate.force,
+            .contactRadius = out.model.contact.contactRadius};
+}
+
+}  // namespace asperity
