@@ -23,7 +23,10 @@ using Long4 [[gnu::vector_size(32)]] = long;
 
 ASPERITY_INLINE Double4 least(Double4 a, Double4 b) { return b < a ? b : a; }
 ASPERITY_INLINE Double4 most(Double4 a, Double4 b) { return a < b ? b : a; }
-ASPERITY_INLINE Double4 magnitude(Double4 a) { return a < 0.0 ? -a : a; }
+ASPERITY_INLINE Double4 magnitude(Double4 a) {
+    constexpr long kAllButSign = 0x7fffffffffffffff;
+    return reinterpret_cast<Double4>(reinterpret_cast<Long4>(a) & kAllButSign);
+}
 ASPERITY_INLINE double least(double a, double b) { return std::min(a, b); }
 ASPERITY_INLINE double most(double a, double b) { return std::max(a, b); }
 ASPERITY_INLINE double magnitude(double a) { return std::abs(a); }

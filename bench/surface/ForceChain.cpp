@@ -4,6 +4,7 @@
 #include "core/Units.h"
 #include "core/contact/ContactModel.h"
 #include "core/probe/ForceDecoupling.h"
+#include "core/surface/foot/ClosestPoint.h"
 
 #include <algorithm>
 #include <chrono>
@@ -54,12 +55,13 @@ public:
 
     void start() {
         guess_ = {};
+        tracker_ = {};
         memory_ = {};
     }
 
     /// @return the force that was told, which the compiler must believe to be used [N]
     double next(const Vector3& centre) {
-        const SurfaceFoot foot = ourFoot(surface_, centre, guess_);
+        const SurfaceFoot foot = closestPoint(surface_, centre, guess_, tracker_);
         guess_ = foot.guess();
         const ContactState state =
             model_.equilibrium(kBenchTipRadius - foot.distance, 0.0, memory_);
@@ -76,6 +78,7 @@ private:
     Cantilever lever_;
     DecouplingInput input_;
     FootGuess guess_;
+    FootTracker tracker_;
     ContactMemory memory_;
 };
 

@@ -33,6 +33,30 @@ private:
     FootGuess guess_;
 };
 
+/// The product along a path.
+class TrackedMethod : public FootMethod {
+public:
+    explicit TrackedMethod(const BSplineSurface& surface) : surface_(surface) {}
+
+    [[nodiscard]] std::string name() const override { return "Asperity"; }
+
+    void start(const Vector2& foot) override {
+        guess_ = {foot.x(), foot.y(), true};
+        tracker_ = {};
+    }
+
+    [[nodiscard]] FootAnswer next(const Vector3& query) override {
+        const SurfaceFoot foot = closestPoint(surface_, query, guess_, tracker_);
+        guess_ = foot.guess();
+        return {.place = foot.point.head<2>(), .certified = foot.certified()};
+    }
+
+private:
+    const BSplineSurface& surface_;
+    FootGuess guess_;
+    FootTracker tracker_;
+};
+
 class WarmNewton : public FootMethod {
 public:
     explicit WarmNewton(const BSplineSurface& surface)
@@ -55,12 +79,8 @@ private:
 
 }  // namespace
 
-SurfaceFoot ourFoot(const BSplineSurface& surface, const Vector3& query, const FootGuess& guess) {
-    return closestPoint(surface, query, guess);
-}
-
 std::unique_ptr<FootMethod> ourMethod(const BSplineSurface& surface) {
-    return std::make_unique<OurMethod>(surface, "Asperity", ourFoot);
+    return std::make_unique<TrackedMethod>(surface);
 }
 
 std::unique_ptr<FootMethod> ourLocalMethod(const BSplineSurface& surface) {

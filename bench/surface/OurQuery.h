@@ -2,15 +2,10 @@
 
 #include "bench/surface/FootMethod.h"
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/foot/SurfaceFoot.h"
 
 #include <memory>
 
 namespace asperity {
-
-/// The product's closest point; the only place of this benchmark that calls it.
-[[nodiscard]] SurfaceFoot ourFoot(const BSplineSurface& surface, const Vector3& query,
-                                  const FootGuess& guess);
 
 /// The product, each query started from the foot of the one before.
 [[nodiscard]] std::unique_ptr<FootMethod> ourMethod(const BSplineSurface& surface);

@@ -1,9 +1,9 @@
 #include "bench/surface/RandomRun.h"
 
 #include "bench/surface/MethodRun.h"
-#include "bench/surface/OurQuery.h"
 #include "core/Random.h"
 #include "core/Units.h"
+#include "core/surface/foot/ClosestPoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,8 @@ void restart(const FootWork& work, const Vector3& centre, const SurfaceFoot& fir
     bool different = false;
     bool tied = true;
     for (int i = 0; i < kRestarts; ++i) {
-        const SurfaceFoot other = ourFoot(*work.surface, centre, guessFor(work, centre, i, random));
+        const SurfaceFoot other =
+            closestPoint(*work.surface, centre, guessFor(work, centre, i, random));
         different = different || (other.point - first.point).norm() > kSamePlace;
         tied = tied && std::abs(std::abs(other.distance) - std::abs(first.distance)) <= kWrong;
     }
@@ -51,7 +52,7 @@ RandomResult runRandom(const FootWork& work, std::uint64_t seed) {
                         .referenceDoubt = referenceDoubt(
                             work, truth, std::max<std::size_t>(truth.size() / kDoubted, 1))};
     for (std::size_t i = 0; i < work.centres.size(); ++i) {
-        const SurfaceFoot foot = ourFoot(*work.surface, work.centres[i], {});
+        const SurfaceFoot foot = closestPoint(*work.surface, work.centres[i], {});
         judge(work, i, {.place = foot.point.head<2>(), .certified = foot.certified()}, truth[i],
               judged);
         if (i % kRestartEvery == 0) {

@@ -110,7 +110,7 @@ private:
         return base_.position + deflection_ + Vector3(0.0, 0.0, system_.tipRadius());
     }
 
-    void findFeet(const EquilibriumMemory& memory) {
+    void findFeet(EquilibriumMemory& memory) {
         boost::container::static_vector<FootGuess, kMostFeet> known;
         for (std::size_t i = 0; i < memory.footCount; ++i) {
             known.push_back(memory.feet[i].guess);
@@ -120,7 +120,7 @@ private:
     }
 
     /// Where the tip has moved by much since the last look, there may be feet that nobody saw.
-    bool findMoreFeet(const EquilibriumMemory& memory) {
+    bool findMoreFeet(EquilibriumMemory& memory) {
         if ((centre() - lookedFrom_).norm() <= kSameFoot * system_.tipRadius()) {
             return false;
         }
@@ -134,9 +134,10 @@ private:
         return feet_.size() > before;
     }
 
-    void addFeet(std::span<const FootGuess> known, const EquilibriumMemory& memory) {
+    void addFeet(std::span<const FootGuess> known, EquilibriumMemory& memory) {
         lookedFrom_ = centre();
-        const TipFeet found = surface_.tipFeet({lookedFrom_, system_.tipRadius()}, kReach, known);
+        const TipFeet found =
+            surface_.tipFeet({lookedFrom_, system_.tipRadius()}, kReach, known, memory.tracker);
         state_.proof = found.proof;
         for (const SurfaceFoot& place : found.list.all()) {
             if (feet_.size() < kMostFeet && !isKnown(place, feet_.size())) {

@@ -23,11 +23,12 @@ struct FootMemory {
     double friction = 0.0;  ///< tangential force [N]
 };
 
-/// What one equilibrium hands to the next: warm starts and the adhesion branches.
+/// What one equilibrium hands to the next on the same surface: warm starts and adhesion branches.
 struct EquilibriumMemory {
     std::array<FootMemory, kMostFeet> feet{};
     std::size_t footCount = 0;             ///< 0: nothing is known yet
     Vector3 deflection = Vector3::Zero();  ///< of the tip, lab frame [m]
+    FootTracker tracker;                   ///< saves time, changes nothing
 };
 
 /// The tip in quasi-static equilibrium between lever and sample; lab frame. In a valley that the

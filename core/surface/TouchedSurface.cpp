@@ -52,9 +52,10 @@ TipFeet tipFeetOn(const NurbsSurface& surface, const TipSphere& tip, double reac
 }  // namespace
 
 TipFeet TouchedSurface::tipFeet(const TipSphere& tip, double reach,
-                                std::span<const FootGuess> known) const noexcept {
+                                std::span<const FootGuess> known,
+                                FootTracker& tracker) const noexcept {
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
-        return asperity::tipFeet(**field, tip, reach, known);
+        return asperity::tipFeet(**field, tip, reach, known, tracker);
     }
     return tipFeetOn(*std::get<const NurbsSurface*>(surface_), tip, reach);
 }

@@ -17,10 +17,11 @@ public:
     TouchedSurface(const NurbsSurface& shape) noexcept : surface_(&shape) {}
     // NOLINTEND(google-explicit-constructor)
 
-    /// The feet of a tip, as on a height field (TipFeet.h). On a NURBS surface the guesses are not
-    /// needed, and of the feet beside the nearest one some may be missing.
+    /// The feet of a tip, as on a height field (TipFeet.h). On a NURBS surface neither guesses nor
+    /// tracker are needed, and of the feet beside the nearest one some may be missing.
     [[nodiscard]] TipFeet tipFeet(const TipSphere& tip, double reach,
-                                  std::span<const FootGuess> known) const noexcept;
+                                  std::span<const FootGuess> known,
+                                  FootTracker& tracker) const noexcept;
 
     /// A foot of `query`, as on a height field (LocalFoot.h); on a NURBS surface the one that lies
     /// nearest to the guess as seen from above.

@@ -31,6 +31,7 @@ struct Box {
     [[nodiscard]] Vector2 nearest(const Vector2& place) const {
         return place.cwiseMax(low).cwiseMin(high);
     }
+    [[nodiscard]] bool holds(const Vector2& place) const { return place == nearest(place); }
 };
 
 struct BoxMinimum {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/surface/BSplineSurface.h"
+#include "core/surface/foot/FootTracker.h"
 #include "core/surface/foot/SurfaceFoot.h"
 
 namespace asperity {
@@ -10,5 +11,9 @@ namespace asperity {
 /// Allocation-free, bounded, never throws.
 [[nodiscard]] SurfaceFoot closestPoint(const BSplineSurface& surface, const Vector3& query,
                                        const FootGuess& guess) noexcept;
+
+/// The same for one query after another, each near the last.
+[[nodiscard]] SurfaceFoot closestPoint(const BSplineSurface& surface, const Vector3& query,
+                                       const FootGuess& guess, FootTracker& tracker) noexcept;
 
 }  // namespace asperity

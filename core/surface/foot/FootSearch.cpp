@@ -2,7 +2,9 @@
 
 #include "core/surface/foot/CellSweep.h"
 
+#include <algorithm>
 #include <boost/container/static_vector.hpp>
+#include <cmath>
 
 namespace asperity {
 
@@ -40,22 +42,70 @@ private:
     boost::container::static_vector<CellIndex, PartBatch::kLanes> cells_;
 };
 
+/// How far a foot may lie to matter [m].
+double limitOf(const FootReach& reach, const SurfaceFoot& nearest) {
+    return std::min(reach.farthest, std::abs(nearest.distance) + reach.behindNearest);
+}
+
+/// Settles what it can around the feet known, one after another.
+void settleAround(const FootList& feet, CellSweep& sweep) {
+    for (const SurfaceFoot& foot : feet.all()) {
+        if (foot.converged &&
+            sweep.settle(sweep.window().blocksAround(foot.point.x(), foot.point.y(), 0.0))) {
+            return;
+        }
+    }
+}
+
+FootProof lookInto(const BSplineSurface& surface, const CellSweep& sweep, PartSearch& search) {
+    CellsInBatches cells(surface, search);
+    sweep.visit(cells);
+    cells.lookIntoCells();
+    return search.isComplete() ? FootProof::Nearest : FootProof::ManyFeet;
+}
+
 }  // namespace
+
+bool ProvenBall::settles(const Vector3& query, const FootReach& within,
+                         const SurfaceFoot& nearest) const noexcept {
+    const double moved = (query - centre).norm();
+    return moved <= radius && nearest.converged && anchor.holds(nearest.point.head<2>()) &&
+           limitOf(within, nearest) + moved <= reach;
+}
 
 FootProof completeFeet(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
                        FootList& feet) noexcept {
     PartSearch search(surface, query, reach, feet);
     CellSweep sweep(surface, query, search.limit());
-    for (const SurfaceFoot& foot : feet.all()) {
-        if (foot.converged &&
-            sweep.settle(sweep.window().blocksAround(foot.point.x(), foot.point.y(), 0.0))) {
-            break;
-        }
+    settleAround(feet, sweep);
+    return lookInto(surface, sweep, search);
+}
+
+FootProof completeFeet(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
+                       FootList& feet, double radius, ProvenBall& ball) noexcept {
+    // A foot follows its query, on most surfaces by little more than the query moves.
+    constexpr double kWander = 3.0;
+    const SurfaceFoot& nearest = feet.all().front();
+    const Vector2 place = nearest.point.head<2>();
+    const double wander = kWander * radius;
+    PartSearch search(surface, query, reach, feet);
+    // The nearest foot of a query in the ball may lie one radius farther from it than that of the
+    // centre, and so may others that matter; from the centre these lie one radius more.
+    const double farthest =
+        std::min(reach.farthest + radius, limitOf(reach, nearest) + 2.0 * radius);
+    CellSweep sweep(surface, query, farthest, radius);
+    ball.radius = -1.0;
+    if (nearest.converged &&
+        sweep.settle(sweep.window().blocksAround(place.x(), place.y(), wander))) {
+        ball = {.centre = query,
+                .radius = radius,
+                .reach = farthest,
+                .anchor = {.low = place - Vector2::Constant(wander),
+                           .high = place + Vector2::Constant(wander)}};
+        return FootProof::Nearest;
     }
-    CellsInBatches cells(surface, search);
-    sweep.visit(cells);
-    cells.lookIntoCells();
-    return search.isComplete() ? FootProof::Nearest : FootProof::ManyFeet;
+    settleAround(feet, sweep);
+    return lookInto(surface, sweep, search);
 }
 
 }  // namespace asperity

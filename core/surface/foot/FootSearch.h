@@ -16,4 +16,23 @@ namespace asperity {
 [[nodiscard]] FootProof completeFeet(const BSplineSurface& surface, const Vector3& query,
                                      const FootReach& reach, FootList& feet) noexcept;
 
+/// What is proven for all queries in a ball: one of them that has a foot in `anchor` has no other
+/// within the ball's reach.
+struct ProvenBall {
+    Vector3 centre = Vector3::Zero();  ///< world [m]
+    double radius = -1.0;              ///< < 0: nothing is proven [m]
+    double reach = 0.0;                ///< of a foot, from the centre [m]
+    Box anchor;                        ///< world [m]
+
+    /// Whether it says all about a query whose nearest foot known is this.
+    [[nodiscard]] bool settles(const Vector3& query, const FootReach& within,
+                               const SurfaceFoot& nearest) const noexcept;
+};
+
+/// The same; @return in `ball` what is proven on the way for all queries within `radius` [m] of
+/// this one. That is nothing where other feet are near.
+[[nodiscard]] FootProof completeFeet(const BSplineSurface& surface, const Vector3& query,
+                                     const FootReach& reach, FootList& feet, double radius,
+                                     ProvenBall& ball) noexcept;
+
 }  // namespace asperity

@@ -163,12 +163,11 @@ struct SquareBends {
     }
 };
 
-/// @param unsure by how much `above` may be wrong [m]
 ASPERITY_INLINE SquareBends squareBends(const PartBatch& batch, const Bends4& bends, Double4 slopeX,
-                                        Double4 slopeY, Double4 above, double unsure) {
+                                        Double4 slopeY, Double4 above) {
     const Double4 spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY;
     const Double4 spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY;
-    const Range4 height = around(above, unsure + (magnitude(slopeX) + spreadX) * batch.halfX +
+    const Range4 height = around(above, (magnitude(slopeX) + spreadX) * batch.halfX +
                                             (magnitude(slopeY) + spreadY) * batch.halfY);
     const Range4 one{Double4{} + 1.0, Double4{} + 1.0};
     return {one + squared(slopeX, spreadX) + height * bends.xx,
@@ -289,12 +288,8 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& qu
     facts.gradientX = x + above * slopeX;
     facts.gradientY = y + above * slopeY;
 
-    const SquareBends bends =
-        squareBends(batch, bendsOf(batch, perX, perY), slopeX, slopeY, above, query.ball);
-    Pair4 rounding = gradientRounding(batch, bends, {slopeX, slopeY}, above, query.rounding);
-    // A query elsewhere in the ball has another gradient at the centre.
-    rounding.x += query.ball * (1.0 + magnitude(slopeX));
-    rounding.y += query.ball * (1.0 + magnitude(slopeY));
+    const SquareBends bends = squareBends(batch, bendsOf(batch, perX, perY), slopeX, slopeY, above);
+    const Pair4 rounding = gradientRounding(batch, bends, {slopeX, slopeY}, above, query.rounding);
     facts.spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY + rounding.x;
     facts.spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY + rounding.y;
     facts.bendX = bends.xx.low;

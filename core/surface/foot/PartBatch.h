@@ -50,8 +50,6 @@ struct PartQuery {
     Vector3 point = Vector3::Zero();  ///< x and y world, z above the datum [m]
     SurfaceRounding rounding;         ///< of places and heights
     double limit = 0.0;               ///< half a squared distance [m^2]
-    /// What is said of minima holds for all queries within this distance of the point [m].
-    double ball = 0.0;
 };
 
 void examine(const PartBatch& batch, const PartQuery& query, PartFacts& facts) noexcept;

@@ -27,10 +27,10 @@ FootList bearing(const FootList& feet, double same, double farthest) {
     return apart;
 }
 
-}  // namespace
-
-TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
-                std::span<const FootGuess> known) noexcept {
+/// @param complete completes the minima of the distance from the tip's centre
+template <class Complete>
+TipFeet feetOf(const BSplineSurface& surface, const TipSphere& tip, double reach,
+               std::span<const FootGuess> known, const Complete& complete) {
     TipFeet feet;
     const double same = kSameFoot * tip.radius;
     for (const FootGuess& guess : known) {
@@ -45,8 +45,7 @@ TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reac
     }
     const double within = tip.radius + reach;
     FootList minima = feet.list;
-    feet.proof = completeFeet(surface, tip.centre,
-                              {.farthest = within, .behindNearest = kBehindNearest}, minima);
+    feet.proof = complete({.farthest = within, .behindNearest = kBehindNearest}, minima);
     const double nearest = std::abs(minima.all().front().distance);
     feet.list = bearing(minima, same, std::min(within, nearest + kBehindNearest));
     if (minima.hasLeftOut() || feet.list.all().size() > kMostFeet) {
@@ -57,6 +56,22 @@ TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reac
         feet.proof = FootProof::OutOfReach;
     }
     return feet;
+}
+
+}  // namespace
+
+TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
+                std::span<const FootGuess> known) noexcept {
+    return feetOf(surface, tip, reach, known, [&](const FootReach& within, FootList& minima) {
+        return completeFeet(surface, tip.centre, within, minima);
+    });
+}
+
+TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
+                std::span<const FootGuess> known, FootTracker& tracker) noexcept {
+    return feetOf(surface, tip, reach, known, [&](const FootReach& within, FootList& minima) {
+        return tracker.completeFeet(surface, tip.centre, within, minima);
+    });
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/foot/FootList.h"
+#include "core/surface/foot/FootTracker.h"
 
 #include <span>
 
@@ -27,5 +28,9 @@ struct TipFeet {
 /// save time. Allocation-free, bounded, never throws.
 [[nodiscard]] TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
                               std::span<const FootGuess> known) noexcept;
+
+/// The same for one sphere after another, each near the last.
+[[nodiscard]] TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
+                              std::span<const FootGuess> known, FootTracker& tracker) noexcept;
 
 }  // namespace asperity

@@ -31,11 +31,12 @@ NurbsSurface groove() {
 }
 
 TEST(TouchedSurface, ATipInAGrooveHasTwoFeet) {
+    FootTracker tracker;
     const NurbsSurface surface = groove();
     const TouchedSurface touched(surface);
     // Nearer to the left slope by a nanometre.
     const Vector3 centre(-0.5_nm * std::numbers::sqrt2, 40.0_nm, kTipRadius * std::numbers::sqrt2);
-    const TipFeet feet = touched.tipFeet({centre, kTipRadius}, 10.0_nm, {});
+    const TipFeet feet = touched.tipFeet({centre, kTipRadius}, 10.0_nm, {}, tracker);
     EXPECT_EQ(feet.proof, FootProof::Nearest);
     ASSERT_EQ(feet.list.all().size(), 2U);
     EXPECT_NEAR(feet.list.all()[0].distance, kTipRadius - 0.5_nm, 1e-12_nm);
@@ -47,32 +48,36 @@ TEST(TouchedSurface, ATipInAGrooveHasTwoFeet) {
         EXPECT_NEAR(std::abs(foot.normal.x()), std::numbers::sqrt2 / 2.0, 1e-12);
         EXPECT_NEAR(foot.curvatures.largest, 0.0, 1e-6 / kTipRadius);
     }
-    EXPECT_EQ(touched.tipFeet({centre, kTipRadius}, 0.0, {}).list.all().size(), 1U)
+    EXPECT_EQ(touched.tipFeet({centre, kTipRadius}, 0.0, {}, tracker).list.all().size(), 1U)
         << "the other one is out of reach";
 }
 
 TEST(TouchedSurface, ATipOnABallHasOne) {
+    FootTracker tracker;
     const NurbsSurface ball = sphereSurface({.centre = Vector3::Zero()}, 100.0_nm);
     EXPECT_EQ(ball.concavity(), 0.0);
     const TouchedSurface touched(ball);
     const Vector3 above(0.0, 0.0, 120.0_nm);
-    const TipFeet near = touched.tipFeet({above, kTipRadius}, 10.0_nm, {});
+    const TipFeet near = touched.tipFeet({above, kTipRadius}, 10.0_nm, {}, tracker);
     ASSERT_EQ(near.list.all().size(), 1U);
     EXPECT_EQ(near.proof, FootProof::Nearest);
-    EXPECT_EQ(touched.tipFeet({above, kTipRadius}, 1.0_nm, {}).proof, FootProof::OutOfReach);
-    const TipFeet none = touched.tipFeet({Vector3::Constant(NAN), kTipRadius}, 10.0_nm, {});
+    EXPECT_EQ(touched.tipFeet({above, kTipRadius}, 1.0_nm, {}, tracker).proof,
+              FootProof::OutOfReach);
+    const TipFeet none =
+        touched.tipFeet({Vector3::Constant(NAN), kTipRadius}, 10.0_nm, {}, tracker);
     EXPECT_EQ(none.proof, FootProof::NotConverged);
     ASSERT_EQ(none.list.all().size(), 1U);
     EXPECT_TRUE(none.list.all()[0].point.allFinite());
 }
 
 TEST(TouchedSurface, AHeightFieldIsTouchedAsItIs) {
+    FootTracker tracker;
     const BSplineSurface field = fitSurface(
         sampledMap({.columns = 32, .rows = 32, .sizeX = 64.0_nm, .sizeY = 64.0_nm},
                    EggBox{.amplitude = 10.0_nm, .periodX = 30.0_nm, .periodY = 30.0_nm}));
     const TipSphere tip{.centre = Vector3(30.0_nm, 31.0_nm, 20.0_nm), .radius = kTipRadius};
     const TipFeet direct = tipFeet(field, tip, 10.0_nm, {});
-    const TipFeet feet = TouchedSurface(field).tipFeet(tip, 10.0_nm, {});
+    const TipFeet feet = TouchedSurface(field).tipFeet(tip, 10.0_nm, {}, tracker);
     ASSERT_EQ(feet.list.all().size(), direct.list.all().size());
     EXPECT_EQ(feet.proof, direct.proof);
     EXPECT_EQ(feet.list.all()[0].point, direct.list.all()[0].point);
