@@ -3,9 +3,9 @@
 //   asperity_load_bench [PIXELS]              (default 8192)
 //   asperity_load_bench raw|ours|exr FILE     one load: time [ns] and sum of the heights [m]
 #include "bench/CommandOutput.h"
+#include "bench/Hills.h"
 #include "bench/io/LoadAnswer.h"
 #include "core/Error.h"
-#include "core/Random.h"
 #include "core/TemporaryFile.h"
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
@@ -33,25 +33,6 @@ namespace {
 
 constexpr int kRounds = 15;
 constexpr int kExrPixels = 4096;
-
-/// Hills of 10 nm from top to bottom with 0.1 nm of noise.
-HeightMap hills(int pixels) {
-    HeightMap map;
-    map.columns = pixels;
-    map.rows = pixels;
-    map.pitchX = 1e-9;
-    map.pitchY = 1e-9;
-    map.heights.resize(map.index(pixels, 0));
-    Random random(3);
-    for (int row = 0; row < pixels; ++row) {
-        const double alongY = 5e-9 * std::cos(0.013 * row);
-        for (int column = 0; column < pixels; ++column) {
-            map.heights[map.index(row, column)] =
-                alongY * std::sin(0.011 * column) + random.uniform(-1e-10, 1e-10);
-        }
-    }
-    return map;
-}
 
 // One load of a file, in this process.
 
@@ -172,7 +153,7 @@ void print(const std::vector<Load>& loads) {
 
 void measureScan(const BenchFolder& folder, int pixels) {
     {
-        const HeightMap map = hills(pixels);
+        const HeightMap map = hills<HeightMap>(pixels);
         writeRaw(folder.file("map.raw"), map);
         writeHeightMap(folder.file("map.gsf"), map, {});
         writeHeightMap(folder.file("map.gwy"), map, {});
@@ -202,7 +183,7 @@ void measureScan(const BenchFolder& folder, int pixels) {
 
 /// OpenEXR's own reader: the format is written for other programs, and we do not read it.
 void measureExr(const BenchFolder& folder) {
-    writeHeightMap(folder.file("map.exr"), hills(kExrPixels), {});
+    writeHeightMap(folder.file("map.exr"), hills<HeightMap>(kExrPixels), {});
     std::vector<Load> loads = {
         {.name = ".exr (zip) by OpenEXR", .command = ownCommand("exr", folder.file("map.exr"))}};
     measure(loads);
