@@ -1,8 +1,8 @@
 // Smoothing and spline of a whole map beside a streaming copy and other programs:
 //   asperity_fit_bench [PIXELS [SIGMA]]       (default 4096 1.5)
+#include "bench/Hills.h"
 #include "bench/surface/FitPeer.h"
 #include "core/Error.h"
-#include "core/Random.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/fit/SeparableFit.h"
 
@@ -20,25 +20,6 @@ namespace asperity {
 namespace {
 
 constexpr int kRounds = 7;
-
-/// Hills of 10 nm from top to bottom with 0.1 nm of noise.
-ScanMap hills(int pixels) {
-    ScanMap map;
-    map.columns = pixels;
-    map.rows = pixels;
-    map.pitchX = 1e-9;
-    map.pitchY = 1e-9;
-    map.heights.resize(map.index(pixels, 0));
-    Random random(3);
-    for (int row = 0; row < pixels; ++row) {
-        for (int column = 0; column < pixels; ++column) {
-            const double hill = 5e-9 * std::sin(0.011 * column) * std::cos(0.013 * row);
-            map.heights[map.index(row, column)] =
-                static_cast<float>(hill + random.uniform(-1e-10, 1e-10));
-        }
-    }
-    return map;
-}
 
 double nanosecondsSince(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin)
@@ -127,7 +108,7 @@ void comparePeers(const ScanMap& map, double sigma, const Times& times) {
 
 void run(int pixels, double sigma) {
     double before = peakMemory();
-    const ScanMap map = hills(pixels);
+    const ScanMap map = hills<ScanMap>(pixels);
     const double mapBytes = static_cast<double>(map.heights.size() * sizeof(float));
     before = std::min(before, peakMemory() - mapBytes);
     (void)separableFit(map, LineFit(pixels, sigma), LineFit(pixels, sigma));

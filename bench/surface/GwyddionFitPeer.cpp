@@ -1,11 +1,9 @@
 // Gwyddion, in a process of its own (GwyddionFit.cpp).
+#include "bench/CommandOutput.h"
 #include "bench/surface/FitPeer.h"
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -35,16 +33,6 @@ std::vector<float> readDoubles(const std::filesystem::path& path, std::size_t co
     return {doubles.begin(), doubles.end()};
 }
 
-/// What the command prints: one number.
-double numberFrom(const std::string& command) {
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-    std::array<char, 64> line{};
-    if (!pipe || std::fgets(line.data(), static_cast<int>(line.size()), pipe.get()) == nullptr) {
-        throw Error("Gwyddion's process gave no answer: " + command);
-    }
-    return std::strtod(line.data(), nullptr);
-}
-
 class Gwyddion : public FitPeer {
 public:
     [[nodiscard]] std::string name() const override { return "Gwyddion"; }
@@ -55,8 +43,12 @@ public:
         std::ostringstream command;
         command << "OMP_NUM_THREADS=1 '" << ASPERITY_GWYDDION_FIT << "' '" << file.path().string()
                 << "' " << task.columns << ' ' << task.rows << ' ' << task.sigma;
-        const double time = numberFrom(command.str());
-        return {.coefficients = readDoubles(file.path(), task.heights.size()), .time = time};
+        const std::string time = firstLineOf(command.str());
+        if (time.empty()) {
+            throw Error("Gwyddion's process gave no answer: " + command.str());
+        }
+        return {.coefficients = readDoubles(file.path(), task.heights.size()),
+                .time = std::stod(time)};
     }
 };
 

@@ -1,11 +1,9 @@
 // SciPy, in a process of its own (scipy_fit.py).
+#include "bench/CommandOutput.h"
 #include "bench/surface/FitPeer.h"
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -29,14 +27,12 @@ public:
         std::ostringstream command;
         command << kPython << " '" << ASPERITY_SCIPY_FIT << "' '" << file.path().string() << "' "
                 << task.columns << ' ' << task.rows << ' ' << task.sigma << " 2>/dev/null";
-        const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.str().c_str(), "r"), pclose);
-        std::array<char, 64> line{};
-        if (!pipe ||
-            std::fgets(line.data(), static_cast<int>(line.size()), pipe.get()) == nullptr) {
+        const std::string time = firstLineOf(command.str());
+        if (time.empty()) {
             throw Error("SciPy is not installed");
         }
         FitAnswer answer{.coefficients = std::vector<float>(task.heights.size()),
-                         .time = std::strtod(line.data(), nullptr)};
+                         .time = std::stod(time)};
         std::ifstream(file.path(), std::ios::binary)
             .read(reinterpret_cast<char*>(answer.coefficients.data()), bytes);
         return answer;

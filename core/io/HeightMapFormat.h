@@ -13,7 +13,7 @@ namespace asperity {
 struct StoredChannel {
     ScanChannel channel;  ///< but for the heights and the mask of its map
     /// Writes the values of a row, 0 at the top, in the channel's unit; what is not finite holds no
-    /// data. Needs the bytes.
+    /// data. Needs the bytes; any threads.
     std::function<void(int row, double* values)> readRow;
 };
 

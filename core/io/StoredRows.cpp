@@ -3,80 +3,140 @@
 #include "core/io/ScanImage.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <thread>
 
 namespace asperity {
 
 namespace {
 
-/// Of the largest magnitude; more than the largest number where one is not finite. By the bits,
-/// whose order is that of the magnitudes: no comparison raises a flag, and none is a branch.
-std::uint64_t largestMagnitudeBits(const std::vector<double>& values) {
-    constexpr std::uint64_t kMagnitude = 0x7fffffffffffffffU;
-    std::uint64_t largest = 0;
-    for (const double value : values) {
-        largest = std::max(largest, std::bit_cast<std::uint64_t>(value) & kMagnitude);
-    }
-    return largest;
-}
+/// Sums of two heights up to here fit into single precision.
+constexpr double kPlain = std::numeric_limits<float>::max() / 4.0;
 
-/// Turns rows of values into pixels of a map.
-class ScanMapWriter {
-public:
-    explicit ScanMapWriter(ScanMap& map) : map_(map) {}
-
-    void writeRow(int row, const std::vector<double>& values) {
-        if (!hasDatum_) {
-            findDatum(values);
-        }
-        const std::size_t first = map_.index(row, 0);
-        if (largestMagnitudeBits(values) > std::bit_cast<std::uint64_t>(kPlain)) {
-            for (std::size_t i = 0; i < values.size(); ++i) {
-                writePixel(first + i, values[i]);
-            }
-            return;
-        }
-        float* pixels = map_.heights.data() + first;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            pixels[i] = static_cast<float>(values[i] - map_.datum);
-        }
-    }
-
-private:
-    /// Sums of two heights up to here fit into single precision.
-    static constexpr double kPlain = std::numeric_limits<float>::max() / 4.0;
-
-    void findDatum(const std::vector<double>& values) {
+/// The first height that is plain; 0 when none is.
+double datumOf(const StoredChannel& stored) {
+    const HeightMap& map = stored.channel.map;
+    std::vector<double> values(static_cast<std::size_t>(map.columns));
+    for (int row = 0; row < map.rows; ++row) {
+        stored.readRow(row, values.data());
         for (const double value : values) {
             if (isFiniteHeight(value) && std::abs(value) <= kPlain) {
-                map_.datum = value;
-                hasDatum_ = true;
-                return;
+                return value;
             }
         }
     }
+    return 0.0;
+}
 
-    /// A height beyond single precision becomes the largest there is: no surface is made of it.
-    void writePixel(std::size_t pixel, double value) {
-        if (!isFiniteHeight(value)) {
-            if (map_.invalid.empty()) {
-                map_.invalid.resize(map_.heights.size(), 0);
+/// Whether no magnitude is beyond kPlain and every value is a number. By the bits, whose order is
+/// that of the magnitudes: what is larger carries into the sign's place. No comparison raises a
+/// flag, and none is a branch.
+bool areAllPlain(const std::vector<double>& values) {
+    constexpr std::uint64_t kMagnitude = 0x7fffffffffffffffU;
+    constexpr std::uint64_t kRoom = kMagnitude - std::bit_cast<std::uint64_t>(kPlain);
+    std::uint64_t carried = 0;
+    for (const double value : values) {
+        carried |= (std::bit_cast<std::uint64_t>(value) & kMagnitude) + kRoom;
+    }
+    return carried <= kMagnitude;
+}
+
+/// Any value in single precision. A height beyond it becomes the largest there is: no surface is
+/// made of it.
+float pixelOf(double value, double datum) {
+    if (!isFiniteHeight(value)) {
+        return std::numeric_limits<float>::quiet_NaN();
+    }
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::clamp(value - datum, -kLargest, kLargest));
+}
+
+/// Turns a row of values into pixels; those without data become NaN. Tells whether there may be
+/// any.
+bool writeRow(const std::vector<double>& values, double datum, float* pixels) {
+    if (!areAllPlain(values)) {
+        std::ranges::transform(values, pixels,
+                               [datum](double value) { return pixelOf(value, datum); });
+        return true;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        pixels[i] = static_cast<float>(values[i] - datum);
+    }
+    return false;
+}
+
+/// Reads the rows of an image, some at a time: whoever is free takes the next ones. Any threads.
+class RowReader {
+public:
+    RowReader(const StoredChannel& stored, ScanMap& map)
+        : stored_(stored), map_(map), step_(std::max(map.rows / kSteps, 1)) {}
+
+    /// @return whether there were any left
+    /// @param values room for a row
+    bool readNext(std::vector<double>& values) {
+        const int first = next_.fetch_add(step_);
+        for (int row = first; row < std::min(first + step_, map_.rows); ++row) {
+            stored_.readRow(row, values.data());
+            if (writeRow(values, map_.datum, map_.heights.data() + map_.index(row, 0))) {
+                mayHaveHoles_ = true;
             }
-            map_.invalid[pixel] = 1;
-            map_.heights[pixel] = std::numeric_limits<float>::quiet_NaN();
-            return;
         }
-        constexpr double kLargest = std::numeric_limits<float>::max();
-        map_.heights[pixel] =
-            static_cast<float>(std::clamp(value - map_.datum, -kLargest, kLargest));
+        return first < map_.rows;
+    }
+    /// Share of the rows that somebody has begun with.
+    [[nodiscard]] double begun() const {
+        return static_cast<double>(std::min<int>(next_, map_.rows)) / map_.rows;
     }
 
+    /// Whether a pixel that was read may hold no data.
+    [[nodiscard]] bool mayHaveHoles() const { return mayHaveHoles_; }
+
+private:
+    static constexpr int kSteps = 32;
+
+    const StoredChannel& stored_;
     ScanMap& map_;
-    bool hasDatum_ = false;
+    int step_;
+    std::atomic<int> next_ = 0;
+    std::atomic<bool> mayHaveHoles_ = false;
 };
+
+/// Marks the pixels without data, if there are any.
+void markInvalid(ScanMap& map) {
+    const auto hasData = [](float height) { return isFiniteHeight(height); };
+    if (std::ranges::all_of(map.heights, hasData)) {
+        return;
+    }
+    map.invalid.resize(map.heights.size());
+    std::ranges::transform(map.heights, map.invalid.begin(),
+                           [&](float height) { return std::uint8_t{!hasData(height)}; });
+}
+
+/// Reads all rows, on two threads where that is worth one.
+void readRows(RowReader& reader, const ScanMap& map, const MappedFile& file, Progress* progress) {
+    const auto columns = static_cast<std::size_t>(map.columns);
+    constexpr std::size_t kWorthAThread = std::size_t{1} << 18U;
+    // Asked to stop and waited for at the end, when Cancelled flies by, too.
+    std::jthread helper;
+    if (map.heights.size() >= kWorthAThread) {
+        helper = std::jthread([&](const std::stop_token& stop) {
+            std::vector<double> values(columns);
+            while (!stop.stop_requested() && reader.readNext(values)) {
+            }
+        });
+    }
+    std::vector<double> values(columns);
+    do {
+        file.forget();
+        reportTo(progress, reader.begun());
+    } while (reader.readNext(values));
+    if (helper.joinable()) {
+        helper.join();
+    }
+}
 
 }  // namespace
 
@@ -96,16 +156,11 @@ ScanMap readScanMap(const StoredChannel& stored, const MappedFile& file, Progres
     map.pitchX = empty.pitchX;
     map.pitchY = empty.pitchY;
     map.heights.resize(map.index(map.rows, 0));
-    ScanMapWriter writer(map);
-    std::vector<double> values(static_cast<std::size_t>(map.columns));
-    const int rowsPerStep = std::max(map.rows / 32, 1);
-    for (int row = 0; row < map.rows; ++row) {
-        if (row % rowsPerStep == 0) {
-            file.forget();
-            reportTo(progress, static_cast<double>(row) / map.rows);
-        }
-        stored.readRow(row, values.data());
-        writer.writeRow(row, values);
+    map.datum = datumOf(stored);
+    RowReader reader(stored, map);
+    readRows(reader, map, file, progress);
+    if (reader.mayHaveHoles()) {
+        markInvalid(map);
     }
     return map;
 }

@@ -1,6 +1,7 @@
 #include "core/Error.h"
 #include "core/io/CsvTable.h"
 #include "core/io/CsvWriter.h"
+#include "tests/core/io/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>
@@ -18,18 +19,8 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-template <typename Action>
-std::string refusal(Action action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
 std::string tableRefusal(const std::string& content) {
-    return refusal([&] { (void)CsvTable(content, "t.csv"); });
+    return refusalOf([&] { (void)CsvTable(content, "t.csv"); });
 }
 
 }  // namespace
@@ -61,11 +52,11 @@ TEST(CsvTable, RefusalsNameFileAndLine) {
     EXPECT_THAT(tableRefusal("a,\n1,2\n"), HasSubstr("no name"));
     EXPECT_THAT(tableRefusal("a\n\"open\n"), HasSubstr("line 2: a quoted cell"));
     const CsvTable table("a,b\n1,2\n# note\n3,four\n", "t.csv");
-    EXPECT_THAT(refusal([&] { (void)table.number(1, "b"); }),
+    EXPECT_THAT(refusalOf([&] { (void)table.number(1, "b"); }),
                 AllOf(HasSubstr("t.csv: line 4: "), HasSubstr("'four'")));
-    EXPECT_THAT(refusal([&] { (void)table.numbers("b"); }), HasSubstr("line 4"));
-    EXPECT_THAT(refusal([&] { (void)table.number(0, "c"); }), HasSubstr("no column 'c'"));
-    EXPECT_THAT(refusal([] { (void)readCsv("/nowhere/t.csv"); }), HasSubstr("no such file"));
+    EXPECT_THAT(refusalOf([&] { (void)table.numbers("b"); }), HasSubstr("line 4"));
+    EXPECT_THAT(refusalOf([&] { (void)table.number(0, "c"); }), HasSubstr("no column 'c'"));
+    EXPECT_THAT(refusalOf([] { (void)readCsv("/nowhere/t.csv"); }), HasSubstr("no such file"));
 }
 
 TEST(CsvWriter, NumbersReadBackToTheSameBits) {

@@ -4,6 +4,7 @@
 #include "core/io/CsvTable.h"
 #include "core/io/TextValue.h"
 #include "core/probe/ForceDecoupling.h"
+#include "tests/core/io/Refusal.h"
 #include "tests/core/probe/ReferenceLever.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -40,12 +41,7 @@ protected:
     }
 
     std::string refusal(const std::string& probe, const std::string& cases) {
-        try {
-            (void)textFor(probe, cases);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return test::refusalOf([&] { (void)textFor(probe, cases); });
     }
 
     test::ScratchFolder scratch;

@@ -1,6 +1,7 @@
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
 #include "core/io/HeightMapFormat.h"
+#include "tests/core/io/Refusal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,12 +34,7 @@ const std::vector<float> kValues = {1, 2, 3, 4, 5, 6};
 HeightMapFile read(const std::string& bytes) { return readHeightMapBytes(bytes, "scan.gsf"); }
 
 std::string refusal(const std::string& bytes) {
-    try {
-        (void)read(bytes);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusalOf([&] { (void)read(bytes); });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "core/Error.h"
 #include "core/io/HeightMapFormat.h"
+#include "tests/core/io/Refusal.h"
 #include "tests/core/io/SyntheticScans.h"
 
 #include <gmock/gmock.h>
@@ -17,12 +18,7 @@ using testing::HasSubstr;
 HeightMapFile read(const std::string& bytes) { return readHeightMapBytes(bytes, "scan.gwy"); }
 
 std::string refusal(const std::string& bytes) {
-    try {
-        (void)read(bytes);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusalOf([&] { (void)read(bytes); });
 }
 
 std::string field(const std::string& components) {

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/DefaultChannel.h"
 #include "tests/core/io/BumpyMap.h"
+#include "tests/core/io/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>
@@ -16,12 +17,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string refusal(const std::filesystem::path& path) {
-    try {
-        (void)readHeightMapFile(path);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusalOf([&] { (void)readHeightMapFile(path); });
 }
 
 ScanChannel channel(const std::string& name, const std::string& unit) {

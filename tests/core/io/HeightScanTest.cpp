@@ -60,10 +60,37 @@ HeightMap highMap() {
     return map;
 }
 
-class CancelledAtOnce : public Progress {
+/// So many pixels that two threads share them, and a first row without data.
+HeightMap largeMap() {
+    HeightMap map = bumpyMap(700, 500);
+    map.invalid.assign(map.heights.size(), 0);
+    const auto remove = [&map](std::size_t pixel) {
+        map.heights[pixel] = kNan;
+        map.invalid[pixel] = 1;
+    };
+    for (std::size_t column = 0; column < 700; ++column) {
+        remove(column);
+    }
+    remove(map.index(250, 3));
+    remove(map.index(499, 699));
+    return map;
+}
+
+class CancelledAfter : public Progress {
 public:
-    void report(double /*fraction*/) override {}
-    [[nodiscard]] bool isCancelled() const override { return true; }
+    explicit CancelledAfter(int reports) : left_(reports) {}
+
+    void report(double fraction) override {
+        EXPECT_GE(fraction, last_);
+        EXPECT_LE(fraction, 1.0);
+        last_ = fraction;
+        --left_;
+    }
+    [[nodiscard]] bool isCancelled() const override { return left_ <= 0; }
+
+private:
+    int left_;
+    double last_ = 0.0;
 };
 
 }  // namespace
@@ -75,6 +102,16 @@ TEST(HeightScan, IsTheMapInSinglePrecision) {
         expectSameMap(folder.file(name));
     }
     expectSameMap(folder.write("scan.spm", nanoscopeFile({}, {1, 2, 3, 4, 5, -6})));
+}
+
+TEST(HeightScan, IsTheSameMapWhenThreadsShareItsRows) {
+    const ScratchFolder folder;
+    for (const char* name : {"map.gsf", "map.gwy"}) {
+        writeHeightMap(folder.file(name), largeMap(), {.title = "Height"});
+        expectSameMap(folder.file(name));
+        EXPECT_EQ(readHeightScan(folder.file(name), "").map.datum,
+                  readHeightMapFile(folder.file(name)).channels.at(0).map.heights[700]);
+    }
 }
 
 TEST(HeightScan, TakesTheHeightsAboutTheFirstOfThem) {
@@ -106,8 +143,11 @@ TEST(HeightScan, RefusesAsTheFileItself) {
 TEST(HeightScan, EndsWhenItIsCancelled) {
     const ScratchFolder folder;
     writeHeightMap(folder.file("map.gsf"), bumpyMap(4, 4), {.title = "Height"});
-    CancelledAtOnce progress;
-    EXPECT_THROW((void)readHeightScan(folder.file("map.gsf"), "", &progress), Cancelled);
+    writeHeightMap(folder.file("large.gsf"), bumpyMap(700, 500), {.title = "Height"});
+    CancelledAfter atOnce(0);
+    EXPECT_THROW((void)readHeightScan(folder.file("map.gsf"), "", &atOnce), Cancelled);
+    CancelledAfter once(1);
+    EXPECT_THROW((void)readHeightScan(folder.file("large.gsf"), "", &once), Cancelled);
 }
 
 }  // namespace asperity::test

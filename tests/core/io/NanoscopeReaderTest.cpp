@@ -1,5 +1,6 @@
 #include "core/Error.h"
 #include "core/io/HeightMapFormat.h"
+#include "tests/core/io/Refusal.h"
 #include "tests/core/io/SyntheticScans.h"
 #include "tests/support/ReferenceTable.h"
 
@@ -19,12 +20,7 @@ ScanChannel readOne(const NanoscopeText& text,
 }
 
 std::string refusal(const NanoscopeText& text) {
-    try {
-        (void)readOne(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusalOf([&] { (void)readOne(text); });
 }
 
 /// 2 V of full scale in 65536 counts, 100 nm/V.

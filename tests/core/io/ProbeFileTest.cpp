@@ -1,7 +1,7 @@
 #include "core/io/ProbeFile.h"
 
-#include "core/Error.h"
 #include "core/probe/CantileverModes.h"
+#include "tests/core/io/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -21,12 +21,7 @@ protected:
     }
 
     std::string refusal(const std::string& text) {
-        try {
-            (void)read(text);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return test::refusalOf([&] { (void)read(text); });
     }
 
     test::ScratchFolder scratch;

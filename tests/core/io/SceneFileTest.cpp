@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/ProbeFile.h"
 #include "core/scene/Scene.h"
+#include "tests/core/io/Refusal.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -24,12 +25,7 @@ protected:
 
     /// The message of the refusal; empty when the scene was read.
     std::string refusal(const std::string& text) {
-        try {
-            (void)readScene(write("scene.toml", text));
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return test::refusalOf([&] { (void)readScene(write("scene.toml", text)); });
     }
 
     test::ScratchFolder scratch;

@@ -7,6 +7,7 @@
 #include "core/surface/nurbs/NurbsDescent.h"
 #include "core/surface/nurbs/NurbsShapes.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/core/surface/nurbs/UnevenNet.h"
 
 #include <gtest/gtest.h>
 
@@ -250,21 +251,13 @@ TEST(NurbsFoot, ARidgeIsNearestToAllThatIsAboveIt) {
 TEST(NurbsFoot, OfAWildSurfaceIsNoFartherThanAnySample) {
     Random random(7);
     for (int shape = 0; shape < 60; ++shape) {
-        NurbsSurface::Net net{.degreeU = 3,
-                              .degreeV = 2,
-                              .knotsU = {0.0, 0.0, 0.0, 0.0, 0.3, 0.6, 0.6, 1.0, 1.0, 1.0, 1.0},
-                              .knotsV = {-1.0, 0.0, 1.0, 2.0, 2.5, 4.0, 5.0, 7.0},
-                              .points = {},
-                              .weights = {}};
-        for (int j = 0; j < 5; ++j) {
-            for (int i = 0; i < 7; ++i) {
-                net.points.emplace_back(10.0_nm * i + 4.0_nm * random.normal(),
-                                        10.0_nm * j + 4.0_nm * random.normal(),
-                                        8.0_nm * random.normal());
-                net.weights.push_back(std::exp(0.5 * random.normal()));
-            }
-        }
-        const NurbsSurface surface(net);
+        // One after the other: the numbers are drawn in this order.
+        const NurbsSurface surface(test::unevenNet([&random](int i, int j) {
+            const double x = 10.0_nm * i + 4.0_nm * random.normal();
+            const double y = 10.0_nm * j + 4.0_nm * random.normal();
+            const double z = 8.0_nm * random.normal();
+            return test::WeightedPoint{Vector3(x, y, z), std::exp(0.5 * random.normal())};
+        }));
         for (int i = 0; i < 20; ++i) {
             const Vector3 query(60.0_nm * random.uniform(), 40.0_nm * random.uniform(),
                                 20.0_nm * random.normal());

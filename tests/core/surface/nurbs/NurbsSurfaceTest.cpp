@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/nurbs/NurbsShapes.h"
+#include "tests/core/surface/nurbs/UnevenNet.h"
 
 #include <gtest/gtest.h>
 
@@ -19,22 +20,13 @@ const RevolutionFrame kFrame{.centre = Vector3(100.0_nm, -50.0_nm, 200.0_nm),
                              .first = -Vector3::UnitZ(),
                              .second = -Vector3::UnitX()};
 
-/// Of degree 3 by 2, with repeated and uneven knots and uneven weights.
+/// With uneven weights, too.
 NurbsSurface::Net unevenNet() {
-    NurbsSurface::Net net{.degreeU = 3,
-                          .degreeV = 2,
-                          .knotsU = {0.0, 0.0, 0.0, 0.0, 0.3, 0.6, 0.6, 1.0, 1.0, 1.0, 1.0},
-                          .knotsV = {-1.0, 0.0, 1.0, 2.0, 2.5, 4.0, 5.0, 7.0},
-                          .points = {},
-                          .weights = {}};
-    for (int j = 0; j < 5; ++j) {
-        for (int i = 0; i < 7; ++i) {
-            net.points.emplace_back(i + 0.2 * std::sin(3.0 * j), j + 0.1 * std::cos(2.0 * i),
-                                    std::sin(1.7 * i + j * j));
-            net.weights.push_back(1.0 + 0.5 * std::sin(i + 2.0 * j));
-        }
-    }
-    return net;
+    return test::unevenNet([](int i, int j) {
+        return test::WeightedPoint{Vector3(i + 0.2 * std::sin(3.0 * j), j + 0.1 * std::cos(2.0 * i),
+                                           std::sin(1.7 * i + j * j)),
+                                   1.0 + 0.5 * std::sin(i + 2.0 * j)};
+    });
 }
 
 /// The B-spline basis by its definition, the recursion of Cox and de Boor.

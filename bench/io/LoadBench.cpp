@@ -1,0 +1,225 @@
+// Loading a large scan beside a raw read and Gwyddion, from a warm cache, each load in a fresh
+// process in which every pixel is looked at:
+//   asperity_load_bench [PIXELS]              (default 8192)
+//   asperity_load_bench raw|ours|exr FILE     one load: time [ns] and sum of the heights [m]
+#include "bench/CommandOutput.h"
+#include "bench/Hills.h"
+#include "bench/io/LoadAnswer.h"
+#include "core/Error.h"
+#include "core/TemporaryFile.h"
+#include "core/io/HeightMapFile.h"
+#include "core/io/HeightMapWriter.h"
+
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <span>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kRounds = 15;
+constexpr int kExrPixels = 4096;
+
+// One load of a file, in this process.
+
+/// The least that any reader does: the file's bytes, as they are, into memory of large pages.
+void loadRaw(const std::string& file) {
+    const auto begin = std::chrono::steady_clock::now();
+    PixelVector<float> pixels(std::filesystem::file_size(file) / sizeof(float));
+    const std::span<std::byte> bytes = std::as_writable_bytes(std::span(pixels));
+    const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = read(descriptor, bytes.data() + done, bytes.size() - done);
+        if (count <= 0) {
+            throw Error(file + ": cannot be read");
+        }
+        done += static_cast<std::size_t>(count);
+    }
+    close(descriptor);
+    printLoad(begin, sumOf(pixels.data(), pixels.size()));
+}
+
+void loadOurs(const std::string& file) {
+    const auto begin = std::chrono::steady_clock::now();
+    const HeightScan scan = readHeightScan(file, "");
+    const PixelVector<float>& heights = scan.map.heights;
+    const double datum = scan.map.datum * static_cast<double>(heights.size());
+    printLoad(begin, datum + sumOf(heights.data(), heights.size()));
+}
+
+void loadExr(const std::string& file) {
+    const auto begin = std::chrono::steady_clock::now();
+    Imf::InputFile image(file.c_str());
+    const Imath::Box2i window = image.header().dataWindow();
+    const auto columns = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+    const auto rows = static_cast<std::size_t>(window.max.y - window.min.y + 1);
+    PixelVector<float> pixels(columns * rows);
+    Imf::FrameBuffer frame;
+    frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), sizeof(float),
+                                 sizeof(float) * columns));
+    image.setFrameBuffer(frame);
+    image.readPixels(window.min.y, window.max.y);
+    printLoad(begin, sumOf(pixels.data(), pixels.size()));
+}
+
+// All loads, each in a process of its own.
+
+struct Load {
+    std::string name;
+    std::string command;
+    double time = std::numeric_limits<double>::infinity();  ///< best of all rounds [ns]
+    double sum = 0.0;                                       ///< of the heights [m]
+
+    void run() {
+        const std::string line = firstLineOf(command);
+        if (line.empty()) {
+            throw Error("no answer from: " + command);
+        }
+        char* rest = nullptr;
+        time = std::min(time, std::strtod(line.c_str(), &rest));
+        sum = std::strtod(rest, nullptr);
+    }
+};
+
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+std::string ownCommand(const std::string& way, const std::filesystem::path& file) {
+    return quoted(std::filesystem::read_symlink("/proc/self/exe")) + " " + way + " " + quoted(file);
+}
+
+void writeRaw(const std::filesystem::path& path, const HeightMap& map) {
+    const std::vector<float> pixels(map.heights.begin(), map.heights.end());
+    std::ofstream stream(path, std::ios::binary);
+    stream.write(reinterpret_cast<const char*>(pixels.data()),
+                 static_cast<std::streamsize>(pixels.size() * sizeof(float)));
+    if (!stream.flush()) {
+        throw Error(path.string() + ": cannot be written");
+    }
+}
+
+/// A folder that goes with all that is in it.
+class BenchFolder {
+public:
+    BenchFolder() { std::filesystem::create_directory(path_); }
+    BenchFolder(const BenchFolder&) = delete;
+    BenchFolder& operator=(const BenchFolder&) = delete;
+    ~BenchFolder() { std::filesystem::remove_all(path_); }
+
+    [[nodiscard]] std::filesystem::path file(const char* name) const { return path_ / name; }
+
+private:
+    std::filesystem::path path_ = std::filesystem::temp_directory_path() /
+                                  ("asperity_load_bench_" + std::to_string(getpid()));
+};
+
+/// One after the other in each round, so that all meet the same machine.
+void measure(std::vector<Load>& loads) {
+    for (int round = 0; round < kRounds; ++round) {
+        for (Load& load : loads) {
+            load.run();
+        }
+    }
+}
+
+/// Heights differ by single precision at most.
+void requireSameSums(const std::vector<Load>& loads, double pixels) {
+    for (const Load& load : loads) {
+        if (std::abs(load.sum - loads.front().sum) > 1e-15 * pixels) {
+            throw Error(load.name + " gives other heights than " + loads.front().name);
+        }
+    }
+}
+
+void print(const std::vector<Load>& loads) {
+    for (const Load& load : loads) {
+        std::printf("  %-28s %8.1f ms\n", load.name.c_str(), load.time * 1e-6);
+    }
+}
+
+void measureScan(const BenchFolder& folder, int pixels) {
+    {
+        const HeightMap map = hills<HeightMap>(pixels);
+        writeRaw(folder.file("map.raw"), map);
+        writeHeightMap(folder.file("map.gsf"), map, {});
+        writeHeightMap(folder.file("map.gwy"), map, {});
+    }
+    sync();  // no writing back while the loads are timed
+    std::vector<Load> loads = {
+        {.name = "raw read of the floats", .command = ownCommand("raw", folder.file("map.raw"))},
+        {.name = ".gsf", .command = ownCommand("ours", folder.file("map.gsf"))},
+        {.name = ".gwy", .command = ownCommand("ours", folder.file("map.gwy"))},
+#ifdef ASPERITY_GWYDDION_LOAD
+        {.name = ".gwy by Gwyddion",
+         .command = quoted(ASPERITY_GWYDDION_LOAD) + " " + quoted(folder.file("map.gwy"))},
+#endif
+    };
+    measure(loads);
+    requireSameSums(loads, static_cast<double>(pixels) * pixels);
+    std::printf("%d x %d pixels, fresh processes, warm cache, best of %d\n", pixels, pixels,
+                kRounds);
+    print(loads);
+    std::printf(".gsf over the raw read      %6.2f   (target: at most 1.3)\n",
+                loads[1].time / loads[0].time);
+    if (loads.size() > 3) {
+        std::printf("Gwyddion over our .gwy      %6.2f   (target: at least 3)\n",
+                    loads[3].time / loads[2].time);
+    }
+}
+
+/// OpenEXR's own reader: the format is written for other programs, and we do not read it.
+void measureExr(const BenchFolder& folder) {
+    writeHeightMap(folder.file("map.exr"), hills<HeightMap>(kExrPixels), {});
+    std::vector<Load> loads = {
+        {.name = ".exr (zip) by OpenEXR", .command = ownCommand("exr", folder.file("map.exr"))}};
+    measure(loads);
+    std::printf("%d x %d pixels\n", kExrPixels, kExrPixels);
+    print(loads);
+}
+
+void run(std::span<char*> arguments) {
+    if (arguments.size() < 3) {
+        const BenchFolder folder;
+        measureScan(folder, arguments.size() < 2
+                                ? 8192
+                                : static_cast<int>(std::strtol(arguments[1], nullptr, 10)));
+        measureExr(folder);
+        return;
+    }
+    const std::string way = arguments[1];
+    if (way == "raw") {
+        loadRaw(arguments[2]);
+    } else if (way == "ours") {
+        loadOurs(arguments[2]);
+    } else {
+        loadExr(arguments[2]);
+    }
+}
+
+}  // namespace
+
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+    try {
+        asperity::run({argv, static_cast<std::size_t>(argc)});
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
+}
