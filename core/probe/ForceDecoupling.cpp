@@ -1,10 +1,10 @@
 #include "core/probe/ForceDecoupling.h"
 
 #include "core/contact/Within.h"
+#include "core/probe/LeastSquares.h"
 #include "core/probe/Sliding.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -204,11 +204,9 @@ ForceEstimate estimateForce(const Cantilever& cantilever, const DecouplingInput&
     }
     const ContactGeometry geometry = geometryOf(cantilever, input);
     const WhitenedSystem system = whitenedSystem(cantilever, input, geometry);
-    const Eigen::HouseholderQR<Eigen::Matrix<double, 5, 3>> qr(system.rows);
-    const Vector3 local = qr.solve(system.values);
-    const Matrix3 triangle = qr.matrixQR().topRows<3>().triangularView<Eigen::Upper>();
-    const Matrix3 inverse =
-        triangle.triangularView<Eigen::Upper>().solve(Matrix3::Identity().eval());
+    const LeastSquares3 solved = leastSquares<5>(system.rows, system.values);
+    const Vector3& local = solved.solution;
+    const Matrix3& inverse = solved.inverseRoot;
 
     const Matrix3 toLab = cantilever.rotation().transpose();
     const Matrix3 labInverse = toLab * inverse;
