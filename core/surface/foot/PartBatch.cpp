@@ -289,15 +289,18 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& qu
     facts.gradientY = y + above * slopeY;
 
     const SquareBends bends = squareBends(batch, bendsOf(batch, perX, perY), slopeX, slopeY, above);
-    const Pair4 rounding = gradientRounding(batch, bends, {slopeX, slopeY}, above, query.rounding);
-    facts.spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY + rounding.x;
-    facts.spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY + rounding.y;
     facts.bendX = bends.xx.low;
     facts.bendY = bends.yy.low;
     const Double4 nearest = facts.value + leastOnAxis(facts.gradientX, facts.bendX, batch.halfX) +
                             leastOnAxis(facts.gradientY, facts.bendY, batch.halfY) -
                             bends.xy.size() * batch.halfX * batch.halfY;
     facts.far = bitsOf(nearest >= query.limit);
+    if (facts.far == PartBatch::kAllLanes) {
+        return;
+    }
+    const Pair4 rounding = gradientRounding(batch, bends, {slopeX, slopeY}, above, query.rounding);
+    facts.spreadX = bends.xx.size() * batch.halfX + bends.xy.size() * batch.halfY + rounding.x;
+    facts.spreadY = bends.xy.size() * batch.halfX + bends.yy.size() * batch.halfY + rounding.y;
     facts.withoutMinimum = bitsOf(bends.areSloped(batch, facts, rounding) | bends.bendDown());
     facts.convex = bitsOf(bends.areConvex());
 }

@@ -24,7 +24,8 @@ struct PartBatch {
 };
 
 /// Half the squared distance from a query over the parts of a batch: its value and gradient at the
-/// centre, and what is known of it everywhere in the part. A bit a lane.
+/// centre, and what is known of it everywhere in the part. A bit a lane. Where all parts are far,
+/// nothing is said of minima.
 struct PartFacts {
     Double4 value;                ///< at the centre [m^2]
     Double4 gradientX;            ///< at the centre [m]
