@@ -34,23 +34,23 @@ ASPERITY_INLINE double magnitude(double a) { return std::abs(a); }
 /// Sums of the lanes of four vectors.
 ASPERITY_INLINE Double4 laneSums(Double4 a, Double4 b, Double4 c, Double4 d) {
     const Double4 ab =
-        __builtin_shuffle(a, b, Long4{0, 4, 2, 6}) + __builtin_shuffle(a, b, Long4{1, 5, 3, 7});
+        __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
     const Double4 cd =
-        __builtin_shuffle(c, d, Long4{0, 4, 2, 6}) + __builtin_shuffle(c, d, Long4{1, 5, 3, 7});
-    return __builtin_shuffle(ab, cd, Long4{0, 1, 4, 5}) +
-           __builtin_shuffle(ab, cd, Long4{2, 3, 6, 7});
+        __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) +
+           __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 
 /// Four rows of four become four columns.
 ASPERITY_INLINE void transpose(Double4 (&rows)[4]) {
-    const Double4 a = __builtin_shuffle(rows[0], rows[1], Long4{0, 4, 2, 6});
-    const Double4 b = __builtin_shuffle(rows[0], rows[1], Long4{1, 5, 3, 7});
-    const Double4 c = __builtin_shuffle(rows[2], rows[3], Long4{0, 4, 2, 6});
-    const Double4 d = __builtin_shuffle(rows[2], rows[3], Long4{1, 5, 3, 7});
-    rows[0] = __builtin_shuffle(a, c, Long4{0, 1, 4, 5});
-    rows[1] = __builtin_shuffle(b, d, Long4{0, 1, 4, 5});
-    rows[2] = __builtin_shuffle(a, c, Long4{2, 3, 6, 7});
-    rows[3] = __builtin_shuffle(b, d, Long4{2, 3, 6, 7});
+    const Double4 a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 2, 6);
+    const Double4 b = __builtin_shufflevector(rows[0], rows[1], 1, 5, 3, 7);
+    const Double4 c = __builtin_shufflevector(rows[2], rows[3], 0, 4, 2, 6);
+    const Double4 d = __builtin_shufflevector(rows[2], rows[3], 1, 5, 3, 7);
+    rows[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+    rows[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+    rows[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+    rows[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
 
 }  // namespace asperity

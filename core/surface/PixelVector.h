@@ -19,6 +19,7 @@ struct PixelAllocator {
     template <class Other>
     explicit PixelAllocator(const PixelAllocator<Other>& /*other*/) {}
 
+    // NOLINTBEGIN(cppcoreguidelines-no-malloc): an allocator manages memory by hand
     [[nodiscard]] Number* allocate(std::size_t count) {
         if (count > std::numeric_limits<std::size_t>::max() / sizeof(Number) - kLargePage) {
             throw std::bad_alloc();
@@ -37,6 +38,7 @@ struct PixelAllocator {
         return static_cast<Number*>(memory);
     }
     void deallocate(Number* memory, std::size_t /*count*/) noexcept { std::free(memory); }
+    // NOLINTEND(cppcoreguidelines-no-malloc)
 
     void construct(Number* /*place*/) noexcept {}
     template <class Value>

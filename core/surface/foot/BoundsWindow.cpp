@@ -39,9 +39,9 @@ ASPERITY_INLINE Float8 decodedShorts(Word8 codes) {
 /// Bit k: lane k is set.
 ASPERITY_INLINE std::uint32_t bitsOf(Int8 lanes) {
     Int8 bits = lanes & Int8{1, 2, 4, 8, 16, 32, 64, 128};
-    bits |= __builtin_shuffle(bits, Int8{4, 5, 6, 7, 0, 1, 2, 3});
-    bits |= __builtin_shuffle(bits, Int8{2, 3, 0, 1, 6, 7, 4, 5});
-    bits |= __builtin_shuffle(bits, Int8{1, 0, 3, 2, 5, 4, 7, 6});
+    bits |= __builtin_shufflevector(bits, bits, 4, 5, 6, 7, 0, 1, 2, 3);
+    bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1, 6, 7, 4, 5);
+    bits |= __builtin_shufflevector(bits, bits, 1, 0, 3, 2, 5, 4, 7, 6);
     return static_cast<std::uint32_t>(bits[0]);
 }
 

@@ -49,8 +49,10 @@ public:
     [[nodiscard]] WindowBlocks blocksAround(double x, double y, double reach) const noexcept;
 
 private:
+    static constexpr std::size_t kMostWindow = std::size_t{kMostBlocks} * kMostBlocks;
+
     [[nodiscard]] static std::size_t index(int row, int column) noexcept {
-        return static_cast<std::size_t>(row * kMostBlocks + column);
+        return static_cast<std::size_t>(row) * kMostBlocks + static_cast<std::size_t>(column);
     }
     [[nodiscard]] float squaredWithRounding(double distance) const noexcept;
     [[nodiscard]] int widestOffset(int row, int column) const noexcept;
@@ -60,12 +62,12 @@ private:
     int level_ = 0;
     BlockRun rows_;
     BlockRun columns_;
-    double rounding_ = 0.0;                                 ///< of a height difference [m]
-    std::array<std::uint32_t, kMostBlocks> reaching_;       ///< of each row
-    std::array<float, kMostBlocks * kMostBlocks> nearest_;  ///< squared distance, at least [m^2]
+    double rounding_ = 0.0;                            ///< of a height difference [m]
+    std::array<std::uint32_t, kMostBlocks> reaching_;  ///< of each row
+    std::array<float, kMostWindow> nearest_;           ///< squared distance, at least [m^2]
     /// The squared distance along a straight line through the block bends up at least so much, as a
     /// share of that from a level plane; 1 or less, < 0: it may bend down.
-    std::array<float, kMostBlocks * kMostBlocks> bend_;
+    std::array<float, kMostWindow> bend_;
 };
 
 }  // namespace asperity

@@ -41,13 +41,14 @@ public:
         for (std::size_t r = 0; r < 4; ++r) {
             const float* c = corner + r * stride;
             for (std::size_t j = 0; j < cells; ++j) {
-                toBezier(c[j], c[j + 1], c[j + 2], c[j + 3], j, across[r]);
+                toBezier({c[j], c[j + 1], c[j + 2], c[j + 3]}, j, across[r]);
             }
         }
         for (std::size_t k = 0; k < 4; ++k) {
             std::array<Lane, 4> up;
             for (std::size_t j = 0; j < cells; ++j) {
-                toBezier(across[0][k][j], across[1][k][j], across[2][k][j], across[3][k][j], j, up);
+                toBezier({across[0][k][j], across[1][k][j], across[2][k][j], across[3][k][j]}, j,
+                         up);
             }
             for (std::size_t s = 0; s < 4; ++s) {
                 std::copy_n(up[s].begin(), cells, net_[s][k].begin());
@@ -99,14 +100,14 @@ public:
     }
 
 private:
-    static void toBezier(float c0, float c1, float c2, float c3, std::size_t j,
+    static void toBezier(const std::array<float, 4>& c, std::size_t j,
                          std::array<Lane, 4>& points) {
         constexpr float kSixth = 1.0F / 6.0F;
         constexpr float kThird = 1.0F / 3.0F;
-        points[0][j] = kSixth * (c0 + 4.0F * c1 + c2);
-        points[1][j] = kThird * (2.0F * c1 + c2);
-        points[2][j] = kThird * (c1 + 2.0F * c2);
-        points[3][j] = kSixth * (c1 + 4.0F * c2 + c3);
+        points[0][j] = kSixth * (c[0] + 4.0F * c[1] + c[2]);
+        points[1][j] = kThird * (2.0F * c[1] + c[2]);
+        points[2][j] = kThird * (c[1] + 2.0F * c[2]);
+        points[3][j] = kSixth * (c[1] + 4.0F * c[2] + c[3]);
     }
 
     static void raise(const Lane& a, const Lane& b, const Lane& c, std::size_t cells, Lane& most) {
@@ -150,7 +151,7 @@ public:
         while (levels.back().rows > 1 || levels.back().columns > 1) {
             levels.push_back(blocksOf(levels.back()));
         }
-        return CellBounds(std::move(levels), units_);
+        return {std::move(levels), units_};
     }
 
 private:
@@ -206,13 +207,14 @@ private:
 
     [[nodiscard]] const float* corner(int row, int column) const {
         return grid_.controlHeights.data() +
-               static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns + 2) +
+               static_cast<std::size_t>(row) * (static_cast<std::size_t>(grid_.columns) + 2) +
                static_cast<std::size_t>(column);
     }
 
     void innerBounds(int row, int first, std::span<RawBounds> bounds) const {
         CellRow cells;
-        cells.load(corner(row, first), static_cast<std::size_t>(grid_.columns + 2), bounds.size());
+        cells.load(corner(row, first), (static_cast<std::size_t>(grid_.columns) + 2),
+                   bounds.size());
         CellRow::Lane lowest;
         CellRow::Lane highest;
         CellRow::Bends bends;

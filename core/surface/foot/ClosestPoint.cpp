@@ -11,7 +11,7 @@ namespace {
 template <class Complete>
 SurfaceFoot nearestFoot(const BSplineSurface& surface, const Vector3& query, const FootGuess& guess,
                         const Complete& complete) {
-    const SurfaceFoot start = localFoot(surface, query, guess);
+    SurfaceFoot start = localFoot(surface, query, guess);
     if (!isUsableQuery(query)) {
         return start;
     }

@@ -21,7 +21,7 @@ public:
 
     void take(const CellIndex& cell) {
         cells_.push_back(cell);
-        if (cells_.size() == cells_.capacity()) {
+        if (cells_.size() == PartBatch::kLanes) {
             lookIntoCells();
         }
     }
@@ -68,8 +68,8 @@ FootProof lookInto(const BSplineSurface& surface, const CellSweep& sweep, PartSe
 
 bool ProvenBall::settles(const Vector3& query, const FootReach& within,
                          const SurfaceFoot& nearest) const noexcept {
-    const double moved = (query - centre).norm();
-    return moved <= radius && nearest.converged && anchor.holds(nearest.point.head<2>()) &&
+    const double moved = (query - queries.centre).norm();
+    return moved <= queries.radius && nearest.converged && anchor.holds(nearest.point.head<2>()) &&
            limitOf(within, nearest) + moved <= reach;
 }
 
@@ -81,24 +81,23 @@ FootProof completeFeet(const BSplineSurface& surface, const Vector3& query, cons
     return lookInto(surface, sweep, search);
 }
 
-FootProof completeFeet(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
-                       FootList& feet, double radius, ProvenBall& ball) noexcept {
+FootProof completeFeet(const BSplineSurface& surface, const QueryBall& queries,
+                       const FootReach& reach, FootList& feet, ProvenBall& ball) noexcept {
     // A foot follows its query, on most surfaces by little more than the query moves.
     constexpr double kWander = 3.0;
     const SurfaceFoot& nearest = feet.all().front();
     const Vector2 place = nearest.point.head<2>();
-    const double wander = kWander * radius;
-    PartSearch search(surface, query, reach, feet);
+    const double wander = kWander * queries.radius;
+    PartSearch search(surface, queries.centre, reach, feet);
     // The nearest foot of a query in the ball may lie one radius farther from it than that of the
     // centre, and so may others that matter; from the centre these lie one radius more.
     const double farthest =
-        std::min(reach.farthest + radius, limitOf(reach, nearest) + 2.0 * radius);
-    CellSweep sweep(surface, query, farthest, radius);
-    ball.radius = -1.0;
+        std::min(reach.farthest + queries.radius, limitOf(reach, nearest) + 2.0 * queries.radius);
+    CellSweep sweep(surface, queries.centre, farthest, queries.radius);
+    ball.queries.radius = -1.0;
     if (nearest.converged &&
         sweep.settle(sweep.window().blocksAround(place.x(), place.y(), wander))) {
-        ball = {.centre = query,
-                .radius = radius,
+        ball = {.queries = queries,
                 .reach = farthest,
                 .anchor = {.low = place - Vector2::Constant(wander),
                            .high = place + Vector2::Constant(wander)}};

@@ -16,23 +16,28 @@ namespace asperity {
 [[nodiscard]] FootProof completeFeet(const BSplineSurface& surface, const Vector3& query,
                                      const FootReach& reach, FootList& feet) noexcept;
 
-/// What is proven for all queries in a ball: one of them that has a foot in `anchor` has no other
-/// within the ball's reach.
-struct ProvenBall {
+/// All queries within some distance of one.
+struct QueryBall {
     Vector3 centre = Vector3::Zero();  ///< world [m]
-    double radius = -1.0;              ///< < 0: nothing is proven [m]
-    double reach = 0.0;                ///< of a foot, from the centre [m]
-    Box anchor;                        ///< world [m]
+    double radius = -1.0;              ///< < 0: no query [m]
+};
+
+/// What is proven for all queries in a ball: one of them that has a foot in `anchor` has no other
+/// one within `reach` of the ball's centre.
+struct ProvenBall {
+    QueryBall queries;
+    double reach = 0.0;  ///< [m]
+    Box anchor;          ///< world [m]
 
     /// Whether it says all about a query whose nearest foot known is this.
     [[nodiscard]] bool settles(const Vector3& query, const FootReach& within,
                                const SurfaceFoot& nearest) const noexcept;
 };
 
-/// The same; @return in `ball` what is proven on the way for all queries within `radius` [m] of
-/// this one. That is nothing where other feet are near.
-[[nodiscard]] FootProof completeFeet(const BSplineSurface& surface, const Vector3& query,
-                                     const FootReach& reach, FootList& feet, double radius,
+/// The same for the query at the centre of `queries`; @return in `ball` what is proven on the way
+/// for all of them. That is nothing where other feet are near.
+[[nodiscard]] FootProof completeFeet(const BSplineSurface& surface, const QueryBall& queries,
+                                     const FootReach& reach, FootList& feet,
                                      ProvenBall& ball) noexcept;
 
 }  // namespace asperity

@@ -24,8 +24,8 @@ FootProof FootTracker::completeFeet(const BSplineSurface& surface, const Vector3
         return asperity::completeFeet(surface, query, reach, feet);
     }
     const double radius = kBall * std::min(surface.grid().pitchX, surface.grid().pitchY);
-    const FootProof proof = asperity::completeFeet(surface, query, reach, feet, radius, ball_);
-    rest_ = ball_.radius > 0.0 ? 0 : std::min(2 * rest_ + 1, kLongestRest);
+    const FootProof proof = asperity::completeFeet(surface, {query, radius}, reach, feet, ball_);
+    rest_ = ball_.queries.radius > 0.0 ? 0 : std::min(2 * rest_ + 1, kLongestRest);
     untilNextTry_ = rest_;
     return proof;
 }

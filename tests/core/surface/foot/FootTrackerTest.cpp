@@ -89,9 +89,9 @@ TEST_P(FootTrackerOn, ABallHoldsForAllItsQueries) {
         const FootReach reach{.behindNearest = random_.uniform(0.0, 3.0) * 1.0_nm};
         const double radius = std::pow(10.0, random_.uniform(-2.0, 0.3)) * 1.0_nm;
         ProvenBall ball;
-        ASSERT_NE(completeFeet(surface_, query, reach, feet, radius, ball), FootProof::NotSought);
-        proven += ball.radius > 0.0 ? 1 : 0;
-        for (int k = 0; k < 20 && ball.radius > 0.0; ++k) {
+        ASSERT_NE(completeFeet(surface_, {query, radius}, reach, feet, ball), FootProof::NotSought);
+        proven += ball.queries.radius > 0.0 ? 1 : 0;
+        for (int k = 0; k < 20 && ball.queries.radius > 0.0; ++k) {
             const double moved = k % 2 == 0 ? radius : radius * random_.uniform();
             const Vector3 near = query + 0.999999 * moved * randomDirection(random_).normalized();
             FootList there;
@@ -135,8 +135,7 @@ TEST_P(FootTrackerOn, ABallSaysNothingOfOtherQueries) {
     const Vector3 query = someQuery();
     const SurfaceFoot foot = localFoot(surface_, query, {});
     const double far = std::abs(foot.distance);
-    const ProvenBall ball{.centre = query,
-                          .radius = 0.1_nm,
+    const ProvenBall ball{.queries = {.centre = query, .radius = 0.1_nm},
                           .reach = far + 0.5_nm,
                           .anchor = {.low = foot.point.head<2>() - Vector2::Constant(1.0_nm),
                                      .high = foot.point.head<2>() + Vector2::Constant(1.0_nm)}};
