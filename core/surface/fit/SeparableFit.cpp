@@ -1,5 +1,7 @@
 #include "core/surface/fit/SeparableFit.h"
 
+#include "core/Simd.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstring>
@@ -23,9 +25,6 @@ constexpr std::ptrdiff_t kStrip = 512;
 /// Eight heights at once; two registers where the processor has only SSE2.
 using Lanes = float __attribute__((vector_size(32)));
 constexpr std::ptrdiff_t kLanes = 8;
-
-/// A function that is not inlined would be compiled for the baseline alone.
-#define ASPERITY_INLINE [[gnu::always_inline]] inline
 
 ASPERITY_INLINE Lanes load(const float* from) {
     Lanes lanes;

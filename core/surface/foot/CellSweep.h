@@ -74,7 +74,8 @@ private:
     const BSplineSurface& surface_;
     Vector3 query_;
     BoundsWindow window_;
-    boost::container::static_vector<Settled, kMostMinima> settled_;
+    /// Around each foot, and once more around the nearest, for a ball.
+    boost::container::static_vector<Settled, kMostMinima + 1> settled_;
 };
 
 }  // namespace asperity

@@ -46,6 +46,7 @@ bool dash(const HalfSquaredDistance& objective, const BSplineSurface& surface,
     constexpr double kLastStep = 2e-6;
     const BSplineSurface::Grid& grid = surface.grid();
     const double lastStep = kLastStep * std::min(grid.pitchX, grid.pitchY);
+    const double longestStep = std::max(grid.pitchX, grid.pitchY);
     double last = std::numeric_limits<double>::max();
     for (minimum.iterations = 1; minimum.iterations <= kMostSteps; ++minimum.iterations) {
         objective.expand(minimum.place, minimum.model);
@@ -59,7 +60,7 @@ bool dash(const HalfSquaredDistance& objective, const BSplineSurface& surface,
                            (h(0, 1) * g.x() - h(0, 0) * g.y()) / determinant);
         minimum.place += step;
         const double steepness = g.squaredNorm();
-        if (steepness > kCloser * last || step.cwiseAbs().maxCoeff() > grid.pitchX ||
+        if (steepness > kCloser * last || step.cwiseAbs().maxCoeff() > longestStep ||
             !surface.contains(minimum.place.x(), minimum.place.y())) {
             return false;
         }

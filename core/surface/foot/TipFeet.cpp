@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 
@@ -27,6 +28,15 @@ FootList bearing(const FootList& feet, double same, double farthest) {
     return apart;
 }
 
+/// How far from its centre a tip is to have feet [m]. Below the surface there is no out of reach:
+/// however deep the centre lies, the nearest way out is what pushes it.
+double farthestFoot(const BSplineSurface& surface, const TipSphere& tip, double reach) {
+    const Vector3& centre = tip.centre;
+    return centre.z() < surface.at(centre.x(), centre.y()).height
+               ? std::numeric_limits<double>::infinity()
+               : tip.radius + reach;
+}
+
 /// @param complete completes the minima of the distance from the tip's centre
 template <class Complete>
 TipFeet feetOf(const BSplineSurface& surface, const TipSphere& tip, double reach,
@@ -43,7 +53,7 @@ TipFeet feetOf(const BSplineSurface& surface, const TipSphere& tip, double reach
         feet.proof = FootProof::NotConverged;
         return feet;
     }
-    const double within = tip.radius + reach;
+    const double within = farthestFoot(surface, tip, reach);
     FootList minima = feet.list;
     feet.proof = complete({.farthest = within, .behindNearest = kBehindNearest}, minima);
     const double nearest = std::abs(minima.all().front().distance);
@@ -52,7 +62,7 @@ TipFeet feetOf(const BSplineSurface& surface, const TipSphere& tip, double reach
         feet.proof = FootProof::ManyFeet;
         feet.list.keepNearest(kMostFeet);
     }
-    if (feet.list.all().front().distance > within && feet.proof == FootProof::Nearest) {
+    if (nearest > within && feet.proof == FootProof::Nearest) {
         feet.proof = FootProof::OutOfReach;
     }
     return feet;

@@ -24,8 +24,9 @@ struct TipFeet {
     FootProof proof = FootProof::NotSought;
 };
 
-/// All feet of the sphere's centre that lie within `reach` of the sphere's surface; `known` guesses
-/// save time. Allocation-free, bounded, never throws.
+/// All feet of the sphere's centre that lie within `reach` of the sphere's surface, or, where the
+/// centre lies below the surface, however far; `known` guesses save time. Allocation-free, bounded,
+/// never throws.
 [[nodiscard]] TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
                               std::span<const FootGuess> known) noexcept;
 

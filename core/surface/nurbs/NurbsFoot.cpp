@@ -98,10 +98,11 @@ public:
         if (complete && !minima_.front().converged) {
             settleOnCrease();
         }
+        bool listed = true;
         if (complete && wish_.within > best()) {
             within_ = wish_.within;
             mostPieces_ = feet_.pieces_ + kMorePieces;
-            searchBoxes();
+            listed = searchBoxes();
         }
         for (std::size_t i = 0; i < count_; ++i) {
             if (i == 0 || minima_[i].distance <= wish_.within) {
@@ -110,7 +111,8 @@ public:
         }
         SurfaceFoot& nearest = feet_.feet_.front().foot;
         nearest.iterations = iterations_;
-        nearest.proof = feet_.proof_ = proofOf(nearest, complete);
+        nearest.proof = proofOf(nearest, complete);
+        feet_.proof_ = listed ? nearest.proof : FootProof::ManyFeet;
         return feet_;
     }
 

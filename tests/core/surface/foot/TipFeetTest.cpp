@@ -1,5 +1,6 @@
 #include "core/surface/foot/TipFeet.h"
 
+#include "core/surface/foot/ClosestPoint.h"
 #include "core/surface/foot/LocalFoot.h"
 #include "tests/core/surface/foot/RoughSurface.h"
 
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 namespace asperity {
@@ -238,6 +240,51 @@ TEST(TipFeet, OutOfReachSaySo) {
     EXPECT_EQ(far.proof, FootProof::OutOfReach);
     ASSERT_EQ(far.list.all().size(), 1U);
     EXPECT_NEAR(far.list.all().front().distance, kTipRadius + 1.01 * kReach, 1e-9_nm);
+}
+
+/// However deep the tip is in the sample: its foot is the nearest way out.
+TEST(TipFeet, FarBelowTheSurfaceAreTheNearest) {
+    const BSplineSurface rough = surfaceOf([](double x, double y) {
+        return 30.0_nm * std::sin(x / 6.0_nm) * std::cos(y / 5.0_nm) + 0.5 * std::abs(x);
+    });
+    Random random(23);
+    FootTracker tracker;
+    int proven = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Vector2 place(random.uniform(20.0_nm, 100.0_nm), random.uniform(20.0_nm, 100.0_nm));
+        const double deep = kTipRadius + kReach + random.uniform(0.0, 60.0_nm);
+        const TipSphere tip{
+            .centre = {place.x(), place.y(), rough.at(place.x(), place.y()).height - deep},
+            .radius = kTipRadius};
+        const SurfaceFoot nearest = closestPoint(rough, tip.centre, {});
+        for (const TipFeet& feet :
+             {tipFeet(rough, tip, kReach, {}), tipFeet(rough, tip, kReach, {}, tracker)}) {
+            ASSERT_NE(feet.proof, FootProof::OutOfReach);
+            if (feet.proof == FootProof::Nearest) {
+                ++proven;
+                ASSERT_NEAR(feet.list.all().front().distance, nearest.distance, 1e-9_nm);
+            }
+        }
+    }
+    EXPECT_GT(proven, 300);
+}
+
+/// More known feet than the search keeps apart leave it room for the ball of a tracker.
+TEST(TipFeet, OfAWideTipOverManyBumpsFindRoom) {
+    constexpr double kPeriod = 12.0_nm;
+    const BSplineSurface bumps = surfaceOf([](double x, double y) {
+        return 1.0_nm * std::cos(x / kPeriod * 2.0 * std::numbers::pi) *
+               std::cos(y / kPeriod * 2.0 * std::numbers::pi);
+    });
+    std::vector<FootGuess> known;
+    for (int i = -3; i <= 3; ++i) {
+        for (int k = -3; k <= 3; ++k) {
+            known.push_back({kMiddle + i * kPeriod, kMiddle + k * kPeriod, true});
+        }
+    }
+    FootTracker tracker;
+    const TipSphere tip{.centre = {kMiddle, kMiddle, 400.0_nm}, .radius = 399.0_nm};
+    EXPECT_EQ(tipFeet(bumps, tip, kReach, known, tracker).list.all().size(), kMostFeet);
 }
 
 TEST(TipFeet, OfAPointThatIsNoneAreNotConverged) {
