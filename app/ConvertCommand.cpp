@@ -2,6 +2,7 @@
 
 #include "app/LevellingOption.h"
 #include "app/OptionChecks.h"
+#include "app/ProgressLine.h"
 #include "core/Error.h"
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
@@ -102,7 +103,8 @@ HeightMap prepared(const ConvertOptions& options, const HeightMap& map, const He
     if (options.tipRadius == 0.0) {
         return level;
     }
-    TipReconstruction known = reconstructed(level, options.tipRadius);
+    ProgressLine line("eroding");
+    TipReconstruction known = reconstructed(level, options.tipRadius, &line);
     tellCertainty(known);
     if (!options.certainty.empty()) {
         writeCertainty(options, known, meta);

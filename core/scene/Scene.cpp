@@ -67,9 +67,12 @@ struct Ground {
 
 /// The surface under the image that a tip recorded. Smoothing goes before erosion, which would take
 /// every dip of the noise for the surface.
-Ground groundUnder(const SampleDescription& sample, const PlaneFit& plane, const HeightMap& map) {
+Ground groundUnder(const SampleDescription& sample, const PlaneFit& plane, const HeightMap& map,
+                   Progress* progress) {
     const HeightMap image = smoothed(withInvalidPixelsFilled(map), smoothingOf(sample, map));
-    TipReconstruction known = reconstructed(image, sample.imagingTipRadius);
+    ProgressPart eroding(progress, 0.0, 0.8);
+    TipReconstruction known = reconstructed(image, sample.imagingTipRadius, &eroding);
+    reportTo(progress, 0.8);
     return {plane, fitSurface(sample.erode ? known.surface : image),
             CertaintyMap(image, std::move(known.certain))};
 }
@@ -79,12 +82,12 @@ Ground groundOf(const SampleDescription& sample, ScanMap map, Progress* progress
     reportTo(progress, 0.2);
     map = levelled(std::move(map), sample.levelling);
     reportTo(progress, 0.4);
+    ProgressPart rest(progress, 0.4, 1.0);
     if (sample.imagingTipRadius > 0.0) {
-        return groundUnder(sample, plane, doublePrecision(map));
+        return groundUnder(sample, plane, doublePrecision(map), &rest);
     }
     const Smoothing smoothing = smoothingOf(sample, map);
-    ProgressPart fit(progress, 0.4, 1.0);
-    return {plane, fitSurface(std::move(map), smoothing, &fit), {}};
+    return {plane, fitSurface(std::move(map), smoothing, &rest), {}};
 }
 
 Scene assemble(const SceneDescription& description, Ground ground) {

@@ -18,20 +18,30 @@ constexpr double kNone = -std::numeric_limits<double>::infinity();
 int blocksOf(int pixels) { return (pixels + kFootprintBlock - 1) / kFootprintBlock; }
 
 /// Calls work(index) for 0..count - 1 on as many threads as the machine has cores.
+/// @throw Cancelled
 template <class Work>
-void shareOut(int count, const Work& work) {
+void shareOut(int count, Progress* progress, const Work& work) {
+    constexpr int kReports = 50;
     std::atomic<int> next = 0;
-    const auto run = [&] {
+    const auto run = [&](Progress* told) {
         for (int index = next++; index < count; index = next++) {
+            if (index % (count / kReports + 1) == 0) {
+                reportTo(told, static_cast<double>(index) / count);
+            }
             work(index);
         }
     };
     const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, count);
     std::vector<std::future<void>> others;
     for (int i = 1; i < threads; ++i) {
-        others.push_back(std::async(std::launch::async, run));
+        others.push_back(std::async(std::launch::async, run, nullptr));
     }
-    run();
+    try {
+        run(progress);
+    } catch (...) {
+        next = count;  // the others end, too
+        throw;
+    }
     for (std::future<void>& other : others) {
         other.get();
     }
@@ -112,8 +122,8 @@ void FootprintSearch::forEachPixel(const Tile& tile, const Visit& visit) const {
 }
 
 template <class Work>
-void FootprintSearch::forEachTile(const Work& work) const {
-    shareOut(blockRows_, [&](int row) {
+void FootprintSearch::forEachTile(Progress* progress, const Work& work) const {
+    shareOut(blockRows_, progress, [&](int row) {
         Tile tile{.row = row, .column = 0, .candidates = {}};
         for (; tile.column < blockColumns_; ++tile.column) {
             work(tile);
@@ -171,9 +181,9 @@ double FootprintSearch::bestFor(const Tile& tile, int row, int column) const {
     return best;
 }
 
-std::vector<double> FootprintSearch::highest() const {
+std::vector<double> FootprintSearch::highest(Progress* progress) const {
     std::vector<double> result(index(grid_.rows, 0));
-    forEachTile([&](Tile& tile) {
+    forEachTile(progress, [&](Tile& tile) {
         findCandidates(tile, floorOf(tile));
         forEachPixel(tile, [&](int row, int column) {
             result[index(row, column)] = bestFor(tile, row, column);
@@ -211,7 +221,8 @@ FootprintSearch::Touches FootprintSearch::touchesOf(const Tile& tile, int row, i
     return touches;
 }
 
-std::vector<std::uint8_t> FootprintSearch::reachingAlone(const std::vector<double>& levels) const {
+std::vector<std::uint8_t> FootprintSearch::reachingAlone(const std::vector<double>& levels,
+                                                         Progress* progress) const {
     std::vector<std::uint8_t> alone(levels.size(), 0);
     const auto hasLevel = [&](Pixel pixel) {
         return levels[index(pixel.row, pixel.column)] != kNone;
@@ -219,7 +230,7 @@ std::vector<std::uint8_t> FootprintSearch::reachingAlone(const std::vector<doubl
     const auto tells = [&](int row, int column) {
         return tip_.isWithin(grid_, row, column) && hasLevel({row, column});
     };
-    forEachTile([&](Tile& tile) {
+    forEachTile(progress, [&](Tile& tile) {
         double floor = -kNone;
         forEachPixel(tile, [&](int row, int column) {
             if (tells(row, column)) {

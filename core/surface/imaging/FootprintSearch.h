@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/surface/imaging/TipFootprint.h"
 
 #include <cstdint>
@@ -22,13 +23,16 @@ public:
     FootprintSearch(const Grid& grid, const std::vector<double>& heights, double tipRadius);
 
     /// The highest of heights less rises for each pixel; minus infinity where there is none [m].
-    [[nodiscard]] std::vector<double> highest() const;
+    /// @throw Cancelled
+    [[nodiscard]] std::vector<double> highest(Progress* progress = nullptr) const;
 
     /// 1 where a pixel is the only one, but for direct neighbours, to reach up to the level of some
     /// place of the apex. Places where part of the tip lies beyond the map's edge tell nothing, nor
     /// do those without a level, or that a pixel without a level reaches.
     /// @param levels of each pixel, minus infinity for none [m]
-    [[nodiscard]] std::vector<std::uint8_t> reachingAlone(const std::vector<double>& levels) const;
+    /// @throw Cancelled
+    [[nodiscard]] std::vector<std::uint8_t> reachingAlone(const std::vector<double>& levels,
+                                                          Progress* progress = nullptr) const;
 
 private:
     struct Pixel {
@@ -66,7 +70,7 @@ private:
     template <class Visit>
     void forEachPixel(const Tile& tile, const Visit& visit) const;
     template <class Work>
-    void forEachTile(const Work& work) const;
+    void forEachTile(Progress* progress, const Work& work) const;
     [[nodiscard]] double floorOf(const Tile& tile) const;
     void findCandidates(Tile& tile, double floor) const;
     [[nodiscard]] double bestOf(const Block& block, int row, int column) const;

@@ -47,9 +47,10 @@ HeightMap withHeights(HeightMap map, const Value& value) {
 
 /// The erosion with its sign turned: a minimum of sums is a maximum of differences. Below invalid
 /// pixels too, as far as the tip reaches; minus infinity elsewhere.
-std::vector<double> turnedErosion(const HeightMap& image, double tipRadius) {
+std::vector<double> turnedErosion(const HeightMap& image, double tipRadius,
+                                  Progress* progress = nullptr) {
     const auto turned = valuesOf(image, [](double height) { return -height; });
-    return FootprintSearch(gridOf(image), turned, tipRadius).highest();
+    return FootprintSearch(gridOf(image), turned, tipRadius).highest(progress);
 }
 
 /// Below the image by what its heights were rounded by on the way through the erosion.
@@ -78,15 +79,17 @@ HeightMap eroded(const HeightMap& image, double tipRadius) {
     return withHeights(image, [&](std::size_t i) { return -turned[i]; });
 }
 
-TipReconstruction reconstructed(const HeightMap& image, double tipRadius) {
+TipReconstruction reconstructed(const HeightMap& image, double tipRadius, Progress* progress) {
     requireUsable(image);
-    std::vector<double> surface = turnedErosion(image, tipRadius);
+    ProgressPart eroding(progress, 0.0, 0.5);
+    std::vector<double> surface = turnedErosion(image, tipRadius, &eroding);
     for (double& height : surface) {
         height = height == kNone ? kNone : -height;
     }
     const FootprintSearch search(gridOf(image), surface, tipRadius);
+    ProgressPart telling(progress, 0.5, 1.0);
     return {withHeights(image, [&](std::size_t i) { return surface[i]; }),
-            search.reachingAlone(touchLevels(image, tipRadius))};
+            search.reachingAlone(touchLevels(image, tipRadius), &telling)};
 }
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/surface/HeightMap.h"
 
 #include <cstdint>
@@ -40,7 +41,8 @@ struct TipReconstruction {
 /// lies between the pixels is below the grid's resolution. The tip touches something everywhere;
 /// places where it reaches beyond the map's edges or where it can have touched below an invalid
 /// pixel prove nothing.
-/// @throw Error as dilated()
-[[nodiscard]] TipReconstruction reconstructed(const HeightMap& image, double tipRadius);
+/// @throw Error as dilated(); Cancelled
+[[nodiscard]] TipReconstruction reconstructed(const HeightMap& image, double tipRadius,
+                                              Progress* progress = nullptr);
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include "core/surface/fit/SeparableFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
+#include "tests/support/ProgressRecorder.h"
 #include "tests/support/StorageError.h"
 
 #include <Eigen/LU>
@@ -143,23 +144,8 @@ TEST(BSplineFit, RefusesWidthsThatAreNoNumbers) {
     }
 }
 
-class Recorder : public Progress {
-public:
-    explicit Recorder(double cancelAt) : cancelAt_(cancelAt) {}
-
-    void report(double fraction) override { fractions.push_back(fraction); }
-    [[nodiscard]] bool isCancelled() const override {
-        return !fractions.empty() && fractions.back() >= cancelAt_;
-    }
-
-    std::vector<double> fractions;
-
-private:
-    double cancelAt_;
-};
-
 TEST(BSplineFit, TellsHowFarItIs) {
-    Recorder recorder(2.0);
+    test::ProgressRecorder recorder(2.0);
     (void)fitSurface(singlePrecision(roughMap(2100, 30)), {}, &recorder);
     ASSERT_GE(recorder.fractions.size(), 2U);
     EXPECT_TRUE(std::is_sorted(recorder.fractions.begin(), recorder.fractions.end()));
@@ -168,14 +154,14 @@ TEST(BSplineFit, TellsHowFarItIs) {
 }
 
 TEST(BSplineFit, EndsWhenItIsCancelled) {
-    Recorder recorder(0.0);
+    test::ProgressRecorder recorder(0.0);
     const ScanMap map = singlePrecision(roughMap(2100, 30));
     EXPECT_THROW((void)fitSurface(map, {}, &recorder), Cancelled);
     EXPECT_EQ(recorder.fractions.size(), 1U);
 }
 
 TEST(BSplineFit, EndsWhenItIsCancelledWhileTwoThreadsFindTheBoundsOfCells) {
-    Recorder recorder(0.6);
+    test::ProgressRecorder recorder(0.6);
     const ScanMap map = singlePrecision(roughMap(600, 600));
     EXPECT_THROW((void)fitSurface(map, {}, &recorder), Cancelled);
     EXPECT_LT(recorder.fractions.back(), 0.7);

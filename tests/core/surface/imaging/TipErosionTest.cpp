@@ -4,6 +4,7 @@
 #include "core/Random.h"
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/support/ProgressRecorder.h"
 
 #include <gtest/gtest.h>
 
@@ -349,6 +350,29 @@ TEST(TipErosion, RefusesARadiusThatIsNoLength) {
         EXPECT_THROW((void)reconstructed(map, radius), Error);
     }
     EXPECT_THROW((void)eroded(HeightMap{}, 1.0_nm), Error);
+}
+
+TEST(TipReconstruction, TellsHowFarItIs) {
+    const HeightMap map =
+        sampledMap({.columns = 200, .rows = 900, .sizeX = 200.0_nm, .sizeY = 900.0_nm},
+                   EggBox{.amplitude = 5.0_nm, .periodX = 60.0_nm, .periodY = 60.0_nm});
+    test::ProgressRecorder recorder(2.0);
+    (void)reconstructed(map, 10.0_nm, &recorder);
+    EXPECT_GE(recorder.fractions.size(), 10U);
+    EXPECT_TRUE(std::ranges::is_sorted(recorder.fractions));
+    EXPECT_GT(recorder.fractions.back(), 0.8);
+    EXPECT_LE(recorder.fractions.back(), 1.0);
+}
+
+TEST(TipReconstruction, EndsWhenItIsCancelled) {
+    const HeightMap map =
+        sampledMap({.columns = 200, .rows = 900, .sizeX = 200.0_nm, .sizeY = 900.0_nm},
+                   EggBox{.amplitude = 5.0_nm, .periodX = 60.0_nm, .periodY = 60.0_nm});
+    for (const double fraction : {0.0, 0.2, 0.7}) {
+        test::ProgressRecorder recorder(fraction);
+        EXPECT_THROW((void)reconstructed(map, 10.0_nm, &recorder), Cancelled);
+        EXPECT_LT(recorder.fractions.back(), fraction + 0.2);
+    }
 }
 
 }  // namespace
