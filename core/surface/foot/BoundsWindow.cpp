@@ -145,7 +145,8 @@ BoundsWindow::BoundsWindow(const BSplineSurface& surface, const Vector3& query, 
               {.units = bounds.units(),
                .height = static_cast<float>(height),
                .limit = squaredWithRounding(distance),
-               .ball = static_cast<float>(ball)},
+               // Depths are off by rounding, too.
+               .ball = static_cast<float>(ball + rounding_)},
               away,
               {.nearest = nearest_.data(), .bend = bend_.data(), .reaching = reaching_.data()});
 }
