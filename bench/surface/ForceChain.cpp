@@ -92,7 +92,7 @@ ChainResult timeChain(const BSplineSurface& surface, std::span<const Vector3> ti
     std::vector<double> whole(tips.size(), kNone);
     std::vector<double> footOnly(tips.size(), kNone);
     Chain chain(surface);
-    const auto foot = ourMethod(surface);
+    const auto foot = ourMethod(surface, FootEffort::Certified);
     volatile double used = 0.0;
     for (int pass = 0; pass < passes; ++pass) {
         chain.start();

@@ -2,43 +2,20 @@
 
 #include "bench/surface/FootNewton.h"
 #include "core/surface/foot/ClosestPoint.h"
-#include "core/surface/foot/LocalFoot.h"
 
 namespace asperity {
 
 namespace {
 
-/// One way of the product, as it is called.
-using OurSearch = SurfaceFoot (*)(const BSplineSurface&, const Vector3&, const FootGuess&);
-
+/// The product along a path.
 class OurMethod : public FootMethod {
 public:
-    OurMethod(const BSplineSurface& surface, const char* name, OurSearch search)
-        : surface_(surface), name_(name), search_(search) {}
+    OurMethod(const BSplineSurface& surface, FootEffort effort)
+        : surface_(surface), effort_(effort) {}
 
-    [[nodiscard]] std::string name() const override { return name_; }
-
-    void start(const Vector2& foot) override { guess_ = {foot.x(), foot.y(), true}; }
-
-    [[nodiscard]] FootAnswer next(const Vector3& query) override {
-        const SurfaceFoot foot = search_(surface_, query, guess_);
-        guess_ = foot.guess();
-        return {.place = foot.point.head<2>(), .certified = foot.certified()};
+    [[nodiscard]] std::string name() const override {
+        return std::string("Asperity, ") + effortName(effort_);
     }
-
-private:
-    const BSplineSurface& surface_;
-    const char* name_;
-    OurSearch search_;
-    FootGuess guess_;
-};
-
-/// The product along a path.
-class TrackedMethod : public FootMethod {
-public:
-    explicit TrackedMethod(const BSplineSurface& surface) : surface_(surface) {}
-
-    [[nodiscard]] std::string name() const override { return "Asperity"; }
 
     void start(const Vector2& foot) override {
         guess_ = {foot.x(), foot.y(), true};
@@ -46,13 +23,14 @@ public:
     }
 
     [[nodiscard]] FootAnswer next(const Vector3& query) override {
-        const SurfaceFoot foot = closestPoint(surface_, query, guess_, tracker_);
+        const SurfaceFoot foot = closestPoint(surface_, query, guess_, tracker_, effort_);
         guess_ = foot.guess();
         return {.place = foot.point.head<2>(), .certified = foot.certified()};
     }
 
 private:
     const BSplineSurface& surface_;
+    FootEffort effort_;
     FootGuess guess_;
     FootTracker tracker_;
 };
@@ -79,12 +57,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<FootMethod> ourMethod(const BSplineSurface& surface) {
-    return std::make_unique<TrackedMethod>(surface);
-}
-
-std::unique_ptr<FootMethod> ourLocalMethod(const BSplineSurface& surface) {
-    return std::make_unique<OurMethod>(surface, "Asperity, local search alone", localFoot);
+std::unique_ptr<FootMethod> ourMethod(const BSplineSurface& surface, FootEffort effort) {
+    return std::make_unique<OurMethod>(surface, effort);
 }
 
 std::unique_ptr<FootMethod> warmNewtonMethod(const BSplineSurface& surface) {

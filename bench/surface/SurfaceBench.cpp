@@ -42,8 +42,9 @@ WorkResult runSlide(const std::string& name, const HeightMap& map, const Options
                         slidingTip(surface, options.queriesOr(kSlideSteps), Vector2::Zero())};
     const auto truth = referenceOf(work);
     std::vector<std::unique_ptr<FootMethod>> methods;
-    methods.push_back(ourMethod(surface));
-    methods.push_back(ourLocalMethod(surface));
+    for (const FootEffort effort : {FootEffort::Certified, FootEffort::Global, FootEffort::Local}) {
+        methods.push_back(ourMethod(surface, effort));
+    }
     methods.push_back(warmNewtonMethod(surface));
     std::ranges::move(peerMethods(surface), std::back_inserter(methods));
     constexpr std::size_t kDoubted = 200;  // queries that are looked at again
@@ -57,7 +58,7 @@ MethodResult oursOnSlide(const BSplineSurface& surface, std::size_t steps, const
     const FootWork work{"slide", &surface, slidingTip(surface, steps, corner)};
     const auto truth = referenceOf(work);
     std::vector<std::unique_ptr<FootMethod>> methods;
-    methods.push_back(ourMethod(surface));
+    methods.push_back(ourMethod(surface, FootEffort::Certified));
     return runMethods(work, truth, methods, kPasses).front();
 }
 

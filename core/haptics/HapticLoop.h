@@ -57,7 +57,6 @@ public:
     [[nodiscard]] const LoopTimes& times() const noexcept { return sinceStart_; }
     /// What the next tick starts from; only while the loop does not run.
     [[nodiscard]] const TickMemory& memory() const noexcept { return memory_; }
-    void setMemory(const TickMemory& memory) noexcept { memory_ = memory; }
 
 private:
     void beat(const Beat& beat) noexcept;

@@ -88,7 +88,7 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
     flags.set(Validity::SharpValley, bonded && !out.model.fits);
     flags.set(Validity::SeveralFeet, out.model.feet > 1);
-    flags.set(Validity::FeetUnproven, out.model.proof == FootProof::ManyFeet);
+    flags.set(Validity::FeetUnproven, mayMissFeet(out.model.proof));
     if (out.model.contact.contactRadius > 0.0) {
         flags.add(contactValidity(contactModelAt(scene, out.model), out.model.contact,
                                   scene.description.sample.material));
@@ -119,7 +119,7 @@ bool allFinite(const TickOutput& out) {
 bool holdsTip(const Scene& scene, const BaseMotion& tip, const Vector3& compensation,
               const EquilibriumMemory& memory) {
     EquilibriumMemory tried = memory;
-    const TipState state = tipEquilibrium(scene.touched(), scene.belief,
+    const TipState state = tipEquilibrium(scene.felt(), scene.belief,
                                           {tip.position - compensation, tip.velocity}, tried);
     return state.converged && !state.contact.jumped && !state.locked &&
            (state.tip - tip.position).norm() <= kHeldWithin;
@@ -145,7 +145,7 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     const BaseMotion tip{memory.started ? Vector3(command.base.position + command.compensation)
                                         : command.base.position,
                          command.base.velocity};
-    const TipState held = heldTip(scene.touched(), scene.belief, tip, memory.model);
+    const TipState held = heldTip(scene.felt(), scene.belief, tip, memory.model);
     const Vector3 deflection = scene.belief.cantilever.compliance() * held.force;
     command.tipHeld =
         held.converged && !held.contact.jumped && holdsTip(scene, tip, deflection, memory.model);
@@ -165,7 +165,7 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     TickOutput out;
     const BaseCommand command = commandBase(scene, input, memory);
     out.base = command.base;
-    out.model = tipEquilibrium(scene.touched(), scene.belief, out.base, memory.model);
+    out.model = tipEquilibrium(scene.felt(), scene.belief, out.base, memory.model);
     const NormalForcePrior prior = normalForcePrior(scene, input, out.model);
     out.estimate =
         estimateForce(scene.belief.cantilever, decouplingInput(scene, input, out, prior));

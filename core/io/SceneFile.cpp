@@ -27,6 +27,9 @@ constexpr std::array<NamedValue<DeformationTier>, 4> kDeformations{
 
 constexpr std::array<NamedValue<SolverTier>, 3> kSolvers{
     {{"exact", SolverTier::Exact}, {"newton", SolverTier::Newton}, {"table", SolverTier::Table}}};
+constexpr std::array<NamedValue<FootEffort>, 3> kEfforts{{{"local", FootEffort::Local},
+                                                          {"global", FootEffort::Global},
+                                                          {"certified", FootEffort::Certified}}};
 constexpr std::array<NamedValue<PositionControl>, 2> kPositionControls{
     {{"base", PositionControl::Base}, {"tip", PositionControl::Tip}}};
 constexpr std::array<NamedValue<ShapeKind>, 3> kShapes{{{"sphere", ShapeKind::Sphere},
@@ -207,6 +210,7 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
     TomlSection fidelity(table, path, "fidelity");
     scene.deformation = choice(fidelity, "deformation", kDeformations, scene.deformation);
     scene.solver = choice(fidelity, "contact_solver", kSolvers, scene.solver);
+    scene.footSearch = choice(fidelity, "foot_search", kEfforts, scene.footSearch);
     fidelity.refuseUnknownKeys();
     TomlSection haptics(table, path, "haptics");
     scene.tickRate = haptics.number("rate_hz", scene.tickRate);
@@ -342,7 +346,8 @@ std::string sceneText(const SceneDescription& scene) {
                                 {"meniscus_angle_rad", scene.meniscus.contactAngle},
                                 {"meniscus_range_m", scene.meniscus.range}}},
         {"fidelity", toml::table{{"deformation", nameOf(kDeformations, scene.deformation)},
-                                 {"contact_solver", nameOf(kSolvers, scene.solver)}}},
+                                 {"contact_solver", nameOf(kSolvers, scene.solver)},
+                                 {"foot_search", nameOf(kEfforts, scene.footSearch)}}},
         {"haptics",
          toml::table{{"rate_hz", scene.tickRate},
                      {"position_gain", scene.positionGain},

@@ -30,6 +30,11 @@ struct Scene {
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
     Settings settings;         ///< that a run starts with
 
+    /// What the tip is believed to touch, as hard as the scene says to look; the scene must outlive
+    /// it.
+    [[nodiscard]] TouchedSurface felt() const noexcept {
+        return shape ? TouchedSurface(*shape) : TouchedSurface(surface, description.footSearch);
+    }
     /// What the tip touches; the scene must outlive it.
     [[nodiscard]] TouchedSurface touched() const noexcept {
         return shape ? TouchedSurface(*shape) : TouchedSurface(surface);

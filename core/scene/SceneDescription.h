@@ -8,6 +8,7 @@
 #include "core/scene/Settings.h"
 #include "core/surface/Levelling.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
+#include "core/surface/foot/SurfaceFoot.h"
 
 #include <cstdint>
 #include <optional>
@@ -79,6 +80,7 @@ struct SceneDescription {
     double cohesiveRange = kCohesiveRange;  ///< h0 of the Maugis laws [m]
     Meniscus meniscus;
     SolverTier solver = SolverTier::Newton;
+    FootEffort footSearch = FootEffort::Certified;
     DeformationTier deformation = DeformationTier::ClosedForm;
     double tickRate = 1000.0;   ///< [Hz]
     double positionGain = 1.0;  ///< base displacement per hand displacement

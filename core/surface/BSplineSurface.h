@@ -53,8 +53,6 @@ public:
     [[nodiscard]] double control(int row, int column) const noexcept;
     /// No control height is larger in magnitude [m]: the scale of rounding errors in at().
     [[nodiscard]] double heightScale() const noexcept { return heightScale_; }
-    /// No valley is curved more strongly than this, >= 0 [1/m].
-    [[nodiscard]] double concavityBound() const noexcept { return bounds_.all().concavity; }
     /// What is known of each cell without looking into it.
     [[nodiscard]] const CellBounds& bounds() const noexcept { return bounds_; }
 

@@ -55,7 +55,7 @@ TipFeet TouchedSurface::tipFeet(const TipSphere& tip, double reach,
                                 std::span<const FootGuess> known,
                                 FootTracker& tracker) const noexcept {
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
-        return asperity::tipFeet(**field, tip, reach, known, tracker);
+        return asperity::tipFeet(**field, tip, {reach, effort_}, known, tracker);
     }
     return tipFeetOn(*std::get<const NurbsSurface*>(surface_), tip, reach);
 }

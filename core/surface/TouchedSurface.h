@@ -9,11 +9,14 @@
 
 namespace asperity {
 
-/// What a tip touches: a height field or a NURBS surface. A view: the surface must outlive it.
+/// What a tip touches, a height field or a NURBS surface, and how hard its feet are looked for
+/// there. A view: the surface must outlive it.
 class TouchedSurface {
 public:
     // NOLINTBEGIN(google-explicit-constructor): either surface can be touched as it is
-    TouchedSurface(const BSplineSurface& field) noexcept : surface_(&field) {}
+    TouchedSurface(const BSplineSurface& field, FootEffort effort = FootEffort::Certified) noexcept
+        : surface_(&field), effort_(effort) {}
+    /// Looked at with all effort.
     TouchedSurface(const NurbsSurface& shape) noexcept : surface_(&shape) {}
     // NOLINTEND(google-explicit-constructor)
 
@@ -30,6 +33,7 @@ public:
 
 private:
     std::variant<const BSplineSurface*, const NurbsSurface*> surface_;
+    FootEffort effort_ = FootEffort::Certified;
 };
 
 }  // namespace asperity

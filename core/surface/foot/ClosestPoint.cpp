@@ -32,9 +32,9 @@ SurfaceFoot closestPoint(const BSplineSurface& surface, const Vector3& query,
 }
 
 SurfaceFoot closestPoint(const BSplineSurface& surface, const Vector3& query,
-                         const FootGuess& guess, FootTracker& tracker) noexcept {
+                         const FootGuess& guess, FootTracker& tracker, FootEffort effort) noexcept {
     return nearestFoot(surface, query, guess, [&](FootList& feet) {
-        return tracker.completeFeet(surface, query, {}, feet);
+        return tracker.completeFeet(surface, query, {}, effort, feet);
     });
 }
 

@@ -12,8 +12,10 @@ namespace asperity {
 [[nodiscard]] SurfaceFoot closestPoint(const BSplineSurface& surface, const Vector3& query,
                                        const FootGuess& guess) noexcept;
 
-/// The same for one query after another, each near the last.
+/// The same for one query after another, each near the last; with less effort than Certified not
+/// whatever the guess.
 [[nodiscard]] SurfaceFoot closestPoint(const BSplineSurface& surface, const Vector3& query,
-                                       const FootGuess& guess, FootTracker& tracker) noexcept;
+                                       const FootGuess& guess, FootTracker& tracker,
+                                       FootEffort effort = FootEffort::Certified) noexcept;
 
 }  // namespace asperity

@@ -42,11 +42,6 @@ private:
     boost::container::static_vector<CellIndex, PartBatch::kLanes> cells_;
 };
 
-/// How far a foot may lie to matter [m].
-double limitOf(const FootReach& reach, const SurfaceFoot& nearest) {
-    return std::min(reach.farthest, std::abs(nearest.distance) + reach.behindNearest);
-}
-
 /// Settles what it can around the feet known, one after another.
 void settleAround(const FootList& feet, CellSweep& sweep) {
     for (const SurfaceFoot& foot : feet.all()) {
@@ -57,7 +52,10 @@ void settleAround(const FootList& feet, CellSweep& sweep) {
     }
 }
 
-FootProof lookInto(const BSplineSurface& surface, const CellSweep& sweep, PartSearch& search) {
+/// Looks at all that a sweep has left.
+FootProof lookInto(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
+                   const CellSweep& sweep, FootList& feet) {
+    PartSearch search(surface, query, reach, feet);
     CellsInBatches cells(surface, search);
     sweep.visit(cells);
     cells.lookIntoCells();
@@ -70,15 +68,14 @@ bool ProvenBall::settles(const Vector3& query, const FootReach& within,
                          const SurfaceFoot& nearest) const noexcept {
     const double moved = (query - queries.centre).norm();
     return moved <= queries.radius && nearest.converged && anchor.holds(nearest.point.head<2>()) &&
-           limitOf(within, nearest) + moved <= reach;
+           within.limit(nearest) + moved <= reach;
 }
 
 FootProof completeFeet(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
                        FootList& feet) noexcept {
-    PartSearch search(surface, query, reach, feet);
-    CellSweep sweep(surface, query, search.limit());
+    CellSweep sweep(surface, query, reach.limit(feet.all().front()));
     settleAround(feet, sweep);
-    return lookInto(surface, sweep, search);
+    return lookInto(surface, query, reach, sweep, feet);
 }
 
 FootProof completeFeet(const BSplineSurface& surface, const QueryBall& queries,
@@ -88,11 +85,10 @@ FootProof completeFeet(const BSplineSurface& surface, const QueryBall& queries,
     const SurfaceFoot& nearest = feet.all().front();
     const Vector2 place = nearest.point.head<2>();
     const double wander = kWander * queries.radius;
-    PartSearch search(surface, queries.centre, reach, feet);
     // The nearest foot of a query in the ball may lie one radius farther from it than that of the
     // centre, and so may others that matter; from the centre these lie one radius more.
     const double farthest =
-        std::min(reach.farthest + queries.radius, limitOf(reach, nearest) + 2.0 * queries.radius);
+        std::min(reach.farthest + queries.radius, reach.limit(nearest) + 2.0 * queries.radius);
     CellSweep sweep(surface, queries.centre, farthest, queries.radius);
     ball.queries.radius = -1.0;
     if (nearest.converged &&
@@ -104,7 +100,7 @@ FootProof completeFeet(const BSplineSurface& surface, const QueryBall& queries,
         return FootProof::Nearest;
     }
     settleAround(feet, sweep);
-    return lookInto(surface, sweep, search);
+    return lookInto(surface, queries.centre, reach, sweep, feet);
 }
 
 }  // namespace asperity

@@ -1,6 +1,10 @@
 #include "core/surface/foot/FootTracker.h"
 
+#include "core/surface/foot/LocalFoot.h"
+#include "core/surface/foot/NearestSample.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace asperity {
 
@@ -12,10 +16,49 @@ constexpr double kBall = 0.125;
 /// spares each of the queries after it.
 constexpr int kLongestRest = 31;
 
+/// Whether a search from `place` would most likely end at one of the feet.
+bool isBesideOneOf(const FootList& feet, const Vector2& place, const BSplineSurface& surface) {
+    constexpr double kBeside = 1.0;  // pixel
+    const BSplineSurface::Grid& grid = surface.grid();
+    return std::ranges::any_of(feet.all(), [&](const SurfaceFoot& foot) {
+        return std::abs(foot.point.x() - place.x()) <= kBeside * grid.pitchX &&
+               std::abs(foot.point.y() - place.y()) <= kBeside * grid.pitchY;
+    });
+}
+
+/// Adds the foot that the nearest sample leads to.
+void addLikelyFoot(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
+                   FootList& feet) {
+    const double limit = reach.limit(feet.all().front());
+    const auto place = nearestSample(surface, query, limit);
+    if (!place || isBesideOneOf(feet, *place, surface)) {
+        return;
+    }
+    const SurfaceFoot foot = localFoot(surface, query, {place->x(), place->y(), true});
+    if (foot.converged && std::abs(foot.distance) <= limit) {
+        feet.add(foot, sameMinimum(surface));
+    }
+}
+
 }  // namespace
 
 FootProof FootTracker::completeFeet(const BSplineSurface& surface, const Vector3& query,
-                                    const FootReach& reach, FootList& feet) noexcept {
+                                    const FootReach& reach, FootEffort effort,
+                                    FootList& feet) noexcept {
+    switch (effort) {
+    case FootEffort::Local:
+        return FootProof::NotSought;
+    case FootEffort::Global:
+        addLikelyFoot(surface, query, reach, feet);
+        return FootProof::Likely;
+    case FootEffort::Certified:
+        return proveFeet(surface, query, reach, feet);
+    }
+    return FootProof::NotSought;
+}
+
+FootProof FootTracker::proveFeet(const BSplineSurface& surface, const Vector3& query,
+                                 const FootReach& reach, FootList& feet) noexcept {
     if (ball_.settles(query, reach, feet.all().front())) {
         return FootProof::Nearest;
     }

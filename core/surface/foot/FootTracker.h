@@ -9,11 +9,16 @@ namespace asperity {
 /// answers: a fresh tracker only takes longer.
 class FootTracker {
 public:
-    /// As completeFeet() of FootSearch.h.
+    /// As completeFeet() of FootSearch.h where `effort` is Certified. With Global only a nearer
+    /// foot is looked for, and the proof is Likely; with Local nothing is, and it is NotSought.
     [[nodiscard]] FootProof completeFeet(const BSplineSurface& surface, const Vector3& query,
-                                         const FootReach& reach, FootList& feet) noexcept;
+                                         const FootReach& reach, FootEffort effort,
+                                         FootList& feet) noexcept;
 
 private:
+    [[nodiscard]] FootProof proveFeet(const BSplineSurface& surface, const Vector3& query,
+                                      const FootReach& reach, FootList& feet) noexcept;
+
     ProvenBall ball_;
     int rest_ = 0;  ///< queries, the last time that no ball was proven
     int untilNextTry_ = 0;

@@ -15,8 +15,6 @@ constexpr double kSmallestPart = 0x1p-14;
 /// Half the size below which a part that holds one minimum at most is searched for it; quartering
 /// a larger one mostly shows sooner that it holds none [pixel].
 constexpr double kWorthASearch = 0.2;
-/// Two minima found from different starts are one when they are nearer than this [pixel].
-constexpr double kSameMinimum = 1e-4;
 /// As BoxNewton allows.
 constexpr double kEdgeNoise = 32.0;
 
@@ -34,9 +32,7 @@ PartSearch::PartSearch(const BSplineSurface& surface, const Vector3& query, cons
 
 double PartSearch::nearest() const { return std::abs(feet_.all().front().distance); }
 
-double PartSearch::limit() const noexcept {
-    return std::min(reach_.farthest, nearest() + reach_.behindNearest);
-}
+double PartSearch::limit() const noexcept { return reach_.limit(feet_.all().front()); }
 
 bool PartSearch::mayLook() noexcept {
     ++looks_;
@@ -93,17 +89,15 @@ void PartSearch::lowerLimit(const Part& part) {
                                                 0.25 * pitch_.minCoeff());
     const BoxMinimum minimum = newton.minimise(part.centre);
     if (minimum.converged) {
-        feet_.add(footOf(minimum, query_), sameMinimum());
+        feet_.add(footOf(minimum, query_), sameMinimum(surface_));
     }
 }
 
 bool PartSearch::holdsKnownFoot(const Part& part) const {
     return std::ranges::any_of(feet_.all(), [&](const SurfaceFoot& foot) {
-        return foot.converged && part.contains(foot.point.head<2>(), sameMinimum());
+        return foot.converged && part.contains(foot.point.head<2>(), sameMinimum(surface_));
     });
 }
-
-double PartSearch::sameMinimum() const { return kSameMinimum * pitch_.minCoeff(); }
 
 /// Takes up the only minimum that a part can hold, if it does hold one.
 void PartSearch::findIn(const Part& part, const Box& box) {
@@ -117,7 +111,7 @@ void PartSearch::findIn(const Part& part, const Box& box) {
         return;
     }
     if (minimum.model.value <= 0.5 * limit() * limit()) {
-        feet_.add(footOf(minimum, query_), sameMinimum());
+        feet_.add(footOf(minimum, query_), sameMinimum(surface_));
     }
 }
 

@@ -5,6 +5,8 @@
 #include "core/surface/foot/LocalFoot.h"
 #include "core/surface/foot/Part.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace asperity {
@@ -14,7 +16,18 @@ namespace asperity {
 struct FootReach {
     double farthest = std::numeric_limits<double>::infinity();  ///< [m]
     double behindNearest = 0.0;                                 ///< [m]
+
+    /// How far a foot may lie to matter [m].
+    [[nodiscard]] double limit(const SurfaceFoot& nearest) const noexcept {
+        return std::min(farthest, std::abs(nearest.distance) + behindNearest);
+    }
 };
+
+/// Two minima found from different starts are one when they stand nearer to each other [m].
+[[nodiscard]] inline double sameMinimum(const BSplineSurface& surface) noexcept {
+    constexpr double kPixels = 1e-4;
+    return kPixels * std::min(surface.grid().pitchX, surface.grid().pitchY);
+}
 
 /// Looks into parts of cells for feet of one query: each part is quartered until the distance has
 /// no minimum in it, or one that is known or found. Allocation-free, bounded, never throws.
@@ -38,7 +51,6 @@ private:
     [[nodiscard]] unsigned unclearIn(const PartBatch& batch, unsigned lanes);
     void lowerLimit(const Part& part);
     [[nodiscard]] bool holdsKnownFoot(const Part& part) const;
-    [[nodiscard]] double sameMinimum() const;
     void findIn(const Part& part, const Box& box);
     [[nodiscard]] bool isPushedOutOfScan(const BoxMinimum& minimum, const Box& box) const;
 

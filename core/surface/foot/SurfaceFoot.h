@@ -17,14 +17,31 @@ struct FootGuess {
 /// What proves that no other surface point is nearer, or why nothing does.
 enum class FootProof : std::uint8_t {
     NotSought,    ///< the foot is a local minimum; nobody looked elsewhere
+    Likely,       ///< the likeliest other places were looked at; nothing is proven
     Nearest,      ///< every other place is farther, to kSameDistance
     OutOfReach,   ///< nothing lies within reach; the foot is a local minimum beyond it
     ManyFeet,     ///< too many places are as near: they could not all be told apart in bounded time
     NotConverged  ///< the foot itself is not found to rounding
 };
 
+/// How hard the nearest foot is looked for.
+enum class FootEffort : std::uint8_t {
+    Local,     ///< downhill from the last foot alone, as the paper does
+    Global,    ///< at the likeliest other places, too: bounded, and rarely wrong
+    Certified  ///< until no other place can be nearer
+};
+
+/// Name of an effort as files and panels show it, e.g. "certified".
+[[nodiscard]] const char* effortName(FootEffort effort) noexcept;
+
 /// Name of a proof as files and panels show it, e.g. "nearest".
 [[nodiscard]] const char* proofName(FootProof proof) noexcept;
+
+/// Whether a search left it open that there are other feet than those it found.
+[[nodiscard]] inline bool mayMissFeet(FootProof proof) noexcept {
+    return proof == FootProof::NotSought || proof == FootProof::Likely ||
+           proof == FootProof::ManyFeet;
+}
 
 /// Two distances nearer to each other than this are the same [relative].
 inline constexpr double kSameDistance = 1e-9;

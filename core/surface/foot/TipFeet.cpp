@@ -77,10 +77,10 @@ TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reac
     });
 }
 
-TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
+TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, const FeetSought& sought,
                 std::span<const FootGuess> known, FootTracker& tracker) noexcept {
-    return feetOf(surface, tip, reach, known, [&](const FootReach& within, FootList& minima) {
-        return tracker.completeFeet(surface, tip.centre, within, minima);
+    return feetOf(surface, tip, sought.reach, known, [&](const FootReach& reach, FootList& minima) {
+        return tracker.completeFeet(surface, tip.centre, reach, sought.effort, minima);
     });
 }
 

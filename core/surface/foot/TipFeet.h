@@ -17,10 +17,17 @@ struct TipSphere {
     double radius = 0.0;               ///< [m]
 };
 
+/// Which feet of a sphere are looked for, and how hard.
+struct FeetSought {
+    double reach = 0.0;  ///< how far from the sphere's surface they may lie [m]
+    FootEffort effort = FootEffort::Certified;
+};
+
 /// Feet of a sphere on a surface: in a valley that it does not fit there are several.
 struct TipFeet {
     FootList list;  ///< the nearest first; at least one, which may lie out of reach
-    /// Nearest: these are all; ManyFeet: there may be more, or are more than have room.
+    /// Nearest: these are all; ManyFeet: there may be more, or are more than have room; Likely,
+    /// NotSought: there may be more, with less effort than Certified.
     FootProof proof = FootProof::NotSought;
 };
 
@@ -31,7 +38,8 @@ struct TipFeet {
                               std::span<const FootGuess> known) noexcept;
 
 /// The same for one sphere after another, each near the last.
-[[nodiscard]] TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
-                              std::span<const FootGuess> known, FootTracker& tracker) noexcept;
+[[nodiscard]] TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip,
+                              const FeetSought& sought, std::span<const FootGuess> known,
+                              FootTracker& tracker) noexcept;
 
 }  // namespace asperity

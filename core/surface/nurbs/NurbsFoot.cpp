@@ -112,7 +112,7 @@ public:
         SurfaceFoot& nearest = feet_.feet_.front().foot;
         nearest.iterations = iterations_;
         nearest.proof = proofOf(nearest, complete);
-        feet_.proof_ = listed ? nearest.proof : FootProof::ManyFeet;
+        feet_.proof_ = listed && !hasLeftOut_ ? nearest.proof : FootProof::ManyFeet;
         return feet_;
     }
 
@@ -171,8 +171,12 @@ private:
         }
         if (count_ < wanted()) {
             minima_[count_++] = found;
-        } else if (found.distance < minima_[count_ - 1].distance) {
-            minima_[count_ - 1] = found;
+        } else {
+            NurbsMinimum& last = minima_[count_ - 1];
+            hasLeftOut_ |= std::max(found.distance, last.distance) <= wish_.within;
+            if (found.distance < last.distance) {
+                last = found;
+            }
         }
         sort();
     }
@@ -349,6 +353,7 @@ private:
     int mostPieces_ = kMostPieces;
     std::array<NurbsMinimum, kMostFeet> minima_{};
     std::size_t count_ = 0;
+    bool hasLeftOut_ = false;  ///< a foot within the wish had no room
     int iterations_ = 0;
     NurbsFeet feet_;
 };

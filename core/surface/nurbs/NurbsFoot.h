@@ -19,8 +19,8 @@ struct NurbsFoot {
 };
 
 /// The nearest foot and on request others, nearest first. The proof is about the nearest one:
-/// ManyFeet also where the query is its centre of curvature, so that it may be one of many, or where
-/// the search for the others was cut short.
+/// ManyFeet also where the query is its centre of curvature, so that it may be one of many, or
+/// where the search for the others was cut short or found more than have room.
 class NurbsFeet {
 public:
     [[nodiscard]] std::span<const NurbsFoot> all() const noexcept { return {feet_.data(), count_}; }

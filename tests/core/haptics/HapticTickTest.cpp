@@ -209,6 +209,18 @@ TEST(HapticTick, FlagsAPitOfTheTipsOwnShape) {
         tick(scene, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), beside).flags.has(Validity::FeetUnproven));
 }
 
+TEST(HapticTick, FlagsFeetThatNobodyProved) {
+    SceneDescription description = test::plainScene();
+    for (const FootEffort effort : {FootEffort::Local, FootEffort::Global, FootEffort::Certified}) {
+        description.footSearch = effort;
+        const Scene scene = buildScene(description, test::flatMap());
+        TickMemory memory;
+        const TickOutput out = tick(scene, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), memory);
+        EXPECT_EQ(out.flags.has(Validity::FeetUnproven), effort != FootEffort::Certified)
+            << effortName(effort);
+    }
+}
+
 TEST(HapticTick, FlagsContactWhereTheImagingTipDidNotReach) {
     SceneDescription description = test::plainScene();
     description.sample.imagingTipRadius = 20.0_nm;

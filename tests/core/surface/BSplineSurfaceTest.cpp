@@ -236,8 +236,8 @@ TEST(BSplineSurface, NoValleyIsCurvedMoreStronglyThanItsBound) {
             const double half = 0.5 * (s.dxx - s.dyy);
             strongest = std::max(strongest, 0.5 * (s.dxx + s.dyy) + std::hypot(half, s.dxy));
         }
-        EXPECT_LE(strongest, surface.concavityBound()) << columns << " x " << rows;
-        EXPECT_GE(strongest, 0.1 * surface.concavityBound()) << columns << " x " << rows;
+        EXPECT_LE(strongest, surface.bounds().all().concavity) << columns << " x " << rows;
+        EXPECT_GE(strongest, 0.1 * surface.bounds().all().concavity) << columns << " x " << rows;
     }
 }
 

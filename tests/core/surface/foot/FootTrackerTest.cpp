@@ -64,7 +64,7 @@ TEST_P(FootTrackerOn, SaysWhatASearchOfItsOwnSays) {
         const SurfaceFoot foot = closestPoint(surface_, query, guess, forPoint);
         expectSameFoot(foot, closestPoint(surface_, query, guess));
         const TipSphere tip{.centre = query, .radius = 8.0_nm};
-        const TipFeet feet = tipFeet(surface_, tip, 10.0_nm, known, forTip);
+        const TipFeet feet = tipFeet(surface_, tip, {10.0_nm}, known, forTip);
         const TipFeet alone = tipFeet(surface_, tip, 10.0_nm, known);
         EXPECT_EQ(feet.proof, alone.proof);
         ASSERT_EQ(feet.list.all().size(), alone.list.all().size()) << query.transpose();

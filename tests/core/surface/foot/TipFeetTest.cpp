@@ -258,7 +258,7 @@ TEST(TipFeet, FarBelowTheSurfaceAreTheNearest) {
             .radius = kTipRadius};
         const SurfaceFoot nearest = closestPoint(rough, tip.centre, {});
         for (const TipFeet& feet :
-             {tipFeet(rough, tip, kReach, {}), tipFeet(rough, tip, kReach, {}, tracker)}) {
+             {tipFeet(rough, tip, kReach, {}), tipFeet(rough, tip, {kReach}, {}, tracker)}) {
             ASSERT_NE(feet.proof, FootProof::OutOfReach);
             if (feet.proof == FootProof::Nearest) {
                 ++proven;
@@ -284,7 +284,7 @@ TEST(TipFeet, OfAWideTipOverManyBumpsFindRoom) {
     }
     FootTracker tracker;
     const TipSphere tip{.centre = {kMiddle, kMiddle, 400.0_nm}, .radius = 399.0_nm};
-    EXPECT_EQ(tipFeet(bumps, tip, kReach, known, tracker).list.all().size(), kMostFeet);
+    EXPECT_EQ(tipFeet(bumps, tip, {kReach}, known, tracker).list.all().size(), kMostFeet);
 }
 
 TEST(TipFeet, OfAPointThatIsNoneAreNotConverged) {

@@ -309,5 +309,28 @@ TEST(NurbsFoot, OfAHeightFieldIsThatOfTheHeightField) {
     }
 }
 
+/// Seven flat sides of a trough, each as near to its axis as the next.
+TEST(NurbsFoot, WhereFeetHaveNoRoomTheyAreManyFeet) {
+    constexpr int kSides = 7;
+    NurbsSurface::Net net{.degreeU = 1, .degreeV = 1, .knotsV = {0.0, 0.0, 1.0, 1.0}};
+    net.knotsU.push_back(0.0);
+    for (int i = 0; i <= kSides; ++i) {
+        net.knotsU.push_back(i);
+    }
+    net.knotsU.push_back(kSides);
+    for (const double y : {0.0, 100.0_nm}) {
+        for (int i = 0; i <= kSides; ++i) {
+            const double angle = std::numbers::pi * (1.0 + static_cast<double>(i) / kSides);
+            net.points.emplace_back(20.0_nm * std::cos(angle), y, 20.0_nm * std::sin(angle));
+        }
+    }
+    const NurbsSurface trough(net);
+    const Vector3 axis(0.1_nm, 50.0_nm, 0.2_nm);
+    EXPECT_EQ(nearestFeet(trough, axis, {}).proof(), FootProof::Nearest);
+    const NurbsFeet feet = nearestFeet(trough, axis, {.within = 25.0_nm});
+    EXPECT_EQ(feet.all().size(), kMostFeet);
+    EXPECT_EQ(feet.proof(), FootProof::ManyFeet);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -1,0 +1,70 @@
+// What a closest point is worth that less effort was made for.
+#include "core/surface/foot/ClosestPoint.h"
+#include "core/surface/foot/TipFeet.h"
+#include "tests/core/surface/foot/RoughSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+constexpr double kSlideHeight = 12.0_nm;
+
+struct Slide {
+    int queries = 0;
+    int wrongLocal = 0;
+    int wrongGlobal = 0;
+};
+
+bool isFarther(const SurfaceFoot& foot, const SurfaceFoot& nearest) {
+    return std::abs(foot.distance) > std::abs(nearest.distance) + 1e-6_nm;
+}
+
+/// Slides a point over rough ground, each search starting from its own last foot.
+Slide slideOver(const BSplineSurface& surface) {
+    FootTracker tracker;
+    FootTracker none;
+    FootGuess local;
+    FootGuess global;
+    Slide slide;
+    for (double x = 0.0; x < surface.sizeX(); x += 0.2_nm, ++slide.queries) {
+        const double y = surface.sizeY() * (0.5 + 0.4 * std::sin(x / 20.0_nm));
+        const Vector3 query(x, y, surface.at(x, y).height + kSlideHeight);
+        const SurfaceFoot nearest = closestPoint(surface, query, {}, tracker);
+        const SurfaceFoot byLocal = closestPoint(surface, query, local, none, FootEffort::Local);
+        const SurfaceFoot byGlobal = closestPoint(surface, query, global, none, FootEffort::Global);
+        EXPECT_EQ(byLocal.proof, FootProof::NotSought);
+        EXPECT_EQ(byGlobal.proof, FootProof::Likely);
+        EXPECT_FALSE(byGlobal.certified());
+        slide.wrongLocal += isFarther(byLocal, nearest) ? 1 : 0;
+        slide.wrongGlobal += isFarther(byGlobal, nearest) ? 1 : 0;
+        local = byLocal.guess();
+        global = byGlobal.guess();
+    }
+    return slide;
+}
+
+TEST(FootEffort, GlobalIsRarelyWrongWhereLocalOftenIs) {
+    const Slide slide = slideOver(test::surfaceOf(
+        {.name = "", .columns = 200, .rows = 60, .range = 30.0_nm, .smoothing = 1.5}));
+    EXPECT_GT(slide.wrongLocal, slide.queries / 20);
+    EXPECT_LT(slide.wrongGlobal, slide.wrongLocal / 8);
+}
+
+TEST(FootEffort, OfATipIsToldByItsProof) {
+    const BSplineSurface surface =
+        test::surfaceOf({.name = "", .columns = 60, .rows = 60, .range = 5.0_nm, .smoothing = 1.0});
+    const TipSphere tip{.centre = {60.0_nm, 60.0_nm, 17.0_nm}, .radius = 15.0_nm};
+    FootTracker tracker;
+    const auto proofWith = [&](FootEffort effort) {
+        return tipFeet(surface, tip, {.reach = 10.0_nm, .effort = effort}, {}, tracker).proof;
+    };
+    EXPECT_EQ(proofWith(FootEffort::Local), FootProof::NotSought);
+    EXPECT_EQ(proofWith(FootEffort::Global), FootProof::Likely);
+    EXPECT_EQ(proofWith(FootEffort::Certified), FootProof::Nearest);
+}
+
+}  // namespace
+}  // namespace asperity
