@@ -54,7 +54,7 @@ struct DrawnSurface {
 
 DrawnSurface drawnSurface(const Scene& scene, const TickSample& sample) {
     const TipState& state = sample.output.model;
-    const DeformationTier tier = scene.description.deformation;
+    const DeformationTier tier = scene.model.deformation;
     const PatchGrid grid = zoomGrid(scene, sample);
     if (tier != DeformationTier::HalfSpace) {
         return {.patch = drawnPatch(scene, state, tier, grid), .remark = ""};
@@ -80,8 +80,8 @@ DeformationView contactView(const Scene& scene, const TickSample& sample,
             .patch = std::move(surface.patch),
             .tipCentre = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
             .tipRadius = scene.belief.tipRadius(),
-            .tipDisplacement = tipDisplacement(scene, out.model, scene.description.deformation),
-            .contactPoint = displacedFoot(scene, out.model, scene.description.deformation),
+            .tipDisplacement = tipDisplacement(scene, out.model, scene.model.deformation),
+            .contactPoint = displacedFoot(scene, out.model, scene.model.deformation),
             .force = out.estimate.force,
             .contactRadius = out.model.contact.contactRadius};
 }

@@ -16,7 +16,7 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
     , settings_(loaded_.scene.settings)
     , afm_(loaded_.scene.touched(), loaded_.scene.truth)
     , hand_(std::make_unique<PointerHand>(start / settings_.positionGain))
-    , halfSpace_(loaded_.scene.description.deformation == DeformationTier::HalfSpace
+    , halfSpace_(loaded_.scene.model.deformation == DeformationTier::HalfSpace
                      ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
                      : nullptr)
     , loop_(loaded_.scene, *hand_, afm_) {}

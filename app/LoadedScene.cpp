@@ -31,8 +31,8 @@ std::string levellingNote(const Scene& scene) {
 }
 
 std::string lawNote(const Scene& scene) {
-    std::string note = std::string("contact law: ") + keyOf(scene.lawChoice.law) + " (" +
-                       scene.lawChoice.why + ")";
+    std::string note = std::string("contact law: ") + keyOf(scene.model.law.law) + " (" +
+                       scene.model.law.why + ")";
     if (const MaugisTable* table = scene.belief.contact.table()) {
         char text[120];
         std::snprintf(text, sizeof text, "; tabulated, error at most %.2g of the force or pi w R",

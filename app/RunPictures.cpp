@@ -45,7 +45,7 @@ RunPictures::RunPictures(const Scene& scene, const RunEvents& events)
     : name_(sampleName(scene.description.sample))
     , deepest_(*events.deepest)
     , deformation_(deformationViews(scene, events))
-    , deepestPatch_(contactPatch(scene, deepest_.output.model, scene.description.deformation,
+    , deepestPatch_(contactPatch(scene, deepest_.output.model, scene.model.deformation,
                                  zoomGrid(scene, deepest_)))
     , surface_(coarserSurface(scene.surface, kOverviewPixels))
     , zoom_(zoomAt(scene, deepest_)) {}

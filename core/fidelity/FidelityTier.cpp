@@ -1,6 +1,31 @@
 #include "core/fidelity/FidelityTier.h"
 
+#include <array>
+
 namespace asperity {
+
+namespace {
+
+/// Laws between which there is a choice; which of them is right depends on the materials.
+std::vector<ContactLaw> lawsFor(const Scene& scene) {
+    if (scene.belief.contact.filmThickness() > 0.0) {
+        return {ContactLaw::Hertz, ContactLaw::HertzFilm};
+    }
+    if (scene.description.sample.material.workOfAdhesion == 0.0) {
+        return {ContactLaw::Hertz, ContactLaw::Sneddon};
+    }
+    return {ContactLaw::Hertz, ContactLaw::Jkr, ContactLaw::Maugis, ContactLaw::Split,
+            ContactLaw::SphereMaugis};
+}
+
+bool hasTable(const Scene& scene, ContactLaw law) {
+    SceneModel model = scene.model;
+    model.law.law = law;
+    model.solver = SolverTier::Table;
+    return believedSystem(scene.description, model).contact.table() != nullptr;
+}
+
+}  // namespace
 
 const char* nameOf(DeformationTier deformation) noexcept {
     switch (deformation) {
@@ -16,28 +41,61 @@ const char* nameOf(DeformationTier deformation) noexcept {
     return "unknown";
 }
 
-std::string FidelityTier::name() const {
-    return std::string(nameOf(law)) + ", " + nameOf(deformation);
+std::string TickTier::name() const {
+    std::string text = nameOf(law);
+    text += solver == SolverTier::Table ? ", table" : "";
+    text += solver == SolverTier::Exact ? ", afresh" : "";
+    text += std::string(", ") + effortName(footSearch) + " feet";
+    text += decoupling == DecouplingTier::Planar ? ", planar" : "";
+    return text;
 }
 
-std::vector<FidelityTier> fidelityTiers() {
-    return {
-        {ContactLaw::Hertz, DeformationTier::FourPoint},
-        {ContactLaw::Hertz, DeformationTier::ContactRadius},
-        {ContactLaw::Split, DeformationTier::FourPoint},
-        {ContactLaw::Split, DeformationTier::ContactRadius},
-        {ContactLaw::Split, DeformationTier::ClosedForm},
-    };
+std::string FrameTier::name() const {
+    return std::string(nameOf(deformation)) + ", " + std::to_string(samples) + " x " +
+           std::to_string(samples);
 }
 
-Scene sceneWithTier(Scene scene, const FidelityTier& tier) {
-    scene.description.law = tier.law;
-    scene.description.deformation = tier.deformation;
-    scene.lawChoice = {tier.law, "as the tier asks"};
-    scene.belief.contact =
-        ContactModel(tier.law, scene.belief.contact.pair(),
-                     contactOptions(scene.description, scene.description.sample.material));
-    return scene;
+std::vector<TickTier> tickTiers(const Scene& scene) {
+    std::vector<TickTier> tiers;
+    for (const ContactLaw law : lawsFor(scene)) {
+        for (const SolverTier solver : {SolverTier::Table, SolverTier::Newton}) {
+            if (solver == SolverTier::Table && !hasTable(scene, law)) {
+                continue;
+            }
+            for (const FootEffort effort :
+                 {FootEffort::Local, FootEffort::Global, FootEffort::Certified}) {
+                for (const DecouplingTier decoupling :
+                     {DecouplingTier::Planar, DecouplingTier::Estimator}) {
+                    tiers.push_back({law, solver, effort, decoupling});
+                }
+            }
+        }
+    }
+    return tiers;
+}
+
+std::vector<FrameTier> frameTiers() {
+    std::vector<FrameTier> tiers;
+    for (const DeformationTier deformation :
+         {DeformationTier::FourPoint, DeformationTier::ContactRadius, DeformationTier::ClosedForm,
+          DeformationTier::HalfSpace}) {
+        for (const int samples : {25, 49, 97}) {
+            tiers.push_back({deformation, samples});
+        }
+    }
+    return tiers;
+}
+
+SceneModel modelWithTier(SceneModel model, const TickTier& tier) {
+    model.law = {tier.law, "as the tier asks"};
+    model.solver = tier.solver;
+    model.footSearch = tier.footSearch;
+    model.decoupling = tier.decoupling;
+    return model;
+}
+
+TickTier tierOf(const SceneModel& model) noexcept {
+    return {model.law.law, model.solver, model.footSearch, model.decoupling};
 }
 
 }  // namespace asperity

@@ -1,30 +1,45 @@
 #pragma once
 
-#include "core/contact/ContactModel.h"
 #include "core/scene/Scene.h"
-#include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <string>
 #include <vector>
 
 namespace asperity {
 
-/// One choice of speed against accuracy.
-struct FidelityTier {
+/// How exactly a tick reckons.
+struct TickTier {
     ContactLaw law = ContactLaw::Split;
-    DeformationTier deformation = DeformationTier::ClosedForm;
+    SolverTier solver = SolverTier::Newton;
+    FootEffort footSearch = FootEffort::Certified;
+    DecouplingTier decoupling = DecouplingTier::Estimator;
 
-    /// For people: "Maugis-Dugdale, closed form".
+    bool operator==(const TickTier&) const = default;
+    /// For people: "Maugis-Dugdale, table, certified feet, estimator".
+    [[nodiscard]] std::string name() const;
+};
+
+/// How exactly a picture shows the surface around the contact.
+struct FrameTier {
+    DeformationTier deformation = DeformationTier::ClosedForm;
+    int samples = 97;  ///< of the patch, a side
+
+    /// For people: "closed form, 97 x 97".
     [[nodiscard]] std::string name() const;
 };
 
 /// For people: "four points", "contact radius", "closed form".
 [[nodiscard]] const char* nameOf(DeformationTier deformation) noexcept;
 
-/// All tiers that are offered, cheapest law first; the last one is the reference.
-[[nodiscard]] std::vector<FidelityTier> fidelityTiers();
+/// All ways for a tick of this scene to reckon, less the solver that is the reference.
+[[nodiscard]] std::vector<TickTier> tickTiers(const Scene& scene);
 
-/// The scene with the believed contact law of a tier; the truth stays what it is.
-[[nodiscard]] Scene sceneWithTier(Scene scene, const FidelityTier& tier);
+/// All ways for its picture.
+[[nodiscard]] std::vector<FrameTier> frameTiers();
+
+[[nodiscard]] SceneModel modelWithTier(SceneModel model, const TickTier& tier);
+
+/// The tier that a model's tick belongs to.
+[[nodiscard]] TickTier tierOf(const SceneModel& model) noexcept;
 
 }  // namespace asperity

@@ -1,37 +1,80 @@
 #pragma once
 
 #include "core/fidelity/FidelityTier.h"
-#include "core/haptics/HandPath.h"
+#include "core/fidelity/Pareto.h"
 #include "core/scene/Scene.h"
 
+#include <string>
 #include <vector>
 
 namespace asperity {
 
-/// What one tier costs and how far it is from the reference tier on the same run.
-struct TierResult {
-    FidelityTier tier;
-    bool isReference = false;
-    double tickMedian = 0.0;          ///< of one tick [s]
-    double tickP99 = 0.0;             ///< [s]
-    double patchMedian = 0.0;         ///< of one deformed patch [s]
-    double forceErrorRms = 0.0;       ///< of the model force's vector over the run [N]
+/// What one way for the tick costs and how far it is from the reference on the same inputs.
+struct TickResult {
+    TickTier tier;
+    double median = 0.0;              ///< of one tick [s]
+    double p99 = 0.0;                 ///< [s]
+    double forceErrorRms = 0.0;       ///< of the model force's vector over the runs [N]
     double forceErrorMax = 0.0;       ///< [N]
     double contactRadiusError = 0.0;  ///< largest [m]
-    double surfaceErrorRms = 0.0;     ///< of the patch's points along z, while bonded [m]
-    double surfaceErrorMax = 0.0;     ///< [m]
+    double footError = 0.0;           ///< largest, of the foot while it bears a force [m]
+    double estimateErrorRms = 0.0;    ///< of the force from the signals against the true one [N]
+    bool onFront = false;             ///< no tier is cheaper and as near to the reference
+
+    [[nodiscard]] CostAndError costAndError() const { return {median, forceErrorRms}; }
+};
+
+/// The same of one way for the picture.
+struct FrameResult {
+    FrameTier tier;
+    double median = 0.0;           ///< of one patch [s]
+    double surfaceErrorRms = 0.0;  ///< of the displacement along z, over the reference's patch [m]
+    double surfaceErrorMax = 0.0;  ///< [m]
+    bool onFront = false;
+
+    [[nodiscard]] CostAndError costAndError() const { return {median, surfaceErrorRms}; }
+};
+
+/// What a tick rate costs, and what the force misses that is held from tick to tick.
+struct RateResult {
+    double rate = 0.0;          ///< [Hz]
+    double load = 0.0;          ///< share of one core
+    double holdErrorRms = 0.0;  ///< of the held force against ticks without end [N]
+};
+
+/// The reference, and how far it may be off itself, by a finer one.
+struct TradeOffReference {
+    TickTier tick;
+    FrameTier frame;
+    double tickMedian = 0.0;    ///< [s]
+    double forceScale = 0.0;    ///< root mean square of its force over the runs [N]
+    double contactRatio = 0.0;  ///< largest contact radius over tip radius
+    double forceDoubt = 0.0;    ///< root mean square [N]
+    double surfaceDoubt = 0.0;  ///< root mean square [m]
+    std::string forceDoubtBy;   ///< what was compared
+    std::string surfaceDoubtBy;
+};
+
+struct TradeOff {
+    TradeOffReference reference;
+    std::vector<TickResult> ticks;
+    std::vector<FrameResult> frames;
+    std::vector<RateResult> rates;
 };
 
 /// How much is measured.
 struct TradeOffPlan {
-    PathPlan path{.duration = 2.0};
+    double duration = 2.0;  ///< of each of two runs: approach at the highest feature, scratch [s]
     int rounds = 5;         ///< timed runs of each tier, tiers taking turns
-    int patches = 8;        ///< moments of the run at which surfaces are compared
-    int patchSamples = 97;  ///< per side of a patch
+    int patches = 6;        ///< moments of the run at which surfaces are compared
 };
 
-/// Runs the scene's approach path with every tier. Accuracy is taken on the virtual clock and is
-/// reproducible; times are of this machine, the tiers interleaved so that they share its mood.
-[[nodiscard]] std::vector<TierResult> studyTradeOff(const Scene& scene, const TradeOffPlan& plan);
+/// Runs the scene with every tier. Accuracy is taken on the virtual clock and is reproducible;
+/// times are of this machine, the tiers interleaved so that they share its mood. The reference
+/// solves the scene's own law afresh, on the exact sphere where the contact is wider than 0.3 tip
+/// radii, with certified feet; its surface is the half-space's where that holds, else the closed
+/// form.
+/// @param scene has its model changed meanwhile; it is left as it was
+[[nodiscard]] TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan);
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #include "core/haptics/HapticTick.h"
 
+#include "core/probe/PlanarForce.h"
 #include "core/scene/ContactValidity.h"
 
 #include <algorithm>
@@ -55,6 +56,12 @@ DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, cons
             .contactArea = out.model.contactArea,
             .normalForceModel = prior.force,
             .normalForceSigma = prior.sigma};
+}
+
+ForceEstimate decoupled(const Scene& scene, const DecouplingInput& input) {
+    const Cantilever& cantilever = scene.belief.cantilever;
+    return scene.model.decoupling == DecouplingTier::Planar ? planarEstimate(cantilever, input)
+                                                            : estimateForce(cantilever, input);
 }
 
 /// Whether a separate tip is about to snap in on a lever as soft as this one.
@@ -167,8 +174,7 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     out.base = command.base;
     out.model = tipEquilibrium(scene.felt(), scene.belief, out.base, memory.model);
     const NormalForcePrior prior = normalForcePrior(scene, input, out.model);
-    out.estimate =
-        estimateForce(scene.belief.cantilever, decouplingInput(scene, input, out, prior));
+    out.estimate = decoupled(scene, decouplingInput(scene, input, out, prior));
     out.tip = out.base.position + out.estimate.deflection;
     memory.correction = slowCorrection(input, out, memory.correction);
     out.handForce = input.settings.forceGain * (out.model.force + memory.correction);

@@ -30,15 +30,21 @@ constexpr std::array<NamedValue<SolverTier>, 3> kSolvers{
 constexpr std::array<NamedValue<FootEffort>, 3> kEfforts{{{"local", FootEffort::Local},
                                                           {"global", FootEffort::Global},
                                                           {"certified", FootEffort::Certified}}};
+constexpr std::array<NamedValue<DecouplingTier>, 2> kDecouplings{
+    {{"planar", DecouplingTier::Planar}, {"estimator", DecouplingTier::Estimator}}};
 constexpr std::array<NamedValue<PositionControl>, 2> kPositionControls{
     {{"base", PositionControl::Base}, {"tip", PositionControl::Tip}}};
 constexpr std::array<NamedValue<ShapeKind>, 3> kShapes{{{"sphere", ShapeKind::Sphere},
                                                         {"cylinder", ShapeKind::Cylinder},
                                                         {"plane", ShapeKind::Plane}}};
-constexpr const char* kChosenLaw = "auto";
+constexpr std::array<NamedValue<bool>, 2> kSwitches{{{"on", true}, {"off", false}}};
+constexpr const char* kAutomatic = "auto";
 
 template <class Value, std::size_t Size>
-std::string nameOf(const std::array<NamedValue<Value>, Size>& names, Value value) {
+using Names = std::array<NamedValue<Value>, Size>;
+
+template <class Value, std::size_t Size>
+std::string nameOf(const Names<Value, Size>& names, Value value) {
     for (const auto& [name, candidate] : names) {
         if (candidate == value) {
             return std::string(name);
@@ -48,31 +54,65 @@ std::string nameOf(const std::array<NamedValue<Value>, Size>& names, Value value
 }
 
 template <class Value, std::size_t Size>
-Value choice(TomlSection& section, const std::string& key,
-             const std::array<NamedValue<Value>, Size>& names, Value otherwise) {
-    const std::string given = section.text(key, nameOf(names, otherwise));
-    std::string known;
+std::string nameOf(const Names<Value, Size>& names, const std::optional<Value>& value) {
+    return value ? nameOf(names, *value) : kAutomatic;
+}
+
+template <class Value, std::size_t Size>
+std::optional<Value> valueOf(const Names<Value, Size>& names, const std::string& given) {
     for (const auto& [name, value] : names) {
         if (name == given) {
             return value;
         }
-        known += (known.empty() ? "" : ", ") + std::string(name);
     }
-    section.refuse(key, "one of " + known + ", not '" + given + "'");
+    return std::nullopt;
 }
 
-std::string lawText(const std::optional<ContactLaw>& law) { return law ? keyOf(*law) : kChosenLaw; }
+/// @param first names before the others
+template <class Value, std::size_t Size>
+[[noreturn]] void refuse(TomlSection& section, const std::string& key,
+                         const Names<Value, Size>& names, std::string first = {}) {
+    for (const auto& [name, value] : names) {
+        first += (first.empty() ? "" : ", ") + std::string(name);
+    }
+    section.refuse(key, "one of " + first + ", not '" + section.text(key, "") + "'");
+}
+
+template <class Value, std::size_t Size>
+Value choice(TomlSection& section, const std::string& key, const Names<Value, Size>& names,
+             Value otherwise) {
+    const auto value = valueOf(names, section.text(key, nameOf(names, otherwise)));
+    if (!value) {
+        refuse(section, key, names);
+    }
+    return *value;
+}
+
+/// A choice that may be left to the program.
+template <class Value, std::size_t Size>
+std::optional<Value> choiceOrNone(TomlSection& section, const std::string& key,
+                                  const Names<Value, Size>& names,
+                                  const std::optional<Value>& otherwise) {
+    const std::string given = section.text(key, nameOf(names, otherwise));
+    const auto value = valueOf(names, given);
+    if (!value && given != kAutomatic) {
+        refuse(section, key, names, kAutomatic);
+    }
+    return value;
+}
+
+std::string lawText(const std::optional<ContactLaw>& law) { return law ? keyOf(*law) : kAutomatic; }
 
 std::optional<ContactLaw> readLaw(TomlSection& section,
                                   const std::optional<ContactLaw>& otherwise) {
     const std::string given = section.text("law", lawText(otherwise));
-    if (given == kChosenLaw) {
+    if (given == kAutomatic) {
         return std::nullopt;
     }
     if (const auto law = lawFromKey(given)) {
         return law;
     }
-    std::string known = kChosenLaw;
+    std::string known = kAutomatic;
     for (const ContactLaw law : kContactLaws) {
         known += std::string(", ") + keyOf(law);
     }
@@ -204,14 +244,23 @@ void readPhysics(TomlSection section, SceneDescription& scene) {
     section.refuseUnknownKeys();
 }
 
+void readFidelity(TomlSection section, SceneDescription& scene) {
+    scene.tolerance = section.number("tolerance", scene.tolerance);
+    scene.solver = choice(section, "contact_solver", kSolvers, scene.solver);
+    scene.decoupling = choice(section, "decoupling", kDecouplings, scene.decoupling);
+    scene.deformation = choiceOrNone(section, "deformation", kDeformations, scene.deformation);
+    scene.footSearch = choiceOrNone(section, "foot_search", kEfforts, scene.footSearch);
+    scene.friction = choiceOrNone(section, "friction", kSwitches, scene.friction);
+    scene.torsion = choiceOrNone(section, "torsion", kSwitches, scene.torsion);
+    scene.mountTilt = choiceOrNone(section, "mount_tilt", kSwitches, scene.mountTilt);
+    scene.curvature = choiceOrNone(section, "curvature", kSwitches, scene.curvature);
+    section.refuseUnknownKeys();
+}
+
 void readRest(const toml::table& table, const std::filesystem::path& path,
               SceneDescription& scene) {
     readPhysics(TomlSection(table, path, "physics"), scene);
-    TomlSection fidelity(table, path, "fidelity");
-    scene.deformation = choice(fidelity, "deformation", kDeformations, scene.deformation);
-    scene.solver = choice(fidelity, "contact_solver", kSolvers, scene.solver);
-    scene.footSearch = choice(fidelity, "foot_search", kEfforts, scene.footSearch);
-    fidelity.refuseUnknownKeys();
+    readFidelity(TomlSection(table, path, "fidelity"), scene);
     TomlSection haptics(table, path, "haptics");
     scene.tickRate = haptics.number("rate_hz", scene.tickRate);
     scene.positionGain = haptics.number("position_gain", scene.positionGain);
@@ -293,6 +342,18 @@ toml::table probeSectionTable(const SceneDescription& scene) {
     return table;
 }
 
+toml::table fidelityTable(const SceneDescription& scene) {
+    return toml::table{{"tolerance", scene.tolerance},
+                       {"contact_solver", nameOf(kSolvers, scene.solver)},
+                       {"decoupling", nameOf(kDecouplings, scene.decoupling)},
+                       {"deformation", nameOf(kDeformations, scene.deformation)},
+                       {"foot_search", nameOf(kEfforts, scene.footSearch)},
+                       {"friction", nameOf(kSwitches, scene.friction)},
+                       {"torsion", nameOf(kSwitches, scene.torsion)},
+                       {"mount_tilt", nameOf(kSwitches, scene.mountTilt)},
+                       {"curvature", nameOf(kSwitches, scene.curvature)}};
+}
+
 toml::table truthTable(const TruthDescription& truth) {
     toml::table table = materialTable(truth.material);
     table.insert("stiffness_n_m", truth.stiffness);
@@ -345,9 +406,7 @@ std::string sceneText(const SceneDescription& scene) {
                                 {"meniscus_tension_n_m", scene.meniscus.surfaceTension},
                                 {"meniscus_angle_rad", scene.meniscus.contactAngle},
                                 {"meniscus_range_m", scene.meniscus.range}}},
-        {"fidelity", toml::table{{"deformation", nameOf(kDeformations, scene.deformation)},
-                                 {"contact_solver", nameOf(kSolvers, scene.solver)},
-                                 {"foot_search", nameOf(kEfforts, scene.footSearch)}}},
+        {"fidelity", fidelityTable(scene)},
         {"haptics",
          toml::table{{"rate_hz", scene.tickRate},
                      {"position_gain", scene.positionGain},

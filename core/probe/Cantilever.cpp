@@ -110,4 +110,11 @@ Cantilever::Cantilever(const CantileverGeometry& geometry) : geometry_(geometry)
     torsionPerFy_ = torsion / height;
 }
 
+Cantilever Cantilever::rigidInTorsion() const noexcept {
+    Cantilever rigid = *this;
+    rigid.compliance_(1, 1) -= torsionPerFy_ * geometry_.tipHeight;
+    rigid.labCompliance_ = rotation_.transpose() * rigid.compliance_ * rotation_;
+    return rigid;
+}
+
 }  // namespace asperity

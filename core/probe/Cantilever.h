@@ -39,6 +39,9 @@ public:
     ///        to 1 m, stiffness 1e-9 to 1e9 N/m, Poisson's ratio 0 to 0.5, tilt a quarter turn
     explicit Cantilever(const CantileverGeometry& geometry);
 
+    /// The same lever, but that no force across it turns it. The signal of torsion stays.
+    [[nodiscard]] Cantilever rigidInTorsion() const noexcept;
+
     [[nodiscard]] const CantileverGeometry& geometry() const noexcept { return geometry_; }
     [[nodiscard]] double stiffness() const noexcept { return stiffness_; }  ///< kz at the tip [N/m]
 

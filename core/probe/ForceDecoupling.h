@@ -22,6 +22,12 @@ struct DecouplingInput {
     double normalForceSigma = 0.0;       ///< its standard deviation [N], > 0
 };
 
+/// How the signals become a force.
+enum class DecouplingTier : std::uint8_t {
+    Planar,    ///< nothing assumed but that the force lies in the plane of normal and motion
+    Estimator  ///< weighted least squares of all that is known
+};
+
 /// Which geometry the estimate met (docs/physics.md 6.3).
 enum class DecouplingCase : std::uint8_t {
     Regular,       ///< planarity and signals determine the force

@@ -19,6 +19,7 @@ struct ProbeSystem {
     ContactModel contact;
     Cantilever cantilever;
     Friction friction;
+    bool curvature = true;  ///< whether the sample's curvature at the foot counts
 
     [[nodiscard]] double tipRadius() const noexcept { return contact.pair().tipRadius; }  ///< [m]
 };

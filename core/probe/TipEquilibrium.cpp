@@ -178,12 +178,17 @@ private:
         return memory.feet[best];
     }
 
+    [[nodiscard]] EffectiveRadius radiusAt(const SurfaceFoot& place) const {
+        const PrincipalCurvatures bend =
+            system_.curvature ? place.curvatures : PrincipalCurvatures{};
+        return effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
+    }
+
     /// Gives each foot the effective radius of its place; whether one of them changed.
     bool followCurvature() {
         bool changed = false;
         for (Foot& foot : feet_) {
-            const PrincipalCurvatures& bend = foot.place.curvatures;
-            foot.radius = effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
+            foot.radius = radiusAt(foot.place);
             if (isSphere(system_.contact.law())) {
                 foot.radius = takenAsFlat(foot.radius, system_.tipRadius());
             }

@@ -15,13 +15,6 @@ namespace asperity {
 
 namespace {
 
-ProbeSystem probeSystem(const SceneDescription& scene, const SampleMaterial& material,
-                        const CantileverGeometry& probe) {
-    const ContactPair pair = contactPair(scene, material);
-    return {ContactModel(chooseLaw(scene.law, pair).law, pair, contactOptions(scene, material)),
-            Cantilever(probe), material.friction};
-}
-
 /// Beyond these bounds a map is no scan of a microscope, and rounding would be all that is left.
 void checkMap(const ScanMap& map) {
     constexpr double kSmallestPitch = 1e-13;  // [m]
@@ -50,7 +43,12 @@ InstrumentTruth instrumentTruth(const SceneDescription& scene) {
     CantileverGeometry probe = scene.probe;
     probe.thickness = thicknessForStiffness(probe, scene.truth.stiffness);
     const double noise = scene.truth.signalNoise;
-    return {.system = probeSystem(scene, scene.truth.material, probe),
+    const SampleMaterial& material = scene.truth.material;
+    const ContactPair pair = contactPair(scene, material);
+    return {.system = {.contact = ContactModel(chooseLaw(scene.law, pair).law, pair,
+                                               contactOptions(scene, material)),
+                       .cantilever = Cantilever(probe),
+                       .friction = material.friction},
             .noise = {.bending = noise, .torsion = noise},
             .seed = scene.truth.noiseSeed,
             .temperature = scene.truth.temperature,
@@ -91,14 +89,14 @@ Ground groundOf(const SampleDescription& sample, ScanMap map, Progress* progress
 }
 
 Scene assemble(const SceneDescription& description, Ground ground) {
+    const SceneModel model = usualModel(description);
     return {.description = description,
             .removedPlane = ground.removedPlane,
             .surface = std::move(ground.surface),
             .certainty = std::move(ground.certainty),
             .shape = std::move(ground.shape),
-            .lawChoice =
-                chooseLaw(description.law, contactPair(description, description.sample.material)),
-            .belief = probeSystem(description, description.sample.material, description.probe),
+            .model = model,
+            .belief = believedSystem(description, model),
             .truth = instrumentTruth(description),
             .signalSigma = {.bending = description.signalSigma, .torsion = description.signalSigma},
             .settings = {.positionGain = description.positionGain,
@@ -143,6 +141,11 @@ Scene withMaterial(Scene scene, const SampleMaterial& material) {
     checkScene(description);
     return assemble(description, {scene.removedPlane, std::move(scene.surface),
                                   std::move(scene.certainty), std::move(scene.shape)});
+}
+
+void setModel(Scene& scene, const SceneModel& model) {
+    scene.belief = believedSystem(scene.description, model);
+    scene.model = model;
 }
 
 }  // namespace asperity

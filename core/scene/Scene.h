@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/Progress.h"
-#include "core/contact/LawChoice.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/SimulatedAfm.h"
 #include "core/scene/SceneDescription.h"
+#include "core/scene/SceneModel.h"
 #include "core/scene/Settings.h"
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/HeightMap.h"
@@ -24,16 +24,16 @@ struct Scene {
     BSplineSurface surface;             ///< as it is drawn, and touched unless it is a shape
     CertaintyMap certainty;             ///< of the surface, where its imaging tip is known
     std::optional<NurbsSurface> shape;  ///< what the tip touches in place of `surface`
-    LawChoice lawChoice;                ///< of the belief, and why
+    SceneModel model;                   ///< what the belief reckons with
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     InstrumentTruth truth;     ///< what the simulated instrument is
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
     Settings settings;         ///< that a run starts with
 
-    /// What the tip is believed to touch, as hard as the scene says to look; the scene must outlive
+    /// What the tip is believed to touch, as hard as the model says to look; the scene must outlive
     /// it.
     [[nodiscard]] TouchedSurface felt() const noexcept {
-        return shape ? TouchedSurface(*shape) : TouchedSurface(surface, description.footSearch);
+        return shape ? TouchedSurface(*shape) : TouchedSurface(surface, model.footSearch);
     }
     /// What the tip touches; the scene must outlive it.
     [[nodiscard]] TouchedSurface touched() const noexcept {
@@ -59,5 +59,8 @@ struct Scene {
 /// The same scan of another material. The instrument's truth goes along where it was the same as
 /// what the scene said. @throw Error as buildScene()
 [[nodiscard]] Scene withMaterial(Scene scene, const SampleMaterial& material);
+
+/// Gives the scene another model. @throw Error as believedSystem()
+void setModel(Scene& scene, const SceneModel& model);
 
 }  // namespace asperity

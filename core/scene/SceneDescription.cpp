@@ -153,6 +153,7 @@ void checkScene(const SceneDescription& scene) {
             "[truth]: stiffness_n_m must be a positive number of N/m");
     require(scene.truth.temperature >= 0.0 && std::isfinite(scene.truth.temperature),
             "[truth]: temperature_k must be zero or a positive number of kelvin");
+    require(isWithin(scene.tolerance, 0.0, 1.0), "[fidelity]: tolerance must lie between 0 and 1");
     require(scene.tickRate >= 100.0 && scene.tickRate <= 20000.0,
             "[haptics]: rate_hz must lie between 100 and 20000");
     require(scene.positionGain > 0.0 && std::isfinite(scene.positionGain),

@@ -4,6 +4,7 @@
 #include "core/contact/Material.h"
 #include "core/probe/Cantilever.h"
 #include "core/probe/DetectorCalibration.h"
+#include "core/probe/ForceDecoupling.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/scene/Settings.h"
 #include "core/surface/Levelling.h"
@@ -80,11 +81,18 @@ struct SceneDescription {
     double cohesiveRange = kCohesiveRange;  ///< h0 of the Maugis laws [m]
     Meniscus meniscus;
     SolverTier solver = SolverTier::Newton;
-    FootEffort footSearch = FootEffort::Certified;
-    DeformationTier deformation = DeformationTier::ClosedForm;
-    double tickRate = 1000.0;   ///< [Hz]
-    double positionGain = 1.0;  ///< base displacement per hand displacement
-    double forceGain = 1.0;     ///< force at the hand per force at the tip
+    DecouplingTier decoupling = DecouplingTier::Estimator;
+    // Of what follows, none: as SceneNeeds finds that the scene requires, or with everything.
+    std::optional<FootEffort> footSearch;
+    std::optional<DeformationTier> deformation;
+    std::optional<bool> friction;   ///< of tip on sample
+    std::optional<bool> torsion;    ///< of the lever
+    std::optional<bool> mountTilt;  ///< of the lever
+    std::optional<bool> curvature;  ///< of the sample
+    double tolerance = 0.01;        ///< by which leaving terms out may change forces and surface
+    double tickRate = 1000.0;       ///< [Hz]
+    double positionGain = 1.0;      ///< base displacement per hand displacement
+    double forceGain = 1.0;         ///< force at the hand per force at the tip
     PositionControl positionControl = PositionControl::Base;
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
     double zoomHalfWidth = 0.0;         ///< of the zoomed view [m]; 0: chosen from the contact

@@ -104,7 +104,7 @@ ContactShape::ContactShape(const Scene& scene, const TipState& state, const Scan
 
 DisplacementField ContactShape::fieldFor(const Scene& scene,
                                          const HalfSpaceAnswer* halfSpace) const {
-    const DeformationTier tier = scene.description.deformation;
+    const DeformationTier tier = scene.model.deformation;
     if (tier == DeformationTier::HalfSpace && halfSpace != nullptr) {
         return halfSpaceField(contact_, halfSpace->field, share_);
     }

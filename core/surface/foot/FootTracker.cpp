@@ -16,6 +16,16 @@ constexpr double kBall = 0.125;
 /// spares each of the queries after it.
 constexpr int kLongestRest = 31;
 
+/// Whether the scan as a whole leaves no place for a foot but the one that is known: all of it lies
+/// so far below the query that nothing is within reach, or the distance bends up everywhere.
+bool isProvenByScan(const BSplineSurface& surface, const Vector3& query, const FootReach& reach) {
+    constexpr double kSurely = 1.0 - 1e-6;
+    const BoxBounds scan = surface.bounds().all();
+    const double above = query.z() - scan.highest;
+    return above > reach.farthest ||
+           (above >= 0.0 && scan.concavity * (query.z() - scan.lowest) < kSurely);
+}
+
 /// Whether a search from `place` would most likely end at one of the feet.
 bool isBesideOneOf(const FootList& feet, const Vector2& place, const BSplineSurface& surface) {
     constexpr double kBeside = 1.0;  // pixel
@@ -45,6 +55,9 @@ void addLikelyFoot(const BSplineSurface& surface, const Vector3& query, const Fo
 FootProof FootTracker::completeFeet(const BSplineSurface& surface, const Vector3& query,
                                     const FootReach& reach, FootEffort effort,
                                     FootList& feet) noexcept {
+    if (feet.all().front().converged && isProvenByScan(surface, query, reach)) {
+        return FootProof::Nearest;
+    }
     switch (effort) {
     case FootEffort::Local:
         return FootProof::NotSought;

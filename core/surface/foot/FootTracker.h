@@ -11,6 +11,7 @@ class FootTracker {
 public:
     /// As completeFeet() of FootSearch.h where `effort` is Certified. With Global only a nearer
     /// foot is looked for, and the proof is Likely; with Local nothing is, and it is NotSought.
+    /// Where the scan is so gentle that a foot stands alone anyway, it is Nearest with any effort.
     [[nodiscard]] FootProof completeFeet(const BSplineSurface& surface, const Vector3& query,
                                          const FootReach& reach, FootEffort effort,
                                          FootList& feet) noexcept;

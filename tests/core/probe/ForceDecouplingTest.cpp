@@ -3,7 +3,7 @@
 #include "core/Units.h"
 #include "core/probe/Sliding.h"
 #include "tests/core/probe/DecouplingSituations.h"
-#include "tests/core/probe/PlanarForce.h"
+#include "core/probe/PlanarForce.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -118,12 +118,12 @@ TEST(Scene, RefusesEachValueOutsideItsRange) {
 
 TEST(Scene, ChoosesTheContactLawAndSaysWhy) {
     SceneDescription description = test::plainScene();
-    EXPECT_EQ(buildScene(description, test::flatMap()).lawChoice.law, ContactLaw::Split);
+    EXPECT_EQ(buildScene(description, test::flatMap()).model.law.law, ContactLaw::Split);
     description.sample.material.elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5};
     description.sample.material.workOfAdhesion = 0.022;
     const Scene rubber = buildScene(description, test::flatMap());
     EXPECT_EQ(rubber.belief.contact.law(), ContactLaw::SphereMaugis);
-    EXPECT_NE(rubber.lawChoice.why.find("2.5"), std::string::npos) << rubber.lawChoice.why;
+    EXPECT_NE(rubber.model.law.why.find("2.5"), std::string::npos) << rubber.model.law.why;
     description.sample.material.workOfAdhesion = 0.0;
     EXPECT_EQ(buildScene(description, test::flatMap()).belief.contact.law(), ContactLaw::Hertz);
     description.law = ContactLaw::Jkr;

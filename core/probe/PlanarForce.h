@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/probe/Cantilever.h"
+#include "core/probe/ForceDecoupling.h"
 #include "core/probe/OpticalLever.h"
 
 namespace asperity {
@@ -18,5 +19,11 @@ struct PlanarForce {
 /// Source: docs/physics.md 6.3.
 [[nodiscard]] PlanarForce planarForce(const Cantilever& cantilever, const LeverSignals& signals,
                                       const Vector3& normal, const Vector3& velocity) noexcept;
+
+/// The planar force as an estimate; where it is singular, the contact model's force along the
+/// normal, with that one's variance. The covariance is that of the signals' noise alone, and
+/// nothing is held against the friction law. No allocation.
+[[nodiscard]] ForceEstimate planarEstimate(const Cantilever& cantilever,
+                                           const DecouplingInput& input) noexcept;
 
 }  // namespace asperity

@@ -1,0 +1,77 @@
+#include "core/fidelity/ModelRun.h"
+
+#include "core/haptics/VirtualRun.h"
+#include "core/probe/SimulatedAfm.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace asperity {
+
+RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration) {
+    SimulatedAfm afm(scene.touched(), scene.truth);
+    RecordedRun run;
+    const long ticks = std::lround(duration / scene.timeStep()) + 1;
+    runVirtually(scene, path, afm, ticks, [&](const TickSample& sample) {
+        run.inputs.push_back(sample.input);
+        run.trueForces.push_back(afm.trueState().force);
+    });
+    return run;
+}
+
+ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs) {
+    using Clock = std::chrono::steady_clock;
+    ModelRun result;
+    for (const RecordedRun& run : runs) {
+        TickMemory memory;
+        for (const TickInput& input : run.inputs) {
+            const auto start = Clock::now();
+            const TickOutput output = tick(scene, input, memory);
+            result.times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+            result.states.push_back(output.model);
+            result.estimates.push_back(output.estimate.force);
+        }
+    }
+    return result;
+}
+
+ForceDifference differenceOf(const ModelRun& run, const ModelRun& reference) {
+    ForceDifference difference;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < run.states.size(); ++i) {
+        const TipState& state = run.states[i];
+        const TipState& exact = reference.states[i];
+        const double error = (state.force - exact.force).norm();
+        sum += error * error;
+        difference.largest = std::max(difference.largest, error);
+        difference.contactRadius =
+            std::max(difference.contactRadius,
+                     std::abs(state.contact.contactRadius - exact.contact.contactRadius));
+        if (exact.contact.contactRadius > 0.0 && state.contact.contactRadius > 0.0) {
+            difference.foot =
+                std::max(difference.foot, (state.foot.point - exact.foot.point).norm());
+        }
+    }
+    difference.rms = std::sqrt(sum / static_cast<double>(run.states.size()));
+    return difference;
+}
+
+double forceScale(const ModelRun& run) {
+    double sum = 0.0;
+    for (const TipState& state : run.states) {
+        sum += state.force.squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(run.states.size()));
+}
+
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) {
+        return 0.0;
+    }
+    const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
+}
+
+}  // namespace asperity

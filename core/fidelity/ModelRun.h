@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/haptics/HandPath.h"
+#include "core/haptics/HapticTick.h"
+
+#include <vector>
+
+namespace asperity {
+
+/// A run of the scene along a path, recorded once, so that several models can work on the same
+/// inputs; a tick an element.
+struct RecordedRun {
+    std::vector<TickInput> inputs;
+    std::vector<Vector3> trueForces;  ///< inside the instrument [N]
+};
+
+[[nodiscard]] RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration);
+
+/// What a model made of recorded runs, a tick an element.
+struct ModelRun {
+    std::vector<TipState> states;    ///< as believed
+    std::vector<Vector3> estimates;  ///< from the signals [N]
+    std::vector<double> times;       ///< of ticks [s]; of this machine
+};
+
+/// Runs the scene's model over the inputs of each run, one after another.
+[[nodiscard]] ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs);
+
+/// By how much forces differ over a run.
+struct ForceDifference {
+    double rms = 0.0;            ///< of the vector [N]
+    double largest = 0.0;        ///< [N]
+    double contactRadius = 0.0;  ///< largest [m]
+    double foot = 0.0;           ///< largest, between the main feet while both touch [m]
+};
+
+[[nodiscard]] ForceDifference differenceOf(const ModelRun& run, const ModelRun& reference);
+
+/// Root mean square of the model's force over a run [N].
+[[nodiscard]] double forceScale(const ModelRun& run);
+
+/// The value below which a share of the values lies; 0 of none.
+[[nodiscard]] double quantile(std::vector<double> values, double share);
+
+}  // namespace asperity

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/scene/SceneModel.h"
+
+#include <array>
+#include <cstdint>
+
+namespace asperity {
+
+/// What the model of a scene may leave out.
+enum class ModelTerm : std::uint8_t {
+    Adhesion,
+    VanDerWaalsTail,      ///< attraction across a gap
+    SphereCorrection,     ///< the exact sphere in place of its paraboloid
+    SampleCurvature,      ///< effective radius at the foot
+    Friction,             ///< of the tip on the sample
+    Torsion,              ///< of the lever, under a force across it
+    MountTilt,            ///< of the lever against the scan
+    GlobalSearch,         ///< for feet elsewhere than downhill
+    OutsideDisplacement,  ///< of the surface, outside the contact
+    HalfSpaceSolve,       ///< on the real topography, in place of the closed form
+};
+
+inline constexpr std::array kModelTerms{
+    ModelTerm::Adhesion,        ModelTerm::VanDerWaalsTail, ModelTerm::SphereCorrection,
+    ModelTerm::SampleCurvature, ModelTerm::Friction,        ModelTerm::Torsion,
+    ModelTerm::MountTilt,       ModelTerm::GlobalSearch,    ModelTerm::OutsideDisplacement,
+    ModelTerm::HalfSpaceSolve};
+
+/// For people: "van der Waals tail".
+[[nodiscard]] const char* nameOf(ModelTerm term) noexcept;
+
+/// Whether the term is about the picture, not about the force.
+[[nodiscard]] bool isOfSurface(ModelTerm term) noexcept;
+
+/// Whether the description itself says if the term is in.
+[[nodiscard]] bool isSettled(ModelTerm term, const SceneDescription& scene) noexcept;
+
+[[nodiscard]] bool has(const SceneModel& model, ModelTerm term) noexcept;
+
+/// The model less the term, as cheap as that makes it; the same where it is not in.
+[[nodiscard]] SceneModel without(SceneModel model, ModelTerm term);
+
+/// The model with the term added. The law of the exact sphere has no tail: it takes its place.
+[[nodiscard]] SceneModel with(SceneModel model, ModelTerm term);
+
+}  // namespace asperity

@@ -1,0 +1,51 @@
+#include "core/fidelity/RateStudy.h"
+
+#include "core/fidelity/ModelRun.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kLowestRate = 250.0;  // [Hz]
+constexpr double kHighestRate = 8e3;   // [Hz]
+constexpr double kFinestRate = 16e3;   // [Hz]
+
+ModelRun runAt(Scene& scene, const HandPath& path, double rate, double duration) {
+    scene.description.tickRate = rate;
+    scene.truth.timeStep = scene.timeStep();
+    return runModel(scene, {recordRun(scene, path, duration)});
+}
+
+/// Between ticks the last force stands.
+double holdError(const ModelRun& held, const ModelRun& finest) {
+    const std::size_t perTick = finest.states.size() / std::max<std::size_t>(held.states.size(), 1);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < finest.states.size(); ++i) {
+        const std::size_t tick = std::min(i / perTick, held.states.size() - 1);
+        sum += (held.states[tick].force - finest.states[i].force).squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(finest.states.size()));
+}
+
+}  // namespace
+
+std::vector<RateResult> studyRates(Scene& scene, double duration) {
+    const double before = scene.description.tickRate;
+    const HandPath path = approachPath(scene, {.duration = duration});
+    const ModelRun finest = runAt(scene, path, kFinestRate, duration);
+    std::vector<RateResult> results;
+    for (double rate = kLowestRate; rate <= kHighestRate; rate *= 2.0) {
+        const ModelRun run = runAt(scene, path, rate, duration);
+        results.push_back({.rate = rate,
+                           .load = rate * quantile(run.times, 0.5),
+                           .holdErrorRms = holdError(run, finest)});
+    }
+    scene.description.tickRate = before;
+    scene.truth.timeStep = scene.timeStep();
+    return results;
+}
+
+}  // namespace asperity

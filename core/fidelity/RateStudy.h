@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/fidelity/TradeOffStudy.h"
+#include "core/scene/Scene.h"
+
+#include <vector>
+
+namespace asperity {
+
+/// The scene's approach at tick rates from 250 Hz to 8 kHz, each against twice the highest: what a
+/// force misses that is held from tick to tick. @param scene has its rate changed meanwhile
+[[nodiscard]] std::vector<RateResult> studyRates(Scene& scene, double duration);
+
+}  // namespace asperity

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/fidelity/ModelRun.h"
+#include "core/scene/Scene.h"
+
+#include <vector>
+
+namespace asperity {
+
+/// Short runs over a scene on which its models are compared: approach, slide and retract at the
+/// highest feature and at two more places, and a scratch across the middle. Recorded once, with the
+/// model that the scene has at first, which is the reference.
+class SampledRuns {
+public:
+    /// @param scene must outlive this; its model is changed by error() and left changed
+    explicit SampledRuns(Scene& scene);
+
+    /// Whether ticks are so slow here that nobody would wait for more runs.
+    [[nodiscard]] bool isSlow() const noexcept { return slow_; }
+
+    /// Root mean square of the force's difference from the reference, as a share of that of the
+    /// force; 0 where there is no force. Sets the scene's model.
+    [[nodiscard]] double error(const SceneModel& model);
+
+    /// The same between two models, as a share of the reference's force.
+    [[nodiscard]] double difference(const SceneModel& a, const SceneModel& b);
+
+    /// Makes another model the reference. Sets the scene's model.
+    void refer(const SceneModel& model);
+
+    /// Median of a tick in the last run [s].
+    [[nodiscard]] double tickTime() const { return quantile(last_.times, 0.5); }
+
+    /// The reference, all runs in a row.
+    [[nodiscard]] const ModelRun& reference() const noexcept { return reference_; }
+
+private:
+    [[nodiscard]] ModelRun runWith(const SceneModel& model) const;
+    [[nodiscard]] double share(const ModelRun& a, const ModelRun& b) const;
+
+    Scene& scene_;
+    std::vector<RecordedRun> runs_;
+    ModelRun reference_;
+    ModelRun last_;
+    bool slow_ = false;
+};
+
+}  // namespace asperity

@@ -1,0 +1,162 @@
+#include "core/fidelity/SceneNeeds.h"
+
+#include "core/fidelity/SampledRuns.h"
+#include "core/fidelity/SurfaceNeeds.h"
+#include "core/fidelity/TermFacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+/// How far from its sphere a tip looks for feet [m].
+constexpr double kFeetReach = 10e-9;
+
+/// Whether no two places of the scan can come as near to a tip that feels it.
+bool tipFitsEverywhere(const Scene& scene) {
+    const BoxBounds scan = scene.surface.bounds().all();
+    const double above = scene.belief.tipRadius() + kFeetReach;
+    return !scene.shape && scan.concavity * (scan.highest - scan.lowest + above) < 1.0;
+}
+
+/// The model with every term that the description does not settle.
+SceneModel fullModel(const SceneDescription& scene) {
+    SceneModel model = usualModel(scene);
+    for (const ModelTerm term :
+         {ModelTerm::SampleCurvature, ModelTerm::Friction, ModelTerm::Torsion, ModelTerm::MountTilt,
+          ModelTerm::GlobalSearch}) {
+        if (!isSettled(term, scene)) {
+            model = with(model, term);
+        }
+    }
+    return model;
+}
+
+/// Decides about the terms of the force.
+class ForceNeeds {
+public:
+    /// @param scene has the full model
+    ForceNeeds(Scene& scene, SceneNeeds& needs) : needs_(needs), runs_(scene) {}
+
+    [[nodiscard]] bool isSlow() const { return runs_.isSlow(); }
+    [[nodiscard]] const ModelRun& reference() const { return runs_.reference(); }
+
+    void decide(const SceneDescription& description, bool tipFits) {
+        chooseTailOrSphere(description);
+        needs_.fullTick = runs_.tickTime();
+        for (TermNeed& need : needs_.terms) {
+            if (isOfSurface(need.term) || !has(needs_.full, need.term)) {
+                continue;
+            }
+            need.effect = runs_.error(without(needs_.full, need.term));
+            need.time = needs_.fullTick - runs_.tickTime();
+            const bool isBound = need.term == ModelTerm::GlobalSearch && !tipFits;
+            if (!need.overruled && !isBound) {
+                free_.push_back(need.term);
+            }
+        }
+        leaveOut();
+        needs_.forceError = runs_.error(needs_.model);
+        needs_.modelTick = runs_.tickTime();
+    }
+
+private:
+    TermNeed& need(ModelTerm term) { return needs_.terms[static_cast<std::size_t>(term)]; }
+
+    /// No law has both. Where none is asked for, the one that matters more.
+    void chooseTailOrSphere(const SceneDescription& description) {
+        SceneModel tail = needs_.full;
+        SceneModel sphere = with(needs_.full, ModelTerm::SphereCorrection);
+        if (description.law || !has(sphere, ModelTerm::SphereCorrection)) {
+            return;
+        }
+        const SceneModel neither = without(sphere, ModelTerm::SphereCorrection);
+        const bool adhesive = has(neither, ModelTerm::Adhesion);
+        tail = adhesive ? with(neither, ModelTerm::VanDerWaalsTail) : neither;
+        need(ModelTerm::SphereCorrection).effect = runs_.difference(sphere, neither);
+        need(ModelTerm::VanDerWaalsTail).effect = runs_.difference(tail, neither);
+        const double bySphere = need(ModelTerm::SphereCorrection).effect;
+        const double byTail = need(ModelTerm::VanDerWaalsTail).effect;
+        const bool takesSphere = bySphere > needs_.tolerance && bySphere > byTail;
+        needs_.full.law.law = (takesSphere ? sphere : tail).law.law;
+        runs_.refer(needs_.full);
+    }
+
+    /// The least effect first; then again what stayed, since effects can cancel.
+    void leaveOut() {
+        std::ranges::stable_sort(free_, {}, [&](ModelTerm term) { return need(term).effect; });
+        needs_.model = needs_.full;
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const ModelTerm term : free_) {
+                const SceneModel less = without(needs_.model, term);
+                if (has(needs_.model, term) && runs_.error(less) <= needs_.tolerance) {
+                    needs_.model = less;
+                    changed = true;
+                }
+            }
+        }
+    }
+
+    SceneNeeds& needs_;
+    SampledRuns runs_;
+    std::vector<ModelTerm> free_;  ///< to be left out
+};
+
+/// Decides about the terms of the picture.
+void decideSurface(const SceneDescription& description, const SurfaceNeeds& surface,
+                   SceneNeeds& needs) {
+    if (description.deformation) {
+        return;
+    }
+    if (surface.halfSpaceHolds && surface.halfSpace > needs.tolerance) {
+        needs.model = with(needs.model, ModelTerm::HalfSpaceSolve);
+    } else if (surface.touches && surface.outside <= needs.tolerance) {
+        needs.model = without(needs.model, ModelTerm::OutsideDisplacement);
+    }
+}
+
+void fillIn(const SurfaceNeeds& surface, SceneNeeds& needs) {
+    for (TermNeed& need : needs.terms) {
+        if (need.term == ModelTerm::OutsideDisplacement) {
+            need.effect = surface.outside;
+            need.time = surface.outsideTime;
+        } else if (need.term == ModelTerm::HalfSpaceSolve) {
+            need.effect = surface.halfSpace;
+            need.time = surface.halfSpaceTime;
+        }
+    }
+}
+
+}  // namespace
+
+SceneNeeds fitModel(Scene& scene) {
+    SceneNeeds needs{.terms = {}, .full = fullModel(scene.description)};
+    needs.tolerance = scene.description.tolerance;
+    for (const ModelTerm term : kModelTerms) {
+        needs.terms.push_back(
+            {.term = term, .overruled = isSettled(term, scene.description), .why = ""});
+    }
+    setModel(scene, needs.full);
+    needs.model = needs.full;
+    ForceNeeds force(scene, needs);
+    if (!force.isSlow()) {
+        force.decide(scene.description, tipFitsEverywhere(scene));
+        setModel(scene, needs.full);
+        const SurfaceNeeds surface = surfaceNeedsOf(scene, force.reference().states);
+        fillIn(surface, needs);
+        decideSurface(scene.description, surface, needs);
+        for (TermNeed& need : needs.terms) {
+            need.why = factOf(need.term, scene, force.reference(), surface);
+        }
+    }
+    for (TermNeed& need : needs.terms) {
+        need.on = has(needs.model, need.term);
+    }
+    setModel(scene, needs.model);
+    return needs;
+}
+
+}  // namespace asperity

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/fidelity/ModelTerm.h"
+#include "core/scene/Scene.h"
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// What one term of the model is worth in a scene.
+struct TermNeed {
+    ModelTerm term = ModelTerm::Adhesion;
+    bool on = true;
+    bool overruled = false;  ///< the scene says so itself
+    std::string why;         ///< one clause, for people
+    /// What leaving it out of the whole changes: the force, as a share of its root mean square over
+    /// the sampled run; of terms of the surface its displacement, as a share of the indentation.
+    double effect = 0.0;
+    double time = 0.0;  ///< that it costs a tick, or a patch; of this machine [s]
+};
+
+/// What a scene requires of its model.
+struct SceneNeeds {
+    std::vector<TermNeed> terms;  ///< in the order of kModelTerms
+    SceneModel full;              ///< with every term that can be in
+    SceneModel model;             ///< with those that matter
+    double tolerance = 0.0;       ///< of forces and of indentations, as a share
+    double forceError = 0.0;      ///< of `model` against `full`, as TermNeed::effect
+    double fullTick = 0.0;        ///< median of a tick with everything [s]
+    double modelTick = 0.0;       ///< and of one with what matters [s]
+};
+
+/// Finds the terms that change forces or displacements by more than the scene's tolerance, and
+/// gives the scene the model of these alone.
+///
+/// On sampled runs (the highest feature, two more places, a scratch) it leaves out one term after
+/// another, the least effect first, as long as all that is left out stays within the tolerance.
+/// Terms that the description settles stay as they are. The search for other feet stays wherever
+/// the scan has a hollow that the tip does not fit, whatever the runs meet. Decisions are
+/// reproducible, times are of this machine. Where ticks take milliseconds everything is left on.
+/// @throw Error as setModel()
+SceneNeeds fitModel(Scene& scene);
+
+}  // namespace asperity

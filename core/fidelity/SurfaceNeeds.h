@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/probe/TipEquilibrium.h"
+#include "core/scene/Scene.h"
+
+#include <span>
+#include <string>
+
+namespace asperity {
+
+/// What the ways to deform the surface differ by in a scene. Differences are root mean squares over
+/// a patch, as shares of the indentation.
+struct SurfaceNeeds {
+    bool touches = false;         ///< whether any of the states was a contact
+    bool halfSpaceHolds = false;  ///< at all states that were looked at
+    std::string halfSpaceWord;    ///< what it says of itself at the deepest
+    double outside = 0.0;         ///< contact radius from closed form
+    double halfSpace = 0.0;       ///< closed form from half-space; 0 where that does not hold
+    double outsideTime = 0.0;     ///< that the closed form takes longer than the contact radius [s]
+    double halfSpaceTime = 0.0;   ///< that the half-space takes longer than the closed form [s]
+};
+
+/// Looks at the states with the largest forces.
+[[nodiscard]] SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states);
+
+}  // namespace asperity

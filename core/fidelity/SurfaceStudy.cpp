@@ -1,0 +1,157 @@
+#include "core/fidelity/SurfaceStudy.h"
+
+#include "core/fidelity/ModelRun.h"
+#include "core/scene/ContactPatch.h"
+#include "core/scene/HalfSpaceModel.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kReferenceSamples = 193;  // of a patch, a side
+constexpr double kReach = 3.0;          // of a patch, in contact radii
+
+/// Contacts of the run, spread evenly.
+std::vector<TipState> contactsOf(std::span<const TipState> states, int count) {
+    std::vector<TipState> bonded;
+    std::ranges::copy_if(states, std::back_inserter(bonded), [](const TipState& state) {
+        return state.converged && state.contact.contactRadius > 0.0;
+    });
+    std::vector<TipState> chosen;
+    for (int i = 0; i < count && !bonded.empty(); ++i) {
+        const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 0.0;
+        chosen.push_back(
+            bonded[static_cast<std::size_t>(share * static_cast<double>(bonded.size() - 1))]);
+    }
+    return chosen;
+}
+
+PatchGrid gridOf(const TipState& state, int samples) {
+    return {.halfWidth = kReach * state.contact.contactRadius, .samples = samples};
+}
+
+/// Displacement along z of a patch at a place of its grid, 0..1 along each side, between the
+/// samples as a picture shows it [m].
+double displacementAt(const SurfacePatch& patch, double column, double row) {
+    const double x = column * (patch.columns - 1);
+    const double y = row * (patch.rows - 1);
+    const int j = std::min(static_cast<int>(x), patch.columns - 2);
+    const int i = std::min(static_cast<int>(y), patch.rows - 2);
+    const auto at = [&](int r, int c) {
+        const std::size_t index = patch.index(r, c);
+        return patch.points[index].z() - patch.rest[index].z();
+    };
+    const double low = std::lerp(at(i, j), at(i, j + 1), x - j);
+    const double high = std::lerp(at(i + 1, j), at(i + 1, j + 1), x - j);
+    return std::lerp(low, high, y - i);
+}
+
+/// Sums up differences of patches.
+struct SurfaceError {
+    double sum = 0.0;
+    double largest = 0.0;
+    std::size_t count = 0;
+
+    void add(const SurfacePatch& patch, const SurfacePatch& reference) {
+        for (int row = 0; row < reference.rows; ++row) {
+            for (int column = 0; column < reference.columns; ++column) {
+                const double x = static_cast<double>(column) / (reference.columns - 1);
+                const double y = static_cast<double>(row) / (reference.rows - 1);
+                const double error = displacementAt(patch, x, y) - displacementAt(reference, x, y);
+                sum += error * error;
+                largest = std::max(largest, std::abs(error));
+                ++count;
+            }
+        }
+    }
+    [[nodiscard]] double rms() const {
+        return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+    }
+};
+
+/// The reference's patches of some contacts.
+struct ReferencePatches {
+    bool solved = true;  ///< all by the half-space
+    std::vector<SurfacePatch> patches;
+};
+
+/// @param pixels of the half-space, a side
+ReferencePatches referencePatches(const Scene& scene, const std::vector<TipState>& states,
+                                  int pixels) {
+    ReferencePatches reference;
+    HalfSpaceModel model(pixels, {.tolerance = 1e-4});
+    for (const TipState& state : states) {
+        const HalfSpaceAnswer answer = model.solve(scene, state);
+        const PatchGrid grid = gridOf(state, kReferenceSamples);
+        reference.solved = reference.solved && answer.valid();
+        reference.patches.push_back(
+            answer.valid() ? halfSpacePatch(scene, answer, grid)
+                           : contactPatch(scene, state, DeformationTier::ClosedForm, grid));
+    }
+    return reference;
+}
+
+FrameResult resultOf(const Scene& scene, const FrameTier& tier, const std::vector<TipState>& states,
+                     const ReferencePatches& reference, int rounds) {
+    using Clock = std::chrono::steady_clock;
+    std::vector<double> times;
+    SurfaceError error;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        SurfacePatch patch;
+        for (int round = 0; round < rounds; ++round) {
+            const auto start = Clock::now();
+            patch =
+                contactPatch(scene, states[i], tier.deformation, gridOf(states[i], tier.samples));
+            times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+        }
+        error.add(patch, reference.patches[i]);
+    }
+    return {.tier = tier,
+            .median = quantile(times, 0.5),
+            .surfaceErrorRms = error.rms(),
+            .surfaceErrorMax = error.largest};
+}
+
+/// How much the half-space still changes with its pixels.
+void doubt(const Scene& scene, const std::vector<TipState>& states,
+           const ReferencePatches& reference, TradeOffReference& result) {
+    if (!reference.solved) {
+        result.surfaceDoubtBy = "the closed form stands in for a half-space that does not hold";
+        return;
+    }
+    const ReferencePatches coarser = referencePatches(scene, states, HalfSpaceModel::kSamples);
+    SurfaceError error;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        error.add(coarser.patches[i], reference.patches[i]);
+    }
+    result.surfaceDoubt = error.rms();
+    result.surfaceDoubtBy = "the half-space of half as many pixels a side against it";
+}
+
+}  // namespace
+
+void studySurfaces(const Scene& scene, std::span<const TipState> states, const TradeOffPlan& plan,
+                   TradeOff& result) {
+    constexpr int kFinePixels = 2 * HalfSpaceModel::kSamples;
+    const std::vector<TipState> contacts = contactsOf(states, plan.patches);
+    const ReferencePatches reference = referencePatches(scene, contacts, kFinePixels);
+    result.reference.frame = {.deformation = reference.solved ? DeformationTier::HalfSpace
+                                                              : DeformationTier::ClosedForm,
+                              .samples = kReferenceSamples};
+    doubt(scene, contacts, reference, result.reference);
+    std::vector<CostAndError> choices;
+    for (const FrameTier& tier : frameTiers()) {
+        result.frames.push_back(resultOf(scene, tier, contacts, reference, plan.rounds));
+        choices.push_back(result.frames.back().costAndError());
+    }
+    const std::vector<bool> front = paretoFront(choices);
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        result.frames[i].onFront = front[i];
+    }
+}
+
+}  // namespace asperity
