@@ -111,8 +111,9 @@ void markInvalid(ScanMap& map) {
         return;
     }
     map.invalid.resize(map.heights.size());
-    std::ranges::transform(map.heights, map.invalid.begin(),
-                           [&](float height) { return std::uint8_t{!hasData(height)}; });
+    for (std::size_t i = 0; i < map.heights.size(); ++i) {
+        map.invalid[i] = !hasData(map.heights[i]);
+    }
 }
 
 /// Reads all rows, on two threads where that is worth one.

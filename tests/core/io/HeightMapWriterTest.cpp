@@ -187,7 +187,7 @@ TEST(HeightMapWriter, FlatAndEmptyMapsAreLegal) {
         EXPECT_GT(std::filesystem::file_size(folder.file("nothing" + extension)), 0U);
     }
     EXPECT_EQ(throughFile("flat.gwy", flat).map.heights, flat.heights);
-    EXPECT_EQ(throughFile("nothing.gwy", nothing).map.invalid, std::vector<std::uint8_t>(4, 1));
+    EXPECT_EQ(throughFile("nothing.gwy", nothing).map.invalid, PixelMask(4, 1));
 }
 
 TEST(HeightMapWriter, RefusesUnknownExtensionsAndUnusableMaps) {
