@@ -55,10 +55,10 @@ void CantileverPanel::buildNumbers() {
     const auto value = [this](const char* name, const char* widest) {
         return valueLabel(QString::fromUtf8(name), QString::fromUtf8(widest), this);
     };
-    bending_ = value("bending", "-88.8 µrad");
-    torsion_ = value("torsion", "-88.8 µrad");
-    deflection_ = value("deflection", "-88.8 µm");
-    lateral_ = value("lateral", "-88.8 µm");
+    bending_ = value("bending", "-88.88 µrad");
+    torsion_ = value("torsion", "-88.88 µrad");
+    deflection_ = value("deflection", "-88.88 µm");
+    lateral_ = value("lateral", "-88.88 µm");
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(1);

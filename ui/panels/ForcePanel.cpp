@@ -92,14 +92,14 @@ void ForcePanel::buildForces(QGridLayout& grid) {
         palette.setColor(QPalette::WindowText, colours.at(axis));
         name->setPalette(palette);
         const QString objectName = QStringLiteral("force") + kAxes.at(axis);
-        force_.at(axis) = valueLabel(objectName, QStringLiteral("-88.8 µN"), this);
+        force_.at(axis) = valueLabel(objectName, QStringLiteral("-88.88 µN"), this);
         sigma_.at(axis) =
-            valueLabel(objectName + QStringLiteral("Sigma"), QStringLiteral("± 88.8"), this);
+            valueLabel(objectName + QStringLiteral("Sigma"), QStringLiteral("± 88.88"), this);
         grid.addWidget(name, row, 0);
         grid.addWidget(force_.at(axis), row, 1);
         grid.addWidget(sigma_.at(axis), row, 2);
     }
-    magnitude_ = valueLabel(QStringLiteral("forceMagnitude"), QStringLiteral("-88.8 µN"), this);
+    magnitude_ = valueLabel(QStringLiteral("forceMagnitude"), QStringLiteral("-88.88 µN"), this);
     grid.addWidget(captionLabel(QStringLiteral("|F|"), this), 3, 0);
     grid.addWidget(magnitude_, 3, 1);
 }
@@ -115,8 +115,8 @@ void ForcePanel::buildPosition(QGridLayout& grid) {
 }
 
 void ForcePanel::buildContact(QGridLayout& grid) {
-    gap_ = valueLabel(QStringLiteral("gap"), QStringLiteral("-88.8 µm"), this);
-    contactRadius_ = valueLabel(QStringLiteral("contactRadius"), QStringLiteral("-88.8 µm"), this);
+    gap_ = valueLabel(QStringLiteral("gap"), QStringLiteral("-88.88 µm"), this);
+    contactRadius_ = valueLabel(QStringLiteral("contactRadius"), QStringLiteral("-88.88 µm"), this);
     gap_->setToolTip(QStringLiteral("Between tip and surface; negative: indented"));
     grid.addWidget(captionLabel(QStringLiteral("gap"), this), 0, 7, Qt::AlignRight);
     grid.addWidget(gap_, 1, 7, Qt::AlignRight);
