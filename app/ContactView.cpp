@@ -30,7 +30,7 @@ std::string captionOf(const Scene& scene, const TickSample& sample) {
                           ", normal force " + formatSi(contact.force, "N") + " (model), " +
                           formatSi(out.estimate.force.dot(out.model.foot.normal), "N") +
                           " (estimate). Tip of " + formatSi(scene.belief.tipRadius(), "m") +
-                          " on " + scene.description.sample.material.name + ".";
+                          " radius on " + scene.description.sample.material.name + ".";
     std::replace(caption.begin(), caption.end(), '_', ' ');
     if (out.flags.has(Validity::LargeContact)) {
         caption += " Contact radius above 0.3 tip radii: beyond what half-space theory holds for.";

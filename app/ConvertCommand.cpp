@@ -6,7 +6,6 @@
 #include "core/Error.h"
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
-#include "core/io/ScanImage.h"
 #include "core/surface/Levelling.h"
 #include "core/surface/Residual.h"
 #include "core/surface/fit/BSplineFit.h"
@@ -16,9 +15,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <iostream>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace asperity {
 
@@ -49,13 +50,14 @@ void refuseToOverwriteInput(const ConvertOptions& options) {
     }
 }
 
-void writeInAnyFormat(const std::filesystem::path& path, const HeightMap& map,
+void writeInAnyFormat(const std::filesystem::path& path, const HeightRows& map,
                       const HeightMapMeta& meta) {
+    ProgressLine line("writing");
     if (canWriteHeightMap(path)) {
-        writeHeightMap(path, map, meta);
+        writeHeightMap(path, map, meta, &line);
         return;
     }
-    if (writeHeightMapWithVtk(path, map)) {
+    if (writeHeightMapWithVtk(path, map, &line)) {
         return;
     }
     std::string known;
@@ -68,43 +70,60 @@ void writeInAnyFormat(const std::filesystem::path& path, const HeightMap& map,
                                           known + ".vti .vtp .stl");
 }
 
-HeightMap residual(const ConvertOptions& options, HeightMap level) {
+/// Of the file that was read.
+void tellNotes(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
+        std::cerr << "note: " << note << '\n';
+    }
+}
+
+void tellWritten(const ConvertOptions& options, const std::string& channel, const HeightRows& map,
+                 const PixelMask& invalid) {
+    std::cerr << options.output << ": '" << channel << "', " << map.columns << " x " << map.rows
+              << " pixels";
+    if (const auto lost = std::ranges::count(invalid, true); lost > 0) {
+        std::cerr << ", " << lost << " of them without data";
+    }
+    std::cerr << '\n';
+}
+
+ScanMap residual(const ConvertOptions& options, ScanMap level) {
     const Smoothing smoothing = options.smoothingLength > 0.0
                                     ? smoothingByLength(options.smoothingLength, level)
                                     : Smoothing{options.smoothingPixels, options.smoothingPixels};
-    const BSplineSurface surface = fitSurface(level, smoothing);
+    ProgressLine line("fitting");
+    const BSplineSurface surface = fitSurface(level, smoothing, &line);
     return residualOf(std::move(level), surface);
 }
 
 /// The certainty as a map of its own: 1 where certain, 0 elsewhere; pixels without data stay so.
-void writeCertainty(const ConvertOptions& options, const TipReconstruction& known,
+void writeCertainty(const ConvertOptions& options, const ScanReconstruction& known,
                     HeightMapMeta meta) {
-    HeightMap map = known.surface;
-    for (std::size_t i = 0; i < map.heights.size(); ++i) {
-        map.heights[i] = isFiniteHeight(map.heights[i]) ? known.certain[i] : map.heights[i];
-    }
+    HeightRows map = rowsOf(known.surface);
+    map.readRow = [&known, heights = map.readRow](int row, double* values) {
+        heights(row, values);
+        const std::uint8_t* certain = known.certain.data() + known.surface.index(row, 0);
+        for (int column = 0; column < known.surface.columns; ++column) {
+            values[column] = isFiniteHeight(values[column]) ? certain[column] : values[column];
+        }
+    };
     meta.title = "Certainty (1: touched by the imaging tip)";
     writeInAnyFormat(options.certainty, map, meta);
 }
 
-void tellCertainty(const TipReconstruction& known) {
+void tellCertainty(const ScanReconstruction& known) {
     const auto certain = std::ranges::count(known.certain, 1);
     std::cerr << "note: eroded; the imaging tip certainly touched " << certain << " of "
               << known.certain.size()
               << " pixels, elsewhere the surface may lie below the heights written\n";
 }
 
-/// What is to be written; on the way, the certainty map.
-HeightMap prepared(const ConvertOptions& options, const HeightMap& map, const HeightMapMeta& meta) {
-    HeightMap level = levelled(map, options.levelling);
-    if (options.residual) {
-        return residual(options, std::move(level));
-    }
-    if (options.tipRadius == 0.0) {
-        return level;
-    }
-    ProgressLine line("eroding");
-    TipReconstruction known = reconstructed(level, options.tipRadius, &line);
+/// The surface under the map; on the way, the certainty map is written.
+ScanMap withoutTip(const ConvertOptions& options, ScanMap level, const HeightMapMeta& meta) {
+    ScanReconstruction known = [&] {
+        ProgressLine line("eroding");
+        return reconstructed(std::move(level), options.tipRadius, &line);
+    }();
     tellCertainty(known);
     if (!options.certainty.empty()) {
         writeCertainty(options, known, meta);
@@ -112,21 +131,44 @@ HeightMap prepared(const ConvertOptions& options, const HeightMap& map, const He
     return std::move(known.surface);
 }
 
-void convert(const ConvertOptions& options) {
-    const HeightMapFile file = readHeightMapFile(options.input);
-    const ScanChannel& channel = heightChannel(file, options.input, options.channel);
+/// Heights that are computed anew, in single precision.
+void convertFiltered(const ConvertOptions& options) {
+    HeightScan scan = [&] {
+        ProgressLine line("loading");
+        return readHeightScan(options.input, options.channel, &line);
+    }();
     refuseToOverwriteInput(options);
-    for (const std::string& note : file.notes) {
-        std::cerr << "note: " << note << '\n';
+    tellNotes(scan.notes);
+    const HeightMapMeta meta{scan.channel, scan.originX, scan.originY};
+    scan.map = levelled(std::move(scan.map), options.levelling);
+    scan.map = options.residual ? residual(options, std::move(scan.map))
+                                : withoutTip(options, std::move(scan.map), meta);
+    const HeightRows rows = rowsOf(scan.map);
+    writeInAnyFormat(options.output, rows, meta);
+    tellWritten(options, scan.channel, rows, scan.map.invalid);
+}
+
+/// Heights as the file gives them, but for levelling.
+void convertPlainly(const ConvertOptions& options) {
+    HeightChannel file = [&] {
+        ProgressLine line("loading");
+        return readHeightChannel(options.input, options.channel, &line);
+    }();
+    refuseToOverwriteInput(options);
+    tellNotes(file.notes);
+    ScanChannel& channel = file.channel;
+    const HeightMap map = levelled(std::move(channel.map), options.levelling);
+    const HeightRows rows = rowsOf(map);
+    writeInAnyFormat(options.output, rows, {channel.name, channel.originX, channel.originY});
+    tellWritten(options, channel.name, rows, map.invalid);
+}
+
+void convert(const ConvertOptions& options) {
+    if (options.residual || options.tipRadius > 0.0) {
+        convertFiltered(options);
+    } else {
+        convertPlainly(options);
     }
-    const HeightMapMeta meta{channel.name, channel.originX, channel.originY};
-    writeInAnyFormat(options.output, prepared(options, channel.map, meta), meta);
-    std::cerr << options.output << ": '" << channel.name << "', " << channel.map.columns << " x "
-              << channel.map.rows << " pixels";
-    if (const std::size_t lost = countInvalid(channel.map); lost > 0) {
-        std::cerr << ", " << lost << " of them without data";
-    }
-    std::cerr << '\n';
 }
 
 }  // namespace

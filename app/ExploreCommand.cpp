@@ -105,6 +105,21 @@ struct FinishedRun {
     double tickRate = 0.0;  ///< [Hz]
 };
 
+/// @throw Cancelled
+void run(const Scene& scene, const PlannedRun& plan, AfmController& afm, RunKeeper& keeper) {
+    const long ticks = std::lround(plan.duration / scene.timeStep()) + 1;
+    constexpr long kReports = 50;
+    long done = 0;
+    ProgressLine line("running");
+    runVirtually(scene, plan.hand, afm, ticks, [&](const TickSample& sample) {
+        if (done % (ticks / kReports + 1) == 0) {
+            reportTo(&line, static_cast<double>(done) / static_cast<double>(ticks));
+        }
+        ++done;
+        keeper.take(sample);
+    });
+}
+
 /// Runs, and leaves in the folder all but the pictures.
 FinishedRun finishedRun(const ExploreOptions& options) {
     const LoadedScene loaded = loadSceneOnTerminal(options.input, options.overrides);
@@ -118,9 +133,7 @@ FinishedRun finishedRun(const ExploreOptions& options) {
 
     RunKeeper keeper{.recorder = RunRecorder(out), .events = {}, .curves = {}};
     SimulatedAfm afm(scene.touched(), scene.truth);
-    const long ticks = std::lround(plan.duration / scene.timeStep()) + 1;
-    runVirtually(scene, plan.hand, afm, ticks,
-                 [&keeper](const TickSample& sample) { keeper.take(sample); });
+    run(scene, plan, afm, keeper);
     keeper.recorder.close();
 
     const RunEvents& events = keeper.events.events();
@@ -132,10 +145,16 @@ FinishedRun finishedRun(const ExploreOptions& options) {
             .tickRate = scene.description.tickRate};
 }
 
+/// @throw Cancelled
+void draw(const FinishedRun& run, const std::filesystem::path& folder) {
+    ProgressLine line("drawing");
+    run.pictures.write(folder, run.curves, &line);
+}
+
 void explore(const ExploreOptions& options) {
     const VirtualDisplay display;  // before anything is written: pictures need it at the end
     const FinishedRun run = finishedRun(options);
-    run.pictures.write(options.out, run.curves);
+    draw(run, options.out);
     tellOutcome(run.events);
     std::cout << run.events.ticks << " ticks at " << run.tickRate << " Hz; results in "
               << options.out << "/\n";

@@ -26,7 +26,9 @@ void ProgressLine::report(double fraction) {
 LoadedScene loadSceneOnTerminal(const std::filesystem::path& input,
                                 const SceneOverrides& overrides) {
     ProgressLine line("loading");
-    return loadScene(input, overrides, &line);
+    LoadedScene loaded = loadScene(input, overrides, &line);
+    reportTo(&line, 1.0);
+    return loaded;
 }
 
 }  // namespace asperity

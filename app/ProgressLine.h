@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/CancelOnSignal.h"
 #include "app/LoadedScene.h"
 #include "core/Progress.h"
 
@@ -7,8 +8,8 @@
 
 namespace asperity {
 
-/// Shows on the terminal how far a load is; silent where standard error is no terminal. The line is
-/// wiped at the end.
+/// Shows on the terminal how far long work is; silent where standard error is no terminal. The line
+/// is wiped at the end. SIGINT and SIGTERM cancel the work. One at a time.
 class ProgressLine : public Progress {
 public:
     /// @param work a word for people: "loading"
@@ -16,14 +17,15 @@ public:
     ~ProgressLine() override;
 
     void report(double fraction) override;
-    [[nodiscard]] bool isCancelled() const override { return false; }
+    [[nodiscard]] bool isCancelled() const override { return CancelOnSignal::hasArrived(); }
 
 private:
+    CancelOnSignal cancel_;
     std::string work_;
     bool isTerminal_;
 };
 
-/// loadScene() that shows on the terminal how far it is.
+/// loadScene() that shows on the terminal how far it is. @throw as loadScene(); Cancelled
 [[nodiscard]] LoadedScene loadSceneOnTerminal(const std::filesystem::path& input,
                                               const SceneOverrides& overrides);
 

@@ -50,9 +50,13 @@ RunPictures::RunPictures(const Scene& scene, const RunEvents& events)
     , surface_(coarserSurface(scene.surface, kOverviewPixels))
     , zoom_(zoomAt(scene, deepest_)) {}
 
-void RunPictures::write(const std::filesystem::path& folder, const RunCurves& curves) const {
+void RunPictures::write(const std::filesystem::path& folder, const RunCurves& curves,
+                        Progress* progress) const {
+    reportTo(progress, 0.0);
     writeDeformationPicture(folder / "deformation.png", deformation_);
+    reportTo(progress, 0.4);
     writePatchExr(folder / "deformation.exr", deepestPatch_);
+    reportTo(progress, 0.5);
     writeOverviewPicture(
         folder / "overview.png",
         {.title = name_,
@@ -61,7 +65,9 @@ void RunPictures::write(const std::filesystem::path& folder, const RunCurves& cu
          .tip = deepest_.output.model.tip,
          .zoom = zoom_,
          .path = curves.tipPath()});
+    reportTo(progress, 0.8);
     curves.write(folder / "forces.png");
+    reportTo(progress, 1.0);
 }
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/RunCurves.h"
+#include "core/Progress.h"
 #include "core/haptics/RunEvents.h"
 #include "core/scene/Scene.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
@@ -20,8 +21,9 @@ public:
 
     /// Draws into `folder`: deformation.png (largest indentation, and the adhesion neck where there
     /// was one), overview.png, forces.png; and writes deformation.exr, the deformed surface at the
-    /// largest indentation. @throw Error
-    void write(const std::filesystem::path& folder, const RunCurves& curves) const;
+    /// largest indentation. @throw Error; Cancelled
+    void write(const std::filesystem::path& folder, const RunCurves& curves,
+               Progress* progress) const;
 
 private:
     std::string name_;  ///< of the sample

@@ -8,10 +8,15 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 input=${1:-$top/data/scenes/polystyrene.toml}
 out=${2:-$top/docs/pictures}
+command -v pngquant >/dev/null || {
+    echo "screenshots.sh: no pngquant; tools/install_packages.sh tools/developer_packages.txt installs it" >&2
+    exit 1
+}
 "$top/tools/build.sh" release asperity_screenshots asperity_deformation_pictures
 unset DISPLAY  # the window's size must not depend on a window manager: it starts its own Xvfb
 for size in "1600 1000" "1280 800"; do
     read -r width height <<<"$size"
     "$top/build/release/bin/asperity_screenshots" "$input" "$width" "$height" "$out/window_${width}_"
+    pngquant --force --ext .png --speed 1 --quality 80-100 "$out/window_${width}_"*.png
 done
 "$top/build/release/bin/asperity_deformation_pictures" "$out"

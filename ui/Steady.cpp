@@ -80,4 +80,12 @@ std::string scaledText(double value, const SiScale& scale, int decimals) {
     return std::string(digits.data()) + " " + scale.unit;
 }
 
+std::string threeDigitText(double value, const SiScale& scale) {
+    const double shown = std::abs(value * scale.factor);
+    if (shown < 0.005) {
+        return "0 " + scale.unit;
+    }
+    return scaledText(value, scale, shown < 9.995 ? 2 : shown < 99.95 ? 1 : 0);
+}
+
 }  // namespace asperity

@@ -62,7 +62,10 @@ private:
     double factor_ = 1.0;
 };
 
-/// A value in a given prefix for people: "-12.30 nN"; "– nN" when it is not finite.
-[[nodiscard]] std::string scaledText(double value, const SiScale& scale, int decimals = 2);
+/// A value in a given prefix for people, "-12.30 nN"; "– nN" when it is not finite.
+[[nodiscard]] std::string scaledText(double value, const SiScale& scale, int decimals);
+
+/// The same to three digits, and never finer than a hundredth: "-12.3 nN", "0.02 nN", "0 nN".
+[[nodiscard]] std::string threeDigitText(double value, const SiScale& scale);
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <algorithm>
 
 // OpenEXR with one float channel Y in metres and Gwyddion's attributes. Half floats would turn 20
 // nm into 0. Source: docs/formats.md 9.
@@ -14,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-Imf::Header header(const HeightMap& map, const HeightMapMeta& meta) {
+Imf::Header header(const HeightRows& map, const HeightMapMeta& meta) {
     Imf::Header header(map.columns, map.rows);
     header.compression() = Imf::ZIP_COMPRESSION;
     header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
@@ -31,15 +32,20 @@ Imf::Header header(const HeightMap& map, const HeightMapMeta& meta) {
 
 }  // namespace
 
-void writeExr(const std::filesystem::path& target, const HeightMap& map,
-              const HeightMapMeta& meta) {
-    std::vector<float> heights = floatHeights(map);
+void writeExr(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
+              Progress* progress) {
+    std::vector<float> line(static_cast<std::size_t>(map.columns));
+    constexpr std::size_t kSameForAllRows = 0;
     Imf::FrameBuffer frame;
-    frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(heights.data()), sizeof(float),
-                                 sizeof(float) * static_cast<std::size_t>(map.columns)));
+    frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(line.data()), sizeof(float),
+                                 kSameForAllRows));
     Imf::OutputFile file(target.c_str(), header(map, meta));
     file.setFrameBuffer(frame);
-    file.writePixels(map.rows);
+    forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
+        std::ranges::transform(heights, line.begin(),
+                               [](double height) { return static_cast<float>(height); });
+        file.writePixels(1);
+    });
 }
 
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #include "core/io/TextValue.h"
 
 #include <algorithm>
+#include <fstream>
 
 // Gwyddion Simple Field; see GsfReader.cpp.
 
@@ -18,7 +19,7 @@ std::string oneLine(std::string text) {
     return text;
 }
 
-std::string header(const HeightMap& map, const HeightMapMeta& meta) {
+std::string header(const HeightRows& map, const HeightMapMeta& meta) {
     return "Gwyddion Simple Field 1.0\nXRes = " + std::to_string(map.columns) +
            "\nYRes = " + std::to_string(map.rows) + "\nXReal = " + exactText(map.sizeX()) +
            "\nYReal = " + exactText(map.sizeY()) + "\nXOffset = " + exactText(meta.originX) +
@@ -28,14 +29,20 @@ std::string header(const HeightMap& map, const HeightMapMeta& meta) {
 
 }  // namespace
 
-void writeGsf(const std::filesystem::path& target, const HeightMap& map,
-              const HeightMapMeta& meta) {
+void writeGsf(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
+              Progress* progress) {
     std::string bytes = header(map, meta);
     bytes.append(kAlignment - bytes.size() % kAlignment, '\0');
-    for (const float height : floatHeights(map)) {
-        appendLittleEndian(bytes, height);
-    }
-    writeBytes(target, bytes);
+    std::ofstream stream(target, std::ios::binary);
+    stream << bytes;
+    forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
+        bytes.clear();
+        for (const double height : heights) {
+            appendLittleEndian(bytes, static_cast<float>(height));
+        }
+        stream << bytes;
+    });
+    finish(stream);
 }
 
 }  // namespace asperity

@@ -127,10 +127,25 @@ HeightScan readHeightScan(const std::filesystem::path& path, const std::string& 
     const MappedFile file(path);
     Contents contents = contentsOf(file.bytes(), path.string());
     const ScanChannel& channel = heightChannel(contents.file, path, name);
-    HeightScan scan{.format = contents.file.format, .channel = channel.name, .notes = {}};
+    HeightScan scan{.format = contents.file.format,
+                    .channel = channel.name,
+                    .originX = channel.originX,
+                    .originY = channel.originY,
+                    .notes = {}};
     scan.map = readScanMap(contents.storedOf(channel), file, progress);
     scan.notes = std::move(contents.file.notes);
     return scan;
+}
+
+HeightChannel readHeightChannel(const std::filesystem::path& path, const std::string& name,
+                                Progress* progress) {
+    const MappedFile file(path);
+    Contents contents = contentsOf(file.bytes(), path.string());
+    const ScanChannel& channel = heightChannel(contents.file, path, name);
+    HeightChannel result{.channel = channel, .notes = {}};
+    result.channel.map = readHeightMap(contents.storedOf(channel), file, progress);
+    result.notes = std::move(contents.file.notes);
+    return result;
 }
 
 const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesystem::path& path,

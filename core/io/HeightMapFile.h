@@ -45,6 +45,8 @@ struct HeightScan {
     std::string format;   ///< for people
     std::string channel;  ///< its name
     ScanMap map;
+    double originX = 0.0;            ///< offset of the scan in the instrument's frame [m]
+    double originY = 0.0;            ///< [m]
     std::vector<std::string> notes;  ///< of the whole file
 };
 
@@ -53,6 +55,18 @@ struct HeightScan {
 /// @throw InputError as readHeightMapFile() and heightChannel(); Cancelled
 [[nodiscard]] HeightScan readHeightScan(const std::filesystem::path& path, const std::string& name,
                                         Progress* progress = nullptr);
+
+/// One height channel of a file, as exactly as the file gives it.
+struct HeightChannel {
+    ScanChannel channel;
+    std::vector<std::string> notes;  ///< of the whole file
+};
+
+/// As readHeightScan(), in double precision.
+/// @throw InputError as readHeightScan(); Cancelled
+[[nodiscard]] HeightChannel readHeightChannel(const std::filesystem::path& path,
+                                              const std::string& name,
+                                              Progress* progress = nullptr);
 
 /// The named channel (empty: the default one) as a height map.
 /// @throw InputError when there is no such channel, when its unit is not a length, when its lateral

@@ -3,18 +3,19 @@
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 #include "core/io/HeightMapEncoders.h"
-#include "core/io/ScanImage.h"
 #include "core/io/TextValue.h"
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <limits>
 
 namespace asperity {
 
 namespace {
 
-using Writer = void (*)(const std::filesystem::path&, const HeightMap&, const HeightMapMeta&);
+using Writer = void (*)(const std::filesystem::path&, const HeightRows&, const HeightMapMeta&,
+                        Progress*);
 
 struct Format {
     const char* extension;
@@ -61,57 +62,56 @@ const std::vector<std::string>& heightMapExtensions() {
 
 bool canWriteHeightMap(const std::filesystem::path& path) { return findWriter(path) != nullptr; }
 
-void writeHeightMap(const std::filesystem::path& path, const HeightMap& map,
-                    const HeightMapMeta& meta) {
+void writeHeightMap(const std::filesystem::path& path, const HeightRows& map,
+                    const HeightMapMeta& meta, Progress* progress) {
     const Writer write = findWriter(path);
     if (write == nullptr) {
         throw Error(path.string() +
                     ": no height map can be written with this extension; known are " +
                     knownExtensions());
     }
-    requireUsable(map);
-    HeightMap marked = map;
-    invalidateNonFinite(marked);
     const TemporaryFile temporary(path);
     try {
-        write(temporary.path(), marked, meta);
+        write(temporary.path(), map, meta, progress);
+    } catch (const Cancelled&) {
+        throw;
     } catch (const std::exception& error) {
         throw Error(path.string() + ": cannot be written: " + error.what());
     }
     temporary.commit();
 }
 
-void writeBytes(const std::filesystem::path& target, const std::string& bytes) {
-    std::ofstream stream(target, std::ios::binary);
-    stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+void writeHeightMap(const std::filesystem::path& path, const HeightMap& map,
+                    const HeightMapMeta& meta) {
+    writeHeightMap(path, rowsOf(map), meta);
+}
+
+void finish(std::ofstream& stream) {
     stream.close();
     if (!stream) {
         throw Error("writing stopped half-way (disk full?)");
     }
 }
 
-HeightRange heightRange(const HeightMap& map) {
+HeightRange heightRange(const HeightRows& map, Progress* progress) {
     HeightRange range{std::numeric_limits<double>::infinity(),
-                      -std::numeric_limits<double>::infinity()};
-    for (std::size_t i = 0; i < map.heights.size(); ++i) {
-        const bool valid = map.invalid.empty() || map.invalid[i] == 0;
-        if (!valid) {
-            continue;
+                      -std::numeric_limits<double>::infinity(), 0};
+    bool isEmpty = true;
+    forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
+        for (const double height : heights) {
+            if (isFiniteHeight(height)) {
+                range.lowest = std::min(range.lowest, height);
+                range.highest = std::max(range.highest, height);
+                isEmpty = false;
+            } else {
+                ++range.missing;
+            }
         }
-        range.lowest = std::min(range.lowest, map.heights[i]);
-        range.highest = std::max(range.highest, map.heights[i]);
+    });
+    if (isEmpty) {
+        range.lowest = range.highest = 0.0;
     }
-    return range.lowest <= range.highest ? range : HeightRange{};
-}
-
-std::vector<float> floatHeights(const HeightMap& map) {
-    std::vector<float> heights(map.heights.size());
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-        const bool valid = map.invalid.empty() || map.invalid[i] == 0;
-        heights[i] =
-            valid ? static_cast<float>(map.heights[i]) : std::numeric_limits<float>::quiet_NaN();
-    }
-    return heights;
+    return range;
 }
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/surface/HeightMap.h"
+#include "core/surface/HeightRows.h"
 
 #include <filesystem>
 #include <string>
@@ -26,7 +26,11 @@ struct HeightMapMeta {
 /// .gwy keeps doubles; .txt too; .gsf, .exr and .tiff round to float32; .png to 65536 steps between
 /// the lowest and the highest pixel. Pixels without data are marked by a mask in .gwy, are NaN in
 /// .txt, .gsf, .exr and .tiff, and take the lowest height in .png, whose comment says how many.
-/// @throw Error when the extension is not known, the map is not usable, or writing fails
+/// Takes little memory beside the map.
+/// @throw Error when the extension is not known or writing fails; Cancelled
+void writeHeightMap(const std::filesystem::path& path, const HeightRows& map,
+                    const HeightMapMeta& meta, Progress* progress = nullptr);
+/// @throw Error when the map is not usable, too
 void writeHeightMap(const std::filesystem::path& path, const HeightMap& map,
                     const HeightMapMeta& meta);
 

@@ -11,7 +11,7 @@ namespace {
 template <typename Visit>
 void forEachValid(const HeightMap& map, Visit visit) {
     for (std::size_t i = 0; i < map.heights.size(); ++i) {
-        if (map.invalid.empty() || map.invalid[i] == 0) {
+        if (map.invalid.empty() || !map.invalid[i]) {
             visit(map.heights[i]);
         }
     }

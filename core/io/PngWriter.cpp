@@ -1,6 +1,5 @@
 #include "core/Error.h"
 #include "core/io/HeightMapEncoders.h"
-#include "core/io/ScanImage.h"
 #include "core/io/TextValue.h"
 
 #include <algorithm>
@@ -22,8 +21,7 @@ constexpr int kBitDepth = 16;
 
 using TextKeys = std::vector<std::pair<std::string, std::string>>;
 
-TextKeys textKeys(const HeightMap& map, const HeightMapMeta& meta) {
-    const HeightRange range = heightRange(map);
+TextKeys textKeys(const HeightRows& map, const HeightMapMeta& meta, const HeightRange& range) {
     TextKeys keys = {{"Gwy::Title", meta.title},
                      {"Gwy::XReal", exactText(map.sizeX())},
                      {"Gwy::YReal", exactText(map.sizeY())},
@@ -33,8 +31,8 @@ TextKeys textKeys(const HeightMap& map, const HeightMapMeta& meta) {
                      {"Gwy::ZMin", exactText(range.lowest)},
                      {"Gwy::ZMax", exactText(range.highest)},
                      {"Gwy::ZUnit", "m"}};
-    if (const std::size_t lost = countInvalid(map); lost > 0) {
-        keys.emplace_back("Comment", std::to_string(lost) +
+    if (range.missing > 0) {
+        keys.emplace_back("Comment", std::to_string(range.missing) +
                                          " pixels without data are shown at the lowest height");
     }
     return keys;
@@ -46,20 +44,18 @@ bool isAscii(const std::string& text) {
                        [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// Big-endian samples, top row first.
-std::vector<png_byte> samples(const HeightMap& map) {
-    const HeightRange range = heightRange(map);
+/// Big-endian samples of a row.
+void encode(const std::vector<double>& heights, const HeightRange& range,
+            std::vector<png_byte>& bytes) {
     const double span = range.highest - range.lowest;
-    std::vector<png_byte> bytes;
-    bytes.reserve(2 * map.heights.size());
-    for (std::size_t i = 0; i < map.heights.size(); ++i) {
-        const bool shown = span > 0.0 && (map.invalid.empty() || map.invalid[i] == 0);
-        const double share = shown ? (map.heights[i] - range.lowest) / span : 0.0;
+    bytes.clear();
+    for (const double height : heights) {
+        const bool shown = span > 0.0 && isFiniteHeight(height);
+        const double share = shown ? (height - range.lowest) / span : 0.0;
         const auto grey = static_cast<unsigned>(std::lround(kWhite * share));
         bytes.push_back(static_cast<png_byte>(grey >> 8U));
         bytes.push_back(static_cast<png_byte>(grey & 0xFFU));
     }
-    return bytes;
 }
 
 /// Thrown through libpng, which is built with unwind tables and holds nothing that would leak.
@@ -99,7 +95,7 @@ public:
     PngFile(const PngFile&) = delete;
     PngFile& operator=(const PngFile&) = delete;
 
-    void writeHeader(const HeightMap& map, const TextKeys& keys) {
+    void writeHeader(const HeightRows& map, const TextKeys& keys) {
         png_set_IHDR(png_, info_, static_cast<png_uint_32>(map.columns),
                      static_cast<png_uint_32>(map.rows), kBitDepth, PNG_COLOR_TYPE_GRAY,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -116,11 +112,9 @@ public:
         png_write_info(png_, info_);
     }
 
-    void writeRows(std::vector<png_byte> bytes, int rows) {
-        const std::size_t stride = bytes.size() / static_cast<std::size_t>(rows);
-        for (int row = 0; row < rows; ++row) {
-            png_write_row(png_, bytes.data() + static_cast<std::size_t>(row) * stride);
-        }
+    void writeRow(const std::vector<png_byte>& bytes) { png_write_row(png_, bytes.data()); }
+
+    void finish() {
         png_write_end(png_, info_);
         if (std::fflush(file_.get()) != 0) {
             throw Error("writing stopped half-way (disk full?)");
@@ -135,11 +129,19 @@ private:
 
 }  // namespace
 
-void writePng(const std::filesystem::path& target, const HeightMap& map,
-              const HeightMapMeta& meta) {
+void writePng(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
+              Progress* progress) {
+    ProgressPart ranging(progress, 0.0, 0.1);
+    const HeightRange range = heightRange(map, &ranging);
     PngFile file(target);
-    file.writeHeader(map, textKeys(map, meta));
-    file.writeRows(samples(map), map.rows);
+    file.writeHeader(map, textKeys(map, meta, range));
+    std::vector<png_byte> bytes;
+    ProgressPart writing(progress, 0.1, 1.0);
+    forEachRow(map, &writing, [&](int, const std::vector<double>& heights) {
+        encode(heights, range, bytes);
+        file.writeRow(bytes);
+    });
+    file.finish();
 }
 
 }  // namespace asperity

@@ -45,9 +45,9 @@ HeightMap emptyMap(ImageSize size, double sizeX, double sizeY) {
 
 void invalidate(HeightMap& map, std::size_t pixel) {
     if (map.invalid.empty()) {
-        map.invalid.resize(map.heights.size(), 0);
+        map.invalid.resize(map.heights.size(), false);
     }
-    map.invalid[pixel] = 1;
+    map.invalid[pixel] = true;
     map.heights[pixel] = std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -60,7 +60,7 @@ void invalidateNonFinite(HeightMap& map) {
 }
 
 std::size_t countInvalid(const HeightMap& map) {
-    return static_cast<std::size_t>(std::count(map.invalid.begin(), map.invalid.end(), 1));
+    return static_cast<std::size_t>(std::ranges::count(map.invalid, true));
 }
 
 void settleSize(ScanChannel& channel, std::vector<std::string>& notes) {

@@ -13,6 +13,9 @@ namespace asperity {
 
 namespace {
 
+/// Parts in which an image is read.
+constexpr int kSteps = 32;
+
 /// Sums of two heights up to here fit into single precision.
 constexpr double kPlain = std::numeric_limits<float>::max() / 4.0;
 
@@ -95,8 +98,6 @@ public:
     [[nodiscard]] bool mayHaveHoles() const { return mayHaveHoles_; }
 
 private:
-    static constexpr int kSteps = 32;
-
     const StoredChannel& stored_;
     ScanMap& map_;
     int step_;
@@ -111,8 +112,9 @@ void markInvalid(ScanMap& map) {
         return;
     }
     map.invalid.resize(map.heights.size());
-    std::ranges::transform(map.heights, map.invalid.begin(),
-                           [&](float height) { return std::uint8_t{!hasData(height)}; });
+    for (std::size_t i = 0; i < map.heights.size(); ++i) {
+        map.invalid[i] = !hasData(map.heights[i]);
+    }
 }
 
 /// Reads all rows, on two threads where that is worth one.
@@ -146,6 +148,21 @@ void readHeights(const StoredChannel& stored, HeightMap& map) {
         stored.readRow(row, map.heights.data() + map.index(row, 0));
     }
     invalidateNonFinite(map);
+}
+
+HeightMap readHeightMap(const StoredChannel& stored, const MappedFile& file, Progress* progress) {
+    HeightMap map = stored.channel.map;
+    map.heights.resize(map.index(map.rows, 0));
+    const int step = std::max(map.rows / kSteps, 1);
+    for (int row = 0; row < map.rows; ++row) {
+        if (row % step == 0) {
+            file.forget();
+            reportTo(progress, static_cast<double>(row) / map.rows);
+        }
+        stored.readRow(row, map.heights.data() + map.index(row, 0));
+    }
+    invalidateNonFinite(map);
+    return map;
 }
 
 ScanMap readScanMap(const StoredChannel& stored, const MappedFile& file, Progress* progress) {

@@ -2,6 +2,7 @@
 #include "core/io/TextValue.h"
 
 #include <algorithm>
+#include <fstream>
 
 // A matrix of heights as Gwyddion exports it: four comment lines, then the rows from the top.
 // Source: docs/formats.md 4.
@@ -18,21 +19,20 @@ std::string oneLine(std::string text) {
 
 }  // namespace
 
-void writeText(const std::filesystem::path& target, const HeightMap& map,
-               const HeightMapMeta& meta) {
-    std::string text = "# Channel: " + oneLine(meta.title) +
-                       "\n# Width: " + exactText(map.sizeX()) +
-                       " m\n# Height: " + exactText(map.sizeY()) + " m\n# Value units: m\n";
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column) {
-            if (column > 0) {
-                text += '\t';
-            }
-            text += map.isValid(row, column) ? exactText(map.at(row, column)) : "nan";
+void writeText(const std::filesystem::path& target, const HeightRows& map,
+               const HeightMapMeta& meta, Progress* progress) {
+    std::ofstream stream(target, std::ios::binary);
+    stream << "# Channel: " << oneLine(meta.title) << "\n# Width: " << exactText(map.sizeX())
+           << " m\n# Height: " << exactText(map.sizeY()) << " m\n# Value units: m\n";
+    forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
+        std::string line;
+        for (const double height : heights) {
+            line += line.empty() ? "" : "\t";
+            line += isFiniteHeight(height) ? exactText(height) : "nan";
         }
-        text += '\n';
-    }
-    writeBytes(target, text);
+        stream << line << '\n';
+    });
+    finish(stream);
 }
 
 }  // namespace asperity

@@ -22,13 +22,13 @@ constexpr double kLargestRational = 4294967295.0;
 /// Beyond this many bytes of samples the 32-bit offsets of a classic TIFF do not reach.
 constexpr std::size_t kClassicLimit = 4'000'000'000U;
 
-std::string description(const HeightMap& map, const HeightMapMeta& meta) {
+std::string description(const HeightRows& map, const HeightMapMeta& meta) {
     return "Gwy::Title=" + meta.title + "\nGwy::XReal=" + exactText(map.sizeX()) +
            "\nGwy::YReal=" + exactText(map.sizeY()) + "\nGwy::XOffset=" + exactText(meta.originX) +
            "\nGwy::YOffset=" + exactText(meta.originY) + "\nGwy::XYUnit=m\nGwy::ZUnit=m\n";
 }
 
-void setTags(TIFF* tiff, const HeightMap& map, const HeightMapMeta& meta) {
+void setTags(TIFF* tiff, const HeightRows& map, const HeightMapMeta& meta) {
     TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(map.columns));
     TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(map.rows));
     TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 32);
@@ -50,21 +50,23 @@ void setTags(TIFF* tiff, const HeightMap& map, const HeightMapMeta& meta) {
 
 }  // namespace
 
-void writeTiff(const std::filesystem::path& target, const HeightMap& map,
-               const HeightMapMeta& meta) {
-    std::vector<float> heights = floatHeights(map);
-    const bool big = heights.size() > kClassicLimit / sizeof(float);
+void writeTiff(const std::filesystem::path& target, const HeightRows& map,
+               const HeightMapMeta& meta, Progress* progress) {
+    const auto columns = static_cast<std::size_t>(map.columns);
+    const bool big = columns * static_cast<std::size_t>(map.rows) > kClassicLimit / sizeof(float);
     const std::unique_ptr<TIFF, CloseTiff> tiff(TIFFOpen(target.c_str(), big ? "w8" : "w"));
     if (!tiff) {
         throw Error("the TIFF library cannot open the file");
     }
     setTags(tiff.get(), map, meta);
-    for (int row = 0; row < map.rows; ++row) {
-        float* line = heights.data() + map.index(row, 0);
-        if (TIFFWriteScanline(tiff.get(), line, static_cast<std::uint32_t>(row), 0) != 1) {
+    std::vector<float> line(columns);
+    forEachRow(map, progress, [&](int row, const std::vector<double>& heights) {
+        std::ranges::transform(heights, line.begin(),
+                               [](double height) { return static_cast<float>(height); });
+        if (TIFFWriteScanline(tiff.get(), line.data(), static_cast<std::uint32_t>(row), 0) != 1) {
             throw Error("the TIFF library stopped at row " + std::to_string(row));
         }
-    }
+    });
     if (TIFFWriteDirectory(tiff.get()) != 1) {
         throw Error("the TIFF library cannot finish the file");
     }

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace asperity {
 
@@ -63,16 +65,28 @@ struct Ground {
     std::optional<NurbsSurface> shape = std::nullopt;
 };
 
-/// The surface under the image that a tip recorded. Smoothing goes before erosion, which would take
-/// every dip of the noise for the surface.
-Ground groundUnder(const SampleDescription& sample, const PlaneFit& plane, const HeightMap& map,
+/// What is known of the surface under the image that a tip recorded; the image itself stands for it
+/// unless the scene says that the tip's shape is to be taken out.
+ScanReconstruction surfaceUnder(const SampleDescription& sample, ScanMap image,
+                                Progress* progress) {
+    if (sample.erode) {
+        return reconstructed(std::move(image), sample.imagingTipRadius, progress);
+    }
+    std::vector<std::uint8_t> certain = certainPixels(image, sample.imagingTipRadius, progress);
+    return {std::move(image), std::move(certain)};
+}
+
+/// Smoothing goes before erosion, which would take every dip of the noise for the surface.
+Ground groundUnder(const SampleDescription& sample, const PlaneFit& plane, ScanMap map,
                    Progress* progress) {
-    const HeightMap image = smoothed(withInvalidPixelsFilled(map), smoothingOf(sample, map));
-    ProgressPart eroding(progress, 0.0, 0.8);
-    TipReconstruction known = reconstructed(image, sample.imagingTipRadius, &eroding);
-    reportTo(progress, 0.8);
-    return {plane, fitSurface(sample.erode ? known.surface : image),
-            CertaintyMap(image, std::move(known.certain))};
+    const Smoothing smoothing = smoothingOf(sample, map);
+    ProgressPart smoothingPart(progress, 0.0, 0.2);
+    map = smoothed(withInvalidPixelsFilled(std::move(map)), smoothing, &smoothingPart);
+    ProgressPart eroding(progress, 0.2, 0.8);
+    ScanReconstruction known = surfaceUnder(sample, std::move(map), &eroding);
+    CertaintyMap certainty(known.surface, known.certain);
+    ProgressPart fitting(progress, 0.8, 1.0);
+    return {plane, fitSurface(std::move(known.surface), {}, &fitting), std::move(certainty)};
 }
 
 Ground groundOf(const SampleDescription& sample, ScanMap map, Progress* progress) {
@@ -82,7 +96,7 @@ Ground groundOf(const SampleDescription& sample, ScanMap map, Progress* progress
     reportTo(progress, 0.4);
     ProgressPart rest(progress, 0.4, 1.0);
     if (sample.imagingTipRadius > 0.0) {
-        return groundUnder(sample, plane, doublePrecision(map), &rest);
+        return groundUnder(sample, plane, std::move(map), &rest);
     }
     const Smoothing smoothing = smoothingOf(sample, map);
     return {plane, fitSurface(std::move(map), smoothing, &rest), {}};

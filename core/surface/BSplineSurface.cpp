@@ -204,8 +204,8 @@ bool BSplineSurface::isMeasured(double x, double y) const noexcept {
         std::min(static_cast<int>(clampedToScan(x, sizeX()) * inversePitchX_), grid_.columns - 1);
     const int row =
         std::min(static_cast<int>(clampedToScan(y, sizeY()) * inversePitchY_), grid_.rows - 1);
-    return grid_.invalid[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns) +
-                         static_cast<std::size_t>(column)] == 0;
+    return !grid_.invalid[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns) +
+                          static_cast<std::size_t>(column)];
 }
 
 double BSplineSurface::control(int row, int column) const noexcept {

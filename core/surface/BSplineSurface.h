@@ -6,9 +6,6 @@
 #include "core/surface/PixelVector.h"
 #include "core/surface/foot/CellBounds.h"
 
-#include <cstdint>
-#include <vector>
-
 namespace asperity {
 
 /// A uniform bicubic B-spline height field: immutable, O(1) look-up, safe to read from any thread.
@@ -28,7 +25,7 @@ public:
         double pitchY = 0.0;                ///< [m]
         double datum = 0.0;                 ///< height that control heights are relative to [m]
         PixelVector<float> controlHeights;  ///< (rows + 2) x (columns + 2), bottom row first [m]
-        std::vector<std::uint8_t> invalid;  ///< rows x columns, bottom row first; empty: all valid
+        PixelMask invalid;                  ///< rows x columns, bottom row first; empty: all valid
     };
 
     /// @throw Error when the arrays do not match the size, a pitch is not positive, or a control

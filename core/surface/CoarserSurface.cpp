@@ -22,7 +22,7 @@ BSplineSurface coarserSurface(const BSplineSurface& surface, int mostPixels) {
         for (int column = 0; column < map.columns; ++column) {
             const double x = (column + 0.5) * map.pitchX;
             map.heights.push_back(surface.at(x, y).height);
-            map.invalid.push_back(surface.isMeasured(x, y) ? 0 : 1);
+            map.invalid.push_back(!surface.isMeasured(x, y));
         }
     }
     return fitSurface(map);

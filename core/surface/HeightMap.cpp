@@ -69,19 +69,4 @@ ScanMap singlePrecision(const HeightMap& map) {
     return result;
 }
 
-HeightMap doublePrecision(const ScanMap& map) {
-    requireUsable(map);
-    HeightMap result;
-    result.columns = map.columns;
-    result.rows = map.rows;
-    result.pitchX = map.pitchX;
-    result.pitchY = map.pitchY;
-    result.heights.reserve(map.heights.size());
-    for (const float height : map.heights) {
-        result.heights.push_back(map.datum + static_cast<double>(height));
-    }
-    result.invalid = map.invalid;
-    return result;
-}
-
 }  // namespace asperity

@@ -21,8 +21,8 @@ struct BasicHeightMap {
     double pitchX = 0.0;  ///< pixel width [m]
     double pitchY = 0.0;  ///< pixel height [m]
     Heights heights;      ///< rows x columns [m]; NaN where invalid
-    /// rows x columns, 1 where the scan holds no data; empty when every pixel is valid.
-    std::vector<std::uint8_t> invalid;
+    /// rows x columns, set where the scan holds no data; empty when every pixel is valid.
+    PixelMask invalid;
 
     [[nodiscard]] std::size_t index(int row, int column) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
@@ -30,7 +30,7 @@ struct BasicHeightMap {
     }
     [[nodiscard]] double at(int row, int column) const { return heights[index(row, column)]; }
     [[nodiscard]] bool isValid(int row, int column) const {
-        return invalid.empty() || invalid[index(row, column)] == 0;
+        return invalid.empty() || !invalid[index(row, column)];
     }
     [[nodiscard]] double sizeX() const { return columns * pitchX; }  ///< [m]
     [[nodiscard]] double sizeY() const { return rows * pitchY; }     ///< [m]
@@ -48,9 +48,6 @@ struct ScanMap : BasicHeightMap<PixelVector<float>> {
 /// The map in single precision, about the middle of its heights.
 /// @throw Error when the map is unusable, or its heights lie too far apart for single precision
 [[nodiscard]] ScanMap singlePrecision(const HeightMap& map);
-
-/// The map with its datum added to every height.
-[[nodiscard]] HeightMap doublePrecision(const ScanMap& map);
 
 /// Whether a height is a finite number. Told by its bits: over a whole map the compiler turns
 /// std::isfinite into comparisons that raise the invalid flag on a NaN.

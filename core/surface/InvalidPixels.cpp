@@ -126,11 +126,11 @@ private:
 template <class Map>
 void markMissing(Map& map) {
     if (map.invalid.empty()) {
-        map.invalid.resize(map.heights.size(), 0);
+        map.invalid.resize(map.heights.size(), false);
     }
     for (std::size_t i = 0; i < map.heights.size(); ++i) {
         if (!isFiniteHeight(map.heights[i])) {
-            map.invalid[i] = 1;
+            map.invalid[i] = true;
         }
     }
 }

@@ -21,7 +21,8 @@ struct PixelAllocator {
 
     // NOLINTBEGIN(cppcoreguidelines-no-malloc): an allocator manages memory by hand
     [[nodiscard]] Number* allocate(std::size_t count) {
-        if (count > std::numeric_limits<std::size_t>::max() / sizeof(Number) - kLargePage) {
+        constexpr std::size_t kMost = std::numeric_limits<std::ptrdiff_t>::max() - kLargePage;
+        if (count > kMost / sizeof(Number)) {
             throw std::bad_alloc();
         }
         const std::size_t bytes = count * sizeof(Number);
@@ -55,5 +56,8 @@ private:
 /// For the pixels of large scans; PixelVector<float>(count) has any values.
 template <class Number>
 using PixelVector = std::vector<Number, PixelAllocator<Number>>;
+
+/// A bit for each pixel of a scan; of two threads only one may write at a time.
+using PixelMask = std::vector<bool>;
 
 }  // namespace asperity

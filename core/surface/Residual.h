@@ -10,5 +10,6 @@ namespace asperity {
 /// @param surface fitted to this map
 /// @throw Error when the map is unusable or the surface has another size
 [[nodiscard]] HeightMap residualOf(HeightMap map, const BSplineSurface& surface);
+[[nodiscard]] ScanMap residualOf(ScanMap map, const BSplineSurface& surface);
 
 }  // namespace asperity

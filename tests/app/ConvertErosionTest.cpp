@@ -54,7 +54,7 @@ protected:
 TEST_F(ConvertErosion, TakesTheTipOutAndWritesWhereThatIsCertain) {
     const auto run = convert(" --erode 15e-9 --certainty " + map.string());
     ASSERT_EQ(run.exitCode, 0) << run.output;
-    const TipReconstruction expected = reconstructed(recordedParticles(), 15.0_nm);
+    const ScanReconstruction expected = reconstructed(readHeightScan(input, "").map, 15.0_nm);
     const HeightMapFile heights = readHeightMapFile(output);
     const HeightMapFile certainty = readHeightMapFile(map);
     std::size_t certain = 0;
@@ -64,7 +64,8 @@ TEST_F(ConvertErosion, TakesTheTipOutAndWritesWhereThatIsCertain) {
             EXPECT_EQ(mapOf(heights).invalid.at(i), 1);
             continue;
         }
-        EXPECT_EQ(mapOf(heights).heights[i], expected.surface.heights[i]);
+        EXPECT_EQ(mapOf(heights).heights[i],
+                  expected.surface.datum + static_cast<double>(expected.surface.heights[i]));
         EXPECT_EQ(mapOf(certainty).heights[i], expected.certain[i]);
         certain += expected.certain[i];
     }

@@ -84,12 +84,27 @@ TEST(SteadyFactor, DoesNotBlowUpSmallNoise) {
 
 TEST(ScaledText, IsPlainAndNeverMinusZeroOrNan) {
     const SiScale nano{1e9, "nN"};
-    EXPECT_EQ(scaledText(-12.3e-9, nano), "-12.30 nN");
+    EXPECT_EQ(scaledText(-12.3e-9, nano, 2), "-12.30 nN");
     EXPECT_EQ(scaledText(12.3456e-9, nano, 4), "12.3456 nN");
-    EXPECT_EQ(scaledText(-0.004e-9, nano), "0.00 nN");
-    EXPECT_EQ(scaledText(-0.006e-9, nano), "-0.01 nN");
-    EXPECT_EQ(scaledText(kNan, nano), "– nN");
-    EXPECT_EQ(scaledText(INFINITY, nano), "– nN");
+    EXPECT_EQ(scaledText(-0.004e-9, nano, 2), "0.00 nN");
+    EXPECT_EQ(scaledText(-0.006e-9, nano, 2), "-0.01 nN");
+    EXPECT_EQ(scaledText(kNan, nano, 2), "– nN");
+    EXPECT_EQ(scaledText(INFINITY, nano, 2), "– nN");
+}
+
+TEST(ThreeDigitText, ShowsNoMoreDigitsThanAnyoneReads) {
+    const SiScale nano{1e9, "nN"};
+    EXPECT_EQ(threeDigitText(-887.654e-9, nano), "-888 nN");
+    EXPECT_EQ(threeDigitText(-12.345e-9, nano), "-12.3 nN");
+    EXPECT_EQ(threeDigitText(1.2345e-9, nano), "1.23 nN");
+    EXPECT_EQ(threeDigitText(9.996e-9, nano), "10.0 nN");
+    EXPECT_EQ(threeDigitText(99.96e-9, nano), "100 nN");
+    EXPECT_EQ(threeDigitText(0.0234e-9, nano), "0.02 nN");
+    EXPECT_EQ(threeDigitText(-0.0051e-9, nano), "-0.01 nN");
+    EXPECT_EQ(threeDigitText(0.000123e-9, nano), "0 nN");
+    EXPECT_EQ(threeDigitText(-0.004e-9, nano), "0 nN");
+    EXPECT_EQ(threeDigitText(kNan, nano), "– nN");
+    EXPECT_EQ(threeDigitText(INFINITY, nano), "– nN");
 }
 
 }  // namespace

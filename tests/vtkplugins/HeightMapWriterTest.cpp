@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "tests/support/ProgressRecorder.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -14,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -130,6 +132,25 @@ TEST_F(HeightMapWriter, StlIsInMetresAndSaysSo) {
 TEST_F(HeightMapWriter, OtherExtensionsAreNotOurs) {
     EXPECT_FALSE(writeHeightMapWithVtk(file("map.gsf"), smallMap()));
     EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST_F(HeightMapWriter, TellsHowFarItIsAndLeavesNothingBehindWhenCancelled) {
+    HeightMap map = smallMap();
+    map.rows = 200;
+    map.heights.assign(600, 1.0_nm);
+    for (const std::string name : {"map.vti", "map.vtp", "map.stl"}) {
+        for (const double fraction : {0.0, 0.2, 0.3, 1.0}) {
+            test::ProgressRecorder recorder(fraction);
+            EXPECT_THROW(writeHeightMapWithVtk(file(name), rowsOf(map), &recorder), Cancelled);
+            EXPECT_TRUE(std::filesystem::is_empty(folder)) << name << fraction;
+        }
+    }
+    for (const std::string name : {"map.vti", "map.vtp", "map.stl"}) {
+        test::ProgressRecorder recorder(2.0);
+        EXPECT_TRUE(writeHeightMapWithVtk(file(name), rowsOf(map), &recorder));
+        EXPECT_TRUE(std::ranges::is_sorted(recorder.fractions)) << name;
+        EXPECT_EQ(recorder.fractions.back(), 1.0);
+    }
 }
 
 TEST_F(HeightMapWriter, FailuresThrowAndLeaveNothingBehind) {

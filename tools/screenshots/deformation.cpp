@@ -136,6 +136,7 @@ void drawDeformations(const fs::path& path) {
           std::pair(DeformationTier::HalfSpace, "(d) Half-space")}) {
         scene.description.deformation = tier;
         views.push_back(contactView(scene, events.deepest.value(), title));
+        views.back().caption += " Diamond tip.";
     }
     writeDeformationPicture(path, views, {.width = 1500, .height = 1560});
 }

@@ -27,7 +27,7 @@ CurvePlotSetup angleSetup() {
 }
 
 QString text(double value, const SiScale& scale) {
-    return QString::fromStdString(scaledText(value, scale));
+    return QString::fromStdString(threeDigitText(value, scale));
 }
 
 double largestOf(const CurveHistory& history) {
@@ -55,10 +55,10 @@ void CantileverPanel::buildNumbers() {
     const auto value = [this](const char* name, const char* widest) {
         return valueLabel(QString::fromUtf8(name), QString::fromUtf8(widest), this);
     };
-    bending_ = value("bending", "-888.88 µrad");
-    torsion_ = value("torsion", "-888.88 µrad");
-    deflection_ = value("deflection", "-888.88 nm");
-    lateral_ = value("lateral", "-888.88 nm");
+    bending_ = value("bending", "-88.88 µrad");
+    torsion_ = value("torsion", "-88.88 µrad");
+    deflection_ = value("deflection", "-88.88 µm");
+    lateral_ = value("lateral", "-88.88 µm");
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(1);

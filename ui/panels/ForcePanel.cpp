@@ -38,7 +38,11 @@ CurvePlotSetup heightSetup() {
             .timeLabels = TimeLabels::Shown};
 }
 
-QString text(double value, const SiScale& scale, int decimals = 2) {
+QString text(double value, const SiScale& scale) {
+    return QString::fromStdString(threeDigitText(value, scale));
+}
+
+QString placeText(double value, const SiScale& scale, int decimals) {
     return QString::fromStdString(scaledText(value, scale, decimals));
 }
 
@@ -88,14 +92,14 @@ void ForcePanel::buildForces(QGridLayout& grid) {
         palette.setColor(QPalette::WindowText, colours.at(axis));
         name->setPalette(palette);
         const QString objectName = QStringLiteral("force") + kAxes.at(axis);
-        force_.at(axis) = valueLabel(objectName, QStringLiteral("-888.88 nN"), this);
+        force_.at(axis) = valueLabel(objectName, QStringLiteral("-88.88 µN"), this);
         sigma_.at(axis) =
-            valueLabel(objectName + QStringLiteral("Sigma"), QStringLiteral("± 888.88"), this);
+            valueLabel(objectName + QStringLiteral("Sigma"), QStringLiteral("± 88.88"), this);
         grid.addWidget(name, row, 0);
         grid.addWidget(force_.at(axis), row, 1);
         grid.addWidget(sigma_.at(axis), row, 2);
     }
-    magnitude_ = valueLabel(QStringLiteral("forceMagnitude"), QStringLiteral("-888.88 nN"), this);
+    magnitude_ = valueLabel(QStringLiteral("forceMagnitude"), QStringLiteral("-88.88 µN"), this);
     grid.addWidget(captionLabel(QStringLiteral("|F|"), this), 3, 0);
     grid.addWidget(magnitude_, 3, 1);
 }
@@ -111,9 +115,8 @@ void ForcePanel::buildPosition(QGridLayout& grid) {
 }
 
 void ForcePanel::buildContact(QGridLayout& grid) {
-    gap_ = valueLabel(QStringLiteral("gap"), QStringLiteral("-888.88 nm"), this);
-    contactRadius_ =
-        valueLabel(QStringLiteral("contactRadius"), QStringLiteral("-888.88 nm"), this);
+    gap_ = valueLabel(QStringLiteral("gap"), QStringLiteral("-88.88 µm"), this);
+    contactRadius_ = valueLabel(QStringLiteral("contactRadius"), QStringLiteral("-88.88 µm"), this);
     gap_->setToolTip(QStringLiteral("Between tip and surface; negative: indented"));
     grid.addWidget(captionLabel(QStringLiteral("gap"), this), 0, 7, Qt::AlignRight);
     grid.addWidget(gap_, 1, 7, Qt::AlignRight);
@@ -154,9 +157,9 @@ void ForcePanel::showPosition(const Vector3& tip) {
     const SiScale& place = placeScale_.fit(largest);
     const int decimals = decimalsOf(largest, place);
     const SiScale& height = heightScale_.fit(tip.z());
-    tip_[0]->setText(text(tip.x(), place, decimals));
-    tip_[1]->setText(text(tip.y(), place, decimals));
-    tip_[2]->setText(text(tip.z(), height, decimalsOf(tip.z(), height)));
+    tip_[0]->setText(placeText(tip.x(), place, decimals));
+    tip_[1]->setText(placeText(tip.y(), place, decimals));
+    tip_[2]->setText(placeText(tip.z(), height, decimalsOf(tip.z(), height)));
 }
 
 void ForcePanel::showContact(const ContactState& contact) {

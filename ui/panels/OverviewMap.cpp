@@ -23,7 +23,7 @@ constexpr double kScaleBarShare = 0.34;  ///< of the map's width, at most
 /// In nanometres or larger units: what is smaller than a picometre is no height.
 QString lengthText(double metres) {
     const SiScale scale = siScaleFor(std::max(std::abs(metres), 1e-9), "m");
-    return QString::fromStdString(scaledText(metres, scale));
+    return QString::fromStdString(scaledText(metres, scale, 2));
 }
 
 }  // namespace

@@ -3,7 +3,10 @@
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
@@ -18,85 +21,80 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cmath>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
 namespace {
 
-/// Row of the image that is the n-th from the bottom.
-int imageRow(const HeightMap& map, int fromBottom) { return map.rows - 1 - fromBottom; }
-
-bool hasHeight(const HeightMap& map, int row, int column) {
-    return map.isValid(row, column) && std::isfinite(map.at(row, column));
-}
-
 /// Heights from the bottom row up, as VTK numbers points.
-vtkSmartPointer<vtkDoubleArray> heightArray(const HeightMap& map) {
+vtkSmartPointer<vtkDoubleArray> heightArray(const HeightRows& map, Progress* progress) {
     auto heights = vtkSmartPointer<vtkDoubleArray>::New();
     heights->SetName("height");
-    heights->SetNumberOfTuples(static_cast<vtkIdType>(map.heights.size()));
-    vtkIdType id = 0;
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column, ++id) {
-            heights->SetValue(id, map.at(imageRow(map, row), column));
-        }
-    }
+    heights->SetNumberOfTuples(static_cast<vtkIdType>(map.columns) * map.rows);
+    forEachRow(map, progress, [&](int row, const std::vector<double>& values) {
+        const auto first = static_cast<vtkIdType>(map.rows - 1 - row) * map.columns;
+        std::ranges::copy(values, heights->GetPointer(first));
+    });
     return heights;
 }
 
-vtkSmartPointer<vtkImageData> imageOf(const HeightMap& map) {
+bool hasHeight(vtkDoubleArray* heights, vtkIdType point) {
+    return isFiniteHeight(heights->GetValue(point));
+}
+
+vtkSmartPointer<vtkImageData> imageOf(const HeightRows& map, vtkDoubleArray* heights) {
     auto image = vtkSmartPointer<vtkImageData>::New();
     image->SetDimensions(map.columns, map.rows, 1);
     image->SetSpacing(map.pitchX, map.pitchY, 1.0);
     image->SetOrigin(0.5 * map.pitchX, 0.5 * map.pitchY, 0.0);
-    image->GetPointData()->SetScalars(heightArray(map));
+    image->GetPointData()->SetScalars(heights);
+    const vtkIdType points = heights->GetNumberOfTuples();
+    vtkIdType point = 0;
+    while (point < points && hasHeight(heights, point)) {
+        ++point;
+    }
+    if (point == points) {
+        return image;
+    }
     vtkNew<vtkUnsignedCharArray> valid;
     valid->SetName("valid");
-    bool allValid = true;
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column) {
-            const bool good = hasHeight(map, imageRow(map, row), column);
-            valid->InsertNextValue(good ? 1 : 0);
-            allValid = allValid && good;
-        }
+    valid->SetNumberOfTuples(points);
+    for (point = 0; point < points; ++point) {
+        valid->SetValue(point, hasHeight(heights, point) ? 1 : 0);
     }
-    if (!allValid) {
-        image->GetPointData()->AddArray(valid);
-    }
+    image->GetPointData()->AddArray(valid);
     return image;
 }
 
-vtkSmartPointer<vtkPoints> pointsOf(const HeightMap& map) {
+vtkSmartPointer<vtkPoints> pointsOf(const HeightRows& map, vtkDoubleArray* heights) {
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(static_cast<vtkIdType>(map.heights.size()));
+    points->SetNumberOfPoints(heights->GetNumberOfTuples());
     vtkIdType id = 0;
     for (int row = 0; row < map.rows; ++row) {
         for (int column = 0; column < map.columns; ++column, ++id) {
-            const double height = map.at(imageRow(map, row), column);
             points->SetPoint(id, (column + 0.5) * map.pitchX, (row + 0.5) * map.pitchY,
-                             std::isfinite(height) ? height : 0.0);
+                             hasHeight(heights, id) ? heights->GetValue(id) : 0.0);
         }
     }
     return points;
 }
 
 /// Two triangles, counter-clockwise from above, for each four pixels that all have a height.
-vtkSmartPointer<vtkPolyData> meshOf(const HeightMap& map, const std::filesystem::path& path) {
+vtkSmartPointer<vtkPolyData> meshOf(const HeightRows& map, vtkDoubleArray* heights,
+                                    const std::filesystem::path& path) {
     vtkNew<vtkCellArray> triangles;
     for (int row = 0; row + 1 < map.rows; ++row) {
         for (int column = 0; column + 1 < map.columns; ++column) {
-            const int lower = imageRow(map, row);
-            if (!hasHeight(map, lower, column) || !hasHeight(map, lower, column + 1) ||
-                !hasHeight(map, lower - 1, column) || !hasHeight(map, lower - 1, column + 1)) {
-                continue;
-            }
             const vtkIdType corner = static_cast<vtkIdType>(row) * map.columns + column;
             const vtkIdType above = corner + map.columns;
+            if (!hasHeight(heights, corner) || !hasHeight(heights, corner + 1) ||
+                !hasHeight(heights, above) || !hasHeight(heights, above + 1)) {
+                continue;
+            }
             triangles->InsertNextCell({corner, corner + 1, above + 1});
             triangles->InsertNextCell({corner, above + 1, above});
         }
@@ -105,18 +103,34 @@ vtkSmartPointer<vtkPolyData> meshOf(const HeightMap& map, const std::filesystem:
         throw Error(path.string() + ": the map has no 2 x 2 valid pixels to make a surface of");
     }
     auto mesh = vtkSmartPointer<vtkPolyData>::New();
-    mesh->SetPoints(pointsOf(map));
+    mesh->SetPoints(pointsOf(map, heights));
     mesh->SetPolys(triangles);
-    mesh->GetPointData()->SetScalars(heightArray(map));
+    mesh->GetPointData()->SetScalars(heights);
     return mesh;
 }
 
+/// Told by a VTK writer how far it is; stops it when the work is cancelled.
+void passOn(vtkObject* writer, unsigned long /*event*/, void* progress, void* fraction) {
+    auto* told = static_cast<Progress*>(progress);
+    told->report(*static_cast<double*>(fraction));
+    if (told->isCancelled()) {
+        static_cast<vtkAlgorithm*>(writer)->SetAbortExecute(1);
+    }
+}
+
 template <typename Writer>
-void write(Writer* writer, vtkDataObject* data, const std::filesystem::path& path) {
+void write(Writer* writer, vtkDataObject* data, const std::filesystem::path& path,
+           Progress* progress) {
     const TemporaryFile file(path);
+    vtkNew<vtkCallbackCommand> observer;
+    observer->SetCallback(passOn);
+    observer->SetClientData(progress);
+    writer->AddObserver(vtkCommand::ProgressEvent, observer);
     writer->SetInputData(data);
     writer->SetFileName(file.path().c_str());
-    if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError) {
+    const bool isWritten = writer->Write() != 0 && writer->GetErrorCode() == vtkErrorCode::NoError;
+    reportTo(progress, 1.0);
+    if (!isWritten) {
         throw Error(path.string() + ": writing stopped half-way (disk full?)");
     }
     file.commit();
@@ -130,25 +144,32 @@ std::string lowerCase(std::string text) {
 
 }  // namespace
 
-bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightMap& map) {
+bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightRows& map,
+                           Progress* progress) {
     const std::string extension = lowerCase(path.extension().string());
     if (extension != ".vti" && extension != ".vtp" && extension != ".stl") {
         return false;
     }
-    requireUsable(map);
+    ProgressPart filling(progress, 0.0, 0.3);
+    const auto heights = heightArray(map, &filling);
+    ProgressPart writing(progress, 0.3, 1.0);
     if (extension == ".vti") {
         const vtkNew<vtkXMLImageDataWriter> writer;
-        write(writer.Get(), imageOf(map), path);
+        write(writer.Get(), imageOf(map, heights), path, &writing);
     } else if (extension == ".vtp") {
         const vtkNew<vtkXMLPolyDataWriter> writer;
-        write(writer.Get(), meshOf(map, path), path);
+        write(writer.Get(), meshOf(map, heights, path), path, &writing);
     } else {
         const vtkNew<vtkSTLWriter> writer;
         writer->SetFileTypeToBinary();
         writer->SetHeader("Asperity height map; one unit is one metre");
-        write(writer.Get(), meshOf(map, path), path);
+        write(writer.Get(), meshOf(map, heights, path), path, &writing);
     }
     return true;
+}
+
+bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightMap& map) {
+    return writeHeightMapWithVtk(path, rowsOf(map));
 }
 
 }  // namespace asperity

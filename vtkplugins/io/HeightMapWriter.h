@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/surface/HeightMap.h"
+#include "core/surface/HeightRows.h"
 
 #include <filesystem>
 
@@ -14,7 +14,11 @@ namespace asperity {
 ///   files, and the file's header says so
 /// Coordinates are those of the world frame.
 /// @return false, and nothing is written, for any other extension
-/// @throw Error when the map is unusable, no triangle is left, or the file cannot be written
+/// VTK needs the whole data set in memory.
+/// @throw Error when no triangle is left, or the file cannot be written; Cancelled
+bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightRows& map,
+                           Progress* progress = nullptr);
+/// @throw Error when the map is unusable, too
 bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightMap& map);
 
 }  // namespace asperity

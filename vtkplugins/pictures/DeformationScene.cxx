@@ -4,6 +4,7 @@
 #include "vtkplugins/module/vtkAspForceGlyphSource.h"
 #include "vtkplugins/module/vtkAspPatchSource.h"
 #include "vtkplugins/module/vtkAspTipSource.h"
+#include "vtkplugins/pictures/ContactCircle.h"
 #include "vtkplugins/pictures/SceneParts.h"
 #include "vtkplugins/pictures/Stretch.h"
 #include "vtkplugins/pictures/Ticks.h"
@@ -21,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace asperity {
 
@@ -36,6 +36,7 @@ constexpr double kArrowLength = 0.42;
 constexpr double kBlockDepth = 0.07;
 
 constexpr int kGridLines = 24;
+constexpr double kHiddenOpacity = 0.3;  // of the contact circle behind the surface
 
 /// On a slope the eye looks across it, so that dent, neck and force show from the side.
 Vector3 eyeFor(const Vector3& outward) {
@@ -156,25 +157,17 @@ void DeformationScene::addContactCircle(const Stretch& stretch) {
     if (!(data_.contactRadius > 0.0)) {
         return;
     }
-    // About the contact's axis on the resting surface, moved as far as the surface has moved there
-    // on average: the patch's samples would make a ragged line of the steep rim.
-    const RestingPatch resting(data_.patch);
-    const Vector3 across = outward_.unitOrthogonal();
-    const Vector3 third = outward_.cross(across);
-    constexpr int kPoints = 180;
-    std::vector<Vector3> circle;
-    double moved = 0.0;
-    for (int i = 0; i <= kPoints; ++i) {
-        const double angle = 2.0 * std::numbers::pi * (i % kPoints) / kPoints;
-        const Vector3 arm = std::cos(angle) * across + std::sin(angle) * third;
-        const Vector3 rest = resting.foot(data_.contactPoint + data_.contactRadius * arm, outward_);
-        moved += (resting.at(data_.patch.points, rest.x(), rest.y()) - rest).dot(outward_);
-        circle.push_back(rest);
+    for (std::vector<Vector3> piece :
+         contactCircle(data_.patch, {data_.contactPoint, outward_, data_.contactRadius})) {
+        for (Vector3& point : piece) {
+            point = stretch.point(point);
+        }
+        const vtkSmartPointer<vtkPolyData> line = polyline(piece);
+        solid_->AddActor(lines(line, palette::kContact, 2.2));
+        const vtkSmartPointer<vtkActor> hidden = lines(line, palette::kContact, 2.2);
+        hidden->GetProperty()->SetOpacity(kHiddenOpacity);
+        through_->AddActor(hidden);
     }
-    for (Vector3& point : circle) {
-        point = stretch.point(point + moved / (kPoints + 1) * outward_);
-    }
-    through_->AddActor(lines(polyline(circle), palette::kContact, 2.2));
 }
 
 void DeformationScene::addForce(const Stretch& stretch) {

@@ -4,16 +4,14 @@
 #include "core/surface/fit/SeparableFit.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace asperity {
 
 namespace {
 
 /// Turns the mask of a map upside down, in place: the surface counts its rows from the bottom.
-std::vector<std::uint8_t> bottomRowFirst(std::vector<std::uint8_t> mask, int columns) {
+PixelMask bottomRowFirst(PixelMask mask, int columns) {
     const auto width = static_cast<std::ptrdiff_t>(columns);
     for (std::ptrdiff_t top = 0, end = std::ssize(mask); end - top >= 2 * width;
          top += width, end -= width) {

@@ -12,49 +12,97 @@ namespace asperity {
 
 namespace {
 
-/// Smooths one line after the other, in place.
-void smoothLines(std::vector<double>& values, std::size_t length,
-                 const std::vector<double>& kernel) {
-    const std::size_t reach = kernel.size() - 1;
-    std::vector<double> extended(length + 2 * reach);
-    for (std::size_t start = 0; start < values.size(); start += length) {
-        double* line = values.data() + start;
-        for (std::size_t i = 0; i < extended.size(); ++i) {
+/// Smooths lines of one length, in place.
+class LineSmoother {
+public:
+    LineSmoother(int length, double sigma)
+        : kernel_(halfGaussian(sigma))
+        , length_(static_cast<std::size_t>(length))
+        , extended_(length_ + 2 * (kernel_.size() - 1)) {}
+
+    [[nodiscard]] bool isIdentity() const { return kernel_.size() == 1; }
+
+    void smooth(double* line) {
+        const std::size_t reach = kernel_.size() - 1;
+        for (std::size_t i = 0; i < extended_.size(); ++i) {
             const ReflectedSample sample = reflectedSample(
-                static_cast<int>(length), static_cast<int>(i) - static_cast<int>(reach));
-            extended[i] = sample.own * line[sample.index] + sample.first * line[0] +
-                          sample.last * line[length - 1];
+                static_cast<int>(length_), static_cast<int>(i) - static_cast<int>(reach));
+            extended_[i] = sample.own * line[sample.index] + sample.first * line[0] +
+                           sample.last * line[length_ - 1];
         }
-        const double* centre = extended.data() + reach;
-        for (std::size_t i = 0; i < length; ++i) {
-            line[i] = kernel[0] * centre[i];
+        const double* centre = extended_.data() + reach;
+        for (std::size_t i = 0; i < length_; ++i) {
+            line[i] = kernel_[0] * centre[i];
         }
         for (std::size_t k = 1; k <= reach; ++k) {
-            for (std::size_t i = 0; i < length; ++i) {
-                line[i] += kernel[k] * (centre[i + k] + extended[i + reach - k]);
+            for (std::size_t i = 0; i < length_; ++i) {
+                line[i] += kernel_[k] * (centre[i + k] + extended_[i + reach - k]);
             }
+        }
+    }
+
+private:
+    std::vector<double> kernel_;
+    std::size_t length_;
+    std::vector<double> extended_;
+};
+
+constexpr int kBlock = 16;  // lines that are taken out together, so that columns share cache lines
+
+/// Smooths rows first, first + 1, ... of the map.
+template <class Map>
+void smoothRows(Map& map, int first, LineSmoother& smoother) {
+    using Height = typename decltype(Map::heights)::value_type;
+    std::vector<double> line(static_cast<std::size_t>(map.columns));
+    for (int row = first; row < std::min(first + kBlock, map.rows); ++row) {
+        Height* heights = map.heights.data() + map.index(row, 0);
+        std::copy_n(heights, line.size(), line.begin());
+        smoother.smooth(line.data());
+        std::ranges::transform(line, heights,
+                               [](double height) { return static_cast<Height>(height); });
+    }
+}
+
+/// Smooths columns first, first + 1, ... of the map.
+template <class Map>
+void smoothColumns(Map& map, int first, LineSmoother& smoother) {
+    using Height = typename decltype(Map::heights)::value_type;
+    const auto length = static_cast<std::size_t>(map.rows);
+    const auto count = static_cast<std::size_t>(std::min(kBlock, map.columns - first));
+    std::vector<double> lines(count * length);
+    for (int row = 0; row < map.rows; ++row) {
+        const Height* heights = map.heights.data() + map.index(row, first);
+        for (std::size_t i = 0; i < count; ++i) {
+            lines[i * length + static_cast<std::size_t>(row)] = static_cast<double>(heights[i]);
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        smoother.smooth(lines.data() + i * length);
+    }
+    for (int row = 0; row < map.rows; ++row) {
+        Height* heights = map.heights.data() + map.index(row, first);
+        for (std::size_t i = 0; i < count; ++i) {
+            heights[i] = static_cast<Height>(lines[i * length + static_cast<std::size_t>(row)]);
         }
     }
 }
 
-std::vector<double> transposed(const std::vector<double>& values, std::size_t rowLength) {
-    constexpr std::size_t kBlock = 16;  // keeps both sides of the copy in the cache
-    const std::size_t rows = values.size() / rowLength;
-    std::vector<double> result(values.size());
-    for (std::size_t top = 0; top < rows; top += kBlock) {
-        for (std::size_t left = 0; left < rowLength; left += kBlock) {
-            for (std::size_t i = top; i < std::min(top + kBlock, rows); ++i) {
-                for (std::size_t j = left; j < std::min(left + kBlock, rowLength); ++j) {
-                    result[j * rows + i] = values[i * rowLength + j];
-                }
-            }
+/// Calls smooth(first) for every kBlock lines of `count`.
+template <class Smooth>
+void forEachBlock(int count, Progress* progress, const Smooth& smooth) {
+    constexpr int kReports = 25;
+    const int step = (count / kReports / kBlock + 1) * kBlock;
+    for (int first = 0; first < count; first += kBlock) {
+        if (first % step == 0) {
+            reportTo(progress, static_cast<double>(first) / count);
         }
+        smooth(first);
     }
-    return result;
 }
 
 /// @throw Error naming the first height that is no number
-void requireFinite(const HeightMap& map) {
+template <class Map>
+void requireFinite(const Map& map) {
     requireUsable(map);
     for (int row = 0; row < map.rows; ++row) {
         for (int column = 0; column < map.columns; ++column) {
@@ -63,6 +111,21 @@ void requireFinite(const HeightMap& map) {
                             std::to_string(column) + " is not a finite number");
             }
         }
+    }
+}
+
+template <class Map>
+void smooth(Map& map, const Smoothing& smoothing, Progress* progress) {
+    requireFinite(map);
+    LineSmoother alongX(map.columns, smoothing.x);
+    LineSmoother alongY(map.rows, smoothing.y);
+    if (!alongX.isIdentity()) {
+        ProgressPart rows(progress, 0.0, 0.5);
+        forEachBlock(map.rows, &rows, [&](int first) { smoothRows(map, first, alongX); });
+    }
+    if (!alongY.isIdentity()) {
+        ProgressPart columns(progress, 0.5, 1.0);
+        forEachBlock(map.columns, &columns, [&](int first) { smoothColumns(map, first, alongY); });
     }
 }
 
@@ -107,20 +170,14 @@ ReflectedSample reflectedSample(int samples, int index) {
     return {.index = period - phase, .own = -1.0, .first = -climb, .last = climb + 2.0};
 }
 
-HeightMap smoothed(const HeightMap& map, const Smoothing& smoothing) {
-    requireFinite(map);
-    const std::vector<double> alongX = halfGaussian(smoothing.x);
-    const std::vector<double> alongY = halfGaussian(smoothing.y);
-    HeightMap result = map;
-    if (alongX.size() > 1) {
-        smoothLines(result.heights, static_cast<std::size_t>(map.columns), alongX);
-    }
-    if (alongY.size() > 1) {
-        result.heights = transposed(result.heights, static_cast<std::size_t>(map.columns));
-        smoothLines(result.heights, static_cast<std::size_t>(map.rows), alongY);
-        result.heights = transposed(result.heights, static_cast<std::size_t>(map.rows));
-    }
-    return result;
+HeightMap smoothed(HeightMap map, const Smoothing& smoothing, Progress* progress) {
+    smooth(map, smoothing, progress);
+    return map;
+}
+
+ScanMap smoothed(ScanMap map, const Smoothing& smoothing, Progress* progress) {
+    smooth(map, smoothing, progress);
+    return map;
 }
 
 }  // namespace asperity

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/surface/HeightMap.h"
 
+#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -40,14 +42,18 @@ struct ReflectedSample {
 [[nodiscard]] ReflectedSample reflectedSample(int samples, int index);
 
 /// The map after a Gaussian low-pass, the map being continued by point reflection, so that a plane
-/// comes back unchanged. A scan on its way into a scene is smoothed by fitSurface(), far faster.
+/// comes back unchanged. Works in place. A scan on its way into a scene is smoothed by
+/// fitSurface(), far faster.
 /// @throw Error when the map is unusable, a height is not finite, or a width is not in
-///        0..kWidestSmoothing
-[[nodiscard]] HeightMap smoothed(const HeightMap& map, const Smoothing& smoothing);
+///        0..kWidestSmoothing; Cancelled
+[[nodiscard]] HeightMap smoothed(HeightMap map, const Smoothing& smoothing,
+                                 Progress* progress = nullptr);
+[[nodiscard]] ScanMap smoothed(ScanMap map, const Smoothing& smoothing,
+                               Progress* progress = nullptr);
 
 /// The same width along both axes. @param sigma [pixel]
-[[nodiscard]] inline HeightMap smoothed(const HeightMap& map, double sigma) {
-    return smoothed(map, Smoothing{.x = sigma, .y = sigma});
+[[nodiscard]] inline HeightMap smoothed(HeightMap map, double sigma) {
+    return smoothed(std::move(map), Smoothing{.x = sigma, .y = sigma});
 }
 
 }  // namespace asperity

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace asperity {
 
@@ -20,24 +19,17 @@ int pixelAt(double place, double pitch, int count) {
 
 }  // namespace
 
-CertaintyMap::CertaintyMap(const HeightMap& map, std::vector<std::uint8_t> certain)
-    : columns_(map.columns)
-    , rows_(map.rows)
-    , pitchX_(map.pitchX)
-    , pitchY_(map.pitchY)
-    , certain_(std::move(certain)) {}
-
 bool CertaintyMap::isUncertain(double x, double y) const noexcept {
     if (!isKnown()) {
         return false;
     }
     const int row = rows_ - 1 - pixelAt(y, pitchY_, rows_);
-    return certain_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                    static_cast<std::size_t>(pixelAt(x, pitchX_, columns_))] == 0;
+    return !certain_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                     static_cast<std::size_t>(pixelAt(x, pitchX_, columns_))];
 }
 
 double CertaintyMap::certainShare() const noexcept {
-    const auto certain = std::ranges::count(certain_, 1);
+    const auto certain = std::ranges::count(certain_, true);
     return isKnown() ? static_cast<double>(certain) / static_cast<double>(certain_.size()) : 0.0;
 }
 

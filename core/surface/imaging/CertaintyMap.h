@@ -15,7 +15,13 @@ public:
     CertaintyMap() = default;
     /// @param map of the same pixels
     /// @param certain rows x columns, 1 where certain; row 0 is the top row
-    CertaintyMap(const HeightMap& map, std::vector<std::uint8_t> certain);
+    template <class Heights>
+    CertaintyMap(const BasicHeightMap<Heights>& map, const std::vector<std::uint8_t>& certain)
+        : columns_(map.columns)
+        , rows_(map.rows)
+        , pitchX_(map.pitchX)
+        , pitchY_(map.pitchY)
+        , certain_(certain.begin(), certain.end()) {}
 
     [[nodiscard]] bool isKnown() const noexcept { return !certain_.empty(); }
     /// Whether the imaging tip did not certainly touch the pixel at world (x, y) [m]; a place
@@ -29,7 +35,7 @@ private:
     int rows_ = 0;
     double pitchX_ = 0.0;  ///< [m]
     double pitchY_ = 0.0;  ///< [m]
-    std::vector<std::uint8_t> certain_;
+    PixelMask certain_;
 };
 
 }  // namespace asperity

@@ -50,7 +50,8 @@ void shareOut(int count, Progress* progress, const Work& work) {
 }  // namespace
 
 /// Pixels that reach the level of one place, as long as they are direct neighbours.
-class FootprintSearch::Touches {
+template <class Heights>
+class FootprintSearch<Heights>::Touches {
 public:
     void add(Pixel pixel) {
         low_ = {std::min(low_.row, pixel.row), std::min(low_.column, pixel.column)};
@@ -72,30 +73,31 @@ private:
     std::size_t count_ = 0;
 };
 
-FootprintSearch::FootprintSearch(const Grid& grid, const std::vector<double>& heights,
-                                 double tipRadius)
+template <class Heights>
+FootprintSearch<Heights>::FootprintSearch(const Grid& grid, const Source& heights, double tipRadius)
     : grid_(grid)
     , tip_(grid, tipRadius)
     , blockColumns_(blocksOf(grid.columns))
-    , blockRows_(blocksOf(grid.rows)) {
+    , blockRows_(blocksOf(grid.rows))
+    , heights_(heights) {
     const std::size_t blocks =
         static_cast<std::size_t>(blockColumns_) * static_cast<std::size_t>(blockRows_);
     blockHeights_.assign(blocks, kNone);
-    heights_.assign(blocks * kFootprintBlock * kFootprintBlock, kNone);
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
-            const double height = heights[index(row, column)];
-            heights_[paddedIndex(row, column)] = height;
-            double& highest =
-                blockHeights_[blockIndex(row / kFootprintBlock, column / kFootprintBlock)];
-            highest = std::max(highest, height);
+            if (heights_.counts(index(row, column))) {
+                double& highest =
+                    blockHeights_[blockIndex(row / kFootprintBlock, column / kFootprintBlock)];
+                highest = std::max(highest, heights_.at(index(row, column)));
+            }
         }
     }
 }
 
 /// Blocks that hold any height, as far as the tip reaches from the tile.
+template <class Heights>
 template <class Visit>
-void FootprintSearch::forEachBlockAround(const Tile& tile, const Visit& visit) const {
+void FootprintSearch<Heights>::forEachBlockAround(const Tile& tile, const Visit& visit) const {
     const int lowRow = std::max(tile.row - tip_.blockReachY(), 0);
     const int highRow = std::min(tile.row + tip_.blockReachY(), blockRows_ - 1);
     const int lowColumn = std::max(tile.column - tip_.blockReachX(), 0);
@@ -109,8 +111,9 @@ void FootprintSearch::forEachBlockAround(const Tile& tile, const Visit& visit) c
     }
 }
 
+template <class Heights>
 template <class Visit>
-void FootprintSearch::forEachPixel(const Tile& tile, const Visit& visit) const {
+void FootprintSearch<Heights>::forEachPixel(const Tile& tile, const Visit& visit) const {
     const int top = tile.row * kFootprintBlock;
     const int left = tile.column * kFootprintBlock;
     for (int row = top; row < std::min(top + kFootprintBlock, grid_.rows); ++row) {
@@ -121,10 +124,11 @@ void FootprintSearch::forEachPixel(const Tile& tile, const Visit& visit) const {
     }
 }
 
+template <class Heights>
 template <class Work>
-void FootprintSearch::forEachTile(Progress* progress, const Work& work) const {
+void FootprintSearch<Heights>::forEachTile(Progress* progress, const Work& work) const {
     shareOut(blockRows_, progress, [&](int row) {
-        Tile tile{.row = row, .column = 0, .candidates = {}};
+        Tile tile{.row = row, .column = 0, .candidates = {}, .heights = {}};
         for (; tile.column < blockColumns_; ++tile.column) {
             work(tile);
         }
@@ -132,7 +136,8 @@ void FootprintSearch::forEachTile(Progress* progress, const Work& work) const {
 }
 
 /// What every place of the tile finds at least.
-double FootprintSearch::floorOf(const Tile& tile) const {
+template <class Heights>
+double FootprintSearch<Heights>::floorOf(const Tile& tile) const {
     double floor = kNone;
     forEachBlockAround(tile, [&](int row, int column) {
         const double rise = tip_.greatestRise(row - tile.row, column - tile.column);
@@ -141,91 +146,135 @@ double FootprintSearch::floorOf(const Tile& tile) const {
     return floor;
 }
 
-void FootprintSearch::findCandidates(Tile& tile, double floor) const {
+template <class Heights>
+void FootprintSearch<Heights>::findCandidates(Tile& tile, double floor) const {
     tile.candidates.clear();
+    tile.heights.clear();
     forEachBlockAround(tile, [&](int row, int column) {
         const double rise = tip_.leastRise(row - tile.row, column - tile.column);
         const double bound = blockHeights_[blockIndex(row, column)] - rise;
         if (bound != kNone && bound >= floor) {
-            tile.candidates.push_back({bound, row * kFootprintBlock, column * kFootprintBlock});
+            tile.candidates.push_back(
+                {.bound = bound, .row = row * kFootprintBlock, .column = column * kFootprintBlock});
         }
     });
     std::ranges::sort(tile.candidates, std::ranges::greater(), &Block::bound);
 }
 
+template <class Heights>
+typename FootprintSearch<Heights>::BlockHeights
+FootprintSearch<Heights>::heightsIn(const Block& block) const {
+    BlockHeights heights;
+    for (int row = 0; row < kFootprintBlock; ++row) {
+        for (int column = 0; column < kFootprintBlock; ++column) {
+            double& height =
+                heights[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+            height = kNone;
+            if (block.row + row < grid_.rows && block.column + column < grid_.columns) {
+                const std::size_t pixel = index(block.row + row, block.column + column);
+                height = heights_.counts(pixel) ? heights_.at(pixel) : kNone;
+            }
+        }
+    }
+    return heights;
+}
+
+template <class Heights>
+const typename FootprintSearch<Heights>::BlockHeights&
+FootprintSearch<Heights>::heightsOf(Tile& tile, Block& block) const {
+    if (block.heights == kUnread) {
+        block.heights = tile.heights.size();
+        tile.heights.push_back(heightsIn(block));
+    }
+    return tile.heights[block.heights];
+}
+
 /// Eight lanes, each with its own maximum: a form that compilers turn into vector instructions.
-double FootprintSearch::bestOf(const Block& block, int row, int column) const {
-    std::array<double, kFootprintBlock> best{};
+template <class Heights>
+double FootprintSearch<Heights>::bestOf(const BlockHeights& heights, const Block& block,
+                                        Pixel apex) const {
+    Lanes best;
     best.fill(kNone);
-    const int first = std::max(block.row, row - tip_.reachY());
-    const int last = std::min(block.row + kFootprintBlock - 1, row + tip_.reachY());
+    const int first = std::max(block.row, apex.row - tip_.reachY());
+    const int last = std::min(block.row + kFootprintBlock - 1, apex.row + tip_.reachY());
     for (int from = first; from <= last; ++from) {
-        const double* heights = heights_.data() + paddedIndex(from, block.column);
-        const double* rises = tip_.risesFrom(from - row, block.column - column);
+        const Lanes& row = heights[static_cast<std::size_t>(from - block.row)];
+        const double* rises = tip_.risesFrom(from - apex.row, block.column - apex.column);
         for (std::size_t lane = 0; lane < best.size(); ++lane) {
-            const double height = heights[lane] - rises[lane];
+            const double height = row[lane] - rises[lane];
             best[lane] = height > best[lane] ? height : best[lane];
         }
     }
     return *std::ranges::max_element(best);
 }
 
-double FootprintSearch::bestFor(const Tile& tile, int row, int column) const {
+template <class Heights>
+double FootprintSearch<Heights>::bestFor(Tile& tile, Pixel apex) const {
     double best = kNone;
-    for (const Block& block : tile.candidates) {
+    for (Block& block : tile.candidates) {
         if (block.bound <= best) {
             break;
         }
-        best = std::max(best, bestOf(block, row, column));
+        best = std::max(best, bestOf(heightsOf(tile, block), block, apex));
     }
     return best;
 }
 
-std::vector<double> FootprintSearch::highest(Progress* progress) const {
-    std::vector<double> result(index(grid_.rows, 0));
+template <class Heights>
+Heights FootprintSearch<Heights>::highest(Progress* progress) const {
+    using Height = typename Heights::value_type;
+    Heights result(index(grid_.rows, 0));
     forEachTile(progress, [&](Tile& tile) {
         findCandidates(tile, floorOf(tile));
         forEachPixel(tile, [&](int row, int column) {
-            result[index(row, column)] = bestFor(tile, row, column);
+            result[index(row, column)] = static_cast<Height>(bestFor(tile, {row, column}));
         });
     });
     return result;
 }
 
-void FootprintSearch::collect(const Block& block, int row, int column, double level,
-                              Touches& touches) const {
-    const int first = std::max(block.row, row - tip_.reachY());
-    const int last = std::min(block.row + kFootprintBlock - 1, row + tip_.reachY());
+template <class Heights>
+void FootprintSearch<Heights>::collect(const BlockHeights& heights, const Block& block, Pixel apex,
+                                       double level, Touches& touches) const {
+    const int first = std::max(block.row, apex.row - tip_.reachY());
+    const int last = std::min(block.row + kFootprintBlock - 1, apex.row + tip_.reachY());
     for (int from = first; from <= last; ++from) {
-        const double* heights = heights_.data() + paddedIndex(from, block.column);
-        const double* rises = tip_.risesFrom(from - row, block.column - column);
-        for (int lane = 0; lane < kFootprintBlock; ++lane) {
-            if (heights[lane] - rises[lane] >= level) {
-                touches.add({from, block.column + lane});
+        const Lanes& row = heights[static_cast<std::size_t>(from - block.row)];
+        const double* rises = tip_.risesFrom(from - apex.row, block.column - apex.column);
+        for (std::size_t lane = 0; lane < row.size(); ++lane) {
+            if (row[lane] - rises[lane] >= level) {
+                touches.add({from, block.column + static_cast<int>(lane)});
             }
         }
     }
 }
 
-FootprintSearch::Touches FootprintSearch::touchesOf(const Tile& tile, int row, int column,
-                                                    double level) const {
+template <class Heights>
+typename FootprintSearch<Heights>::Touches
+FootprintSearch<Heights>::touchesOf(Tile& tile, Pixel apex, double level) const {
     Touches touches;
-    for (const Block& block : tile.candidates) {
+    for (Block& block : tile.candidates) {
         if (block.bound < level || touches.areApart()) {
             break;
         }
-        if (bestOf(block, row, column) >= level) {
-            collect(block, row, column, level, touches);
+        const BlockHeights& heights = heightsOf(tile, block);
+        if (bestOf(heights, block, apex) >= level) {
+            collect(heights, block, apex, level, touches);
         }
     }
     return touches;
 }
 
-std::vector<std::uint8_t> FootprintSearch::reachingAlone(const std::vector<double>& levels,
-                                                         Progress* progress) const {
-    std::vector<std::uint8_t> alone(levels.size(), 0);
+template <class Heights>
+std::vector<std::uint8_t> FootprintSearch<Heights>::reachingAlone(const Source& levels,
+                                                                  double tolerance,
+                                                                  Progress* progress) const {
+    std::vector<std::uint8_t> alone(index(grid_.rows, 0), 0);
     const auto hasLevel = [&](Pixel pixel) {
-        return levels[index(pixel.row, pixel.column)] != kNone;
+        return levels.counts(index(pixel.row, pixel.column));
+    };
+    const auto levelOf = [&](int row, int column) {
+        return levels.at(index(row, column)) - tolerance;
     };
     const auto tells = [&](int row, int column) {
         return tip_.isWithin(grid_, row, column) && hasLevel({row, column});
@@ -234,7 +283,7 @@ std::vector<std::uint8_t> FootprintSearch::reachingAlone(const std::vector<doubl
         double floor = -kNone;
         forEachPixel(tile, [&](int row, int column) {
             if (tells(row, column)) {
-                floor = std::min(floor, levels[index(row, column)]);
+                floor = std::min(floor, levelOf(row, column));
             }
         });
         if (floor == -kNone) {
@@ -245,7 +294,7 @@ std::vector<std::uint8_t> FootprintSearch::reachingAlone(const std::vector<doubl
             if (!tells(row, column)) {
                 return;
             }
-            const Touches touches = touchesOf(tile, row, column, levels[index(row, column)]);
+            const Touches touches = touchesOf(tile, {row, column}, levelOf(row, column));
             if (touches.areApart() || !std::ranges::all_of(touches.pixels(), hasLevel)) {
                 return;
             }
@@ -258,5 +307,8 @@ std::vector<std::uint8_t> FootprintSearch::reachingAlone(const std::vector<doubl
     });
     return alone;
 }
+
+template class FootprintSearch<std::vector<double>>;
+template class FootprintSearch<PixelVector<float>>;
 
 }  // namespace asperity

@@ -1,40 +1,67 @@
 #pragma once
 
 #include "core/Progress.h"
+#include "core/surface/HeightMap.h"
 #include "core/surface/imaging/TipFootprint.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace asperity {
 
+/// Heights that are searched where they lie. Those that are masked or not finite take no part.
+template <class Heights>
+struct SearchedHeights {
+    const Heights& values;               ///< rows x columns, row-major [m]
+    const PixelMask* invalid = nullptr;  ///< of as many pixels; null or empty: none is masked
+    bool isTurned = false;               ///< search the negative of each height
+
+    [[nodiscard]] bool counts(std::size_t pixel) const {
+        return (invalid == nullptr || invalid->empty() || !(*invalid)[pixel]) &&
+               isFiniteHeight(values[pixel]);
+    }
+    /// Of a pixel that counts [m].
+    [[nodiscard]] double at(std::size_t pixel) const {
+        const auto value = static_cast<double>(values[pixel]);
+        return isTurned ? -value : value;
+    }
+};
+
 /// For every pixel of a map, searches the map's heights less the tip's rise there, over the tip's
-/// footprint around the pixel. Heights of minus infinity take no part.
+/// footprint around the pixel. Computed in double precision, whatever the heights are stored in.
 ///
 /// Blocks of pixels are visited in the order of what they can give at best, and no longer than that
 /// can matter, so that of a wide footprint only few pixels are looked at. Rows of blocks are shared
 /// out among threads; results do not depend on their number.
+template <class Heights>
 class FootprintSearch {
 public:
     using Grid = TipFootprint::Grid;
+    using Source = SearchedHeights<Heights>;
 
-    /// @param heights rows x columns, row-major [m]
+    /// @param heights must outlive the search
     /// @throw Error when the radius is not a positive length
-    FootprintSearch(const Grid& grid, const std::vector<double>& heights, double tipRadius);
+    FootprintSearch(const Grid& grid, const Source& heights, double tipRadius);
 
     /// The highest of heights less rises for each pixel; minus infinity where there is none [m].
     /// @throw Cancelled
-    [[nodiscard]] std::vector<double> highest(Progress* progress = nullptr) const;
+    [[nodiscard]] Heights highest(Progress* progress = nullptr) const;
 
     /// 1 where a pixel is the only one, but for direct neighbours, to reach up to the level of some
     /// place of the apex. Places where part of the tip lies beyond the map's edge tell nothing, nor
     /// do those without a level, or that a pixel without a level reaches.
-    /// @param levels of each pixel, minus infinity for none [m]
+    /// @param levels of each pixel; one that does not count has none
+    /// @param tolerance so far below its level a place is reached, too [m]
     /// @throw Cancelled
-    [[nodiscard]] std::vector<std::uint8_t> reachingAlone(const std::vector<double>& levels,
+    [[nodiscard]] std::vector<std::uint8_t> reachingAlone(const Source& levels, double tolerance,
                                                           Progress* progress = nullptr) const;
 
 private:
+    static constexpr std::size_t kUnread = std::numeric_limits<std::size_t>::max();
+
     struct Pixel {
         int row = 0;
         int column = 0;
@@ -43,22 +70,23 @@ private:
         double bound = 0.0;  ///< nothing in the block gives more [m]
         int row = 0;         ///< of its first pixel
         int column = 0;      ///< of its first pixel
+        /// Place of its heights in the tile; kUnread until they are looked at.
+        std::size_t heights = kUnread;
     };
+    using Lanes = std::array<double, kFootprintBlock>;
+    /// Minus infinity for what takes no part [m].
+    using BlockHeights = std::array<Lanes, kFootprintBlock>;
     /// A block of apex places, and the blocks that can matter to them, best first.
     struct Tile {
         int row = 0;
         int column = 0;
         std::vector<Block> candidates;
+        std::vector<BlockHeights> heights;  ///< of the candidates that were looked at
     };
     class Touches;
 
     [[nodiscard]] std::size_t index(int row, int column) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns) +
-               static_cast<std::size_t>(column);
-    }
-    [[nodiscard]] std::size_t paddedIndex(int row, int column) const {
-        const int stride = blockColumns_ * kFootprintBlock;
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(stride) +
                static_cast<std::size_t>(column);
     }
     [[nodiscard]] std::size_t blockIndex(int row, int column) const {
@@ -73,16 +101,19 @@ private:
     void forEachTile(Progress* progress, const Work& work) const;
     [[nodiscard]] double floorOf(const Tile& tile) const;
     void findCandidates(Tile& tile, double floor) const;
-    [[nodiscard]] double bestOf(const Block& block, int row, int column) const;
-    [[nodiscard]] double bestFor(const Tile& tile, int row, int column) const;
-    [[nodiscard]] Touches touchesOf(const Tile& tile, int row, int column, double level) const;
-    void collect(const Block& block, int row, int column, double level, Touches& touches) const;
+    [[nodiscard]] BlockHeights heightsIn(const Block& block) const;
+    const BlockHeights& heightsOf(Tile& tile, Block& block) const;
+    [[nodiscard]] double bestOf(const BlockHeights& heights, const Block& block, Pixel apex) const;
+    [[nodiscard]] double bestFor(Tile& tile, Pixel apex) const;
+    [[nodiscard]] Touches touchesOf(Tile& tile, Pixel apex, double level) const;
+    void collect(const BlockHeights& heights, const Block& block, Pixel apex, double level,
+                 Touches& touches) const;
 
     Grid grid_;
     TipFootprint tip_;
     int blockColumns_;
     int blockRows_;
-    std::vector<double> heights_;       ///< padded to whole blocks [m]
+    Source heights_;
     std::vector<double> blockHeights_;  ///< highest pixel of each block [m]
 };
 

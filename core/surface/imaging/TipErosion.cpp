@@ -12,84 +12,116 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
+template <class Heights>
+using Map = BasicHeightMap<Heights>;
 
-FootprintSearch::Grid gridOf(const HeightMap& map) {
+template <class Heights>
+TipFootprint::Grid gridOf(const Map<Heights>& map) {
     return {map.columns, map.rows, map.pitchX, map.pitchY};
 }
 
-bool counts(const HeightMap& map, std::size_t pixel) {
-    return (map.invalid.empty() || map.invalid[pixel] == 0) && isFiniteHeight(map.heights[pixel]);
+template <class Heights>
+SearchedHeights<Heights> heightsOf(const Map<Heights>& map) {
+    return {.values = map.heights, .invalid = &map.invalid};
 }
 
-/// value(height) of the pixels that count; of the others, what takes no part in a search.
-template <class Value>
-std::vector<double> valuesOf(const HeightMap& map, const Value& value) {
-    std::vector<double> values(map.heights.size(), kNone);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (counts(map, i)) {
-            values[i] = value(map.heights[i]);
+/// The map with new heights in the pixels that count.
+template <class Heights>
+void replaceHeights(Map<Heights>& map, Heights heights) {
+    const SearchedHeights<Heights> before = heightsOf(map);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        if (!before.counts(i)) {
+            heights[i] = map.heights[i];
         }
     }
-    return values;
+    map.heights = std::move(heights);
 }
 
-/// The map with the heights of the pixels that count replaced.
-template <class Value>
-HeightMap withHeights(HeightMap map, const Value& value) {
-    for (std::size_t i = 0; i < map.heights.size(); ++i) {
-        if (counts(map, i)) {
-            map.heights[i] = value(i);
-        }
+/// Below invalid pixels too, as far as the tip reaches; minus infinity elsewhere. The sign is
+/// turned on the way: a minimum of sums is a maximum of differences.
+template <class Heights>
+Heights erosion(const Map<Heights>& image, double tipRadius, Progress* progress = nullptr) {
+    SearchedHeights<Heights> turned = heightsOf(image);
+    turned.isTurned = true;
+    Heights heights = FootprintSearch<Heights>(gridOf(image), turned, tipRadius).highest(progress);
+    using Height = typename Heights::value_type;
+    constexpr auto kNone = -std::numeric_limits<Height>::infinity();
+    for (Height& height : heights) {
+        height = height == kNone ? kNone : -height;
     }
-    return map;
+    return heights;
 }
 
-/// The erosion with its sign turned: a minimum of sums is a maximum of differences. Below invalid
-/// pixels too, as far as the tip reaches; minus infinity elsewhere.
-std::vector<double> turnedErosion(const HeightMap& image, double tipRadius,
-                                  Progress* progress = nullptr) {
-    const auto turned = valuesOf(image, [](double height) { return -height; });
-    return FootprintSearch(gridOf(image), turned, tipRadius).highest(progress);
-}
-
-/// Below the image by what its heights were rounded by on the way through the erosion.
-std::vector<double> touchLevels(const HeightMap& image, double tipRadius) {
+/// The largest distance from zero of what is a height.
+template <class Heights>
+double scaleOf(const Heights& heights) {
     double scale = 0.0;
-    for (std::size_t i = 0; i < image.heights.size(); ++i) {
-        scale = counts(image, i) ? std::max(scale, std::abs(image.heights[i])) : scale;
+    for (const auto height : heights) {
+        scale =
+            isFiniteHeight(height) ? std::max(scale, std::abs(static_cast<double>(height))) : scale;
     }
-    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (scale + tipRadius);
-    return valuesOf(image, [=](double height) { return height - rounding; });
+    return scale;
+}
+
+/// What heights were rounded by on the way through the erosion and into their store [m].
+template <class Heights>
+double roundingOf(const Heights& image, const Heights& surface, double tipRadius) {
+    constexpr double kStore = std::numeric_limits<typename Heights::value_type>::epsilon();
+    constexpr double kComputed = std::numeric_limits<double>::epsilon();
+    const double computed = 4.0 * kComputed * (scaleOf(image) + tipRadius);
+    return kStore == kComputed ? computed : computed + 0.5 * kStore * scaleOf(surface);
+}
+
+/// What is certain of a surface that was eroded from an image.
+template <class Heights>
+std::vector<std::uint8_t> touched(const Map<Heights>& image, const Heights& surface,
+                                  double tipRadius, Progress* progress) {
+    const FootprintSearch<Heights> search(gridOf(image), {.values = surface}, tipRadius);
+    return search.reachingAlone(heightsOf(image), roundingOf(image.heights, surface, tipRadius),
+                                progress);
+}
+
+template <class AnyMap>
+BasicTipReconstruction<AnyMap> reconstruction(AnyMap image, double tipRadius, Progress* progress) {
+    requireUsable(image);
+    ProgressPart eroding(progress, 0.0, 0.5);
+    auto surface = erosion(image, tipRadius, &eroding);
+    ProgressPart telling(progress, 0.5, 1.0);
+    std::vector<std::uint8_t> certain = touched(image, surface, tipRadius, &telling);
+    replaceHeights(image, std::move(surface));
+    return {std::move(image), std::move(certain)};
 }
 
 }  // namespace
 
-HeightMap dilated(const HeightMap& surface, double tipRadius) {
+HeightMap dilated(HeightMap surface, double tipRadius) {
     requireUsable(surface);
-    const auto heights = valuesOf(surface, [](double height) { return height; });
-    const std::vector<double> image =
-        FootprintSearch(gridOf(surface), heights, tipRadius).highest();
-    return withHeights(surface, [&](std::size_t i) { return image[i]; });
+    const FootprintSearch search(gridOf(surface), heightsOf(surface), tipRadius);
+    replaceHeights(surface, search.highest());
+    return surface;
 }
 
-HeightMap eroded(const HeightMap& image, double tipRadius) {
+HeightMap eroded(HeightMap image, double tipRadius) {
     requireUsable(image);
-    const std::vector<double> turned = turnedErosion(image, tipRadius);
-    return withHeights(image, [&](std::size_t i) { return -turned[i]; });
+    replaceHeights(image, erosion(image, tipRadius));
+    return image;
 }
 
-TipReconstruction reconstructed(const HeightMap& image, double tipRadius, Progress* progress) {
+TipReconstruction reconstructed(HeightMap image, double tipRadius, Progress* progress) {
+    return reconstruction(std::move(image), tipRadius, progress);
+}
+
+ScanReconstruction reconstructed(ScanMap image, double tipRadius, Progress* progress) {
+    return reconstruction(std::move(image), tipRadius, progress);
+}
+
+std::vector<std::uint8_t> certainPixels(const ScanMap& image, double tipRadius,
+                                        Progress* progress) {
     requireUsable(image);
     ProgressPart eroding(progress, 0.0, 0.5);
-    std::vector<double> surface = turnedErosion(image, tipRadius, &eroding);
-    for (double& height : surface) {
-        height = height == kNone ? kNone : -height;
-    }
-    const FootprintSearch search(gridOf(image), surface, tipRadius);
+    const PixelVector<float> surface = erosion(image, tipRadius, &eroding);
     ProgressPart telling(progress, 0.5, 1.0);
-    return {withHeights(image, [&](std::size_t i) { return surface[i]; }),
-            search.reachingAlone(touchLevels(image, tipRadius), &telling)};
+    return touched(image, surface, tipRadius, &telling);
 }
 
 }  // namespace asperity

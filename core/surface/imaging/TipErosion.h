@@ -20,29 +20,42 @@ namespace asperity {
 /// what it is. Nothing lies beyond the map's borders. Linear time in the pixels, and few times a
 /// block of pixels for each, however wide the tip, on the surfaces of scans.
 
+/// Heights are stored in the map's own precision and computed with in double.
+
 /// The image that a tip of this radius would record of the surface.
 /// @throw Error when the map is unusable or the radius is not a positive length
-[[nodiscard]] HeightMap dilated(const HeightMap& surface, double tipRadius);
+[[nodiscard]] HeightMap dilated(HeightMap surface, double tipRadius);
 
 /// The reconstruction from an image that a tip of this radius recorded; nowhere above the image.
 /// @throw Error as dilated()
-[[nodiscard]] HeightMap eroded(const HeightMap& image, double tipRadius);
+[[nodiscard]] HeightMap eroded(HeightMap image, double tipRadius);
 
 /// An eroded map with what is certain about it.
-struct TipReconstruction {
-    HeightMap surface;
+template <class Map>
+struct BasicTipReconstruction {
+    Map surface;
     /// rows x columns, 1 where the tip must have touched the surface: the reconstruction is it.
     /// Elsewhere it is an upper bound.
     std::vector<std::uint8_t> certain;
 };
+using TipReconstruction = BasicTipReconstruction<HeightMap>;
+/// Of a large scan: beside the image only its surface and the certainty are in memory.
+using ScanReconstruction = BasicTipReconstruction<ScanMap>;
 
 /// As eroded(), with the certainty map: a pixel is certain where, for some place of the tip, it is
 /// the only one that the tip can have touched. Pixels next to each other count as one place: what
-/// lies between the pixels is below the grid's resolution. The tip touches something everywhere;
-/// places where it reaches beyond the map's edges or where it can have touched below an invalid
-/// pixel prove nothing.
+/// lies between the pixels is below the grid's resolution, as is what lies between two heights of
+/// the map's precision. The tip touches something everywhere; places where it reaches beyond the
+/// map's edges or where it can have touched below an invalid pixel prove nothing.
 /// @throw Error as dilated(); Cancelled
-[[nodiscard]] TipReconstruction reconstructed(const HeightMap& image, double tipRadius,
+[[nodiscard]] TipReconstruction reconstructed(HeightMap image, double tipRadius,
                                               Progress* progress = nullptr);
+[[nodiscard]] ScanReconstruction reconstructed(ScanMap image, double tipRadius,
+                                               Progress* progress = nullptr);
+
+/// The certainty map alone.
+/// @throw Error as dilated(); Cancelled
+[[nodiscard]] std::vector<std::uint8_t> certainPixels(const ScanMap& image, double tipRadius,
+                                                      Progress* progress = nullptr);
 
 }  // namespace asperity

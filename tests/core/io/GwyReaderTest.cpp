@@ -58,7 +58,7 @@ TEST(GwyReader, MaskedPixelsAreInvalid) {
     const HeightMapFile file =
         read(gwyFile(gwyComponent("/0/mask", mask) + gwyComponent("/0/data", smallGwyField())));
     const HeightMap& map = file.channels.at(0).map;
-    EXPECT_EQ(map.invalid, (std::vector<std::uint8_t>{0, 1, 0, 0, 1, 0}));
+    EXPECT_EQ(map.invalid, (PixelMask{0, 1, 0, 0, 1, 0}));
     EXPECT_TRUE(std::isnan(map.at(0, 1)));
     EXPECT_EQ(map.at(0, 0), 1e-9);
     EXPECT_THAT(file.notes.at(0), HasSubstr("2 pixels"));
@@ -70,7 +70,7 @@ TEST(GwyReader, NanAndInfinityAreInvalid) {
         read(field(sizeOf(3, 1) + gwyNumbers("data", {std::nan(""), 1, kInfinity})))
             .channels.at(0)
             .map;
-    EXPECT_EQ(map.invalid, (std::vector<std::uint8_t>{1, 0, 1}));
+    EXPECT_EQ(map.invalid, (PixelMask{1, 0, 1}));
     EXPECT_TRUE(std::isnan(map.heights[2]));
 }
 

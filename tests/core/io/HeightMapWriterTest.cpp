@@ -5,11 +5,13 @@
 #include "core/io/TextValue.h"
 #include "tests/core/io/BumpyMap.h"
 #include "tests/core/io/ImageFiles.h"
+#include "tests/support/ProgressRecorder.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -187,7 +189,7 @@ TEST(HeightMapWriter, FlatAndEmptyMapsAreLegal) {
         EXPECT_GT(std::filesystem::file_size(folder.file("nothing" + extension)), 0U);
     }
     EXPECT_EQ(throughFile("flat.gwy", flat).map.heights, flat.heights);
-    EXPECT_EQ(throughFile("nothing.gwy", nothing).map.invalid, std::vector<std::uint8_t>(4, 1));
+    EXPECT_EQ(throughFile("nothing.gwy", nothing).map.invalid, PixelMask(4, 1));
 }
 
 TEST(HeightMapWriter, RefusesUnknownExtensionsAndUnusableMaps) {
@@ -203,6 +205,44 @@ TEST(HeightMapWriter, RefusesUnknownExtensionsAndUnusableMaps) {
     HeightMap wrong = bumpyMap(2, 2);
     wrong.heights.pop_back();
     EXPECT_THROW(writeHeightMap(folder.file("map.gsf"), wrong, kMeta), Error);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(HeightMapWriter, TellsHowFarItIs) {
+    const ScratchFolder folder;
+    const HeightMap map = bumpyMapWithHoles(5, 300);
+    for (const std::string& extension : heightMapExtensions()) {
+        ProgressRecorder recorder(2.0);
+        writeHeightMap(folder.file("map" + extension), rowsOf(map), kMeta, &recorder);
+        EXPECT_GE(recorder.fractions.size(), 40U) << extension;
+        EXPECT_TRUE(std::ranges::is_sorted(recorder.fractions)) << extension;
+        EXPECT_EQ(recorder.fractions.back(), 1.0) << extension;
+    }
+}
+
+TEST(HeightMapWriter, CancelledLeavesNothingBehind) {
+    const ScratchFolder folder;
+    const HeightMap map = bumpyMapWithHoles(5, 300);
+    for (const std::string& extension : heightMapExtensions()) {
+        for (const double fraction : {0.0, 0.3, 0.9}) {
+            ProgressRecorder recorder(fraction);
+            EXPECT_THROW(
+                writeHeightMap(folder.file("map" + extension), rowsOf(map), kMeta, &recorder),
+                Cancelled);
+            EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << extension << fraction;
+        }
+    }
+}
+
+/// The format's sizes have 32 bits; a file of 4 GiB must not be written to find that out.
+TEST(HeightMapWriter, RefusesWhatIsTooLargeForGwyddionAtOnce) {
+    const ScratchFolder folder;
+    const HeightRows rows{.columns = 65536,
+                          .rows = 8192,
+                          .pitchX = 1e-9,
+                          .pitchY = 1e-9,
+                          .readRow = [](int, double*) { FAIL(); }};
+    EXPECT_THROW(writeHeightMap(folder.file("map.gwy"), rows, kMeta), Error);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

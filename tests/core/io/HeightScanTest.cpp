@@ -130,6 +130,26 @@ TEST(HeightScan, HeightsBeyondSinglePrecisionStayOutOfReachOfAnyScene) {
     EXPECT_TRUE(scan.map.invalid.empty());
 }
 
+TEST(HeightChannel, IsTheMapAsTheFileGivesIt) {
+    const ScratchFolder folder;
+    writeHeightMap(folder.file("map.gwy"), largeMap(), {"Height", 1.0_um, 2.0_um});
+    const HeightChannel read = readHeightChannel(folder.file("map.gwy"), "");
+    const HeightMapFile file = readHeightMapFile(folder.file("map.gwy"));
+    const ScanChannel& expected = heightChannel(file, folder.file("map.gwy"), "");
+    EXPECT_EQ(read.channel.name, "Height");
+    EXPECT_EQ(read.channel.originX, 1.0_um);
+    EXPECT_EQ(read.channel.originY, 2.0_um);
+    EXPECT_EQ(read.channel.map.pitchX, expected.map.pitchX);
+    EXPECT_EQ(read.channel.map.invalid, expected.map.invalid);
+    EXPECT_EQ(read.channel.map.at(300, 7), expected.map.at(300, 7));
+    EXPECT_EQ(read.notes, file.notes);
+    const HeightScan scan = readHeightScan(folder.file("map.gwy"), "");
+    EXPECT_EQ(scan.originX, 1.0_um);
+    EXPECT_EQ(scan.originY, 2.0_um);
+    CancelledAfter once(1);
+    EXPECT_THROW((void)readHeightChannel(folder.file("map.gwy"), "", &once), Cancelled);
+}
+
 TEST(HeightScan, RefusesAsTheFileItself) {
     const ScratchFolder folder;
     EXPECT_THROW((void)readHeightScan(folder.file("none.gsf"), ""), InputError);

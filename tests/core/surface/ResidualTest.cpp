@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/Random.h"
 #include "core/Units.h"
+#include "core/surface/InvalidPixels.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/fit/GaussianFilter.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
@@ -39,6 +40,23 @@ TEST(Residual, IsWhatSmoothingTook) {
     }
     EXPECT_EQ(residual.pitchX, map.pitchX);
     EXPECT_EQ(residual.pitchY, map.pitchY);
+}
+
+TEST(Residual, InSinglePrecisionIsTheSameButForRounding) {
+    HeightMap map = noisyMap();
+    for (double& height : map.heights) {
+        height += 3.0_um;
+    }
+    map.heights[map.index(3, 4)] = std::numeric_limits<double>::quiet_NaN();
+    const ScanMap scan = withInvalidPixelsFilled(singlePrecision(map));
+    const BSplineSurface surface = fitSurface(scan, {2.0, 2.0});
+    const HeightMap exact = residualOf(withInvalidPixelsFilled(map), surface);
+    const ScanMap rounded = residualOf(scan, surface);
+    EXPECT_EQ(rounded.datum, 0.0);
+    EXPECT_TRUE(std::isnan(rounded.at(3, 4)));
+    for (int column = 5; column < map.columns; ++column) {
+        ASSERT_NEAR(rounded.at(3, column), exact.at(3, column), 0x1p-22 * 1.0_nm);
+    }
 }
 
 TEST(Residual, OfASurfaceWithoutSmoothingIsRounding) {

@@ -31,8 +31,8 @@ TEST(ForcePanel, ShowsForcesWithTheirStandardDeviations) {
     panel.show(test::snapshotOf(indented()));
     EXPECT_EQ(test::textOf(panel, "forceX"), QStringLiteral("1.50 nN"));
     EXPECT_EQ(test::textOf(panel, "forceY"), QStringLiteral("-2.25 nN"));
-    EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("12.30 nN"));
-    EXPECT_EQ(test::textOf(panel, "forceMagnitude"), QStringLiteral("12.59 nN"));
+    EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("12.3 nN"));
+    EXPECT_EQ(test::textOf(panel, "forceMagnitude"), QStringLiteral("12.6 nN"));
     EXPECT_EQ(test::textOf(panel, "forceXSigma"), QStringLiteral("± 0.10"));
     EXPECT_EQ(test::textOf(panel, "forceYSigma"), QStringLiteral("± 0.20"));
     EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 0.30"));
@@ -47,18 +47,28 @@ TEST(ForcePanel, ShowsPlaceGapAndContactRadius) {
     EXPECT_EQ(test::textOf(panel, "gap"), QStringLiteral("-1.63 nm")) << "indented";
     EXPECT_EQ(test::textOf(panel, "contactRadius"), QStringLiteral("5.79 nm"));
     panel.show(test::snapshotOf(test::tickWithForce(2.0, Vector3::Zero())));
-    EXPECT_EQ(test::textOf(panel, "contactRadius"), QStringLiteral("0.00 nm"));
+    EXPECT_EQ(test::textOf(panel, "contactRadius"), QStringLiteral("0 nm"));
 }
 
 TEST(ForcePanel, TheUnitIsThatOfTheLargestForceOrOfItsUncertainty) {
     ForcePanel panel;
     TickSample sample = test::tickWithForce(0.0, Vector3(0.0, 0.0, 20e-12));
     panel.show(test::snapshotOf(sample));
-    EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("20.00 pN"));
+    EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("20.0 pN"));
     sample.output.estimate.covariance(2, 2) = 4e-18;
     panel.show(test::snapshotOf(sample));
     EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("0.02 nN"));
     EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 2.00"));
+}
+
+TEST(ForcePanel, NoiseFarFromTheSampleReadsAsZero) {
+    ForcePanel panel;
+    TickSample sample = test::tickWithForce(0.0, Vector3(1.23e-16, -4.5e-17, 1.2e-13));
+    panel.show(test::snapshotOf(sample));
+    EXPECT_EQ(test::textOf(panel, "forceX"), QStringLiteral("0 pN"));
+    EXPECT_EQ(test::textOf(panel, "forceY"), QStringLiteral("0 pN"));
+    EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("0.12 pN"));
+    EXPECT_EQ(test::textOf(panel, "forceXSigma"), QStringLiteral("± 0"));
 }
 
 TEST(ForcePanel, NothingMovesWhenTheNumbersChange) {
@@ -93,7 +103,7 @@ TEST(ForcePanel, NothingIsCutOffInTheColumnOfTheWindow) {
     sample.output.model.contact.contactRadius = 888.88e-9;
     panel.show(test::snapshotOf(sample));
     panel.grab();  // lays out
-    EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 888.88"));
+    EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 889"));
     for (const QLabel* label : panel.findChildren<QLabel*>()) {
         if (label->textFormat() != Qt::PlainText) {
             continue;  // a legend: its source is longer than what is read

@@ -3,9 +3,11 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/support/ProgressRecorder.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -82,6 +84,34 @@ TEST(GaussianFilter, WorksOnLinesAndSinglePixels) {
         for (std::size_t i = 0; i < map.heights.size(); ++i) {
             ASSERT_NEAR(smooth.heights[i], map.heights[i], 1e-19);
         }
+    }
+}
+
+TEST(GaussianFilter, InSinglePrecisionIsTheSameButForRounding) {
+    HeightMap map = plane(45, 38);  // no whole number of blocks
+    map.heights[map.index(20, 21)] += 30.0_nm;
+    const ScanMap scan = singlePrecision(map);
+    const HeightMap exact = smoothed(map, Smoothing{.x = 2.0, .y = 0.7});
+    const ScanMap smooth = smoothed(scan, Smoothing{.x = 2.0, .y = 0.7});
+    const double largest = std::abs(static_cast<double>(*std::ranges::max_element(
+        scan.heights, {}, [](float height) { return std::abs(height); })));
+    for (std::size_t i = 0; i < exact.heights.size(); ++i) {
+        ASSERT_NEAR(smooth.datum + static_cast<double>(smooth.heights[i]), exact.heights[i],
+                    0x1p-22 * largest);
+    }
+}
+
+TEST(GaussianFilter, TellsHowFarItIsAndCanBeCancelled) {
+    const ScanMap map = singlePrecision(plane(900, 700));
+    const Smoothing smoothing{.x = 1.0, .y = 1.0};
+    test::ProgressRecorder whole(2.0);
+    (void)smoothed(map, smoothing, &whole);
+    EXPECT_GE(whole.fractions.size(), 20U);
+    EXPECT_TRUE(std::ranges::is_sorted(whole.fractions));
+    for (const double fraction : {0.2, 0.7}) {
+        test::ProgressRecorder recorder(fraction);
+        EXPECT_THROW((void)smoothed(map, smoothing, &recorder), Cancelled);
+        EXPECT_LT(recorder.fractions.back(), fraction + 0.1);
     }
 }
 

@@ -144,6 +144,40 @@ TEST(TipErosion, CertaintyIsItsDefinition) {
     EXPECT_GT(certain, 1000U);
 }
 
+/// The map whose heights are those of the other, in double precision.
+HeightMap sameHeights(const ScanMap& scan) {
+    HeightMap map;
+    map.columns = scan.columns;
+    map.rows = scan.rows;
+    map.pitchX = scan.pitchX;
+    map.pitchY = scan.pitchY;
+    map.heights.assign(scan.heights.begin(), scan.heights.end());
+    map.invalid = scan.invalid;
+    return map;
+}
+
+TEST(TipErosion, InSinglePrecisionIsTheDefinitionRounded) {
+    Random random(13);
+    for (int run = 0; run < 60; ++run) {
+        const RandomCase given = randomCase(random);
+        ScanMap image = singlePrecision(given.map);
+        image.invalid.assign(image.heights.size(), false);
+        image.invalid[image.heights.size() / 2] = true;
+        const TipReconstruction exact = reconstructed(sameHeights(image), given.tip);
+        const ScanReconstruction rounded = reconstructed(image, given.tip);
+        EXPECT_EQ(rounded.surface.datum, image.datum);
+        EXPECT_EQ(rounded.certain, exact.certain);
+        EXPECT_EQ(certainPixels(image, given.tip), exact.certain);
+        for (std::size_t i = 0; i < exact.certain.size(); ++i) {
+            if (isFiniteHeight(exact.surface.heights[i])) {
+                ASSERT_EQ(rounded.surface.heights[i], static_cast<float>(exact.surface.heights[i]));
+            } else {
+                ASSERT_FALSE(isFiniteHeight(rounded.surface.heights[i]));
+            }
+        }
+    }
+}
+
 HeightMap roughMap() {
     return selfAffineMap({.columns = 150, .rows = 90, .sizeX = 150.0_nm, .sizeY = 120.0_nm},
                          {.rms = 3.0_nm,

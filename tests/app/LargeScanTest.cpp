@@ -1,0 +1,116 @@
+#include "core/Units.h"
+#include "core/io/HeightMapWriter.h"
+#include "core/surface/HeightRows.h"
+#include "tests/app/ChildProgram.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+/// Hills with a tenth of the rows without data, as large as asked for, never in memory.
+HeightRows hills(int side) {
+    return {.columns = side,
+            .rows = side,
+            .pitchX = 2.0_nm,
+            .pitchY = 2.0_nm,
+            .readRow = [side](int row, double* heights) {
+                for (int column = 0; column < side; ++column) {
+                    heights[column] =
+                        row % 10 == 5 ? std::numeric_limits<double>::quiet_NaN()
+                                      : 20.0_nm * std::sin(column / 90.0) * std::sin(row / 70.0);
+                }
+            }};
+}
+
+class LargeScan : public ::testing::Test {
+protected:
+    /// Of `asperity` with these arguments, where IN stands for a scan of this side [bytes].
+    [[nodiscard]] long peakMemory(int side, std::vector<std::string> arguments) const {
+        writeHeightMap(input, hills(side), {});
+        std::ranges::replace(arguments, std::string("IN"), input.string());
+        const test::ChildEnd end = test::ChildProgram(arguments).wait();
+        EXPECT_EQ(end.exitCode, 0) << arguments.at(0) << ' ' << side;
+        return end.peakMemory;
+    }
+
+    /// What a scan adds to the program's own memory, in parts of its float32 size.
+    [[nodiscard]] double share(const std::vector<std::string>& arguments) const {
+        constexpr int kSmall = 16;
+        constexpr int kLarge = 3000;
+        const auto added = peakMemory(kLarge, arguments) - peakMemory(kSmall, arguments);
+        return static_cast<double>(added) / (4.0 * kLarge * kLarge);
+    }
+
+    test::ScratchFolder scratch;
+    std::filesystem::path input = scratch.file("in.gsf");
+};
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kKnowsItsMemory = false;  // sanitizers take their own
+#else
+constexpr bool kKnowsItsMemory = true;
+#endif
+
+TEST_F(LargeScan, TakesAtMostTwoAndAHalfTimesItsSize) {
+    if (!kKnowsItsMemory) {
+        GTEST_SKIP() << "the memory of a sanitizer is not that of the program";
+    }
+    const std::filesystem::path scene = scratch.write(
+        "scene.toml", "[sample]\nfile = \"in.gsf\"\nimaging_tip_radius_m = 20e-9\nerode = true\n");
+    const std::string points =
+        scratch.write("points.csv", "x_m,y_m,z_m\n1e-8,1e-8,1e-7\n").string();
+    const std::string out = scratch.file("out").string();
+    EXPECT_LE(share({"project", "IN", "--points", points, "--out", out}), 2.5);
+    EXPECT_LE(share({"project", scene.string(), "--points", points, "--out", out}), 2.5);
+    EXPECT_LE(share({"convert", "IN", out + ".gsf", "--level", "plane"}), 2.5);
+    EXPECT_LE(share({"convert", "IN", out + ".gwy"}), 2.5);
+    EXPECT_LE(share({"convert", "IN", out + ".exr"}), 2.5);
+    EXPECT_LE(share({"convert", "IN", out + ".png"}), 2.5);
+    EXPECT_LE(
+        share({"convert", "IN", out + ".tiff", "--erode", "20e-9", "--certainty", out + ".gsf"}),
+        2.5);
+}
+
+TEST_F(LargeScan, ASignalEndsConvertAndNothingIsLeft) {
+    writeHeightMap(input, hills(3000), {});
+    const std::filesystem::path folder = scratch.file("results");
+    std::filesystem::create_directory(folder);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        test::ChildProgram child({"convert", input.string(), (folder / "out.txt").string()});
+        while (std::filesystem::is_empty(folder) && !child.hasEnded()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        child.send(signal);
+        EXPECT_EQ(child.wait().exitCode, 1);
+        EXPECT_TRUE(std::filesystem::is_empty(folder));
+    }
+}
+
+TEST(LongRun, ASignalEndsExploreAndNothingHalfWrittenIsLeft) {
+    const test::ScratchFolder scratch;
+    const std::filesystem::path folder = scratch.file("results");
+    std::filesystem::create_directory(folder);
+    test::ChildProgram child({"explore", test::shippedScene("polystyrene").string(), "--out",
+                              folder.string(), "--duration", "3600"});
+    while (std::filesystem::is_empty(folder) && !child.hasEnded()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    child.send(SIGINT);
+    EXPECT_EQ(child.wait().exitCode, 1);
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+}  // namespace
+}  // namespace asperity
