@@ -16,6 +16,7 @@
 #include "core/io/HandPathFile.h"
 #include "core/io/SceneFile.h"
 #include "core/probe/SimulatedAfm.h"
+#include "core/scene/ModelTerm.h"
 
 #include <CLI/CLI.hpp>
 #include <bit>
@@ -137,7 +138,7 @@ FinishedRun finishedRun(const ExploreOptions& options) {
     keeper.recorder.close();
 
     const RunEvents& events = keeper.events.events();
-    writeTextFile(out / run_files::kScene, sceneText(scene.description));
+    writeTextFile(out / run_files::kScene, sceneText(settled(scene.description, scene.model)));
     writeTextFile(out / run_files::kSummary, runSummary(loaded, events));
     return {.events = events,
             .curves = std::move(keeper.curves),

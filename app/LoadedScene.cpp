@@ -42,6 +42,21 @@ std::string lawNote(const Scene& scene) {
     return note;
 }
 
+/// What the model leaves out.
+std::string modelNote(const SceneNeeds& needs) {
+    std::string out;
+    for (const TermNeed& need : needs.terms) {
+        if (!need.on) {
+            out += (out.empty() ? "" : ", ") + std::string(nameOf(need.term));
+        }
+    }
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  "model: forces within %.2g %% of the whole (tolerance %.2g %%)",
+                  100.0 * needs.forceError, 100.0 * needs.tolerance);
+    return text + (out.empty() ? ", nothing left out" : "; left out: " + out);
+}
+
 LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
     if (!overrides.channel.empty() || overrides.levelling || overrides.smoothingPixels) {
         throw Error(
@@ -51,7 +66,8 @@ LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides
     return {.scene = buildScene(description),
             .format = "shape",
             .sha256 = "",
-            .notes = {"the sample is an exact shape, drawn by 256 x 256 heights"}};
+            .notes = {"the sample is an exact shape, drawn by 256 x 256 heights"},
+            .needs = {}};
 }
 
 LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrides,
@@ -76,7 +92,8 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     LoadedScene loaded{.scene = buildScene(description, std::move(scan.map), &building),
                        .format = std::move(scan.format),
                        .sha256 = sha256OfFile(sample.file, &hashing),
-                       .notes = std::move(scan.notes)};
+                       .notes = std::move(scan.notes),
+                       .needs = {}};
     loaded.notes.push_back(levellingNote(loaded.scene));
     loaded.notes.push_back(imagingTipNote(loaded.scene));
     return loaded;
@@ -90,13 +107,27 @@ LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& 
     try {
         LoadedScene loaded = description.sample.shape ? shapeScene(description, overrides)
                                                       : mapScene(description, overrides, progress);
+        loaded.needs = fitModel(loaded.scene);
         loaded.notes.push_back(lawNote(loaded.scene));
+        loaded.notes.push_back(modelNote(loaded.needs));
         return loaded;
     } catch (const InputError&) {
         throw;
     } catch (const Error& error) {
         throw InputError(input.string(), "", error.what());
     }
+}
+
+LoadedScene withMaterial(LoadedScene loaded, const SampleMaterial& material) {
+    loaded.scene = withMaterial(std::move(loaded.scene), material);
+    loaded.needs = fitModel(loaded.scene);
+    return loaded;
+}
+
+LoadedScene withChoices(LoadedScene loaded, const SceneDescription& choices) {
+    loaded.scene.description = choices;
+    loaded.needs = fitModel(loaded.scene);
+    return loaded;
 }
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/Progress.h"
+#include "core/fidelity/SceneNeeds.h"
 #include "core/scene/Scene.h"
 
 #include <filesystem>
@@ -23,11 +24,19 @@ struct LoadedScene {
     std::string format;              ///< of the height map, for people; "shape" without one
     std::string sha256;              ///< of the height map's file; empty without one
     std::vector<std::string> notes;  ///< one sentence each: levelling, decisions of the reader
+    SceneNeeds needs;                ///< why the scene's model is what it is
 };
 
 /// Loads a scene file or a height map, fits the surface, sets up the instrument.
 /// @throw InputError when anything it needs cannot be read or is out of range; Cancelled
 [[nodiscard]] LoadedScene loadScene(const std::filesystem::path& input,
                                     const SceneOverrides& overrides, Progress* progress = nullptr);
+
+/// The same scan of another material, with the model that this requires. @throw Error as
+/// withMaterial()
+[[nodiscard]] LoadedScene withMaterial(LoadedScene loaded, const SampleMaterial& material);
+
+/// The same scene with these choices in place of its own. @throw Error as buildScene()
+[[nodiscard]] LoadedScene withChoices(LoadedScene loaded, const SceneDescription& choices);
 
 }  // namespace asperity

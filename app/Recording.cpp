@@ -3,6 +3,7 @@
 #include "app/RunSummary.h"
 #include "core/io/SceneFile.h"
 #include "core/io/TickMemoryFile.h"
+#include "core/scene/ModelTerm.h"
 
 #include <utility>
 
@@ -49,8 +50,9 @@ void Recording::take(const TickSample& sample) {
 
 void Recording::finish() {
     recorder_.close();
-    writeTextFile(folder_ / run_files::kScene,
-                  sceneText(withSettings(loaded_.scene.description, start_)));
+    writeTextFile(
+        folder_ / run_files::kScene,
+        sceneText(withSettings(settled(loaded_.scene.description, loaded_.scene.model), start_)));
     writeTextFile(folder_ / run_files::kSummary, runSummary(loaded_, events_.events()));
 }
 

@@ -3,6 +3,7 @@
 #include "core/Version.h"
 #include "core/io/SceneFile.h"
 #include "core/scene/HalfSpaceModel.h"
+#include "core/scene/ModelTerm.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -33,6 +34,23 @@ Json inputJson(const LoadedScene& loaded) {
             {"removed_slope_x", loaded.scene.removedPlane.slopeX},
             {"removed_slope_y", loaded.scene.removedPlane.slopeY},
             {"notes", loaded.notes}};
+}
+
+Json termJson(const TermNeed& need) {
+    return {{"term", nameOf(need.term)},
+            {"on", need.on},
+            {"overruled", need.overruled},
+            {"why", need.why},
+            {"effect", need.effect}};
+}
+
+/// Times are not in it: a run's summary is the same on every machine.
+Json modelJson(const SceneNeeds& needs) {
+    Json terms = Json::array();
+    for (const TermNeed& need : needs.terms) {
+        terms.push_back(termJson(need));
+    }
+    return {{"tolerance", needs.tolerance}, {"force_error", needs.forceError}, {"terms", terms}};
 }
 
 Json vectorJson(const Vector3& vector) { return {vector.x(), vector.y(), vector.z()}; }
@@ -92,7 +110,8 @@ std::string runSummary(const LoadedScene& loaded, const RunEvents& events) {
     const Json summary{
         {"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
         {"input", inputJson(loaded)},
-        {"scene", sceneJson(loaded.scene.description)},
+        {"scene", sceneJson(settled(loaded.scene.description, loaded.scene.model))},
+        {"model", modelJson(loaded.needs)},
         {"statistics",
          {{"ticks", events.ticks},
           {"tick_rate_hz", loaded.scene.description.tickRate},

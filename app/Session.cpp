@@ -243,9 +243,8 @@ void Session::chooseMaterial(int index) {
     finishRecording();
     window_.showScene(nullptr, {});
     hand_.detach();
-    LoadedScene scene = LiveRun::release(std::move(run_));
-    scene.scene =
-        withMaterial(std::move(scene.scene), materials_.at(static_cast<std::size_t>(index)));
+    LoadedScene scene = withMaterial(LiveRun::release(std::move(run_)),
+                                     materials_.at(static_cast<std::size_t>(index)));
     const Vector3 start = waitingPlace(scene.scene, place);
     begin(std::move(scene), start, settings);
     window_.view().setHalfWidth(halfWidth);

@@ -4,18 +4,13 @@
 #include "app/OptionChecks.h"
 #include "app/ProgressLine.h"
 #include "app/RunFolder.h"
+#include "app/TradeOffFiles.h"
 #include "app/VirtualDisplay.h"
-#include "core/Version.h"
 #include "core/fidelity/DeformationStudy.h"
 #include "core/fidelity/TradeOffStudy.h"
-#include "core/io/CsvWriter.h"
-#include "vtkplugins/pictures/Charts.h"
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cstdio>
-#include <iostream>
-#include <limits>
 #include <memory>
 
 namespace asperity {
@@ -26,48 +21,6 @@ struct TradeOffOptions {
     std::string scene;
     std::string out;
 };
-
-void writeTable(const std::filesystem::path& path, const std::vector<TierResult>& results) {
-    CsvWriter csv(path,
-                  {std::string("Asperity ") + kVersion +
-                       ": cost and error of each fidelity tier; times are of this machine",
-                   "errors are against the tier with reference = 1, on the same inputs"},
-                  {"tier", "reference", "tick_p50_s", "tick_p99_s", "patch_p50_s",
-                   "force_error_rms_n", "force_error_max_n", "contact_radius_error_max_m",
-                   "surface_error_rms_m", "surface_error_max_m"});
-    for (const TierResult& result : results) {
-        csv.add(result.tier.name()).add(result.isReference ? 1.0 : 0.0);
-        csv.add(result.tickMedian).add(result.tickP99).add(result.patchMedian);
-        csv.add(result.forceErrorRms).add(result.forceErrorMax).add(result.contactRadiusError);
-        csv.add(result.surfaceErrorRms).add(result.surfaceErrorMax);
-        csv.endRow();
-    }
-    csv.close();
-}
-
-void writeDeformations(const std::filesystem::path& path,
-                       const std::vector<DeformationResult>& results) {
-    CsvWriter csv(
-        path,
-        {std::string("Asperity ") + kVersion +
-             ": cost and error of each deformation on the paper's materials; times are "
-             "of this machine",
-         "errors over the patch, relative to the indentation, against the closed form of "
-         "the exact sphere on a flat sample and a half-space of finer pixels on the scan; "
-         "nan: no reference holds"},
-        {"material", "surface", "deformation", "indentation_m", "contact_ratio", "patch_p50_s",
-         "cold_patch_p50_s", "error_rms", "error_max", "law_force_n", "own_force_n", "remark"});
-    for (const DeformationResult& result : results) {
-        const double none = std::numeric_limits<double>::quiet_NaN();
-        csv.add(result.material).add(result.surface).add(nameOf(result.tier));
-        csv.add(result.indentation).add(result.contactRatio).add(result.time).add(result.coldTime);
-        csv.add(result.compared ? result.errorRms : none);
-        csv.add(result.compared ? result.errorMax : none);
-        csv.add(result.lawForce).add(result.ownForce).add(result.remark);
-        csv.endRow();
-    }
-    csv.close();
-}
 
 void printDeformations(const std::vector<DeformationResult>& results) {
     std::printf("\n%-16s %-6s %-15s %6s %9s %9s %9s %10s %10s\n", "material", "on", "deformation",
@@ -86,80 +39,84 @@ void printDeformations(const std::vector<DeformationResult>& results) {
     }
 }
 
-void printTable(const std::vector<TierResult>& results) {
-    std::printf("%-42s %9s %9s %9s %12s %12s %12s\n", "tier", "tick p50", "tick p99", "patch",
-                "force error", "radius error", "surface err.");
-    std::printf("%-42s %9s %9s %9s %12s %12s %12s\n", "", "[us]", "[us]", "[ms]", "rms [nN]",
-                "max [nm]", "max [nm]");
-    for (const TierResult& r : results) {
-        std::printf("%-42s %9.2f %9.2f %9.2f", r.tier.name().c_str(), r.tickMedian * 1e6,
-                    r.tickP99 * 1e6, r.patchMedian * 1e3);
-        if (r.isReference) {
-            std::printf(" %12s %12s %12s\n", "reference", "reference", "reference");
-        } else {
-            std::printf(" %12.4g %12.4g %12.4g\n", r.forceErrorRms * 1e9,
-                        r.contactRadiusError * 1e9, r.surfaceErrorMax * 1e9);
-        }
-    }
+void printTick(const TickResult& r, char mark) {
+    std::printf("%c %-55s %8.2f %8.2f %10.3g %10.3g %9.3g %10.3g\n", mark, r.tier.name().c_str(),
+                r.median * 1e6, r.p99 * 1e6, r.forceErrorRms * 1e9, r.contactRadiusError * 1e9,
+                r.footError * 1e9, r.estimateErrorRms * 1e9);
 }
 
-/// Dots of error over cost, the reference among them with no error.
-class Dots {
-public:
-    void add(double cost, double error, const std::string& label, bool isReference) {
-        curve_.x.push_back(cost);
-        curve_.y.push_back(error);
-        curve_.pointLabels.push_back(label + (isReference ? " (reference)" : ""));
+void printTicks(const TradeOff& study, double tolerance) {
+    const TradeOffReference& reference = study.reference;
+    std::printf("%-57s %8s %8s %10s %10s %9s %10s\n", "tick", "p50", "p99", "force err.",
+                "radius err.", "foot err.", "estimate");
+    std::printf("%-57s %8s %8s %10s %10s %9s %10s\n", "", "[us]", "[us]", "rms [nN]", "max [nm]",
+                "max [nm]", "rms [nN]");
+    for (const TickResult& r : study.ticks) {
+        printTick(r, r.onFront ? '*' : ' ');
     }
-    [[nodiscard]] Curve curve() const { return curve_; }
-
-private:
-    Curve curve_{.label = "", .points = true};
-};
-
-/// The deformation does not touch the force, nor the law the cost of a patch: each axis of choice
-/// has its own chart, with the other one as in the reference.
-void drawFigure(const std::filesystem::path& path, const std::vector<TierResult>& results) {
-    const FidelityTier reference = results.back().tier;
-    Dots laws;
-    Dots deformations;
-    for (const TierResult& r : results) {
-        if (r.tier.deformation == DeformationTier::FourPoint) {
-            laws.add(r.tickMedian, r.forceErrorRms, nameOf(r.tier.law),
-                     r.tier.law == reference.law);
-        }
-        if (r.tier.law == reference.law) {
-            deformations.add(r.patchMedian, r.surfaceErrorRms, nameOf(r.tier.deformation),
-                             r.isReference);
-        }
+    std::printf("signals to force, with the scene's own model\n");
+    for (const TickResult& r : study.decouplings) {
+        printTick(r, ' ');
     }
-    const std::array<Chart, 2> charts{Chart{.title = "Contact law: force against time",
-                                            .xLabel = "median of a tick",
-                                            .yLabel = "rms force error",
-                                            .curves = {laws.curve()},
-                                            .xUnit = "s",
-                                            .yUnit = "N"},
-                                      Chart{.title = "Deformation: surface against time",
-                                            .xLabel = "median of a patch",
-                                            .yLabel = "rms surface error",
-                                            .curves = {deformations.curve()},
-                                            .xUnit = "s",
-                                            .yUnit = "m"}};
-    constexpr int kColumns = 2;
-    writeCharts(path, charts, kColumns, {.width = 1600, .height = 700});
+    std::printf(
+        "* no other is cheaper and as near to the reference: %s, %.2f us, force %.3g nN rms\n",
+        reference.tick.name().c_str(), reference.tickMedian * 1e6, reference.forceScale * 1e9);
+    std::printf("  the reference itself: %.2g nN (%s)\n", reference.forceDoubt * 1e9,
+                reference.forceDoubtBy.c_str());
+    const std::size_t best =
+        cheapestWithin(costsAndErrors(study.ticks), tolerance * reference.forceScale);
+    std::printf("  cheapest within %.2g %% of the force: %s\n\n", tolerance * 100.0,
+                best < study.ticks.size() ? study.ticks[best].tier.name().c_str() : "none");
+}
+
+void printFrames(const TradeOff& study) {
+    std::printf("%-57s %8s %11s %11s\n", "picture", "patch", "surface err.", "");
+    std::printf("%-57s %8s %11s %11s\n", "", "[ms]", "rms [nm]", "max [nm]");
+    for (const FrameResult& r : study.frames) {
+        std::printf("%c %-55s %8.2f %11.3g %11.3g\n", r.onFront ? '*' : ' ', r.tier.name().c_str(),
+                    r.median * 1e3, r.surfaceErrorRms * 1e9, r.surfaceErrorMax * 1e9);
+    }
+    std::printf("  reference: %s; itself: %.2g nm (%s)\n\n", study.reference.frame.name().c_str(),
+                study.reference.surfaceDoubt * 1e9, study.reference.surfaceDoubtBy.c_str());
+}
+
+void printRates(const TradeOff& study) {
+    std::printf("%-20s %14s %22s\n", "rate [Hz]", "load of a core", "held force, rms [nN]");
+    for (const RateResult& r : study.rates) {
+        std::printf("%-20.0f %13.2f%% %22.3g\n", r.rate, r.load * 100.0, r.holdErrorRms * 1e9);
+    }
+    std::printf("\n");
+}
+
+void printNeeds(const SceneNeeds& needs) {
+    std::printf("what the scene requires, within %.2g %%: forces within %.2g %%, a tick %.2f us "
+                "instead of %.2f us\n",
+                needs.tolerance * 100.0, needs.forceError * 100.0, needs.modelTick * 1e6,
+                needs.fullTick * 1e6);
+    for (const TermNeed& need : needs.terms) {
+        const char* unit = isOfSurface(need.term) ? "ms a patch" : "us a tick";
+        const double time = need.time * (isOfSurface(need.term) ? 1e3 : 1e6);
+        std::printf("  %-21s %-4s %8.2g %%  %+7.2f %-10s  %s%s\n", nameOf(need.term),
+                    need.on ? "on" : "off", need.effect * 100.0, time, unit, need.why.c_str(),
+                    need.overruled ? " (as the scene says)" : "");
+    }
+    std::printf("\n");
 }
 
 void tradeOff(const TradeOffOptions& options) {
     const VirtualDisplay display;  // before anything is written: the figure needs it at the end
-    const LoadedScene loaded = loadSceneOnTerminal(options.scene, {});
+    LoadedScene loaded = loadSceneOnTerminal(options.scene, {});
     const std::filesystem::path out = options.out;
     makeOutputFolder(out);
-    const std::vector<TierResult> results = studyTradeOff(loaded.scene, {});
-    writeTable(out / "tradeoff.csv", results);
-    drawFigure(out / "tradeoff.png", results);
-    printTable(results);
+    const TradeOff study = studyTradeOff(loaded.scene, {});
     const std::vector<DeformationResult> deformations = studyDeformation(loaded.scene, {});
+    writeTradeOff(out, study);
+    writeNeeds(out / "needs.csv", loaded.needs);
     writeDeformations(out / "deformation.csv", deformations);
+    printTicks(study, loaded.needs.tolerance);
+    printFrames(study);
+    printRates(study);
+    printNeeds(loaded.needs);
     printDeformations(deformations);
 }
 

@@ -64,10 +64,7 @@ std::vector<TickTier> tickTiers(const Scene& scene) {
             }
             for (const FootEffort effort :
                  {FootEffort::Local, FootEffort::Global, FootEffort::Certified}) {
-                for (const DecouplingTier decoupling :
-                     {DecouplingTier::Planar, DecouplingTier::Estimator}) {
-                    tiers.push_back({law, solver, effort, decoupling});
-                }
+                tiers.push_back({law, solver, effort});
             }
         }
     }

@@ -31,7 +31,7 @@ struct FrameTier {
 /// For people: "four points", "contact radius", "closed form".
 [[nodiscard]] const char* nameOf(DeformationTier deformation) noexcept;
 
-/// All ways for a tick of this scene to reckon, less the solver that is the reference.
+/// All ways for a tick of this scene to reckon with a force, less the solver that is the reference.
 [[nodiscard]] std::vector<TickTier> tickTiers(const Scene& scene);
 
 /// All ways for its picture.

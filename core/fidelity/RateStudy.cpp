@@ -20,12 +20,12 @@ ModelRun runAt(Scene& scene, const HandPath& path, double rate, double duration)
 }
 
 /// Between ticks the last force stands.
-double holdError(const ModelRun& held, const ModelRun& finest) {
-    const std::size_t perTick = finest.states.size() / std::max<std::size_t>(held.states.size(), 1);
+double holdError(const ModelRun& held, double rate, const ModelRun& finest) {
     double sum = 0.0;
     for (std::size_t i = 0; i < finest.states.size(); ++i) {
-        const std::size_t tick = std::min(i / perTick, held.states.size() - 1);
-        sum += (held.states[tick].force - finest.states[i].force).squaredNorm();
+        const auto tick = static_cast<std::size_t>(static_cast<double>(i) * rate / kFinestRate);
+        const TipState& state = held.states[std::min(tick, held.states.size() - 1)];
+        sum += (state.force - finest.states[i].force).squaredNorm();
     }
     return std::sqrt(sum / static_cast<double>(finest.states.size()));
 }
@@ -41,7 +41,7 @@ std::vector<RateResult> studyRates(Scene& scene, double duration) {
         const ModelRun run = runAt(scene, path, rate, duration);
         results.push_back({.rate = rate,
                            .load = rate * quantile(run.times, 0.5),
-                           .holdErrorRms = holdError(run, finest)});
+                           .holdErrorRms = holdError(run, rate, finest)});
     }
     scene.description.tickRate = before;
     scene.truth.timeStep = scene.timeStep();

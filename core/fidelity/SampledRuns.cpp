@@ -4,7 +4,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kTicksAPath = 240;
+constexpr int kTicksAPath = 120;
 constexpr double kSlowTick = 1e-3;  // [s]
 
 }  // namespace
@@ -25,7 +25,7 @@ SampledRuns::SampledRuns(Scene& scene) : scene_(scene) {
         const Vector2 place = share.cwiseProduct(size);
         record(approachPath(scene, {.duration = duration, .place = place}));
     }
-    record(scratchPath(scene, {.duration = duration}));
+    record(rasterPath(scene, {.duration = duration}));
     refer(scene.model);
 }
 

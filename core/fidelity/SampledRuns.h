@@ -8,8 +8,8 @@
 namespace asperity {
 
 /// Short runs over a scene on which its models are compared: approach, slide and retract at the
-/// highest feature and at two more places, and a scratch across the middle. Recorded once, with the
-/// model that the scene has at first, which is the reference.
+/// highest feature and at two more places, and lines to and fro around the first. Recorded once,
+/// with the model that the scene has at first, which is the reference.
 class SampledRuns {
 public:
     /// @param scene must outlive this; its model is changed by error() and left changed

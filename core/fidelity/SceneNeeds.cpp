@@ -44,7 +44,7 @@ public:
     [[nodiscard]] const ModelRun& reference() const { return runs_.reference(); }
 
     void decide(const SceneDescription& description, bool tipFits) {
-        chooseTailOrSphere(description);
+        chooseLawOfAll(description);
         needs_.fullTick = runs_.tickTime();
         for (TermNeed& need : needs_.terms) {
             if (isOfSurface(need.term) || !has(needs_.full, need.term)) {
@@ -53,7 +53,8 @@ public:
             need.effect = runs_.error(without(needs_.full, need.term));
             need.time = needs_.fullTick - runs_.tickTime();
             const bool isBound = need.term == ModelTerm::GlobalSearch && !tipFits;
-            if (!need.overruled && !isBound) {
+            // What matters alone stays, also where other errors would make up for it.
+            if (!need.overruled && !isBound && need.effect <= needs_.tolerance) {
                 free_.push_back(need.term);
             }
         }
@@ -65,37 +66,37 @@ public:
 private:
     TermNeed& need(ModelTerm term) { return needs_.terms[static_cast<std::size_t>(term)]; }
 
-    /// No law has both. Where none is asked for, the one that matters more.
-    void chooseTailOrSphere(const SceneDescription& description) {
-        SceneModel tail = needs_.full;
-        SceneModel sphere = with(needs_.full, ModelTerm::SphereCorrection);
+    /// The exact sphere's law has no tail and takes the sample as flat. Where no law is asked for,
+    /// it is taken if that matters less.
+    void chooseLawOfAll(const SceneDescription& description) {
+        const SceneModel sphere = with(needs_.full, ModelTerm::SphereCorrection);
         if (description.law || !has(sphere, ModelTerm::SphereCorrection)) {
             return;
         }
         const SceneModel neither = without(sphere, ModelTerm::SphereCorrection);
         const bool adhesive = has(neither, ModelTerm::Adhesion);
-        tail = adhesive ? with(neither, ModelTerm::VanDerWaalsTail) : neither;
-        need(ModelTerm::SphereCorrection).effect = runs_.difference(sphere, neither);
-        need(ModelTerm::VanDerWaalsTail).effect = runs_.difference(tail, neither);
-        const double bySphere = need(ModelTerm::SphereCorrection).effect;
-        const double byTail = need(ModelTerm::VanDerWaalsTail).effect;
-        const bool takesSphere = bySphere > needs_.tolerance && bySphere > byTail;
+        const SceneModel tail = adhesive ? with(neither, ModelTerm::VanDerWaalsTail) : neither;
+        const SceneModel flat = without(neither, ModelTerm::SampleCurvature);
+        const double bySphere = runs_.difference(without(sphere, ModelTerm::SampleCurvature), flat);
+        const double byTail = runs_.difference(tail, neither);
+        const double byCurvature = runs_.difference(neither, flat);
+        need(ModelTerm::SphereCorrection).effect = bySphere;
+        need(ModelTerm::VanDerWaalsTail).effect = byTail;
+        need(ModelTerm::SampleCurvature).effect = byCurvature;
+        const bool takesSphere =
+            bySphere > needs_.tolerance && bySphere > std::max(byTail, byCurvature);
         needs_.full.law.law = (takesSphere ? sphere : tail).law.law;
         runs_.refer(needs_.full);
     }
 
-    /// The least effect first; then again what stayed, since effects can cancel.
+    /// The least effect first.
     void leaveOut() {
         std::ranges::stable_sort(free_, {}, [&](ModelTerm term) { return need(term).effect; });
         needs_.model = needs_.full;
-        for (bool changed = true; changed;) {
-            changed = false;
-            for (const ModelTerm term : free_) {
-                const SceneModel less = without(needs_.model, term);
-                if (has(needs_.model, term) && runs_.error(less) <= needs_.tolerance) {
-                    needs_.model = less;
-                    changed = true;
-                }
+        for (const ModelTerm term : free_) {
+            const SceneModel less = without(needs_.model, term);
+            if (runs_.error(less) <= needs_.tolerance) {
+                needs_.model = less;
             }
         }
     }

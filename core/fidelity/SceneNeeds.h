@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fidelity/ModelTerm.h"
+#include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
 
 #include <string>
@@ -34,11 +34,12 @@ struct SceneNeeds {
 /// Finds the terms that change forces or displacements by more than the scene's tolerance, and
 /// gives the scene the model of these alone.
 ///
-/// On sampled runs (the highest feature, two more places, a scratch) it leaves out one term after
-/// another, the least effect first, as long as all that is left out stays within the tolerance.
-/// Terms that the description settles stay as they are. The search for other feet stays wherever
-/// the scan has a hollow that the tip does not fit, whatever the runs meet. Decisions are
-/// reproducible, times are of this machine. Where ticks take milliseconds everything is left on.
+/// On sampled runs (approaches at the highest feature and two more places, a raster) it leaves out
+/// one term after another, the least effect first, as long as each alone and all together stay
+/// within the tolerance. Terms that the description settles stay as they are. The search for other
+/// feet stays wherever the scan has a hollow that the tip does not fit, whatever the runs meet.
+/// Decisions are reproducible, times are of this machine. Where ticks take milliseconds everything
+/// is left on.
 /// @throw Error as setModel()
 SceneNeeds fitModel(Scene& scene);
 

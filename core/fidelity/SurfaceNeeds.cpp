@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -33,17 +34,21 @@ std::vector<const TipState*> moments(std::span<const TipState> states) {
     return chosen;
 }
 
-struct TimedPatch {
-    SurfacePatch patch;
-    double time = 0.0;  ///< [s]
-};
+double rms(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) {
+        sum += value * value;
+    }
+    return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
+}
 
-TimedPatch timedPatch(const Scene& scene, const TipState& state, DeformationTier tier) {
+/// What it makes, and the time that this takes [s].
+template <class Make>
+auto timed(const Make& make) {
     using Clock = std::chrono::steady_clock;
-    const PatchGrid grid{.halfWidth = kReach * state.contact.contactRadius, .samples = kSamples};
     const auto start = Clock::now();
-    SurfacePatch patch = contactPatch(scene, state, tier, grid);
-    return {std::move(patch), std::chrono::duration<double>(Clock::now() - start).count()};
+    auto made = make();
+    return std::pair(std::move(made), std::chrono::duration<double>(Clock::now() - start).count());
 }
 
 /// Root mean square of the distance between the patches' points [m].
@@ -58,29 +63,38 @@ double rmsDistance(const SurfacePatch& a, const SurfacePatch& b) {
 }  // namespace
 
 SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states) {
+    HalfSpaceModel halfSpace;
     SurfaceNeeds needs;
+    std::vector<double> outside;
+    std::vector<double> halfSpaces;
     for (const TipState* state : moments(states)) {
-        const TimedPatch radius = timedPatch(scene, *state, DeformationTier::ContactRadius);
-        const TimedPatch closed = timedPatch(scene, *state, DeformationTier::ClosedForm);
+        const PatchGrid grid{.halfWidth = kReach * state->contact.contactRadius,
+                             .samples = kSamples};
+        const auto patch = [&](DeformationTier tier) {
+            return timed([&] { return contactPatch(scene, *state, tier, grid); });
+        };
         const double depth = std::abs(state->contact.indentation);
         const auto share = [depth](double distance) {
             return depth > 0.0 ? distance / depth : 0.0;
         };
-        needs.outside = std::max(needs.outside, share(rmsDistance(radius.patch, closed.patch)));
-        needs.outsideTime = closed.time - radius.time;
-        const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, *state);
+        const auto [radius, radiusTime] = patch(DeformationTier::ContactRadius);
+        const auto [closed, closedTime] = patch(DeformationTier::ClosedForm);
+        outside.push_back(share(rmsDistance(radius, closed)));
+        needs.outsideTime = closedTime - radiusTime;
+        const auto [answer, solveTime] = timed([&] { return halfSpace.solve(scene, *state); });
         if (!needs.touches) {
             needs.halfSpaceWord = sentenceOf(answer);
         }
         needs.halfSpaceHolds = answer.valid() && (!needs.touches || needs.halfSpaceHolds);
         needs.touches = true;
         if (answer.valid()) {
-            const TimedPatch solved = timedPatch(scene, *state, DeformationTier::HalfSpace);
-            needs.halfSpace =
-                std::max(needs.halfSpace, share(rmsDistance(closed.patch, solved.patch)));
-            needs.halfSpaceTime = solved.time - closed.time;
+            const SurfacePatch solved = halfSpacePatch(scene, answer, grid);
+            halfSpaces.push_back(share(rmsDistance(closed, solved)));
+            needs.halfSpaceTime = solveTime;
         }
     }
+    needs.outside = rms(outside);
+    needs.halfSpace = rms(halfSpaces);
     return needs;
 }
 

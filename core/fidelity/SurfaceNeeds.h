@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// What the ways to deform the surface differ by in a scene. Differences are root mean squares over
-/// a patch, as shares of the indentation.
+/// the patches of some contacts, as shares of their indentation.
 struct SurfaceNeeds {
     bool touches = false;         ///< whether any of the states was a contact
     bool halfSpaceHolds = false;  ///< at all states that were looked at
@@ -17,7 +17,7 @@ struct SurfaceNeeds {
     double outside = 0.0;         ///< contact radius from closed form
     double halfSpace = 0.0;       ///< closed form from half-space; 0 where that does not hold
     double outsideTime = 0.0;     ///< that the closed form takes longer than the contact radius [s]
-    double halfSpaceTime = 0.0;   ///< that the half-space takes longer than the closed form [s]
+    double halfSpaceTime = 0.0;   ///< that a solution of the half-space takes [s]
 };
 
 /// Looks at the states with the largest forces.

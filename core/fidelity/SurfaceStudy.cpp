@@ -143,15 +143,10 @@ void studySurfaces(const Scene& scene, std::span<const TipState> states, const T
                                                               : DeformationTier::ClosedForm,
                               .samples = kReferenceSamples};
     doubt(scene, contacts, reference, result.reference);
-    std::vector<CostAndError> choices;
     for (const FrameTier& tier : frameTiers()) {
         result.frames.push_back(resultOf(scene, tier, contacts, reference, plan.rounds));
-        choices.push_back(result.frames.back().costAndError());
     }
-    const std::vector<bool> front = paretoFront(choices);
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        result.frames[i].onFront = front[i];
-    }
+    markFront(result.frames);
 }
 
 }  // namespace asperity

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/fidelity/ModelRun.h"
-#include "core/fidelity/ModelTerm.h"
 #include "core/fidelity/SurfaceNeeds.h"
+#include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
 
 #include <string>

@@ -1,9 +1,9 @@
 #include "core/fidelity/TradeOffStudy.h"
 
 #include "core/fidelity/ModelRun.h"
-#include "core/fidelity/ModelTerm.h"
 #include "core/fidelity/RateStudy.h"
 #include "core/fidelity/SurfaceStudy.h"
+#include "core/scene/ModelTerm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +24,12 @@ double largestContactRatio(const ModelRun& run) {
     return largest;
 }
 
+bool isCurved(const ModelRun& run) {
+    return std::ranges::any_of(run.states, [](const TipState& state) {
+        return state.contact.contactRadius > 0.0 && state.radiusIsRough;
+    });
+}
+
 double estimateError(const ModelRun& run, const std::vector<RecordedRun>& runs) {
     double sum = 0.0;
     std::size_t at = 0;
@@ -40,7 +46,7 @@ class TickStudy {
 public:
     TickStudy(Scene& scene, const TradeOffPlan& plan) : scene_(scene), model_(scene.model) {
         record(approachPath(scene, {.duration = plan.duration}), plan);
-        record(scratchPath(scene, {.duration = plan.duration}), plan);
+        record(rasterPath(scene, {.duration = plan.duration}), plan);
         model_.law = chooseLaw(std::nullopt, scene.belief.contact.pair());
         if (scene.belief.contact.filmThickness() > 0.0) {
             model_.law.law = ContactLaw::HertzFilm;
@@ -49,38 +55,37 @@ public:
                                         .solver = SolverTier::Exact,
                                         .footSearch = FootEffort::Certified});
         reference_ = run(model_);
+        const SceneModel sphere = with(model_, ModelTerm::SphereCorrection);
         if (largestContactRatio(reference_) > kLargeContact) {
-            model_ = with(model_, ModelTerm::SphereCorrection);
-            reference_ = run(model_);
+            // That law takes the sample as flat: nothing to hold on to where it is not.
+            if (ModelRun exact = run(sphere); !isCurved(exact)) {
+                model_ = sphere;
+                reference_ = std::move(exact);
+            }
         }
     }
 
     [[nodiscard]] const SceneModel& model() const { return model_; }
     [[nodiscard]] const ModelRun& reference() const { return reference_; }
 
-    [[nodiscard]] std::vector<TickResult> measured(int rounds) {
+    /// The tiers, taking turns.
+    [[nodiscard]] std::vector<TickResult> measured(const std::vector<TickTier>& tiers, int rounds) {
         std::vector<TickResult> results;
-        std::vector<std::vector<double>> times;
-        for (const TickTier& tier : tickTiers(scene_)) {
+        std::vector<std::vector<double>> times(tiers.size());
+        for (const TickTier& tier : tiers) {
             results.push_back(resultOf(tier));
-            times.emplace_back();
         }
         for (int round = 0; round < rounds; ++round) {
-            for (std::size_t i = 0; i < results.size(); ++i) {
-                const ModelRun timed = run(modelWithTier(model_, results[i].tier));
+            for (std::size_t i = 0; i < tiers.size(); ++i) {
+                const ModelRun timed = run(modelWithTier(model_, tiers[i]));
                 times[i].insert(times[i].end(), timed.times.begin(), timed.times.end());
             }
         }
-        std::vector<CostAndError> choices;
         for (std::size_t i = 0; i < results.size(); ++i) {
             results[i].median = quantile(times[i], 0.5);
             results[i].p99 = quantile(times[i], kP99);
-            choices.push_back(results[i].costAndError());
         }
-        const std::vector<bool> front = paretoFront(choices);
-        for (std::size_t i = 0; i < results.size(); ++i) {
-            results[i].onFront = front[i];
-        }
+        markFront(results);
         return results;
     }
 
@@ -93,10 +98,16 @@ public:
             reference.forceDoubtBy = "the paraboloid against the exact sphere";
             return;
         }
-        SceneModel warm = model_;
-        warm.solver = SolverTier::Newton;
-        reference.forceDoubt = differenceOf(run(warm), reference_).rms;
-        reference.forceDoubtBy = "solved afresh against solved from the previous state";
+        const SceneModel paraboloid = without(model_, ModelTerm::SphereCorrection);
+        const SceneModel tail = with(paraboloid, ModelTerm::VanDerWaalsTail);
+        if (has(paraboloid, ModelTerm::Adhesion)) {
+            reference.forceDoubt = differenceOf(run(paraboloid), run(tail)).rms;
+            reference.forceDoubtBy =
+                "no law of the exact sphere has a tail: with and without it on "
+                "the paraboloid";
+            return;
+        }
+        reference.forceDoubtBy = "nothing finer is known";
     }
 
 private:
@@ -132,7 +143,12 @@ TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan) {
     const SceneModel before = scene.model;
     TickStudy ticks(scene, plan);
     TradeOff result;
-    result.ticks = ticks.measured(plan.rounds);
+    result.ticks = ticks.measured(tickTiers(scene), plan.rounds);
+    TickTier own = tierOf(before);
+    own.decoupling = DecouplingTier::Planar;
+    TickTier estimating = own;
+    estimating.decoupling = DecouplingTier::Estimator;
+    result.decouplings = ticks.measured({own, estimating}, plan.rounds);
     ticks.doubt(result.reference);
     result.reference.tick = tierOf(ticks.model());
     result.reference.tickMedian = quantile(ticks.reference().times, 0.5);

@@ -58,13 +58,14 @@ struct TradeOffReference {
 struct TradeOff {
     TradeOffReference reference;
     std::vector<TickResult> ticks;
+    std::vector<TickResult> decouplings;  ///< of the scene's own model
     std::vector<FrameResult> frames;
     std::vector<RateResult> rates;
 };
 
 /// How much is measured.
 struct TradeOffPlan {
-    double duration = 2.0;  ///< of each of two runs: approach at the highest feature, scratch [s]
+    double duration = 2.0;  ///< of each of two runs: approach at the highest feature, raster [s]
     int rounds = 5;         ///< timed runs of each tier, tiers taking turns
     int patches = 6;        ///< moments of the run at which surfaces are compared
 };
@@ -72,8 +73,8 @@ struct TradeOffPlan {
 /// Runs the scene with every tier. Accuracy is taken on the virtual clock and is reproducible;
 /// times are of this machine, the tiers interleaved so that they share its mood. The reference
 /// solves the scene's own law afresh, on the exact sphere where the contact is wider than 0.3 tip
-/// radii, with certified feet; its surface is the half-space's where that holds, else the closed
-/// form.
+/// radii and the sample about flat, with certified feet; its surface is the half-space's where that
+/// holds, else the closed form.
 /// @param scene has its model changed meanwhile; it is left as it was
 [[nodiscard]] TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan);
 

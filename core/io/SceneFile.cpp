@@ -250,10 +250,16 @@ void readFidelity(TomlSection section, SceneDescription& scene) {
     scene.decoupling = choice(section, "decoupling", kDecouplings, scene.decoupling);
     scene.deformation = choiceOrNone(section, "deformation", kDeformations, scene.deformation);
     scene.footSearch = choiceOrNone(section, "foot_search", kEfforts, scene.footSearch);
-    scene.friction = choiceOrNone(section, "friction", kSwitches, scene.friction);
-    scene.torsion = choiceOrNone(section, "torsion", kSwitches, scene.torsion);
-    scene.mountTilt = choiceOrNone(section, "mount_tilt", kSwitches, scene.mountTilt);
-    scene.curvature = choiceOrNone(section, "curvature", kSwitches, scene.curvature);
+    const auto term = [&](const char* key, std::optional<bool>& value) {
+        value = choiceOrNone(section, key, kSwitches, value);
+    };
+    term("adhesion", scene.terms.adhesion);
+    term("van_der_waals_tail", scene.terms.vanDerWaalsTail);
+    term("sphere_correction", scene.terms.sphereCorrection);
+    term("curvature", scene.terms.curvature);
+    term("friction", scene.terms.friction);
+    term("torsion", scene.terms.torsion);
+    term("mount_tilt", scene.terms.mountTilt);
     section.refuseUnknownKeys();
 }
 
@@ -348,10 +354,13 @@ toml::table fidelityTable(const SceneDescription& scene) {
                        {"decoupling", nameOf(kDecouplings, scene.decoupling)},
                        {"deformation", nameOf(kDeformations, scene.deformation)},
                        {"foot_search", nameOf(kEfforts, scene.footSearch)},
-                       {"friction", nameOf(kSwitches, scene.friction)},
-                       {"torsion", nameOf(kSwitches, scene.torsion)},
-                       {"mount_tilt", nameOf(kSwitches, scene.mountTilt)},
-                       {"curvature", nameOf(kSwitches, scene.curvature)}};
+                       {"adhesion", nameOf(kSwitches, scene.terms.adhesion)},
+                       {"van_der_waals_tail", nameOf(kSwitches, scene.terms.vanDerWaalsTail)},
+                       {"sphere_correction", nameOf(kSwitches, scene.terms.sphereCorrection)},
+                       {"curvature", nameOf(kSwitches, scene.terms.curvature)},
+                       {"friction", nameOf(kSwitches, scene.terms.friction)},
+                       {"torsion", nameOf(kSwitches, scene.terms.torsion)},
+                       {"mount_tilt", nameOf(kSwitches, scene.terms.mountTilt)}};
 }
 
 toml::table truthTable(const TruthDescription& truth) {

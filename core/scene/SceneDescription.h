@@ -69,6 +69,17 @@ struct TruthDescription {
     double temperature = 0.0;  ///< that shakes the lever [K]; 0: no thermal noise
 };
 
+/// Which terms the model of a scene has; none: those that the scene requires.
+struct TermChoices {
+    std::optional<bool> adhesion;
+    std::optional<bool> vanDerWaalsTail;
+    std::optional<bool> sphereCorrection;  ///< the exact sphere in place of its paraboloid
+    std::optional<bool> curvature;         ///< of the sample at the foot
+    std::optional<bool> friction;
+    std::optional<bool> torsion;    ///< of the lever
+    std::optional<bool> mountTilt;  ///< of the lever
+};
+
 /// Everything that a scene file says, with defaults filled in; units SI.
 struct SceneDescription {
     SampleDescription sample;
@@ -82,17 +93,13 @@ struct SceneDescription {
     Meniscus meniscus;
     SolverTier solver = SolverTier::Newton;
     DecouplingTier decoupling = DecouplingTier::Estimator;
-    // Of what follows, none: as SceneNeeds finds that the scene requires, or with everything.
-    std::optional<FootEffort> footSearch;
-    std::optional<DeformationTier> deformation;
-    std::optional<bool> friction;   ///< of tip on sample
-    std::optional<bool> torsion;    ///< of the lever
-    std::optional<bool> mountTilt;  ///< of the lever
-    std::optional<bool> curvature;  ///< of the sample
-    double tolerance = 0.01;        ///< by which leaving terms out may change forces and surface
-    double tickRate = 1000.0;       ///< [Hz]
-    double positionGain = 1.0;      ///< base displacement per hand displacement
-    double forceGain = 1.0;         ///< force at the hand per force at the tip
+    std::optional<FootEffort> footSearch;        ///< none: as the scene requires
+    std::optional<DeformationTier> deformation;  ///< none: as the scene requires
+    TermChoices terms;
+    double tolerance = 0.05;    ///< by which terms left out may change forces and the surface
+    double tickRate = 1000.0;   ///< [Hz]
+    double positionGain = 1.0;  ///< base displacement per hand displacement
+    double forceGain = 1.0;     ///< force at the hand per force at the tip
     PositionControl positionControl = PositionControl::Base;
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
     double zoomHalfWidth = 0.0;         ///< of the zoomed view [m]; 0: chosen from the contact

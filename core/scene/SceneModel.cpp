@@ -1,8 +1,26 @@
 #include "core/scene/SceneModel.h"
 
+#include "core/scene/ModelTerm.h"
+
+#include <utility>
+
 namespace asperity {
 
 namespace {
+
+/// The law with or without what the scene says of its terms. The exact sphere has no tail.
+SceneModel withLawOf(SceneModel model, const TermChoices& terms) {
+    for (const auto& [term, choice] :
+         {std::pair(ModelTerm::SphereCorrection, terms.sphereCorrection),
+          std::pair(ModelTerm::VanDerWaalsTail, terms.vanDerWaalsTail),
+          std::pair(ModelTerm::Adhesion, terms.adhesion)}) {
+        if (choice && *choice != has(model, term)) {
+            model = *choice ? with(std::move(model), term) : without(std::move(model), term);
+            model.law.why = "as the scene says of its terms";
+        }
+    }
+    return model;
+}
 
 Cantilever believedLever(CantileverGeometry geometry, const SceneModel& model) {
     if (!model.mountTilt) {
@@ -15,16 +33,18 @@ Cantilever believedLever(CantileverGeometry geometry, const SceneModel& model) {
 }  // namespace
 
 SceneModel usualModel(const SceneDescription& scene) {
+    const TermChoices& terms = scene.terms;
     const SceneModel all;
-    return {.law = chooseLaw(scene.law, contactPair(scene, scene.sample.material)),
-            .solver = scene.solver,
-            .decoupling = scene.decoupling,
-            .footSearch = scene.footSearch.value_or(all.footSearch),
-            .deformation = scene.deformation.value_or(all.deformation),
-            .friction = scene.friction.value_or(all.friction),
-            .torsion = scene.torsion.value_or(all.torsion),
-            .mountTilt = scene.mountTilt.value_or(all.mountTilt),
-            .curvature = scene.curvature.value_or(all.curvature)};
+    SceneModel model{.law = chooseLaw(scene.law, contactPair(scene, scene.sample.material)),
+                     .solver = scene.solver,
+                     .decoupling = scene.decoupling,
+                     .footSearch = scene.footSearch.value_or(all.footSearch),
+                     .deformation = scene.deformation.value_or(all.deformation),
+                     .friction = terms.friction.value_or(all.friction),
+                     .torsion = terms.torsion.value_or(all.torsion),
+                     .mountTilt = terms.mountTilt.value_or(all.mountTilt),
+                     .curvature = terms.curvature.value_or(all.curvature)};
+    return scene.law ? model : withLawOf(std::move(model), terms);
 }
 
 ProbeSystem believedSystem(const SceneDescription& scene, const SceneModel& model) {

@@ -134,7 +134,7 @@ void drawDeformations(const fs::path& path) {
           std::pair(DeformationTier::ContactRadius, "(b) Contact radius"),
           std::pair(DeformationTier::ClosedForm, "(c) Closed form"),
           std::pair(DeformationTier::HalfSpace, "(d) Half-space")}) {
-        scene.description.deformation = tier;
+        scene.model.deformation = tier;
         views.push_back(contactView(scene, events.deepest.value(), title));
         views.back().caption += " Diamond tip.";
     }

@@ -66,7 +66,7 @@ double roomAlong(double low, double middle, double high) {
 
 double sampleShareOf(const Scene& scene) {
     const SceneDescription& description = scene.description;
-    return sharesDisplacement(description.deformation)
+    return sharesDisplacement(scene.model.deformation)
                ? sampleShare(description.sample.material.elastic, description.tip.elastic)
                : 1.0;
 }

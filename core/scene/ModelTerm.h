@@ -41,7 +41,12 @@ inline constexpr std::array kModelTerms{
 /// The model less the term, as cheap as that makes it; the same where it is not in.
 [[nodiscard]] SceneModel without(SceneModel model, ModelTerm term);
 
-/// The model with the term added. The law of the exact sphere has no tail: it takes its place.
+/// The model with the term added. The law of the exact sphere has no tail and takes the sample as
+/// flat: it takes the place of both terms.
 [[nodiscard]] SceneModel with(SceneModel model, ModelTerm term);
+
+/// The description with all that it leaves open as this model has it, so that it gives the same one
+/// again.
+[[nodiscard]] SceneDescription settled(SceneDescription scene, const SceneModel& model);
 
 }  // namespace asperity

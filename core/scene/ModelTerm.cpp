@@ -1,4 +1,4 @@
-#include "core/fidelity/ModelTerm.h"
+#include "core/scene/ModelTerm.h"
 
 namespace asperity {
 
@@ -77,17 +77,19 @@ bool isOfSurface(ModelTerm term) noexcept {
 bool isSettled(ModelTerm term, const SceneDescription& scene) noexcept {
     switch (term) {
     case ModelTerm::Adhesion:
+        return scene.law.has_value() || scene.terms.adhesion.has_value();
     case ModelTerm::VanDerWaalsTail:
+        return scene.law.has_value() || scene.terms.vanDerWaalsTail.has_value();
     case ModelTerm::SphereCorrection:
-        return scene.law.has_value();
+        return scene.law.has_value() || scene.terms.sphereCorrection.has_value();
     case ModelTerm::SampleCurvature:
-        return scene.curvature.has_value();
+        return scene.terms.curvature.has_value();
     case ModelTerm::Friction:
-        return scene.friction.has_value();
+        return scene.terms.friction.has_value();
     case ModelTerm::Torsion:
-        return scene.torsion.has_value();
+        return scene.terms.torsion.has_value();
     case ModelTerm::MountTilt:
-        return scene.mountTilt.has_value();
+        return scene.terms.mountTilt.has_value();
     case ModelTerm::GlobalSearch:
         return scene.footSearch.has_value();
     case ModelTerm::OutsideDisplacement:
@@ -106,7 +108,7 @@ bool has(const SceneModel& model, ModelTerm term) noexcept {
     case ModelTerm::SphereCorrection:
         return isSphere(model.law.law);
     case ModelTerm::SampleCurvature:
-        return model.curvature;
+        return model.curvature && !isSphere(model.law.law);
     case ModelTerm::Friction:
         return model.friction;
     case ModelTerm::Torsion:
@@ -196,6 +198,24 @@ SceneModel with(SceneModel model, ModelTerm term) {
         break;
     }
     return model;
+}
+
+SceneDescription settled(SceneDescription scene, const SceneModel& model) {
+    TermChoices& terms = scene.terms;
+    if (!scene.law) {
+        terms.adhesion = has(model, ModelTerm::Adhesion);
+        terms.vanDerWaalsTail = has(model, ModelTerm::VanDerWaalsTail);
+        terms.sphereCorrection = has(model, ModelTerm::SphereCorrection);
+    }
+    terms.curvature = model.curvature;
+    terms.friction = model.friction;
+    terms.torsion = model.torsion;
+    terms.mountTilt = model.mountTilt;
+    scene.footSearch = model.footSearch;
+    scene.deformation = model.deformation;
+    scene.solver = model.solver;
+    scene.decoupling = model.decoupling;
+    return scene;
 }
 
 }  // namespace asperity

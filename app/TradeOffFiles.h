@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/fidelity/DeformationStudy.h"
+#include "core/fidelity/SceneNeeds.h"
+#include "core/fidelity/TradeOffStudy.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace asperity {
+
+/// Writes tradeoff.csv, frames.csv, rates.csv and the figure tradeoff.png into a folder.
+/// @throw Error when a file cannot be written, or no display answers
+void writeTradeOff(const std::filesystem::path& folder, const TradeOff& study);
+
+/// @throw Error when the file cannot be written
+void writeNeeds(const std::filesystem::path& path, const SceneNeeds& needs);
+
+/// @throw Error when the file cannot be written
+void writeDeformations(const std::filesystem::path& path,
+                       const std::vector<DeformationResult>& results);
+
+}  // namespace asperity
