@@ -114,8 +114,13 @@ const char* refusalOf(const TickOutput& output) {
         return "tick: friction would drag the tip deeper faster than the lever lifts it; no "
                "equilibrium exists and the hand feels no force";
     }
+    if (!output.model.converged && output.flags.has(Validity::OutsideScan)) {
+        return "tick: the lever bends so far that the tip leaves the scan, and what lies there is "
+               "not known";
+    }
     if (!output.model.converged) {
-        return "tick: no equilibrium of lever and sample was found and the hand feels no force";
+        return "tick: the search for the tip's place came to no rest (it hops between feet, or "
+               "leaves the scan and comes back), and the hand feels no force";
     }
     return nullptr;
 }
