@@ -123,88 +123,91 @@ public:
     explicit ContactStudy(const ContactGrid& grid) : grid_(grid) {}
 
     /// One sample under all tips and levers.
-    void meet(ContactSetting setting) {
+    [[nodiscard]] ExtremesFindings run(ContactSetting setting) {
         Candidates candidates;
         for (const double radius : grid_.tipRadii) {
             setting.pair.tipRadius = radius;
             meet(candidates.under(setting), setting);
         }
+        return std::move(findings_);
     }
 
-    [[nodiscard]] ExtremesFindings take() { return std::move(findings_); }
-
 private:
+    /// A law with what became of its states under the present tip.
+    struct Contender {
+        LawTier lawTier;
+        ContactModel model;
+        ExtremesRegion region;
+    };
+
+    static std::vector<Contender> contendersOf(const std::vector<ContactCandidate>& candidates,
+                                               const ContactSetting& setting) {
+        std::vector<Contender> contenders;
+        for (const ContactCandidate& one : candidates) {
+            contenders.push_back({one.lawTier, one.model.value(),
+                                  ExtremesRegion({.model = keyOf(one.lawTier.law),
+                                                  .tier = tierName(one.lawTier),
+                                                  .sample = sampleName(setting),
+                                                  .tipRadius = setting.pair.tipRadius,
+                                                  .modulus = setting.pair.reducedModulus})});
+        }
+        return contenders;
+    }
+
     void meet(const std::vector<ContactCandidate>& candidates, ContactSetting setting) {
         const bool film = setting.filmThickness > 0.0;
         const auto reference = candidate(
             {film ? ContactLaw::HertzFilm : ContactLaw::SphereMaugis, SolverTier::Exact}, setting);
+        std::vector<Contender> contenders = contendersOf(candidates, setting);
         for (const double stiffness : grid_.leverStiffnesses) {
             setting.leverStiffness = stiffness;
-            compareAll(candidates, reference.model.value(), setting);
+            compareAll(contenders, reference.model.value(), setting);
+        }
+        for (Contender& contender : contenders) {
+            findings_.regions.push_back(std::move(contender.region));
         }
     }
 
-    void compareAll(const std::vector<ContactCandidate>& candidates, const ContactModel& reference,
+    void compareAll(std::vector<Contender>& contenders, const ContactModel& reference,
                     const ContactSetting& setting) {
         const std::vector<Stop> way = wayOf(reference, setting, grid_.places);
         const auto references = follow(reference, way, setting.compliance());
         std::vector<ContactState> exact;
-        for (const ContactCandidate& one : candidates) {
-            ExtremesRegion& region = regionOf(one.lawTier, setting);
-            if (!one.model) {
-                region.refuse(one.refusal, static_cast<long>(way.size()));
-                continue;
-            }
-            const auto states = follow(*one.model, way, setting.compliance());
-            if (one.lawTier.tier == SolverTier::Exact) {
+        for (Contender& contender : contenders) {
+            const auto states = follow(contender.model, way, setting.compliance());
+            if (contender.lawTier.tier == SolverTier::Exact) {
                 exact = states;
             }
             for (std::size_t i = 0; i < way.size(); ++i) {
-                judge(region, one, setting, way[i], states[i], {exact[i], references[i]});
+                judge(contender, setting, way[i], states[i], {exact[i], references[i]});
             }
         }
     }
 
-    void judge(ExtremesRegion& region, const ContactCandidate& by, const ContactSetting& setting,
-               const Stop& stop, const ContactState& state, const Yardstick& yardstick) {
+    void judge(Contender& by, const ContactSetting& setting, const Stop& stop,
+               const ContactState& state, const Yardstick& yardstick) {
         const auto sayWhere = [&] {
             return describe(by.lawTier, setting, stop.approach) +
                    (stop.retract ? " on the way out" : " on the way in");
         };
         if (!state.solved()) {
-            region.refuse(refusalOf(state.status));
-            return;
-        }
-        if (const char* defect = defectOf(state, setting, stop.approach)) {
-            findings_.addDefect(sayWhere() + ": " + defect);
+            by.region.refuse(refusalOf(state.status));
             return;
         }
         const ValidityFlags flags =
-            contactValidity(*by.model, state, {.filmThickness = setting.filmThickness});
+            contactValidity(by.model, state, {.filmThickness = setting.filmThickness});
         const MaugisUnits units = maugisUnits(setting.pair);
         const bool own = by.lawTier.law == ContactLaw::Split && setting.pair.workOfAdhesion > 0.0 &&
                          !flags.has(Validity::LargeContact);
         StateErrors errors = errorsOf(state, own ? yardstick.exact : yardstick.reference, units);
         errors.solver = errorsOf(state, yardstick.exact, units).larger();
-        if (errors.solver > promiseOf(*by.model)) {
+        if (const char* defect = defectOf(state, setting, stop.approach)) {
+            findings_.addDefect(sayWhere() + ": " + defect);
+        } else if (errors.solver > promiseOf(by.model)) {
             findings_.addDefect(sayWhere() + ": the solver is farther off than it promises");
+        } else {
+            by.region.add(flags, errors, sayWhere);
         }
-        region.add(flags, errors, sayWhere);
-    }
-
-    ExtremesRegion& regionOf(const LawTier& lawTier, const ContactSetting& setting) {
-        const RegionPlace place{.model = keyOf(lawTier.law),
-                                .tier = tierName(lawTier),
-                                .sample = sampleName(setting),
-                                .tipRadius = setting.pair.tipRadius,
-                                .modulus = setting.pair.reducedModulus};
-        auto& regions = findings_.regions;
-        const auto found = std::find_if(regions.begin(), regions.end(), [&](const auto& region) {
-            return region.place().model == place.model && region.place().tier == place.tier &&
-                   region.place().sample == place.sample &&
-                   region.place().tipRadius == place.tipRadius;
-        });
-        return found != regions.end() ? *found : regions.emplace_back(place);
     }
 
     const ContactGrid& grid_;
@@ -213,15 +216,23 @@ private:
 
 }  // namespace
 
-ExtremesFindings contactExtremes(const ContactGrid& grid, double modulus) {
-    ContactStudy study(grid);
-    for (const double thickness : grid.filmThicknesses) {
-        study.meet({.pair = {.reducedModulus = modulus}, .filmThickness = thickness});
+std::vector<FlatSample> samplesOf(const ContactGrid& grid) {
+    std::vector<FlatSample> samples;
+    for (const double modulus : grid.moduli) {
+        for (const double thickness : grid.filmThicknesses) {
+            samples.push_back({.modulus = modulus, .filmThickness = thickness});
+        }
+        for (const double adhesion : grid.adhesions) {
+            samples.push_back({.modulus = modulus, .adhesion = adhesion});
+        }
     }
-    for (const double adhesion : grid.adhesions) {
-        study.meet({.pair = {.reducedModulus = modulus, .workOfAdhesion = adhesion}});
-    }
-    return study.take();
+    return samples;
+}
+
+ExtremesFindings contactExtremes(const ContactGrid& grid, const FlatSample& sample) {
+    return ContactStudy(grid).run(
+        {.pair = {.reducedModulus = sample.modulus, .workOfAdhesion = sample.adhesion},
+         .filmThickness = sample.filmThickness});
 }
 
 }  // namespace asperity

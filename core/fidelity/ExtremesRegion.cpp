@@ -74,22 +74,31 @@ std::string ExtremesRegion::mainReason() const {
     return reason;
 }
 
+std::vector<ExtremesRegion> merged(std::vector<ExtremesRegion> regions) {
+    std::stable_sort(regions.begin(), regions.end(),
+                     [](const ExtremesRegion& one, const ExtremesRegion& other) {
+                         return one.place() < other.place();
+                     });
+    std::vector<ExtremesRegion> sums;
+    for (ExtremesRegion& region : regions) {
+        if (sums.empty() || sums.back().place() != region.place()) {
+            sums.push_back(std::move(region));
+        } else {
+            sums.back().add(region);
+        }
+    }
+    return sums;
+}
+
 std::vector<ExtremesRegion> summedOverPlaces(const std::vector<ExtremesRegion>& regions) {
     std::vector<ExtremesRegion> sums;
     for (const ExtremesRegion& region : regions) {
         const RegionPlace& place = region.place();
-        auto sum = std::find_if(sums.begin(), sums.end(), [&](const ExtremesRegion& other) {
-            return other.place().model == place.model && other.place().tier == place.tier &&
-                   other.place().sample == place.sample;
-        });
-        if (sum == sums.end()) {
-            sum = sums.insert(
-                sums.end(),
-                ExtremesRegion({.model = place.model, .tier = place.tier, .sample = place.sample}));
-        }
-        sum->add(region);
+        ExtremesRegion& sum = sums.emplace_back(
+            RegionPlace{.model = place.model, .tier = place.tier, .sample = place.sample});
+        sum.add(region);
     }
-    return sums;
+    return merged(std::move(sums));
 }
 
 }  // namespace asperity

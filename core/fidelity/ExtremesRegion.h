@@ -4,6 +4,7 @@
 #include "core/scene/Validity.h"
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -20,6 +21,8 @@ struct RegionPlace {
     double tipRadius = 0.0;  ///< [m]
     double modulus = 0.0;    ///< E* [Pa]; 0 for the tick
     double roughness = 0.0;  ///< rms height over tip radius; of the tick only
+
+    [[nodiscard]] auto operator<=>(const RegionPlace&) const = default;
 };
 
 /// Relative errors of one state.
@@ -106,7 +109,10 @@ private:
     WorstError solver_;
 };
 
-/// One region for each model, tier and sample, over all tips and moduli, in the order of the first.
+/// One region for each place, in the order of places.
+[[nodiscard]] std::vector<ExtremesRegion> merged(std::vector<ExtremesRegion> regions);
+
+/// One region for each model, tier and sample, over all tips, moduli and roughnesses.
 [[nodiscard]] std::vector<ExtremesRegion>
 summedOverPlaces(const std::vector<ExtremesRegion>& regions);
 

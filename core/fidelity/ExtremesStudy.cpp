@@ -72,18 +72,19 @@ long ExtremesFindings::states() const noexcept {
 }
 
 ExtremesFindings studyExtremes(const ExtremesGrid& grid, Progress* progress) {
-    const std::vector<double>& moduli = grid.contact.moduli;
+    const std::vector<FlatSample> samples = samplesOf(grid.contact);
     const std::vector<RoughPlace> roughs = placesOf(grid.tick);
-    std::vector<ExtremesFindings> parts(moduli.size() + roughs.size());
+    std::vector<ExtremesFindings> parts(samples.size() + roughs.size());
     shareOut(static_cast<int>(parts.size()), progress, [&](int index) {
         const auto i = static_cast<std::size_t>(index);
-        parts[i] = i < moduli.size() ? contactExtremes(grid.contact, moduli[i])
-                                     : tickExtremes(grid.tick, roughs[i - moduli.size()]);
+        parts[i] = i < samples.size() ? contactExtremes(grid.contact, samples[i])
+                                      : tickExtremes(grid.tick, roughs[i - samples.size()]);
     });
     ExtremesFindings all = refusedContacts();
     for (ExtremesFindings& part : parts) {
         all.add(std::move(part));
     }
+    all.regions = merged(std::move(all.regions));
     return all;
 }
 

@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// States of the contact laws: all of these with each other, each at every place of the way in and
-/// out, with every law and solver.
+/// out, with every law and solver. All values within the laws' ranges, tip radii rising.
 struct ContactGrid {
     std::vector<double> tipRadii;          ///< [m]
     std::vector<double> moduli;            ///< E* [Pa]
