@@ -8,9 +8,9 @@
 #include "core/scene/ContactValidity.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace asperity {
 

@@ -1,6 +1,7 @@
 #include "core/fidelity/ExtremesRegion.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace asperity {
 
