@@ -4,6 +4,7 @@
 #include "app/DecoupleCommand.h"
 #include "app/DevicesCommand.h"
 #include "app/ExploreCommand.h"
+#include "app/ExtremesCommand.h"
 #include "app/InfoCommand.h"
 #include "app/LoopCommand.h"
 #include "app/ProjectCommand.h"
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
     asperity::addDecoupleCommand(program);
     asperity::addProjectCommand(program);
     asperity::addTradeOffCommand(program);
+    asperity::addExtremesCommand(program);
     asperity::addReplayCommand(program);
     asperity::addLoopCommand(program);
     asperity::addDevicesCommand(program);

@@ -13,19 +13,6 @@ namespace {
 constexpr double kSmallestRange = 1e-15;  // of the cohesion [m]
 constexpr double kLargestRange = 1.0;     // [m]
 
-const char* expectation(ContactStatus status) {
-    switch (status) {
-    case ContactStatus::TipRadiusOutOfRange:
-        return "the tip radius must lie between 1e-12 and 1 m";
-    case ContactStatus::ModulusOutOfRange:
-        return "the reduced modulus must lie between 0.1 and 1e15 Pa";
-    case ContactStatus::AdhesionOutOfRange:
-        return "the work of adhesion must lie between 0 and 1000 J/m^2";
-    default:
-        return "the range of the cohesive stress, w / sigma0, must lie between 1e-15 and 1 m";
-    }
-}
-
 bool stressIsUsable(double work, double stress) noexcept {
     return work < kSmallestAdhesion ||
            isWithin(stress, work / kLargestRange, work / kSmallestRange);
@@ -53,6 +40,26 @@ const char* nameOf(ContactStatus status) noexcept {
     return "unknown";
 }
 
+const char* expectationOf(ContactStatus status) noexcept {
+    switch (status) {
+    case ContactStatus::Solved:
+        return "nothing is wrong";
+    case ContactStatus::TipRadiusOutOfRange:
+        return "the tip radius must lie between 1e-12 and 1 m";
+    case ContactStatus::ModulusOutOfRange:
+        return "the reduced modulus must lie between 0.1 and 1e15 Pa";
+    case ContactStatus::AdhesionOutOfRange:
+        return "the work of adhesion must lie between 0 and 1000 J/m^2";
+    case ContactStatus::StressOutOfRange:
+        return "the range of the cohesive stress, w / sigma0, must lie between 1e-15 and 1 m";
+    case ContactStatus::ApproachOutOfRange:
+        return "the approach of tip or lever base must lie within 1000 m of first touch";
+    case ContactStatus::ComplianceOutOfRange:
+        return "the lever's compliance must lie between 0 and 1e6 m/N";
+    }
+    return "unknown";
+}
+
 ContactStatus checkPair(const ContactPair& pair, double cohesiveStress) noexcept {
     if (!isWithin(pair.tipRadius, kSmallestTipRadius, kLargestTipRadius)) {
         return ContactStatus::TipRadiusOutOfRange;
@@ -70,7 +77,7 @@ ContactStatus checkPair(const ContactPair& pair, double cohesiveStress) noexcept
 void requirePair(const ContactPair& pair, double cohesiveStress) {
     const ContactStatus status = checkPair(pair, cohesiveStress);
     if (status != ContactStatus::Solved) {
-        throw Error(std::string("contact: ") + expectation(status));
+        throw Error(std::string("contact: ") + expectationOf(status));
     }
 }
 

@@ -21,6 +21,9 @@ enum class ContactStatus : std::uint8_t {
 /// "ok", "tip_radius_out_of_range", ...
 [[nodiscard]] const char* nameOf(ContactStatus status) noexcept;
 
+/// What would have been right, for people: "the tip radius must lie between 1e-12 and 1 m".
+[[nodiscard]] const char* expectationOf(ContactStatus status) noexcept;
+
 inline constexpr double kSmallestTipRadius = 1e-12;  ///< [m]
 inline constexpr double kLargestTipRadius = 1.0;     ///< [m]
 /// Adhesion below this counts as none [J/m^2].

@@ -10,13 +10,15 @@ constexpr double kSlowTick = 1e-3;  // [s]
 }  // namespace
 
 SampledRuns::SampledRuns(Scene& scene) : scene_(scene) {
+    const SceneModel reference = scene.model;
+    setModel(scene, usualModel(scene.description));  // the runs are the same whatever the reference
     const double duration = kTicksAPath * scene.timeStep();
     const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
     const auto record = [&](const HandPath& path) {
         runs_.push_back(recordRun(scene, path, duration));
     };
     record(approachPath(scene, {.duration = duration}));
-    refer(scene.model);
+    last_ = runModel(scene, runs_);
     slow_ = tickTime() > kSlowTick;
     if (slow_) {
         return;
@@ -26,7 +28,7 @@ SampledRuns::SampledRuns(Scene& scene) : scene_(scene) {
         record(approachPath(scene, {.duration = duration, .place = place}));
     }
     record(rasterPath(scene, {.duration = duration}));
-    refer(scene.model);
+    refer(reference);
 }
 
 double SampledRuns::error(const SceneModel& model) {

@@ -8,11 +8,11 @@
 namespace asperity {
 
 /// Short runs over a scene on which its models are compared: approach, slide and retract at the
-/// highest feature and at two more places, and lines to and fro around the first. Recorded once,
-/// with the model that the scene has at first, which is the reference.
+/// highest feature and at two more places, and lines to and fro around the first. The inputs are
+/// those of the scene's usual model; the model that the scene has at first is the reference.
 class SampledRuns {
 public:
-    /// @param scene must outlive this; its model is changed by error() and left changed
+    /// @param scene must outlive this; its model is changed and left changed
     explicit SampledRuns(Scene& scene);
 
     /// Whether ticks are so slow here that nobody would wait for more runs.

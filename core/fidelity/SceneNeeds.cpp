@@ -89,14 +89,19 @@ private:
         runs_.refer(needs_.full);
     }
 
-    /// The least effect first.
+    /// The least effect first; then again what stayed, since what was left out after it can make up
+    /// for it.
     void leaveOut() {
         std::ranges::stable_sort(free_, {}, [&](ModelTerm term) { return need(term).effect; });
         needs_.model = needs_.full;
-        for (const ModelTerm term : free_) {
-            const SceneModel less = without(needs_.model, term);
-            if (runs_.error(less) <= needs_.tolerance) {
-                needs_.model = less;
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const ModelTerm term : free_) {
+                const SceneModel less = without(needs_.model, term);
+                if (has(needs_.model, term) && runs_.error(less) <= needs_.tolerance) {
+                    needs_.model = less;
+                    changed = true;
+                }
             }
         }
     }

@@ -10,7 +10,6 @@ namespace asperity {
 
 namespace {
 
-constexpr double kPathStep = 0.5e-9;     // between points of a path in contact [m]
 constexpr double kFeatureMargin = 0.03;  // of the scan's width, kept free at each edge
 constexpr double kSlideDirection = std::numbers::pi / 3.0;  // so that both signals take part [rad]
 constexpr int kRasterLines = 8;
@@ -27,6 +26,10 @@ double clearanceFor(const Scene& scene, const PathPlan& plan) {
     const double pullOff = scene.belief.contact.pullOffApproach(cantilever.compliance()(2, 2));
     return std::max(plan.clearance, plan.clearance + 1.5 * std::abs(pullOff));
 }
+
+/// Between points of a path in contact [m]: fine enough for the lattice of a scan under a sharp
+/// tip; a blunt one touches no detail that is much finer than itself.
+double stepFor(const Scene& scene) { return std::max(0.5e-9, scene.description.tip.radius / 30.0); }
 
 /// Keeps a coordinate inside the scan.
 double inside(double coordinate, double size) {
@@ -61,7 +64,7 @@ public:
         const double startDepth =
             touchHeight(scene_, from.position.x(), from.position.y()) - from.position.z();
         const double length = std::hypot(x - from.position.x(), y - from.position.y());
-        const int steps = std::max(1, static_cast<int>(std::ceil(length / kPathStep)));
+        const int steps = std::max(1, static_cast<int>(std::ceil(length / stepFor(scene_))));
         for (int i = 1; i <= steps; ++i) {
             const double s = static_cast<double>(i) / steps;
             const double px = std::lerp(from.position.x(), x, s);

@@ -16,7 +16,7 @@ TEST(Usage, EverySubcommandHasHelp) {
     const auto overview = test::runProgram("--help");
     EXPECT_EQ(overview.exitCode, 0);
     for (const std::string command : {"explore", "info", "convert", "contact", "curve", "decouple",
-                                      "tradeoff", "replay", "loop", "devices"}) {
+                                      "tradeoff", "extremes", "replay", "loop", "devices"}) {
         EXPECT_NE(overview.output.find("\n  " + command + " "), std::string::npos) << command;
         const auto run = test::runProgram(command + " --help");
         EXPECT_EQ(run.exitCode, 0);
@@ -29,7 +29,7 @@ TEST(Usage, WrongCallsExitWith2) {
          {"fly", "loop --rate 1", "loop --duration nan", "devices now", "explore", "explore x.gsf",
           "explore a --out b --duration -1", "explore a --out b --duration x",
           "explore a --out b --duration nan", "explore a --out ''", "replay a --out ''",
-          "explore a --out b --level flat", "info"}) {
+          "explore a --out b --level flat", "info", "extremes", "extremes --out a --states 10"}) {
         const auto run = test::runProgram(call);
         EXPECT_EQ(run.exitCode, 2) << call << "\n" << run.output;
     }
@@ -147,6 +147,17 @@ TEST(TradeOff, WritesATableAndAFigureAndPrintsThem) {
     EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/tradeoff.png"), 5000U);
     const CsvTable deformations = readCsv(scratch.path() / "out/deformation.csv");
     EXPECT_EQ(deformations.rows(), 24U) << "three materials, flat and scan, four deformations";
+}
+
+TEST(Extremes, WritesATableAndAMapAndSaysWhyStatesAreRefused) {
+    const test::ScratchFolder scratch;
+    const auto run =
+        test::runProgram("extremes --states 10000 --out " + scratch.file("out").string());
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_NE(run.output.find("the tip radius must lie between"), std::string::npos) << run.output;
+    const CsvTable table = readCsv(scratch.path() / "out/extremes.csv");
+    EXPECT_GT(table.rows(), 100U);
+    EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/extremes.png"), 5000U);
 }
 
 }  // namespace

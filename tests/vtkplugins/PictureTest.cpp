@@ -8,6 +8,7 @@
 #include "vtkplugins/pictures/OffscreenPicture.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 #include "vtkplugins/pictures/SceneParts.h"
+#include "vtkplugins/pictures/ShareMaps.h"
 
 #include <vtkActor.h>
 #include <vtkImageData.h>
@@ -348,6 +349,33 @@ TEST_F(Pictures, ScatterOnLogarithmicAxesHasNamedDots) {
         [&](const std::filesystem::path& path) { writeCharts(path, std::array{chart}, 1, kSize); });
     const auto isInk = [](const auto& rgb) { return rgb[0] < 120 && rgb[1] < 120; };
     EXPECT_GT(named.count(isInk), bare.count(isInk) + 200);
+}
+
+TEST_F(Pictures, ShareMapsDivideTheirCellsAsTheSharesSay) {
+    ASPERITY_NEEDS_DISPLAY();
+    const std::filesystem::path path = folder / "maps.png";
+    const Color first{0, 158, 115};
+    const Color second{213, 94, 0};
+    const ShareMap map{.title = "A law",
+                       .xLabel = "tip radius",
+                       .yLabel = "modulus",
+                       .columns = {"1 nm", "10 nm"},
+                       .rows = {"1 kPa"},
+                       .cells = {{3.0, 1.0}, {}}};
+    writeShareMaps(
+        path, {.title = "Maps", .keys = {{first, "good"}, {second, "bad"}}, .maps = {map}}, kSize);
+    const Image image(path);
+    const auto counts = [&](const Color& color) {
+        return image.count([&](const auto& rgb) {
+            return rgb == std::array<int, 3>{color.red, color.green, color.blue};
+        });
+    };
+    EXPECT_NEAR(static_cast<double>(counts(first)) / counts(second), 3.0, 0.05);
+    EXPECT_LT(counts(first) + counts(second), kSize.width * kSize.height / 2) << "an empty cell";
+    ShareMap uneven = map;
+    uneven.cells.pop_back();
+    EXPECT_THROW(writeShareMaps(path, {.maps = {uneven}}, kSize), Error);
+    EXPECT_THROW(writeShareMaps(path, {}, kSize), Error);
 }
 
 TEST_F(Pictures, RefusesWhatCannotBeDrawn) {

@@ -1,13 +1,12 @@
 #include "core/surface/imaging/FootprintSearch.h"
 
+#include "core/ShareOut.h"
+
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
-#include <future>
 #include <limits>
 #include <span>
-#include <thread>
 
 namespace asperity {
 
@@ -16,36 +15,6 @@ namespace {
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 
 int blocksOf(int pixels) { return (pixels + kFootprintBlock - 1) / kFootprintBlock; }
-
-/// Calls work(index) for 0..count - 1 on as many threads as the machine has cores.
-/// @throw Cancelled
-template <class Work>
-void shareOut(int count, Progress* progress, const Work& work) {
-    constexpr int kReports = 50;
-    std::atomic<int> next = 0;
-    const auto run = [&](Progress* told) {
-        for (int index = next++; index < count; index = next++) {
-            if (index % (count / kReports + 1) == 0) {
-                reportTo(told, static_cast<double>(index) / count);
-            }
-            work(index);
-        }
-    };
-    const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, count);
-    std::vector<std::future<void>> others;
-    for (int i = 1; i < threads; ++i) {
-        others.push_back(std::async(std::launch::async, run, nullptr));
-    }
-    try {
-        run(progress);
-    } catch (...) {
-        next = count;  // the others end, too
-        throw;
-    }
-    for (std::future<void>& other : others) {
-        other.get();
-    }
-}
 
 }  // namespace
 

@@ -65,5 +65,16 @@ TEST(HandPath, ApproachesTheHighestFeature) {
     EXPECT_NEAR(scene.surface.at(start.x(), start.y()).height, 6.0_nm, 0.05_nm);
 }
 
+TEST(HandPath, UnderABluntTipASlideHasFewSteps) {
+    SceneDescription description = test::plainScene();
+    description.tip.radius = 10.0_um;
+    HeightMap map = test::flatMap();
+    map.pitchX = map.pitchY = 2.0_um;
+    const Scene scene = buildScene(description, map);
+    const HandPath path = approachPath(scene, {.slideLength = 20.0_um});
+    EXPECT_GT(path.size(), 50U);
+    EXPECT_LT(path.size(), 100U) << "steps of half a nanometre took minutes to lay out";
+}
+
 }  // namespace
 }  // namespace asperity

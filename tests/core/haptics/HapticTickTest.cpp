@@ -213,11 +213,35 @@ TEST(HapticTick, FlagsFeetThatNobodyProved) {
     SceneDescription description = test::plainScene();
     for (const FootEffort effort : {FootEffort::Local, FootEffort::Global, FootEffort::Certified}) {
         description.footSearch = effort;
-        const Scene scene = buildScene(description, test::flatMap());
+        const Scene scene = buildScene(description, test::ridgedMap(25.0_nm));
         TickMemory memory;
-        const TickOutput out = tick(scene, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), memory);
+        const TickOutput out = tick(scene, inputAt({15.0_nm, 20.0_nm, 25.1_nm}), memory);
         EXPECT_EQ(out.flags.has(Validity::FeetUnproven), effort != FootEffort::Certified)
             << effortName(effort);
+        const Scene level = buildScene(description, test::flatMap());
+        TickMemory above;
+        EXPECT_FALSE(tick(level, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), above)
+                         .flags.has(Validity::FeetUnproven))
+            << "there is but one";
+    }
+}
+
+TEST(HapticTick, APlanarForceIsThatOfTheEstimatorWhereTheSignalsTell) {
+    SceneDescription description = test::plainScene();
+    const Scene estimating = buildScene(description, test::flatMap());
+    description.decoupling = DecouplingTier::Planar;
+    const Scene planar = buildScene(description, test::flatMap());
+    TickMemory one;
+    TickMemory other;
+    for (int i = 0; i < 50; ++i) {  // along y: the force is well told
+        TickInput input = inputAt({60.0_nm, 40.0_nm + 0.2_nm * i, -1.0_nm});
+        const TickOutput expected = tick(estimating, input, one);
+        input.measurement.signals = leverSignals(planar.belief.cantilever, expected.model.force);
+        const TickOutput out = tick(planar, input, other);
+        if (i > 1) {
+            EXPECT_LE((out.estimate.force - expected.model.force).norm(),
+                      1e-6 * expected.model.force.norm());
+        }
     }
 }
 

@@ -138,6 +138,11 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.sample.erode = true;
     scene.law = ContactLaw::Hertz;
     scene.deformation = DeformationTier::HalfSpace;
+    scene.footSearch = FootEffort::Local;
+    scene.decoupling = DecouplingTier::Planar;
+    scene.terms.adhesion = false;
+    scene.terms.torsion = true;
+    scene.tolerance = 0.125;
     const std::string text = sceneText(scene);
     const SceneDescription again = readScene(write("again.toml", text));
     EXPECT_EQ(sceneText(again), text);
@@ -152,6 +157,12 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.sample.imagingTipRadius, 8e-9);
     EXPECT_TRUE(again.sample.erode);
     EXPECT_EQ(again.deformation, scene.deformation);
+    EXPECT_EQ(again.footSearch, scene.footSearch);
+    EXPECT_EQ(again.decoupling, scene.decoupling);
+    EXPECT_EQ(again.terms.adhesion, scene.terms.adhesion);
+    EXPECT_EQ(again.terms.torsion, scene.terms.torsion);
+    EXPECT_FALSE(again.terms.friction) << "left to the program";
+    EXPECT_EQ(again.tolerance, scene.tolerance);
 }
 
 TEST_F(SceneFile, RefusesAnUnknownKeyByNameAndLine) {

@@ -1,0 +1,178 @@
+#include "app/ExtremesCommand.h"
+
+#include "app/ExtremesMap.h"
+#include "app/OptionChecks.h"
+#include "app/ProgressLine.h"
+#include "app/RunFolder.h"
+#include "app/VirtualDisplay.h"
+#include "core/Error.h"
+#include "core/Version.h"
+#include "core/fidelity/extremes/ExtremesStudy.h"
+#include "core/io/CsvWriter.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <memory>
+
+namespace asperity {
+
+namespace {
+
+struct ExtremesOptions {
+    std::string out;
+    double states = 2.6e6;
+};
+
+void writeTable(const std::filesystem::path& path, const std::vector<ExtremesRegion>& regions) {
+    CsvWriter csv(path,
+                  {std::string("Asperity ") + kVersion +
+                       ": what the states of each model are worth, by region; docs/extremes.md",
+                   "errors are relative to the reference, or the adhesion's own units where these "
+                   "are larger; of states without a flag, but for flagged_force_error",
+                   "solver_error: the largest against the same law solved afresh"},
+                  {"model",
+                   "tier",
+                   "sample",
+                   "tip_radius_m",
+                   "e_star_pa",
+                   "rms_over_tip_radius",
+                   "states",
+                   "exact",
+                   "valid",
+                   "off",
+                   "flagged",
+                   "refused",
+                   "main_reason",
+                   "solver_error",
+                   "force_error",
+                   "force_error_at",
+                   "contact_radius_error",
+                   "contact_radius_error_at",
+                   "flagged_force_error",
+                   "flagged_force_error_at"});
+    for (const ExtremesRegion& region : regions) {
+        const RegionPlace& place = region.place();
+        csv.add(place.model).add(place.tier).add(place.sample);
+        csv.add(place.tipRadius).add(place.modulus).add(place.roughness);
+        csv.add(static_cast<double>(region.states()));
+        for (const Verdict verdict : kVerdicts) {
+            csv.add(static_cast<double>(region.tally(verdict).states));
+        }
+        const VerdictTally worst = region.unflagged();
+        const WorstError& flagged = region.tally(Verdict::Flagged).force;
+        csv.add(region.mainReason()).add(region.solver().error);
+        csv.add(worst.force.error).add(worst.force.where);
+        csv.add(worst.contactRadius.error).add(worst.contactRadius.where);
+        csv.add(flagged.error).add(flagged.where);
+        csv.endRow();
+    }
+    csv.close();
+}
+
+/// A share of the states for people, 0 only where there is none.
+std::string percent(long states, long all) {
+    if (states == 0) {
+        return "-";
+    }
+    const double share = 100.0 * static_cast<double>(states) / static_cast<double>(all);
+    char text[16];
+    std::snprintf(text, sizeof text, "%.3g", share);
+    return text;
+}
+
+void printModels(const std::vector<ExtremesRegion>& sums) {
+    std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %7s %7s %9s %9s %9s\n", "model", "tier", "sample",
+                "states", "exact", "valid", "off", "flagged", "refused", "force", "radius",
+                "solver");
+    std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %7s %7s %9s %9s %9s\n", "", "", "", "", "[%]",
+                "[%]", "[%]", "[%]", "[%]", "err. max", "err. max", "err. max");
+    for (const ExtremesRegion& sum : sums) {
+        const RegionPlace& place = sum.place();
+        std::printf("%-11s %-9s %-12s %8ld", place.model.c_str(), place.tier.c_str(),
+                    place.sample.c_str(), sum.states());
+        for (const Verdict verdict : kVerdicts) {
+            const bool wide = verdict == Verdict::Flagged || verdict == Verdict::Refused;
+            std::printf(" %*s", wide ? 7 : 6,
+                        percent(sum.tally(verdict).states, sum.states()).c_str());
+        }
+        const VerdictTally worst = sum.unflagged();
+        std::printf(" %9.2g %9.2g %9.2g\n", worst.force.error, worst.contactRadius.error,
+                    sum.solver().error);
+    }
+}
+
+void printRefusals(const std::vector<ExtremesRegion>& regions) {
+    std::map<std::string, long> refusals;
+    for (const ExtremesRegion& region : regions) {
+        for (const auto& [reason, states] : region.refusals()) {
+            refusals[reason] += states;
+        }
+    }
+    std::printf("\nrefused:\n");
+    for (const auto& [reason, states] : refusals) {
+        std::printf("%8ld  %s\n", states, reason.c_str());
+    }
+}
+
+void printVerdicts(const std::vector<ExtremesRegion>& sums, long states, double seconds) {
+    std::printf("\n%ld states, %.3g a second:", states, static_cast<double>(states) / seconds);
+    for (const Verdict verdict : kVerdicts) {
+        long count = 0;
+        for (const ExtremesRegion& sum : sums) {
+            count += sum.tally(verdict).states;
+        }
+        std::printf(" %ld %s", count, nameOf(verdict));
+    }
+    std::printf("\n");
+}
+
+ExtremesFindings findingsOf(double states) {
+    ProgressLine line("evaluating");
+    return studyExtremes(ExtremesGrid::ofAbout(states), &line);
+}
+
+/// @throw Error where there are any
+void reportDefects(const ExtremesFindings& findings) {
+    for (const std::string& example : findings.examples) {
+        std::fprintf(stderr, "defect: %s\n", example.c_str());
+    }
+    if (findings.defects > 0) {
+        throw Error(std::to_string(findings.defects) + " states have answers that none may have");
+    }
+}
+
+void extremes(const ExtremesOptions& options) {
+    const VirtualDisplay display;  // before anything is written: the map needs it at the end
+    const std::filesystem::path out = options.out;
+    makeOutputFolder(out);
+    const auto start = std::chrono::steady_clock::now();
+    const ExtremesFindings findings = findingsOf(options.states);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    writeTable(out / "extremes.csv", findings.regions);
+    writeShareMaps(out / "extremes.png", extremesMap(findings.regions),
+                   {.width = 2000, .height = 1060});
+    const std::vector<ExtremesRegion> sums = summedOverPlaces(findings.regions);
+    printModels(sums);
+    printRefusals(sums);
+    printVerdicts(sums, findings.states(), spent.count());
+    reportDefects(findings);
+}
+
+}  // namespace
+
+void addExtremesCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "extremes", "Where each contact law, solver and the whole tick is exact, valid, flagged or "
+                    "refused, from the softest to the hardest sample");
+    const auto options = std::make_shared<ExtremesOptions>();
+    addOutputFolder(*command, options->out, "folder for the table and the map");
+    command->add_option("--states", options->states, "roughly how many states are evaluated")
+        ->check(finiteNumber())
+        ->check(CLI::Range(1e4, 1e9))
+        ->capture_default_str();
+    command->callback([options] { extremes(*options); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/fidelity/extremes/ExtremesStudy.h"
+
+namespace asperity {
+
+/// A flat sample.
+struct FlatSample {
+    double modulus = 0.0;        ///< E* [Pa]
+    double adhesion = 0.0;       ///< w [J/m^2]
+    double filmThickness = 0.0;  ///< [m]; 0: a half-space
+};
+
+/// All samples of the grid.
+[[nodiscard]] std::vector<FlatSample> samplesOf(const ContactGrid& grid);
+
+/// All states of the grid on one sample.
+///
+/// The reference is Maugis-Dugdale on the exact sphere, which has every other law on a half-space
+/// as a limit; of `split`, whose tail it does not have, the split law solved afresh while the
+/// contact is not large; on a film `hertz_film`.
+[[nodiscard]] ExtremesFindings contactExtremes(const ContactGrid& grid, const FlatSample& sample);
+
+}  // namespace asperity

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace asperity {
+
+/// What a state is worth, best first.
+enum class Verdict : std::uint8_t {
+    Exact,    ///< solved, not flagged, within kExactWithin of the reference
+    Valid,    ///< solved, not flagged, within kValidWithin of it
+    Off,      ///< solved, not flagged, farther off: the law leaves out what acts there
+    Flagged,  ///< solved, and a validity flag says that it does not hold
+    Refused,  ///< no answer, but a reason
+};
+
+inline constexpr std::array kVerdicts{Verdict::Exact, Verdict::Valid, Verdict::Off,
+                                      Verdict::Flagged, Verdict::Refused};
+
+/// Below what any force calibration tells [relative].
+inline constexpr double kExactWithin = 1e-3;
+/// As far as two adhesion laws of the same work and range differ [relative]: nothing finer has a
+/// physical meaning. Source: docs/physics.md 2.9.
+inline constexpr double kValidWithin = 0.05;
+
+/// "exact", "valid", "off", "flagged", "refused".
+[[nodiscard]] const char* nameOf(Verdict verdict) noexcept;
+
+/// The verdict on a solved state without flags. @param error relative to the reference
+[[nodiscard]] Verdict verdictOnError(double error) noexcept;
+
+/// Difference of two quantities relative to the largest of both and `unit` >= 0; 0 where all are 0.
+[[nodiscard]] double relativeError(double value, double reference, double unit) noexcept;
+
+}  // namespace asperity

@@ -1,0 +1,173 @@
+#include "core/fidelity/extremes/ExtremesStudy.h"
+
+#include "core/Units.h"
+#include "core/fidelity/extremes/ContactDefect.h"
+#include "core/fidelity/extremes/SampledSpring.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+constexpr double kRigid = std::numeric_limits<double>::infinity();
+
+class ExtremesStudy : public ::testing::Test {
+protected:
+    /// One tip on one sample, with stiff lever and without.
+    static std::vector<ExtremesRegion> at(double tipRadius, double modulus, double adhesion) {
+        const ExtremesGrid grid{.contact = {.tipRadii = {tipRadius},
+                                            .moduli = {modulus},
+                                            .adhesions = {adhesion},
+                                            .filmThicknesses = {10.0_nm},
+                                            .leverStiffnesses = {14.0, kRigid},
+                                            .places = 16}};
+        const ExtremesFindings findings = studyExtremes(grid);
+        EXPECT_EQ(findings.defects, 0);
+        return findings.regions;
+    }
+
+    static const ExtremesRegion& region(const std::vector<ExtremesRegion>& all, ContactLaw law,
+                                        const std::string& sample) {
+        return *std::find_if(all.begin(), all.end(), [&](const ExtremesRegion& one) {
+            return one.place().model == keyOf(law) && one.place().sample == sample;
+        });
+    }
+
+    static long count(const ExtremesRegion& region, Verdict verdict) {
+        return region.tally(verdict).states;
+    }
+};
+
+TEST_F(ExtremesStudy, JkrHoldsForASoftSampleUnderALargeTip) {
+    const auto all = at(10.0_um, 10.0_MPa, 0.05);  // lambda about 100
+    const ExtremesRegion& jkr = region(all, ContactLaw::Jkr, "adhesive");
+    EXPECT_GT(count(jkr, Verdict::Exact) + count(jkr, Verdict::Valid),
+              2 * count(jkr, Verdict::Off));
+    const ExtremesRegion& dmt = region(all, ContactLaw::Dmt, "adhesive");
+    EXPECT_GT(count(dmt, Verdict::Off), 2 * count(jkr, Verdict::Off));
+}
+
+TEST_F(ExtremesStudy, DmtHoldsForAStiffSampleUnderASharpTip) {
+    const auto all = at(15.0_nm, 500.0_GPa, 0.01);
+    const ExtremesRegion& dmt = region(all, ContactLaw::Dmt, "adhesive");
+    const ExtremesRegion& jkr = region(all, ContactLaw::Jkr, "adhesive");
+    EXPECT_GT(count(dmt, Verdict::Exact) + count(dmt, Verdict::Valid), count(dmt, Verdict::Off));
+    EXPECT_LT(count(dmt, Verdict::Off), count(jkr, Verdict::Off));
+}
+
+TEST_F(ExtremesStudy, HertzIsExactOrValidWithoutAdhesionAndOffWithIt) {
+    const auto bare = at(100.0_nm, 2.0_GPa, 0.0);
+    const ExtremesRegion& hertz = region(bare, ContactLaw::Hertz, "no adhesion");
+    EXPECT_EQ(count(hertz, Verdict::Off), 0);
+    EXPECT_GT(count(hertz, Verdict::Exact), count(hertz, Verdict::Valid));
+    const auto adhesive = at(100.0_nm, 2.0_GPa, 0.05);
+    EXPECT_GT(count(region(adhesive, ContactLaw::Hertz, "adhesive"), Verdict::Off), 10);
+}
+
+TEST_F(ExtremesStudy, ALargeContactAndAThinFilmAreFlagged) {
+    const auto all = at(100.0_nm, 2.0_GPa, 0.05);
+    const ExtremesRegion& deep = region(all, ContactLaw::Maugis, "adhesive");
+    EXPECT_GT(count(deep, Verdict::Flagged), 0);
+    EXPECT_EQ(deep.mainReason(), "large_contact");
+    EXPECT_EQ(region(all, ContactLaw::Hertz, "film").mainReason(), "thin_film");
+}
+
+TEST_F(ExtremesStudy, EveryParameterOutOfRangeIsRefusedWithASentence) {
+    const auto all = at(100.0_nm, 2.0_GPa, 0.05);
+    for (const ContactLaw law : kContactLaws) {
+        const ExtremesRegion& refused = region(all, law, "out of range");
+        EXPECT_EQ(count(refused, Verdict::Refused), refused.states()) << keyOf(law);
+        EXPECT_TRUE(
+            refused.refusals().contains("contact: the tip radius must lie between 1e-12 and 1 m"));
+        EXPECT_TRUE(refused.refusals().contains(
+            "contact: the lever's compliance must lie between 0 and 1e6 m/N"));
+    }
+    EXPECT_TRUE(region(all, ContactLaw::HertzFilm, "out of range")
+                    .refusals()
+                    .contains("contact: the law hertz_film needs the film's thickness"));
+}
+
+TEST_F(ExtremesStudy, ALeverTooSoftToPressSoDeepIsRefused) {
+    const ExtremesGrid grid{.contact = {.tipRadii = {10.0_um},
+                                        .moduli = {1e12},
+                                        .adhesions = {0.0},
+                                        .leverStiffnesses = {1e-3},
+                                        .places = 8}};
+    const ExtremesFindings findings = studyExtremes(grid);
+    const ExtremesRegion& hertz = region(findings.regions, ContactLaw::Hertz, "no adhesion");
+    EXPECT_GT(count(hertz, Verdict::Refused), 0);
+    EXPECT_EQ(hertz.mainReason(),
+              "contact: the approach of tip or lever base must lie within 1000 m of first touch");
+}
+
+TEST_F(ExtremesStudy, TheTickIsExactOnAFlatSampleWithAnyEffort) {
+    const ExtremesGrid grid{.tick = {.tipRadii = {15.0_nm},
+                                     .roughnesses = {0.0},
+                                     .leverStiffnesses = {14.0},
+                                     .rates = {100.0, 20000.0},
+                                     .gainShares = {1.0},
+                                     .ticks = 20}};
+    const ExtremesFindings findings = studyExtremes(grid);
+    EXPECT_EQ(findings.defects, 0);
+    for (const ExtremesRegion& region : findings.regions) {
+        if (region.place().model == "tick") {
+            EXPECT_GT(count(region, Verdict::Exact), 0) << region.place().tier;
+            EXPECT_EQ(region.unflagged().force.error, 0.0);
+        }
+    }
+}
+
+TEST_F(ExtremesStudy, GivesTheSameTwice) {
+    const ExtremesGrid grid{.contact = {.tipRadii = {15.0_nm, 100.0_nm},
+                                        .moduli = {2.0_GPa},
+                                        .adhesions = {0.05},
+                                        .leverStiffnesses = {14.0},
+                                        .places = 8},
+                            .tick = {.tipRadii = {15.0_nm},
+                                     .roughnesses = {0.1},
+                                     .leverStiffnesses = {14.0},
+                                     .rates = {1000.0},
+                                     .gainShares = {1.0},
+                                     .ticks = 20}};
+    const ExtremesFindings first = studyExtremes(grid);
+    const ExtremesFindings again = studyExtremes(grid);
+    ASSERT_EQ(first.regions.size(), again.regions.size());
+    for (std::size_t i = 0; i < first.regions.size(); ++i) {
+        for (const Verdict verdict : kVerdicts) {
+            const VerdictTally& one = first.regions[i].tally(verdict);
+            const VerdictTally& other = again.regions[i].tally(verdict);
+            EXPECT_EQ(one.states, other.states);
+            EXPECT_EQ(one.force.error, other.force.error);
+            EXPECT_EQ(one.force.where, other.force.where);
+        }
+    }
+}
+
+TEST(ContactDefect, ReportsWhatNoStateMayHave) {
+    const ContactSetting setting{
+        .pair = {.tipRadius = 15e-9, .reducedModulus = 2e9, .workOfAdhesion = 0.05}};
+    const double approach = 1e-9;  // [m]
+    const ContactModel law(ContactLaw::Maugis, setting.pair);
+    const ContactState good = law.equilibrium(approach, setting.compliance(), {});
+    EXPECT_EQ(defectOf(good, setting, approach), nullptr);
+    ContactState bad = good;
+    bad.contactRadius = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_STREQ(defectOf(bad, setting, approach), "a value is not finite");
+    bad = good;
+    bad.force *= 1.0 + 1e-6;
+    EXPECT_STREQ(defectOf(bad, setting, approach), "lever and sample are not in balance");
+    bad = good;
+    bad.energyLost = -1e-20;
+    EXPECT_STREQ(defectOf(bad, setting, approach), "a radius or an energy is impossible");
+}
+
+TEST(SampledSpring, FeltStiffnessIsTwiceTheDampingOverThePeriodAtTheLimit) {
+    const double gain = largestForceGain(14.0, 1e-6, 1000.0);
+    EXPECT_DOUBLE_EQ(gain * 1e-6 * 14.0, 2.0 * kHandDamping * 1000.0);
+}
+
+}  // namespace
+}  // namespace asperity
