@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -25,10 +26,15 @@ template <class Result>
 /// Of each choice, whether no other is cheaper and as good, or better and as cheap.
 [[nodiscard]] std::vector<bool> paretoFront(std::span<const CostAndError> choices);
 
-/// Has results say whether they are on the front.
+/// Has results say whether they are on the front. Errors below `doubt`, that of what they are held
+/// against, count as that.
 template <class Result>
-void markFront(std::vector<Result>& results) {
-    const std::vector<bool> front = paretoFront(costsAndErrors(results));
+void markFront(std::vector<Result>& results, double doubt) {
+    std::vector<CostAndError> choices = costsAndErrors(results);
+    for (CostAndError& choice : choices) {
+        choice.error = std::max(choice.error, doubt);
+    }
+    const std::vector<bool> front = paretoFront(choices);
     for (std::size_t i = 0; i < results.size(); ++i) {
         results[i].onFront = front[i];
     }

@@ -18,8 +18,9 @@ public:
     /// Whether ticks are so slow here that nobody would wait for more runs.
     [[nodiscard]] bool isSlow() const noexcept { return slow_; }
 
-    /// Root mean square of the force's difference from the reference, as a share of that of the
-    /// force; 0 where there is no force. Sets the scene's model.
+    /// By how much the force differs from the reference in all but 3 % of the ticks, as a share of
+    /// the reference's root mean square; of the separate tip, whose forces are faint and felt all
+    /// the same, as a share of a tenth of that. 0 where there is no force. Sets the scene's model.
     [[nodiscard]] double error(const SceneModel& model);
 
     /// The same between two models, as a share of the reference's force.

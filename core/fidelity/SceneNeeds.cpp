@@ -66,11 +66,14 @@ public:
 private:
     TermNeed& need(ModelTerm term) { return needs_.terms[static_cast<std::size_t>(term)]; }
 
-    /// The exact sphere's law has no tail and takes the sample as flat. Where no law is asked for,
-    /// it is taken if that matters less.
+    /// The exact sphere's law has no tail and takes the sample as flat. Where the scene
+    /// says nothing of its law, it is taken if that matters less.
     void chooseLawOfAll(const SceneDescription& description) {
         const SceneModel sphere = with(needs_.full, ModelTerm::SphereCorrection);
-        if (description.law || !has(sphere, ModelTerm::SphereCorrection)) {
+        const bool said = isSettled(ModelTerm::Adhesion, description) ||
+                          isSettled(ModelTerm::VanDerWaalsTail, description) ||
+                          isSettled(ModelTerm::SphereCorrection, description);
+        if (said || !has(sphere, ModelTerm::SphereCorrection)) {
             return;
         }
         const SceneModel neither = without(sphere, ModelTerm::SphereCorrection);

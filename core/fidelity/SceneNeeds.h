@@ -14,8 +14,8 @@ struct TermNeed {
     bool on = true;
     bool overruled = false;  ///< the scene says so itself
     std::string why;         ///< one clause, for people
-    /// What leaving it out of the whole changes: the force, as a share of its root mean square over
-    /// the sampled run; of terms of the surface its displacement, as a share of the indentation.
+    /// What leaving it out of the whole changes: the force in the sampled run, see SampledRuns; of
+    /// terms of the surface its displacement, as a share of the indentation.
     double effect = 0.0;
     double time = 0.0;  ///< that it costs a tick, or a patch; of this machine [s]
 };

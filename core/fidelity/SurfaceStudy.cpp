@@ -146,7 +146,7 @@ void studySurfaces(const Scene& scene, std::span<const TipState> states, const T
     for (const FrameTier& tier : frameTiers()) {
         result.frames.push_back(resultOf(scene, tier, contacts, reference, plan.rounds));
     }
-    markFront(result.frames);
+    markFront(result.frames, result.reference.surfaceDoubt);
 }
 
 }  // namespace asperity

@@ -85,7 +85,6 @@ public:
             results[i].median = quantile(times[i], 0.5);
             results[i].p99 = quantile(times[i], kP99);
         }
-        markFront(results);
         return results;
     }
 
@@ -150,6 +149,7 @@ TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan) {
     estimating.decoupling = DecouplingTier::Estimator;
     result.decouplings = ticks.measured({own, estimating}, plan.rounds);
     ticks.doubt(result.reference);
+    markFront(result.ticks, result.reference.forceDoubt);
     result.reference.tick = tierOf(ticks.model());
     result.reference.tickMedian = quantile(ticks.reference().times, 0.5);
     result.reference.forceScale = forceScale(ticks.reference());

@@ -19,7 +19,7 @@ struct TickResult {
     double contactRadiusError = 0.0;  ///< largest [m]
     double footError = 0.0;           ///< largest, of the foot while it bears a force [m]
     double estimateErrorRms = 0.0;    ///< of the force from the signals against the true one [N]
-    bool onFront = false;             ///< no tier is cheaper and as near to the reference
+    bool onFront = false;  ///< no tier is cheaper and as near, as far as the reference can tell
 
     [[nodiscard]] CostAndError costAndError() const { return {median, forceErrorRms}; }
 };
