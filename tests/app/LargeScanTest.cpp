@@ -2,7 +2,6 @@
 #include "core/io/HeightMapWriter.h"
 #include "core/surface/HeightRows.h"
 #include "tests/app/ChildProgram.h"
-#include "tests/app/ProgramRun.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -96,20 +95,6 @@ TEST_F(LargeScan, ASignalEndsConvertAndNothingIsLeft) {
         EXPECT_EQ(child.wait().exitCode, 1);
         EXPECT_TRUE(std::filesystem::is_empty(folder));
     }
-}
-
-TEST(LongRun, ASignalEndsExploreAndNothingHalfWrittenIsLeft) {
-    const test::ScratchFolder scratch;
-    const std::filesystem::path folder = scratch.file("results");
-    std::filesystem::create_directory(folder);
-    test::ChildProgram child({"explore", test::shippedScene("polystyrene").string(), "--out",
-                              folder.string(), "--duration", "3600"});
-    while (std::filesystem::is_empty(folder) && !child.hasEnded()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    child.send(SIGINT);
-    EXPECT_EQ(child.wait().exitCode, 1);
-    EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 }  // namespace
