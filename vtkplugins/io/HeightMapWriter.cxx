@@ -144,12 +144,17 @@ std::string lowerCase(std::string text) {
 
 }  // namespace
 
+bool canWriteHeightMapWithVtk(const std::filesystem::path& path) {
+    const std::string extension = lowerCase(path.extension().string());
+    return extension == ".vti" || extension == ".vtp" || extension == ".stl";
+}
+
 bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightRows& map,
                            Progress* progress) {
-    const std::string extension = lowerCase(path.extension().string());
-    if (extension != ".vti" && extension != ".vtp" && extension != ".stl") {
+    if (!canWriteHeightMapWithVtk(path)) {
         return false;
     }
+    const std::string extension = lowerCase(path.extension().string());
     ProgressPart filling(progress, 0.0, 0.3);
     const auto heights = heightArray(map, &filling);
     ProgressPart writing(progress, 0.3, 1.0);

@@ -6,6 +6,9 @@
 
 namespace asperity {
 
+/// Whether writeHeightMapWithVtk() knows the path's extension.
+[[nodiscard]] bool canWriteHeightMapWithVtk(const std::filesystem::path& path);
+
 /// Writes a height map for other programs, by the path's extension (in any case):
 /// - `.vti`: image of point values "height" [m] at the pixel centres, bottom row first; pixels that
 ///   hold no data are 0 in the array "valid", which is there when any is
