@@ -1,7 +1,5 @@
 #include "app/CancelOnSignal.h"
 
-#include <csignal>
-
 namespace asperity {
 
 namespace {
@@ -12,15 +10,7 @@ void note(int /*signal*/) { arrived = 1; }
 
 }  // namespace
 
-CancelOnSignal::CancelOnSignal() {
-    std::signal(SIGINT, note);
-    std::signal(SIGTERM, note);
-}
-
-CancelOnSignal::~CancelOnSignal() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
-}
+CancelOnSignal::CancelOnSignal() : signals_(note) {}
 
 bool CancelOnSignal::hasArrived() { return arrived != 0; }
 

@@ -1,17 +1,19 @@
 #pragma once
 
+#include "app/EndSignals.h"
+
 namespace asperity {
 
 /// While one lives, SIGINT and SIGTERM are noted in place of ending the program, so that long work
-/// can end in good order. What was noted stays so: the program is about to end. One at a time.
+/// can end in good order. What was noted stays so: the program is about to end. They may be nested.
 class CancelOnSignal {
 public:
     CancelOnSignal();
-    ~CancelOnSignal();
-    CancelOnSignal(const CancelOnSignal&) = delete;
-    CancelOnSignal& operator=(const CancelOnSignal&) = delete;
 
     [[nodiscard]] static bool hasArrived();
+
+private:
+    EndSignals signals_;
 };
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #include "app/CaseFiles.h"
 
 #include "app/OptionChecks.h"
+#include "app/ProgressLine.h"
 #include "core/TemporaryFile.h"
 
 #include <iostream>
@@ -19,13 +20,20 @@ void addTableFile(CLI::App& command, std::string& out) {
         ->check(notEmpty());
 }
 
-void writeTable(const std::string& out, const std::function<void(std::ostream&)>& write) {
+void requireWritableTable(const std::string& out) {
+    if (!out.empty()) {
+        requireWritable(out);
+    }
+}
+
+void writeTable(const std::string& out, const TableWriting& write) {
     if (out.empty()) {
-        write(std::cout);
+        write(std::cout, nullptr);
         return;
     }
+    ProgressLine line("writing");  // before the file: a signal in between would leave it
     OutputFile file(out);
-    write(file.stream());
+    write(file.stream(), &line);
     file.commit();
 }
 

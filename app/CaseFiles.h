@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/Progress.h"
+
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <ostream>
@@ -19,8 +21,16 @@ void addCaseFiles(CLI::App& command, CaseFiles& files);
 /// The option --out for a table.
 void addTableFile(CLI::App& command, std::string& out);
 
-/// Hands the stream of the file, which takes its place only when all is written, or standard output
-/// where there is no name. @throw Error when the file cannot be written
-void writeTable(const std::string& out, const std::function<void(std::ostream&)>& write);
+/// Writes a table to a stream. @param progress may be null; cancels it
+using TableWriting = std::function<void(std::ostream&, Progress* progress)>;
+
+/// Refuses a file that cannot be written, before long work is done for it; no name is fine.
+/// @throw Error
+void requireWritableTable(const std::string& out);
+
+/// Hands the stream of the file, which takes its place only when all is written and shows on the
+/// terminal how far it is, or standard output where there is no name.
+/// @throw Error when the file cannot be written; Cancelled
+void writeTable(const std::string& out, const TableWriting& write);
 
 }  // namespace asperity

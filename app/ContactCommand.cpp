@@ -106,6 +106,7 @@ std::vector<std::string> commentsFor(const std::string& cases) {
 }
 
 void contact(const CaseFiles& files) {
+    requireWritableTable(files.out);
     const CsvTable table =
         readCases(files.cases, {"model", "radius_m", "e_star_pa", "work_of_adhesion_j_m2",
                                 "sigma0_pa", "indentation_m", "branch"});
@@ -118,7 +119,9 @@ void contact(const CaseFiles& files) {
         .columns = {"force_n", "contact_radius_m", "cohesive_radius_m", "lambda", "state",
                     "status"},
         .add = [&](CsvWriter& csv, std::size_t row) { write(csv, answerTo(cases[row])); }};
-    writeTable(files.out, [&](std::ostream& out) { writeCases(out, table, answers); });
+    writeTable(files.out, [&](std::ostream& out, Progress* progress) {
+        writeCases(out, table, answers, progress);
+    });
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 #include "app/ConvertCommand.h"
 
+#include "app/CancelOnSignal.h"
 #include "app/LevellingOption.h"
 #include "app/OptionChecks.h"
 #include "app/ProgressLine.h"
 #include "core/Error.h"
+#include "core/TemporaryFile.h"
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
 #include "core/surface/Levelling.h"
@@ -50,24 +52,28 @@ void refuseToOverwriteInput(const ConvertOptions& options) {
     }
 }
 
+/// Before long work is done for it. @param option that names the file
+void requireWritableMap(const std::string& option, const std::string& file) {
+    if (!canWriteHeightMap(file) && !canWriteHeightMapWithVtk(file)) {
+        std::string known;
+        for (const std::string& extension : heightMapExtensions()) {
+            known += extension + " ";
+        }
+        throw CLI::ValidationError(
+            option, file + ": no height map can be written with this extension; known are " +
+                        known + ".vti .vtp .stl");
+    }
+    requireWritable(file);
+}
+
 void writeInAnyFormat(const std::filesystem::path& path, const HeightRows& map,
                       const HeightMapMeta& meta) {
     ProgressLine line("writing");
     if (canWriteHeightMap(path)) {
         writeHeightMap(path, map, meta, &line);
-        return;
+    } else {
+        writeHeightMapWithVtk(path, map, &line);
     }
-    if (writeHeightMapWithVtk(path, map, &line)) {
-        return;
-    }
-    std::string known;
-    for (const std::string& extension : heightMapExtensions()) {
-        known += extension + " ";
-    }
-    throw CLI::ValidationError("OUT", path.string() +
-                                          ": no height map can be written with this extension; "
-                                          "known are " +
-                                          known + ".vti .vtp .stl");
 }
 
 /// Of the file that was read.
@@ -137,7 +143,6 @@ void convertFiltered(const ConvertOptions& options) {
         ProgressLine line("loading");
         return readHeightScan(options.input, options.channel, &line);
     }();
-    refuseToOverwriteInput(options);
     tellNotes(scan.notes);
     const HeightMapMeta meta{scan.channel, scan.originX, scan.originY};
     scan.map = levelled(std::move(scan.map), options.levelling);
@@ -154,7 +159,6 @@ void convertPlainly(const ConvertOptions& options) {
         ProgressLine line("loading");
         return readHeightChannel(options.input, options.channel, &line);
     }();
-    refuseToOverwriteInput(options);
     tellNotes(file.notes);
     ScanChannel& channel = file.channel;
     const HeightMap map = levelled(std::move(channel.map), options.levelling);
@@ -164,6 +168,12 @@ void convertPlainly(const ConvertOptions& options) {
 }
 
 void convert(const ConvertOptions& options) {
+    const CancelOnSignal cancel;  // between one piece of work and the next, too
+    refuseToOverwriteInput(options);
+    requireWritableMap("OUT", options.output);
+    if (!options.certainty.empty()) {
+        requireWritableMap("--certainty", options.certainty);
+    }
     if (options.residual || options.tipRadius > 0.0) {
         convertFiltered(options);
     } else {
@@ -191,9 +201,11 @@ void addConvertCommand(CLI::App& program) {
         command
             ->add_option("--smoothing-px", options->smoothingPixels,
                          "of the residual's surface: standard deviation [pixel] (default 1)")
+            ->check(finiteNumber())
             ->check(CLI::Range(0.0, kWidestSmoothing))
             ->needs(residual);
     command->add_option("--smoothing-m", options->smoothingLength, "the same as a length [m]")
+        ->check(finiteNumber())
         ->check(CLI::PositiveNumber)
         ->needs(residual)
         ->excludes(pixels);

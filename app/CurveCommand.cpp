@@ -81,7 +81,7 @@ void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
     }
 }
 
-void writeCurves(std::ostream& out, const std::vector<CurveResult>& results) {
+void writeCurves(std::ostream& out, const std::vector<CurveResult>& results, Progress* progress) {
     std::vector<std::string> comments{std::string("Asperity ") + kVersion +
                                           ": quasi-static approach and retract curves",
                                       "base position > 0 towards the sample, 0 where tip and "
@@ -96,10 +96,13 @@ void writeCurves(std::ostream& out, const std::vector<CurveResult>& results) {
         "indentation_m",     "force_n", "deflection_m", "contact_radius_m",
         "cohesive_radius_m", "state",   "flags"};
     CsvWriter csv(out, comments, columns);
+    double done = 0.0;
     for (const CurveResult& result : results) {
+        reportTo(progress, done++ / static_cast<double>(results.size()));
         writeWay(csv, result, "approach", result.curve.approach);
         writeWay(csv, result, "retract", result.curve.retract);
     }
+    reportTo(progress, 1.0);
     csv.close();
 }
 
@@ -131,6 +134,7 @@ void drawFigure(const std::string& path, const std::vector<CurveResult>& results
 }
 
 void curve(const CurveOptions& options) {
+    requireWritableTable(options.out);
     std::optional<VirtualDisplay> display;  // before anything is written
     if (!options.figure.empty()) {
         display.emplace();
@@ -144,7 +148,8 @@ void curve(const CurveOptions& options) {
             std::cerr << line << '\n';
         }
     }
-    writeTable(options.out, [&](std::ostream& out) { writeCurves(out, results); });
+    writeTable(options.out,
+               [&](std::ostream& out, Progress* progress) { writeCurves(out, results, progress); });
     if (!options.figure.empty()) {
         drawFigure(options.figure, results);
     }

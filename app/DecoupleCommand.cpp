@@ -35,8 +35,8 @@ struct DecoupleOptions {
 };
 
 void decouple(const DecoupleOptions& options) {
-    writeTable(options.files.out, [&](std::ostream& out) {
-        writeForceEstimates(options.probe, options.files.cases, out);
+    writeTable(options.files.out, [&](std::ostream& out, Progress* progress) {
+        writeForceEstimates(options.probe, options.files.cases, out, progress);
     });
 }
 

@@ -1,5 +1,6 @@
 #include "app/ExploreCommand.h"
 
+#include "app/CancelOnSignal.h"
 #include "app/LevellingOption.h"
 #include "app/LoadedScene.h"
 #include "app/OptionChecks.h"
@@ -136,6 +137,7 @@ FinishedRun finishedRun(const ExploreOptions& options) {
     SimulatedAfm afm(scene.touched(), scene.truth);
     run(scene, plan, afm, keeper);
     keeper.recorder.close();
+    removeEarlierResults(out);
 
     const RunEvents& events = keeper.events.events();
     writeTextFile(out / run_files::kScene, sceneText(settled(scene.description, scene.model)));
@@ -153,6 +155,7 @@ void draw(const FinishedRun& run, const std::filesystem::path& folder) {
 }
 
 void explore(const ExploreOptions& options) {
+    const CancelOnSignal cancel;   // between one piece of work and the next, too
     const VirtualDisplay display;  // before anything is written: pictures need it at the end
     const FinishedRun run = finishedRun(options);
     draw(run, options.out);

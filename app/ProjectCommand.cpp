@@ -11,6 +11,7 @@
 #include "core/surface/foot/ClosestPoint.h"
 #include "core/surface/nurbs/NurbsFoot.h"
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -31,7 +32,9 @@ constexpr const char* kHelp =
     "  inside,measured              false: the foot lies on the edge of the scan; on a pixel\n"
     "                               without data\n"
     "  curvature_1_per_m,curvature_2_per_m\n"
-    "                               principal curvatures there, > 0 for a bump";
+    "                               principal curvatures there, > 0 for a bump\n"
+    "Where the point holds a nan, an infinity or more than 1e50 m there is no foot: its numbers\n"
+    "are nan and the proof is not_converged.";
 
 struct ProjectOptions {
     std::string input;
@@ -46,6 +49,20 @@ struct Projection {
     bool measured = true;
 };
 
+/// The answer to a point that is none, or so far away that no square of it can be compared.
+Projection nowhere() {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    return {.foot = {.point = Vector3::Constant(kNan),
+                     .normal = Vector3::Constant(kNan),
+                     .distance = kNan,
+                     .curvatures = {.largest = kNan, .smallest = kNan},
+                     .insideScan = false,
+                     .proof = FootProof::NotConverged},
+            .u = kNan,
+            .v = kNan,
+            .measured = false};
+}
+
 Projection onField(const BSplineSurface& surface, const Vector3& point) {
     const SurfaceFoot foot = closestPoint(surface, point, {});
     return {.foot = foot,
@@ -59,6 +76,13 @@ Projection onShape(const NurbsSurface& shape, const Vector3& point) {
     Projection result{.foot = feet.nearest().foot, .u = feet.nearest().u, .v = feet.nearest().v};
     result.foot.proof = feet.proof();
     return result;
+}
+
+Projection projectionOn(const Scene& scene, const Vector3& point) {
+    if (!(point.array().abs() < kFarthestQuery).all()) {  // nan is not less, either
+        return nowhere();
+    }
+    return scene.shape ? onShape(*scene.shape, point) : onField(scene.surface, point);
 }
 
 /// A map alone is projected on as it is unless smoothing is asked for; a scene as it says.
@@ -100,6 +124,7 @@ std::vector<std::string> commentsFor(const LoadedScene& loaded, const ProjectOpt
 }
 
 void project(const ProjectOptions& options) {
+    requireWritableTable(options.files.out);
     const CsvTable table = readCases(options.files.cases, {"x_m", "y_m", "z_m"});
     std::vector<Vector3> points;  // all before the first is answered: a table is whole or not
     for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -114,10 +139,11 @@ void project(const ProjectOptions& options) {
                                           "proof", "inside", "measured", "curvature_1_per_m",
                                           "curvature_2_per_m"},
                               .add = [&](CsvWriter& csv, std::size_t row) {
-                                  write(csv, scene.shape ? onShape(*scene.shape, points[row])
-                                                         : onField(scene.surface, points[row]));
+                                  write(csv, projectionOn(scene, points[row]));
                               }};
-    writeTable(options.files.out, [&](std::ostream& out) { writeCases(out, table, answers); });
+    writeTable(options.files.out, [&](std::ostream& out, Progress* progress) {
+        writeCases(out, table, answers, progress);
+    });
 }
 
 }  // namespace
@@ -142,6 +168,7 @@ void addProjectCommand(CLI::App& program) {
         ->add_option("--sigma", options->overrides.smoothingPixels,
                      "standard deviation of the Gaussian low-pass [pixel] (default: as the scene, "
                      "or 0)")
+        ->check(finiteNumber())
         ->check(CLI::Range(0.0, 100.0));
     command->callback([options] { project(*options); });
 }

@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 
 #include <array>
-#include <csignal>
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -24,13 +23,11 @@ int openPipe() { return pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == 0 ? ends[0
 
 QuitOnSignal::QuitOnSignal() : arrival_(openPipe(), QSocketNotifier::Read) {
     connect(&arrival_, &QSocketNotifier::activated, this, &QCoreApplication::quit);
-    std::signal(SIGINT, note);
-    std::signal(SIGTERM, note);
+    signals_.emplace(note);
 }
 
 QuitOnSignal::~QuitOnSignal() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    signals_.reset();  // before what the handler writes to goes
     close(ends[0]);
     close(ends[1]);
 }

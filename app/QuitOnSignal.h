@@ -1,7 +1,11 @@
 #pragma once
 
+#include "app/EndSignals.h"
+
 #include <QObject>
 #include <QSocketNotifier>
+
+#include <optional>
 
 namespace asperity {
 
@@ -16,6 +20,7 @@ public:
 
 private:
     QSocketNotifier arrival_;
+    std::optional<EndSignals> signals_;
 };
 
 }  // namespace asperity

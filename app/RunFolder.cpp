@@ -28,6 +28,19 @@ void makeOutputFolder(const std::filesystem::path& folder) {
     }
 }
 
+void removeEarlierResults(const std::filesystem::path& folder) {
+    for (const char* name :
+         {run_files::kMemory, run_files::kDeformation, run_files::kDeformationFields,
+          run_files::kOverview, run_files::kForces}) {
+        std::error_code failure;
+        std::filesystem::remove(folder / name, failure);
+        if (failure) {
+            throw Error((folder / name).string() +
+                        ": the earlier run's file cannot be removed: " + failure.message());
+        }
+    }
+}
+
 void writeTextFile(const std::filesystem::path& path, const std::string& text) {
     OutputFile file(path);
     file.stream() << text;

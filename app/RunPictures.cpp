@@ -1,6 +1,7 @@
 #include "app/RunPictures.h"
 
 #include "app/ContactView.h"
+#include "app/RunFolder.h"
 #include "core/io/PatchExr.h"
 #include "core/scene/ContactPatch.h"
 #include "core/surface/CoarserSurface.h"
@@ -53,12 +54,12 @@ RunPictures::RunPictures(const Scene& scene, const RunEvents& events)
 void RunPictures::write(const std::filesystem::path& folder, const RunCurves& curves,
                         Progress* progress) const {
     reportTo(progress, 0.0);
-    writeDeformationPicture(folder / "deformation.png", deformation_);
+    writeDeformationPicture(folder / run_files::kDeformation, deformation_);
     reportTo(progress, 0.4);
-    writePatchExr(folder / "deformation.exr", deepestPatch_);
+    writePatchExr(folder / run_files::kDeformationFields, deepestPatch_);
     reportTo(progress, 0.5);
     writeOverviewPicture(
-        folder / "overview.png",
+        folder / run_files::kOverview,
         {.title = name_,
          .caption = "The tip at the largest indentation, " + timeText(deepest_.time) + ".",
          .surface = surface_,
@@ -66,7 +67,7 @@ void RunPictures::write(const std::filesystem::path& folder, const RunCurves& cu
          .zoom = zoom_,
          .path = curves.tipPath()});
     reportTo(progress, 0.8);
-    curves.write(folder / "forces.png");
+    curves.write(folder / run_files::kForces);
     reportTo(progress, 1.0);
 }
 

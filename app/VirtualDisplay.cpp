@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <string>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,9 +18,14 @@ namespace {
 constexpr const char* kMissing =
     "no display: DISPLAY is not set and Xvfb could not be started (Debian package xvfb)";
 
-/// Runs Xvfb in place of this (forked) process; it writes its display number to `reply`.
-[[noreturn]] void becomeServer(int reply) {
+/// Runs Xvfb in place of this (forked) process; it writes its display number to `reply` and ends
+/// with the program, however that ends.
+[[noreturn]] void becomeServer(int reply, pid_t program) {
     setsid();  // Ctrl+C is for the program, which still draws while it ends
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != program) {
+        _exit(1);  // it ended before we asked to be told
+    }
     const int null = open("/dev/null", O_RDWR | O_CLOEXEC);
     dup2(null, STDOUT_FILENO);
     dup2(null, STDERR_FILENO);
@@ -55,9 +61,10 @@ VirtualDisplay::VirtualDisplay() {
     if (pipe(ends.data()) != 0) {
         throw Error(kMissing);
     }
+    const pid_t program = getpid();
     server_ = fork();
     if (server_ == 0) {
-        becomeServer(ends[1]);
+        becomeServer(ends[1], program);
     }
     close(ends[1]);
     const std::string number = server_ > 0 ? readDisplayNumber(ends[0]) : "";

@@ -2,6 +2,8 @@
 
 #include "app/DataFolder.h"
 #include "app/LiveWindow.h"
+#include "app/ProgressLine.h"
+#include "vtkplugins/pictures/Display.h"
 
 #include <CLI/CLI.hpp>
 #include <exception>
@@ -57,6 +59,9 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
 }
 
 int openWindow(const WindowOptions& options) {
+    if (!options.input.empty() && !haveDisplay()) {
+        (void)loadSceneOnTerminal(options.input, {});  // what is wrong with the input comes first
+    }
     LiveWindow live;
     const std::filesystem::path input =
         options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);

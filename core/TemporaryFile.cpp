@@ -8,8 +8,31 @@
 
 namespace asperity {
 
+namespace {
+
+/// Where a file of this name is to be, symbolic links followed. @throw Error when it cannot be
+/// there
+std::filesystem::path placeOf(const std::filesystem::path& target) {
+    std::error_code failure;
+    const std::filesystem::file_type kind = std::filesystem::status(target, failure).type();
+    if (kind == std::filesystem::file_type::not_found) {
+        return std::filesystem::is_symlink(std::filesystem::symlink_status(target, failure))
+                   ? placeOf(target.parent_path() / std::filesystem::read_symlink(target))
+                   : target;
+    }
+    if (failure) {
+        throw Error(target.string() + ": cannot be written: " + failure.message());
+    }
+    if (kind != std::filesystem::file_type::regular) {
+        throw Error(target.string() + ": cannot be written: it is there and no regular file");
+    }
+    return std::filesystem::canonical(target);
+}
+
+}  // namespace
+
 TemporaryFile::TemporaryFile(std::filesystem::path target)
-    : target_(std::move(target)), path_(target_) {
+    : target_(std::move(target)), place_(placeOf(target_)), path_(place_) {
     path_ += ".part" + std::to_string(getpid());
     if (!std::ofstream(path_)) {
         throw Error(target_.string() +
@@ -24,11 +47,13 @@ TemporaryFile::~TemporaryFile() {
 
 void TemporaryFile::commit() const {
     std::error_code failure;
-    std::filesystem::rename(path_, target_, failure);
+    std::filesystem::rename(path_, place_, failure);
     if (failure) {
         throw Error(target_.string() + ": cannot be put in place: " + failure.message());
     }
 }
+
+void requireWritable(const std::filesystem::path& target) { const TemporaryFile probe(target); }
 
 OutputFile::OutputFile(std::filesystem::path target)
     : file_(std::move(target)), stream_(file_.path(), std::ios::binary) {}

@@ -67,7 +67,8 @@ private:
     TermNeed& need(ModelTerm term) { return needs_.terms[static_cast<std::size_t>(term)]; }
 
     /// The exact sphere's law has no tail and takes the sample as flat. Where the scene
-    /// says nothing of its law, it is taken if that matters less.
+    /// says nothing of its law, it is taken if that matters less, or contacts are wide without
+    /// load.
     void chooseLawOfAll(const SceneDescription& description) {
         const SceneModel sphere = with(needs_.full, ModelTerm::SphereCorrection);
         const bool said = isSettled(ModelTerm::Adhesion, description) ||
@@ -86,8 +87,9 @@ private:
         need(ModelTerm::SphereCorrection).effect = bySphere;
         need(ModelTerm::VanDerWaalsTail).effect = byTail;
         need(ModelTerm::SampleCurvature).effect = byCurvature;
+        const bool isWide = has(needs_.full, ModelTerm::SphereCorrection);  // without load already
         const bool takesSphere =
-            bySphere > needs_.tolerance && bySphere > std::max(byTail, byCurvature);
+            isWide || (bySphere > needs_.tolerance && bySphere > std::max(byTail, byCurvature));
         needs_.full.law.law = (takesSphere ? sphere : tail).law.law;
         runs_.refer(needs_.full);
     }

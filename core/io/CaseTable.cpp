@@ -31,15 +31,21 @@ CsvTable readCases(const std::filesystem::path& file, const std::vector<std::str
     return cases;
 }
 
-void writeCases(std::ostream& out, const CsvTable& cases, const CaseAnswers& answers) {
+void writeCases(std::ostream& out, const CsvTable& cases, const CaseAnswers& answers,
+                Progress* progress) {
+    constexpr std::size_t kRowsAReport = 1000;
     CsvWriter csv(out, answers.comments, joined(cases, answers.columns));
     for (std::size_t row = 0; row < cases.rows(); ++row) {
+        if (row % kRowsAReport == 0) {
+            reportTo(progress, static_cast<double>(row) / static_cast<double>(cases.rows()));
+        }
         for (const std::string& column : cases.columns()) {
             csv.add(cases.text(row, column));
         }
         answers.add(csv, row);
         csv.endRow();
     }
+    reportTo(progress, 1.0);
     csv.close();
 }
 

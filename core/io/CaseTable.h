@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/io/CsvTable.h"
 #include "core/io/CsvWriter.h"
 
@@ -24,7 +25,8 @@ struct CaseAnswers {
 
 /// Writes each row of the cases as it came in, the answers after it.
 /// @throw InputError, before anything is written, when an added column is in the cases already;
-///        Error when not all could be written
-void writeCases(std::ostream& out, const CsvTable& cases, const CaseAnswers& answers);
+///        Error when not all could be written; Cancelled
+void writeCases(std::ostream& out, const CsvTable& cases, const CaseAnswers& answers,
+                Progress* progress = nullptr);
 
 }  // namespace asperity

@@ -129,19 +129,20 @@ std::vector<std::string> commentsFor(const std::string& probe, const std::string
 }  // namespace
 
 void writeForceEstimates(const std::filesystem::path& probe, const std::filesystem::path& cases,
-                         std::ostream& out) {
+                         std::ostream& out, Progress* progress) {
     const ProbeDescription description = readProbe(probe);
     const Cantilever lever(description.lever);
     const CsvTable table = readCsv(cases);
     const std::vector<DecouplingInput> inputs =
         inputsOf(table, slopesOf(table, lever, description.detector));
-    writeCases(out, table,
-               {.comments = commentsFor(probe.string(), cases.string(), lever),
-                .columns = {"fx_n", "fy_n", "fz_n", "cxx_n2", "cyy_n2", "czz_n2", "cxy_n2",
-                            "cxz_n2", "cyz_n2", "condition", "case"},
-                .add = [&](CsvWriter& csv, std::size_t row) {
-                    addEstimate(csv, estimateForce(lever, inputs[row]));
-                }});
+    writeCases(
+        out, table,
+        {.comments = commentsFor(probe.string(), cases.string(), lever),
+         .columns = {"fx_n", "fy_n", "fz_n", "cxx_n2", "cyy_n2", "czz_n2", "cxy_n2", "cxz_n2",
+                     "cyz_n2", "condition", "case"},
+         .add = [&](CsvWriter& csv,
+                    std::size_t row) { addEstimate(csv, estimateForce(lever, inputs[row])); }},
+        progress);
 }
 
 }  // namespace asperity

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/Progress.h"
+
 #include <filesystem>
 #include <ostream>
 
@@ -10,8 +12,10 @@ namespace asperity {
 /// a row that is no measurement has the case "invalid_input" and nan for its numbers. Nothing is
 /// written unless the whole table can be read.
 /// @param probe a probe file, see readProbe()
-/// @throw InputError for a missing column, a cell that is no number, or volts without a calibration
+/// @throw InputError for a missing column, a cell that is no number, or volts without a
+/// calibration;
+///        Cancelled
 void writeForceEstimates(const std::filesystem::path& probe, const std::filesystem::path& cases,
-                         std::ostream& out);
+                         std::ostream& out, Progress* progress = nullptr);
 
 }  // namespace asperity

@@ -1,6 +1,5 @@
 #include "tests/app/ChildProgram.h"
 
-#include <csignal>
 #include <fcntl.h>
 #include <stdexcept>
 #include <sys/resource.h>
@@ -13,7 +12,9 @@ namespace {
 
 constexpr long kKibibyte = 1024;  // the unit of ru_maxrss on Linux
 
-[[noreturn]] void become(std::vector<char*> arguments) {
+[[noreturn]] void become(std::vector<char*> arguments, void (*onInterrupt)(int)) {
+    std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, SIG_DFL);
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
@@ -23,7 +24,7 @@ constexpr long kKibibyte = 1024;  // the unit of ru_maxrss on Linux
 
 }  // namespace
 
-ChildProgram::ChildProgram(const std::vector<std::string>& arguments) {
+ChildProgram::ChildProgram(const std::vector<std::string>& arguments, void (*onInterrupt)(int)) {
     std::vector<std::string> words = {ASPERITY_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
@@ -36,7 +37,7 @@ ChildProgram::ChildProgram(const std::vector<std::string>& arguments) {
         throw std::runtime_error("no child can be started");
     }
     if (id_ == 0) {
-        become(pointers);
+        become(pointers, onInterrupt);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -15,10 +16,14 @@ struct ChildEnd {
 /// `asperity` as a child of this process, without output, for what a shell would hide.
 class ChildProgram {
 public:
-    explicit ChildProgram(const std::vector<std::string>& arguments);
+    /// @param onInterrupt what SIGINT does before the program says otherwise: SIG_DFL or, as in a
+    ///        shell's background job, SIG_IGN
+    explicit ChildProgram(const std::vector<std::string>& arguments,
+                          void (*onInterrupt)(int) = SIG_DFL);
 
     void send(int signal) const;
     [[nodiscard]] bool hasEnded();
+    [[nodiscard]] pid_t id() const { return id_; }
     ChildEnd wait();
 
 private:

@@ -86,6 +86,19 @@ TEST_F(ConvertErosion, RefusesWhatMakesNoSense) {
     EXPECT_FALSE(std::filesystem::exists(output));
 }
 
+TEST_F(ConvertErosion, RefusesWhereItCannotWriteBeforeItErodesAndNamesTheFile) {
+    const auto unknown = convert(" --erode 15e-9 --certainty map.foo");
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_NE(unknown.output.find("--certainty: map.foo"), std::string::npos) << unknown.output;
+    const auto nowhere = convert(" --erode 15e-9 --certainty /nonexistent/map.gsf");
+    EXPECT_EQ(nowhere.exitCode, 1);
+    EXPECT_NE(nowhere.output.find("/nonexistent/map.gsf"), std::string::npos) << nowhere.output;
+    for (const auto& run : {unknown, nowhere}) {
+        EXPECT_EQ(run.output.find("eroded"), std::string::npos) << run.output;
+    }
+    EXPECT_FALSE(std::filesystem::exists(output));
+}
+
 TEST_F(ConvertErosion, InfoSaysThatAScanHoldsTheShapeOfItsTip) {
     const auto text = test::runProgram("info " + input.string());
     EXPECT_NE(text.output.find("hold the shape of the tip"), std::string::npos) << text.output;

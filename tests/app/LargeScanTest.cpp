@@ -2,7 +2,6 @@
 #include "core/io/HeightMapWriter.h"
 #include "core/surface/HeightRows.h"
 #include "tests/app/ChildProgram.h"
-#include "tests/app/ProgramRun.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -78,6 +77,7 @@ TEST_F(LargeScan, TakesAtMostTwoAndAHalfTimesItsSize) {
     EXPECT_LE(share({"convert", "IN", out + ".gwy"}), 2.5);
     EXPECT_LE(share({"convert", "IN", out + ".exr"}), 2.5);
     EXPECT_LE(share({"convert", "IN", out + ".png"}), 2.5);
+    EXPECT_LE(share({"convert", "IN", out + ".stl"}), 2.5);
     EXPECT_LE(
         share({"convert", "IN", out + ".tiff", "--erode", "20e-9", "--certainty", out + ".gsf"}),
         2.5);
@@ -87,8 +87,9 @@ TEST_F(LargeScan, ASignalEndsConvertAndNothingIsLeft) {
     writeHeightMap(input, hills(3000), {});
     const std::filesystem::path folder = scratch.file("results");
     std::filesystem::create_directory(folder);
-    for (const int signal : {SIGINT, SIGTERM}) {
-        test::ChildProgram child({"convert", input.string(), (folder / "out.txt").string()});
+    for (const auto& [signal, name] :
+         {std::pair{SIGINT, "out.txt"}, {SIGTERM, "out.txt"}, {SIGINT, "out.stl"}}) {
+        test::ChildProgram child({"convert", input.string(), (folder / name).string()});
         while (std::filesystem::is_empty(folder) && !child.hasEnded()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
@@ -96,20 +97,6 @@ TEST_F(LargeScan, ASignalEndsConvertAndNothingIsLeft) {
         EXPECT_EQ(child.wait().exitCode, 1);
         EXPECT_TRUE(std::filesystem::is_empty(folder));
     }
-}
-
-TEST(LongRun, ASignalEndsExploreAndNothingHalfWrittenIsLeft) {
-    const test::ScratchFolder scratch;
-    const std::filesystem::path folder = scratch.file("results");
-    std::filesystem::create_directory(folder);
-    test::ChildProgram child({"explore", test::shippedScene("polystyrene").string(), "--out",
-                              folder.string(), "--duration", "3600"});
-    while (std::filesystem::is_empty(folder) && !child.hasEnded()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    child.send(SIGINT);
-    EXPECT_EQ(child.wait().exitCode, 1);
-    EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 }  // namespace

@@ -67,6 +67,27 @@ TEST(Project, FindsTheExactDistanceOfASphere) {
     }
 }
 
+TEST(Project, SaysOfWhatIsNoPlaceThatItHasNoFoot) {
+    const test::ScratchFolder scratch;
+    const auto points = scratch.write(
+        "points.csv", "x_m,y_m,z_m\nnan,1e-9,1e-9\n1e-9,inf,1e-9\n1e-9,1e-9,-1e300\n");
+    const auto sphere =
+        scratch.write("sphere.toml", "[sample]\nshape = \"sphere\"\nshape_radius_m = 50e-9\n");
+    for (const std::string& surface : {sample("self_affine.gsf"), sphere.string()}) {
+        const CsvTable out = projected(surface + " --points " + points.string());
+        ASSERT_EQ(out.rows(), 3U);
+        for (std::size_t row = 0; row < out.rows(); ++row) {
+            for (const char* column :
+                 {"foot_x_m", "foot_y_m", "foot_z_m", "nx", "ny", "nz", "distance_m", "u", "v",
+                  "curvature_1_per_m", "curvature_2_per_m"}) {
+                EXPECT_TRUE(std::isnan(out.number(row, column))) << column << ' ' << row;
+            }
+            EXPECT_EQ(out.text(row, "proof"), "not_converged");
+            EXPECT_EQ(out.text(row, "certified"), "false");
+        }
+    }
+}
+
 TEST(Project, SmoothsOnlyWhenAskedTo) {
     const test::ScratchFolder scratch;
     const auto points = scratch.write("points.csv", kPoints);

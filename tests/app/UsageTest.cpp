@@ -31,7 +31,10 @@ TEST(Usage, WrongCallsExitWith2) {
          {"fly", "loop --rate 1", "loop --duration nan", "devices now", "explore", "explore x.gsf",
           "explore a --out b --duration -1", "explore a --out b --duration x",
           "explore a --out b --duration nan", "explore a --out ''", "replay a --out ''",
-          "explore a --out b --level flat", "info", "extremes", "extremes --out a --states 10"}) {
+          "explore a --out b --level flat", "info", "extremes", "extremes --out a --states 10",
+          "convert a b.gsf --residual --smoothing-px nan",
+          "convert a b.gsf --residual --smoothing-m nan",
+          "convert a b.gsf --residual --smoothing-m inf", "project a --points b --sigma nan"}) {
         const auto run = test::runProgram(call);
         EXPECT_EQ(run.exitCode, 2) << call << "\n" << run.output;
     }
@@ -59,6 +62,16 @@ TEST(Usage, UnreadableInputExitsWith3AndOneSentence) {
         const std::size_t message = run.output.find("asperity: ");
         ASSERT_NE(message, std::string::npos) << run.output;
         EXPECT_EQ(run.output.find('\n', message), run.output.size() - 1) << run.output;
+    }
+}
+
+TEST(Usage, WithoutADisplayTheWindowReadsItsInputFirst) {
+    const test::ScratchFolder scratch;
+    for (const std::string& file : {std::string("/nonexistent.gsf"),
+                                    scratch.write("noise.gsf", "this is no scan").string()}) {
+        const auto run = test::runProgram(file, "DISPLAY=");
+        EXPECT_EQ(run.exitCode, 3) << run.output;
+        EXPECT_NE(run.output.find(file), std::string::npos) << run.output;
     }
 }
 

@@ -6,6 +6,9 @@
 
 namespace asperity {
 
+/// Whether writeHeightMapWithVtk() knows the path's extension.
+[[nodiscard]] bool canWriteHeightMapWithVtk(const std::filesystem::path& path);
+
 /// Writes a height map for other programs, by the path's extension (in any case):
 /// - `.vti`: image of point values "height" [m] at the pixel centres, bottom row first; pixels that
 ///   hold no data are 0 in the array "valid", which is there when any is
@@ -14,7 +17,7 @@ namespace asperity {
 ///   files, and the file's header says so
 /// Coordinates are those of the world frame.
 /// @return false, and nothing is written, for any other extension
-/// VTK needs the whole data set in memory.
+/// `.vti` and `.vtp` need VTK's whole data set in memory, `.stl` a few rows.
 /// @throw Error when no triangle is left, or the file cannot be written; Cancelled
 bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightRows& map,
                            Progress* progress = nullptr);

@@ -1,0 +1,153 @@
+#include "tests/app/ChildProgram.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
+
+/// The program while it writes into a folder of its own.
+class Signals : public ::testing::Test {
+protected:
+    void SetUp() override { std::filesystem::create_directory(folder); }
+
+    [[nodiscard]] std::vector<std::string> explore(const std::string& duration) const {
+        return {"explore",    test::shippedScene("polystyrene").string(),
+                "--out",      folder.string(),
+                "--duration", duration};
+    }
+
+    void waitFor(test::ChildProgram& child, const std::function<bool()>& event) const {
+        while (!event() && !child.hasEnded()) {
+            pause();
+        }
+    }
+    void waitForAFile(test::ChildProgram& child) const {
+        waitFor(child, [this] { return !std::filesystem::is_empty(folder); });
+    }
+
+    test::ScratchFolder scratch;
+    std::filesystem::path folder = scratch.file("results");
+};
+
+TEST_F(Signals, EndExploreWhileItRunsAndNothingHalfWrittenIsLeft) {
+    test::ChildProgram child(explore("3600"));
+    waitForAFile(child);
+    child.send(SIGINT);
+    EXPECT_EQ(child.wait().exitCode, 1);
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST_F(Signals, EndExploreAfterItsRunAndNoPictureOfAnEarlierOneIsLeft) {
+    for (const char* name :
+         {"deformation.png", "deformation.exr", "overview.png", "forces.png", "tick_memory.csv"}) {
+        std::ofstream(folder / name) << "earlier";
+    }
+    test::ChildProgram child(explore("0.1"));
+    waitFor(child, [this] { return std::filesystem::exists(folder / "force_log.csv"); });
+    child.send(SIGINT);
+    EXPECT_EQ(child.wait().exitCode, 1);
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+        EXPECT_NE(test::contentOf(file.path()), "earlier") << file.path();
+    }
+}
+
+TEST_F(Signals, LeaveTheFilesOfAnEarlierRunWhenTheyEndExploreBeforeItsOwn) {
+    std::ofstream(folder / "forces.png") << "earlier";
+    test::ChildProgram child(explore("3600"));
+    waitFor(child,
+            [this] { return std::distance(std::filesystem::directory_iterator(folder), {}) > 1; });
+    child.send(SIGTERM);
+    EXPECT_EQ(child.wait().exitCode, 1);
+    EXPECT_EQ(test::contentOf(folder / "forces.png"), "earlier");
+}
+
+TEST_F(Signals, ThatTheProgramWasStartedToIgnoreStayIgnored) {
+    test::ChildProgram child(explore("0.2"), SIG_IGN);
+    waitForAFile(child);
+    child.send(SIGINT);
+    EXPECT_EQ(child.wait().exitCode, 0);
+}
+
+TEST_F(Signals, EndProjectAndNothingIsLeft) {
+    const std::filesystem::path points = scratch.file("points.csv");
+    {
+        std::ofstream stream(points);
+        stream << "x_m,y_m,z_m\n";
+        for (int i = 0; i < 100000; ++i) {
+            stream << i * 1e-11 << ",5e-7,3e-8\n";
+        }
+    }
+    test::ChildProgram child({"project",
+                              std::string(ASPERITY_DATA_DIR) + "/samples/self_affine.gsf",
+                              "--points", points.string(), "--out", (folder / "p.csv").string()});
+    const auto isWriting = [this] {
+        for (const auto& file : std::filesystem::directory_iterator(folder)) {
+            std::error_code ignored;
+            if (const auto size = file.file_size(ignored); !ignored && size > 0) {
+                return true;
+            }
+        }
+        return false;
+    };
+    waitFor(child, isWriting);
+    child.send(SIGINT);
+    EXPECT_EQ(child.wait().exitCode, 1);
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+/// The first child of a process, when it has one and the system tells.
+std::optional<pid_t> childOf(pid_t process) {
+    const std::string id = std::to_string(process);
+    std::ifstream file("/proc/" + id + "/task/" + id + "/children");
+    pid_t child = 0;
+    return file >> child ? std::optional(child) : std::nullopt;
+}
+
+/// Not gone, nor waiting for its parent to hear that it is.
+bool isRunning(pid_t process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string id;
+    std::string name;
+    std::string state;
+    return file >> id >> name >> state && state != "Z";
+}
+
+TEST_F(Signals, ThatKillTheProgramEndItsDisplayToo) {
+    const char* display = std::getenv("DISPLAY");
+    const std::string before = display == nullptr ? "" : display;
+    unsetenv("DISPLAY");
+    test::ChildProgram child(explore("3600"));
+    if (!before.empty()) {
+        setenv("DISPLAY", before.c_str(), 1);
+    }
+    waitForAFile(child);
+    const std::optional<pid_t> server = childOf(child.id());
+    child.send(SIGKILL);
+    child.wait();
+    if (!server) {
+        GTEST_SKIP() << "the system does not tell a process's children";
+    }
+    constexpr int kPatience = 5000;
+    for (int i = 0; i < kPatience && isRunning(*server); ++i) {
+        pause();
+    }
+    EXPECT_FALSE(isRunning(*server));
+}
+
+}  // namespace
+}  // namespace asperity
