@@ -65,9 +65,10 @@ struct TradeOff {
 
 /// How much is measured.
 struct TradeOffPlan {
-    double duration = 2.0;  ///< of each of two runs: approach at the highest feature, raster [s]
-    int rounds = 5;         ///< timed runs of each tier, tiers taking turns
-    int patches = 6;        ///< moments of the run at which surfaces are compared
+    double duration =
+        2.0;  ///< of each of two runs: approach at the highest feature, raster at another place [s]
+    int rounds = 5;   ///< timed runs of each tier, tiers taking turns
+    int patches = 6;  ///< moments of the run at which surfaces are compared
 };
 
 /// Runs the scene with every tier. Accuracy is taken on the virtual clock and is reproducible;
