@@ -42,6 +42,16 @@ TradeOffPoints pointsOf(const TradeOff& study) {
     return shown;
 }
 
+/// @param error of the force [N] @param scale of the force [N]
+QString errorText(double error, double scale) {
+    if (error < kNoticedShare * scale) {
+        return FidelityPanel::tr("below %1 % of the force").arg(100.0 * kNoticedShare);
+    }
+    return FidelityPanel::tr("%1 nN (%2 % of the force)")
+        .arg(1e9 * error, 0, 'g', 2)
+        .arg(100.0 * error / scale, 0, 'g', 2);
+}
+
 }  // namespace
 
 FidelityPanel::FidelityPanel(QWidget* parent)
@@ -62,11 +72,11 @@ FidelityPanel::FidelityPanel(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kGap, kGap, kGap, kGap);
     column->setSpacing(kGap);
-    column->addWidget(termCard(), 6);
-    column->addWidget(chartCard(), 5);
+    column->addWidget(termCard());
+    column->addWidget(chartCard(), 1);
     connectPerson();
     setMeasuring(false);
-    resize(1080, 820);
+    resize(1080, 760);
 }
 
 QWidget* FidelityPanel::termCard() {
@@ -84,7 +94,7 @@ QWidget* FidelityPanel::termCard() {
     row->addWidget(captionLabel(tr("Tolerance"), this));
     row->addWidget(tolerance_);
     row->addWidget(automatic_);
-    card->body().addWidget(terms_, 1);
+    card->body().addWidget(terms_);
     card->body().addLayout(row);
     return card;
 }
@@ -174,14 +184,12 @@ QString FidelityPanel::keyText() const {
     int number = 0;
     for (const int index : frontOf(shown.points)) {
         const TradeOffPoint& point = shown.points.at(static_cast<std::size_t>(index));
-        text += tr("<p><span style='color:%1'><b>%2</b></span>&nbsp; %3<br>%4 µs, %5 nN "
-                   "(%6 % of the force)</p>")
+        text += tr("<p><span style='color:%1'><b>%2</b></span>&nbsp; %3<br>%4 µs, %5</p>")
                     .arg(QColor(theme::kAccent).name())
                     .arg(++number)
                     .arg(point.name)
                     .arg(1e6 * point.time, 0, 'f', 2)
-                    .arg(1e9 * point.error, 0, 'g', 2)
-                    .arg(100.0 * point.error / shown.forceScale, 0, 'g', 2);
+                    .arg(errorText(point.error, shown.forceScale));
     }
     return text;
 }

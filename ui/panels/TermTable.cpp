@@ -66,7 +66,7 @@ TermTable::TermTable(QWidget* parent)
         addRow(row);
     }
     verticalHeader()->hide();
-    verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -104,6 +104,7 @@ void TermTable::show(const SceneNeeds& needs, const ModelChoices& choices) {
         showNeed(row, need == needs.terms.end() ? TermNeed{.why = {}} : *need);
         showChoice(row, choices);
     }
+    fitHeight();
 }
 
 void TermTable::showNeed(int row, const TermNeed& need) {
@@ -129,10 +130,22 @@ void TermTable::setText(int row, int column, const QString& text) {
     item(row, column)->setText(text);
 }
 
-// Rows are as high as their words need at this width.
 void TermTable::resizeEvent(QResizeEvent* event) {
     QTableWidget::resizeEvent(event);
+    fitHeight();
+}
+
+void TermTable::showEvent(QShowEvent* event) {
+    QTableWidget::showEvent(event);
+    fitHeight();
+}
+
+void TermTable::fitHeight() {
+    if (!isVisible()) {
+        return;  // nobody has said how wide it is
+    }
     resizeRowsToContents();
+    setFixedHeight(horizontalHeader()->height() + verticalHeader()->length() + 2 * frameWidth());
 }
 
 }  // namespace asperity

@@ -33,12 +33,15 @@ Q_SIGNALS:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void addRow(int row);
     void showNeed(int row, const TermNeed& need);
     void showChoice(int row, const ModelChoices& choices);
     void setText(int row, int column, const QString& text);
+    /// All rows in sight, each as high as its words need at this width.
+    void fitHeight();
 
     std::array<QComboBox*, kModelTerms.size()> choices_;
 };

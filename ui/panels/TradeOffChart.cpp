@@ -26,10 +26,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNothing = 1e-5;  ///< of the force: below that errors look alike
-constexpr int kReach = 24;         ///< of a click [px]
-constexpr int kPointSize = 8;      ///< [px]
-constexpr int kRingSize = 17;      ///< [px]
+constexpr int kReach = 24;     ///< of a click [px]
+constexpr int kPointSize = 8;  ///< [px]
+constexpr int kRingSize = 17;  ///< [px]
 constexpr double kMicroseconds = 1e6;
 constexpr double kNanonewtons = 1e9;
 
@@ -171,7 +170,7 @@ void TradeOffChart::Plot::buildItems() {
 void TradeOffChart::Plot::show(const TradeOffPoints& shown, const QString& hint) {
     hint_->setText(hint);
     layers_->setCurrentIndex(shown.points.empty() ? 0 : 1);
-    const double floor = kNothing * shown.forceScale;
+    const double floor = kNoticedShare * shown.forceScale;
     places_.clear();
     QVector<QPointF> others;
     for (const TradeOffPoint& point : shown.points) {

@@ -9,6 +9,9 @@
 
 namespace asperity {
 
+/// Errors below this share of the force look alike: nobody feels them.
+inline constexpr double kNoticedShare = 1e-5;
+
 /// One choice in the chart.
 struct TradeOffPoint {
     double time = 0.0;   ///< median of a tick [s]
@@ -23,7 +26,7 @@ struct TradeOffPoints {
 };
 
 /// Force error against time of each choice, both logarithmic, the error in nN and as a share. The
-/// front is joined and numbered from its cheapest; errors below 1e-5 of the force are drawn there.
+/// front is joined and numbered from its cheapest; errors below kNoticedShare are drawn there.
 class TradeOffChart : public QWidget {
     Q_OBJECT
 
