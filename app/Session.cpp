@@ -54,6 +54,7 @@ Session::Session(MainWindow& window)
     connectMenus();
     connectViews();
     connectLoader();
+    connectFidelity();
     qApp->installEventFilter(this);
     frames_.setTimerType(Qt::PreciseTimer);
     connect(&frames_, &QTimer::timeout, this, &Session::onFrame);
@@ -159,6 +160,7 @@ void Session::begin(LoadedScene scene, const Vector3& start, const Settings& set
     window_.showScene(&run_->scene(), name);
     window_.tell(name);
     showKnobs();
+    showFidelity();
     Q_EMIT sceneShown();
 }
 
@@ -233,9 +235,14 @@ void Session::choosePositionGain(double gain) {
 }
 
 void Session::chooseMaterial(int index) {
-    if (!run_) {
-        return;
+    if (run_) {
+        const SampleMaterial& material = materials_.at(static_cast<std::size_t>(index));
+        rebuild(
+            [&material](LoadedScene scene) { return withMaterial(std::move(scene), material); });
     }
+}
+
+void Session::rebuild(const std::function<LoadedScene(LoadedScene)>& change) {
     const bool running = run_->loop().running();
     const double halfWidth = window_.view().halfWidth();
     const Vector2 place = run_->basePosition().head<2>();
@@ -243,8 +250,7 @@ void Session::chooseMaterial(int index) {
     finishRecording();
     window_.showScene(nullptr, {});
     hand_.detach();
-    LoadedScene scene = withMaterial(LiveRun::release(std::move(run_)),
-                                     materials_.at(static_cast<std::size_t>(index)));
+    LoadedScene scene = change(LiveRun::release(std::move(run_)));
     const Vector3 start = waitingPlace(scene.scene, place);
     begin(std::move(scene), start, settings);
     window_.view().setHalfWidth(halfWidth);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/FidelityStudy.h"
 #include "app/FrameShow.h"
 #include "app/HandControl.h"
 #include "app/LiveRun.h"
@@ -64,18 +65,25 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] static std::filesystem::path standardRecordingsFolder();
+    [[nodiscard]] static QString reasonOf(const std::exception_ptr& error);
 
     void connectControls();
     void connectMenus();
     void connectViews();
     void connectLoader();
+    void connectFidelity();
     void fillChoices();
 
     void onLoaded(LoadedScene& scene);
     void onLoadFailed(const std::exception_ptr& error);
     void begin(LoadedScene scene, const Vector3& start, const Settings& settings);
     void endRun();
+    /// The loop begins again above the same place, with the same knobs, on the scene changed.
+    void rebuild(const std::function<LoadedScene(LoadedScene)>& change);
     void chooseMaterial(int index);
+    void chooseModel(const SceneDescription& choices);
+    void pickTier(const TickTier& tier);
+    void measureFidelity();
     void chooseHand(int index);
     void choosePath(int index);
     void choosePositionGain(double gain);
@@ -96,11 +104,13 @@ private:
     void fetchTicks();
     void showKnobs();
     void showRecording();
+    void showFidelity();
 
     MainWindow& window_;
     FrameShow show_;
     HeldKeys* keys_;
     SceneLoader loader_;
+    FidelityStudy study_;
     QTimer frames_;
     std::unique_ptr<LiveRun> run_;
     HandControl hand_;

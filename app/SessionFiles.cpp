@@ -23,17 +23,17 @@ std::filesystem::path folderOfThisMoment(const std::filesystem::path& parent) {
     return parent / now.toStdString();
 }
 
-QString reasonOf(const std::exception_ptr& error) {
+}  // namespace
+
+QString Session::reasonOf(const std::exception_ptr& error) {
     try {
         std::rethrow_exception(error);
     } catch (const std::bad_alloc&) {
-        return Session::tr("out of memory");
+        return tr("out of memory");
     } catch (const std::exception& known) {
         return QString::fromUtf8(known.what());
     }
 }
-
-}  // namespace
 
 void Session::connectLoader() {
     connect(&loader_, &SceneLoader::progressed, &window_.loading(), &LoadingBar::setFraction);

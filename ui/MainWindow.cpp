@@ -6,6 +6,7 @@
 #include "ui/panels/CantileverPanel.h"
 #include "ui/panels/ColourBarWidget.h"
 #include "ui/panels/ControlBar.h"
+#include "ui/panels/FidelityPanel.h"
 #include "ui/panels/ForcePanel.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/panels/LoopStatusBar.h"
@@ -66,7 +67,8 @@ MainWindow::MainWindow()
     , forces_(new ForcePanel(this))
     , cantilever_(new CantileverPanel(this))
     , overview_(new OverviewPanel(this))
-    , loopStatus_(new LoopStatusBar(this)) {
+    , loopStatus_(new LoopStatusBar(this))
+    , fidelity_(new FidelityPanel(this)) {
     setAcceptDrops(true);
     placeAll();
     connectMenus();
@@ -148,6 +150,7 @@ void MainWindow::connectMenus() {
             [this] { view_->setHalfWidth(view_->halfWidth() * 1.25); });
     connect(menus_->resetView, &QAction::triggered, view_, &ZoomView::resetCamera);
     connect(menus_, &WindowMenus::magnificationChosen, view_, &ZoomView::setMagnification);
+    connect(menus_->fidelity, &QAction::triggered, this, &MainWindow::showFidelity);
     connect(menus_->controls, &QAction::triggered, this, &MainWindow::explainControls);
     connect(menus_->about, &QAction::triggered, this, &MainWindow::explainProgram);
 }
@@ -207,6 +210,7 @@ void MainWindow::lock() {
     setAcceptDrops(false);
     controls_->setEnabled(false);
     overview_->setEnabled(false);
+    fidelity_->setEnabled(false);
     for (QAction* action : findChildren<QAction*>()) {
         action->setEnabled(action == menus_->quit);
     }
@@ -263,6 +267,12 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
     Q_EMIT openRequested(event->mimeData()->urls().front().toLocalFile());
+}
+
+void MainWindow::showFidelity() {
+    fidelity_->show();
+    fidelity_->raise();
+    fidelity_->activateWindow();
 }
 
 void MainWindow::explainControls() {

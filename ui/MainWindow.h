@@ -11,6 +11,7 @@ namespace asperity {
 class CantileverPanel;
 class ColourBarWidget;
 class ControlBar;
+class FidelityPanel;
 class ForcePanel;
 class LoadingBar;
 class LoopStatusBar;
@@ -34,6 +35,8 @@ public:
     [[nodiscard]] ForcePanel& forces() { return *forces_; }
     [[nodiscard]] CantileverPanel& cantilever() { return *cantilever_; }
     [[nodiscard]] OverviewPanel& overview() { return *overview_; }
+    /// A window of its own, hidden at first.
+    [[nodiscard]] FidelityPanel& fidelity() { return *fidelity_; }
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
 
     /// Gives all panels a scene; null: none. The scene outlives its use here.
@@ -73,6 +76,7 @@ private:
     void choosePath();
     void chooseRecording();
     void choosePictureFile();
+    void showFidelity();
     void explainControls();
     void explainProgram();
 
@@ -88,6 +92,7 @@ private:
     CantileverPanel* cantilever_;
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
+    FidelityPanel* fidelity_;
 };
 
 }  // namespace asperity

@@ -56,6 +56,9 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
     resetView = menu->addAction(tr("&Reset the view"));
     resetView->setShortcut(tr("Home"));
     addMagnifications(*menu->addMenu(tr("&Displacement drawn larger")));
+    menu->addSeparator();
+    fidelity = menu->addAction(tr("&Fidelity…"));
+    fidelity->setShortcut(tr("F6"));
 }
 
 void WindowMenus::addMagnifications(QMenu& menu) {

@@ -33,6 +33,7 @@ public:
     QAction* zoomIn;
     QAction* zoomOut;
     QAction* resetView;
+    QAction* fidelity;
 
     QAction* controls;
     QAction* about;

@@ -4,9 +4,9 @@
 #include "ui/panels/Card.h"
 #include "ui/panels/ControlIcons.h"
 #include "ui/panels/GainSpinBox.h"
+#include "ui/panels/WheelGuard.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -103,22 +103,6 @@ GainSpinBox* ControlBar::addGain(const char* objectName, const QString& caption,
     guardFromWheel(*box);
     addWithCaption(caption, {box}, 0);
     return box;
-}
-
-/// The wheel over a knob must not make it the focus either.
-void ControlBar::guardFromWheel(QWidget& knob) {
-    knob.setFocusPolicy(Qt::StrongFocus);
-    knob.installEventFilter(this);
-}
-
-bool ControlBar::eventFilter(QObject* watched, QEvent* event) {
-    // A hand that turns the wheel on its way to the view must not change material or gain.
-    const auto* knob = qobject_cast<QWidget*>(watched);
-    if (event->type() == QEvent::Wheel && knob != nullptr && !knob->hasFocus()) {
-        event->ignore();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void ControlBar::addWithCaption(const QString& caption, const QList<QWidget*>& widgets,

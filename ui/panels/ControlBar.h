@@ -34,9 +34,6 @@ public:
     void setPositionGain(double gain);  ///< base displacement per hand displacement
     void setRecording(bool recording);
 
-    /// Keeps the wheel from the knobs that do not have the focus.
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 Q_SIGNALS:
     void runningChosen(bool running);
     void forcesChosen(bool on);
@@ -52,7 +49,6 @@ private:
     QPushButton* addButton(const char* objectName, const QString& widest);
     QComboBox* addCombo(const char* objectName, const QString& caption);
     GainSpinBox* addGain(const char* objectName, const QString& caption, double low, double high);
-    void guardFromWheel(QWidget& knob);
     void addWithCaption(const QString& caption, const QList<QWidget*>& widgets, int stretch);
     void addSeparator();
     void connectPerson();

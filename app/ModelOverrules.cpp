@@ -1,0 +1,84 @@
+#include "app/ModelOverrules.h"
+
+namespace asperity {
+
+namespace {
+
+using Member = std::optional<bool> TermChoices::*;
+
+/// Where the scene says it; null: elsewhere.
+Member memberOf(ModelTerm term) {
+    switch (term) {
+    case ModelTerm::Adhesion:
+        return &TermChoices::adhesion;
+    case ModelTerm::VanDerWaalsTail:
+        return &TermChoices::vanDerWaalsTail;
+    case ModelTerm::SphereCorrection:
+        return &TermChoices::sphereCorrection;
+    case ModelTerm::SampleCurvature:
+        return &TermChoices::curvature;
+    case ModelTerm::Friction:
+        return &TermChoices::friction;
+    case ModelTerm::Torsion:
+        return &TermChoices::torsion;
+    case ModelTerm::MountTilt:
+        return &TermChoices::mountTilt;
+    case ModelTerm::GlobalSearch:
+    case ModelTerm::OutsideDisplacement:
+    case ModelTerm::HalfSpaceSolve:
+        break;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::optional<bool> choiceOf(ModelTerm term, const SceneDescription& scene) {
+    if (const Member member = memberOf(term)) {
+        return scene.terms.*member;
+    }
+    if (!isSettled(term, scene)) {
+        return std::nullopt;
+    }
+    const SceneModel all;
+    return has({.footSearch = scene.footSearch.value_or(all.footSearch),
+                .deformation = scene.deformation.value_or(all.deformation)},
+               term);
+}
+
+SceneDescription withChoice(SceneDescription scene, ModelTerm term, std::optional<bool> on) {
+    if (const Member member = memberOf(term)) {
+        scene.terms.*member = on;
+        return scene;
+    }
+    SceneModel model;
+    model.footSearch = scene.footSearch.value_or(model.footSearch);
+    model.deformation = scene.deformation.value_or(model.deformation);
+    if (on && *on != has(model, term)) {
+        model = *on ? with(model, term) : without(model, term);
+    }
+    if (isOfSurface(term)) {
+        scene.deformation = on ? std::optional(model.deformation) : std::nullopt;
+    } else {
+        scene.footSearch = on ? std::optional(model.footSearch) : std::nullopt;
+    }
+    return scene;
+}
+
+SceneDescription withTier(SceneDescription scene, const TickTier& tier) {
+    scene.law = tier.law;
+    scene.solver = tier.solver;
+    scene.footSearch = tier.footSearch;
+    return scene;
+}
+
+SceneDescription allAutomatic(SceneDescription scene) {
+    scene.law.reset();
+    scene.solver = SceneDescription{}.solver;
+    scene.footSearch.reset();
+    scene.deformation.reset();
+    scene.terms = {};
+    return scene;
+}
+
+}  // namespace asperity

@@ -1,0 +1,169 @@
+#include "app/ModelOverrules.h"
+#include "tests/app/window/WindowFixture.h"
+#include "tests/support/TestScenes.h"
+#include "ui/WindowMenus.h"
+#include "ui/panels/FidelityPanel.h"
+#include "ui/panels/TradeOffChart.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QPushButton>
+#include <QtTest>
+
+#include <optional>
+#include <vector>
+
+namespace asperity::test {
+namespace {
+
+TradeOff twoWays() {
+    TradeOff study;
+    study.reference.forceScale = 1e-8;
+    study.ticks = {{.tier = {.law = ContactLaw::Hertz, .footSearch = FootEffort::Local},
+                    .median = 2e-6,
+                    .forceErrorRms = 1e-9,
+                    .onFront = true},
+                   {.tier = {.law = ContactLaw::Jkr,
+                             .solver = SolverTier::Table,
+                             .footSearch = FootEffort::Global},
+                    .median = 4e-6,
+                    .forceErrorRms = 1e-10,
+                    .onFront = true}};
+    return study;
+}
+
+TEST(ModelOverrules, WhatIsChosenOfATermIsWhatTheSceneSays) {
+    for (const ModelTerm term : kModelTerms) {
+        for (const std::optional<bool> on : {std::optional(true), std::optional(false), {}}) {
+            const SceneDescription scene = withChoice(plainScene(), term, on);
+            EXPECT_EQ(choiceOf(term, scene), on) << nameOf(term);
+            EXPECT_EQ(isSettled(term, scene), on.has_value()) << nameOf(term);
+        }
+    }
+}
+
+TEST(ModelOverrules, AHalfSpaceSharesItsDisplacementAlready) {
+    SceneDescription scene = withChoice(plainScene(), ModelTerm::HalfSpaceSolve, true);
+    scene = withChoice(scene, ModelTerm::OutsideDisplacement, true);
+    EXPECT_EQ(scene.deformation, DeformationTier::HalfSpace);
+    scene = withChoice(scene, ModelTerm::OutsideDisplacement, false);
+    EXPECT_EQ(scene.deformation, DeformationTier::ContactRadius);
+    scene = withChoice(scene, ModelTerm::HalfSpaceSolve, false);
+    EXPECT_EQ(scene.deformation, DeformationTier::ContactRadius);
+}
+
+class Fidelity : public Window {
+protected:
+    void SetUp() override {
+        Window::SetUp();
+        openFlatScene();
+        window.menus().fidelity->trigger();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel()));
+    }
+
+    FidelityPanel& panel() { return window.fidelity(); }
+    QComboBox* choiceOf(ModelTerm term) { return child<QComboBox>(nameOf(term)); }
+    void choose(ModelTerm term, const QString& choice) {
+        QComboBox* combo = choiceOf(term);
+        while (combo->currentText() != choice) {
+            QTest::keyClick(combo, combo->currentIndex() < combo->findText(choice) ? Qt::Key_Down
+                                                                                   : Qt::Key_Up);
+        }
+    }
+    void pick(int index) {
+        auto* chart = panel().findChild<TradeOffChart*>();
+        panel().grab();
+        QTest::mouseClick(&chart->canvas(), Qt::LeftButton, {}, chart->placeOf(index));
+    }
+    /// Ticks go on after what was done before.
+    bool goesOn() {
+        return eventually([this] { return session.run()->loop().snapshot().statistics.ticks > 5; });
+    }
+    const Scene& scene() { return session.run()->scene(); }
+};
+
+TEST_F(Fidelity, ATermOverruledIsOutAndTheRunGoesOn) {
+    Settings turned = session.run()->settings();
+    turned.forceGain = 250.0;
+    session.run()->setSettings(turned);
+    const double x = session.run()->basePosition().x();
+    choose(ModelTerm::Friction, QStringLiteral("on"));
+    EXPECT_TRUE(scene().model.friction);
+    choose(ModelTerm::Friction, QStringLiteral("off"));
+    EXPECT_FALSE(scene().model.friction);
+    EXPECT_EQ(scene().description.terms.friction, false);
+    EXPECT_EQ(choiceOf(ModelTerm::Friction)->currentText(), QStringLiteral("off"));
+    EXPECT_EQ(session.run()->settings().forceGain, 250.0);
+    EXPECT_TRUE(goesOn());
+    EXPECT_NEAR(session.run()->basePosition().x(), x, 1e-12);
+    choose(ModelTerm::Friction, QStringLiteral("auto"));
+    EXPECT_FALSE(scene().description.terms.friction.has_value());
+}
+
+TEST_F(Fidelity, FeetAndDeformationAreChosenByTheirTerms) {
+    choose(ModelTerm::GlobalSearch, QStringLiteral("off"));
+    EXPECT_EQ(scene().description.footSearch, FootEffort::Local);
+    choose(ModelTerm::OutsideDisplacement, QStringLiteral("off"));
+    EXPECT_EQ(scene().model.deformation, DeformationTier::ContactRadius);
+    EXPECT_EQ(choiceOf(ModelTerm::HalfSpaceSolve)->currentText(), QStringLiteral("off"))
+        << "one choice for both";
+    choose(ModelTerm::HalfSpaceSolve, QStringLiteral("auto"));
+    EXPECT_FALSE(scene().description.deformation.has_value());
+    EXPECT_TRUE(goesOn());
+}
+
+TEST_F(Fidelity, AWayForTheTickIsPickedInTheChartAndTakenBack) {
+    panel().showTradeOff(twoWays());
+    pick(1);
+    EXPECT_EQ(tierOf(scene().model), twoWays().ticks[1].tier);
+    EXPECT_TRUE(goesOn());
+    EXPECT_EQ(panel().findChild<TradeOffChart*>()->current(), 1);
+    EXPECT_FALSE(choiceOf(ModelTerm::Adhesion)->isEnabled());
+    pick(0);
+    EXPECT_EQ(scene().model.law.law, ContactLaw::Hertz);
+    QTest::mouseClick(child<QPushButton>("allAutomatic"), Qt::LeftButton);
+    EXPECT_FALSE(scene().description.law.has_value());
+    EXPECT_TRUE(choiceOf(ModelTerm::Adhesion)->isEnabled());
+    EXPECT_TRUE(goesOn());
+}
+
+TEST_F(Fidelity, AModelThatCannotBeIsRefusedAndTheSceneStays) {
+    TradeOff study = twoWays();
+    study.ticks[1].tier.law = ContactLaw::HertzFilm;  // the sample has no film
+    panel().showTradeOff(study);
+    const LiveRun* const run = session.run();
+    pick(1);
+    EXPECT_EQ(session.run(), run);
+    EXPECT_NE(window.findChild<QWidget*>("qt_msgbox_label"), nullptr);
+    EXPECT_FALSE(scene().description.law.has_value());
+}
+
+TEST_F(Fidelity, MeasuresBesideTheRun) {
+    QTest::mouseClick(child<QPushButton>("measure"), Qt::LeftButton);
+    EXPECT_FALSE(child<QPushButton>("measure")->isEnabled());
+    EXPECT_TRUE(eventually([this] { return panel().tradeOff().has_value(); }, 120000));
+    EXPECT_TRUE(child<QPushButton>("measure")->isEnabled());
+    EXPECT_GT(panel().tradeOff()->ticks.size(), 4U);
+    EXPECT_GE(panel().findChild<TradeOffChart*>()->current(), 0);
+}
+
+TEST_F(Fidelity, WhatWasMeasuredOfASceneBeforeIsDropped) {
+    QTest::mouseClick(child<QPushButton>("measure"), Qt::LeftButton);
+    openFlatScene();
+    EXPECT_TRUE(eventually([this] { return child<QPushButton>("measure")->isEnabled(); }, 120000));
+    EXPECT_FALSE(panel().tradeOff().has_value());
+}
+
+TEST_F(Fidelity, AScanTooLargeToBeCopiedIsNotMeasured) {
+    constexpr int kSide = 2049;
+    const HeightMap wide{.columns = kSide,
+                         .rows = kSide,
+                         .pitchX = 1e-9,
+                         .pitchY = 1e-9,
+                         .heights = std::vector<double>(std::size_t{kSide} * kSide, 0.0)};
+    EXPECT_FALSE(canBeStudied(buildScene(plainScene(), wide)));
+    EXPECT_TRUE(canBeStudied(scene()));
+}
+
+}  // namespace
+}  // namespace asperity::test

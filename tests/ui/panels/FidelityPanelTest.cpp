@@ -1,0 +1,189 @@
+#include "ui/panels/FidelityPanel.h"
+
+#include "core/Units.h"
+#include "tests/ui/panels/PanelSamples.h"
+#include "ui/panels/TradeOffChart.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace asperity::test {
+namespace {
+
+TickResult result(ContactLaw law, double median, double error, bool onFront) {
+    return {.tier = {.law = law}, .median = median, .forceErrorRms = error, .onFront = onFront};
+}
+
+TradeOff study() {
+    TradeOff study;
+    study.reference.forceScale = 10.0_nN;
+    study.ticks = {result(ContactLaw::Hertz, 2.0_us, 1.0_nN, true),
+                   result(ContactLaw::Jkr, 4.0_us, 0.5_nN, false),
+                   result(ContactLaw::Maugis, 3.0_us, 0.2_nN, true),
+                   result(ContactLaw::Split, 3.5_us, 0.0, true)};
+    return study;
+}
+
+SceneNeeds needs() {
+    SceneNeeds needs;
+    for (const ModelTerm term : kModelTerms) {
+        needs.terms.push_back({.term = term, .why = "because"});
+    }
+    needs.terms[4] = {.term = ModelTerm::Friction,
+                      .on = false,
+                      .why = "the sample is slippery",
+                      .effect = 0.0123,
+                      .time = 0.52_us};
+    needs.terms[8].effect = 0.25;
+    needs.terms[8].time = 1.5_ms;
+    needs.tolerance = 0.05;
+    return needs;
+}
+
+class FidelityPanelTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        panel.showModel(needs(), {}, {.law = ContactLaw::Maugis});
+        panel.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    }
+
+    QString cell(int row, int column) {
+        return panel.findChild<TermTable*>()->item(row, column)->text();
+    }
+    QComboBox& choiceOf(ModelTerm term) {
+        return *panel.findChild<QComboBox*>(QString::fromUtf8(nameOf(term)));
+    }
+    TradeOffChart& chart() { return *panel.findChild<TradeOffChart*>(); }
+    QString key() { return textOf(panel, "chartKey"); }
+
+    FidelityPanel panel;
+};
+
+TEST_F(FidelityPanelTest, ShowsWhatEachTermIsWorth) {
+    EXPECT_EQ(cell(4, 0), QStringLiteral("friction"));
+    EXPECT_EQ(cell(4, 2), QStringLiteral("off"));
+    EXPECT_EQ(cell(4, 3), QStringLiteral("1.2 % of the force"));
+    EXPECT_EQ(cell(4, 4), QStringLiteral("0.52 µs a tick"));
+    EXPECT_EQ(cell(4, 5), QStringLiteral("the sample is slippery"));
+    EXPECT_EQ(cell(8, 3), QStringLiteral("25 % of the indentation"));
+    EXPECT_EQ(cell(8, 4), QStringLiteral("1.50 ms a patch"));
+    EXPECT_EQ(cell(0, 3), QStringLiteral("–")) << "not measured";
+}
+
+TEST_F(FidelityPanelTest, EveryTermIsInSight) {
+    panel.grab();
+    EXPECT_LE(panel.height(), 760);
+    const auto* table = panel.findChild<TermTable*>();
+    EXPECT_LE(table->visualItemRect(table->item(9, 0)).bottom(), table->viewport()->height());
+    for (int row = 0; row < table->rowCount(); ++row) {
+        for (int column = 2; column < 5; ++column) {
+            EXPECT_LE(table->fontMetrics().horizontalAdvance(cell(row, column)),
+                      table->columnWidth(column));
+        }
+    }
+}
+
+TEST_F(FidelityPanelTest, AChoiceOfAPersonIsTold) {
+    std::vector<std::pair<ModelTerm, std::optional<bool>>> told;
+    QObject::connect(
+        &panel, &FidelityPanel::termChosen, &panel,
+        [&told](ModelTerm term, std::optional<bool> on) { told.emplace_back(term, on); });
+    for (const Qt::Key key : {Qt::Key_Down, Qt::Key_Down, Qt::Key_Home}) {
+        QTest::keyClick(&choiceOf(ModelTerm::Friction), key);
+    }
+    ASSERT_EQ(told.size(), 3U);
+    EXPECT_EQ(told[0], std::pair(ModelTerm::Friction, std::optional(true)));
+    EXPECT_EQ(told[1], std::pair(ModelTerm::Friction, std::optional(false)));
+    EXPECT_EQ(told[2], std::pair(ModelTerm::Friction, std::optional<bool>()));
+}
+
+TEST_F(FidelityPanelTest, WhatAProgramSetsIsShownAndNotTold) {
+    bool told = false;
+    QObject::connect(&panel, &FidelityPanel::termChosen, &panel, [&told] { told = true; });
+    const QSignalSpy tolerance(&panel, &FidelityPanel::toleranceChosen);
+    ModelChoices choices;
+    choices.terms[0] = true;
+    choices.terms[4] = false;
+    SceneNeeds changed = needs();
+    changed.tolerance = 0.1;
+    panel.showModel(changed, choices, {});
+    EXPECT_EQ(choiceOf(ModelTerm::Adhesion).currentText(), QStringLiteral("on"));
+    EXPECT_EQ(choiceOf(ModelTerm::Friction).currentText(), QStringLiteral("off"));
+    EXPECT_EQ(choiceOf(ModelTerm::Torsion).currentText(), QStringLiteral("auto"));
+    EXPECT_EQ(panel.findChild<QDoubleSpinBox*>("tolerance")->value(), 10.0);
+    EXPECT_FALSE(told);
+    EXPECT_EQ(tolerance.count(), 0);
+}
+
+TEST_F(FidelityPanelTest, AGivenLawLeavesNoChoiceOfItsTerms) {
+    ModelChoices choices;
+    choices.lawIsGiven = true;
+    panel.showModel(needs(), choices, {});
+    for (const ModelTerm term :
+         {ModelTerm::Adhesion, ModelTerm::VanDerWaalsTail, ModelTerm::SphereCorrection}) {
+        EXPECT_FALSE(choiceOf(term).isEnabled());
+        EXPECT_EQ(choiceOf(term).currentText(), QStringLiteral("as the law says"));
+    }
+    EXPECT_TRUE(choiceOf(ModelTerm::Friction).isEnabled());
+    panel.showModel(needs(), {}, {});
+    EXPECT_TRUE(choiceOf(ModelTerm::Adhesion).isEnabled());
+    EXPECT_EQ(choiceOf(ModelTerm::Adhesion).currentText(), QStringLiteral("auto"));
+}
+
+TEST_F(FidelityPanelTest, TheToleranceIsToldAsAShare) {
+    QSignalSpy chosen(&panel, &FidelityPanel::toleranceChosen);
+    auto* box = panel.findChild<QDoubleSpinBox*>("tolerance");
+    box->selectAll();
+    QTest::keyClicks(box, "2");
+    EXPECT_EQ(chosen.count(), 0) << "not before it is whole";
+    QTest::keyClick(box, Qt::Key_Return);
+    ASSERT_EQ(chosen.count(), 1);
+    EXPECT_DOUBLE_EQ(chosen[0][0].toDouble(), 0.02);
+}
+
+TEST_F(FidelityPanelTest, AClickPicksTheNearestPoint) {
+    panel.showTradeOff(study());
+    panel.grab();
+    std::vector<TickTier> picked;
+    QObject::connect(&panel, &FidelityPanel::tierPicked, &panel,
+                     [&picked](const TickTier& tier) { picked.push_back(tier); });
+    QTest::mouseClick(&chart().canvas(), Qt::LeftButton, {}, chart().placeOf(1) + QPoint(3, -3));
+    ASSERT_EQ(picked.size(), 1U);
+    EXPECT_EQ(picked[0].law, ContactLaw::Jkr);
+    QTest::mouseClick(&chart().canvas(), Qt::LeftButton, {},
+                      QPoint(chart().canvas().width() - 5, chart().canvas().height() - 5));
+    EXPECT_EQ(picked.size(), 1U) << "no point is near";
+}
+
+TEST_F(FidelityPanelTest, TheFrontIsNumberedAndThePresentTickRinged) {
+    panel.showTradeOff(study());
+    EXPECT_EQ(chart().current(), 2);
+    EXPECT_TRUE(key().contains(QStringLiteral("1</b></span>&nbsp; Hertz"))) << key().toStdString();
+    EXPECT_TRUE(key().contains(QStringLiteral("2.00 µs, 1 nN (10 % of the force)")));
+    EXPECT_TRUE(key().contains(QStringLiteral("3.50 µs, below 0.001 % of the force")));
+    EXPECT_FALSE(key().contains(QStringLiteral("JKR"))) << "another is cheaper and nearer";
+    panel.showModel(needs(), {}, {.law = ContactLaw::Jkr});
+    EXPECT_EQ(chart().current(), 1);
+    panel.showModel(needs(), {}, {.law = ContactLaw::Sneddon});
+    EXPECT_EQ(chart().current(), -1) << "it was not measured";
+}
+
+TEST_F(FidelityPanelTest, SaysThatItMeasures) {
+    const QSignalSpy asked(&panel, &FidelityPanel::measureRequested);
+    auto* measure = panel.findChild<QPushButton*>("measure");
+    EXPECT_TRUE(textOf(panel, "chartHint").contains("Measure"));
+    QTest::mouseClick(measure, Qt::LeftButton);
+    EXPECT_EQ(asked.count(), 1);
+    panel.setMeasuring(true);
+    EXPECT_FALSE(measure->isEnabled());
+    EXPECT_EQ(textOf(panel, "chartHint"), QStringLiteral("measuring…"));
+    panel.setMeasuring(false);
+    EXPECT_TRUE(measure->isEnabled());
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,61 @@
+/// Opens the fidelity panel on a scene, measures, and saves what the panel shows.
+/// Usage: asperity_fidelity_picture SCENE_OR_SCAN OUT.png
+
+#include "app/LiveWindow.h"
+#include "app/VirtualDisplay.h"
+#include "core/Error.h"
+#include "ui/WindowMenus.h"
+#include "ui/panels/FidelityPanel.h"
+
+#include <QAction>
+#include <QPixmap>
+#include <QPushButton>
+#include <QTimer>
+
+#include <exception>
+#include <iostream>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+int run(char** argv) {
+    const VirtualDisplay display;
+    LiveWindow live;
+    live.session().use(loadScene(argv[1], {}));
+    live.window().menus().fidelity->trigger();
+    FidelityPanel& panel = live.window().fidelity();
+    panel.findChild<QPushButton*>(QStringLiteral("measure"))->click();
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, &panel, [&] {
+        if (panel.tradeOff()) {
+            panel.grab().save(QString::fromUtf8(argv[2]));
+            live.window().close();
+        }
+    });
+    timer.start(100);
+    QTimer::singleShot(120000, &live.window(), &QWidget::close);
+    const int status = live.exec();
+    if (!panel.tradeOff()) {
+        throw Error("the scene was not measured within two minutes");
+    }
+    return status;
+}
+
+}  // namespace
+
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+    if (argc != 3) {
+        std::cerr << "usage: asperity_fidelity_picture SCENE_OR_SCAN OUT.png\n";
+        return 2;
+    }
+    try {
+        return asperity::run(argv);
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        return 1;
+    }
+}

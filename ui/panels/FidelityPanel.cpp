@@ -1,0 +1,197 @@
+#include "ui/panels/FidelityPanel.h"
+
+#include "ui/Theme.h"
+#include "ui/panels/Card.h"
+#include "ui/panels/TradeOffChart.h"
+#include "ui/panels/WheelGuard.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kGap = 6;         ///< [px]
+constexpr int kKeyWidth = 300;  ///< [px]
+
+/// A card that is filled from outside.
+class OpenCard : public Card {
+public:
+    using Card::body;
+    using Card::Card;
+};
+
+/// Whether both reckon with the same force; a chart shows no other ways to decouple.
+bool isSameTick(const TickTier& a, const TickTier& b) {
+    return a.law == b.law && a.solver == b.solver && a.footSearch == b.footSearch;
+}
+
+TradeOffPoints pointsOf(const TradeOff& study) {
+    TradeOffPoints shown{.points = {}, .forceScale = study.reference.forceScale};
+    for (const TickResult& result : study.ticks) {
+        shown.points.push_back({.time = result.median,
+                                .error = result.forceErrorRms,
+                                .name = QString::fromStdString(result.tier.name()),
+                                .onFront = result.onFront});
+    }
+    return shown;
+}
+
+/// @param error of the force [N] @param scale of the force [N]
+QString errorText(double error, double scale) {
+    if (error < kNoticedShare * scale) {
+        return FidelityPanel::tr("below %1 % of the force").arg(100.0 * kNoticedShare);
+    }
+    return FidelityPanel::tr("%1 nN (%2 % of the force)")
+        .arg(1e9 * error, 0, 'g', 2)
+        .arg(100.0 * error / scale, 0, 'g', 2);
+}
+
+}  // namespace
+
+FidelityPanel::FidelityPanel(QWidget* parent)
+    : QWidget(parent, Qt::Tool)
+    , terms_(new TermTable(this))
+    , summary_(new QLabel(this))
+    , tolerance_(new QDoubleSpinBox(this))
+    , automatic_(new QPushButton(tr("All automatic"), this))
+    , chart_(new TradeOffChart(this))
+    , key_(new QLabel(this))
+    , measure_(new QPushButton(this)) {
+    setWindowTitle(tr("Fidelity"));
+    summary_->setObjectName(QStringLiteral("fidelitySummary"));
+    tolerance_->setObjectName(QStringLiteral("tolerance"));
+    automatic_->setObjectName(QStringLiteral("allAutomatic"));
+    measure_->setObjectName(QStringLiteral("measure"));
+    key_->setObjectName(QStringLiteral("chartKey"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kGap, kGap, kGap, kGap);
+    column->setSpacing(kGap);
+    column->addWidget(termCard());
+    column->addWidget(chartCard(), 1);
+    connectPerson();
+    setMeasuring(false);
+    resize(1080, 760);
+}
+
+QWidget* FidelityPanel::termCard() {
+    auto* card = new OpenCard(tr("What the model of this scene has"), this);
+    tolerance_->setRange(0.0, 100.0);
+    tolerance_->setDecimals(2);
+    tolerance_->setSuffix(tr(" %"));
+    tolerance_->setKeyboardTracking(false);
+    tolerance_->setToolTip(
+        tr("By how much terms left out may change forces and the surface, together"));
+    guardFromWheel(*tolerance_);
+    automatic_->setToolTip(tr("Law, terms, feet and deformation as the scene requires"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(summary_, 1);
+    row->addWidget(captionLabel(tr("Tolerance"), this));
+    row->addWidget(tolerance_);
+    row->addWidget(automatic_);
+    card->body().addWidget(terms_);
+    card->body().addLayout(row);
+    return card;
+}
+
+QWidget* FidelityPanel::chartCard() {
+    auto* card = new OpenCard(tr("Ways for a tick: click a point to take it"), this);
+    key_->setTextFormat(Qt::RichText);
+    key_->setWordWrap(true);
+    key_->setFixedWidth(kKeyWidth);
+    key_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    key_->setFont(theme::textFont(theme::kSmallSize));
+    auto* side = new QVBoxLayout;
+    side->addWidget(key_, 1);
+    side->addWidget(measure_, 0, Qt::AlignRight);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2 * kGap);
+    row->addWidget(chart_, 1);
+    row->addLayout(side);
+    card->body().addLayout(row, 1);
+    return card;
+}
+
+void FidelityPanel::connectPerson() {
+    connect(terms_, &TermTable::termChosen, this, &FidelityPanel::termChosen);
+    connect(tolerance_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+            [this](double percent) { Q_EMIT toleranceChosen(percent / 100.0); });
+    connect(automatic_, &QPushButton::clicked, this, &FidelityPanel::automaticRequested);
+    connect(measure_, &QPushButton::clicked, this, &FidelityPanel::measureRequested);
+    connect(chart_, &TradeOffChart::picked, this, [this](int index) {
+        const TickTier tier = study_->ticks.at(static_cast<std::size_t>(index)).tier;
+        Q_EMIT tierPicked(tier);
+    });
+}
+
+void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choices,
+                              const TickTier& now) {
+    terms_->show(needs, choices);
+    const QSignalBlocker blocker(tolerance_);
+    tolerance_->setValue(100.0 * needs.tolerance);
+    summary_->setText(tr("Forces within %1 % of the whole model's; a tick takes %2 µs instead of "
+                         "%3 µs.")
+                          .arg(100.0 * needs.forceError, 0, 'g', 2)
+                          .arg(1e6 * needs.modelTick, 0, 'f', 2)
+                          .arg(1e6 * needs.fullTick, 0, 'f', 2));
+    now_ = now;
+    showCurrent();
+}
+
+void FidelityPanel::showTradeOff(const std::optional<TradeOff>& study) {
+    study_ = study;
+    const QString hint =
+        measuring_ ? tr("measuring…")
+                   : tr("Measure shows what each contact law, solver and search for feet costs on "
+                        "this scene, and how far its forces are from the best.");
+    chart_->setPoints(study_ ? pointsOf(*study_) : TradeOffPoints{}, hint);
+    showCurrent();
+}
+
+void FidelityPanel::setMeasuring(bool measuring) {
+    measuring_ = measuring;
+    measure_->setEnabled(!measuring);
+    measure_->setText(measuring ? tr("measuring…") : tr("Measure"));
+    showTradeOff(study_);
+}
+
+void FidelityPanel::showCurrent() {
+    int current = -1;
+    if (study_) {
+        const auto found = std::ranges::find_if(
+            study_->ticks, [this](const TickResult& r) { return isSameTick(r.tier, now_); });
+        if (found != study_->ticks.end()) {
+            current = static_cast<int>(found - study_->ticks.begin());
+        }
+    }
+    chart_->setCurrent(current);
+    key_->setText(keyText());
+}
+
+/// What the numbers in the chart stand for, and the ring.
+QString FidelityPanel::keyText() const {
+    QString text = tr("<p><span style='color:%1'><b>◯</b></span> now: %2</p>")
+                       .arg(QColor(theme::kOrange).name(), QString::fromStdString(now_.name()));
+    if (!study_) {
+        return text;
+    }
+    const TradeOffPoints shown = pointsOf(*study_);
+    int number = 0;
+    for (const int index : frontOf(shown.points)) {
+        const TradeOffPoint& point = shown.points.at(static_cast<std::size_t>(index));
+        text += tr("<p><span style='color:%1'><b>%2</b></span>&nbsp; %3<br>%4 µs, %5</p>")
+                    .arg(QColor(theme::kAccent).name())
+                    .arg(++number)
+                    .arg(point.name)
+                    .arg(1e6 * point.time, 0, 'f', 2)
+                    .arg(errorText(point.error, shown.forceScale));
+    }
+    return text;
+}
+
+}  // namespace asperity

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/fidelity/TradeOffStudy.h"
+#include "ui/panels/TermTable.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace asperity {
+
+class TradeOffChart;
+
+/// Speed against accuracy, a window of its own: the terms of the model with what each is worth, and
+/// the measured ways for a tick. Setters show a state and emit nothing; signals tell what the
+/// person changed.
+class FidelityPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FidelityPanel(QWidget* parent = nullptr);
+
+    /// @param now the way that ticks go at present
+    void showModel(const SceneNeeds& needs, const ModelChoices& choices, const TickTier& now);
+    /// None: the chart is empty.
+    void showTradeOff(const std::optional<TradeOff>& study);
+    [[nodiscard]] const std::optional<TradeOff>& tradeOff() const { return study_; }
+    /// Whether a study is under way.
+    void setMeasuring(bool measuring);
+
+Q_SIGNALS:
+    /// @param on none: as the scene requires
+    void termChosen(asperity::ModelTerm term, std::optional<bool> on);
+    void toleranceChosen(double share);  ///< of forces and of indentations
+    void tierPicked(const asperity::TickTier& tier);
+    void automaticRequested();  ///< nothing shall be overruled
+    void measureRequested();
+
+private:
+    [[nodiscard]] QWidget* termCard();
+    [[nodiscard]] QWidget* chartCard();
+    void connectPerson();
+    void showCurrent();
+    [[nodiscard]] QString keyText() const;
+
+    TermTable* terms_;
+    QLabel* summary_;
+    QDoubleSpinBox* tolerance_;
+    QPushButton* automatic_;
+    TradeOffChart* chart_;
+    QLabel* key_;
+    QPushButton* measure_;
+    std::optional<TradeOff> study_;
+    TickTier now_;
+    bool measuring_ = false;
+};
+
+}  // namespace asperity

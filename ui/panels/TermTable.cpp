@@ -1,0 +1,151 @@
+#include "ui/panels/TermTable.h"
+
+#include "ui/Theme.h"
+#include "ui/panels/WheelGuard.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+enum Column : int { Term, Choice, Now, Effect, Time, Why, ColumnCount };
+enum ChoiceItem : int { Auto, On, Off };
+
+bool isOfLaw(ModelTerm term) {
+    return term == ModelTerm::Adhesion || term == ModelTerm::VanDerWaalsTail ||
+           term == ModelTerm::SphereCorrection;
+}
+
+ChoiceItem itemOf(const std::optional<bool>& choice) {
+    if (!choice) {
+        return Auto;
+    }
+    return *choice ? On : Off;
+}
+
+std::optional<bool> choiceOf(int item) {
+    return item == Auto ? std::nullopt : std::optional(item == On);
+}
+
+bool isMeasured(const TermNeed& need) { return need.effect != 0.0 || need.time != 0.0; }
+
+/// "7.0 % of the force"; two digits, whole numbers from ten on.
+QString effectText(const TermNeed& need) {
+    if (!isMeasured(need)) {
+        return QStringLiteral("–");
+    }
+    const double percent = 100.0 * need.effect;
+    const QString number = percent >= 10.0  ? QString::number(percent, 'f', 0)
+                           : percent >= 1.0 ? QString::number(percent, 'f', 1)
+                           : percent == 0.0 ? QStringLiteral("0")
+                                            : QString::number(percent, 'g', 2);
+    return isOfSurface(need.term) ? TermTable::tr("%1 % of the indentation").arg(number)
+                                  : TermTable::tr("%1 % of the force").arg(number);
+}
+
+QString timeText(const TermNeed& need) {
+    if (!isMeasured(need)) {
+        return QStringLiteral("–");
+    }
+    return isOfSurface(need.term) ? TermTable::tr("%1 ms a patch").arg(1e3 * need.time, 0, 'f', 2)
+                                  : TermTable::tr("%1 µs a tick").arg(1e6 * need.time, 0, 'f', 2);
+}
+
+}  // namespace
+
+TermTable::TermTable(QWidget* parent)
+    : QTableWidget(static_cast<int>(kModelTerms.size()), ColumnCount, parent), choices_() {
+    setHorizontalHeaderLabels({tr("Term"), tr("Choice"), tr("Now"), tr("Leaving it out changes"),
+                               tr("It costs"), tr("Why")});
+    for (int row = 0; row < rowCount(); ++row) {
+        addRow(row);
+    }
+    verticalHeader()->hide();
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setSectionResizeMode(Why, QHeaderView::Stretch);
+    setEditTriggers(NoEditTriggers);
+    setSelectionMode(NoSelection);
+    setFocusPolicy(Qt::NoFocus);
+    setShowGrid(false);
+    setAlternatingRowColors(true);
+    setWordWrap(true);
+}
+
+void TermTable::addRow(int row) {
+    const ModelTerm term = kModelTerms.at(static_cast<std::size_t>(row));
+    for (int column = 0; column < ColumnCount; ++column) {
+        setItem(row, column, new QTableWidgetItem);
+    }
+    setText(row, Term, QString::fromUtf8(nameOf(term)));
+    auto* combo = new QComboBox(this);
+    combo->setObjectName(QString::fromUtf8(nameOf(term)));
+    combo->setEnabled(false);
+    guardFromWheel(*combo);
+    // activated() comes from people only.
+    connect(combo, qOverload<int>(&QComboBox::activated), this,
+            [this, term](int item) { Q_EMIT termChosen(term, choiceOf(item)); });
+    combo->addItems({tr("auto"), tr("on"), tr("off")});
+    setCellWidget(row, Choice, combo);
+    choices_.at(static_cast<std::size_t>(row)) = combo;
+}
+
+void TermTable::show(const SceneNeeds& needs, const ModelChoices& choices) {
+    for (int row = 0; row < rowCount(); ++row) {
+        const auto need = std::ranges::find(
+            needs.terms, kModelTerms.at(static_cast<std::size_t>(row)), &TermNeed::term);
+        showNeed(row, need == needs.terms.end() ? TermNeed{.why = {}} : *need);
+        showChoice(row, choices);
+    }
+    fitHeight();
+}
+
+void TermTable::showNeed(int row, const TermNeed& need) {
+    setText(row, Now, need.on ? tr("on") : tr("off"));
+    item(row, Now)->setForeground(QColor(need.on ? theme::kInk : theme::kMuted));
+    setText(row, Effect, effectText(need));
+    setText(row, Time, timeText(need));
+    const QString why = QString::fromStdString(need.why);
+    setText(row, Why, why);
+    item(row, Why)->setToolTip(why);
+}
+
+void TermTable::showChoice(int row, const ModelChoices& choices) {
+    const auto index = static_cast<std::size_t>(row);
+    QComboBox& combo = *choices_.at(index);
+    const bool byLaw = choices.lawIsGiven && isOfLaw(kModelTerms.at(index));
+    combo.setItemText(Auto, byLaw ? tr("as the law says") : tr("auto"));
+    combo.setCurrentIndex(byLaw ? Auto : itemOf(choices.terms.at(index)));
+    combo.setEnabled(!byLaw);
+}
+
+void TermTable::setText(int row, int column, const QString& text) {
+    item(row, column)->setText(text);
+}
+
+void TermTable::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    fitHeight();
+}
+
+void TermTable::showEvent(QShowEvent* event) {
+    QTableWidget::showEvent(event);
+    fitHeight();
+}
+
+void TermTable::fitHeight() {
+    if (!isVisible()) {
+        return;  // nobody has said how wide it is
+    }
+    resizeRowsToContents();
+    setFixedHeight(horizontalHeader()->height() + verticalHeader()->length() + 2 * frameWidth());
+}
+
+}  // namespace asperity

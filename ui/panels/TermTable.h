@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/fidelity/SceneNeeds.h"
+
+#include <QTableWidget>
+
+#include <array>
+#include <optional>
+
+class QComboBox;
+
+namespace asperity {
+
+/// What the scene says of its model; none: as the scene requires.
+struct ModelChoices {
+    std::array<std::optional<bool>, kModelTerms.size()> terms;  ///< in the order of kModelTerms
+    bool lawIsGiven = false;  ///< so that there is no choice about the terms of the law
+};
+
+/// The terms of the model, one a row: whether it is in, what it is worth and why. The person may
+/// overrule each.
+class TermTable : public QTableWidget {
+    Q_OBJECT
+
+public:
+    explicit TermTable(QWidget* parent = nullptr);
+
+    void show(const SceneNeeds& needs, const ModelChoices& choices);
+
+Q_SIGNALS:
+    /// @param on none: as the scene requires
+    void termChosen(asperity::ModelTerm term, std::optional<bool> on);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void addRow(int row);
+    void showNeed(int row, const TermNeed& need);
+    void showChoice(int row, const ModelChoices& choices);
+    void setText(int row, int column, const QString& text);
+    /// All rows in sight, each as high as its words need at this width.
+    void fitHeight();
+
+    std::array<QComboBox*, kModelTerms.size()> choices_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,299 @@
+#include "ui/panels/TradeOffChart.h"
+
+#include "ui/Theme.h"
+
+#include <QHelpEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QStackedLayout>
+#include <QToolTip>
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_curve.h>
+#include <qwt_plot_grid.h>
+#include <qwt_plot_layout.h>
+#include <qwt_plot_marker.h>
+#include <qwt_scale_engine.h>
+#include <qwt_scale_map.h>
+#include <qwt_scale_widget.h>
+#include <qwt_symbol.h>
+#include <qwt_text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kReach = 24;     ///< of a click [px]
+constexpr int kPointSize = 8;  ///< [px]
+constexpr int kRingSize = 17;  ///< [px]
+constexpr double kMicroseconds = 1e6;
+constexpr double kNanonewtons = 1e9;
+
+struct Range {
+    double low = 1.0;
+    double high = 10.0;
+};
+
+/// A logarithmic axis around these values.
+Range rangeAround(double least, double largest) {
+    const double margin = std::max(1.25, std::pow(largest / least, 0.08));
+    return {least / margin, largest * margin};
+}
+
+/// 1, 2, 5 of each decade where there are few of them, else each decade.
+QwtScaleDiv divisions(const Range& range) {
+    const bool fine = range.high / range.low < 1e3;
+    QList<double> ticks;
+    for (double decade = std::pow(10.0, std::floor(std::log10(range.low))); decade < range.high;
+         decade *= 10.0) {
+        for (const double step : {1.0, 2.0, 5.0}) {
+            const double tick = step * decade;
+            if ((fine || step == 1.0) && tick >= range.low && tick <= range.high) {
+                ticks << tick;
+            }
+        }
+    }
+    return QwtScaleDiv(range.low, range.high, {}, {}, ticks);
+}
+
+QwtText axisTitle(const QString& text) {
+    QwtText title(text);
+    title.setFont(theme::textFont(theme::kSmallSize));
+    title.setColor(QColor(theme::kMuted));
+    return title;
+}
+
+QwtSymbol* dot(QRgb colour) {
+    return new QwtSymbol(QwtSymbol::Ellipse, QColor(colour), QPen(QColor(theme::kPaper)),
+                         {kPointSize, kPointSize});
+}
+
+}  // namespace
+
+std::vector<int> frontOf(const std::vector<TradeOffPoint>& points) {
+    std::vector<int> front;
+    for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+        if (points[static_cast<std::size_t>(i)].onFront) {
+            front.push_back(i);
+        }
+    }
+    std::sort(front.begin(), front.end(), [&points](int a, int b) {
+        return points[static_cast<std::size_t>(a)].time < points[static_cast<std::size_t>(b)].time;
+    });
+    return front;
+}
+
+class TradeOffChart::Plot {
+public:
+    explicit Plot(TradeOffChart* owner);
+
+    void show(const TradeOffPoints& shown, const QString& hint);
+    void ring(int index);
+    [[nodiscard]] QwtPlotCanvas& canvas() const { return *canvas_; }
+    [[nodiscard]] QPoint placeOf(int index) const;
+
+private:
+    void buildAxes();
+    void buildItems();
+    void showRanges(const TradeOffPoints& shown);
+    void number(const std::vector<int>& front);
+
+    QStackedLayout* layers_;
+    QLabel* hint_;
+    QwtPlot* plot_;
+    QwtPlotCanvas* canvas_;
+    QwtPlotCurve* others_ = nullptr;  // items are owned by the plot
+    QwtPlotCurve* front_ = nullptr;
+    QwtPlotMarker* ring_ = nullptr;
+    std::vector<QwtPlotMarker*> numbers_;
+    QVector<QPointF> places_;  ///< [us, nN]
+};
+
+TradeOffChart::Plot::Plot(TradeOffChart* owner)
+    : layers_(new QStackedLayout(owner))
+    , hint_(new QLabel(owner))
+    , plot_(new QwtPlot(owner))
+    , canvas_(new QwtPlotCanvas(plot_)) {
+    hint_->setObjectName(QStringLiteral("chartHint"));
+    hint_->setAlignment(Qt::AlignCenter);
+    hint_->setWordWrap(true);
+    layers_->addWidget(hint_);
+    layers_->addWidget(plot_);
+    canvas_->setFrameStyle(QFrame::NoFrame);
+    canvas_->setCursor(Qt::PointingHandCursor);
+    plot_->setCanvas(canvas_);
+    plot_->setCanvasBackground(QColor(theme::kPaper));
+    buildAxes();
+    buildItems();
+}
+
+void TradeOffChart::Plot::buildAxes() {
+    plot_->enableAxis(QwtPlot::yRight);
+    plot_->setAxisTitle(QwtPlot::xBottom, axisTitle(TradeOffChart::tr("median of a tick [µs]")));
+    plot_->setAxisTitle(QwtPlot::yLeft, axisTitle(TradeOffChart::tr("rms force error [nN]")));
+    plot_->setAxisTitle(QwtPlot::yRight, axisTitle(TradeOffChart::tr("of the force [%]")));
+    for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft, QwtPlot::yRight}) {
+        plot_->setAxisScaleEngine(axis, new QwtLogScaleEngine);
+        plot_->setAxisFont(axis, theme::textFont(theme::kSmallSize));
+        QPalette palette;
+        palette.setColor(QPalette::WindowText, theme::kMuted);
+        palette.setColor(QPalette::Text, theme::kMuted);
+        plot_->axisWidget(axis)->setPalette(palette);
+    }
+    plot_->plotLayout()->setAlignCanvasToScales(true);
+}
+
+void TradeOffChart::Plot::buildItems() {
+    auto* grid = new QwtPlotGrid;
+    grid->setPen(QColor(theme::kFaint), 0.0, Qt::SolidLine);
+    grid->attach(plot_);
+    others_ = new QwtPlotCurve;
+    others_->setStyle(QwtPlotCurve::NoCurve);
+    others_->setSymbol(dot(qRgb(160, 166, 178)));
+    front_ = new QwtPlotCurve;
+    front_->setPen(QColor(theme::kAccent), 1.3, Qt::SolidLine);
+    front_->setSymbol(dot(theme::kAccent));
+    for (QwtPlotCurve* curve : {others_, front_}) {
+        curve->setRenderHint(QwtPlotItem::RenderAntialiased);
+        curve->attach(plot_);
+    }
+    ring_ = new QwtPlotMarker;
+    ring_->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, Qt::NoBrush,
+                                   QPen(QColor(theme::kOrange), 2.0), {kRingSize, kRingSize}));
+    ring_->setRenderHint(QwtPlotItem::RenderAntialiased);
+    ring_->attach(plot_);
+}
+
+void TradeOffChart::Plot::show(const TradeOffPoints& shown, const QString& hint) {
+    hint_->setText(hint);
+    layers_->setCurrentIndex(shown.points.empty() ? 0 : 1);
+    const double floor = kNoticedShare * shown.forceScale;
+    places_.clear();
+    QVector<QPointF> others;
+    for (const TradeOffPoint& point : shown.points) {
+        places_ << QPointF(kMicroseconds * point.time, kNanonewtons * std::max(point.error, floor));
+        if (!point.onFront) {
+            others << places_.back();
+        }
+    }
+    others_->setSamples(others);
+    number(frontOf(shown.points));
+    if (!places_.isEmpty()) {
+        showRanges(shown);
+    }
+    plot_->replot();
+}
+
+void TradeOffChart::Plot::showRanges(const TradeOffPoints& shown) {
+    const auto [fastest, slowest] = std::minmax_element(
+        places_.begin(), places_.end(), [](auto& a, auto& b) { return a.x() < b.x(); });
+    const auto [best, worst] = std::minmax_element(places_.begin(), places_.end(),
+                                                   [](auto& a, auto& b) { return a.y() < b.y(); });
+    const Range error = rangeAround(best->y(), worst->y());
+    const double percent = 100.0 / (kNanonewtons * shown.forceScale);
+    plot_->setAxisScaleDiv(QwtPlot::xBottom, divisions(rangeAround(fastest->x(), slowest->x())));
+    plot_->setAxisScaleDiv(QwtPlot::yLeft, divisions(error));
+    plot_->setAxisScaleDiv(QwtPlot::yRight, divisions({percent * error.low, percent * error.high}));
+}
+
+/// Joins the front and numbers it.
+void TradeOffChart::Plot::number(const std::vector<int>& front) {
+    for (QwtPlotMarker* marker : numbers_) {
+        marker->detach();
+        delete marker;
+    }
+    numbers_.clear();
+    QVector<QPointF> joined;
+    for (const int index : front) {
+        joined << places_[index];
+        QwtText text(QString::number(joined.size()));
+        text.setFont(theme::boldFont());
+        text.setColor(QColor(theme::kAccent));
+        numbers_.push_back(new QwtPlotMarker);
+        numbers_.back()->setValue(joined.back());
+        numbers_.back()->setLabel(text);
+        numbers_.back()->setLabelAlignment(Qt::AlignTop | Qt::AlignHCenter);
+        numbers_.back()->setSpacing(kPointSize);
+        numbers_.back()->attach(plot_);
+    }
+    front_->setSamples(joined);
+}
+
+void TradeOffChart::Plot::ring(int index) {
+    ring_->setVisible(index >= 0);
+    if (index >= 0) {
+        ring_->setValue(places_[index]);
+    }
+    plot_->replot();
+}
+
+QPoint TradeOffChart::Plot::placeOf(int index) const {
+    const QwtScaleMap x = plot_->canvasMap(QwtPlot::xBottom);
+    const QwtScaleMap y = plot_->canvasMap(QwtPlot::yLeft);
+    return QPointF(x.transform(places_[index].x()), y.transform(places_[index].y())).toPoint();
+}
+
+TradeOffChart::TradeOffChart(QWidget* parent)
+    : QWidget(parent), plot_(std::make_unique<Plot>(this)) {
+    plot_->canvas().installEventFilter(this);
+    setPoints({}, {});
+}
+
+TradeOffChart::~TradeOffChart() = default;
+
+void TradeOffChart::setPoints(const TradeOffPoints& points, const QString& hint) {
+    shown_ = points;
+    plot_->show(shown_, hint);
+    setCurrent(-1);
+}
+
+void TradeOffChart::setCurrent(int index) {
+    current_ = index;
+    plot_->ring(index);
+}
+
+QWidget& TradeOffChart::canvas() const { return plot_->canvas(); }
+
+QPoint TradeOffChart::placeOf(int index) const { return plot_->placeOf(index); }
+
+int TradeOffChart::nearest(const QPoint& place) const {
+    int found = -1;
+    int least = kReach * kReach;
+    for (int i = 0; i < static_cast<int>(shown_.points.size()); ++i) {
+        const QPoint way = placeOf(i) - place;
+        if (QPoint::dotProduct(way, way) < least) {
+            least = QPoint::dotProduct(way, way);
+            found = i;
+        }
+    }
+    return found;
+}
+
+QString TradeOffChart::textOf(int index) const {
+    const TradeOffPoint& point = shown_.points[static_cast<std::size_t>(index)];
+    return tr("%1: %2 µs, %3 nN")
+        .arg(point.name)
+        .arg(kMicroseconds * point.time, 0, 'g', 3)
+        .arg(kNanonewtons * point.error, 0, 'g', 3);
+}
+
+bool TradeOffChart::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonRelease) {
+        const auto* click = static_cast<QMouseEvent*>(event);
+        const int index = nearest(click->pos());
+        if (click->button() == Qt::LeftButton && index >= 0) {
+            Q_EMIT picked(index);
+        }
+    } else if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const int index = nearest(help->pos());
+        QToolTip::showText(help->globalPos(), index < 0 ? QString() : textOf(index));
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace asperity
