@@ -2,6 +2,7 @@
 
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
+#include "ui/panels/PercentText.h"
 #include "ui/panels/TradeOffChart.h"
 #include "ui/panels/WheelGuard.h"
 
@@ -45,11 +46,11 @@ TradeOffPoints pointsOf(const TradeOff& study) {
 /// @param error of the force [N] @param scale of the force [N]
 QString errorText(double error, double scale) {
     if (error < kNoticedShare * scale) {
-        return FidelityPanel::tr("below %1 % of the force").arg(100.0 * kNoticedShare);
+        return FidelityPanel::tr("below %1 % of the force").arg(percentText(kNoticedShare));
     }
     return FidelityPanel::tr("%1 nN (%2 % of the force)")
         .arg(1e9 * error, 0, 'g', 2)
-        .arg(100.0 * error / scale, 0, 'g', 2);
+        .arg(percentText(error / scale));
 }
 
 }  // namespace
@@ -136,7 +137,7 @@ void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choic
     tolerance_->setValue(100.0 * needs.tolerance);
     summary_->setText(tr("Forces within %1 % of the whole model's; a tick takes %2 µs instead of "
                          "%3 µs.")
-                          .arg(100.0 * needs.forceError, 0, 'g', 2)
+                          .arg(percentText(needs.forceError))
                           .arg(1e6 * needs.modelTick, 0, 'f', 2)
                           .arg(1e6 * needs.fullTick, 0, 'f', 2));
     now_ = now;

@@ -1,13 +1,13 @@
 #include "ui/panels/TermTable.h"
 
 #include "ui/Theme.h"
+#include "ui/panels/PercentText.h"
 #include "ui/panels/WheelGuard.h"
 
 #include <QComboBox>
 #include <QHeaderView>
 
 #include <algorithm>
-#include <cmath>
 
 namespace asperity {
 
@@ -34,16 +34,12 @@ std::optional<bool> choiceOf(int item) {
 
 bool isMeasured(const TermNeed& need) { return need.effect != 0.0 || need.time != 0.0; }
 
-/// "7.0 % of the force"; two digits, whole numbers from ten on.
+/// "7.0 % of the force".
 QString effectText(const TermNeed& need) {
     if (!isMeasured(need)) {
         return QStringLiteral("–");
     }
-    const double percent = 100.0 * need.effect;
-    const QString number = percent >= 10.0  ? QString::number(percent, 'f', 0)
-                           : percent >= 1.0 ? QString::number(percent, 'f', 1)
-                           : percent == 0.0 ? QStringLiteral("0")
-                                            : QString::number(percent, 'g', 2);
+    const QString number = percentText(need.effect);
     return isOfSurface(need.term) ? TermTable::tr("%1 % of the indentation").arg(number)
                                   : TermTable::tr("%1 % of the force").arg(number);
 }

@@ -199,7 +199,8 @@ void TradeOffChart::Plot::showRanges(const TradeOffPoints& shown) {
     plot_->setAxisScaleDiv(QwtPlot::yRight, divisions({percent * error.low, percent * error.high}));
 }
 
-/// Joins the front and numbers it.
+/// Joins the front and numbers it on its lower left, where no point can be; neighbours in turn
+/// beside and below, since they may be near each other.
 void TradeOffChart::Plot::number(const std::vector<int>& front) {
     for (QwtPlotMarker* marker : numbers_) {
         marker->detach();
@@ -215,8 +216,9 @@ void TradeOffChart::Plot::number(const std::vector<int>& front) {
         numbers_.push_back(new QwtPlotMarker);
         numbers_.back()->setValue(joined.back());
         numbers_.back()->setLabel(text);
-        numbers_.back()->setLabelAlignment(Qt::AlignTop | Qt::AlignHCenter);
-        numbers_.back()->setSpacing(kPointSize);
+        numbers_.back()->setLabelAlignment(
+            joined.size() % 2 == 1 ? Qt::AlignLeft : Qt::AlignLeft | Qt::AlignBottom);
+        numbers_.back()->setSpacing(kPointSize / 2);
         numbers_.back()->attach(plot_);
     }
     front_->setSamples(joined);

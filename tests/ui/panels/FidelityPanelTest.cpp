@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "tests/ui/panels/PanelSamples.h"
+#include "ui/panels/PercentText.h"
 #include "ui/panels/TradeOffChart.h"
 
 #include <QComboBox>
@@ -72,6 +73,14 @@ TEST_F(FidelityPanelTest, ShowsWhatEachTermIsWorth) {
     EXPECT_EQ(cell(8, 3), QStringLiteral("25 % of the indentation"));
     EXPECT_EQ(cell(8, 4), QStringLiteral("1.50 ms a patch"));
     EXPECT_EQ(cell(0, 3), QStringLiteral("–")) << "not measured";
+}
+
+TEST(PercentText, HasTwoDigitsAndNoPowersOfTen) {
+    EXPECT_EQ(percentText(0.0), QStringLiteral("0"));
+    EXPECT_EQ(percentText(0.00123), QStringLiteral("0.12"));
+    EXPECT_EQ(percentText(0.07), QStringLiteral("7.0"));
+    EXPECT_EQ(percentText(0.0996), QStringLiteral("10"));
+    EXPECT_EQ(percentText(2.95), QStringLiteral("295"));
 }
 
 TEST_F(FidelityPanelTest, EveryTermIsInSight) {
