@@ -1,6 +1,7 @@
 #include "core/io/SceneFile.h"
 
 #include "core/Error.h"
+#include "core/io/NamedChoice.h"
 #include "core/io/ProbeFile.h"
 #include "core/io/TomlFile.h"
 
@@ -13,9 +14,6 @@
 namespace asperity {
 
 namespace {
-
-template <class Value>
-using NamedValue = std::pair<std::string_view, Value>;
 
 constexpr std::array<NamedValue<Levelling>, 3> kLevellings{
     {{"plane", Levelling::Plane}, {"rows", Levelling::Rows}, {"none", Levelling::None}}};
@@ -38,68 +36,6 @@ constexpr std::array<NamedValue<ShapeKind>, 3> kShapes{{{"sphere", ShapeKind::Sp
                                                         {"cylinder", ShapeKind::Cylinder},
                                                         {"plane", ShapeKind::Plane}}};
 constexpr std::array<NamedValue<bool>, 2> kSwitches{{{"on", true}, {"off", false}}};
-constexpr const char* kAutomatic = "auto";
-
-template <class Value, std::size_t Size>
-using Names = std::array<NamedValue<Value>, Size>;
-
-template <class Value, std::size_t Size>
-std::string nameOf(const Names<Value, Size>& names, Value value) {
-    for (const auto& [name, candidate] : names) {
-        if (candidate == value) {
-            return std::string(name);
-        }
-    }
-    return {};
-}
-
-template <class Value, std::size_t Size>
-std::string nameOf(const Names<Value, Size>& names, const std::optional<Value>& value) {
-    return value ? nameOf(names, *value) : kAutomatic;
-}
-
-template <class Value, std::size_t Size>
-std::optional<Value> valueOf(const Names<Value, Size>& names, const std::string& given) {
-    for (const auto& [name, value] : names) {
-        if (name == given) {
-            return value;
-        }
-    }
-    return std::nullopt;
-}
-
-/// @param first names before the others
-template <class Value, std::size_t Size>
-[[noreturn]] void refuse(TomlSection& section, const std::string& key,
-                         const Names<Value, Size>& names, std::string first = {}) {
-    for (const auto& [name, value] : names) {
-        first += (first.empty() ? "" : ", ") + std::string(name);
-    }
-    section.refuse(key, "one of " + first + ", not '" + section.text(key, "") + "'");
-}
-
-template <class Value, std::size_t Size>
-Value choice(TomlSection& section, const std::string& key, const Names<Value, Size>& names,
-             Value otherwise) {
-    const auto value = valueOf(names, section.text(key, nameOf(names, otherwise)));
-    if (!value) {
-        refuse(section, key, names);
-    }
-    return *value;
-}
-
-/// A choice that may be left to the program.
-template <class Value, std::size_t Size>
-std::optional<Value> choiceOrNone(TomlSection& section, const std::string& key,
-                                  const Names<Value, Size>& names,
-                                  const std::optional<Value>& otherwise) {
-    const std::string given = section.text(key, nameOf(names, otherwise));
-    const auto value = valueOf(names, given);
-    if (!value && given != kAutomatic) {
-        refuse(section, key, names, kAutomatic);
-    }
-    return value;
-}
 
 std::string lawText(const std::optional<ContactLaw>& law) { return law ? keyOf(*law) : kAutomatic; }
 

@@ -1,9 +1,9 @@
 #include "core/probe/ForceDecoupling.h"
 
 #include "core/Units.h"
+#include "core/probe/PlanarForce.h"
 #include "core/probe/Sliding.h"
 #include "tests/core/probe/DecouplingSituations.h"
-#include "core/probe/PlanarForce.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
