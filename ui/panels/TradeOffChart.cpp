@@ -199,8 +199,7 @@ void TradeOffChart::Plot::showRanges(const TradeOffPoints& shown) {
     plot_->setAxisScaleDiv(QwtPlot::yRight, divisions({percent * error.low, percent * error.high}));
 }
 
-/// Joins the front and numbers it on its lower left, where no point can be; neighbours in turn
-/// beside and below, since they may be near each other.
+/// Joins the front and numbers it on its lower left, where no point can be.
 void TradeOffChart::Plot::number(const std::vector<int>& front) {
     for (QwtPlotMarker* marker : numbers_) {
         marker->detach();
@@ -216,8 +215,7 @@ void TradeOffChart::Plot::number(const std::vector<int>& front) {
         numbers_.push_back(new QwtPlotMarker);
         numbers_.back()->setValue(joined.back());
         numbers_.back()->setLabel(text);
-        numbers_.back()->setLabelAlignment(
-            joined.size() % 2 == 1 ? Qt::AlignLeft : Qt::AlignLeft | Qt::AlignBottom);
+        numbers_.back()->setLabelAlignment(Qt::AlignLeft | Qt::AlignBottom);
         numbers_.back()->setSpacing(kPointSize / 2);
         numbers_.back()->attach(plot_);
     }
