@@ -2,39 +2,8 @@
 
 namespace asperity {
 
-namespace {
-
-using Member = std::optional<bool> TermChoices::*;
-
-/// Where the scene says it; null: elsewhere.
-Member memberOf(ModelTerm term) {
-    switch (term) {
-    case ModelTerm::Adhesion:
-        return &TermChoices::adhesion;
-    case ModelTerm::VanDerWaalsTail:
-        return &TermChoices::vanDerWaalsTail;
-    case ModelTerm::SphereCorrection:
-        return &TermChoices::sphereCorrection;
-    case ModelTerm::SampleCurvature:
-        return &TermChoices::curvature;
-    case ModelTerm::Friction:
-        return &TermChoices::friction;
-    case ModelTerm::Torsion:
-        return &TermChoices::torsion;
-    case ModelTerm::MountTilt:
-        return &TermChoices::mountTilt;
-    case ModelTerm::GlobalSearch:
-    case ModelTerm::OutsideDisplacement:
-    case ModelTerm::HalfSpaceSolve:
-        break;
-    }
-    return nullptr;
-}
-
-}  // namespace
-
 std::optional<bool> choiceOf(ModelTerm term, const SceneDescription& scene) {
-    if (const Member member = memberOf(term)) {
+    if (const auto member = choiceMember(term)) {
         return scene.terms.*member;
     }
     if (!isSettled(term, scene)) {
@@ -47,7 +16,7 @@ std::optional<bool> choiceOf(ModelTerm term, const SceneDescription& scene) {
 }
 
 SceneDescription withChoice(SceneDescription scene, ModelTerm term, std::optional<bool> on) {
-    if (const Member member = memberOf(term)) {
+    if (const auto member = choiceMember(term)) {
         scene.terms.*member = on;
         return scene;
     }

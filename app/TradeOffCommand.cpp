@@ -76,8 +76,10 @@ void printFrames(const TradeOff& study) {
         std::printf("%c %-55s %8.2f %11.3g %11.3g\n", r.onFront ? '*' : ' ', r.tier.name().c_str(),
                     r.median * 1e3, r.surfaceErrorRms * 1e9, r.surfaceErrorMax * 1e9);
     }
-    std::printf("  reference: %s; itself: %.2g nm (%s)\n\n", study.reference.frame.name().c_str(),
-                study.reference.surfaceDoubt * 1e9, study.reference.surfaceDoubtBy.c_str());
+    const TradeOffReference& reference = study.reference;
+    std::printf("  reference, at %d of %d contacts: %s; itself: %.2g nm (%s)\n\n",
+                reference.contacts, reference.contactsAsked, reference.frame.name().c_str(),
+                reference.surfaceDoubt * 1e9, reference.surfaceDoubtBy.c_str());
 }
 
 void printRates(const TradeOff& study) {

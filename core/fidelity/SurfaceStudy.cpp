@@ -73,30 +73,40 @@ struct SurfaceError {
     }
 };
 
-/// The reference's patches of some contacts.
-struct ReferencePatches {
-    bool solved = true;  ///< all by the half-space
+/// The half-space's patches, and the contacts that they are of: those where it holds.
+struct SolvedContacts {
+    std::vector<TipState> states;
     std::vector<SurfacePatch> patches;
 };
 
 /// @param pixels of the half-space, a side
-ReferencePatches referencePatches(const Scene& scene, const std::vector<TipState>& states,
-                                  int pixels) {
-    ReferencePatches reference;
+SolvedContacts solvedContacts(const Scene& scene, const std::vector<TipState>& states, int pixels) {
+    SolvedContacts solved;
     HalfSpaceModel model(pixels, {.tolerance = 1e-4});
     for (const TipState& state : states) {
         const HalfSpaceAnswer answer = model.solve(scene, state);
-        const PatchGrid grid = gridOf(state, kReferenceSamples);
-        reference.solved = reference.solved && answer.valid();
-        reference.patches.push_back(
-            answer.valid() ? halfSpacePatch(scene, answer, grid)
-                           : contactPatch(scene, state, DeformationTier::ClosedForm, grid));
+        if (answer.valid()) {
+            solved.states.push_back(state);
+            solved.patches.push_back(
+                halfSpacePatch(scene, answer, gridOf(state, kReferenceSamples)));
+        }
     }
-    return reference;
+    return solved;
 }
 
-FrameResult resultOf(const Scene& scene, const FrameTier& tier, const std::vector<TipState>& states,
-                     const ReferencePatches& reference, int rounds) {
+/// Where no half-space holds the closed form is all there is to compare with.
+SolvedContacts closedForms(const Scene& scene, const std::vector<TipState>& states) {
+    SolvedContacts closed{.states = states, .patches = {}};
+    for (const TipState& state : states) {
+        closed.patches.push_back(contactPatch(scene, state, DeformationTier::ClosedForm,
+                                              gridOf(state, kReferenceSamples)));
+    }
+    return closed;
+}
+
+FrameResult resultOf(const Scene& scene, const FrameTier& tier, const SolvedContacts& reference,
+                     int rounds) {
+    const std::vector<TipState>& states = reference.states;
     using Clock = std::chrono::steady_clock;
     std::vector<double> times;
     SurfaceError error;
@@ -117,15 +127,15 @@ FrameResult resultOf(const Scene& scene, const FrameTier& tier, const std::vecto
 }
 
 /// How much the half-space still changes with its pixels.
-void doubt(const Scene& scene, const std::vector<TipState>& states,
-           const ReferencePatches& reference, TradeOffReference& result) {
-    if (!reference.solved) {
-        result.surfaceDoubtBy = "the closed form stands in for a half-space that does not hold";
+void doubt(const Scene& scene, const SolvedContacts& reference, TradeOffReference& result) {
+    const SolvedContacts coarser =
+        solvedContacts(scene, reference.states, HalfSpaceModel::kSamples);
+    if (coarser.states.size() != reference.states.size()) {
+        result.surfaceDoubtBy = "the half-space of half as many pixels a side does not hold";
         return;
     }
-    const ReferencePatches coarser = referencePatches(scene, states, HalfSpaceModel::kSamples);
     SurfaceError error;
-    for (std::size_t i = 0; i < states.size(); ++i) {
+    for (std::size_t i = 0; i < reference.patches.size(); ++i) {
         error.add(coarser.patches[i], reference.patches[i]);
     }
     result.surfaceDoubt = error.rms();
@@ -138,13 +148,23 @@ void studySurfaces(const Scene& scene, std::span<const TipState> states, const T
                    TradeOff& result) {
     constexpr int kFinePixels = 2 * HalfSpaceModel::kSamples;
     const std::vector<TipState> contacts = contactsOf(states, plan.patches);
-    const ReferencePatches reference = referencePatches(scene, contacts, kFinePixels);
-    result.reference.frame = {.deformation = reference.solved ? DeformationTier::HalfSpace
-                                                              : DeformationTier::ClosedForm,
+    SolvedContacts reference = solvedContacts(scene, contacts, kFinePixels);
+    const bool holds = !reference.states.empty();
+    if (holds) {
+        doubt(scene, reference, result.reference);
+    } else {
+        reference = closedForms(scene, contacts);
+        result.reference.surfaceDoubtBy = "no half-space holds here, and nothing finer is known";
+    }
+    result.reference.contacts = static_cast<int>(reference.states.size());
+    result.reference.contactsAsked = static_cast<int>(contacts.size());
+    result.reference.frame = {.deformation =
+                                  holds ? DeformationTier::HalfSpace : DeformationTier::ClosedForm,
                               .samples = kReferenceSamples};
-    doubt(scene, contacts, reference, result.reference);
     for (const FrameTier& tier : frameTiers()) {
-        result.frames.push_back(resultOf(scene, tier, contacts, reference, plan.rounds));
+        if (holds || tier.deformation != DeformationTier::HalfSpace) {
+            result.frames.push_back(resultOf(scene, tier, reference, plan.rounds));
+        }
     }
     markFront(result.frames, result.reference.surfaceDoubt);
 }

@@ -8,9 +8,10 @@
 
 namespace asperity {
 
-/// Draws contacts of a run with every frame tier and compares each with the reference's patch, a
-/// half-space of twice as many pixels a side where that holds, else the closed form. Fills in the
-/// frames and the surface's part of the reference.
+/// Draws contacts of a run with every frame tier and compares each with a half-space of twice as
+/// many pixels a side, at those contacts where that holds. Where it holds at none, the closed form
+/// is the reference, and the half-space no tier. Fills in the frames and the surface's part of the
+/// reference.
 void studySurfaces(const Scene& scene, std::span<const TipState> states, const TradeOffPlan& plan,
                    TradeOff& result);
 

@@ -49,6 +49,8 @@ struct TradeOffReference {
     double tickMedian = 0.0;    ///< [s]
     double forceScale = 0.0;    ///< root mean square of its force over the runs [N]
     double contactRatio = 0.0;  ///< largest contact radius over tip radius
+    int contacts = 0;           ///< at which pictures are compared: those where it holds
+    int contactsAsked = 0;      ///< of so many
     double forceDoubt = 0.0;    ///< root mean square [N]
     double surfaceDoubt = 0.0;  ///< root mean square [m]
     std::string forceDoubtBy;   ///< what was compared
@@ -73,9 +75,9 @@ struct TradeOffPlan {
 
 /// Runs the scene with every tier. Accuracy is taken on the virtual clock and is reproducible;
 /// times are of this machine, the tiers interleaved so that they share its mood. The reference
-/// solves the scene's own law afresh, on the exact sphere where the contact is wider than 0.3 tip
-/// radii and the sample about flat, with certified feet; its surface is the half-space's where that
-/// holds, else the closed form.
+/// solves the law that the materials ask for afresh, on the exact sphere where the contact is wider
+/// than 0.3 tip radii and the sample about flat, with certified feet and the scene's other terms;
+/// of its surface see studySurfaces().
 /// @param scene has its model changed meanwhile; it is left as it was
 [[nodiscard]] TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan);
 

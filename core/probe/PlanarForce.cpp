@@ -46,8 +46,8 @@ ForceEstimate planarEstimate(const Cantilever& cantilever, const DecouplingInput
         estimate.force = input.normalForceModel * normal;
         estimate.covariance = sigma * sigma * normal * normal.transpose();
         estimate.condition = std::numeric_limits<double>::infinity();
-        estimate.kind =
-            planar.determinant == 0.0 ? DecouplingCase::NoSliding : DecouplingCase::NearSingular;
+        const bool slides = slidingOf(normal, input.velocity).certainty > 0.0;
+        estimate.kind = slides ? DecouplingCase::NearSingular : DecouplingCase::NoSliding;
     } else {
         // The force is linear in the signals.
         const Vector3 byBending = forceOf({.bending = input.sigma.bending}).force;

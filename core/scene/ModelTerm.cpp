@@ -42,6 +42,25 @@ ContactLaw onSphere(ContactLaw law) {
     }
 }
 
+bool isOfLaw(ModelTerm term) {
+    return term == ModelTerm::Adhesion || term == ModelTerm::VanDerWaalsTail ||
+           term == ModelTerm::SphereCorrection;
+}
+
+/// Of the terms that a model says yes or no to.
+bool SceneModel::*switchOf(ModelTerm term) {
+    switch (term) {
+    case ModelTerm::SampleCurvature:
+        return &SceneModel::curvature;
+    case ModelTerm::Friction:
+        return &SceneModel::friction;
+    case ModelTerm::Torsion:
+        return &SceneModel::torsion;
+    default:
+        return &SceneModel::mountTilt;
+    }
+}
+
 }  // namespace
 
 const char* nameOf(ModelTerm term) noexcept {
@@ -74,29 +93,38 @@ bool isOfSurface(ModelTerm term) noexcept {
     return term == ModelTerm::OutsideDisplacement || term == ModelTerm::HalfSpaceSolve;
 }
 
-bool isSettled(ModelTerm term, const SceneDescription& scene) noexcept {
+std::optional<bool> TermChoices::*choiceMember(ModelTerm term) noexcept {
     switch (term) {
     case ModelTerm::Adhesion:
-        return scene.law.has_value() || scene.terms.adhesion.has_value();
+        return &TermChoices::adhesion;
     case ModelTerm::VanDerWaalsTail:
-        return scene.law.has_value() || scene.terms.vanDerWaalsTail.has_value();
+        return &TermChoices::vanDerWaalsTail;
     case ModelTerm::SphereCorrection:
-        return scene.law.has_value() || scene.terms.sphereCorrection.has_value();
+        return &TermChoices::sphereCorrection;
     case ModelTerm::SampleCurvature:
-        return scene.terms.curvature.has_value();
+        return &TermChoices::curvature;
     case ModelTerm::Friction:
-        return scene.terms.friction.has_value();
+        return &TermChoices::friction;
     case ModelTerm::Torsion:
-        return scene.terms.torsion.has_value();
+        return &TermChoices::torsion;
     case ModelTerm::MountTilt:
-        return scene.terms.mountTilt.has_value();
+        return &TermChoices::mountTilt;
     case ModelTerm::GlobalSearch:
-        return scene.footSearch.has_value();
     case ModelTerm::OutsideDisplacement:
     case ModelTerm::HalfSpaceSolve:
-        return scene.deformation.has_value();
+        break;
     }
-    return true;
+    return nullptr;
+}
+
+bool isSettled(ModelTerm term, const SceneDescription& scene) noexcept {
+    if (isOfLaw(term) && scene.law) {
+        return true;
+    }
+    if (const auto member = choiceMember(term)) {
+        return (scene.terms.*member).has_value();
+    }
+    return isOfSurface(term) ? scene.deformation.has_value() : scene.footSearch.has_value();
 }
 
 bool has(const SceneModel& model, ModelTerm term) noexcept {
@@ -109,20 +137,15 @@ bool has(const SceneModel& model, ModelTerm term) noexcept {
         return isSphere(model.law.law);
     case ModelTerm::SampleCurvature:
         return model.curvature && !isSphere(model.law.law);
-    case ModelTerm::Friction:
-        return model.friction;
-    case ModelTerm::Torsion:
-        return model.torsion;
-    case ModelTerm::MountTilt:
-        return model.mountTilt;
     case ModelTerm::GlobalSearch:
         return model.footSearch != FootEffort::Local;
     case ModelTerm::OutsideDisplacement:
         return sharesDisplacement(model.deformation);
     case ModelTerm::HalfSpaceSolve:
         return model.deformation == DeformationTier::HalfSpace;
+    default:
+        return model.*switchOf(term);
     }
-    return false;
 }
 
 SceneModel without(SceneModel model, ModelTerm term) {
@@ -139,18 +162,6 @@ SceneModel without(SceneModel model, ModelTerm term) {
     case ModelTerm::SphereCorrection:
         model.law.law = onParaboloid(model.law.law);
         break;
-    case ModelTerm::SampleCurvature:
-        model.curvature = false;
-        break;
-    case ModelTerm::Friction:
-        model.friction = false;
-        break;
-    case ModelTerm::Torsion:
-        model.torsion = false;
-        break;
-    case ModelTerm::MountTilt:
-        model.mountTilt = false;
-        break;
     case ModelTerm::GlobalSearch:
         model.footSearch = FootEffort::Local;
         break;
@@ -160,6 +171,8 @@ SceneModel without(SceneModel model, ModelTerm term) {
     case ModelTerm::HalfSpaceSolve:
         model.deformation = DeformationTier::ClosedForm;
         break;
+    default:
+        model.*switchOf(term) = false;
     }
     return model;
 }
@@ -175,18 +188,6 @@ SceneModel with(SceneModel model, ModelTerm term) {
     case ModelTerm::SphereCorrection:
         model.law.law = onSphere(model.law.law);
         break;
-    case ModelTerm::SampleCurvature:
-        model.curvature = true;
-        break;
-    case ModelTerm::Friction:
-        model.friction = true;
-        break;
-    case ModelTerm::Torsion:
-        model.torsion = true;
-        break;
-    case ModelTerm::MountTilt:
-        model.mountTilt = true;
-        break;
     case ModelTerm::GlobalSearch:
         model.footSearch = FootEffort::Certified;
         break;
@@ -196,6 +197,8 @@ SceneModel with(SceneModel model, ModelTerm term) {
     case ModelTerm::HalfSpaceSolve:
         model.deformation = DeformationTier::HalfSpace;
         break;
+    default:
+        model.*switchOf(term) = true;
     }
     return model;
 }

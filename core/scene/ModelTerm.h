@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace asperity {
 
@@ -32,6 +33,9 @@ inline constexpr std::array kModelTerms{
 
 /// Whether the term is about the picture, not about the force.
 [[nodiscard]] bool isOfSurface(ModelTerm term) noexcept;
+
+/// Where a description says it; null for terms that are a matter of its foot search or deformation.
+[[nodiscard]] std::optional<bool> TermChoices::*choiceMember(ModelTerm term) noexcept;
 
 /// Whether the description itself says if the term is in.
 [[nodiscard]] bool isSettled(ModelTerm term, const SceneDescription& scene) noexcept;

@@ -2,18 +2,16 @@
 #include "core/Units.h"
 #include "tests/vtkplugins/Fakes.h"
 #include "tests/vtkplugins/NeedsDisplay.h"
+#include "tests/vtkplugins/PictureFixture.h"
 #include "vtkplugins/module/vtkAspPatchSource.h"
 #include "vtkplugins/pictures/Charts.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 #include "vtkplugins/pictures/SceneParts.h"
-#include "vtkplugins/pictures/ShareMaps.h"
 
 #include <vtkActor.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPNGReader.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -25,11 +23,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -37,94 +32,18 @@ namespace asperity {
 
 namespace {
 
-constexpr PictureSize kSize{1200, 750};
+using test::Image;
+using test::kSize;
+using test::Pictures;
+
 const std::string kLongText =
     "A caption that goes on for much longer than a line of the picture can hold, so that it must "
     "be broken into several lines, and says what was measured, with which tip, on which sample.";
-
-std::string bytesOf(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-/// A picture read back.
-class Image {
-public:
-    explicit Image(const std::filesystem::path& path) {
-        reader_->SetFileName(path.c_str());
-        reader_->Update();
-    }
-
-    [[nodiscard]] int width() const { return reader_->GetOutput()->GetDimensions()[0]; }
-    [[nodiscard]] int height() const { return reader_->GetOutput()->GetDimensions()[1]; }
-    [[nodiscard]] std::array<int, 3> at(int x, int y) const {
-        const auto* rgb =
-            static_cast<const unsigned char*>(reader_->GetOutput()->GetScalarPointer(x, y, 0));
-        return {rgb[0], rgb[1], rgb[2]};
-    }
-    [[nodiscard]] std::size_t colours() const {
-        std::set<std::array<int, 3>> found;
-        count([&found](const std::array<int, 3>& rgb) { return found.insert(rgb).second; });
-        return found.size();
-    }
-    int count(const std::function<bool(const std::array<int, 3>&)>& wanted) const {
-        int found = 0;
-        for (int y = 0; y < height(); ++y) {
-            for (int x = 0; x < width(); ++x) {
-                found += wanted(at(x, y)) ? 1 : 0;
-            }
-        }
-        return found;
-    }
-    /// Whether the outermost pixels are all paper: nothing is cut off.
-    [[nodiscard]] bool hasCleanEdge() const {
-        constexpr int kEdge = 4;
-        const std::array<int, 3> paper{255, 255, 255};
-        for (int y = 0; y < height(); ++y) {
-            for (int x = 0; x < width(); ++x) {
-                const bool inner =
-                    x >= kEdge && y >= kEdge && x < width() - kEdge && y < height() - kEdge;
-                if (!inner && at(x, y) != paper) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    }
-
-private:
-    vtkNew<vtkPNGReader> reader_;
-};
 
 bool isBlue(const std::array<int, 3>& rgb) { return rgb[2] > rgb[0] + 60; }
 bool isOrange(const std::array<int, 3>& rgb) {
     return rgb[0] > rgb[2] + 90 && rgb[1] > rgb[2] + 20;
 }
-
-class Pictures : public testing::Test {
-protected:
-    void SetUp() override {
-        folder = std::filesystem::path(testing::TempDir()) /
-                 ("asperity_pictures_" +
-                  std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-        std::filesystem::create_directories(folder);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder); }
-
-    /// Draws twice and checks what every picture must be.
-    Image drawn(const std::function<void(const std::filesystem::path&)>& write) const {
-        write(folder / "first.png");
-        write(folder / "second.png");
-        EXPECT_EQ(bytesOf(folder / "first.png"), bytesOf(folder / "second.png"));
-        Image image(folder / "first.png");
-        EXPECT_EQ(image.width(), kSize.width);
-        EXPECT_EQ(image.height(), kSize.height);
-        EXPECT_TRUE(image.hasCleanEdge());
-        return image;
-    }
-
-    std::filesystem::path folder;
-};
 
 OverviewView overviewOf(const BSplineSurface& surface) {
     OverviewView view{.title = "Egg box", .caption = kLongText, .surface = surface};
@@ -299,83 +218,6 @@ TEST_F(Pictures, AFlatScanHasAnOverviewToo) {
     const Image image =
         drawn([&](const std::filesystem::path& path) { writeOverviewPicture(path, view, kSize); });
     EXPECT_GT(image.colours(), 20U);
-}
-
-TEST_F(Pictures, ChartsShowEveryCurveAndItsPeak) {
-    ASPERITY_NEEDS_DISPLAY();
-    Curve spike{.label = "spike", .color = Color{255, 0, 0}};
-    Curve wave{.label = "wave", .color = Color{0, 0, 255}, .dashed = true};
-    for (int i = 0; i < 50000; ++i) {
-        spike.x.push_back(i * 1e-3);
-        spike.y.push_back(i == 31234 ? 10.0_nN : 0.0);
-        wave.x.push_back(i * 1e-3);
-        wave.y.push_back(2.0_nN * std::sin(i * 1e-3));
-    }
-    Chart chart{.title = "Force", .xLabel = "time", .yLabel = "force", .curves = {spike, wave}};
-    chart.xUnit = "s";
-    chart.yUnit = "N";
-    const std::vector<Chart> page(4, chart);
-    const Image image =
-        drawn([&](const std::filesystem::path& path) { writeCharts(path, page, 2, kSize); });
-    // The spike is one sample wide; in each chart it must be a line of most of the plot's height.
-    std::array<int, 2> redRows{};
-    for (int y = 0; y < kSize.height; ++y) {
-        for (int half = 0; half < 2; ++half) {
-            bool red = false;
-            for (int x = half * kSize.width / 2; x < (half + 1) * kSize.width / 2; ++x) {
-                const auto rgb = image.at(x, y);
-                red = red || (rgb[0] > 200 && rgb[1] < 150 && rgb[2] < 150);
-            }
-            redRows.at(static_cast<std::size_t>(half)) += red ? 1 : 0;
-        }
-    }
-    EXPECT_GT(redRows[0], kSize.height / 3);
-    EXPECT_GT(redRows[1], kSize.height / 3);
-    EXPECT_GT(image.count([](const auto& rgb) { return rgb[2] > 200 && rgb[0] < 100; }), 500);
-}
-
-TEST_F(Pictures, ScatterOnLogarithmicAxesHasNamedDots) {
-    ASPERITY_NEEDS_DISPLAY();
-    Curve dots{.label = "tiers", .x = {1e-7, 1e-5, 1e-2, 0.0}, .y = {40.0, 3.0, 0.2, 1.0}};
-    dots.points = true;
-    Chart chart{.title = "Cost", .xLabel = "time", .yLabel = "error [%]", .curves = {dots}};
-    chart.xUnit = "s";
-    chart.logX = true;
-    chart.logY = true;
-    const Image bare = drawn(
-        [&](const std::filesystem::path& path) { writeCharts(path, std::array{chart}, 1, kSize); });
-    chart.curves[0].pointLabels = {"Hertz", "Maugis", "half space", "nowhere"};
-    const Image named = drawn(
-        [&](const std::filesystem::path& path) { writeCharts(path, std::array{chart}, 1, kSize); });
-    const auto isInk = [](const auto& rgb) { return rgb[0] < 120 && rgb[1] < 120; };
-    EXPECT_GT(named.count(isInk), bare.count(isInk) + 200);
-}
-
-TEST_F(Pictures, ShareMapsDivideTheirCellsAsTheSharesSay) {
-    ASPERITY_NEEDS_DISPLAY();
-    const std::filesystem::path path = folder / "maps.png";
-    const Color first{0, 158, 115};
-    const Color second{213, 94, 0};
-    const ShareMap map{.title = "A law",
-                       .xLabel = "tip radius",
-                       .yLabel = "modulus",
-                       .columns = {"1 nm", "10 nm"},
-                       .rows = {"1 kPa"},
-                       .cells = {{3.0, 1.0}, {}}};
-    writeShareMaps(
-        path, {.title = "Maps", .keys = {{first, "good"}, {second, "bad"}}, .maps = {map}}, kSize);
-    const Image image(path);
-    const auto counts = [&](const Color& color) {
-        return image.count([&](const auto& rgb) {
-            return rgb == std::array<int, 3>{color.red, color.green, color.blue};
-        });
-    };
-    EXPECT_NEAR(static_cast<double>(counts(first)) / counts(second), 3.0, 0.05);
-    EXPECT_LT(counts(first) + counts(second), kSize.width * kSize.height / 2) << "an empty cell";
-    ShareMap uneven = map;
-    uneven.cells.pop_back();
-    EXPECT_THROW(writeShareMaps(path, {.maps = {uneven}}, kSize), Error);
-    EXPECT_THROW(writeShareMaps(path, {}, kSize), Error);
 }
 
 TEST_F(Pictures, RefusesWhatCannotBeDrawn) {

@@ -83,6 +83,12 @@ TEST(TradeOffStudy, WideContactsAreHeldAgainstTheExactSphere) {
     EXPECT_GT(all.reference.contactRatio, 0.3);
     EXPECT_EQ(all.reference.frame.deformation, DeformationTier::ClosedForm)
         << "no half-space holds";
+    EXPECT_EQ(std::ranges::count_if(all.frames,
+                                    [](const FrameResult& r) {
+                                        return r.tier.deformation == DeformationTier::HalfSpace;
+                                    }),
+              0)
+        << "so it is no way to draw";
 }
 
 TEST(TradeOffStudy, TheFinerWayToDrawIsNearerToTheReference) {
@@ -96,6 +102,16 @@ TEST(TradeOffStudy, TheFinerWayToDrawIsNearerToTheReference) {
     EXPECT_LT(closed.surfaceErrorRms, radius.surfaceErrorRms);
     EXPECT_LT(solved.surfaceErrorRms, closed.surfaceErrorRms);
     EXPECT_LT(solved.surfaceErrorRms, result(all, DeformationTier::HalfSpace, 25).surfaceErrorRms);
+}
+
+TEST(TradeOffStudy, PicturesAreHeldAgainstTheHalfSpaceWhereItHolds) {
+    const TradeOff all = study(test::plainScene());  // indented until it is too wide
+    EXPECT_EQ(all.reference.frame.deformation, DeformationTier::HalfSpace);
+    EXPECT_GT(all.reference.contacts, 0);
+    EXPECT_LT(all.reference.contacts, all.reference.contactsAsked);
+    EXPECT_GT(all.reference.surfaceDoubt, 0.0);
+    EXPECT_LT(all.reference.surfaceDoubt,
+              0.1 * result(all, DeformationTier::ClosedForm, 97).surfaceErrorRms + 1e-12);
 }
 
 TEST(TradeOffStudy, AFasterRateHoldsTheForceBetter) {

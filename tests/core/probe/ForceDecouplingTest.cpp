@@ -128,6 +128,34 @@ TEST(ForceDecoupling, BecomesThePlanarForceForExactSignals) {
     EXPECT_LE((estimate.force - planar.force).norm(), 0.02 * situation.force.norm());
 }
 
+TEST(ForceDecoupling, ThePlanarEstimateHasTheVarianceOfTheSignalsAlone) {
+    Situation situation = slidingSituation(Vector3(0.1, -0.2, 1.0), Vector3(2.0, 5.0, 0.0));
+    situation.input.sigma = {2e-7, 3e-7};
+    const ForceEstimate estimate = planarEstimate(situation.lever, situation.input);
+    EXPECT_LE((estimate.force - situation.force).norm(), 1e-12 * situation.force.norm());
+    EXPECT_EQ(estimate.deflection, situation.lever.compliance() * estimate.force);
+    Matrix3 expected = Matrix3::Zero();
+    for (double LeverSignals::*signal : {&LeverSignals::bending, &LeverSignals::torsion}) {
+        DecouplingInput moved = situation.input;
+        moved.signals.*signal += situation.input.sigma.*signal;
+        const Vector3 by = planarEstimate(situation.lever, moved).force - estimate.force;
+        expected += by * by.transpose();
+    }
+    EXPECT_LE((estimate.covariance - expected).norm(), 1e-6 * expected.norm());
+}
+
+TEST(ForceDecoupling, ThePlanarEstimateFallsBackOnTheModelWhereItIsSingular) {
+    Situation situation = slidingSituation(Vector3::UnitZ(), Vector3::UnitX());
+    situation.input.normalForceModel = 12_nN;
+    situation.input.normalForceSigma = 2_nN;
+    const ForceEstimate estimate = planarEstimate(situation.lever, situation.input);
+    EXPECT_EQ(estimate.kind, DecouplingCase::NearSingular);
+    EXPECT_LE((estimate.force - Vector3(0.0, 0.0, 12_nN)).norm(), 1e-12 * 12_nN);
+    EXPECT_NEAR(estimate.covariance(2, 2), std::pow(2_nN, 2), 1e-12 * std::pow(2_nN, 2));
+    situation.input.velocity = Vector3::Zero();
+    EXPECT_EQ(planarEstimate(situation.lever, situation.input).kind, DecouplingCase::NoSliding);
+}
+
 TEST(ForceDecoupling, TellsWhereTheForceBendsTheTip) {
     const Situation situation = slidingSituation(Vector3(0.2, 0.1, 1.0), Vector3(1e-6, 3e-6, 0.0));
     const ForceEstimate estimate = estimateForce(situation.lever, situation.input);

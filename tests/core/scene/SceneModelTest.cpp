@@ -1,0 +1,100 @@
+#include "core/scene/SceneModel.h"
+
+#include "core/Units.h"
+#include "core/scene/ModelTerm.h"
+#include "core/scene/Scene.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+SceneDescription tiltedScene() {
+    SceneDescription description = test::plainScene();
+    description.probe.mountTilt = 0.2;
+    description.sample.material.friction = {.coefficient = 0.3, .shearStrength = 1e6};
+    return description;
+}
+
+ProbeSystem less(ModelTerm term) {
+    const SceneDescription description = tiltedScene();
+    return believedSystem(description, without(usualModel(description), term));
+}
+
+TEST(SceneModel, WithoutFrictionThereIsNone) {
+    EXPECT_EQ(less(ModelTerm::Friction).friction, Friction{});
+    EXPECT_EQ(less(ModelTerm::Torsion).friction, tiltedScene().sample.material.friction);
+}
+
+TEST(SceneModel, WithoutTiltTheLeverIsLevel) {
+    EXPECT_EQ(less(ModelTerm::MountTilt).cantilever.geometry().mountTilt, 0.0);
+    EXPECT_EQ(less(ModelTerm::Friction).cantilever.geometry().mountTilt, 0.2);
+}
+
+TEST(SceneModel, WithoutTorsionTheLeverOnlyBendsAcross) {
+    const Cantilever whole(tiltedScene().probe);
+    const Cantilever rigid = less(ModelTerm::Torsion).cantilever;
+    const CantileverGeometry& g = rigid.geometry();
+    const double ratio = g.thickness / g.width;
+    const Matrix3& left = rigid.complianceInCantileverFrame();
+    // docs/physics.md 5.1: of c_yy only (t/w)^2 / k_z stays.
+    EXPECT_NEAR(left(1, 1), ratio * ratio / whole.stiffness(), 1e-12 / whole.stiffness());
+    EXPECT_LT(left(1, 1), 0.5 * whole.complianceInCantileverFrame()(1, 1));
+    EXPECT_EQ(left(0, 0), whole.complianceInCantileverFrame()(0, 0));
+    EXPECT_EQ(left(2, 2), whole.complianceInCantileverFrame()(2, 2));
+    EXPECT_EQ(rigid.torsionPerFy(), whole.torsionPerFy()) << "the signal is still read";
+    EXPECT_TRUE(
+        rigid.compliance().isApprox(rigid.rotation().transpose() * left * rigid.rotation(), 1e-14));
+}
+
+TEST(SceneModel, WithoutCurvatureEveryFootIsFlat) {
+    Scene scene = buildScene(test::plainScene(), test::ridgedMap(5.0_nm));
+    const auto radiusOnTheCrest = [&] {
+        return heldTip(scene.felt(), scene.belief, {.position = {15.0_nm, 60.0_nm, 5.0_nm}}, {})
+            .effectiveRadius;
+    };
+    EXPECT_LT(radiusOnTheCrest(), 0.95 * scene.belief.tipRadius());
+    setModel(scene, without(scene.model, ModelTerm::SampleCurvature));
+    EXPECT_EQ(radiusOnTheCrest(), scene.belief.tipRadius());
+}
+
+TEST(SceneModel, TermsOfTheLawChooseTheLaw) {
+    const auto lawOf = [](const TermChoices& terms) {
+        SceneDescription description = test::plainScene();
+        description.terms = terms;
+        return usualModel(description).law.law;
+    };
+    EXPECT_EQ(lawOf({}), ContactLaw::Split);
+    EXPECT_EQ(lawOf({.vanDerWaalsTail = false}), ContactLaw::Maugis);
+    EXPECT_EQ(lawOf({.adhesion = false}), ContactLaw::Hertz);
+    EXPECT_EQ(lawOf({.sphereCorrection = true}), ContactLaw::SphereMaugis);
+    EXPECT_EQ(lawOf({.adhesion = false, .sphereCorrection = true}), ContactLaw::Sneddon);
+}
+
+TEST(SceneModel, ATermThatIsTakenOutIsOutAndComesBack) {
+    const SceneModel usual = usualModel(tiltedScene());
+    for (const ModelTerm term : kModelTerms) {
+        SceneModel model = with(usual, term);
+        EXPECT_TRUE(has(model, term)) << nameOf(term);
+        model = without(model, term);
+        EXPECT_FALSE(has(model, term)) << nameOf(term);
+        EXPECT_TRUE(has(with(model, term), term)) << nameOf(term);
+    }
+}
+
+TEST(SceneModel, AGivenLawSettlesItsTerms) {
+    SceneDescription description = test::plainScene();
+    EXPECT_FALSE(isSettled(ModelTerm::Adhesion, description));
+    description.law = ContactLaw::Jkr;
+    for (const ModelTerm term : kModelTerms) {
+        const bool ofLaw = term == ModelTerm::Adhesion || term == ModelTerm::VanDerWaalsTail ||
+                           term == ModelTerm::SphereCorrection;
+        EXPECT_EQ(isSettled(term, description), ofLaw) << nameOf(term);
+    }
+}
+
+}  // namespace
+}  // namespace asperity
