@@ -48,7 +48,8 @@ CurveCase caseOf(const SceneDescription& scene, const LawChoice& choice, double 
 /// The case of the scene's material, and another for comparison where the law is not the usual one.
 void addCases(const SceneDescription& scene, double compliance, std::vector<CurveCase>& cases) {
     checkScene(scene);
-    const LawChoice choice = chooseLaw(scene.law, contactPair(scene, scene.sample.material));
+    const LawChoice choice = chooseLaw(scene.law, contactPair(scene, scene.sample.material),
+                                       scene.sample.material.filmThickness);
     cases.push_back(caseOf(scene, choice, compliance));
     if (!scene.law && choice.law == ContactLaw::SphereMaugis) {
         cases.push_back(caseOf(scene,

@@ -19,16 +19,33 @@ bool canBeStudied(const Scene& scene) noexcept {
     return static_cast<long>(grid.columns) * grid.rows <= kMostPixels;
 }
 
+/// Carries the progress from the study's thread to the window's.
+class FidelityStudy::Report : public Progress {
+public:
+    explicit Report(FidelityStudy& study) : study_(study) {}
+
+    void report(double fraction) override {
+        QMetaObject::invokeMethod(
+            &study_, [&study = study_, fraction] { Q_EMIT study.progressed(fraction); },
+            Qt::QueuedConnection);
+    }
+    [[nodiscard]] bool isCancelled() const override { return study_.cancelled_; }
+
+private:
+    FidelityStudy& study_;
+};
+
 FidelityStudy::FidelityStudy(QObject* parent) : QObject(parent) {}
 
 FidelityStudy::~FidelityStudy() {
+    cancel();
     if (thread_.joinable()) {
         thread_.join();
     }
 }
 
 void FidelityStudy::start(std::unique_ptr<Scene> scene) {
-    dropped_ = false;
+    cancelled_ = false;
     thread_ = std::thread([this, own = std::move(scene)] {
         QMetaObject::invokeMethod(
             this, [this, outcome = outcomeOf(*own)] { end(outcome); }, Qt::QueuedConnection);
@@ -37,8 +54,11 @@ void FidelityStudy::start(std::unique_ptr<Scene> scene) {
 
 FidelityStudy::Outcome FidelityStudy::outcomeOf(Scene& scene) {
     try {
-        return {.study = std::make_shared<const TradeOff>(studyTradeOff(scene, kPlan)),
+        Report report(*this);
+        return {.study = std::make_shared<const TradeOff>(studyTradeOff(scene, kPlan, &report)),
                 .reason = nullptr};
+    } catch (const Cancelled&) {
+        return {.study = nullptr, .reason = nullptr};
     } catch (...) {
         return {.study = nullptr, .reason = std::current_exception()};
     }
@@ -46,12 +66,10 @@ FidelityStudy::Outcome FidelityStudy::outcomeOf(Scene& scene) {
 
 void FidelityStudy::end(const Outcome& outcome) {
     thread_.join();
-    if (dropped_) {
-        Q_EMIT finished(nullptr);
-    } else if (outcome.study) {
-        Q_EMIT finished(outcome.study);
-    } else {
+    if (outcome.reason) {
         Q_EMIT failed(outcome.reason);
+    } else {
+        Q_EMIT finished(cancelled_ ? nullptr : outcome.study);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include <atomic>
 #include <exception>
 #include <memory>
 #include <thread>
@@ -16,7 +17,7 @@ class FidelityStudy : public QObject {
 
 public:
     explicit FidelityStudy(QObject* parent = nullptr);
-    /// Waits for the end of what is under way: some seconds.
+    /// Cancels what is under way.
     ~FidelityStudy() override;
     FidelityStudy(const FidelityStudy&) = delete;
     FidelityStudy& operator=(const FidelityStudy&) = delete;
@@ -24,11 +25,12 @@ public:
     /// Nothing is under way. @param scene a copy: the study changes its model
     void start(std::unique_ptr<Scene> scene);
     [[nodiscard]] bool isBusy() const { return thread_.joinable(); }
-    /// The scene is another one: from now on nothing comes of what is under way but its end.
-    void drop() { dropped_ = true; }
+    /// The scene is another one, or nobody wants to know any more: what is under way ends early.
+    void cancel() { cancelled_ = true; }
 
 Q_SIGNALS:
-    /// @param study null: it was dropped
+    void progressed(double fraction);
+    /// @param study null: it was cancelled
     void finished(std::shared_ptr<const asperity::TradeOff> study);
     void failed(std::exception_ptr reason);
 
@@ -38,10 +40,12 @@ private:
         std::exception_ptr reason;
     };
 
-    [[nodiscard]] static Outcome outcomeOf(Scene& scene);
+    class Report;
+
+    [[nodiscard]] Outcome outcomeOf(Scene& scene);
     void end(const Outcome& outcome);
 
-    bool dropped_ = false;
+    std::atomic<bool> cancelled_ = false;
     std::thread thread_;
 };
 

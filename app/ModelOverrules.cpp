@@ -2,6 +2,35 @@
 
 namespace asperity {
 
+namespace {
+
+void free(TermChoices& terms, ModelTerm term, bool from) {
+    const auto member = choiceMember(term);
+    if (member && terms.*member == from) {
+        (terms.*member).reset();
+    }
+}
+
+/// Takes back what the scene says of other terms where that leaves no law for this choice.
+void freeContradicting(TermChoices& terms, ModelTerm term, bool on) {
+    if (!on) {
+        if (term == ModelTerm::Adhesion) {
+            free(terms, ModelTerm::VanDerWaalsTail, true);
+        }
+        return;
+    }
+    for (const ModelTerm other : kModelTerms) {
+        if (exclude(term, other)) {
+            free(terms, other, true);
+        }
+    }
+    if (term == ModelTerm::VanDerWaalsTail) {
+        free(terms, ModelTerm::Adhesion, false);
+    }
+}
+
+}  // namespace
+
 std::optional<bool> choiceOf(ModelTerm term, const SceneDescription& scene) {
     if (const auto member = choiceMember(term)) {
         return scene.terms.*member;
@@ -17,6 +46,12 @@ std::optional<bool> choiceOf(ModelTerm term, const SceneDescription& scene) {
 
 SceneDescription withChoice(SceneDescription scene, ModelTerm term, std::optional<bool> on) {
     if (const auto member = choiceMember(term)) {
+        if (isOfLaw(term)) {
+            scene.law.reset();
+        }
+        if (on) {
+            freeContradicting(scene.terms, term, *on);
+        }
         scene.terms.*member = on;
         return scene;
     }
@@ -36,6 +71,10 @@ SceneDescription withChoice(SceneDescription scene, ModelTerm term, std::optiona
 
 SceneDescription withTier(SceneDescription scene, const TickTier& tier) {
     scene.law = tier.law;
+    scene.terms = {.friction = tier.friction, .torsion = tier.torsion, .mountTilt = tier.mountTilt};
+    if (!isSphere(tier.law)) {
+        scene.terms.curvature = tier.curvature;
+    }
     scene.solver = tier.solver;
     scene.footSearch = tier.footSearch;
     return scene;

@@ -11,12 +11,13 @@ namespace asperity {
 /// What the scene itself says of a term; none: nothing, or its contact law says it.
 [[nodiscard]] std::optional<bool> choiceOf(ModelTerm term, const SceneDescription& scene);
 
-/// The scene with the term in or out; none: as it requires. The terms of the surface share one
-/// choice, the deformation.
+/// The scene with the term in or out; none: as it requires. What contradicts that is as the scene
+/// requires, too: other terms, a contact law. The terms of the surface share one choice, the
+/// deformation.
 [[nodiscard]] SceneDescription withChoice(SceneDescription scene, ModelTerm term,
                                           std::optional<bool> on);
 
-/// The scene with this law, solver and search for feet.
+/// The scene with this way for the tick and no other.
 [[nodiscard]] SceneDescription withTier(SceneDescription scene, const TickTier& tier);
 
 /// The scene with nothing overruled.

@@ -50,15 +50,18 @@ void Session::connectFidelity() {
     connect(&panel, &FidelityPanel::automaticRequested, this, [change] { change(allAutomatic); });
     connect(&panel, &FidelityPanel::tierPicked, this, &Session::pickTier);
     connect(&panel, &FidelityPanel::measureRequested, this, &Session::measureFidelity);
+    connect(&panel, &FidelityPanel::stopRequested, this, [this] { study_.cancel(); });
+    connect(&study_, &FidelityStudy::progressed, &panel,
+            [&panel](double fraction) { panel.setMeasuring(fraction); });
     connect(&study_, &FidelityStudy::finished, this,
             [this](const std::shared_ptr<const TradeOff>& study) {
-                window_.fidelity().setMeasuring(false);
+                window_.fidelity().setMeasuring(std::nullopt);
                 if (study) {
                     window_.fidelity().showTradeOff(*study);
                 }
             });
     connect(&study_, &FidelityStudy::failed, this, [this](const std::exception_ptr& reason) {
-        window_.fidelity().setMeasuring(false);
+        window_.fidelity().setMeasuring(std::nullopt);
         window_.complain(reasonOf(reason));
     });
 }
@@ -93,13 +96,13 @@ void Session::measureFidelity() {
         return;
     }
     study_.start(std::make_unique<Scene>(run_->scene()));
-    window_.fidelity().setMeasuring(true);
+    window_.fidelity().setMeasuring(0.0);
 }
 
 /// What a study before found, or is about to, is of another scene.
 void Session::showFidelity() {
     const Scene& scene = run_->scene();
-    study_.drop();
+    study_.cancel();
     window_.fidelity().showTradeOff(std::nullopt);
     window_.fidelity().showModel(run_->loaded().needs, choicesOf(scene.description),
                                  tierOf(scene.model));

@@ -1,11 +1,13 @@
 #include "app/TradeOffCommand.h"
 
+#include "app/DataFolder.h"
 #include "app/LoadedScene.h"
 #include "app/OptionChecks.h"
 #include "app/ProgressLine.h"
 #include "app/RunFolder.h"
 #include "app/TradeOffFiles.h"
 #include "app/VirtualDisplay.h"
+#include "core/fidelity/Composition.h"
 #include "core/fidelity/DeformationStudy.h"
 #include "core/fidelity/TradeOffStudy.h"
 
@@ -40,16 +42,16 @@ void printDeformations(const std::vector<DeformationResult>& results) {
 }
 
 void printTick(const TickResult& r, char mark) {
-    std::printf("%c %-55s %8.2f %8.2f %10.3g %10.3g %9.3g %10.3g\n", mark, r.tier.name().c_str(),
+    std::printf("%c %-76s %8.2f %8.2f %10.3g %10.3g %9.3g %10.3g\n", mark, r.tier.name().c_str(),
                 r.median * 1e6, r.p99 * 1e6, r.forceErrorRms * 1e9, r.contactRadiusError * 1e9,
                 r.footError * 1e9, r.estimateErrorRms * 1e9);
 }
 
 void printTicks(const TradeOff& study, double tolerance) {
     const TradeOffReference& reference = study.reference;
-    std::printf("%-57s %8s %8s %10s %10s %9s %10s\n", "tick", "p50", "p99", "force err.",
+    std::printf("%-78s %8s %8s %10s %10s %9s %10s\n", "tick", "p50", "p99", "force err.",
                 "radius err.", "foot err.", "estimate");
-    std::printf("%-57s %8s %8s %10s %10s %9s %10s\n", "", "[us]", "[us]", "rms [nN]", "max [nm]",
+    std::printf("%-78s %8s %8s %10s %10s %9s %10s\n", "", "[us]", "[us]", "rms [nN]", "max [nm]",
                 "max [nm]", "rms [nN]");
     for (const TickResult& r : study.ticks) {
         printTick(r, r.onFront ? '*' : ' ');
@@ -62,9 +64,12 @@ void printTicks(const TradeOff& study, double tolerance) {
         "* no other is cheaper and as near to the reference: %s, %.2f us, force %.3g nN rms\n",
         reference.tick.name().c_str(), reference.tickMedian * 1e6, reference.forceScale * 1e9);
     std::printf("  the reference itself: %.2g nN (%s)\n", reference.forceDoubt * 1e9,
-                reference.forceDoubtBy.c_str());
-    const std::size_t best =
-        cheapestWithin(costsAndErrors(study.ticks), tolerance * reference.forceScale);
+                reference.forceDoubtBy.empty() ? "it leaves nothing out"
+                                               : reference.forceDoubtBy.c_str());
+    std::printf("  errors below that, and times within %.2g %%, count as the same\n",
+                study.timeResolution * 100.0);
+    const std::size_t best = cheapestWithin(costsAndErrors(study.ticks),
+                                            tolerance * reference.forceScale, study.ofTicks());
     std::printf("  cheapest within %.2g %% of the force: %s\n\n", tolerance * 100.0,
                 best < study.ticks.size() ? study.ticks[best].tier.name().c_str() : "none");
 }
@@ -90,6 +95,28 @@ void printRates(const TradeOff& study) {
     std::printf("\n");
 }
 
+void printComposition(const TradeOff& study, const Composition& whole, std::size_t number) {
+    std::printf("%2zu %6.3f %% %8.2g %%  %5.0f Hz, %s; %s\n", number, whole.load * 100.0,
+                whole.error * 100.0, study.rates[whole.rate].rate,
+                study.ticks[whole.tick].tier.name().c_str(),
+                study.frames[whole.frame].tier.name().c_str());
+}
+
+void printCompositions(const TradeOff& study, double tolerance) {
+    const std::vector<Composition> best = bestCompositions(study);
+    std::printf("whole ways, none cheaper and as near: load of a core (ticks and 60 pictures a "
+                "second), error (of force or indentation, the larger share)\n");
+    for (std::size_t i = 0; i < best.size(); ++i) {
+        printComposition(study, best[i], i + 1);
+    }
+    const std::size_t cheapest = cheapestWithin(costsAndErrors(best), tolerance, {});
+    if (cheapest < best.size()) {
+        std::printf("the cheapest within %.2g %%: %zu\n\n", tolerance * 100.0, cheapest + 1);
+    } else {
+        std::printf("none is within %.2g %%\n\n", tolerance * 100.0);
+    }
+}
+
 void printNeeds(const SceneNeeds& needs) {
     std::printf("what the scene requires, within %.2g %%: forces within %.2g %%, a tick %.2f us "
                 "instead of %.2f us\n",
@@ -98,19 +125,26 @@ void printNeeds(const SceneNeeds& needs) {
     for (const TermNeed& need : needs.terms) {
         const char* unit = isOfSurface(need.term) ? "ms a patch" : "us a tick";
         const double time = need.time * (isOfSurface(need.term) ? 1e3 : 1e6);
-        std::printf("  %-21s %-4s %8.2g %%  %+7.2f %-10s  %s%s\n", nameOf(need.term),
+        std::printf("  %-21s %-4s %8.3g %%  %+7.2f %-10s  %s%s\n", nameOf(need.term),
                     need.on ? "on" : "off", need.effect * 100.0, time, unit, need.why.c_str(),
                     need.overruled ? " (as the scene says)" : "");
     }
     std::printf("\n");
 }
 
+TradeOff measuredOnTerminal(Scene& scene) {
+    ProgressLine line("measuring");
+    return studyTradeOff(scene, {}, &line);
+}
+
 void tradeOff(const TradeOffOptions& options) {
     const VirtualDisplay display;  // before anything is written: the figure needs it at the end
-    LoadedScene loaded = loadSceneOnTerminal(options.scene, {});
+    const std::filesystem::path scene =
+        options.scene.empty() ? defaultSceneFile() : std::filesystem::path(options.scene);
+    LoadedScene loaded = loadSceneOnTerminal(scene, {});
     const std::filesystem::path out = options.out;
     makeOutputFolder(out);
-    const TradeOff study = studyTradeOff(loaded.scene, {});
+    const TradeOff study = measuredOnTerminal(loaded.scene);
     const std::vector<DeformationResult> deformations = studyDeformation(loaded.scene, {});
     writeTradeOff(out, study);
     writeNeeds(out / "needs.csv", loaded.needs);
@@ -118,6 +152,7 @@ void tradeOff(const TradeOffOptions& options) {
     printTicks(study, loaded.needs.tolerance);
     printFrames(study);
     printRates(study);
+    printCompositions(study, loaded.needs.tolerance);
     printNeeds(loaded.needs);
     printDeformations(deformations);
 }
@@ -128,7 +163,8 @@ void addTradeOffCommand(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("tradeoff", "Measured cost and error of every fidelity tier");
     const auto options = std::make_shared<TradeOffOptions>();
-    command->add_option("SCENE", options->scene, "scene.toml or height map")->required();
+    command->add_option("SCENE", options->scene,
+                        "scene.toml or height map (default: the default scene)");
     addOutputFolder(*command, options->out, "folder for the table and the figure");
     command->callback([options] { tradeOff(*options); });
 }

@@ -1,6 +1,7 @@
 #include "app/TradeOffFiles.h"
 
 #include "core/Version.h"
+#include "core/fidelity/Composition.h"
 #include "core/io/CsvWriter.h"
 #include "vtkplugins/pictures/Charts.h"
 
@@ -45,6 +46,25 @@ void writeFrames(const std::filesystem::path& path, const TradeOff& study) {
     for (const FrameResult& result : study.frames) {
         csv.add(result.tier.name()).add(result.median).add(result.surfaceErrorRms);
         csv.add(result.surfaceErrorMax).add(result.onFront ? 1.0 : 0.0);
+        csv.endRow();
+    }
+    csv.close();
+}
+
+void writeCompositions(const std::filesystem::path& path, const TradeOff& study) {
+    CsvWriter csv(
+        path,
+        {title("whole ways to run the scene that no other beats, the cheapest first; load "
+               "of a core by ticks and 60 pictures a second, of this machine"),
+         "error: of the force by tick and rate, or of the indentation by the picture, the "
+         "larger share"},
+        {"number", "tick", "rate_hz", "picture", "load", "error"});
+    double number = 0.0;
+    for (const Composition& whole : bestCompositions(study)) {
+        csv.add(++number)
+            .add(study.ticks[whole.tick].tier.name())
+            .add(study.rates[whole.rate].rate);
+        csv.add(study.frames[whole.frame].tier.name()).add(whole.load).add(whole.error);
         csv.endRow();
     }
     csv.close();
@@ -97,6 +117,22 @@ Chart rateChart(const std::vector<RateResult>& rates) {
             .logY = true};
 }
 
+/// Numbered as in compositions.csv.
+Chart compositionChart(const TradeOff& study) {
+    Curve best{.label = "", .points = true};
+    for (const Composition& whole : bestCompositions(study)) {
+        best.x.push_back(whole.load * 100.0);
+        best.y.push_back(whole.error * 100.0);
+        best.pointLabels.push_back(std::to_string(best.x.size()));
+    }
+    return {.title = "Tick, rate and picture together, as numbered in compositions.csv",
+            .xLabel = "load of a core, per cent",
+            .yLabel = "larger error, per cent",
+            .curves = {best},
+            .logX = true,
+            .logY = true};
+}
+
 void drawFigure(const std::filesystem::path& path, const TradeOff& study) {
     constexpr double kNothing = 1e-5;  // of the force: below that errors look alike
     const TradeOffReference& reference = study.reference;
@@ -109,9 +145,10 @@ void drawFigure(const std::filesystem::path& path, const TradeOff& study) {
     frames.xLabel = "median of a patch";
     frames.yLabel = "rms surface error";
     frames.yUnit = "m";
-    const std::array<Chart, 3> charts{ticks, frames, rateChart(study.rates)};
-    constexpr int kColumns = 3;
-    writeCharts(path, charts, kColumns, {.width = 2100, .height = 700});
+    const std::array<Chart, 4> charts{ticks, frames, rateChart(study.rates),
+                                      compositionChart(study)};
+    constexpr int kColumns = 2;
+    writeCharts(path, charts, kColumns, {.width = 1800, .height = 1300});
 }
 
 }  // namespace
@@ -120,6 +157,7 @@ void writeTradeOff(const std::filesystem::path& folder, const TradeOff& study) {
     writeTicks(folder / "tradeoff.csv", study);
     writeFrames(folder / "frames.csv", study);
     writeRates(folder / "rates.csv", study);
+    writeCompositions(folder / "compositions.csv", study);
     drawFigure(folder / "tradeoff.png", study);
 }
 

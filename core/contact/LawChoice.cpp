@@ -33,13 +33,15 @@ bool isLargeContact(double contactRadius, double tipRadius) noexcept {
     return contactRadius > kLargeContact * tipRadius;
 }
 
-LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair) {
+LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair,
+                    double filmThickness) {
     if (wanted) {
         return {*wanted, "as asked for"};
     }
     requirePair(pair, pair.workOfAdhesion);  // any stress will do to look at the pair
     if (pair.workOfAdhesion < kSmallestAdhesion) {
-        return {ContactLaw::Hertz, "auto: no adhesion"};
+        return filmThickness > 0.0 ? LawChoice{ContactLaw::HertzFilm, "auto: a film, no adhesion"}
+                                   : LawChoice{ContactLaw::Hertz, "auto: no adhesion"};
     }
     const double ratio = unloadedRatio(pair);
     if (ratio > kLargeContact) {

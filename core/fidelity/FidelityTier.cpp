@@ -1,21 +1,27 @@
 #include "core/fidelity/FidelityTier.h"
 
+#include "core/scene/ModelTerm.h"
+
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace asperity {
 
 namespace {
 
 /// Laws between which there is a choice; which of them is right depends on the materials.
-std::vector<ContactLaw> lawsFor(const Scene& scene) {
-    if (scene.belief.contact.filmThickness() > 0.0) {
-        return {ContactLaw::Hertz, ContactLaw::HertzFilm};
+std::vector<ContactLaw> lawsFor(const SceneDescription& scene) {
+    std::vector<ContactLaw> laws{ContactLaw::Hertz, ContactLaw::Sneddon};
+    if (isPossible(ModelTerm::FilmBase, scene)) {
+        laws.push_back(ContactLaw::HertzFilm);
     }
-    if (scene.description.sample.material.workOfAdhesion == 0.0) {
-        return {ContactLaw::Hertz, ContactLaw::Sneddon};
+    if (isPossible(ModelTerm::Adhesion, scene)) {
+        laws.insert(laws.end(),
+                    {ContactLaw::Dmt, ContactLaw::Jkr, ContactLaw::Maugis, ContactLaw::Split,
+                     ContactLaw::SphereJkr, ContactLaw::SphereMaugis});
     }
-    return {ContactLaw::Hertz, ContactLaw::Jkr, ContactLaw::Maugis, ContactLaw::Split,
-            ContactLaw::SphereMaugis};
+    return laws;
 }
 
 bool hasTable(const Scene& scene, ContactLaw law) {
@@ -23,6 +29,26 @@ bool hasTable(const Scene& scene, ContactLaw law) {
     model.law.law = law;
     model.solver = SolverTier::Table;
     return believedSystem(scene.description, model).contact.table() != nullptr;
+}
+
+/// Whether a tier reckons with a term, by term.
+constexpr std::array<std::pair<ModelTerm, bool TickTier::*>, 4> kTermsOfTier{
+    {{ModelTerm::Friction, &TickTier::friction},
+     {ModelTerm::Torsion, &TickTier::torsion},
+     {ModelTerm::MountTilt, &TickTier::mountTilt},
+     {ModelTerm::SampleCurvature, &TickTier::curvature}}};
+
+TickTier withAllTerms(TickTier tier) {
+    for (const auto& [term, member] : kTermsOfTier) {
+        tier.*member = true;
+    }
+    return tier;
+}
+
+void addOnce(std::vector<TickTier>& tiers, const TickTier& tier) {
+    if (std::ranges::find(tiers, tier) == tiers.end()) {
+        tiers.push_back(tier);
+    }
 }
 
 }  // namespace
@@ -47,6 +73,13 @@ std::string TickTier::name() const {
     text += solver == SolverTier::Exact ? ", afresh" : "";
     text += std::string(", ") + effortName(footSearch) + " feet";
     text += decoupling == DecouplingTier::Planar ? ", planar" : "";
+    const char* before = ", without ";
+    for (const auto& [term, member] : kTermsOfTier) {
+        if (!(this->*member)) {
+            text += std::string(before) + asperity::nameOf(term);
+            before = ", ";
+        }
+    }
     return text;
 }
 
@@ -57,16 +90,23 @@ std::string FrameTier::name() const {
 
 std::vector<TickTier> tickTiers(const Scene& scene) {
     std::vector<TickTier> tiers;
-    for (const ContactLaw law : lawsFor(scene)) {
+    for (const ContactLaw law : lawsFor(scene.description)) {
         for (const SolverTier solver : {SolverTier::Table, SolverTier::Newton}) {
             if (solver == SolverTier::Table && !hasTable(scene, law)) {
                 continue;
             }
             for (const FootEffort effort :
                  {FootEffort::Local, FootEffort::Global, FootEffort::Certified}) {
-                tiers.push_back({law, solver, effort});
+                tiers.push_back({.law = law, .solver = solver, .footSearch = effort});
             }
         }
+    }
+    const TickTier own = tierOf(scene.model);
+    addOnce(tiers, own);
+    for (const auto& [term, member] : kTermsOfTier) {
+        TickTier less = withAllTerms(own);
+        less.*member = isSphere(own.law) && term == ModelTerm::SampleCurvature;
+        addOnce(tiers, less);
     }
     return tiers;
 }
@@ -88,11 +128,22 @@ SceneModel modelWithTier(SceneModel model, const TickTier& tier) {
     model.solver = tier.solver;
     model.footSearch = tier.footSearch;
     model.decoupling = tier.decoupling;
+    model.friction = tier.friction;
+    model.torsion = tier.torsion;
+    model.mountTilt = tier.mountTilt;
+    model.curvature = tier.curvature;
     return model;
 }
 
 TickTier tierOf(const SceneModel& model) noexcept {
-    return {model.law.law, model.solver, model.footSearch, model.decoupling};
+    return {.law = model.law.law,
+            .solver = model.solver,
+            .footSearch = model.footSearch,
+            .decoupling = model.decoupling,
+            .friction = model.friction,
+            .torsion = model.torsion,
+            .mountTilt = model.mountTilt,
+            .curvature = model.curvature || isSphere(model.law.law)};
 }
 
 }  // namespace asperity

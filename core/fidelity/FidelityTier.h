@@ -13,9 +13,13 @@ struct TickTier {
     SolverTier solver = SolverTier::Newton;
     FootEffort footSearch = FootEffort::Certified;
     DecouplingTier decoupling = DecouplingTier::Estimator;
+    bool friction = true;  ///< as in SceneModel, and the rest
+    bool torsion = true;
+    bool mountTilt = true;
+    bool curvature = true;
 
     bool operator==(const TickTier&) const = default;
-    /// For people: "Maugis-Dugdale, table, certified feet, estimator".
+    /// For people: "Maugis-Dugdale, table, certified feet, without friction".
     [[nodiscard]] std::string name() const;
 };
 
@@ -31,7 +35,9 @@ struct FrameTier {
 /// For people: "four points", "contact radius", "closed form".
 [[nodiscard]] const char* nameOf(DeformationTier deformation) noexcept;
 
-/// All ways for a tick of this scene to reckon with a force, less the solver that is the reference.
+/// The ways for a tick of this scene to reckon with a force: each law that its sample allows, with
+/// each solver but the one afresh and each search for feet, and all other terms; then the scene's
+/// own way, and the same with all other terms but one.
 [[nodiscard]] std::vector<TickTier> tickTiers(const Scene& scene);
 
 /// All ways for its picture.
@@ -39,7 +45,7 @@ struct FrameTier {
 
 [[nodiscard]] SceneModel modelWithTier(SceneModel model, const TickTier& tier);
 
-/// The tier that a model's tick belongs to.
+/// The tier that a model's tick belongs to; terms that its law has no room for count as in.
 [[nodiscard]] TickTier tierOf(const SceneModel& model) noexcept;
 
 }  // namespace asperity

@@ -9,23 +9,37 @@
 
 namespace asperity {
 
-RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration) {
+namespace {
+
+void throwIfCancelled(const Progress* progress) {
+    if (progress != nullptr && progress->isCancelled()) {
+        throw Cancelled();
+    }
+}
+
+}  // namespace
+
+RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration,
+                      const Progress* progress) {
     SimulatedAfm afm(scene.touched(), scene.truth);
     RecordedRun run;
     const long ticks = std::lround(duration / scene.timeStep()) + 1;
     runVirtually(scene, path, afm, ticks, [&](const TickSample& sample) {
+        throwIfCancelled(progress);
         run.inputs.push_back(sample.input);
         run.trueForces.push_back(afm.trueState().force);
     });
     return run;
 }
 
-ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs) {
+ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs,
+                  const Progress* progress) {
     using Clock = std::chrono::steady_clock;
     ModelRun result;
     for (const RecordedRun& run : runs) {
         TickMemory memory;
         for (const TickInput& input : run.inputs) {
+            throwIfCancelled(progress);
             const auto start = Clock::now();
             const TickOutput output = tick(scene, input, memory);
             result.times.push_back(std::chrono::duration<double>(Clock::now() - start).count());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/haptics/HandPath.h"
 #include "core/haptics/HapticTick.h"
 
@@ -14,7 +15,9 @@ struct RecordedRun {
     std::vector<Vector3> trueForces;  ///< inside the instrument [N]
 };
 
-[[nodiscard]] RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration);
+/// @param progress likewise  @throw Cancelled
+[[nodiscard]] RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration,
+                                    const Progress* progress = nullptr);
 
 /// What a model made of recorded runs, a tick an element.
 struct ModelRun {
@@ -24,7 +27,10 @@ struct ModelRun {
 };
 
 /// Runs the scene's model over the inputs of each run, one after another.
-[[nodiscard]] ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs);
+/// @param progress may be null; asked at every tick whether the work is cancelled
+/// @throw Cancelled
+[[nodiscard]] ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs,
+                                const Progress* progress = nullptr);
 
 /// By how much forces differ over a run.
 struct ForceDifference {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -13,6 +12,12 @@ struct CostAndError {
     double error = 0.0;
 };
 
+/// Below what choices cannot be told apart.
+struct Resolution {
+    double cost = 0.0;   ///< as a share
+    double error = 0.0;  ///< errors below it count as that: nothing is known of them
+};
+
 /// Of results that say so of themselves.
 template <class Result>
 [[nodiscard]] std::vector<CostAndError> costsAndErrors(const std::vector<Result>& results) {
@@ -23,24 +28,23 @@ template <class Result>
     return choices;
 }
 
-/// Of each choice, whether no other is cheaper and as good, or better and as cheap.
-[[nodiscard]] std::vector<bool> paretoFront(std::span<const CostAndError> choices);
+/// Of each choice, whether no other is as cheap and nearer, or cheaper and as near. Of those that
+/// cannot be told apart it is the first.
+[[nodiscard]] std::vector<bool> paretoFront(std::span<const CostAndError> choices,
+                                            const Resolution& resolution);
 
-/// Has results say whether they are on the front. Errors below `doubt`, that of what they are held
-/// against, count as that.
+/// Has results say whether they are on the front.
 template <class Result>
-void markFront(std::vector<Result>& results, double doubt) {
-    std::vector<CostAndError> choices = costsAndErrors(results);
-    for (CostAndError& choice : choices) {
-        choice.error = std::max(choice.error, doubt);
-    }
-    const std::vector<bool> front = paretoFront(choices);
+void markFront(std::vector<Result>& results, const Resolution& resolution) {
+    const std::vector<bool> front = paretoFront(costsAndErrors(results), resolution);
     for (std::size_t i = 0; i < results.size(); ++i) {
         results[i].onFront = front[i];
     }
 }
 
-/// The cheapest whose error is at most `tolerance`; their count where there is none.
-[[nodiscard]] std::size_t cheapestWithin(std::span<const CostAndError> choices, double tolerance);
+/// Of the choices whose error is at most `tolerance`: the nearest of those that cannot be told from
+/// the cheapest. Their count where there is none.
+[[nodiscard]] std::size_t cheapestWithin(std::span<const CostAndError> choices, double tolerance,
+                                         const Resolution& resolution);
 
 }  // namespace asperity

@@ -13,10 +13,18 @@ constexpr double kLowestRate = 250.0;  // [Hz]
 constexpr double kHighestRate = 8e3;   // [Hz]
 constexpr double kFinestRate = 16e3;   // [Hz]
 
-ModelRun runAt(Scene& scene, const HandPath& path, double rate, double duration) {
+/// How a run goes, whatever its rate.
+struct Course {
+    HandPath path;
+    double duration = 0.0;  ///< [s]
+    const Progress* progress = nullptr;
+};
+
+ModelRun runAt(Scene& scene, const Course& course, double rate) {
     scene.description.tickRate = rate;
     scene.truth.timeStep = scene.timeStep();
-    return runModel(scene, {recordRun(scene, path, duration)});
+    const RecordedRun run = recordRun(scene, course.path, course.duration, course.progress);
+    return runModel(scene, {run}, course.progress);
 }
 
 /// Between ticks the last force stands.
@@ -32,19 +40,16 @@ double holdError(const ModelRun& held, double rate, const ModelRun& finest) {
 
 }  // namespace
 
-std::vector<RateResult> studyRates(Scene& scene, double duration) {
-    const double before = scene.description.tickRate;
-    const HandPath path = approachPath(scene, {.duration = duration});
-    const ModelRun finest = runAt(scene, path, kFinestRate, duration);
+std::vector<RateResult> studyRates(Scene& scene, double duration, const Progress* progress) {
+    const Course course{approachPath(scene, {.duration = duration}), duration, progress};
+    const ModelRun finest = runAt(scene, course, kFinestRate);
     std::vector<RateResult> results;
     for (double rate = kLowestRate; rate <= kHighestRate; rate *= 2.0) {
-        const ModelRun run = runAt(scene, path, rate, duration);
+        const ModelRun run = runAt(scene, course, rate);
         results.push_back({.rate = rate,
                            .load = rate * quantile(run.times, 0.5),
                            .holdErrorRms = holdError(run, rate, finest)});
     }
-    scene.description.tickRate = before;
-    scene.truth.timeStep = scene.timeStep();
     return results;
 }
 

@@ -1,6 +1,7 @@
 #include "core/fidelity/SampledRuns.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace asperity {
@@ -8,15 +9,34 @@ namespace asperity {
 namespace {
 
 constexpr int kTicksAPath = 120;
-constexpr double kSlowTick = 1e-3;  // [s]
+/// Runs that take less are timed twice, in turns [s].
+constexpr double kQuickRuns = 0.02;
 /// Of the ticks: one in which a jump comes a little earlier is no other feeling.
 constexpr double kAllButJumps = 0.97;
 /// A force of the separate tip that is this share of those in contact is felt as well as these.
 constexpr double kFaint = 0.1;
 
+double sumOf(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
 }  // namespace
 
-SampledRuns::SampledRuns(Scene& scene) : scene_(scene) {
+double forceShare(const ModelRun& run, const ModelRun& reference) {
+    const double scale = forceScale(reference);
+    std::vector<double> touching;
+    std::vector<double> apart;
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        const bool touches = reference.states[i].contact.contactRadius > 0.0;
+        const double error = (run.states[i].force - reference.states[i].force).norm();
+        (touches ? touching : apart).push_back(error);
+    }
+    return scale > 0.0 ? std::max(quantile(std::move(touching), kAllButJumps) / scale,
+                                  quantile(std::move(apart), kAllButJumps) / (kFaint * scale))
+                       : 0.0;
+}
+
+SampledRuns::SampledRuns(Scene& scene, double longestTick) : scene_(scene) {
     const SceneModel reference = scene.model;
     setModel(scene, usualModel(scene.description));  // the runs are the same whatever the reference
     const double duration = kTicksAPath * scene.timeStep();
@@ -26,7 +46,7 @@ SampledRuns::SampledRuns(Scene& scene) : scene_(scene) {
     };
     record(approachPath(scene, {.duration = duration}));
     last_ = runModel(scene, runs_);
-    slow_ = tickTime() > kSlowTick;
+    slow_ = tickTime() > longestTick;
     if (slow_) {
         return;
     }
@@ -40,30 +60,24 @@ SampledRuns::SampledRuns(Scene& scene) : scene_(scene) {
 
 double SampledRuns::error(const SceneModel& model) {
     last_ = runWith(model);
-    return share(last_, reference_);
+    return forceShare(last_, reference_);
 }
 
-double SampledRuns::difference(const SceneModel& a, const SceneModel& b) {
-    last_ = runWith(a);
-    return share(last_, runWith(b));
+ModelDifference SampledRuns::between(const SceneModel& with, const SceneModel& without) {
+    const ModelRun less = runWith(without);
+    ModelDifference difference{.with = runWith(with)};
+    difference.effect = forceShare(less, difference.with);
+    difference.time = quantile(difference.with.times, 0.5) - quantile(less.times, 0.5);
+    if (sumOf(less.times) + sumOf(difference.with.times) < kQuickRuns) {
+        const double again = -quantile(runWith(without).times, 0.5);
+        difference.time = 0.5 * (difference.time + again + quantile(runWith(with).times, 0.5));
+    }
+    return difference;
 }
 
 void SampledRuns::refer(const SceneModel& model) {
     reference_ = runWith(model);
     last_ = reference_;
-}
-
-double SampledRuns::share(const ModelRun& a, const ModelRun& b) const {
-    const double scale = forceScale(reference_);
-    std::vector<double> touching;
-    std::vector<double> apart;
-    for (std::size_t i = 0; i < reference_.states.size(); ++i) {
-        const bool touches = reference_.states[i].contact.contactRadius > 0.0;
-        (touches ? touching : apart).push_back((a.states[i].force - b.states[i].force).norm());
-    }
-    return scale > 0.0 ? std::max(quantile(std::move(touching), kAllButJumps) / scale,
-                                  quantile(std::move(apart), kAllButJumps) / (kFaint * scale))
-                       : 0.0;
 }
 
 ModelRun SampledRuns::runWith(const SceneModel& model) const {

@@ -7,24 +7,35 @@
 
 namespace asperity {
 
+/// By how much the force of a run differs from that of another in all but 3 % of the ticks, as a
+/// share of that one's root mean square; of the separate tip, whose forces are faint and felt all
+/// the same, as a share of a tenth of that. 0 where there is no force.
+[[nodiscard]] double forceShare(const ModelRun& run, const ModelRun& reference);
+
+/// What a part of the model does: the difference between the model with it and without.
+struct ModelDifference {
+    ModelRun with;
+    double effect = 0.0;  ///< of the force, see forceShare()
+    double time = 0.0;    ///< that a tick takes longer with it; of this machine [s]
+};
+
 /// Short runs over a scene on which its models are compared: approach, slide and retract at the
 /// highest feature and at two more places, and lines to and fro around the first. The inputs are
 /// those of the scene's usual model; the model that the scene has at first is the reference.
 class SampledRuns {
 public:
-    /// @param scene must outlive this; its model is changed and left changed
-    explicit SampledRuns(Scene& scene);
+    /// @param scene       must outlive this; its model is changed and left changed
+    /// @param longestTick of which somebody would wait for more runs [s]
+    SampledRuns(Scene& scene, double longestTick);
 
-    /// Whether ticks are so slow here that nobody would wait for more runs.
+    /// Whether ticks take longer than that here; then there is one run only, of the usual model.
     [[nodiscard]] bool isSlow() const noexcept { return slow_; }
 
-    /// By how much the force differs from the reference in all but 3 % of the ticks, as a share of
-    /// the reference's root mean square; of the separate tip, whose forces are faint and felt all
-    /// the same, as a share of a tenth of that. 0 where there is no force. Sets the scene's model.
+    /// By how much the force differs from the reference, see forceShare(). Sets the scene's model.
     [[nodiscard]] double error(const SceneModel& model);
 
-    /// The same between two models, as a share of the reference's force.
-    [[nodiscard]] double difference(const SceneModel& a, const SceneModel& b);
+    /// The same between two models; times are taken in turns. The scene has the model `with` then.
+    [[nodiscard]] ModelDifference between(const SceneModel& with, const SceneModel& without);
 
     /// Makes another model the reference. Sets the scene's model.
     void refer(const SceneModel& model);
@@ -37,7 +48,6 @@ public:
 
 private:
     [[nodiscard]] ModelRun runWith(const SceneModel& model) const;
-    [[nodiscard]] double share(const ModelRun& a, const ModelRun& b) const;
 
     Scene& scene_;
     std::vector<RecordedRun> runs_;

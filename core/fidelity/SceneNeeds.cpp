@@ -3,9 +3,11 @@
 #include "core/fidelity/SampledRuns.h"
 #include "core/fidelity/SurfaceNeeds.h"
 #include "core/fidelity/TermFacts.h"
+#include "core/fidelity/TermPair.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
+#include <utility>
 
 namespace asperity {
 
@@ -38,23 +40,24 @@ SceneModel fullModel(const SceneDescription& scene) {
 class ForceNeeds {
 public:
     /// @param scene has the full model
-    ForceNeeds(Scene& scene, SceneNeeds& needs) : needs_(needs), runs_(scene) {}
+    ForceNeeds(Scene& scene, SceneNeeds& needs, double longestTick)
+        : scene_(scene), needs_(needs), runs_(scene, longestTick) {}
 
     [[nodiscard]] bool isSlow() const { return runs_.isSlow(); }
+    [[nodiscard]] double tickTime() const { return runs_.tickTime(); }
     [[nodiscard]] const ModelRun& reference() const { return runs_.reference(); }
 
-    void decide(const SceneDescription& description, bool tipFits) {
-        chooseLawOfAll(description);
+    void decide(bool tipFits) {
+        chooseLawOfAll();
         needs_.fullTick = runs_.tickTime();
         for (TermNeed& need : needs_.terms) {
-            if (isOfSurface(need.term) || !has(needs_.full, need.term)) {
-                continue;
+            if (!isOfSurface(need.term)) {
+                weigh(need);
             }
-            need.effect = runs_.error(without(needs_.full, need.term));
-            need.time = needs_.fullTick - runs_.tickTime();
             const bool isBound = need.term == ModelTerm::GlobalSearch && !tipFits;
             // What matters alone stays, also where other errors would make up for it.
-            if (!need.overruled && !isBound && need.effect <= needs_.tolerance) {
+            if (!isOfSurface(need.term) && has(needs_.full, need.term) && !need.overruled &&
+                !isBound && need.effect <= needs_.tolerance) {
                 free_.push_back(need.term);
             }
         }
@@ -66,32 +69,62 @@ public:
 private:
     TermNeed& need(ModelTerm term) { return needs_.terms[static_cast<std::size_t>(term)]; }
 
-    /// The exact sphere's law has no tail and takes the sample as flat. Where the scene
-    /// says nothing of its law, it is taken if that matters less, or contacts are wide without
-    /// load.
-    void chooseLawOfAll(const SceneDescription& description) {
-        const SceneModel sphere = with(needs_.full, ModelTerm::SphereCorrection);
-        const bool said = isSettled(ModelTerm::Adhesion, description) ||
-                          isSettled(ModelTerm::VanDerWaalsTail, description) ||
-                          isSettled(ModelTerm::SphereCorrection, description);
-        if (said || !has(sphere, ModelTerm::SphereCorrection)) {
+    void weigh(TermNeed& need) {
+        if (!isPossible(need.term, scene_.description)) {
+            need.why = whyImpossible(need.term);
             return;
         }
-        const SceneModel neither = without(sphere, ModelTerm::SphereCorrection);
-        const bool adhesive = has(neither, ModelTerm::Adhesion);
-        const SceneModel tail = adhesive ? with(neither, ModelTerm::VanDerWaalsTail) : neither;
-        const SceneModel flat = without(neither, ModelTerm::SampleCurvature);
-        const double bySphere = runs_.difference(without(sphere, ModelTerm::SampleCurvature), flat);
-        const double byTail = runs_.difference(tail, neither);
-        const double byCurvature = runs_.difference(neither, flat);
-        need(ModelTerm::SphereCorrection).effect = bySphere;
-        need(ModelTerm::VanDerWaalsTail).effect = byTail;
-        need(ModelTerm::SampleCurvature).effect = byCurvature;
+        const TermPair models = pairOf(need.term, needs_.full);
+        const ModelDifference difference = runs_.between(models.with, models.without);
+        need.effect = difference.effect;
+        need.time = difference.time;
+        need.why = factOf(need.term, scene_, difference.with);
+    }
+
+    [[nodiscard]] double effectOf(ModelTerm term) {
+        const TermPair models = pairOf(term, needs_.full);
+        return runs_.between(models.with, models.without).effect;
+    }
+
+    /// No law has all. Where the scene says nothing of its law, that of the materials is taken as
+    /// long as what it has no room for does not matter, otherwise the one that leaves out least.
+    void chooseLawOfAll() {
+        const bool said = std::ranges::any_of(kModelTerms, [&](ModelTerm term) {
+            return isOfLaw(term) && isSettled(term, scene_.description);
+        });
         const bool isWide = has(needs_.full, ModelTerm::SphereCorrection);  // without load already
-        const bool takesSphere =
-            isWide || (bySphere > needs_.tolerance && bySphere > std::max(byTail, byCurvature));
-        needs_.full.law.law = (takesSphere ? sphere : tail).law.law;
+        if (!said && !isWide) {
+            needs_.full = lawThatLeavesOutLeast();
+        }
         runs_.refer(needs_.full);
+    }
+
+    [[nodiscard]] SceneModel lawThatLeavesOutLeast() {
+        std::vector<std::pair<ModelTerm, double>> effects;
+        for (const ModelTerm term : kModelTerms) {
+            if ((isOfLaw(term) || term == ModelTerm::SampleCurvature) &&
+                isPossible(term, scene_.description)) {
+                effects.emplace_back(term, effectOf(term));
+            }
+        }
+        const auto leftOutBy = [&effects](const SceneModel& model) {
+            double most = 0.0;
+            for (const auto& [term, effect] : effects) {
+                most = std::max(most, has(model, term) ? 0.0 : effect);
+            }
+            return most;
+        };
+        SceneModel best = needs_.full;
+        if (leftOutBy(best) <= needs_.tolerance) {
+            return best;
+        }
+        for (const ModelTerm term : {ModelTerm::SphereCorrection, ModelTerm::FilmBase}) {
+            const SceneModel other = with(needs_.full, term);
+            if (isPossible(term, scene_.description) && leftOutBy(other) < leftOutBy(best)) {
+                best = other;
+            }
+        }
+        return best;
     }
 
     /// The least effect first; then again what stayed, since what was left out after it can make up
@@ -111,6 +144,7 @@ private:
         }
     }
 
+    Scene& scene_;
     SceneNeeds& needs_;
     SampledRuns runs_;
     std::vector<ModelTerm> free_;  ///< to be left out
@@ -134,16 +168,38 @@ void fillIn(const SurfaceNeeds& surface, SceneNeeds& needs) {
         if (need.term == ModelTerm::OutsideDisplacement) {
             need.effect = surface.outside;
             need.time = surface.outsideTime;
+            need.why = surface.touches ? "a sample yields beyond the rim of the contact, too"
+                                       : "the sampled runs touch nothing";
         } else if (need.term == ModelTerm::HalfSpaceSolve) {
             need.effect = surface.halfSpace;
             need.time = surface.halfSpaceTime;
+            need.why = surface.touches ? surface.halfSpaceWord : "the sampled runs touch nothing";
         }
     }
 }
 
+/// Nothing can be tried: all stays in.
+void leaveAsItIs(double tickTime, SceneNeeds& needs) {
+    char why[64];
+    std::snprintf(why, sizeof why, "not tried: a tick takes %.2g ms here", tickTime * 1e3);
+    for (TermNeed& need : needs.terms) {
+        need.why = why;
+    }
+    needs.fullTick = tickTime;
+    needs.modelTick = tickTime;
+}
+
+void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs) {
+    force.decide(tipFitsEverywhere(scene));
+    setModel(scene, needs.full);
+    const SurfaceNeeds surface = surfaceNeedsOf(scene, force.reference().states);
+    fillIn(surface, needs);
+    decideSurface(scene.description, surface, needs);
+}
+
 }  // namespace
 
-SceneNeeds fitModel(Scene& scene) {
+SceneNeeds fitModel(Scene& scene, double longestTick) {
     SceneNeeds needs{.terms = {}, .full = fullModel(scene.description)};
     needs.tolerance = scene.description.tolerance;
     for (const ModelTerm term : kModelTerms) {
@@ -152,16 +208,11 @@ SceneNeeds fitModel(Scene& scene) {
     }
     setModel(scene, needs.full);
     needs.model = needs.full;
-    ForceNeeds force(scene, needs);
-    if (!force.isSlow()) {
-        force.decide(scene.description, tipFitsEverywhere(scene));
-        setModel(scene, needs.full);
-        const SurfaceNeeds surface = surfaceNeedsOf(scene, force.reference().states);
-        fillIn(surface, needs);
-        decideSurface(scene.description, surface, needs);
-        for (TermNeed& need : needs.terms) {
-            need.why = factOf(need.term, scene, force.reference(), surface);
-        }
+    ForceNeeds force(scene, needs, longestTick);
+    if (force.isSlow()) {
+        leaveAsItIs(force.tickTime(), needs);
+    } else {
+        decideAll(scene, force, needs);
     }
     for (TermNeed& need : needs.terms) {
         need.on = has(needs.model, need.term);

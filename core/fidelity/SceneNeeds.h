@@ -14,10 +14,11 @@ struct TermNeed {
     bool on = true;
     bool overruled = false;  ///< the scene says so itself
     std::string why;         ///< one clause, for people
-    /// What leaving it out of the whole changes: the force in the sampled run, see SampledRuns; of
-    /// terms of the surface its displacement, as a share of the indentation.
+    /// What leaving it out of the model changes that has it and all terms that it does not exclude:
+    /// the force in the sampled run, see SampledRuns; of terms of the surface its displacement, as
+    /// a share of the indentation.
     double effect = 0.0;
-    double time = 0.0;  ///< that it costs a tick, or a patch; of this machine [s]
+    double time = 0.0;  ///< that it costs a tick, or a patch, likewise; of this machine [s]
 };
 
 /// What a scene requires of its model.
@@ -38,9 +39,9 @@ struct SceneNeeds {
 /// one term after another, the least effect first, as long as each alone and all together stay
 /// within the tolerance. Terms that the description settles stay as they are. The search for other
 /// feet stays wherever the scan has a hollow that the tip does not fit, whatever the runs meet.
-/// Decisions are reproducible, times are of this machine. Where ticks take milliseconds everything
-/// is left on.
+/// Decisions are reproducible, times are of this machine. Where a tick takes longer than
+/// `longestTick` [s] everything is left on.
 /// @throw Error as setModel()
-SceneNeeds fitModel(Scene& scene);
+SceneNeeds fitModel(Scene& scene, double longestTick = 1e-3);
 
 }  // namespace asperity

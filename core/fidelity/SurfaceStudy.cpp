@@ -142,12 +142,21 @@ void doubt(const Scene& scene, const SolvedContacts& reference, TradeOffReferenc
     result.surfaceDoubtBy = "the half-space of half as many pixels a side against it";
 }
 
+double rmsIndentation(const std::vector<TipState>& states) {
+    double sum = 0.0;
+    for (const TipState& state : states) {
+        sum += state.contact.indentation * state.contact.indentation;
+    }
+    return states.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(states.size()));
+}
+
 }  // namespace
 
 void studySurfaces(const Scene& scene, std::span<const TipState> states, const TradeOffPlan& plan,
-                   TradeOff& result) {
+                   Progress* progress, TradeOff& result) {
     constexpr int kFinePixels = 2 * HalfSpaceModel::kSamples;
     const std::vector<TipState> contacts = contactsOf(states, plan.patches);
+    reportTo(progress, 0.0);
     SolvedContacts reference = solvedContacts(scene, contacts, kFinePixels);
     const bool holds = !reference.states.empty();
     if (holds) {
@@ -161,12 +170,15 @@ void studySurfaces(const Scene& scene, std::span<const TipState> states, const T
     result.reference.frame = {.deformation =
                                   holds ? DeformationTier::HalfSpace : DeformationTier::ClosedForm,
                               .samples = kReferenceSamples};
-    for (const FrameTier& tier : frameTiers()) {
+    result.reference.indentation = rmsIndentation(reference.states);
+    const std::vector<FrameTier> tiers = frameTiers();
+    for (std::size_t i = 0; i < tiers.size(); ++i) {
+        const FrameTier& tier = tiers[i];
+        reportTo(progress, static_cast<double>(i + 1) / static_cast<double>(tiers.size() + 1));
         if (holds || tier.deformation != DeformationTier::HalfSpace) {
             result.frames.push_back(resultOf(scene, tier, reference, plan.rounds));
         }
     }
-    markFront(result.frames, result.reference.surfaceDoubt);
 }
 
 }  // namespace asperity

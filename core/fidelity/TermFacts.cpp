@@ -44,8 +44,7 @@ std::string searchFact(const Scene& scene) {
 
 }  // namespace
 
-std::string factOf(ModelTerm term, const Scene& scene, const ModelRun& run,
-                   const SurfaceNeeds& surface) {
+std::string factOf(ModelTerm term, const Scene& scene, const ModelRun& run) {
     const SampleMaterial& material = scene.description.sample.material;
     switch (term) {
     case ModelTerm::Adhesion:
@@ -58,6 +57,10 @@ std::string factOf(ModelTerm term, const Scene& scene, const ModelRun& run,
     case ModelTerm::SphereCorrection:
         return text("the contact is up to %.2g tip radii wide",
                     largestOf(run, [](const TipState& s) { return s.contactRatio; }));
+    case ModelTerm::FilmBase:
+        return text("the contact is up to %.2g film thicknesses wide",
+                    largestOf(run, [](const TipState& s) { return s.contact.contactRadius; }) /
+                        material.filmThickness);
     case ModelTerm::SampleCurvature:
         return curvatureFact(scene, run);
     case ModelTerm::Friction:
@@ -74,12 +77,14 @@ std::string factOf(ModelTerm term, const Scene& scene, const ModelRun& run,
     case ModelTerm::GlobalSearch:
         return searchFact(scene);
     case ModelTerm::OutsideDisplacement:
-        return surface.touches ? "a sample yields beyond the rim of the contact, too"
-                               : "the sampled runs touch nothing";
     case ModelTerm::HalfSpaceSolve:
-        return surface.touches ? surface.halfSpaceWord : "the sampled runs touch nothing";
+        break;
     }
     return {};
+}
+
+std::string whyImpossible(ModelTerm term) {
+    return term == ModelTerm::FilmBase ? "the sample is no film" : "the materials do not adhere";
 }
 
 }  // namespace asperity

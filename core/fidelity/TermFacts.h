@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/fidelity/ModelRun.h"
-#include "core/fidelity/SurfaceNeeds.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
 
@@ -9,9 +8,11 @@
 
 namespace asperity {
 
-/// What a scene and its sampled run say of a term, for people: one clause with the quantity that
-/// decides. @param scene has the full model
-[[nodiscard]] std::string factOf(ModelTerm term, const Scene& scene, const ModelRun& run,
-                                 const SurfaceNeeds& surface);
+/// What a scene and a run of it say of a term of the force, for people: one clause with the
+/// quantity that decides. @param scene has the model of the run, the term in
+[[nodiscard]] std::string factOf(ModelTerm term, const Scene& scene, const ModelRun& run);
+
+/// Why a term of the force is not possible in a scene, for people.
+[[nodiscard]] std::string whyImpossible(ModelTerm term);
 
 }  // namespace asperity

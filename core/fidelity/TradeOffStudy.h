@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/fidelity/FidelityTier.h"
 #include "core/fidelity/Pareto.h"
 #include "core/scene/Scene.h"
@@ -19,7 +20,7 @@ struct TickResult {
     double contactRadiusError = 0.0;  ///< largest [m]
     double footError = 0.0;           ///< largest, of the foot while it bears a force [m]
     double estimateErrorRms = 0.0;    ///< of the force from the signals against the true one [N]
-    bool onFront = false;  ///< no tier is cheaper and as near, as far as the reference can tell
+    bool onFront = false;             ///< no tier is cheaper and as near, as far as can be told
 
     [[nodiscard]] CostAndError costAndError() const { return {median, forceErrorRms}; }
 };
@@ -46,15 +47,16 @@ struct RateResult {
 struct TradeOffReference {
     TickTier tick;
     FrameTier frame;
-    double tickMedian = 0.0;    ///< [s]
-    double forceScale = 0.0;    ///< root mean square of its force over the runs [N]
-    double contactRatio = 0.0;  ///< largest contact radius over tip radius
-    int contacts = 0;           ///< at which pictures are compared: those where it holds
-    int contactsAsked = 0;      ///< of so many
-    double forceDoubt = 0.0;    ///< root mean square [N]
-    double surfaceDoubt = 0.0;  ///< root mean square [m]
-    std::string forceDoubtBy;   ///< what was compared
-    std::string surfaceDoubtBy;
+    double tickMedian = 0.0;     ///< [s]
+    double forceScale = 0.0;     ///< root mean square of its force over the runs [N]
+    double contactRatio = 0.0;   ///< largest contact radius over tip radius
+    int contacts = 0;            ///< at which pictures are compared: those where it holds
+    int contactsAsked = 0;       ///< of so many
+    double indentation = 0.0;    ///< root mean square over these contacts [m]
+    double forceDoubt = 0.0;     ///< root mean square [N]
+    double surfaceDoubt = 0.0;   ///< root mean square [m]
+    std::string forceDoubtBy;    ///< the terms that its law has no room for; empty: none
+    std::string surfaceDoubtBy;  ///< what was compared
 };
 
 struct TradeOff {
@@ -63,6 +65,11 @@ struct TradeOff {
     std::vector<TickResult> decouplings;  ///< of the scene's own model
     std::vector<FrameResult> frames;
     std::vector<RateResult> rates;
+    double timeResolution = 0.0;  ///< shares by which times differ without meaning it
+
+    /// What cannot be told apart, of ticks and of pictures.
+    [[nodiscard]] Resolution ofTicks() const { return {timeResolution, reference.forceDoubt}; }
+    [[nodiscard]] Resolution ofFrames() const { return {timeResolution, reference.surfaceDoubt}; }
 };
 
 /// How much is measured.
@@ -74,11 +81,11 @@ struct TradeOffPlan {
 };
 
 /// Runs the scene with every tier. Accuracy is taken on the virtual clock and is reproducible;
-/// times are of this machine, the tiers interleaved so that they share its mood. The reference
-/// solves the law that the materials ask for afresh, on the exact sphere where the contact is wider
-/// than 0.3 tip radii and the sample about flat, with certified feet and the scene's other terms;
-/// of its surface see studySurfaces().
-/// @param scene has its model changed meanwhile; it is left as it was
-[[nodiscard]] TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan);
+/// times are of this machine, the tiers interleaved so that they share its mood. Of the references
+/// see TickStudy and studySurfaces().
+/// @param scene    has its model changed meanwhile; it is left as it was, also by a throw
+/// @param progress may be null  @throw Cancelled
+[[nodiscard]] TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan,
+                                     Progress* progress = nullptr);
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include "core/io/NamedChoice.h"
 #include "core/io/ProbeFile.h"
 #include "core/io/TomlFile.h"
+#include "core/scene/ModelTerm.h"
 
 #include <array>
 #include <fstream>
@@ -186,16 +187,12 @@ void readFidelity(TomlSection section, SceneDescription& scene) {
     scene.decoupling = choice(section, "decoupling", kDecouplings, scene.decoupling);
     scene.deformation = choiceOrNone(section, "deformation", kDeformations, scene.deformation);
     scene.footSearch = choiceOrNone(section, "foot_search", kEfforts, scene.footSearch);
-    const auto term = [&](const char* key, std::optional<bool>& value) {
-        value = choiceOrNone(section, key, kSwitches, value);
-    };
-    term("adhesion", scene.terms.adhesion);
-    term("van_der_waals_tail", scene.terms.vanDerWaalsTail);
-    term("sphere_correction", scene.terms.sphereCorrection);
-    term("curvature", scene.terms.curvature);
-    term("friction", scene.terms.friction);
-    term("torsion", scene.terms.torsion);
-    term("mount_tilt", scene.terms.mountTilt);
+    for (const ModelTerm term : kModelTerms) {
+        if (const auto member = choiceMember(term)) {
+            std::optional<bool>& value = scene.terms.*member;
+            value = choiceOrNone(section, keyOf(term), kSwitches, value);
+        }
+    }
     section.refuseUnknownKeys();
 }
 
@@ -285,18 +282,17 @@ toml::table probeSectionTable(const SceneDescription& scene) {
 }
 
 toml::table fidelityTable(const SceneDescription& scene) {
-    return toml::table{{"tolerance", scene.tolerance},
-                       {"contact_solver", nameOf(kSolvers, scene.solver)},
-                       {"decoupling", nameOf(kDecouplings, scene.decoupling)},
-                       {"deformation", nameOf(kDeformations, scene.deformation)},
-                       {"foot_search", nameOf(kEfforts, scene.footSearch)},
-                       {"adhesion", nameOf(kSwitches, scene.terms.adhesion)},
-                       {"van_der_waals_tail", nameOf(kSwitches, scene.terms.vanDerWaalsTail)},
-                       {"sphere_correction", nameOf(kSwitches, scene.terms.sphereCorrection)},
-                       {"curvature", nameOf(kSwitches, scene.terms.curvature)},
-                       {"friction", nameOf(kSwitches, scene.terms.friction)},
-                       {"torsion", nameOf(kSwitches, scene.terms.torsion)},
-                       {"mount_tilt", nameOf(kSwitches, scene.terms.mountTilt)}};
+    toml::table table{{"tolerance", scene.tolerance},
+                      {"contact_solver", nameOf(kSolvers, scene.solver)},
+                      {"decoupling", nameOf(kDecouplings, scene.decoupling)},
+                      {"deformation", nameOf(kDeformations, scene.deformation)},
+                      {"foot_search", nameOf(kEfforts, scene.footSearch)}};
+    for (const ModelTerm term : kModelTerms) {
+        if (const auto member = choiceMember(term)) {
+            table.insert(keyOf(term), nameOf(kSwitches, scene.terms.*member));
+        }
+    }
+    return table;
 }
 
 toml::table truthTable(const TruthDescription& truth) {

@@ -1,5 +1,7 @@
 #include "core/scene/ModelTerm.h"
 
+#include "core/contact/ContactStatus.h"
+
 namespace asperity {
 
 namespace {
@@ -31,6 +33,7 @@ ContactLaw onParaboloid(ContactLaw law) {
 ContactLaw onSphere(ContactLaw law) {
     switch (law) {
     case ContactLaw::Hertz:
+    case ContactLaw::HertzFilm:
         return ContactLaw::Sneddon;
     case ContactLaw::Jkr:
         return ContactLaw::SphereJkr;
@@ -40,11 +43,6 @@ ContactLaw onSphere(ContactLaw law) {
     default:
         return law;
     }
-}
-
-bool isOfLaw(ModelTerm term) {
-    return term == ModelTerm::Adhesion || term == ModelTerm::VanDerWaalsTail ||
-           term == ModelTerm::SphereCorrection;
 }
 
 /// Of the terms that a model says yes or no to.
@@ -71,6 +69,8 @@ const char* nameOf(ModelTerm term) noexcept {
         return "van der Waals tail";
     case ModelTerm::SphereCorrection:
         return "sphere correction";
+    case ModelTerm::FilmBase:
+        return "film's base";
     case ModelTerm::SampleCurvature:
         return "sample curvature";
     case ModelTerm::Friction:
@@ -89,6 +89,38 @@ const char* nameOf(ModelTerm term) noexcept {
     return "unknown";
 }
 
+const char* keyOf(ModelTerm term) noexcept {
+    switch (term) {
+    case ModelTerm::Adhesion:
+        return "adhesion";
+    case ModelTerm::VanDerWaalsTail:
+        return "van_der_waals_tail";
+    case ModelTerm::SphereCorrection:
+        return "sphere_correction";
+    case ModelTerm::FilmBase:
+        return "film_base";
+    case ModelTerm::SampleCurvature:
+        return "curvature";
+    case ModelTerm::Friction:
+        return "friction";
+    case ModelTerm::Torsion:
+        return "torsion";
+    case ModelTerm::MountTilt:
+        return "mount_tilt";
+    case ModelTerm::GlobalSearch:
+        return "foot_search";
+    case ModelTerm::OutsideDisplacement:
+    case ModelTerm::HalfSpaceSolve:
+        return "deformation";
+    }
+    return "unknown";
+}
+
+bool isOfLaw(ModelTerm term) noexcept {
+    return term == ModelTerm::Adhesion || term == ModelTerm::VanDerWaalsTail ||
+           term == ModelTerm::SphereCorrection || term == ModelTerm::FilmBase;
+}
+
 bool isOfSurface(ModelTerm term) noexcept {
     return term == ModelTerm::OutsideDisplacement || term == ModelTerm::HalfSpaceSolve;
 }
@@ -101,6 +133,8 @@ std::optional<bool> TermChoices::*choiceMember(ModelTerm term) noexcept {
         return &TermChoices::vanDerWaalsTail;
     case ModelTerm::SphereCorrection:
         return &TermChoices::sphereCorrection;
+    case ModelTerm::FilmBase:
+        return &TermChoices::filmBase;
     case ModelTerm::SampleCurvature:
         return &TermChoices::curvature;
     case ModelTerm::Friction:
@@ -127,6 +161,29 @@ bool isSettled(ModelTerm term, const SceneDescription& scene) noexcept {
     return isOfSurface(term) ? scene.deformation.has_value() : scene.footSearch.has_value();
 }
 
+bool exclude(ModelTerm a, ModelTerm b) noexcept {
+    const auto are = [a, b](ModelTerm one, ModelTerm other) {
+        return (a == one && b == other) || (a == other && b == one);
+    };
+    return are(ModelTerm::SphereCorrection, ModelTerm::VanDerWaalsTail) ||
+           are(ModelTerm::SphereCorrection, ModelTerm::SampleCurvature) ||
+           (a != b && isOfLaw(a) && isOfLaw(b) &&
+            (a == ModelTerm::FilmBase || b == ModelTerm::FilmBase));
+}
+
+bool isPossible(ModelTerm term, const SceneDescription& scene) noexcept {
+    const SampleMaterial& material = scene.sample.material;
+    switch (term) {
+    case ModelTerm::Adhesion:
+    case ModelTerm::VanDerWaalsTail:
+        return material.workOfAdhesion >= kSmallestAdhesion;
+    case ModelTerm::FilmBase:
+        return material.filmThickness > 0.0;
+    default:
+        return true;
+    }
+}
+
 bool has(const SceneModel& model, ModelTerm term) noexcept {
     switch (term) {
     case ModelTerm::Adhesion:
@@ -135,6 +192,8 @@ bool has(const SceneModel& model, ModelTerm term) noexcept {
         return model.law.law == ContactLaw::Split;
     case ModelTerm::SphereCorrection:
         return isSphere(model.law.law);
+    case ModelTerm::FilmBase:
+        return model.law.law == ContactLaw::HertzFilm;
     case ModelTerm::SampleCurvature:
         return model.curvature && !isSphere(model.law.law);
     case ModelTerm::GlobalSearch:
@@ -162,6 +221,9 @@ SceneModel without(SceneModel model, ModelTerm term) {
     case ModelTerm::SphereCorrection:
         model.law.law = onParaboloid(model.law.law);
         break;
+    case ModelTerm::FilmBase:
+        model.law.law = ContactLaw::Hertz;
+        break;
     case ModelTerm::GlobalSearch:
         model.footSearch = FootEffort::Local;
         break;
@@ -178,6 +240,9 @@ SceneModel without(SceneModel model, ModelTerm term) {
 }
 
 SceneModel with(SceneModel model, ModelTerm term) {
+    if (has(model, term)) {
+        return model;
+    }
     switch (term) {
     case ModelTerm::Adhesion:
         model.law.law = isSphere(model.law.law) ? ContactLaw::SphereMaugis : ContactLaw::Split;
@@ -187,6 +252,9 @@ SceneModel with(SceneModel model, ModelTerm term) {
         break;
     case ModelTerm::SphereCorrection:
         model.law.law = onSphere(model.law.law);
+        break;
+    case ModelTerm::FilmBase:
+        model.law.law = ContactLaw::HertzFilm;
         break;
     case ModelTerm::GlobalSearch:
         model.footSearch = FootEffort::Certified;
@@ -209,8 +277,9 @@ SceneDescription settled(SceneDescription scene, const SceneModel& model) {
         terms.adhesion = has(model, ModelTerm::Adhesion);
         terms.vanDerWaalsTail = has(model, ModelTerm::VanDerWaalsTail);
         terms.sphereCorrection = has(model, ModelTerm::SphereCorrection);
+        terms.filmBase = has(model, ModelTerm::FilmBase);
     }
-    terms.curvature = model.curvature;
+    terms.curvature = has(model, ModelTerm::SampleCurvature);
     terms.friction = model.friction;
     terms.torsion = model.torsion;
     terms.mountTilt = model.mountTilt;

@@ -13,6 +13,7 @@ enum class ModelTerm : std::uint8_t {
     Adhesion,
     VanDerWaalsTail,      ///< attraction across a gap
     SphereCorrection,     ///< the exact sphere in place of its paraboloid
+    FilmBase,             ///< rigid, under a film: the film stiffens
     SampleCurvature,      ///< effective radius at the foot
     Friction,             ///< of the tip on the sample
     Torsion,              ///< of the lever, under a force across it
@@ -22,14 +23,21 @@ enum class ModelTerm : std::uint8_t {
     HalfSpaceSolve,       ///< on the real topography, in place of the closed form
 };
 
-inline constexpr std::array kModelTerms{
-    ModelTerm::Adhesion,        ModelTerm::VanDerWaalsTail, ModelTerm::SphereCorrection,
-    ModelTerm::SampleCurvature, ModelTerm::Friction,        ModelTerm::Torsion,
-    ModelTerm::MountTilt,       ModelTerm::GlobalSearch,    ModelTerm::OutsideDisplacement,
-    ModelTerm::HalfSpaceSolve};
+inline constexpr std::array kModelTerms{ModelTerm::Adhesion,         ModelTerm::VanDerWaalsTail,
+                                        ModelTerm::SphereCorrection, ModelTerm::FilmBase,
+                                        ModelTerm::SampleCurvature,  ModelTerm::Friction,
+                                        ModelTerm::Torsion,          ModelTerm::MountTilt,
+                                        ModelTerm::GlobalSearch,     ModelTerm::OutsideDisplacement,
+                                        ModelTerm::HalfSpaceSolve};
 
 /// For people: "van der Waals tail".
 [[nodiscard]] const char* nameOf(ModelTerm term) noexcept;
+
+/// As scene files call it: "van_der_waals_tail".
+[[nodiscard]] const char* keyOf(ModelTerm term) noexcept;
+
+/// Whether the contact law has it or not.
+[[nodiscard]] bool isOfLaw(ModelTerm term) noexcept;
 
 /// Whether the term is about the picture, not about the force.
 [[nodiscard]] bool isOfSurface(ModelTerm term) noexcept;
@@ -40,13 +48,19 @@ inline constexpr std::array kModelTerms{
 /// Whether the description itself says if the term is in.
 [[nodiscard]] bool isSettled(ModelTerm term, const SceneDescription& scene) noexcept;
 
+/// Whether no contact law has both: the exact sphere's has no tail and takes the sample as flat,
+/// the film's neither adheres nor is it of the exact sphere.
+[[nodiscard]] bool exclude(ModelTerm a, ModelTerm b) noexcept;
+
+/// Whether the sample has what the term is about: adhesion, a film.
+[[nodiscard]] bool isPossible(ModelTerm term, const SceneDescription& scene) noexcept;
+
 [[nodiscard]] bool has(const SceneModel& model, ModelTerm term) noexcept;
 
 /// The model less the term, as cheap as that makes it; the same where it is not in.
 [[nodiscard]] SceneModel without(SceneModel model, ModelTerm term);
 
-/// The model with the term added. The law of the exact sphere has no tail and takes the sample as
-/// flat: it takes the place of both terms.
+/// The model with the term added, in place of those that exclude it, see exclude().
 [[nodiscard]] SceneModel with(SceneModel model, ModelTerm term);
 
 /// The description with all that it leaves open as this model has it, so that it gives the same one

@@ -47,14 +47,15 @@ InstrumentTruth instrumentTruth(const SceneDescription& scene) {
     const double noise = scene.truth.signalNoise;
     const SampleMaterial& material = scene.truth.material;
     const ContactPair pair = contactPair(scene, material);
-    return {.system = {.contact = ContactModel(chooseLaw(scene.law, pair).law, pair,
-                                               contactOptions(scene, material)),
-                       .cantilever = Cantilever(probe),
-                       .friction = material.friction},
-            .noise = {.bending = noise, .torsion = noise},
-            .seed = scene.truth.noiseSeed,
-            .temperature = scene.truth.temperature,
-            .timeStep = 1.0 / scene.tickRate};
+    return {
+        .system = {.contact = ContactModel(chooseLaw(scene.law, pair, material.filmThickness).law,
+                                           pair, contactOptions(scene, material)),
+                   .cantilever = Cantilever(probe),
+                   .friction = material.friction},
+        .noise = {.bending = noise, .torsion = noise},
+        .seed = scene.truth.noiseSeed,
+        .temperature = scene.truth.temperature,
+        .timeStep = 1.0 / scene.tickRate};
 }
 
 /// What is made of a map.

@@ -4,6 +4,7 @@
 #include "core/SiFormat.h"
 #include "core/Units.h"
 #include "core/contact/Within.h"
+#include "core/scene/TermChecks.h"
 
 #include <cmath>
 #include <filesystem>
@@ -154,6 +155,7 @@ void checkScene(const SceneDescription& scene) {
     require(scene.truth.temperature >= 0.0 && std::isfinite(scene.truth.temperature),
             "[truth]: temperature_k must be zero or a positive number of kelvin");
     require(isWithin(scene.tolerance, 0.0, 1.0), "[fidelity]: tolerance must lie between 0 and 1");
+    checkTerms(scene);
     require(scene.tickRate >= 100.0 && scene.tickRate <= 20000.0,
             "[haptics]: rate_hz must lie between 100 and 20000");
     require(scene.positionGain > 0.0 && std::isfinite(scene.positionGain),

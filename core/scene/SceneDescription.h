@@ -74,6 +74,7 @@ struct TermChoices {
     std::optional<bool> adhesion;
     std::optional<bool> vanDerWaalsTail;
     std::optional<bool> sphereCorrection;  ///< the exact sphere in place of its paraboloid
+    std::optional<bool> filmBase;          ///< under the sample, where that is a film
     std::optional<bool> curvature;         ///< of the sample at the foot
     std::optional<bool> friction;
     std::optional<bool> torsion;    ///< of the lever

@@ -2,18 +2,18 @@
 
 #include "core/scene/ModelTerm.h"
 
+#include <optional>
 #include <utility>
 
 namespace asperity {
 
 namespace {
 
-/// The law with or without what the scene says of its terms. The exact sphere has no tail.
+/// The law with or without what the scene says of its terms.
 SceneModel withLawOf(SceneModel model, const TermChoices& terms) {
-    for (const auto& [term, choice] :
-         {std::pair(ModelTerm::SphereCorrection, terms.sphereCorrection),
-          std::pair(ModelTerm::VanDerWaalsTail, terms.vanDerWaalsTail),
-          std::pair(ModelTerm::Adhesion, terms.adhesion)}) {
+    for (const ModelTerm term : {ModelTerm::FilmBase, ModelTerm::SphereCorrection,
+                                 ModelTerm::VanDerWaalsTail, ModelTerm::Adhesion}) {
+        const std::optional<bool> choice = terms.*choiceMember(term);
         if (choice && *choice != has(model, term)) {
             model = *choice ? with(std::move(model), term) : without(std::move(model), term);
             model.law.why = "as the scene says of its terms";
@@ -35,7 +35,8 @@ Cantilever believedLever(CantileverGeometry geometry, const SceneModel& model) {
 SceneModel usualModel(const SceneDescription& scene) {
     const TermChoices& terms = scene.terms;
     const SceneModel all;
-    SceneModel model{.law = chooseLaw(scene.law, contactPair(scene, scene.sample.material)),
+    SceneModel model{.law = chooseLaw(scene.law, contactPair(scene, scene.sample.material),
+                                      scene.sample.material.filmThickness),
                      .solver = scene.solver,
                      .decoupling = scene.decoupling,
                      .footSearch = scene.footSearch.value_or(all.footSearch),

@@ -28,8 +28,9 @@ public:
 };
 
 /// Whether both reckon with the same force; a chart shows no other ways to decouple.
-bool isSameTick(const TickTier& a, const TickTier& b) {
-    return a.law == b.law && a.solver == b.solver && a.footSearch == b.footSearch;
+bool isSameTick(TickTier a, const TickTier& b) {
+    a.decoupling = b.decoupling;
+    return a == b;
 }
 
 TradeOffPoints pointsOf(const TradeOff& study) {
@@ -76,7 +77,8 @@ FidelityPanel::FidelityPanel(QWidget* parent)
     column->addWidget(termCard());
     column->addWidget(chartCard(), 1);
     connectPerson();
-    setMeasuring(false);
+    setMeasuring(std::nullopt);
+    showTradeOff(std::nullopt);
     resize(1080, 760);
 }
 
@@ -123,7 +125,13 @@ void FidelityPanel::connectPerson() {
     connect(tolerance_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             [this](double percent) { Q_EMIT toleranceChosen(percent / 100.0); });
     connect(automatic_, &QPushButton::clicked, this, &FidelityPanel::automaticRequested);
-    connect(measure_, &QPushButton::clicked, this, &FidelityPanel::measureRequested);
+    connect(measure_, &QPushButton::clicked, this, [this] {
+        if (measuring_) {
+            Q_EMIT stopRequested();
+        } else {
+            Q_EMIT measureRequested();
+        }
+    });
     connect(chart_, &TradeOffChart::picked, this, [this](int index) {
         const TickTier tier = study_->ticks.at(static_cast<std::size_t>(index)).tier;
         Q_EMIT tierPicked(tier);
@@ -154,11 +162,13 @@ void FidelityPanel::showTradeOff(const std::optional<TradeOff>& study) {
     showCurrent();
 }
 
-void FidelityPanel::setMeasuring(bool measuring) {
-    measuring_ = measuring;
-    measure_->setEnabled(!measuring);
-    measure_->setText(measuring ? tr("measuring…") : tr("Measure"));
-    showTradeOff(study_);
+void FidelityPanel::setMeasuring(std::optional<double> fraction) {
+    const bool changed = fraction.has_value() != measuring_.has_value();
+    measuring_ = fraction;
+    measure_->setText(fraction ? tr("Stop (%1 %)").arg(qRound(100.0 * *fraction)) : tr("Measure"));
+    if (changed) {
+        showTradeOff(study_);
+    }
 }
 
 void FidelityPanel::showCurrent() {

@@ -29,8 +29,8 @@ public:
     /// None: the chart is empty.
     void showTradeOff(const std::optional<TradeOff>& study);
     [[nodiscard]] const std::optional<TradeOff>& tradeOff() const { return study_; }
-    /// Whether a study is under way.
-    void setMeasuring(bool measuring);
+    /// How far a study is, 0..1; none: there is none under way.
+    void setMeasuring(std::optional<double> fraction);
 
 Q_SIGNALS:
     /// @param on none: as the scene requires
@@ -39,6 +39,7 @@ Q_SIGNALS:
     void tierPicked(const asperity::TickTier& tier);
     void automaticRequested();  ///< nothing shall be overruled
     void measureRequested();
+    void stopRequested();  ///< of the study under way
 
 private:
     [[nodiscard]] QWidget* termCard();
@@ -56,7 +57,7 @@ private:
     QPushButton* measure_;
     std::optional<TradeOff> study_;
     TickTier now_;
-    bool measuring_ = false;
+    std::optional<double> measuring_;
 };
 
 }  // namespace asperity

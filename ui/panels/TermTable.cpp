@@ -16,11 +16,6 @@ namespace {
 enum Column : int { Term, Choice, Now, Effect, Time, Why, ColumnCount };
 enum ChoiceItem : int { Auto, On, Off };
 
-bool isOfLaw(ModelTerm term) {
-    return term == ModelTerm::Adhesion || term == ModelTerm::VanDerWaalsTail ||
-           term == ModelTerm::SphereCorrection;
-}
-
 ChoiceItem itemOf(const std::optional<bool>& choice) {
     if (!choice) {
         return Auto;
@@ -87,7 +82,7 @@ void TermTable::addRow(int row) {
     guardFromWheel(*combo);
     // activated() comes from people only.
     connect(combo, qOverload<int>(&QComboBox::activated), this,
-            [this, term](int item) { Q_EMIT termChosen(term, choiceOf(item)); });
+            [this, term](int item) { choose(term, item); });
     combo->addItems({tr("auto"), tr("on"), tr("off")});
     setCellWidget(row, Choice, combo);
     choices_.at(static_cast<std::size_t>(row)) = combo;
@@ -116,10 +111,19 @@ void TermTable::showNeed(int row, const TermNeed& need) {
 void TermTable::showChoice(int row, const ModelChoices& choices) {
     const auto index = static_cast<std::size_t>(row);
     QComboBox& combo = *choices_.at(index);
-    const bool byLaw = choices.lawIsGiven && isOfLaw(kModelTerms.at(index));
+    lawIsGiven_ = choices.lawIsGiven;
+    const bool byLaw = lawIsGiven_ && isOfLaw(kModelTerms.at(index));
     combo.setItemText(Auto, byLaw ? tr("as the law says") : tr("auto"));
-    combo.setCurrentIndex(byLaw ? Auto : itemOf(choices.terms.at(index)));
-    combo.setEnabled(!byLaw);
+    combo.setCurrentIndex(itemOf(choices.terms.at(index)));
+    combo.setEnabled(true);
+}
+
+/// Taking again what the law says changes nothing.
+void TermTable::choose(ModelTerm term, int item) {
+    const bool byLaw = lawIsGiven_ && isOfLaw(term);
+    if (!byLaw || item != Auto) {
+        Q_EMIT termChosen(term, choiceOf(item));
+    }
 }
 
 void TermTable::setText(int row, int column, const QString& text) {

@@ -14,7 +14,7 @@ namespace asperity {
 /// What the scene says of its model; none: as the scene requires.
 struct ModelChoices {
     std::array<std::optional<bool>, kModelTerms.size()> terms;  ///< in the order of kModelTerms
-    bool lawIsGiven = false;  ///< so that there is no choice about the terms of the law
+    bool lawIsGiven = false;  ///< it says whether the terms of the law are in
 };
 
 /// The terms of the model, one a row: whether it is in, what it is worth and why. The person may
@@ -39,11 +39,13 @@ private:
     void addRow(int row);
     void showNeed(int row, const TermNeed& need);
     void showChoice(int row, const ModelChoices& choices);
+    void choose(ModelTerm term, int item);
     void setText(int row, int column, const QString& text);
     /// All rows in sight, each as high as its words need at this width.
     void fitHeight();
 
     std::array<QComboBox*, kModelTerms.size()> choices_;
+    bool lawIsGiven_ = false;
 };
 
 }  // namespace asperity

@@ -42,6 +42,22 @@ TEST(ModelOverrules, WhatIsChosenOfATermIsWhatTheSceneSays) {
     }
 }
 
+TEST(ModelOverrules, AChoiceFreesWhatContradictsIt) {
+    SceneDescription scene = plainScene();
+    scene.law = ContactLaw::Jkr;
+    scene = withChoice(scene, ModelTerm::VanDerWaalsTail, true);
+    EXPECT_FALSE(scene.law.has_value());
+    scene = withChoice(scene, ModelTerm::SphereCorrection, true);
+    EXPECT_FALSE(scene.terms.vanDerWaalsTail.has_value());
+    scene = withChoice(scene, ModelTerm::VanDerWaalsTail, true);
+    EXPECT_FALSE(scene.terms.sphereCorrection.has_value());
+    scene = withChoice(scene, ModelTerm::Adhesion, false);
+    EXPECT_FALSE(scene.terms.vanDerWaalsTail.has_value());
+    scene = withChoice(scene, ModelTerm::VanDerWaalsTail, true);
+    EXPECT_FALSE(scene.terms.adhesion.has_value());
+    EXPECT_NO_THROW(checkScene(scene));
+}
+
 TEST(ModelOverrules, AHalfSpaceSharesItsDisplacementAlready) {
     SceneDescription scene = withChoice(plainScene(), ModelTerm::HalfSpaceSolve, true);
     scene = withChoice(scene, ModelTerm::OutsideDisplacement, true);
@@ -80,6 +96,9 @@ protected:
         return eventually([this] { return session.run()->loop().snapshot().statistics.ticks > 5; });
     }
     const Scene& scene() { return session.run()->scene(); }
+    bool isMeasuring() {
+        return child<QPushButton>("measure")->text() != QStringLiteral("Measure");
+    }
 };
 
 TEST_F(Fidelity, ATermOverruledIsOutAndTheRunGoesOn) {
@@ -118,12 +137,23 @@ TEST_F(Fidelity, AWayForTheTickIsPickedInTheChartAndTakenBack) {
     EXPECT_EQ(tierOf(scene().model), twoWays().ticks[1].tier);
     EXPECT_TRUE(goesOn());
     EXPECT_EQ(panel().findChild<TradeOffChart*>()->current(), 1);
-    EXPECT_FALSE(choiceOf(ModelTerm::Adhesion)->isEnabled());
+    EXPECT_EQ(choiceOf(ModelTerm::Adhesion)->currentText(), QStringLiteral("as the law says"));
     pick(0);
     EXPECT_EQ(scene().model.law.law, ContactLaw::Hertz);
     QTest::mouseClick(child<QPushButton>("allAutomatic"), Qt::LeftButton);
     EXPECT_FALSE(scene().description.law.has_value());
-    EXPECT_TRUE(choiceOf(ModelTerm::Adhesion)->isEnabled());
+    EXPECT_FALSE(scene().description.terms.torsion.has_value());
+    EXPECT_EQ(choiceOf(ModelTerm::Adhesion)->currentText(), QStringLiteral("auto"));
+    EXPECT_TRUE(goesOn());
+}
+
+TEST_F(Fidelity, ATermOfTheLawFreesAPickedLaw) {
+    panel().showTradeOff(twoWays());
+    pick(0);
+    ASSERT_EQ(scene().model.law.law, ContactLaw::Hertz);
+    choose(ModelTerm::Adhesion, QStringLiteral("on"));
+    EXPECT_FALSE(scene().description.law.has_value());
+    EXPECT_TRUE(has(scene().model, ModelTerm::Adhesion));
     EXPECT_TRUE(goesOn());
 }
 
@@ -140,9 +170,9 @@ TEST_F(Fidelity, AModelThatCannotBeIsRefusedAndTheSceneStays) {
 
 TEST_F(Fidelity, MeasuresBesideTheRun) {
     QTest::mouseClick(child<QPushButton>("measure"), Qt::LeftButton);
-    EXPECT_FALSE(child<QPushButton>("measure")->isEnabled());
+    EXPECT_TRUE(isMeasuring());
     EXPECT_TRUE(eventually([this] { return panel().tradeOff().has_value(); }, 120000));
-    EXPECT_TRUE(child<QPushButton>("measure")->isEnabled());
+    EXPECT_FALSE(isMeasuring());
     EXPECT_GT(panel().tradeOff()->ticks.size(), 4U);
     EXPECT_GE(panel().findChild<TradeOffChart*>()->current(), 0);
 }
@@ -150,7 +180,19 @@ TEST_F(Fidelity, MeasuresBesideTheRun) {
 TEST_F(Fidelity, WhatWasMeasuredOfASceneBeforeIsDropped) {
     QTest::mouseClick(child<QPushButton>("measure"), Qt::LeftButton);
     openFlatScene();
-    EXPECT_TRUE(eventually([this] { return child<QPushButton>("measure")->isEnabled(); }, 120000));
+    EXPECT_TRUE(eventually([this] { return !isMeasuring(); }, 120000));
+    EXPECT_FALSE(panel().tradeOff().has_value());
+}
+
+TEST_F(Fidelity, AMeasurementCanBeStopped) {
+    QTest::mouseClick(child<QPushButton>("measure"), Qt::LeftButton);
+    EXPECT_TRUE(eventually(
+        [this] { return child<QPushButton>("measure")->text() != QStringLiteral("Stop (0 %)"); },
+        120000))
+        << "says how far it is";
+    ASSERT_TRUE(isMeasuring());
+    QTest::mouseClick(child<QPushButton>("measure"), Qt::LeftButton);
+    EXPECT_TRUE(eventually([this] { return !isMeasuring(); }, 10000));
     EXPECT_FALSE(panel().tradeOff().has_value());
 }
 

@@ -30,6 +30,7 @@ TEST(LawChoice, NeedsNoAdhesionForHertz) {
     ContactPair pair = test::paperPair("rubber");
     pair.workOfAdhesion = 0.0;
     EXPECT_EQ(chooseLaw({}, pair).law, ContactLaw::Hertz);
+    EXPECT_EQ(chooseLaw({}, pair, 10e-9).law, ContactLaw::HertzFilm);
 }
 
 }  // namespace

@@ -31,6 +31,27 @@ HeightMap randomMap(Random& random) {
     return map;
 }
 
+/// Now and then a film, an exact shape in place of the map, a term that the scene settles itself.
+void addRarities(SceneDescription& description, Random& random) {
+    if (random.uniform() < 0.15) {
+        description.sample.material.filmThickness = logUniform(random, 2.0_nm, 1.0_um);
+    }
+    if (random.uniform() < 0.1) {
+        description.sample.shape = ShapeDescription{
+            .kind = random.uniform() < 0.5 ? ShapeKind::Sphere : ShapeKind::Cylinder,
+            .radius = logUniform(random, 90.0_nm, 500.0_nm)};
+    }
+    if (random.uniform() < 0.2) {
+        description.terms.friction = random.uniform() < 0.5;
+    }
+    if (random.uniform() < 0.1) {
+        description.terms.adhesion = false;
+    }
+    if (random.uniform() < 0.1) {
+        description.footSearch = FootEffort::Global;
+    }
+}
+
 }  // namespace
 
 Scene randomScene(Random& random) {
@@ -44,8 +65,12 @@ Scene randomScene(Random& random) {
     description.truth.stiffness = logUniform(random, 2.0, 100.0);
     description.probe.thickness =
         thicknessForStiffness(description.probe, description.truth.stiffness);
-    description.truth.material = material;
     description.sample.smoothingPixels = random.uniform(0.0, 3.0);
+    addRarities(description, random);
+    description.truth.material = material;
+    if (description.sample.shape) {
+        return buildScene(description);
+    }
     return buildScene(description, randomMap(random));
 }
 

@@ -16,12 +16,20 @@ const TermNeed& needOf(const SceneNeeds& needs, ModelTerm term) {
     return needs.terms.at(static_cast<std::size_t>(term));
 }
 
-/// Terms of the force that the runs decide about: the search for feet stays by a bound, and the
-/// tail and the exact sphere exclude each other.
+/// Terms of the force that the runs decide about.
 bool isDecidedByRuns(const SceneNeeds& needs, ModelTerm term) {
-    const bool sphere = has(needs.full, ModelTerm::SphereCorrection);
-    return !isOfSurface(term) && term != ModelTerm::GlobalSearch && has(needs.full, term) &&
-           !(sphere && term == ModelTerm::VanDerWaalsTail);
+    return !isOfSurface(term) && has(needs.full, term) && !needOf(needs, term).overruled;
+}
+
+/// The search for feet also stays by a bound, without any effect on the runs.
+bool mayStayWithoutEffect(ModelTerm term) { return term == ModelTerm::GlobalSearch; }
+
+void expectSurfaceDecided(const SceneNeeds& needs) {
+    const TermNeed& outside = needOf(needs, ModelTerm::OutsideDisplacement);
+    const TermNeed& halfSpace = needOf(needs, ModelTerm::HalfSpaceSolve);
+    EXPECT_TRUE(outside.on || outside.effect <= needs.tolerance);
+    EXPECT_TRUE(!halfSpace.on || halfSpace.effect > needs.tolerance);
+    EXPECT_TRUE(!halfSpace.on || outside.on) << "it shares its displacement";
 }
 
 TEST(SceneNeeds, KeepsWhatMovesTheForceAndLeavesOutWhatDoesNot) {
@@ -35,17 +43,18 @@ TEST(SceneNeeds, KeepsWhatMovesTheForceAndLeavesOutWhatDoesNot) {
         const SceneNeeds needs = fitModel(scene);
         ASSERT_EQ(needs.terms.size(), kModelTerms.size());
         setModel(scene, needs.full);
-        SampledRuns runs(scene);
+        SampledRuns runs(scene, 1.0);
         EXPECT_LE(runs.error(needs.model), needs.tolerance) << "all that is left out together";
+        expectSurfaceDecided(needs);
         for (const ModelTerm term : kModelTerms) {
             if (!isDecidedByRuns(needs, term)) {
                 continue;
             }
             if (has(needs.model, term)) {
                 ++kept;
-                EXPECT_GT(
-                    std::max(needOf(needs, term).effect, runs.error(without(needs.model, term))),
-                    needs.tolerance)
+                const double effect =
+                    std::max(needOf(needs, term).effect, runs.error(without(needs.model, term)));
+                EXPECT_TRUE(effect > needs.tolerance || mayStayWithoutEffect(term))
                     << nameOf(term) << " was kept";
             } else {
                 ++leftOut;
@@ -113,6 +122,53 @@ TEST(SceneNeeds, WhatTheSceneSaysStays) {
     EXPECT_FALSE(scene.model.friction);
     EXPECT_TRUE(needOf(needs, ModelTerm::Friction).overruled);
     EXPECT_FALSE(needOf(needs, ModelTerm::MountTilt).overruled);
+}
+
+TEST(SceneNeeds, WhatIsOverruledIsWeighedAllTheSame) {
+    const HeightMap map = test::hillyMap();
+    Scene free = buildScene(test::plainScene(), map);
+    const SceneNeeds whole = fitModel(free);
+    SceneDescription description = test::plainScene();
+    description.terms = {.adhesion = false, .friction = false};
+    Scene scene = buildScene(description, map);
+    const SceneNeeds needs = fitModel(scene);
+    for (const ModelTerm term : {ModelTerm::Adhesion, ModelTerm::Friction}) {
+        EXPECT_FALSE(needOf(needs, term).on) << nameOf(term);
+        EXPECT_TRUE(needOf(needs, term).overruled) << nameOf(term);
+        EXPECT_GT(needOf(needs, term).effect, needs.tolerance) << nameOf(term);
+    }
+    EXPECT_EQ(needOf(needs, ModelTerm::Friction).why, needOf(whole, ModelTerm::Friction).why);
+    EXPECT_NE(needOf(needs, ModelTerm::Adhesion).why.find("pulls with up to"), std::string::npos);
+    EXPECT_EQ(needOf(needs, ModelTerm::Adhesion).why.find("pulls with up to 0 "), std::string::npos)
+        << needOf(needs, ModelTerm::Adhesion).why;
+}
+
+TEST(SceneNeeds, AThinFilmNeedsItsBaseAndAThickOneDoesNot) {
+    const auto film = [](double thickness, double adhesion) {
+        SceneDescription description = test::plainScene();
+        SampleMaterial& material = description.sample.material;
+        material.filmThickness = thickness;
+        material.workOfAdhesion = adhesion;
+        description.truth.material = material;
+        Scene scene = buildScene(description, test::flatMap());
+        (void)fitModel(scene);
+        return scene.model.law.law;
+    };
+    EXPECT_EQ(film(5.0_nm, 0.0), ContactLaw::HertzFilm);
+    EXPECT_EQ(film(10.0_um, 0.0), ContactLaw::Hertz);
+    EXPECT_EQ(film(5.0_nm, 1e-4), ContactLaw::HertzFilm) << "matters more than its adhesion";
+    EXPECT_EQ(film(10.0_um, 0.066), ContactLaw::Split);
+}
+
+TEST(SceneNeeds, WhereATickTakesTooLongAllStaysIn) {
+    Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    const SceneNeeds needs = fitModel(scene, 0.0);
+    for (const TermNeed& need : needs.terms) {
+        EXPECT_EQ(need.on, has(needs.full, need.term)) << nameOf(need.term);
+        EXPECT_EQ(need.why.find("not tried: a tick takes "), 0U) << need.why;
+    }
+    EXPECT_TRUE(scene.model.friction);
+    EXPECT_TRUE(scene.model.torsion);
 }
 
 TEST(SceneNeeds, TheSettledDescriptionGivesTheSameModelAgain) {

@@ -1,18 +1,20 @@
 #include "core/fidelity/TradeOffStudy.h"
 
 #include "core/Units.h"
+#include "core/fidelity/Composition.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity {
 namespace {
 
 TradeOff study(const SceneDescription& description, const HeightMap& map = test::flatMap()) {
     Scene scene = buildScene(description, map);
-    return studyTradeOff(scene, {.duration = 0.5, .rounds = 1, .patches = 3});
+    return studyTradeOff(scene, {.duration = 0.25, .rounds = 1, .patches = 3});
 }
 
 /// So stiff that contacts are narrow.
@@ -121,6 +123,83 @@ TEST(TradeOffStudy, AFasterRateHoldsTheForceBetter) {
         EXPECT_GT(all.rates[i].rate, all.rates[i - 1].rate);
         EXPECT_LT(all.rates[i].holdErrorRms, all.rates[i - 1].holdErrorRms);
     }
+}
+
+TEST(TradeOffStudy, WhatTheSceneOverrulesIsHeldAgainstTheWhole) {
+    SceneDescription description = stiffScene();
+    description.law = ContactLaw::Hertz;
+    description.terms.friction = false;
+    const TradeOff all = study(description, test::hillyMap());
+    EXPECT_EQ(all.reference.tick.law, ContactLaw::Split);
+    EXPECT_TRUE(all.reference.tick.friction);
+    const auto& own = result(all, {.law = ContactLaw::Hertz, .friction = false});
+    EXPECT_GT(own.forceErrorRms, result(all, {.law = ContactLaw::Hertz}).forceErrorRms);
+    const auto& sliding = result(all, {.law = ContactLaw::Hertz, .torsion = false});
+    EXPECT_NE(sliding.forceErrorRms, result(all, {.law = ContactLaw::Hertz}).forceErrorRms)
+        << "the scene's way with all terms but one";
+}
+
+TEST(TradeOffStudy, AnAdhesiveFilmIsHeldAgainstWhatMattersMore) {
+    SceneDescription description = stiffScene();
+    description.sample.material.filmThickness = 100.0_nm;
+    description.truth.material = description.sample.material;
+    const TradeOff thick = study(description);
+    EXPECT_EQ(thick.reference.tick.law, ContactLaw::Split) << "stiff, so it adheres more";
+    EXPECT_NE(thick.reference.forceDoubtBy.find("film's base"), std::string::npos);
+    description.sample.material.filmThickness = 3.0_nm;
+    description.truth.material = description.sample.material;
+    const TradeOff thin = study(description);
+    EXPECT_EQ(thin.reference.tick.law, ContactLaw::HertzFilm);
+    EXPECT_NE(thin.reference.forceDoubtBy.find("adhesion"), std::string::npos);
+    EXPECT_GT(thin.reference.forceDoubt, 0.0);
+}
+
+TEST(TradeOffStudy, WholeWaysAreBetterTheMoreTheyCost) {
+    const TradeOff all = study(stiffScene(), test::hillyMap());
+    const std::vector<Composition> best = bestCompositions(all);
+    ASSERT_GE(best.size(), 3U);
+    for (std::size_t i = 1; i < best.size(); ++i) {
+        EXPECT_GT(best[i].load, best[i - 1].load);
+        EXPECT_LT(best[i].error, best[i - 1].error);
+    }
+    const Composition& last = best.back();
+    const double force =
+        std::hypot(all.ticks[last.tick].forceErrorRms, all.rates[last.rate].holdErrorRms) /
+        all.reference.forceScale;
+    const double surface = all.frames[last.frame].surfaceErrorRms / all.reference.indentation;
+    EXPECT_DOUBLE_EQ(last.error, std::max(force, surface));
+}
+
+/// Cancelled once the work is so far.
+class StopAt : public Progress {
+public:
+    explicit StopAt(double fraction) : fraction_(fraction) {}
+    void report(double fraction) override {
+        EXPECT_GE(fraction, reached);
+        reached = fraction;
+    }
+    [[nodiscard]] bool isCancelled() const override { return reached >= fraction_; }
+
+    double reached = 0.0;
+
+private:
+    double fraction_;
+};
+
+TEST(TradeOffStudy, CanBeStoppedAndLeavesTheSceneAsItWasThenToo) {
+    Scene scene = buildScene(stiffScene(), test::flatMap());
+    const TickTier before = tierOf(scene.model);
+    for (const double fraction : {0.3, 0.85, 0.93}) {
+        StopAt progress(fraction);
+        EXPECT_THROW(
+            (void)studyTradeOff(scene, {.duration = 0.1, .rounds = 1, .patches = 1}, &progress),
+            Cancelled);
+        EXPECT_EQ(tierOf(scene.model), before);
+        EXPECT_EQ(scene.truth.timeStep, scene.timeStep());
+    }
+    StopAt never(2.0);
+    (void)studyTradeOff(scene, {.duration = 0.1, .rounds = 1, .patches = 1}, &never);
+    EXPECT_EQ(never.reached, 1.0);
 }
 
 TEST(TradeOffStudy, LeavesTheSceneAsItWas) {

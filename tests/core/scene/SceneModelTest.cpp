@@ -74,6 +74,21 @@ TEST(SceneModel, TermsOfTheLawChooseTheLaw) {
     EXPECT_EQ(lawOf({.adhesion = false, .sphereCorrection = true}), ContactLaw::Sneddon);
 }
 
+TEST(SceneModel, AFilmWithoutAdhesionHasItsBase) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.filmThickness = 20.0_nm;
+    EXPECT_EQ(usualModel(description).law.law, ContactLaw::Split) << "no law has both";
+    description.terms.filmBase = true;
+    EXPECT_EQ(usualModel(description).law.law, ContactLaw::HertzFilm);
+    description.terms = {};
+    description.sample.material.workOfAdhesion = 0.0;
+    EXPECT_EQ(usualModel(description).law.law, ContactLaw::HertzFilm);
+    description.terms.filmBase = false;
+    EXPECT_EQ(usualModel(description).law.law, ContactLaw::Hertz);
+    description.terms = {.sphereCorrection = true};
+    EXPECT_EQ(usualModel(description).law.law, ContactLaw::Sneddon);
+}
+
 TEST(SceneModel, ATermThatIsTakenOutIsOutAndComesBack) {
     const SceneModel usual = usualModel(tiltedScene());
     for (const ModelTerm term : kModelTerms) {
@@ -90,9 +105,7 @@ TEST(SceneModel, AGivenLawSettlesItsTerms) {
     EXPECT_FALSE(isSettled(ModelTerm::Adhesion, description));
     description.law = ContactLaw::Jkr;
     for (const ModelTerm term : kModelTerms) {
-        const bool ofLaw = term == ModelTerm::Adhesion || term == ModelTerm::VanDerWaalsTail ||
-                           term == ModelTerm::SphereCorrection;
-        EXPECT_EQ(isSettled(term, description), ofLaw) << nameOf(term);
+        EXPECT_EQ(isSettled(term, description), isOfLaw(term)) << nameOf(term);
     }
 }
 

@@ -33,13 +33,13 @@ SceneNeeds needs() {
     for (const ModelTerm term : kModelTerms) {
         needs.terms.push_back({.term = term, .why = "because"});
     }
-    needs.terms[4] = {.term = ModelTerm::Friction,
+    needs.terms[5] = {.term = ModelTerm::Friction,
                       .on = false,
                       .why = "the sample is slippery",
                       .effect = 0.0123,
                       .time = 0.52_us};
-    needs.terms[8].effect = 0.25;
-    needs.terms[8].time = 1.5_ms;
+    needs.terms[9].effect = 0.25;
+    needs.terms[9].time = 1.5_ms;
     needs.tolerance = 0.05;
     return needs;
 }
@@ -65,13 +65,13 @@ protected:
 };
 
 TEST_F(FidelityPanelTest, ShowsWhatEachTermIsWorth) {
-    EXPECT_EQ(cell(4, 0), QStringLiteral("friction"));
-    EXPECT_EQ(cell(4, 2), QStringLiteral("off"));
-    EXPECT_EQ(cell(4, 3), QStringLiteral("1.2 % of the force"));
-    EXPECT_EQ(cell(4, 4), QStringLiteral("0.52 µs a tick"));
-    EXPECT_EQ(cell(4, 5), QStringLiteral("the sample is slippery"));
-    EXPECT_EQ(cell(8, 3), QStringLiteral("25 % of the indentation"));
-    EXPECT_EQ(cell(8, 4), QStringLiteral("1.50 ms a patch"));
+    EXPECT_EQ(cell(5, 0), QStringLiteral("friction"));
+    EXPECT_EQ(cell(5, 2), QStringLiteral("off"));
+    EXPECT_EQ(cell(5, 3), QStringLiteral("1.2 % of the force"));
+    EXPECT_EQ(cell(5, 4), QStringLiteral("0.52 µs a tick"));
+    EXPECT_EQ(cell(5, 5), QStringLiteral("the sample is slippery"));
+    EXPECT_EQ(cell(9, 3), QStringLiteral("25 % of the indentation"));
+    EXPECT_EQ(cell(9, 4), QStringLiteral("1.50 ms a patch"));
     EXPECT_EQ(cell(0, 3), QStringLiteral("–")) << "not measured";
 }
 
@@ -87,7 +87,7 @@ TEST_F(FidelityPanelTest, EveryTermIsInSight) {
     panel.grab();
     EXPECT_LE(panel.height(), 760);
     const auto* table = panel.findChild<TermTable*>();
-    EXPECT_LE(table->visualItemRect(table->item(9, 0)).bottom(), table->viewport()->height());
+    EXPECT_LE(table->visualItemRect(table->item(10, 0)).bottom(), table->viewport()->height());
     for (int row = 0; row < table->rowCount(); ++row) {
         for (int column = 2; column < 5; ++column) {
             EXPECT_LE(table->fontMetrics().horizontalAdvance(cell(row, column)),
@@ -116,7 +116,7 @@ TEST_F(FidelityPanelTest, WhatAProgramSetsIsShownAndNotTold) {
     const QSignalSpy tolerance(&panel, &FidelityPanel::toleranceChosen);
     ModelChoices choices;
     choices.terms[0] = true;
-    choices.terms[4] = false;
+    choices.terms[5] = false;
     SceneNeeds changed = needs();
     changed.tolerance = 0.1;
     panel.showModel(changed, choices, {});
@@ -128,18 +128,22 @@ TEST_F(FidelityPanelTest, WhatAProgramSetsIsShownAndNotTold) {
     EXPECT_EQ(tolerance.count(), 0);
 }
 
-TEST_F(FidelityPanelTest, AGivenLawLeavesNoChoiceOfItsTerms) {
+TEST_F(FidelityPanelTest, AGivenLawSaysItsTermsUntilAPersonDoes) {
+    int told = 0;
+    QObject::connect(&panel, &FidelityPanel::termChosen, &panel, [&told] { ++told; });
     ModelChoices choices;
     choices.lawIsGiven = true;
     panel.showModel(needs(), choices, {});
-    for (const ModelTerm term :
-         {ModelTerm::Adhesion, ModelTerm::VanDerWaalsTail, ModelTerm::SphereCorrection}) {
-        EXPECT_FALSE(choiceOf(term).isEnabled());
+    for (const ModelTerm term : {ModelTerm::Adhesion, ModelTerm::VanDerWaalsTail,
+                                 ModelTerm::SphereCorrection, ModelTerm::FilmBase}) {
         EXPECT_EQ(choiceOf(term).currentText(), QStringLiteral("as the law says"));
     }
-    EXPECT_TRUE(choiceOf(ModelTerm::Friction).isEnabled());
+    EXPECT_EQ(choiceOf(ModelTerm::Friction).currentText(), QStringLiteral("auto"));
+    Q_EMIT choiceOf(ModelTerm::Adhesion).activated(0);
+    EXPECT_EQ(told, 0) << "that is what the law says already";
+    QTest::keyClick(&choiceOf(ModelTerm::Adhesion), Qt::Key_Down);
+    EXPECT_EQ(told, 1);
     panel.showModel(needs(), {}, {});
-    EXPECT_TRUE(choiceOf(ModelTerm::Adhesion).isEnabled());
     EXPECT_EQ(choiceOf(ModelTerm::Adhesion).currentText(), QStringLiteral("auto"));
 }
 
@@ -181,17 +185,22 @@ TEST_F(FidelityPanelTest, TheFrontIsNumberedAndThePresentTickRinged) {
     EXPECT_EQ(chart().current(), -1) << "it was not measured";
 }
 
-TEST_F(FidelityPanelTest, SaysThatItMeasures) {
+TEST_F(FidelityPanelTest, SaysHowFarItMeasuresAndStops) {
     const QSignalSpy asked(&panel, &FidelityPanel::measureRequested);
+    const QSignalSpy stopped(&panel, &FidelityPanel::stopRequested);
     auto* measure = panel.findChild<QPushButton*>("measure");
     EXPECT_TRUE(textOf(panel, "chartHint").contains("Measure"));
     QTest::mouseClick(measure, Qt::LeftButton);
     EXPECT_EQ(asked.count(), 1);
-    panel.setMeasuring(true);
-    EXPECT_FALSE(measure->isEnabled());
+    EXPECT_EQ(stopped.count(), 0);
+    panel.setMeasuring(0.354);
+    EXPECT_EQ(measure->text(), QStringLiteral("Stop (35 %)"));
     EXPECT_EQ(textOf(panel, "chartHint"), QStringLiteral("measuring…"));
-    panel.setMeasuring(false);
-    EXPECT_TRUE(measure->isEnabled());
+    QTest::mouseClick(measure, Qt::LeftButton);
+    EXPECT_EQ(asked.count(), 1);
+    EXPECT_EQ(stopped.count(), 1);
+    panel.setMeasuring(std::nullopt);
+    EXPECT_EQ(measure->text(), QStringLiteral("Measure"));
 }
 
 }  // namespace

@@ -1,0 +1,111 @@
+// What leaving terms out gains: ticks of 200 random scenes with everything against ticks with what
+// each scene requires, in turns; and how far the force moves at places that SceneNeeds did not look
+// at.
+
+#include "core/fidelity/SampledRuns.h"
+#include "core/fidelity/SceneNeeds.h"
+#include "tests/core/fidelity/RandomScene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+constexpr int kScenes = 200;
+constexpr int kRounds = 7;
+constexpr double kDuration = 0.12;  // of a run [s]
+
+struct Gain {
+    double tickRatio = 1.0;  ///< required over everything
+    double moved = 0.0;      ///< at other places, see forceShare()
+    int leftOut = 0;         ///< terms of the force
+    double fitTime = 0.0;    ///< of finding out what the scene requires [s]
+};
+
+std::vector<RecordedRun> otherPlaces(const Scene& scene) {
+    const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
+    std::vector<RecordedRun> runs;
+    for (const Vector2& share : {Vector2(0.5, 0.45), Vector2(0.15, 0.8), Vector2(0.85, 0.6)}) {
+        const Vector2 place = share.cwiseProduct(size);
+        runs.push_back(recordRun(
+            scene, approachPath(scene, {.duration = kDuration, .place = place}), kDuration));
+    }
+    return runs;
+}
+
+int leftOutOf(const SceneNeeds& needs) {
+    return static_cast<int>(std::ranges::count_if(needs.terms, [&](const TermNeed& need) {
+        return !isOfSurface(need.term) && has(needs.full, need.term) &&
+               !has(needs.model, need.term);
+    }));
+}
+
+Gain gainOf(Scene& scene) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const SceneNeeds needs = fitModel(scene);
+    const double fitTime = std::chrono::duration<double>(Clock::now() - start).count();
+    setModel(scene, needs.full);
+    const std::vector<RecordedRun> runs = otherPlaces(scene);
+    std::vector<double> whole;
+    std::vector<double> required;
+    Gain gain{.leftOut = leftOutOf(needs), .fitTime = fitTime};
+    for (int round = 0; round < kRounds; ++round) {
+        setModel(scene, needs.full);
+        const ModelRun all = runModel(scene, runs);
+        setModel(scene, needs.model);
+        const ModelRun less = runModel(scene, runs);
+        whole.push_back(quantile(all.times, 0.5));
+        required.push_back(quantile(less.times, 0.5));
+        gain.moved = forceShare(less, all);
+    }
+    gain.tickRatio = quantile(required, 0.5) / quantile(whole, 0.5);
+    return gain;
+}
+
+void print(const std::vector<Gain>& gains, double tolerance) {
+    std::vector<double> ratios;
+    std::vector<double> moves;
+    std::vector<double> fits;
+    long within = 0;
+    for (const Gain& gain : gains) {
+        moves.push_back(gain.moved);
+        fits.push_back(gain.fitTime);
+        within += gain.moved <= tolerance ? 1 : 0;
+        if (gain.leftOut > 0) {
+            ratios.push_back(gain.tickRatio);
+        }
+    }
+    const long faster = std::ranges::count_if(ratios, [](double ratio) { return ratio < 1.0; });
+    std::printf("terms of the force left out in %zu of %zu scenes\n", ratios.size(), gains.size());
+    std::printf("there a tick takes this share of one with everything: median %.2f, "
+                "10 %% below %.2f, 90 %% below %.2f; faster in %ld\n",
+                quantile(ratios, 0.5), quantile(ratios, 0.1), quantile(ratios, 0.9), faster);
+    std::printf("finding out takes: median %.0f ms, 90 %% below %.0f ms\n",
+                quantile(fits, 0.5) * 1e3, quantile(fits, 0.9) * 1e3);
+    std::printf("at other places the force moves by at most the tolerance of %.2g %% in %ld "
+                "scenes; median %.2g %%, 90 %% below %.2g %%, worst %.2g %%\n",
+                tolerance * 100.0, within, quantile(moves, 0.5) * 100.0,
+                quantile(moves, 0.9) * 100.0, quantile(moves, 1.0) * 100.0);
+}
+
+int run() {
+    Random random(20261122);
+    std::vector<Gain> gains;
+    double tolerance = 0.0;
+    for (int i = 0; i < kScenes; ++i) {
+        Scene scene = test::randomScene(random);
+        tolerance = scene.description.tolerance;
+        gains.push_back(gainOf(scene));
+    }
+    print(gains, tolerance);
+    return 0;
+}
+
+}  // namespace
+}  // namespace asperity
+
+int main() { return asperity::run(); }

@@ -1,0 +1,15 @@
+#include "core/fidelity/TermPair.h"
+
+#include <utility>
+
+namespace asperity {
+
+TermPair pairOf(ModelTerm term, SceneModel model) {
+    for (const ModelTerm other : kModelTerms) {
+        model = exclude(term, other) ? without(std::move(model), other) : model;
+    }
+    const SceneModel in = with(model, term);
+    return {in, without(in, term)};
+}
+
+}  // namespace asperity

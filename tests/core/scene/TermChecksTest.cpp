@@ -1,0 +1,77 @@
+#include "core/scene/TermChecks.h"
+
+#include "core/Error.h"
+#include "core/Units.h"
+#include "core/scene/ModelTerm.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace asperity {
+namespace {
+
+std::string refusalOf(const SceneDescription& scene) {
+    try {
+        checkTerms(scene);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+SceneDescription sceneWith(const TermChoices& terms) {
+    SceneDescription scene = test::plainScene();
+    scene.terms = terms;
+    return scene;
+}
+
+TEST(TermChecks, TermsThatALawHasRoomForMayBeOn) {
+    EXPECT_EQ(refusalOf(sceneWith({})), "");
+    EXPECT_EQ(refusalOf(sceneWith({.adhesion = true, .vanDerWaalsTail = true})), "");
+    EXPECT_EQ(refusalOf(sceneWith({.vanDerWaalsTail = false, .sphereCorrection = true})), "");
+    EXPECT_EQ(refusalOf(sceneWith({.adhesion = false, .vanDerWaalsTail = false})), "");
+}
+
+TEST(TermChecks, WhatNoLawHasTogetherIsRefused) {
+    EXPECT_EQ(
+        refusalOf(sceneWith({.vanDerWaalsTail = true, .sphereCorrection = true})),
+        "[fidelity]: van_der_waals_tail cannot be on: sphere_correction is on, and no contact "
+        "law has both");
+    EXPECT_EQ(refusalOf(sceneWith({.sphereCorrection = true, .curvature = true})),
+              "[fidelity]: sphere_correction cannot be on: curvature is on, and no contact law has "
+              "both");
+    EXPECT_EQ(refusalOf(sceneWith({.adhesion = false, .vanDerWaalsTail = true})),
+              "[fidelity]: van_der_waals_tail cannot be on: adhesion is off");
+    SceneDescription film = sceneWith({.adhesion = true, .filmBase = true});
+    film.sample.material.filmThickness = 10.0_nm;
+    EXPECT_EQ(refusalOf(film),
+              "[fidelity]: adhesion cannot be on: film_base is on, and no contact law has both");
+}
+
+TEST(TermChecks, WhatTheSampleHasNotIsRefused) {
+    EXPECT_EQ(refusalOf(sceneWith({.filmBase = true})),
+              "[fidelity]: film_base cannot be on: the sample's film_thickness_m is 0");
+    SceneDescription scene = sceneWith({.adhesion = true});
+    scene.sample.material.workOfAdhesion = 0.0;
+    EXPECT_EQ(refusalOf(scene),
+              "[fidelity]: adhesion cannot be on: the sample's work_of_adhesion_j_m2 is 0");
+}
+
+TEST(TermChecks, ALawAndItsTermsAreNotBothSaid) {
+    SceneDescription scene = sceneWith({.adhesion = false});
+    scene.law = ContactLaw::Jkr;
+    EXPECT_EQ(refusalOf(scene),
+              "[fidelity]: adhesion is the matter of [physics] law, which is jkr; leave out one of "
+              "them");
+    scene.terms = {.friction = false};
+    EXPECT_EQ(refusalOf(scene), "");
+}
+
+TEST(TermChecks, ASceneIsHeldToThem) {
+    EXPECT_THROW(checkScene(sceneWith({.filmBase = true})), Error);
+}
+
+}  // namespace
+}  // namespace asperity
