@@ -22,36 +22,42 @@ namespace {
 
 struct ExtremesOptions {
     std::string out;
-    double states = 2.6e6;
+    double states = 1.1e6;
 };
 
 void writeTable(const std::filesystem::path& path, const std::vector<ExtremesRegion>& regions) {
-    CsvWriter csv(path,
-                  {std::string("Asperity ") + kVersion +
-                       ": what the states of each model are worth, by region; docs/extremes.md",
-                   "errors are relative to the reference, or the adhesion's own units where these "
-                   "are larger; of states without a flag, but for flagged_force_error",
-                   "solver_error: the largest against the same law solved afresh"},
-                  {"model",
-                   "tier",
-                   "sample",
-                   "tip_radius_m",
-                   "e_star_pa",
-                   "rms_over_tip_radius",
-                   "states",
-                   "exact",
-                   "valid",
-                   "off",
-                   "flagged",
-                   "refused",
-                   "main_reason",
-                   "solver_error",
-                   "force_error",
-                   "force_error_at",
-                   "contact_radius_error",
-                   "contact_radius_error_at",
-                   "flagged_force_error",
-                   "flagged_force_error_at"});
+    CsvWriter csv(
+        path,
+        {std::string("Asperity ") + kVersion +
+             ": what the states of each model are worth, by region; docs/extremes.md",
+         "errors are relative to the reference, or the adhesion's own units where these "
+         "are larger; of states without a flag, but for flagged_force_error",
+         "jump_error: of the place of a jump, where only one of state and reference has jumped",
+         "unproven: not flagged, but the reference does not hold there; no errors",
+         "solver_error: the largest against the same law solved afresh"},
+        {"model",
+         "tier",
+         "sample",
+         "tip_radius_m",
+         "e_star_pa",
+         "rms_over_tip_radius",
+         "states",
+         "exact",
+         "valid",
+         "off",
+         "flagged",
+         "unproven",
+         "refused",
+         "main_reason",
+         "solver_error",
+         "force_error",
+         "force_error_at",
+         "contact_radius_error",
+         "contact_radius_error_at",
+         "jump_error",
+         "jump_error_at",
+         "flagged_force_error",
+         "flagged_force_error_at"});
     for (const ExtremesRegion& region : regions) {
         const RegionPlace& place = region.place();
         csv.add(place.model).add(place.tier).add(place.sample);
@@ -65,6 +71,7 @@ void writeTable(const std::filesystem::path& path, const std::vector<ExtremesReg
         csv.add(region.mainReason()).add(region.solver().error);
         csv.add(worst.force.error).add(worst.force.where);
         csv.add(worst.contactRadius.error).add(worst.contactRadius.where);
+        csv.add(worst.jump.error).add(worst.jump.where);
         csv.add(flagged.error).add(flagged.where);
         csv.endRow();
     }
@@ -83,23 +90,23 @@ std::string percent(long states, long all) {
 }
 
 void printModels(const std::vector<ExtremesRegion>& sums) {
-    std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %7s %7s %9s %9s %9s\n", "model", "tier", "sample",
-                "states", "exact", "valid", "off", "flagged", "refused", "force", "radius",
-                "solver");
-    std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %7s %7s %9s %9s %9s\n", "", "", "", "", "[%]",
-                "[%]", "[%]", "[%]", "[%]", "err. max", "err. max", "err. max");
+    std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %8s %8s %8s %9s %9s %9s %9s\n", "model", "tier",
+                "sample", "states", "exact", "valid", "off", "flagged", "unproven", "refused",
+                "force", "radius", "jump", "solver");
+    std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %8s %8s %8s %9s %9s %9s %9s\n", "", "", "", "",
+                "[%]", "[%]", "[%]", "[%]", "[%]", "[%]", "err. max", "err. max", "err. max",
+                "err. max");
     for (const ExtremesRegion& sum : sums) {
         const RegionPlace& place = sum.place();
         std::printf("%-11s %-9s %-12s %8ld", place.model.c_str(), place.tier.c_str(),
                     place.sample.c_str(), sum.states());
         for (const Verdict verdict : kVerdicts) {
-            const bool wide = verdict == Verdict::Flagged || verdict == Verdict::Refused;
-            std::printf(" %*s", wide ? 7 : 6,
+            std::printf(" %*s", verdict < Verdict::Flagged ? 6 : 8,
                         percent(sum.tally(verdict).states, sum.states()).c_str());
         }
         const VerdictTally worst = sum.unflagged();
-        std::printf(" %9.2g %9.2g %9.2g\n", worst.force.error, worst.contactRadius.error,
-                    sum.solver().error);
+        std::printf(" %9.2g %9.2g %9.2g %9.2g\n", worst.force.error, worst.contactRadius.error,
+                    worst.jump.error, sum.solver().error);
     }
 }
 
@@ -116,8 +123,10 @@ void printRefusals(const std::vector<ExtremesRegion>& regions) {
     }
 }
 
-void printVerdicts(const std::vector<ExtremesRegion>& sums, long states, double seconds) {
-    std::printf("\n%ld states, %.3g a second:", states, static_cast<double>(states) / seconds);
+void printVerdicts(const std::vector<ExtremesRegion>& sums, const ExtremesFindings& findings,
+                   double seconds) {
+    std::printf("\n%ld states in %.3g s; %ld answers of models to them:", findings.states, seconds,
+                findings.answers());
     for (const Verdict verdict : kVerdicts) {
         long count = 0;
         for (const ExtremesRegion& sum : sums) {
@@ -156,7 +165,7 @@ void extremes(const ExtremesOptions& options) {
     const std::vector<ExtremesRegion> sums = summedOverPlaces(findings.regions);
     printModels(sums);
     printRefusals(sums);
-    printVerdicts(sums, findings.states(), spent.count());
+    printVerdicts(sums, findings, spent.count());
     reportDefects(findings);
 }
 
@@ -168,7 +177,11 @@ void addExtremesCommand(CLI::App& program) {
                     "refused, from the softest to the hardest sample");
     const auto options = std::make_shared<ExtremesOptions>();
     addOutputFolder(*command, options->out, "folder for the table and the map");
-    command->add_option("--states", options->states, "roughly how many states are evaluated")
+    command
+        ->add_option("--states", options->states,
+                     "about how many states of tip, sample, lever and place there are, each "
+                     "evaluated with every "
+                     "law and solver or every foot search")
         ->check(finiteNumber())
         ->check(CLI::Range(1e4, 1e9))
         ->capture_default_str();

@@ -17,6 +17,7 @@ std::vector<ShareKey> keys() {
             {{86, 180, 233}, "valid: within 5 %"},
             {{213, 94, 0}, "off: farther, and no flag says so"},
             {{240, 228, 66}, "flagged: does not hold, and says so"},
+            {{204, 121, 167}, "unproven: the reference does not hold there"},
             {{110, 110, 110}, "refused, with a reason"}};
 }
 
@@ -106,7 +107,8 @@ ShareMap tickMap(const std::vector<ExtremesRegion>& regions) {
 ShareMapPage extremesMap(const std::vector<ExtremesRegion>& regions) {
     constexpr int kMapsPerRow = 5;
     ShareMapPage page{.title = "Where each contact law holds: adhesive samples (Hertz on a film: "
-                               "films without adhesion), every lever and depth",
+                               "films without adhesion), every lever and depth; Maugis-Dugdale on "
+                               "the sphere, Hertz on a film and the tick are their own reference",
                       .keys = keys(),
                       .mapsPerRow = kMapsPerRow};
     for (const ContactLaw law : kContactLaws) {

@@ -40,6 +40,8 @@ const char* validityName(Validity flag) noexcept {
         return "feet_unproven";
     case Validity::SingularGeometry:
         return "singular_geometry";
+    case Validity::LawOutOfRange:
+        return "law_out_of_range";
     }
     return "unknown";
 }

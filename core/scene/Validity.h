@@ -20,11 +20,12 @@ enum class Validity : std::uint32_t {
     SeveralFeet = 1U << 10U,       ///< the tip touches at several places; their forces are summed
     TipNotHeld = 1U << 11U,        ///< no place of the base holds the tip where the hand wants it
     ElasticLimit = 1U << 12U,      ///< contact pressure above the sample's hardness: it would yield
-    ThinFilm = 1U << 13U,          ///< contact radius above a tenth of the film's thickness
-    SnapInAhead = 1U << 14U,       ///< the lever is so soft that the tip will jump within 1 nm
-    Implausible = 1U << 15U,       ///< the estimate breaks the friction law by more than 3 sigma
-    UncertainPixel = 1U << 16U,    ///< the tip that recorded the scan may not have touched here
-    FeetUnproven = 1U << 17U,      ///< other places may be as near to the tip as the feet found
+    ThinFilm = 1U << 13U,        ///< contact too wide for the film and the law: see ContactValidity
+    SnapInAhead = 1U << 14U,     ///< the lever is so soft that the tip will jump within 1 nm
+    Implausible = 1U << 15U,     ///< the estimate breaks the friction law by more than 3 sigma
+    UncertainPixel = 1U << 16U,  ///< the tip that recorded the scan may not have touched here
+    FeetUnproven = 1U << 17U,    ///< other places may be as near to the tip as the feet found
+    LawOutOfRange = 1U << 18U,   ///< the contact law leaves out what acts here, see LawRange
 };
 
 /// A set of validity flags.
@@ -45,7 +46,7 @@ private:
     std::uint32_t bits_ = 0;
 };
 
-inline constexpr int kValidityFlagCount = 18;
+inline constexpr int kValidityFlagCount = 19;
 
 /// Name of one flag as logs and panels show it, e.g. "large_contact".
 [[nodiscard]] const char* validityName(Validity flag) noexcept;

@@ -6,8 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <ranges>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -175,15 +178,39 @@ TEST(TradeOff, WritesATableAndAFigureAndPrintsThem) {
     EXPECT_EQ(deformations.rows(), 24U) << "three materials, flat and scan, four deformations";
 }
 
-TEST(Extremes, WritesATableAndAMapAndSaysWhyStatesAreRefused) {
+/// The sentences of `asperity extremes` under "refused:", without their counts.
+std::vector<std::string> refusalsIn(const std::string& output) {
+    std::vector<std::string> sentences;
+    const std::string heading = "\nrefused:\n";
+    std::istringstream lines(output.substr(output.find(heading) + heading.size()));
+    for (std::string line; std::getline(lines, line) && !line.empty();) {
+        sentences.push_back(line.substr(line.find("  ", line.find_first_of("0123456789")) + 2));
+    }
+    return sentences;
+}
+
+/// How many states `asperity extremes` says that it has evaluated.
+double statesIn(const std::string& output) {
+    const std::size_t end = output.find(" states in ");
+    const std::size_t start = output.rfind('\n', end) + 1;
+    return std::stod(output.substr(start, end - start));
+}
+
+TEST(Extremes, EvaluatesAsManyStatesAsAreAskedForAndRefusesInTheWordsOfItsPage) {
     const test::ScratchFolder scratch;
     const auto run =
         test::runProgram("extremes --states 10000 --out " + scratch.file("out").string());
     ASSERT_EQ(run.exitCode, 0) << run.output;
-    EXPECT_NE(run.output.find("the tip radius must lie between"), std::string::npos) << run.output;
-    const CsvTable table = readCsv(scratch.path() / "out/extremes.csv");
-    EXPECT_GT(table.rows(), 100U);
+    EXPECT_GT(readCsv(scratch.path() / "out/extremes.csv").rows(), 100U);
     EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/extremes.png"), 5000U);
+    EXPECT_NEAR(statesIn(run.output), 10000.0, 1000.0);
+    std::ifstream file(std::string(ASPERITY_DATA_DIR) + "/../docs/extremes.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    const std::vector<std::string> sentences = refusalsIn(run.output);
+    EXPECT_GE(sentences.size(), 8U) << run.output;
+    for (const std::string& sentence : sentences) {
+        EXPECT_NE(page.find("| " + sentence + " |"), std::string::npos) << sentence;
+    }
 }
 
 }  // namespace

@@ -67,7 +67,9 @@ QString validityWords(Validity flag) {
     case Validity::ElasticLimit:
         return QStringLiteral("pressure above the sample's hardness: it would yield");
     case Validity::ThinFilm:
-        return QStringLiteral("contact radius above a tenth of the film: beyond half-space theory");
+        return QStringLiteral("contact too wide for the film's thickness and the contact law");
+    case Validity::LawOutOfRange:
+        return QStringLiteral("the contact law leaves out adhesion that acts here, or its reach");
     case Validity::Implausible:
         return QStringLiteral("estimated force breaks the friction law");
     case Validity::SnapInAhead:

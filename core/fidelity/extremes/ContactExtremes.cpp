@@ -1,10 +1,9 @@
 #include "core/fidelity/extremes/ContactExtremes.h"
 
-#include "core/contact/HertzLaw.h"
-#include "core/contact/MaugisUnits.h"
 #include "core/fidelity/extremes/ContactDefect.h"
+#include "core/fidelity/extremes/ContactErrors.h"
 #include "core/fidelity/extremes/ContactSetting.h"
-#include "core/fidelity/extremes/LogSpaced.h"
+#include "core/fidelity/extremes/ContactWay.h"
 #include "core/scene/ContactValidity.h"
 
 #include <algorithm>
@@ -23,62 +22,16 @@ const char* sampleName(const ContactSetting& setting) {
     return setting.pair.workOfAdhesion > 0.0 ? "adhesive" : "no adhesion";
 }
 
-/// One place of the undeflected tip on its way.
-struct Stop {
-    double approach = 0.0;  ///< [m]
-    bool retract = false;
-};
-
-/// From beyond both jumps to three tip radii of indentation and back; inwards of the first touch
-/// the lever's base is moved as far as Hertz' force bends the lever.
-std::vector<Stop> wayOf(const ContactModel& reference, const ContactSetting& setting, int places) {
-    constexpr double kShallowest = 1e-4;  // of the tip radius
-    constexpr double kDeepest = 3.0;      // of the tip radius
-    constexpr double kNearest = 1e-3;     // of the farthest gap
-    const double radius = setting.pair.tipRadius;
-    const double compliance = setting.compliance();
-    const double farthest = -1.5 * std::max({-reference.pullOffApproach(compliance),
-                                             -reference.jumpInApproach(compliance), 0.05 * radius});
-    std::vector<Stop> way;
-    for (const double gap : logSpaced(farthest, kNearest * farthest, places / 2)) {
-        way.push_back({gap, false});
-    }
-    const HertzLaw hertz(setting.pair);
-    for (const double depth :
-         logSpaced(kShallowest * radius, kDeepest * radius, places - (places / 2))) {
-        way.push_back({depth + (compliance * hertz.atIndentation(depth).force), false});
-    }
-    for (std::size_t i = way.size(); i-- > 0;) {
-        way.push_back({way[i].approach, true});
-    }
-    return way;
+ContactLaw referenceLaw(const ContactSetting& setting) {
+    return setting.filmThickness > 0.0 ? ContactLaw::HertzFilm : ContactLaw::SphereMaugis;
 }
 
-/// The states along a way, each with the memory of the one before, as a run has them.
-std::vector<ContactState> follow(const ContactModel& model, const std::vector<Stop>& way,
-                                 double compliance) {
-    std::vector<ContactState> states;
-    ContactMemory memory;
-    for (const Stop& stop : way) {
-        states.push_back(model.equilibrium(stop.approach, compliance, memory));
-        memory = states.back().memory();
-    }
-    return states;
+/// Whether the split law's tail makes a state, or its place, that the reference has no like of:
+/// where not both touch.
+bool hasTail(const ContactModel& model, const ContactState& state, const ContactState& reference) {
+    const bool bothTouch = state.contactRadius > 0.0 && reference.contactRadius > 0.0;
+    return model.law() == ContactLaw::Split && model.lambda() > 0.0 && !bothTouch;
 }
-
-/// Against the state of another law or solver; near zero the units of adhesion count.
-StateErrors errorsOf(const ContactState& state, const ContactState& reference,
-                     const MaugisUnits& units) {
-    return {.force = relativeError(state.force, reference.force, units.force),
-            .contactRadius =
-                relativeError(state.contactRadius, reference.contactRadius, units.radius)};
-}
-
-/// What a state is held against.
-struct Yardstick {
-    ContactState exact;      ///< of the same law, solved afresh
-    ContactState reference;  ///< of the reference law
-};
 
 /// Largest relative error that a solver may have: rounding, or what the table says of itself.
 double promiseOf(const ContactModel& model) {
@@ -140,6 +93,14 @@ private:
         ExtremesRegion region;
     };
 
+    /// What the state of a contender is held against at each stop of a way.
+    struct Yardstick {
+        const std::vector<ContactStop>& way;
+        const ContactCourse& exact;      ///< of the same law, solved afresh
+        const ContactCourse& reference;  ///< of the reference law
+        const ContactModel& referenceModel;
+    };
+
     static std::vector<Contender> contendersOf(const std::vector<ContactCandidate>& candidates,
                                                const ContactSetting& setting) {
         std::vector<Contender> contenders;
@@ -155,59 +116,78 @@ private:
     }
 
     void meet(const std::vector<ContactCandidate>& candidates, ContactSetting setting) {
-        const bool film = setting.filmThickness > 0.0;
-        const auto reference = candidate(
-            {film ? ContactLaw::HertzFilm : ContactLaw::SphereMaugis, SolverTier::Exact}, setting);
         std::vector<Contender> contenders = contendersOf(candidates, setting);
         for (const double stiffness : grid_.leverStiffnesses) {
             setting.leverStiffness = stiffness;
-            compareAll(contenders, reference.model.value(), setting);
+            compareAll(contenders, setting);
         }
         for (Contender& contender : contenders) {
             findings_.regions.push_back(std::move(contender.region));
         }
     }
 
-    void compareAll(std::vector<Contender>& contenders, const ContactModel& reference,
-                    const ContactSetting& setting) {
-        const std::vector<Stop> way = wayOf(reference, setting, grid_.places);
-        const auto references = follow(reference, way, setting.compliance());
-        std::vector<ContactState> exact;
-        for (Contender& contender : contenders) {
-            const auto states = follow(contender.model, way, setting.compliance());
-            if (contender.lawTier.tier == SolverTier::Exact) {
-                exact = states;
-            }
+    static std::size_t indexOf(const std::vector<Contender>& contenders, ContactLaw law) {
+        return static_cast<std::size_t>(
+            std::ranges::find(contenders, law,
+                              [](const Contender& one) { return one.lawTier.law; }) -
+            contenders.begin());
+    }
+
+    void compareAll(std::vector<Contender>& contenders, const ContactSetting& setting) {
+        const std::size_t reference = indexOf(contenders, referenceLaw(setting));
+        const ContactModel& referenceModel = contenders[reference].model;
+        const std::vector<ContactStop> way = contactWay(referenceModel, setting, grid_.places);
+        findings_.states += static_cast<long>(way.size());
+        std::vector<ContactCourse> courses;
+        for (const Contender& contender : contenders) {
+            courses.push_back(contactCourse(contender.model, way, setting.compliance()));
+        }
+        for (std::size_t k = 0; k < contenders.size(); ++k) {
+            const std::size_t exact = indexOf(contenders, contenders[k].lawTier.law);
+            const Yardstick yardstick{way, courses[exact], courses[reference], referenceModel};
             for (std::size_t i = 0; i < way.size(); ++i) {
-                judge(contender, setting, way[i], states[i], {exact[i], references[i]});
+                judge(contenders[k], setting, courses[k], yardstick, i);
             }
         }
     }
 
-    void judge(Contender& by, const ContactSetting& setting, const Stop& stop,
-               const ContactState& state, const Yardstick& yardstick) {
+    void judge(Contender& by, const ContactSetting& setting, const ContactCourse& course,
+               const Yardstick& yardstick, std::size_t i) {
+        const ContactStop& stop = yardstick.way[i];
         const auto sayWhere = [&] {
             return describe(by.lawTier, setting, stop.approach) +
                    (stop.retract ? " on the way out" : " on the way in");
         };
+        const ContactState& state = course.states[i];
         if (!state.solved()) {
             by.region.refuse(refusalOf(state.status));
             return;
         }
-        const ValidityFlags flags =
-            contactValidity(by.model, state, {.filmThickness = setting.filmThickness});
-        const MaugisUnits units = maugisUnits(setting.pair);
-        const bool own = by.lawTier.law == ContactLaw::Split && setting.pair.workOfAdhesion > 0.0 &&
-                         !flags.has(Validity::LargeContact);
-        StateErrors errors = errorsOf(state, own ? yardstick.exact : yardstick.reference, units);
-        errors.solver = errorsOf(state, yardstick.exact, units).larger();
+        const ComparedState compared = compare(by, setting, course, yardstick, i);
         if (const char* defect = defectOf(state, setting, stop.approach)) {
             findings_.addDefect(sayWhere() + ": " + defect);
-        } else if (errors.solver > promiseOf(by.model)) {
+        } else if (compared.errors.solver > promiseOf(by.model)) {
             findings_.addDefect(sayWhere() + ": the solver is farther off than it promises");
         } else {
-            by.region.add(flags, errors, sayWhere);
+            by.region.add(compared, sayWhere);
         }
+    }
+
+    static ComparedState compare(const Contender& by, const ContactSetting& setting,
+                                 const ContactCourse& course, const Yardstick& yardstick,
+                                 std::size_t i) {
+        const SampleMaterial sample{.filmThickness = setting.filmThickness};
+        const MaugisUnits units = maugisUnits(setting.pair);
+        const ContactState& reference = yardstick.reference.states[i];
+        ComparedState compared{
+            .flags = contactValidity(by.model, course.states[i], sample),
+            .referenceHolds =
+                contactValidity(yardstick.referenceModel, reference, sample).bits() == 0 &&
+                !hasTail(by.model, course.states[i], reference),
+            .errors = contactErrors(course, yardstick.reference, yardstick.way, i, units)};
+        compared.errors.solver =
+            stateErrors(course.states[i], yardstick.exact.states[i], units).largest();
+        return compared;
     }
 
     const ContactGrid& grid_;

@@ -17,8 +17,8 @@ struct FlatSample {
 /// All states of the grid on one sample.
 ///
 /// The reference is Maugis-Dugdale on the exact sphere, which has every other law on a half-space
-/// as a limit; of `split`, whose tail it does not have, the split law solved afresh while the
-/// contact is not large; on a film `hertz_film`.
+/// as a limit, on a film `hertz_film`. Where a flag says that the reference does not hold, and
+/// before contact for `split`, whose tail it lacks, nothing is known of a law's error.
 [[nodiscard]] ExtremesFindings contactExtremes(const ContactGrid& grid, const FlatSample& sample);
 
 }  // namespace asperity

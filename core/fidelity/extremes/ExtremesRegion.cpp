@@ -15,6 +15,7 @@ void VerdictTally::add(const VerdictTally& other) {
     states += other.states;
     force.add(other.force);
     contactRadius.add(other.contactRadius);
+    jump.add(other.jump);
 }
 
 void ExtremesRegion::refuse(const std::string& reason, long states) {
@@ -58,8 +59,8 @@ VerdictTally ExtremesRegion::unflagged() const {
 }
 
 std::string ExtremesRegion::mainReason() const {
-    std::string reason;
-    long most = 0;
+    long most = tally(Verdict::Unproven).states;
+    std::string reason = most > 0 ? "reference not proven" : "";
     for (std::size_t i = 0; i < flags_.size(); ++i) {
         if (flags_[i] > most) {
             most = flags_[i];

@@ -3,6 +3,7 @@
 #include "core/fidelity/extremes/Verdict.h"
 #include "core/scene/Validity.h"
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
@@ -29,10 +30,23 @@ struct RegionPlace {
 struct StateErrors {
     double force = 0.0;          ///< against the reference
     double contactRadius = 0.0;  ///< likewise
-    double solver = 0.0;         ///< the larger one against the same law solved afresh
+    double jump = 0.0;           ///< of the place of a jump that lies between state and reference
+    double solver = 0.0;         ///< the largest one against the same law solved afresh
 
-    [[nodiscard]] double larger() const noexcept {
-        return force > contactRadius ? force : contactRadius;
+    [[nodiscard]] double largest() const noexcept { return std::max({force, contactRadius, jump}); }
+};
+
+/// One solved state, compared.
+struct ComparedState {
+    ValidityFlags flags;
+    bool referenceHolds = true;  ///< whether the reference itself is known to hold there
+    StateErrors errors;
+
+    [[nodiscard]] Verdict verdict() const noexcept {
+        if (flags.bits() != 0) {
+            return Verdict::Flagged;
+        }
+        return referenceHolds ? verdictOnError(errors.largest()) : Verdict::Unproven;
     }
 };
 
@@ -59,6 +73,7 @@ struct VerdictTally {
     long states = 0;
     WorstError force;
     WorstError contactRadius;
+    WorstError jump;
 
     void add(const VerdictTally& other);
 };
@@ -71,15 +86,16 @@ public:
 
     /// A solved state.
     template <class Describe>
-    void add(ValidityFlags flags, const StateErrors& errors, const Describe& describe) {
-        const bool flagged = flags.bits() != 0;
-        const Verdict verdict = flagged ? Verdict::Flagged : verdictOnError(errors.larger());
-        countFlags(flags);
-        solver_.meet(errors.solver, describe);
-        VerdictTally& tally = tallies_[static_cast<std::size_t>(verdict)];
+    void add(const ComparedState& state, const Describe& describe) {
+        countFlags(state.flags);
+        solver_.meet(state.errors.solver, describe);
+        VerdictTally& tally = tallies_[static_cast<std::size_t>(state.verdict())];
         ++tally.states;
-        tally.force.meet(errors.force, describe);
-        tally.contactRadius.meet(errors.contactRadius, describe);
+        if (state.referenceHolds) {
+            tally.force.meet(state.errors.force, describe);
+            tally.contactRadius.meet(state.errors.contactRadius, describe);
+            tally.jump.meet(state.errors.jump, describe);
+        }
     }
     /// States without an answer. @param reason one sentence for people
     void refuse(const std::string& reason, long states = 1);
@@ -91,12 +107,12 @@ public:
         return tallies_[static_cast<std::size_t>(verdict)];
     }
     [[nodiscard]] long states() const noexcept;
-    /// Largest errors of the states that are not flagged.
+    /// Largest errors of the states that are not flagged and have a reference.
     [[nodiscard]] VerdictTally unflagged() const;
     /// Largest error of the solver's tier alone, flagged states included.
     [[nodiscard]] const WorstError& solver() const noexcept { return solver_; }
     [[nodiscard]] const std::map<std::string, long>& refusals() const noexcept { return refusals_; }
-    /// The most frequent flag or reason of a refusal; empty without any.
+    /// The most frequent flag, lack of a reference or reason of a refusal; empty without any.
     [[nodiscard]] std::string mainReason() const;
 
 private:

@@ -2,7 +2,6 @@
 
 #include "core/Units.h"
 #include "core/contact/MaugisUnits.h"
-#include "core/fidelity/extremes/SampledSpring.h"
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
@@ -16,22 +15,6 @@ namespace asperity {
 namespace {
 
 constexpr std::array kEfforts{FootEffort::Certified, FootEffort::Global, FootEffort::Local};
-
-/// Soft and wide, adhesive, stiff: silicone rubber, polystyrene, silicon oxide.
-/// Source: Vogl, Ma, Sitti (2005), table 1.
-std::vector<SampleMaterial> materials() {
-    return {{.name = "silicone rubber",
-             .elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5},
-             .workOfAdhesion = 0.022},
-            {.name = "polystyrene",
-             .elastic = {.youngsModulus = 2.0_GPa, .poissonRatio = 0.4},
-             .workOfAdhesion = 0.066,
-             .hardness = 0.3_GPa},
-            {.name = "silicon oxide",
-             .elastic = {.youngsModulus = 70.0_GPa, .poissonRatio = 0.27},
-             .workOfAdhesion = 0.2,
-             .hardness = 9.0_GPa}};
-}
 
 /// A scan some tips wide, whose waves are as long as the tip is wide and shorter.
 HeightMap roughMap(const RoughPlace& place) {
@@ -52,12 +35,10 @@ HeightMap roughMap(const RoughPlace& place) {
 struct TickSetting {
     SampleMaterial material;
     double leverStiffness = 0.0;  ///< [N/m]
-    double rate = 0.0;            ///< [Hz]
-    double gainShare = 0.0;       ///< of largestForceGain()
+    double depth = 0.0;           ///< of the base below first touch, over the tip radius
 };
 
 SceneDescription sceneOf(const RoughPlace& place, const TickSetting& setting) {
-    constexpr double kHandRadius = 0.01;  // how large a tip radius is at the hand [m]
     SceneDescription scene = defaultScene();
     scene.sample.material = setting.material;
     scene.sample.smoothingPixels = 0.0;
@@ -66,10 +47,6 @@ SceneDescription sceneOf(const RoughPlace& place, const TickSetting& setting) {
     scene.truth.stiffness = setting.leverStiffness;
     scene.probe.thickness = thicknessForStiffness(scene.probe, setting.leverStiffness);
     scene.tip.radius = place.tipRadius;
-    scene.tickRate = setting.rate;
-    scene.positionGain = place.tipRadius / kHandRadius;
-    scene.forceGain = setting.gainShare *
-                      largestForceGain(setting.leverStiffness, scene.positionGain, setting.rate);
     return scene;
 }
 
@@ -78,18 +55,18 @@ std::string describe(const RoughPlace& place, const TickSetting& setting, const 
     char text[300];
     std::snprintf(text, sizeof text,
                   "tick %zu (%s), tip radius %.17g m, roughness %.17g of it, %s, lever %.17g N/m, "
-                  "%.17g Hz, force gain %.17g of the limit",
+                  "depth of the base %.17g tip radii",
                   tick, effort, place.tipRadius, place.roughness, setting.material.name.c_str(),
-                  setting.leverStiffness, setting.rate, setting.gainShare);
+                  setting.leverStiffness, setting.depth);
     return text;
 }
 
 /// All ticks of one run along an approach, a slide and a retract.
-std::vector<TickOutput> ticksOf(const Scene& scene, int ticks) {
+std::vector<TickOutput> ticksOf(const Scene& scene, double depth, int ticks) {
     const double radius = scene.belief.tipRadius();
     const PathPlan plan{.duration = (ticks - 1) * scene.timeStep(),
                         .clearance = 0.2 * radius,
-                        .indentation = 0.2 * radius,
+                        .indentation = depth * radius,
                         .slideLength = 2.0 * radius};
     SimulatedAfm afm(scene.touched(), scene.truth);
     std::vector<TickOutput> outputs;
@@ -98,12 +75,15 @@ std::vector<TickOutput> ticksOf(const Scene& scene, int ticks) {
     return outputs;
 }
 
-/// A jump that is announced takes nothing back of what is.
-ValidityFlags doubts(ValidityFlags flags) {
+/// What a state does not hold for. A jump that is announced takes nothing back of what is; that the
+/// reference has no proof either is the reference's doubt.
+ValidityFlags doubts(ValidityFlags flags, bool referenceHolds) {
     ValidityFlags left;
     for (int i = 0; i < kValidityFlagCount; ++i) {
         const auto flag = static_cast<Validity>(1U << static_cast<unsigned>(i));
-        left.set(flag, flag != Validity::SnapInAhead && flags.has(flag));
+        const bool counts =
+            flag != Validity::SnapInAhead && (referenceHolds || flag != Validity::FeetUnproven);
+        left.set(flag, counts && flags.has(flag));
     }
     return left;
 }
@@ -141,9 +121,10 @@ public:
         const double pull = maugisUnits(built.belief.contact.pair()).force;
         std::vector<TickOutput> reference;
         Scene scene = built;
+        findings_.states += grid_.ticks;
         for (std::size_t i = 0; i < kEfforts.size(); ++i) {
-            scene.description.footSearch = kEfforts[i];
-            const std::vector<TickOutput> outputs = ticksOf(scene, grid_.ticks);
+            scene.model.footSearch = kEfforts[i];
+            const std::vector<TickOutput> outputs = ticksOf(scene, setting.depth, grid_.ticks);
             if (i == 0) {
                 reference = outputs;
             }
@@ -170,15 +151,17 @@ private:
             region.refuse(refusal);
             return;
         }
+        const bool referenceHolds = !reference.flags.has(Validity::FeetUnproven);
         const double radius = output.model.contact.contactRadius;
         const double force = (output.model.force - reference.model.force).norm();
         const double size =
             std::max({output.model.force.norm(), reference.model.force.norm(), unit});
-        region.add(
-            doubts(output.flags),
-            {.force = size > 0.0 ? force / size : 0.0,
-             .contactRadius = relativeError(radius, reference.model.contact.contactRadius, 0.0)},
-            sayWhere);
+        region.add({.flags = doubts(output.flags, referenceHolds),
+                    .referenceHolds = referenceHolds && refusalOf(reference) == nullptr,
+                    .errors = {.force = size > 0.0 ? force / size : 0.0,
+                               .contactRadius = relativeError(
+                                   radius, reference.model.contact.contactRadius, 0.0)}},
+                   sayWhere);
     }
 
     const TickGrid& grid_;
@@ -188,16 +171,28 @@ private:
 
 }  // namespace
 
+std::vector<SampleMaterial> tickMaterials() {
+    return {{.name = "silicone rubber",
+             .elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5},
+             .workOfAdhesion = 0.022},
+            {.name = "polystyrene",
+             .elastic = {.youngsModulus = 2.0_GPa, .poissonRatio = 0.4},
+             .workOfAdhesion = 0.066,
+             .hardness = 0.3_GPa},
+            {.name = "silicon oxide",
+             .elastic = {.youngsModulus = 70.0_GPa, .poissonRatio = 0.27},
+             .workOfAdhesion = 0.2,
+             .hardness = 9.0_GPa}};
+}
+
 ExtremesFindings tickExtremes(const TickGrid& grid, const RoughPlace& place) {
     RoughPlaceStudy study(grid, place);
     const HeightMap map = roughMap(place);
-    for (const SampleMaterial& material : materials()) {
+    for (const SampleMaterial& material : tickMaterials()) {
         for (const double stiffness : grid.leverStiffnesses) {
-            for (const double rate : grid.rates) {
-                for (const double share : grid.gainShares) {
-                    const TickSetting setting{material, stiffness, rate, share};
-                    study.meet(buildScene(sceneOf(place, setting), map), setting);
-                }
+            for (const double depth : grid.depths) {
+                const TickSetting setting{material, stiffness, depth};
+                study.meet(buildScene(sceneOf(place, setting), map), setting);
             }
         }
     }

@@ -1,8 +1,13 @@
 #pragma once
 
 #include "core/fidelity/extremes/ExtremesStudy.h"
+#include "core/scene/SceneDescription.h"
 
 namespace asperity {
+
+/// The materials of the tick's runs: soft and wide, adhesive, stiff; silicone rubber, polystyrene,
+/// silicon oxide. Source: Vogl, Ma, Sitti (2005), table 1.
+[[nodiscard]] std::vector<SampleMaterial> tickMaterials();
 
 /// A tip on a random rough surface.
 struct RoughPlace {
@@ -11,7 +16,8 @@ struct RoughPlace {
 };
 
 /// Runs of the whole tick with a scripted hand, with every effort of the foot search; the reference
-/// is the certified search.
+/// is the certified search where it proves its feet. The hand does not give way, so that neither
+/// the loop's rate nor the force gain changes a state: both are the scene's.
 [[nodiscard]] ExtremesFindings tickExtremes(const TickGrid& grid, const RoughPlace& place);
 
 }  // namespace asperity

@@ -15,6 +15,8 @@ const char* nameOf(Verdict verdict) noexcept {
         return "off";
     case Verdict::Flagged:
         return "flagged";
+    case Verdict::Unproven:
+        return "unproven";
     case Verdict::Refused:
         return "refused";
     }

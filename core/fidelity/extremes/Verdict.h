@@ -7,15 +7,16 @@ namespace asperity {
 
 /// What a state is worth, best first.
 enum class Verdict : std::uint8_t {
-    Exact,    ///< solved, not flagged, within kExactWithin of the reference
-    Valid,    ///< solved, not flagged, within kValidWithin of it
-    Off,      ///< solved, not flagged, farther off: the law leaves out what acts there
-    Flagged,  ///< solved, and a validity flag says that it does not hold
-    Refused,  ///< no answer, but a reason
+    Exact,     ///< solved, not flagged, within kExactWithin of the reference
+    Valid,     ///< solved, not flagged, within kValidWithin of it
+    Off,       ///< solved, not flagged, farther off
+    Flagged,   ///< solved, and a validity flag says that it does not hold
+    Unproven,  ///< solved, not flagged, but the reference itself is not known to hold there
+    Refused,   ///< no answer, but a reason
 };
 
-inline constexpr std::array kVerdicts{Verdict::Exact, Verdict::Valid, Verdict::Off,
-                                      Verdict::Flagged, Verdict::Refused};
+inline constexpr std::array kVerdicts{Verdict::Exact,   Verdict::Valid,    Verdict::Off,
+                                      Verdict::Flagged, Verdict::Unproven, Verdict::Refused};
 
 /// Below what any force calibration tells [relative].
 inline constexpr double kExactWithin = 1e-3;
@@ -23,10 +24,11 @@ inline constexpr double kExactWithin = 1e-3;
 /// physical meaning. Source: docs/physics.md 2.9.
 inline constexpr double kValidWithin = 0.05;
 
-/// "exact", "valid", "off", "flagged", "refused".
+/// "exact", "valid", "off", "flagged", "unproven", "refused".
 [[nodiscard]] const char* nameOf(Verdict verdict) noexcept;
 
-/// The verdict on a solved state without flags. @param error relative to the reference
+/// The verdict on a solved state without flags whose reference holds. @param error relative to the
+/// reference
 [[nodiscard]] Verdict verdictOnError(double error) noexcept;
 
 /// Difference of two quantities relative to the largest of both and `unit` >= 0; 0 where all are 0.

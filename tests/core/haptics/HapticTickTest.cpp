@@ -259,10 +259,10 @@ TEST(HapticTick, FlagsContactWhereTheImagingTipDidNotReach) {
     EXPECT_FALSE(flaggedAt(45.0_nm, 64.0_nm, groove + 200.0_nm)) << "no contact";
 }
 
-TEST(HapticTick, FlagsPressureBeyondTheHardnessAndContactsAsWideAsTheFilm) {
+TEST(HapticTick, FlagsPressureBeyondTheHardnessAndContactsTooWideForTheFilm) {
     SceneDescription description = test::plainScene();
     description.sample.material.hardness = 0.5_GPa;
-    description.sample.material.filmThickness = 50.0_nm;
+    description.sample.material.filmThickness = 200.0_nm;
     const Scene scene = buildScene(description, test::flatMap());
     TickMemory memory;
     const auto light = tick(scene, inputAt({64.0_nm, 64.0_nm, -0.3_nm}), memory).flags;

@@ -19,11 +19,11 @@ TEST(Verdict, ErrorIsRelativeToTheLargestOfBothAndTheUnit) {
 
 TEST(ExtremesRegion, KeepsTheWorstOfEachVerdictAndWhere) {
     ExtremesRegion region({.model = "md"});
-    region.add({}, {.force = 1e-5}, [] { return std::string("a"); });
-    region.add({}, {.force = 0.02, .contactRadius = 0.01}, [] { return std::string("b"); });
+    region.add({.errors = {.force = 1e-5}}, [] { return std::string("a"); });
+    region.add({.errors = {.force = 0.02, .contactRadius = 0.01}}, [] { return std::string("b"); });
     ValidityFlags large;
     large.set(Validity::LargeContact, true);
-    region.add(large, {.force = 0.9}, [] { return std::string("c"); });
+    region.add({.flags = large, .errors = {.force = 0.9}}, [] { return std::string("c"); });
     region.refuse("no", 2);
     EXPECT_EQ(region.states(), 5);
     EXPECT_EQ(region.tally(Verdict::Exact).force.where, "a");
@@ -33,10 +33,22 @@ TEST(ExtremesRegion, KeepsTheWorstOfEachVerdictAndWhere) {
     EXPECT_EQ(region.mainReason(), "no");
 }
 
+TEST(ExtremesRegion, AStateWithoutAReferenceIsUnprovenAndHasNoErrors) {
+    ExtremesRegion region({.model = "split"});
+    region.add({.referenceHolds = false, .errors = {.force = 0.5}}, [] { return std::string(); });
+    EXPECT_EQ(region.tally(Verdict::Unproven).states, 1);
+    EXPECT_EQ(region.tally(Verdict::Unproven).force.error, 0.0);
+    EXPECT_EQ(region.mainReason(), "reference not proven");
+    ValidityFlags large;
+    large.set(Validity::LargeContact, true);
+    region.add({.flags = large, .referenceHolds = false}, [] { return std::string(); });
+    EXPECT_EQ(region.tally(Verdict::Flagged).states, 1) << "what is flagged says so itself";
+}
+
 TEST(ExtremesRegion, IsSummedOverPlaces) {
     const auto one = [](const char* tier, double radius) {
         ExtremesRegion region({.model = "md", .tier = tier, .tipRadius = radius});
-        region.add({}, {.force = radius}, [] { return std::string(); });
+        region.add({.errors = {.force = radius}}, [] { return std::string(); });
         return region;
     };
     const auto sums = summedOverPlaces({one("a", 1e-6), one("a", 2e-6), one("b", 1e-6)});

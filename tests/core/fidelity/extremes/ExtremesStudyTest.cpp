@@ -2,7 +2,6 @@
 
 #include "core/Units.h"
 #include "core/fidelity/extremes/ContactDefect.h"
-#include "core/fidelity/extremes/SampledSpring.h"
 
 #include <gtest/gtest.h>
 
@@ -44,27 +43,55 @@ protected:
 TEST_F(ExtremesStudy, JkrHoldsForASoftSampleUnderALargeTip) {
     const auto all = at(10.0_um, 10.0_MPa, 0.05);  // lambda about 100
     const ExtremesRegion& jkr = region(all, ContactLaw::Jkr, "adhesive");
-    EXPECT_GT(count(jkr, Verdict::Exact) + count(jkr, Verdict::Valid),
-              2 * count(jkr, Verdict::Off));
+    EXPECT_GT(count(jkr, Verdict::Exact) + count(jkr, Verdict::Valid), jkr.states() / 3);
     const ExtremesRegion& dmt = region(all, ContactLaw::Dmt, "adhesive");
-    EXPECT_GT(count(dmt, Verdict::Off), 2 * count(jkr, Verdict::Off));
+    EXPECT_EQ(count(dmt, Verdict::Flagged), dmt.states());
 }
 
-TEST_F(ExtremesStudy, DmtHoldsForAStiffSampleUnderASharpTip) {
+TEST_F(ExtremesStudy, DmtIsCloserThanJkrForAStiffSampleUnderASharpTip) {
     const auto all = at(15.0_nm, 500.0_GPa, 0.01);
     const ExtremesRegion& dmt = region(all, ContactLaw::Dmt, "adhesive");
     const ExtremesRegion& jkr = region(all, ContactLaw::Jkr, "adhesive");
-    EXPECT_GT(count(dmt, Verdict::Exact) + count(dmt, Verdict::Valid), count(dmt, Verdict::Off));
-    EXPECT_LT(count(dmt, Verdict::Off), count(jkr, Verdict::Off));
+    EXPECT_LT(dmt.tally(Verdict::Flagged).contactRadius.error,
+              jkr.tally(Verdict::Flagged).contactRadius.error);
 }
 
-TEST_F(ExtremesStudy, HertzIsExactOrValidWithoutAdhesionAndOffWithIt) {
+TEST_F(ExtremesStudy, NoLawIsFarOffWithoutAFlag) {
+    const ExtremesGrid grid{.contact = {.tipRadii = {4.5_nm, 15.0_nm, 100.0_nm},
+                                        .moduli = {2.0_GPa, 70.0_GPa},
+                                        .adhesions = {0.05},
+                                        .filmThicknesses = {100.0_nm},
+                                        .leverStiffnesses = {14.0, kRigid},
+                                        .places = 24}};
+    for (const ExtremesRegion& one : studyExtremes(grid).regions) {
+        if (one.place().model == "split" || one.place().model == "tick") {
+            continue;  // split is another law than the reference, and near jumps that shows
+        }
+        EXPECT_LE(count(one, Verdict::Off), one.states() / 50) << one.place().model;
+        EXPECT_LT(one.unflagged().force.error, 0.07) << one.unflagged().force.where;
+        EXPECT_LT(one.unflagged().jump.error, 0.05) << one.unflagged().jump.where;
+    }
+}
+
+TEST_F(ExtremesStudy, AReferenceWhoseAttractionWrapsTheTipProvesNothing) {
+    const auto all = at(0.5_nm, 1.0_GPa, 0.05);
+    const ExtremesRegion& reference = region(all, ContactLaw::SphereMaugis, "adhesive");
+    EXPECT_GT(count(reference, Verdict::Flagged), 0);
+    const auto blunt = at(100.0_nm, 2.0_GPa, 0.05);
+    EXPECT_GT(count(region(blunt, ContactLaw::Split, "adhesive"), Verdict::Unproven), 0)
+        << "no other law has its tail";
+    EXPECT_EQ(count(region(blunt, ContactLaw::Maugis, "adhesive"), Verdict::Unproven), 0);
+}
+
+TEST_F(ExtremesStudy, HertzIsExactOrValidWithoutAdhesionAndFlaggedWithIt) {
     const auto bare = at(100.0_nm, 2.0_GPa, 0.0);
     const ExtremesRegion& hertz = region(bare, ContactLaw::Hertz, "no adhesion");
     EXPECT_EQ(count(hertz, Verdict::Off), 0);
     EXPECT_GT(count(hertz, Verdict::Exact), count(hertz, Verdict::Valid));
     const auto adhesive = at(100.0_nm, 2.0_GPa, 0.05);
-    EXPECT_GT(count(region(adhesive, ContactLaw::Hertz, "adhesive"), Verdict::Off), 10);
+    const ExtremesRegion& pulled = region(adhesive, ContactLaw::Hertz, "adhesive");
+    EXPECT_EQ(count(pulled, Verdict::Off), 0);
+    EXPECT_GT(pulled.tally(Verdict::Flagged).force.error, 0.5);
 }
 
 TEST_F(ExtremesStudy, ALargeContactAndAThinFilmAreFlagged) {
@@ -107,16 +134,43 @@ TEST_F(ExtremesStudy, TheTickIsExactOnAFlatSampleWithAnyEffort) {
     const ExtremesGrid grid{.tick = {.tipRadii = {15.0_nm},
                                      .roughnesses = {0.0},
                                      .leverStiffnesses = {14.0},
-                                     .rates = {100.0, 20000.0},
-                                     .gainShares = {1.0},
+                                     .depths = {0.2},
                                      .ticks = 20}};
     const ExtremesFindings findings = studyExtremes(grid);
     EXPECT_EQ(findings.defects, 0);
+    EXPECT_EQ(findings.states, grid.states());
     for (const ExtremesRegion& region : findings.regions) {
         if (region.place().model == "tick") {
             EXPECT_GT(count(region, Verdict::Exact), 0) << region.place().tier;
             EXPECT_EQ(region.unflagged().force.error, 0.0);
         }
+    }
+}
+
+/// What became of the ticks of one tip on a surface as rough as a tenth of it.
+std::vector<ExtremesRegion> roughTicks(double tipRadius) {
+    const ExtremesGrid grid{.tick = {.tipRadii = {tipRadius},
+                                     .roughnesses = {0.1},
+                                     .leverStiffnesses = {1.0},
+                                     .depths = {0.2},
+                                     .ticks = 60}};
+    std::vector<ExtremesRegion> ticks = studyExtremes(grid).regions;
+    std::erase_if(ticks, [](const ExtremesRegion& one) { return one.place().model != "tick"; });
+    return ticks;
+}
+
+TEST_F(ExtremesStudy, ALocalFootSearchDiffersFromACertifiedOneOnRoughGroundAndSaysSo) {
+    for (const ExtremesRegion& region : roughTicks(100.0_nm)) {
+        if (region.place().tier == "local") {
+            EXPECT_LT(region.unflagged().force.error, kExactWithin);
+            EXPECT_GT(region.tally(Verdict::Flagged).force.error, 0.01);
+        }
+    }
+}
+
+TEST_F(ExtremesStudy, WhereTheCertifiedSearchProvesNothingNoSearchIsExact) {
+    for (const ExtremesRegion& region : roughTicks(0.5_nm)) {
+        EXPECT_GT(count(region, Verdict::Unproven), 0) << region.place().tier;
     }
 }
 
@@ -129,8 +183,7 @@ TEST_F(ExtremesStudy, GivesTheSameTwice) {
                             .tick = {.tipRadii = {15.0_nm},
                                      .roughnesses = {0.1},
                                      .leverStiffnesses = {14.0},
-                                     .rates = {1000.0},
-                                     .gainShares = {1.0},
+                                     .depths = {0.2},
                                      .ticks = 20}};
     const ExtremesFindings first = studyExtremes(grid);
     const ExtremesFindings again = studyExtremes(grid);
@@ -162,11 +215,6 @@ TEST(ContactDefect, ReportsWhatNoStateMayHave) {
     bad = good;
     bad.energyLost = -1e-20;
     EXPECT_STREQ(defectOf(bad, setting, approach), "a radius or an energy is impossible");
-}
-
-TEST(SampledSpring, FeltStiffnessIsTwiceTheDampingOverThePeriodAtTheLimit) {
-    const double gain = largestForceGain(14.0, 1e-6, 1000.0);
-    EXPECT_DOUBLE_EQ(gain * 1e-6 * 14.0, 2.0 * kHandDamping * 1000.0);
 }
 
 }  // namespace

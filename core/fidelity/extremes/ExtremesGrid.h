@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+namespace asperity {
+
+/// States of the contact laws: all of these with each other, each at every place of the way in and
+/// out. All values within the laws' ranges, tip radii rising.
+struct ContactGrid {
+    std::vector<double> tipRadii;          ///< [m]
+    std::vector<double> moduli;            ///< E* [Pa]
+    std::vector<double> adhesions;         ///< w on a half-space [J/m^2]; 0: none
+    std::vector<double> filmThicknesses;   ///< of films without adhesion [m]
+    std::vector<double> leverStiffnesses;  ///< [N/m]; infinite: displacement control
+    int places = 0;                        ///< of the tip, one way; >= 4
+
+    [[nodiscard]] long ways() const noexcept;  ///< in and out: how many there are
+};
+
+/// Runs of the whole tick: all of these with each other, on every material of tickExtremes().
+struct TickGrid {
+    std::vector<double> tipRadii;          ///< [m]
+    std::vector<double> roughnesses;       ///< rms height over tip radius
+    std::vector<double> leverStiffnesses;  ///< [N/m]
+    std::vector<double> depths;            ///< of the base below first touch, over tip radius
+    int ticks = 0;                         ///< of one run
+
+    [[nodiscard]] long runs() const noexcept;
+};
+
+/// All states that are evaluated, each once: with every law and solver, or every foot search.
+struct ExtremesGrid {
+    ContactGrid contact;
+    TickGrid tick;
+
+    /// The ends of the ranges of docs/extremes.md with steps such that there are this many states
+    /// to within some 5 %. @param states >= 1e4
+    [[nodiscard]] static ExtremesGrid ofAbout(double states);
+
+    [[nodiscard]] long states() const noexcept;
+};
+
+}  // namespace asperity
