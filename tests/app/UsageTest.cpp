@@ -161,7 +161,7 @@ TEST(TradeOff, WritesATableAndAFigureAndPrintsThem) {
     ASSERT_EQ(run.exitCode, 0) << run.output;
     for (const char* part :
          {"cheapest within 5 % of the force", "the reference itself", "closed form, 97 x 97",
-          "what the scene requires", "sphere correction"}) {
+          "what the scene requires", "sphere correction", "whole ways", "the cheapest within 5 %"}) {
         EXPECT_NE(run.output.find(part), std::string::npos) << part;
     }
     const CsvTable table = readCsv(scratch.path() / "out/tradeoff.csv");
@@ -171,8 +171,9 @@ TEST(TradeOff, WritesATableAndAFigureAndPrintsThem) {
                               [&](std::size_t row) { return table.number(row, "on_front") > 0.0; }),
         1);
     EXPECT_EQ(readCsv(scratch.path() / "out/frames.csv").rows(), 12U);
-    EXPECT_EQ(readCsv(scratch.path() / "out/needs.csv").rows(), 10U);
+    EXPECT_EQ(readCsv(scratch.path() / "out/needs.csv").rows(), 11U);
     EXPECT_EQ(readCsv(scratch.path() / "out/rates.csv").rows(), 6U);
+    EXPECT_GE(readCsv(scratch.path() / "out/compositions.csv").rows(), 3U);
     EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/tradeoff.png"), 5000U);
     const CsvTable deformations = readCsv(scratch.path() / "out/deformation.csv");
     EXPECT_EQ(deformations.rows(), 24U) << "three materials, flat and scan, four deformations";

@@ -140,7 +140,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.deformation = DeformationTier::HalfSpace;
     scene.footSearch = FootEffort::Local;
     scene.decoupling = DecouplingTier::Planar;
-    scene.terms.adhesion = false;
+    scene.terms.mountTilt = false;
     scene.terms.torsion = true;
     scene.tolerance = 0.125;
     const std::string text = sceneText(scene);
@@ -159,7 +159,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.deformation, scene.deformation);
     EXPECT_EQ(again.footSearch, scene.footSearch);
     EXPECT_EQ(again.decoupling, scene.decoupling);
-    EXPECT_EQ(again.terms.adhesion, scene.terms.adhesion);
+    EXPECT_EQ(again.terms.mountTilt, scene.terms.mountTilt);
     EXPECT_EQ(again.terms.torsion, scene.terms.torsion);
     EXPECT_FALSE(again.terms.friction) << "left to the program";
     EXPECT_EQ(again.tolerance, scene.tolerance);
