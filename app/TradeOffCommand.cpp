@@ -95,26 +95,30 @@ void printRates(const TradeOff& study) {
     std::printf("\n");
 }
 
-void printComposition(const TradeOff& study, const Composition& whole, std::size_t number) {
-    std::printf("%2zu %6.3f %% %8.2g %%  %5.0f Hz, %s; %s\n", number, whole.load * 100.0,
-                whole.error * 100.0, study.rates[whole.rate].rate,
-                study.ticks[whole.tick].tier.name().c_str(),
+void printComposition(const TradeOff& study, const Composition& whole) {
+    std::printf("%6.3f %% %8.2g %%  %5.0f Hz, %s; %s\n", whole.load * 100.0, whole.error * 100.0,
+                study.rates[whole.rate].rate, study.ticks[whole.tick].tier.name().c_str(),
                 study.frames[whole.frame].tier.name().c_str());
 }
 
 void printCompositions(const TradeOff& study, double tolerance) {
-    const std::vector<Composition> best = bestCompositions(study);
     std::printf("whole ways, none cheaper and as near: load of a core (ticks and 60 pictures a "
                 "second), error (of force or indentation, the larger share)\n");
-    for (std::size_t i = 0; i < best.size(); ++i) {
-        printComposition(study, best[i], i + 1);
+    int number = 0;
+    for (const Composition& whole : bestCompositions(study)) {
+        std::printf("%2d ", ++number);
+        printComposition(study, whole);
     }
-    const std::size_t cheapest = cheapestWithin(costsAndErrors(best), tolerance, {});
-    if (cheapest < best.size()) {
-        std::printf("the cheapest within %.2g %%: %zu\n\n", tolerance * 100.0, cheapest + 1);
+    std::printf("the cheapest within %.2g %%:\n   ", tolerance * 100.0);
+    if (const auto cheapest = cheapestComposition(study, tolerance)) {
+        printComposition(study, *cheapest);
     } else {
-        std::printf("none is within %.2g %%\n\n", tolerance * 100.0);
+        std::printf("none\n");
     }
+    if (study.reference.forceDoubt > tolerance * study.reference.forceScale) {
+        std::printf("   (the reference itself is not known so well)\n");
+    }
+    std::printf("\n");
 }
 
 void printNeeds(const SceneNeeds& needs) {

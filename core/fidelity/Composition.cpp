@@ -38,15 +38,18 @@ std::vector<Composition> compositions(const TradeOff& study) {
     return all;
 }
 
+Resolution resolutionOf(const TradeOff& study) {
+    const TradeOffReference& reference = study.reference;
+    return {.cost = study.timeResolution,
+            .error = std::max(share(reference.forceDoubt, reference.forceScale),
+                              share(reference.surfaceDoubt, reference.indentation))};
+}
+
 }  // namespace
 
 std::vector<Composition> bestCompositions(const TradeOff& study) {
-    const TradeOffReference& reference = study.reference;
-    const double doubt = std::max(share(reference.forceDoubt, reference.forceScale),
-                                  share(reference.surfaceDoubt, reference.indentation));
     const std::vector<Composition> all = compositions(study);
-    const std::vector<bool> front =
-        paretoFront(costsAndErrors(all), {.cost = study.timeResolution, .error = doubt});
+    const std::vector<bool> front = paretoFront(costsAndErrors(all), resolutionOf(study));
     std::vector<Composition> best;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (front[i]) {
@@ -55,6 +58,12 @@ std::vector<Composition> bestCompositions(const TradeOff& study) {
     }
     std::ranges::sort(best, {}, &Composition::load);
     return best;
+}
+
+std::optional<Composition> cheapestComposition(const TradeOff& study, double tolerance) {
+    const std::vector<Composition> all = compositions(study);
+    const std::size_t best = cheapestWithin(costsAndErrors(all), tolerance, resolutionOf(study));
+    return best < all.size() ? std::optional(all[best]) : std::nullopt;
 }
 
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #include "core/fidelity/TradeOffStudy.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace asperity {
@@ -23,5 +24,10 @@ struct Composition {
 
 /// Those that no other beats, the cheapest first.
 [[nodiscard]] std::vector<Composition> bestCompositions(const TradeOff& study);
+
+/// Of all whose error is at most `tolerance`: the nearest of those that cannot be told from the
+/// cheapest.
+[[nodiscard]] std::optional<Composition> cheapestComposition(const TradeOff& study,
+                                                             double tolerance);
 
 }  // namespace asperity

@@ -162,6 +162,11 @@ TEST(TradeOffStudy, WholeWaysAreBetterTheMoreTheyCost) {
         EXPECT_GT(best[i].load, best[i - 1].load);
         EXPECT_LT(best[i].error, best[i - 1].error);
     }
+    const auto cheapest = cheapestComposition(all, best[1].error);
+    ASSERT_TRUE(cheapest.has_value());
+    EXPECT_LE(cheapest->error, best[1].error);
+    EXPECT_LE(cheapest->load, best[1].load * (1.0 + all.timeResolution));
+    EXPECT_FALSE(cheapestComposition(all, -1.0).has_value());
     const Composition& last = best.back();
     const double force =
         std::hypot(all.ticks[last.tick].forceErrorRms, all.rates[last.rate].holdErrorRms) /
