@@ -40,20 +40,20 @@ Vector3 proxyVelocity(const Vector3& push, double resistance, const ProxyLoad& l
 
 }  // namespace
 
-CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& hand, const ProxyLoad& load,
-                          double timeStep, CouplingMemory& memory) noexcept {
-    const Vector3 handMotion = memory.started ? Vector3(hand - memory.hand) : Vector3::Zero();
+CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& handMotion,
+                          const Vector3& stretch, const ProxyLoad& load, double timeStep) noexcept {
     // F = Kc (stretch + handMotion - T vp) + Bc (handMotion / T - vp) put into the balance leaves
     // resistance * vp = push + friction.
     const double resistance =
         gains.proxyDamping + gains.damping + gains.stiffness * timeStep;  // [N s/m]
-    const Vector3 push = gains.stiffness * (memory.stretch + handMotion) +
+    const Vector3 push = gains.stiffness * (stretch + handMotion) +
                          (gains.damping / timeStep) * handMotion + load.force;
     const Vector3 velocity = proxyVelocity(push, resistance, load);
     const Vector3 friction = resistance * velocity - push;
     const Vector3 motion = timeStep * velocity;
-    memory = {.hand = hand, .stretch = memory.stretch + handMotion - motion, .started = true};
-    return {.hand = load.force + friction - gains.proxyDamping * velocity, .motion = motion};
+    return {.hand = load.force + friction - gains.proxyDamping * velocity,
+            .motion = motion,
+            .stretch = stretch + handMotion - motion};
 }
 
 }  // namespace asperity

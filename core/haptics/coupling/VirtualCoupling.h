@@ -1,25 +1,9 @@
 #pragma once
 
 #include "core/Vector.h"
+#include "core/scene/CouplingGains.h"
 
 namespace asperity {
-
-/// A spring and a damper between the hand and a massless proxy, and the proxy's own damper to the
-/// ground; the same along every axis.
-struct CouplingGains {
-    double stiffness = 300.0;   ///< Kc [N/m]
-    double damping = 2.0;       ///< Bc, of hand against proxy [N s/m]
-    double proxyDamping = 3.0;  ///< bp, of the proxy against the ground: drag in free air [N s/m]
-
-    bool operator==(const CouplingGains&) const = default;
-};
-
-/// What one step hands to the next; the hand's frame and units.
-struct CouplingMemory {
-    Vector3 hand = Vector3::Zero();     ///< at the last step [m]
-    Vector3 stretch = Vector3::Zero();  ///< hand less proxy [m]
-    bool started = false;               ///< false: the proxy is where the hand is
-};
 
 /// What the contact does to the proxy, as the last tick has it; the hand's frame and units.
 struct ProxyLoad {
@@ -31,8 +15,9 @@ struct ProxyLoad {
 
 /// What one step makes; the hand's frame and units.
 struct CouplingStep {
-    Vector3 hand = Vector3::Zero();    ///< force on the hand [N]
-    Vector3 motion = Vector3::Zero();  ///< of the proxy in this step [m]
+    Vector3 hand = Vector3::Zero();     ///< force on the hand [N]
+    Vector3 motion = Vector3::Zero();   ///< of the proxy in this step [m]
+    Vector3 stretch = Vector3::Zero();  ///< hand less proxy at its end [m]
 };
 
 /// One step of the coupling. The force on the proxy is F = Kc (x - xp) + Bc (v - vp), the hand
@@ -45,12 +30,16 @@ struct CouplingStep {
 /// friction * |vp_t| / sqrt(|vp_t|^2 + v0^2) (docs/physics.md 6.2): that of the last tick would
 /// throw a proxy at rest to and fro.
 ///
-/// The hand's velocity is v = (x - x_last) / T of the positions as they were sampled, with nothing
+/// The hand's velocity is v = handMotion / T of the positions as they were sampled, with nothing
 /// smoothed: an encoder's step D then changes F by Bc D / T for one tick, whose impulse Bc D is
 /// the same at any rate and moves a handle of mass m by Bc D / m a second.
 /// Source: Colgate, Stanley, Brown (1995); Adams, Hannaford (1999); docs/haptics.md.
-[[nodiscard]] CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& hand,
-                                        const ProxyLoad& load, double timeStep,
-                                        CouplingMemory& memory) noexcept;
+///
+/// @param handMotion since the last step [m]
+/// @param stretch    hand less proxy at the end of the last step [m]
+/// @param timeStep   T [s]
+[[nodiscard]] CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& handMotion,
+                                        const Vector3& stretch, const ProxyLoad& load,
+                                        double timeStep) noexcept;
 
 }  // namespace asperity

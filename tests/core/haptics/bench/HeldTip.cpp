@@ -19,64 +19,30 @@ constexpr double kEnd = 2.5;      // [s]
 /// The middle of the test maps, in the hand's frame.
 Vector3 above(double height) { return {64e-3, 64e-3, height}; }
 
-/// Tick, simulated instrument and, where there is one, the coupling before them.
+/// Tick and simulated instrument.
 class CoupledTick {
 public:
-    CoupledTick(const Scene& scene, const std::optional<CouplingGains>& gains)
-        : scene_(scene), gains_(gains), afm_(scene.touched(), scene.truth) {
+    CoupledTick(const Scene& scene, const CouplingGains& gains)
+        : scene_(scene), afm_(scene.touched(), scene.truth) {
         input_.settings = scene.settings;
+        input_.settings.coupling = gains;
         input_.timeStep = scene.timeStep();
     }
 
     /// The force for the hand.
     Vector3 moveTo(const HandState& hand) {
         input_.hand = hand;
-        if (!gains_) {
-            return felt();
-        }
-        if (!coupling_.started) {
-            proxy_ = hand.position;
-        }
-        const CouplingStep step =
-            stepCoupling(*gains_, hand.position, load(), input_.timeStep, coupling_);
-        proxy_ += step.motion;
-        input_.hand.position = proxy_;
-        felt();
-        return step.hand;
+        input_.measurement = afm_.exchange(commandBase(scene_, input_, memory_).base);
+        return tick(scene_, input_, memory_).handForce;
     }
 
     [[nodiscard]] const Vector3& tipForce() const { return afm_.trueState().force; }
 
 private:
-    [[nodiscard]] ProxyLoad load() const {
-        constexpr double kRestSpeed = 1.0_nm;  // v0 of docs/physics.md 6.2, of the base [m/s]
-        const Settings& settings = scene_.settings;
-        double friction = 0.0;
-        for (std::size_t i = 0; i < memory_.model.footCount; ++i) {
-            friction += memory_.model.feet.at(i).friction;
-        }
-        const Vector3 normal = output_.model.normal;
-        return {.force =
-                    settings.forceGain * (output_.model.normalForce * normal + memory_.correction),
-                .normal = normal,
-                .friction = settings.forceGain * friction,
-                .restSpeed = kRestSpeed / settings.positionGain};
-    }
-
-    Vector3 felt() {
-        input_.measurement = afm_.exchange(commandBase(scene_, input_, memory_).base);
-        output_ = tick(scene_, input_, memory_);
-        return output_.handForce;
-    }
-
     const Scene& scene_;
-    std::optional<CouplingGains> gains_;
     SimulatedAfm afm_;
-    CouplingMemory coupling_;
-    Vector3 proxy_ = Vector3::Zero();
     TickInput input_;
     TickMemory memory_;
-    TickOutput output_;
 };
 
 }  // namespace

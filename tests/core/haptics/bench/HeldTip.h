@@ -2,10 +2,8 @@
 
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/bench/VirtualBench.h"
-#include "core/haptics/coupling/VirtualCoupling.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace asperity::test {
@@ -18,10 +16,10 @@ namespace asperity::test {
 /// One person at one device.
 struct Hold {
     BenchSetup bench;
-    std::optional<CouplingGains> coupling;  ///< none: the hand moves the base, feels the contact
-    double goal = -3e-3;                    ///< height that the hand goes to, in its frame [m]
-    double lift = 0.0;                      ///< by which the goal is raised after half a second [m]
-    bool letGo = false;                     ///< whether the hand opens after half a second
+    CouplingGains coupling;  ///< without stiffness: the hand moves the base itself
+    double goal = -3e-3;     ///< height that the hand goes to, in its frame [m]
+    double lift = 0.0;       ///< by which the goal is raised after half a second [m]
+    bool letGo = false;      ///< whether the hand opens after half a second
 };
 
 /// How a tip is held when the hand has gone down to its goal, within 10 ms and from a height of 4
