@@ -23,6 +23,7 @@ SceneDescription withSettings(SceneDescription scene, const Settings& settings) 
     scene.forceGain = settings.forceGain;
     scene.correctionBandwidth = settings.correctionBandwidth;
     scene.positionControl = settings.positionControl;
+    scene.coupling = settings.coupling;
     return scene;
 }
 

@@ -141,7 +141,8 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     BaseCommand command;
     command.base.position = settings.positionGain * input.hand.position;
     if (memory.started) {
-        const Vector3 step = settings.positionGain * (input.hand.position - memory.hand);
+        command.coupling = moveProxy(input, input.hand.position - memory.hand, memory.proxy);
+        const Vector3 step = settings.positionGain * command.coupling.motion;
         command.base = {memory.base + step, step / input.timeStep};
     }
     if (!tipControl) {
@@ -177,13 +178,16 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     out.estimate = decoupled(scene, decouplingInput(scene, input, out, prior));
     out.tip = out.base.position + out.estimate.deflection;
     memory.correction = slowCorrection(input, out, memory.correction);
-    out.handForce = input.settings.forceGain * (out.model.force + memory.correction);
+    out.handForce = input.settings.coupling.couples()
+                        ? command.coupling.hand
+                        : Vector3(input.settings.forceGain * (out.model.force + memory.correction));
     out.flags = validity(scene, out, prior.contradicted);
     out.flags.set(Validity::TipNotHeld, !command.tipHeld);
     memory.base = out.base.position;
     memory.compensation = command.compensation;
     memory.control = input.settings.positionControl;
     memory.hand = input.hand.position;
+    memory.proxy = proxyAfter(input, command.coupling, out.model, memory.model, memory.correction);
     memory.started = true;
     if (!allFinite(out)) {
         memory = before;  // nothing non-finite may live on into the next tick

@@ -196,18 +196,25 @@ void readFidelity(TomlSection section, SceneDescription& scene) {
     section.refuseUnknownKeys();
 }
 
+void readHaptics(TomlSection section, SceneDescription& scene) {
+    scene.tickRate = section.number("rate_hz", scene.tickRate);
+    scene.positionGain = section.number("position_gain", scene.positionGain);
+    scene.forceGain = section.number("force_gain", scene.forceGain);
+    scene.correctionBandwidth = section.number("correction_hz", scene.correctionBandwidth);
+    scene.positionControl =
+        choice(section, "position_control", kPositionControls, scene.positionControl);
+    CouplingGains& coupling = scene.coupling;
+    coupling.stiffness = section.number("coupling_stiffness_n_m", coupling.stiffness);
+    coupling.damping = section.number("coupling_damping_n_s_m", coupling.damping);
+    coupling.proxyDamping = section.number("proxy_damping_n_s_m", coupling.proxyDamping);
+    section.refuseUnknownKeys();
+}
+
 void readRest(const toml::table& table, const std::filesystem::path& path,
               SceneDescription& scene) {
     readPhysics(TomlSection(table, path, "physics"), scene);
     readFidelity(TomlSection(table, path, "fidelity"), scene);
-    TomlSection haptics(table, path, "haptics");
-    scene.tickRate = haptics.number("rate_hz", scene.tickRate);
-    scene.positionGain = haptics.number("position_gain", scene.positionGain);
-    scene.forceGain = haptics.number("force_gain", scene.forceGain);
-    scene.correctionBandwidth = haptics.number("correction_hz", scene.correctionBandwidth);
-    scene.positionControl =
-        choice(haptics, "position_control", kPositionControls, scene.positionControl);
-    haptics.refuseUnknownKeys();
+    readHaptics(TomlSection(table, path, "haptics"), scene);
     TomlSection view(table, path, "view");
     scene.zoomHalfWidth = view.number("zoom_half_width_m", scene.zoomHalfWidth);
     view.refuseUnknownKeys();
@@ -353,7 +360,10 @@ std::string sceneText(const SceneDescription& scene) {
                      {"position_gain", scene.positionGain},
                      {"force_gain", scene.forceGain},
                      {"correction_hz", scene.correctionBandwidth},
-                     {"position_control", nameOf(kPositionControls, scene.positionControl)}}},
+                     {"position_control", nameOf(kPositionControls, scene.positionControl)},
+                     {"coupling_stiffness_n_m", scene.coupling.stiffness},
+                     {"coupling_damping_n_s_m", scene.coupling.damping},
+                     {"proxy_damping_n_s_m", scene.coupling.proxyDamping}}},
         {"view", toml::table{{"zoom_half_width_m", scene.zoomHalfWidth}}}};
     std::ostringstream text;
     text << table << '\n';

@@ -68,7 +68,8 @@ TickInputWriter::TickInputWriter(const std::filesystem::path& path)
     : csv_(path, comments("all that the run depended on besides scene.toml, one row a tick"),
            {"time_s", "time_step_s", "hand_x_m", "hand_y_m", "hand_z_m", "buttons", "connected",
             "alpha_rad", "theta_rad", "age_s", "position_gain", "force_gain", "correction_hz",
-            "tip_control", "forces_on", "rearms"}) {}
+            "tip_control", "coupling_stiffness_n_m", "coupling_damping_n_s_m",
+            "proxy_damping_n_s_m", "forces_on", "rearms"}) {}
 
 void TickInputWriter::take(const TickSample& sample) {
     const TickInput& input = sample.input;
@@ -83,6 +84,9 @@ void TickInputWriter::take(const TickSample& sample) {
         .add(input.settings.forceGain)
         .add(input.settings.correctionBandwidth)
         .add(input.settings.positionControl == PositionControl::Tip ? 1.0 : 0.0)
+        .add(input.settings.coupling.stiffness)
+        .add(input.settings.coupling.damping)
+        .add(input.settings.coupling.proxyDamping)
         .add(input.settings.forcesOn ? 1.0 : 0.0)
         .add(static_cast<double>(input.settings.rearms))
         .endRow();
@@ -93,6 +97,10 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
     std::vector<TickSample> samples(table.rows());
     for (std::size_t row = 0; row < samples.size(); ++row) {
         const auto cell = [&](const char* column) { return finite(table, row, column, path); };
+        // Recordings from before there was a coupling say nothing of it.
+        const auto added = [&](const char* column) {
+            return table.has(column) ? cell(column) : 0.0;
+        };
         samples[row].time = cell("time_s");
         TickInput& input = samples[row].input;
         input.timeStep = cell("time_step_s");
@@ -109,6 +117,9 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
                           .correctionBandwidth = cell("correction_hz"),
                           .positionControl = cell("tip_control") != 0.0 ? PositionControl::Tip
                                                                         : PositionControl::Base,
+                          .coupling = {.stiffness = added("coupling_stiffness_n_m"),
+                                       .damping = added("coupling_damping_n_s_m"),
+                                       .proxyDamping = added("proxy_damping_n_s_m")},
                           .forcesOn = cell("forces_on") != 0.0,
                           .rearms = static_cast<std::uint32_t>(cell("rearms"))};
     }

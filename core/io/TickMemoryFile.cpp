@@ -40,6 +40,14 @@ void visit(Memory& memory, const Visitor& number) {
     vector("base", memory.base, "m");
     vector("correction", memory.correction, "n");
     vector("hand", memory.hand, "m");
+    vector("proxy_stretch", memory.proxy.stretch, "m");
+    vector("proxy_load", memory.proxy.load, "n");
+    vector("proxy_normal", memory.proxy.normal, "1");
+    number("proxy_friction_n", memory.proxy.friction);
+    number("proxy_stiffness_n_m", memory.proxy.gains.stiffness);
+    number("proxy_coupling_damping_n_s_m", memory.proxy.gains.damping);
+    number("proxy_damping_n_s_m", memory.proxy.gains.proxyDamping);
+    number("proxy_force_gain", memory.proxy.forceGain);
     number("started", memory.started);
     number("fault", memory.fault);
     number("rearms", memory.rearms);
@@ -86,6 +94,9 @@ TickMemory readTickMemory(const std::filesystem::path& path) {
     }
     TickMemory memory;
     visit(memory, [&](const std::string& name, auto& value) {
+        if (name.starts_with("proxy_") && !table.has(name)) {
+            return;  // from before there was a proxy
+        }
         const double number = table.number(0, name);
         if (!isValue(value, number)) {
             throw InputError(path.string(), name, "expected a value as Asperity writes it");

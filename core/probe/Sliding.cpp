@@ -6,7 +6,6 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSmallestSpeed = 1e-9;  // v0 [m/s]
 /// Slower counts as rest, faster as this fast: in between no square leaves the range of a double.
 constexpr double kRest = 1e-30;              // [m/s]
 constexpr double kFastest = 1e100;           // [m/s]
@@ -40,9 +39,9 @@ Sliding slidingOf(const Vector3& normal, const Vector3& velocity) noexcept {
     const Vector3 against = -tangential / speed;
     // A second pass: where v is almost parallel to n, the first leaves a normal part of rounding.
     sliding.friction = (against - (against.dot(normal) * normal)).normalized();
-    const double total = std::hypot(speed, kSmallestSpeed);
+    const double total = std::hypot(speed, kRestSpeed);
     sliding.certainty = speed / total;
-    sliding.doubt = kSmallestSpeed / total;
+    sliding.doubt = kRestSpeed / total;
     return sliding;
 }
 

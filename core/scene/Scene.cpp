@@ -118,6 +118,7 @@ Scene assemble(const SceneDescription& description, Ground ground) {
                          .forceGain = description.forceGain,
                          .correctionBandwidth = description.correctionBandwidth,
                          .positionControl = description.positionControl,
+                         .coupling = description.coupling,
                          .forcesOn = true}};
 }
 

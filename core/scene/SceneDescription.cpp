@@ -53,6 +53,18 @@ void check(const Meniscus& meniscus) {
             "[physics]: a meniscus needs both meniscus_tension_n_m and meniscus_range_m");
 }
 
+void check(const CouplingGains& coupling) {
+    constexpr double kMost = 1e6;  // of stiffness and damping
+    require(isWithin(coupling.stiffness, 0.0, kMost),
+            "[haptics]: coupling_stiffness_n_m must lie between 0 (no coupling) and 1e6");
+    require(isWithin(coupling.damping, 0.0, kMost),
+            "[haptics]: coupling_damping_n_s_m must lie between 0 and 1e6");
+    require(isWithin(coupling.proxyDamping, 0.0, kMost),
+            "[haptics]: proxy_damping_n_s_m must lie between 0 and 1e6");
+    require(!coupling.couples() || coupling.proxyDamping > 0.0,
+            "[haptics]: a coupling needs proxy_damping_n_s_m above 0: its proxy has no mass");
+}
+
 void check(const SampleDescription& sample) {
     require(sample.imagingTipRadius == 0.0 || isWithin(sample.imagingTipRadius, 1e-12, 1.0),
             "[sample]: imaging_tip_radius_m must be 0 (not known) or lie between 1e-12 and 1");
@@ -164,6 +176,7 @@ void checkScene(const SceneDescription& scene) {
             "[haptics]: force_gain must be zero or a positive number");
     require(scene.correctionBandwidth >= 0.0 && std::isfinite(scene.correctionBandwidth),
             "[haptics]: correction_hz must be zero or a positive number");
+    check(scene.coupling);
     require(scene.zoomHalfWidth >= 0.0 && std::isfinite(scene.zoomHalfWidth),
             "[view]: zoom_half_width_m must be zero or a positive number of metres");
 }

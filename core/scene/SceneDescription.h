@@ -103,7 +103,8 @@ struct SceneDescription {
     double forceGain = 1.0;     ///< force at the hand per force at the tip
     PositionControl positionControl = PositionControl::Base;
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
-    double zoomHalfWidth = 0.0;         ///< of the zoomed view [m]; 0: chosen from the contact
+    CouplingGains coupling;
+    double zoomHalfWidth = 0.0;  ///< of the zoomed view [m]; 0: chosen from the contact
 };
 
 /// The scene that a height map alone stands for: polystyrene, 15 nm silicon tip, 14 N/m lever.

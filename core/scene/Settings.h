@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/scene/CouplingGains.h"
+
 #include <cstdint>
 
 namespace asperity {
@@ -16,6 +18,7 @@ struct Settings {
     double forceGain = 1.0;             ///< force at the hand per force at the tip
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
     PositionControl positionControl = PositionControl::Base;
+    CouplingGains coupling;    ///< of the hand and what it commands
     bool forcesOn = true;      ///< false: the hand feels nothing
     std::uint32_t rearms = 0;  ///< how often a person has taken back a fault
 };

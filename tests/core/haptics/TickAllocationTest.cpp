@@ -63,6 +63,12 @@ TEST(TickAllocation, NorDoesAnyLawSolverOrControl) {
     expectNoAllocation(buildScene(description, test::hillyMap()));
 }
 
+TEST(TickAllocation, NorDoesACoupling) {
+    SceneDescription description = test::plainScene();
+    description.coupling = {.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
+    expectNoAllocation(buildScene(description, test::hillyMap()));
+}
+
 TEST(TickAllocation, NorDoSeveralFeet) {
     const Scene scene = buildScene(test::plainScene(), test::ridgedMap(25.0_nm));
     TickMemory memory;

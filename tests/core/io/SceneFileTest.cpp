@@ -143,6 +143,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.terms.mountTilt = false;
     scene.terms.torsion = true;
     scene.tolerance = 0.125;
+    scene.coupling = {.stiffness = 1e3 / 3.0, .damping = 2.5, .proxyDamping = 3.0};
     const std::string text = sceneText(scene);
     const SceneDescription again = readScene(write("again.toml", text));
     EXPECT_EQ(sceneText(again), text);
@@ -163,6 +164,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.terms.torsion, scene.terms.torsion);
     EXPECT_FALSE(again.terms.friction) << "left to the program";
     EXPECT_EQ(again.tolerance, scene.tolerance);
+    EXPECT_EQ(again.coupling, scene.coupling);
 }
 
 TEST_F(SceneFile, RefusesAnUnknownKeyByNameAndLine) {
@@ -197,6 +199,10 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "[truth]\ntemperature_k = -1.0\n", "temperature_k"},
         {std::string(sample) + "[physics]\nlaw = \"jkrs\"\n", "split, hertz"},
         {std::string(sample) + "[haptics]\nrate_hz = 1\n", "rate_hz"},
+        {std::string(sample) + "[haptics]\ncoupling_stiffness_n_m = -1\n",
+         "coupling_stiffness_n_m"},
+        {std::string(sample) + "[haptics]\ncoupling_stiffness_n_m = 300\n",
+         "proxy_damping_n_s_m above 0"},
         {"[sample\nfile = 1", "line 1"},
     };
     for (const auto& [text, expected] : mistakes) {

@@ -20,10 +20,12 @@ TickSample sampleOf(double time) {
     sample.input.timeStep = 1.0 / 3.0e3;
     sample.input.hand = {.position = {1.0 / 3.0, -2e-9 / 7.0, 5e-324}, .buttons = 5};
     sample.input.measurement = {{0.1 + 0.2, -1e-300}, 0.02};
-    sample.input.settings = {.positionGain = 1e-6 / 3.0,
-                             .forceGain = 1e8 / 7.0,
-                             .correctionBandwidth = 20.0,
-                             .forcesOn = false};
+    sample.input.settings = {
+        .positionGain = 1e-6 / 3.0,
+        .forceGain = 1e8 / 7.0,
+        .correctionBandwidth = 20.0,
+        .coupling = {.stiffness = 1e3 / 3.0, .damping = 0.1 + 0.2, .proxyDamping = 3.0},
+        .forcesOn = false};
     sample.output.model.contact = {.force = -3e-9, .indentation = 1e-9, .contactRadius = 2e-9};
     sample.output.model.contact.branch = ContactBranch::Bonded;
     sample.output.estimate.covariance(1, 1) = 4e-18;
@@ -50,6 +52,7 @@ TEST(TickLog, InputsReadBackToTheSameBits) {
               bits(written.input.measurement.signals.bending));
     EXPECT_EQ(read[0].input.measurement.signals.torsion, -1e-300);
     EXPECT_EQ(bits(read[0].input.settings.forceGain), bits(written.input.settings.forceGain));
+    EXPECT_EQ(read[0].input.settings.coupling, written.input.settings.coupling);
     EXPECT_FALSE(read[0].input.settings.forcesOn);
 }
 

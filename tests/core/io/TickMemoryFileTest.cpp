@@ -24,6 +24,12 @@ TickMemory someMemory() {
     memory.base = {0.1, 0.2, 0.3};
     memory.correction = {1e-10, 2e-10, -3e-10};
     memory.hand = {7.0, 8.0, 9.0};
+    memory.proxy = {.stretch = {1e-3 / 3.0, 0.0, -2e-3},
+                    .load = {1e-9, -2e-9, 1e-8 / 7.0},
+                    .normal = {0.6, 0.0, 0.8},
+                    .friction = 1e-9 / 3.0,
+                    .gains = {.stiffness = 400.0 / 3.0, .damping = 0.1, .proxyDamping = 0.3},
+                    .forceGain = 1e8 / 3.0};
     memory.started = true;
     memory.fault = Fault::DeviceLost;
     memory.rearms = 4;
@@ -51,6 +57,12 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.base, written.base);
     EXPECT_EQ(read.correction, written.correction);
     EXPECT_EQ(read.hand, written.hand);
+    EXPECT_EQ(read.proxy.stretch, written.proxy.stretch);
+    EXPECT_EQ(read.proxy.load, written.proxy.load);
+    EXPECT_EQ(read.proxy.normal, written.proxy.normal);
+    EXPECT_EQ(read.proxy.friction, written.proxy.friction);
+    EXPECT_EQ(read.proxy.gains, written.proxy.gains);
+    EXPECT_EQ(read.proxy.forceGain, written.proxy.forceGain);
     EXPECT_EQ(read.started, written.started);
     EXPECT_EQ(read.fault, written.fault);
     EXPECT_EQ(read.rearms, written.rearms);

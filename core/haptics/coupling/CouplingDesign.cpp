@@ -1,0 +1,69 @@
+#include "core/haptics/coupling/CouplingDesign.h"
+
+#include "core/Error.h"
+#include "core/SiFormat.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kStiffestCoupling = 600.0;      // [N/m]
+constexpr double kProxyDamping = 3.0;            // [N s/m]
+constexpr double kLightestHandle = 0.045;        // [kg]
+constexpr double kDampingRatio = 0.15;           // that the delay leaves
+constexpr double kDelayedStiffness = 1.0 / 6.0;  // Kc tau^2 / m
+
+void check(const DeviceLimits& device, const LoopTiming& timing) {
+    const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+    if (!positive(device.maxStiffness) || !positive(device.maxDamping)) {
+        throw Error("a haptic device's largest stiffness and damping must be positive numbers");
+    }
+    if (device.effectiveMass != 0.0 && !positive(device.effectiveMass)) {
+        throw Error("a haptic device's effective mass must be a positive number, or 0: not known");
+    }
+    if (!positive(timing.timeStep) || !(timing.delay == 0.0 || positive(timing.delay))) {
+        throw Error("the loop's time step must be a positive number, its delay that or 0");
+    }
+}
+
+/// Bc for a stiffness.
+double dampingFor(double stiffness, double mass, double age) {
+    return stiffness * age + 2.0 * kDampingRatio * std::sqrt(stiffness * mass);
+}
+
+/// The stiffness whose dampingFor() is `damping`: a quadratic in its root.
+double stiffnessFor(double damping, double mass, double age) {
+    const double half = kDampingRatio * std::sqrt(mass);
+    const double root = damping / (half + std::sqrt(half * half + age * damping));
+    return root * root;
+}
+
+}  // namespace
+
+CouplingGains designCoupling(const DeviceLimits& device, const LoopTiming& timing) {
+    check(device, timing);
+    const double mass = device.effectiveMass > 0.0 ? device.effectiveMass : kLightestHandle;
+    const double age = timing.timeStep / 2.0 + timing.delay;
+    const double stiffness =
+        std::min({device.maxStiffness, kStiffestCoupling, kDelayedStiffness * mass / (age * age),
+                  stiffnessFor(device.maxDamping, mass, age)});
+    if (stiffness < kSoftestCoupling) {
+        throw Error("the haptic device holds no coupling stiffer than " +
+                    formatSi(stiffness, "N/m") + " with a force that is " + formatSi(age, "s") +
+                    " old; at least " + formatSi(kSoftestCoupling, "N/m") +
+                    " are needed: a shorter delay or a higher rate");
+    }
+    return {.stiffness = stiffness,
+            .damping = dampingFor(stiffness, mass, age),
+            .proxyDamping = kProxyDamping};
+}
+
+double stiffestContact(const CouplingGains& gains, double timeStep) noexcept {
+    return 2.0 * gains.proxyDamping / timeStep;
+}
+
+}  // namespace asperity

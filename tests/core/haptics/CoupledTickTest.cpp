@@ -1,0 +1,153 @@
+#include "core/Units.h"
+#include "core/haptics/HapticTick.h"
+#include "core/probe/SimulatedAfm.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+namespace {
+
+constexpr CouplingGains kGains{.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
+constexpr CouplingGains kSofter{.stiffness = 250.0, .damping = 1.0, .proxyDamping = 2.0};
+
+/// Silicon oxide without noise, 1 mm of the hand to 1 nm and 1 N to 10 nN.
+Scene coupledScene(const CouplingGains& gains, const HeightMap& map = test::flatMap()) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.elastic.youngsModulus = 70.0_GPa;
+    description.sample.material.workOfAdhesion = 0.2;
+    description.truth.material = description.sample.material;
+    description.truth.signalNoise = 0.0;
+    description.positionGain = 1e-6;
+    description.forceGain = 1e8;
+    description.coupling = gains;
+    return buildScene(description, map);
+}
+
+/// A hand that goes where it is told, with tick and instrument.
+class GuidedHand {
+public:
+    explicit GuidedHand(const Scene& scene)
+        : settings(scene.settings), scene_(scene), afm_(scene.touched(), scene.truth) {}
+
+    TickOutput moveTo(const Vector3& hand, int ticks = 1) {
+        TickInput input{.hand = {.position = hand}, .settings = settings};
+        TickOutput out;
+        for (int i = 0; i < ticks; ++i) {
+            input.measurement = afm_.exchange(commandBase(scene_, input, memory_).base);
+            out = tick(scene_, input, memory_);
+        }
+        return out;
+    }
+
+    Settings settings;
+
+private:
+    const Scene& scene_;
+    SimulatedAfm afm_;
+    TickMemory memory_;
+};
+
+TEST(CoupledTick, TheProxyCommandsTheBaseAndTheHandFeelsTheCoupling) {
+    const Scene scene = coupledScene(kGains);
+    GuidedHand guided(scene);
+    const Vector3 hand(64e-3, 64e-3, -3e-3);
+    guided.moveTo({64e-3, 64e-3, 4e-3});
+    const TickOutput out = guided.moveTo(hand, 4000);
+    const Vector3 proxy = out.base.position / scene.settings.positionGain;
+    EXPECT_GT(proxy.z(), hand.z() + 1e-3) << "held up by the sample";
+    const Vector3 coupling = kGains.stiffness * (proxy - hand);
+    EXPECT_LT((out.handForce - coupling).norm(), 1e-6 * coupling.norm());
+    const Vector3 contact = scene.settings.forceGain * out.model.force;
+    EXPECT_LT((out.handForce - contact).norm(), 1e-3 * contact.norm());
+}
+
+TEST(CoupledTick, WithoutACouplingTheHandCommandsTheBase) {
+    const Scene scene = coupledScene({});
+    GuidedHand guided(scene);
+    guided.moveTo({64e-3, 64e-3, 4e-3});
+    const Vector3 hand(64e-3, 64e-3, -1e-3);
+    EXPECT_LT((guided.moveTo(hand).base.position - 1e-6 * hand).norm(), 1e-20);
+}
+
+TEST(CoupledTick, ChangedGainsMoveNothingByThemselves) {
+    const Scene scene = coupledScene(kGains);
+    GuidedHand guided(scene);
+    const Vector3 hand(64e-3, 64e-3, -3e-3);
+    guided.moveTo({64e-3, 64e-3, 4e-3});
+    const TickOutput before = guided.moveTo(hand, 4000);
+    const auto expectStill = [&](const char* what, double forceScale) {
+        const TickOutput after = guided.moveTo(hand, 100);
+        EXPECT_LT((after.base.position - before.base.position).norm(), 1e-15) << what;
+        const Vector3 force = forceScale * before.handForce;
+        EXPECT_LT((after.handForce - force).norm(), 2e-3 * force.norm()) << what;
+    };
+    guided.settings.forceGain = 2e8;
+    expectStill("twice the force gain", 2.0);
+    guided.settings.positionGain = 3e-6;
+    expectStill("three times the position gain", 2.0);
+    guided.settings.coupling = kSofter;
+    expectStill("a softer coupling", 2.0);
+    guided.settings.coupling = {};
+    expectStill("no coupling", 2.0);
+    guided.settings.coupling = kGains;
+    expectStill("a coupling again", 2.0);
+}
+
+TEST(CoupledTick, ForcesOffLeaveTheProxyWhereItIs) {
+    const Scene scene = coupledScene(kGains);
+    GuidedHand guided(scene);
+    const Vector3 hand(64e-3, 64e-3, -3e-3);
+    guided.moveTo({64e-3, 64e-3, 4e-3});
+    const TickOutput before = guided.moveTo(hand, 4000);
+    guided.settings.forcesOn = false;
+    const TickOutput after = guided.moveTo(hand, 100);
+    EXPECT_EQ(after.handForce, Vector3::Zero());
+    EXPECT_LT((after.base.position - before.base.position).norm(), 1e-15);
+}
+
+TEST(CoupledTick, ASlidingTipFeelsFrictionWithoutChatter) {
+    const Scene scene = coupledScene(kGains);
+    GuidedHand guided(scene);
+    guided.moveTo({44e-3, 64e-3, 4e-3});
+    guided.moveTo({44e-3, 64e-3, -5e-3}, 2000);
+    constexpr double kSpeed = 10e-3;  // [m/s]
+    double most = -1e9;
+    double least = 1e9;
+    TickOutput out;
+    for (int i = 0; i < 2000; ++i) {
+        out = guided.moveTo({44e-3 + kSpeed * i * 1e-3, 64e-3, -5e-3});
+        if (i >= 1000) {
+            most = std::max(most, out.handForce.x());
+            least = std::min(least, out.handForce.x());
+        }
+    }
+    const double load = scene.settings.forceGain * out.model.normalForce;
+    const double share = kSpeed / std::hypot(kSpeed, 1e-3);  // v0 = 1 nm/s, 1 mm/s of the hand
+    const double friction = scene.description.sample.material.friction.coefficient * load * share;
+    const double drag = kGains.proxyDamping * kSpeed;
+    EXPECT_NEAR(out.handForce.x(), -friction - drag, 0.01 * friction);
+    EXPECT_LT(most - least, 0.01 * friction);
+}
+
+TEST(CoupledTick, StopsOnAHillWithoutChatter) {
+    const Scene scene = coupledScene(kGains, test::hillyMap());
+    GuidedHand guided(scene);
+    guided.moveTo({52e-3, 57e-3, 12e-3});
+    for (int i = 0; i < 2000; ++i) {
+        guided.moveTo({52e-3 + i * 5e-6, 57e-3, 12e-3 - i * 8e-6});
+    }
+    Vector3 last = guided.moveTo({62e-3, 57e-3, -4e-3}, 8000).handForce;
+    ASSERT_GT(last.norm(), 0.5);
+    for (int i = 0; i < 500; ++i) {
+        const Vector3 now = guided.moveTo({62e-3, 57e-3, -4e-3}).handForce;
+        ASSERT_LT((now - last).norm(), 1e-4 * last.norm()) << i;
+        last = now;
+    }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,99 @@
+#include "tests/core/haptics/bench/HeldTip.h"
+
+#include "core/Units.h"
+#include "core/io/SceneFile.h"
+#include "core/probe/SimulatedAfm.h"
+#include "tests/support/TestScenes.h"
+
+#include <algorithm>
+
+namespace asperity::test {
+
+namespace {
+
+constexpr double kApproach = 10.0_ms;
+constexpr double kTurn = 0.5;     // [s]
+constexpr double kSettled = 2.0;  // [s]
+constexpr double kEnd = 2.5;      // [s]
+
+/// The middle of the test maps, in the hand's frame.
+Vector3 above(double height) { return {64e-3, 64e-3, height}; }
+
+/// Tick and simulated instrument.
+class CoupledTick {
+public:
+    CoupledTick(const Scene& scene, const CouplingGains& gains)
+        : scene_(scene), afm_(scene.touched(), scene.truth) {
+        input_.settings = scene.settings;
+        input_.settings.coupling = gains;
+        input_.timeStep = scene.timeStep();
+    }
+
+    /// The force for the hand.
+    Vector3 moveTo(const HandState& hand) {
+        input_.hand = hand;
+        input_.measurement = afm_.exchange(commandBase(scene_, input_, memory_).base);
+        return tick(scene_, input_, memory_).handForce;
+    }
+
+    [[nodiscard]] const Vector3& tipForce() const { return afm_.trueState().force; }
+
+private:
+    const Scene& scene_;
+    SimulatedAfm afm_;
+    TickInput input_;
+    TickMemory memory_;
+};
+
+}  // namespace
+
+Scene hapticScene(const std::string& material, const HeightMap& map, double tickRate,
+                  double magnified) {
+    SceneDescription description = plainScene();
+    description.sample.material =
+        readMaterialFile(std::string(ASPERITY_DATA_DIR) + "/materials/" + material + ".toml");
+    description.truth.material = description.sample.material;
+    description.tickRate = tickRate;
+    description.positionGain = 1.0_nm / 1e-3;
+    description.forceGain = magnified / 10.0_nN;
+    return buildScene(description, map);
+}
+
+HeldTip holdTip(const Scene& scene, const Hold& hold, const PortWatch& watch) {
+    constexpr double kStart = 4e-3;  // [m]
+    VirtualBench bench(hold.bench, above(kStart));
+    CoupledTick loop(scene, hold.coupling);
+    HeldTip held;
+    double low = kStart;
+    double high = -1.0;
+    int counted = 0;
+    for (int i = 0; i * scene.timeStep() < kEnd; ++i) {
+        const double time = i * scene.timeStep();
+        const double way = std::min(1.0, time / kApproach);
+        const double lift = time >= kTurn ? hold.lift : 0.0;
+        bench.reachFor(above(kStart + way * (hold.goal - kStart) + lift));
+        if (hold.letGo && time >= kTurn) {
+            bench.grip(kNoHand);
+        }
+        const HandState hand = bench.advance(scene.timeStep());
+        const Vector3 force = loop.moveTo(hand);
+        bench.setForce(force);
+        if (watch) {
+            watch(hand.position, force);
+        }
+        if (time >= kSettled) {
+            low = std::min(low, bench.position().z());
+            high = std::max(high, bench.position().z());
+            held.force += force;
+            held.tipForce += loop.tipForce();
+            ++counted;
+        }
+    }
+    held.peakToPeak = high - low;
+    held.force /= counted;
+    held.tipForce /= counted;
+    held.handle = bench.position();
+    return held;
+}
+
+}  // namespace asperity::test

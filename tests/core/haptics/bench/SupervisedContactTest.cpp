@@ -1,0 +1,47 @@
+#include "core/Units.h"
+#include "core/haptics/coupling/CouplingDesign.h"
+#include "core/haptics/coupling/PassivityObserver.h"
+#include "tests/core/haptics/bench/HeldTip.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace asperity {
+namespace {
+
+constexpr double kDelay = 5.0_ms;
+constexpr CouplingGains kTooStiff{.stiffness = 600.0, .damping = 1.5, .proxyDamping = 3.0};
+constexpr DeviceLimits kPhantom{.maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
+
+struct Supervision {
+    double leastEnergy = 0.0;  ///< [J]
+    bool active = false;       ///< ever
+};
+
+/// A light hand taps hard on silicon oxide, late by five milliseconds.
+Supervision supervise(const CouplingGains& gains) {
+    const Scene scene = test::hapticScene("silicon_oxide", test::flatMap());
+    PassivityObserver observer(gains.stiffness, scene.timeStep(), kDelay);
+    Supervision seen;
+    const test::HeldTip held = test::holdTip(
+        scene, {.bench = {.arm = kLightGrip, .delay = kDelay}, .coupling = gains, .goal = -8e-3},
+        [&](const Vector3& hand, const Vector3& force) {
+            observer.observe(hand, force);
+            seen.leastEnergy = std::min(seen.leastEnergy, observer.energy());
+            seen.active = seen.active || observer.active();
+        });
+    std::cout << "moves " << held.peakToPeak * 1e3 << " mm, least energy " << seen.leastEnergy * 1e3
+              << " mJ\n";
+    return seen;
+}
+
+TEST(SupervisedContact, ShakingIsSeenAndAHeldTipIsNot) {
+    EXPECT_TRUE(supervise(kTooStiff).active);
+    EXPECT_FALSE(supervise(designCoupling(kPhantom, {.delay = kDelay})).active);
+}
+
+}  // namespace
+}  // namespace asperity
