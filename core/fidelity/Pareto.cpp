@@ -9,6 +9,9 @@ namespace asperity {
 
 namespace {
 
+/// Of an error: what is less near than that to another says the same in two digits.
+constexpr double kNearer = 0.98;
+
 using Indices = std::vector<std::size_t>;
 
 /// The first of those that are nearest, as far as errors can be told.
@@ -46,8 +49,8 @@ std::vector<bool> paretoFront(std::span<const CostAndError> choices, const Resol
         const std::size_t count = equallyCheap(rest, choices, resolution.cost);
         const std::size_t best = nearestOf(rest.first(count), choices, resolution.error);
         const double error = std::max(choices[best].error, resolution.error);
-        front[best] = error < nearest;
-        nearest = std::min(nearest, error);
+        front[best] = error < kNearer * nearest;
+        nearest = front[best] ? error : nearest;
         rest = rest.subspan(count);
     }
     return front;

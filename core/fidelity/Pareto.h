@@ -28,8 +28,8 @@ template <class Result>
     return choices;
 }
 
-/// Of each choice, whether no other is as cheap and nearer, or cheaper and as near. Of those that
-/// cannot be told apart it is the first.
+/// Of each choice, whether no other is as cheap and nearer, or cheaper and as near (within 2 % of
+/// the error). Of those that cannot be told apart it is the first.
 [[nodiscard]] std::vector<bool> paretoFront(std::span<const CostAndError> choices,
                                             const Resolution& resolution);
 

@@ -18,6 +18,11 @@ TEST(Pareto, OfEqualsTheFirstIsOnTheFront) {
     EXPECT_EQ(paretoFront(Choices{{1.0, 1.0}, {1.0, 1.0}}, {}), (Front{true, false}));
 }
 
+TEST(Pareto, WhoIsHardlyNearerIsNot) {
+    EXPECT_EQ(paretoFront(Choices{{1.0, 1.0}, {2.0, 0.99}, {3.0, 0.985}, {4.0, 0.97}}, {}),
+              (Front{true, false, false, true}));
+}
+
 TEST(Pareto, AsCheapAsCanBeToldTheNearestIsOnTheFront) {
     const Choices choices{{1.00, 5.0}, {1.04, 2.0}, {1.2, 1.0}};
     EXPECT_EQ(paretoFront(choices, {.cost = 0.05}), (Front{false, true, true}));
