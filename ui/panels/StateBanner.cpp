@@ -65,11 +65,11 @@ QString validityWords(Validity flag) {
     case Validity::TipNotHeld:
         return QStringLiteral("the cantilever cannot hold the tip where the hand wants it");
     case Validity::ElasticLimit:
-        return QStringLiteral("pressure above the sample's hardness: it would yield");
+        return QStringLiteral("pressure above the hardness: it would yield");
     case Validity::ThinFilm:
         return QStringLiteral("contact too wide for the film's thickness and the contact law");
     case Validity::LawOutOfRange:
-        return QStringLiteral("the contact law leaves out adhesion that acts here, or its reach");
+        return QStringLiteral("adhesion beyond the reach of the law");
     case Validity::Implausible:
         return QStringLiteral("estimated force breaks the friction law");
     case Validity::SnapInAhead:
