@@ -1,5 +1,7 @@
 #include "core/fidelity/SampledRuns.h"
 
+#include "core/fidelity/FidelityTier.h"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -9,7 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr int kTicksAPath = 120;
-/// Runs that take less are timed twice, in turns [s].
+/// Runs that take less are timed twice, in turns; of others the reference need not run again [s].
 constexpr double kQuickRuns = 0.02;
 /// Of the ticks: one in which a jump comes a little earlier is no other feeling.
 constexpr double kAllButJumps = 0.97;
@@ -65,17 +67,21 @@ double SampledRuns::error(const SceneModel& model) {
 
 ModelDifference SampledRuns::between(const SceneModel& with, const SceneModel& without) {
     const ModelRun less = runWith(without);
-    ModelDifference difference{.with = runWith(with)};
+    const bool isQuick = sumOf(less.times) < kQuickRuns;
+    const bool isKnown = !isQuick && tierOf(with) == tierOf(referred_);
+    ModelDifference difference{.with = isKnown ? reference_ : runWith(with)};
     difference.effect = forceShare(less, difference.with);
     difference.time = quantile(difference.with.times, 0.5) - quantile(less.times, 0.5);
-    if (sumOf(less.times) + sumOf(difference.with.times) < kQuickRuns) {
+    if (isQuick) {
         const double again = -quantile(runWith(without).times, 0.5);
         difference.time = 0.5 * (difference.time + again + quantile(runWith(with).times, 0.5));
     }
+    setModel(scene_, with);
     return difference;
 }
 
 void SampledRuns::refer(const SceneModel& model) {
+    referred_ = model;
     reference_ = runWith(model);
     last_ = reference_;
 }

@@ -51,6 +51,7 @@ private:
 
     Scene& scene_;
     std::vector<RecordedRun> runs_;
+    SceneModel referred_;  ///< of the reference
     ModelRun reference_;
     ModelRun last_;
     bool slow_ = false;

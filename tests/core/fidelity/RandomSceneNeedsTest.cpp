@@ -1,0 +1,116 @@
+#include "core/fidelity/SampledRuns.h"
+#include "core/fidelity/SceneNeeds.h"
+#include "tests/core/fidelity/RandomScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace asperity {
+namespace {
+
+const TermNeed& needOf(const SceneNeeds& needs, ModelTerm term) {
+    return needs.terms.at(static_cast<std::size_t>(term));
+}
+
+/// Terms of the force that the runs decide about.
+bool isDecidedByRuns(const SceneNeeds& needs, ModelTerm term) {
+    return !isOfSurface(term) && has(needs.full, term) && !needOf(needs, term).overruled;
+}
+
+/// The search for feet also stays by a bound, without any effect on the runs.
+bool mayStayWithoutEffect(ModelTerm term) { return term == ModelTerm::GlobalSearch; }
+
+void expectSurfaceDecided(const SceneNeeds& needs) {
+    const TermNeed& outside = needOf(needs, ModelTerm::OutsideDisplacement);
+    const TermNeed& halfSpace = needOf(needs, ModelTerm::HalfSpaceSolve);
+    EXPECT_TRUE(outside.on || outside.effect <= needs.tolerance);
+    EXPECT_TRUE(!halfSpace.on || halfSpace.effect > needs.tolerance);
+    EXPECT_TRUE(!halfSpace.on || outside.on) << "it shares its displacement";
+}
+
+/// Two hundred scenes in all.
+class RandomSceneNeeds : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(RandomSceneNeeds, KeepWhatMovesTheForceAndLeaveOutWhatDoesNot) {
+    constexpr int kScenes = 50;  // a seed
+    Random random(GetParam());
+    int kept = 0;
+    int leftOut = 0;
+    for (int i = 0; i < kScenes; ++i) {
+        SCOPED_TRACE(i);
+        Scene scene = test::randomScene(random);
+        const SceneNeeds needs = fitModel(scene);
+        ASSERT_EQ(needs.terms.size(), kModelTerms.size());
+        setModel(scene, needs.full);
+        SampledRuns runs(scene, 1.0);
+        EXPECT_LE(runs.error(needs.model), needs.tolerance) << "all that is left out together";
+        expectSurfaceDecided(needs);
+        for (const ModelTerm term : kModelTerms) {
+            if (!isDecidedByRuns(needs, term)) {
+                continue;
+            }
+            if (has(needs.model, term)) {
+                ++kept;
+                const double effect =
+                    std::max(needOf(needs, term).effect, runs.error(without(needs.model, term)));
+                EXPECT_TRUE(effect > needs.tolerance || mayStayWithoutEffect(term))
+                    << nameOf(term) << " was kept";
+            } else {
+                ++leftOut;
+                EXPECT_LE(runs.error(without(needs.full, term)), needs.tolerance)
+                    << nameOf(term) << " was left out";
+            }
+        }
+    }
+    EXPECT_GT(kept, kScenes);
+    EXPECT_GT(leftOut, kScenes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomSceneNeeds, ::testing::Values(20261122U, 1U, 2U, 3U));
+
+TEST(RandomScenes, TwiceTheSame) {
+    Random first(3);
+    Random second(3);
+    Scene one = test::randomScene(first);
+    Scene other = test::randomScene(second);
+    const SceneNeeds a = fitModel(one);
+    const SceneNeeds b = fitModel(other);
+    EXPECT_EQ(a.forceError, b.forceError);
+    for (std::size_t i = 0; i < a.terms.size(); ++i) {
+        EXPECT_EQ(a.terms[i].on, b.terms[i].on) << nameOf(a.terms[i].term);
+        EXPECT_EQ(a.terms[i].effect, b.terms[i].effect) << nameOf(a.terms[i].term);
+        EXPECT_EQ(a.terms[i].why, b.terms[i].why);
+    }
+}
+
+TEST(RandomScenes, TheSettledDescriptionGivesTheSameModelAgain) {
+    Random random(11);
+    for (int i = 0; i < 20; ++i) {
+        Scene scene = test::randomScene(random);
+        (void)fitModel(scene);
+        const SceneModel found = scene.model;
+        scene.description = settled(scene.description, found);
+        (void)fitModel(scene);
+        EXPECT_EQ(scene.model.law.law, found.law.law);
+        for (const ModelTerm term : kModelTerms) {
+            EXPECT_EQ(has(scene.model, term), has(found, term)) << nameOf(term);
+        }
+    }
+}
+
+TEST(RandomScenes, AWiderToleranceLeavesOutNoLess) {
+    Random random(5);
+    for (int i = 0; i < 10; ++i) {
+        Scene scene = test::randomScene(random);
+        const auto count = [&](double tolerance) {
+            scene.description.tolerance = tolerance;
+            const SceneNeeds needs = fitModel(scene);
+            return std::ranges::count_if(needs.terms, &TermNeed::on);
+        };
+        EXPECT_GE(count(0.0), count(0.5));
+    }
+}
+
+}  // namespace
+}  // namespace asperity
