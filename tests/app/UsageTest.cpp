@@ -159,9 +159,9 @@ TEST(TradeOff, WritesATableAndAFigureAndPrintsThem) {
     const auto run = test::runProgram("tradeoff " + test::shippedScene("polystyrene").string() +
                                       " --out " + scratch.file("out").string());
     ASSERT_EQ(run.exitCode, 0) << run.output;
-    for (const char* part :
-         {"cheapest within 5 % of the force", "the reference itself", "closed form, 97 x 97",
-          "what the scene requires", "sphere correction", "whole ways", "the cheapest within 5 %"}) {
+    for (const char* part : {"cheapest within 5 % of the force", "the reference itself",
+                             "closed form, 97 x 97", "what the scene requires", "sphere correction",
+                             "whole ways", "the cheapest within 5 %"}) {
         EXPECT_NE(run.output.find(part), std::string::npos) << part;
     }
     const CsvTable table = readCsv(scratch.path() / "out/tradeoff.csv");
@@ -204,6 +204,8 @@ TEST(Extremes, EvaluatesAsManyStatesAsAreAskedForAndRefusesInTheWordsOfItsPage) 
     ASSERT_EQ(run.exitCode, 0) << run.output;
     EXPECT_GT(readCsv(scratch.path() / "out/extremes.csv").rows(), 100U);
     EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/extremes.png"), 5000U);
+    EXPECT_GT(readCsv(scratch.path() / "out/coupling.csv").rows(), 20U);
+    EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/coupling.png"), 5000U);
     EXPECT_NEAR(statesIn(run.output), 10000.0, 1000.0);
     std::ifstream file(std::string(ASPERITY_DATA_DIR) + "/../docs/extremes.md");
     const std::string page{std::istreambuf_iterator<char>(file), {}};
