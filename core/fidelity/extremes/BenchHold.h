@@ -15,7 +15,7 @@ inline constexpr double kStillWithin = 0.05e-3;  ///< [m] to and fro: less is no
 inline constexpr double kRestWindow = 0.2;
 
 /// How long each hold may take to come to rest [s].
-inline constexpr double kPatience = 0.6;
+inline constexpr double kPatience = 2.0;
 
 /// How a hand is put on the bench.
 struct BenchHold {
