@@ -1,5 +1,7 @@
 #include "app/ExtremesCommand.h"
 
+#include "app/CouplingMap.h"
+#include "app/CouplingReport.h"
 #include "app/ExtremesMap.h"
 #include "app/OptionChecks.h"
 #include "app/ProgressLine.h"
@@ -110,15 +112,25 @@ void printModels(const std::vector<ExtremesRegion>& sums) {
     }
 }
 
-void printRefusals(const std::vector<ExtremesRegion>& regions) {
+/// How often each kind of refusal was given.
+std::map<std::string, long> refusalsIn(const ExtremesFindings& findings) {
     std::map<std::string, long> refusals;
-    for (const ExtremesRegion& region : regions) {
+    for (const ExtremesRegion& region : findings.regions) {
         for (const auto& [reason, states] : region.refusals()) {
             refusals[reason] += states;
         }
     }
+    for (const HoldOutcome& hold : findings.holds) {
+        if (hold.setting.coupled && !hold.refusal.empty()) {
+            ++refusals["coupling: " + kindOf(hold.refusal)];
+        }
+    }
+    return refusals;
+}
+
+void printRefusals(const ExtremesFindings& findings) {
     std::printf("\nrefused:\n");
-    for (const auto& [reason, states] : refusals) {
+    for (const auto& [reason, states] : refusalsIn(findings)) {
         std::printf("%8ld  %s\n", states, reason.c_str());
     }
 }
@@ -160,11 +172,15 @@ void extremes(const ExtremesOptions& options) {
     const ExtremesFindings findings = findingsOf(options.states);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     writeTable(out / "extremes.csv", findings.regions);
+    writeHolds(out / "coupling.csv", findings.holds);
     writeShareMaps(out / "extremes.png", extremesMap(findings.regions),
                    {.width = 2000, .height = 1060});
+    writeShareMaps(out / "coupling.png", couplingMap(findings.holds),
+                   {.width = 1400, .height = 900});
     const std::vector<ExtremesRegion> sums = summedOverPlaces(findings.regions);
     printModels(sums);
-    printRefusals(sums);
+    printHolds(findings.holds);
+    printRefusals(findings);
     printVerdicts(sums, findings, spent.count());
     reportDefects(findings);
 }
@@ -173,15 +189,16 @@ void extremes(const ExtremesOptions& options) {
 
 void addExtremesCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
-        "extremes", "Where each contact law, solver and the whole tick is exact, valid, flagged or "
-                    "refused, from the softest to the hardest sample");
+        "extremes",
+        "Where each contact law, solver and the whole tick is exact, valid, flagged or "
+        "refused, and where a hand holds still, from the softest to the hardest sample");
     const auto options = std::make_shared<ExtremesOptions>();
-    addOutputFolder(*command, options->out, "folder for the table and the map");
+    addOutputFolder(*command, options->out, "folder for the tables and the maps");
     command
         ->add_option("--states", options->states,
                      "about how many states of tip, sample, lever and place there are, each "
                      "evaluated with every "
-                     "law and solver or every foot search")
+                     "law and solver or every foot search; some are hands on a virtual bench")
         ->check(finiteNumber())
         ->check(CLI::Range(1e4, 1e9))
         ->capture_default_str();

@@ -204,6 +204,8 @@ TEST(Extremes, EvaluatesAsManyStatesAsAreAskedForAndRefusesInTheWordsOfItsPage) 
     ASSERT_EQ(run.exitCode, 0) << run.output;
     EXPECT_GT(readCsv(scratch.path() / "out/extremes.csv").rows(), 100U);
     EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/extremes.png"), 5000U);
+    EXPECT_GT(readCsv(scratch.path() / "out/coupling.csv").rows(), 20U);
+    EXPECT_GT(std::filesystem::file_size(scratch.path() / "out/coupling.png"), 5000U);
     EXPECT_NEAR(statesIn(run.output), 10000.0, 1000.0);
     std::ifstream file(std::string(ASPERITY_DATA_DIR) + "/../docs/extremes.md");
     const std::string page{std::istreambuf_iterator<char>(file), {}};

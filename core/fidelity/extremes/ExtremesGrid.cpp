@@ -1,5 +1,6 @@
 #include "core/fidelity/extremes/ExtremesGrid.h"
 
+#include "core/fidelity/extremes/CouplingExtremes.h"
 #include "core/fidelity/extremes/LogSpaced.h"
 #include "core/fidelity/extremes/TickExtremes.h"
 
@@ -13,12 +14,20 @@ namespace {
 
 constexpr double kTickShare = 0.03;  // of all states: each takes as long as some hundred others
 
+constexpr double kHoldShare = 0.0029;  // of all states: each takes as long as some thousand others
+
 long product(std::initializer_list<std::size_t> counts) {
     long result = 1;
     for (const std::size_t count : counts) {
         result *= static_cast<long>(count);
     }
     return result;
+}
+
+/// Every number of steps of the coupling's grid is made of 2 and 3: a stride without these factors
+/// takes every value of every two quantities with each other.
+long strideFor(double part, long whole) {
+    return 1 + 6 * std::lround(std::max(0.0, static_cast<double>(whole) / part - 1.0) / 6.0);
 }
 
 /// How many times a part goes into a number of states, at least `fewest`.
@@ -38,8 +47,15 @@ long TickGrid::runs() const noexcept {
                     leverStiffnesses.size(), depths.size()});
 }
 
+long CouplingGrid::settings() const noexcept {
+    return product({holdMaterials().size(), leverStiffnesses.size(), tickRates.size(),
+                    delays.size(), positionGains.size(), forceGains.size(), kGrips.size()});
+}
+
+long CouplingGrid::holds() const noexcept { return 2 * ((settings() + stride - 1) / stride); }
+
 long ExtremesGrid::states() const noexcept {
-    return (contact.ways() * 2 * contact.places) + (tick.runs() * tick.ticks);
+    return (contact.ways() * 2 * contact.places) + (tick.runs() * tick.ticks) + coupling.holds();
 }
 
 ExtremesGrid ExtremesGrid::ofAbout(double states) {
@@ -60,9 +76,16 @@ ExtremesGrid ExtremesGrid::ofAbout(double states) {
         .tick = {.tipRadii = logSpaced(smallest, largest, steps(6)),
                  .roughnesses = {0.0, 0.001, 0.003, 0.01, 0.03, 0.1},
                  .leverStiffnesses = {0.01, 1.0, 100.0},
-                 .depths = {0.05, 0.2}}};
+                 .depths = {0.05, 0.2}},
+        .coupling = {.leverStiffnesses = {0.2, 3.0, 40.0},
+                     .tickRates = {100.0, 250.0, 500.0, 1e3, 2e3, 5e3, 10e3, 20e3},
+                     .delays = {0.0, 1e-3, 2e-3, 5e-3},
+                     .positionGains = {1e-7, 1e-6, 1e-5},
+                     .forceGains = {1e7, 1e8, 1e9, 1e10}}};
+    grid.coupling.stride = strideFor(0.5 * kHoldShare * states, grid.coupling.settings());
     grid.tick.ticks = timesIn(kTickShare * states, grid.tick.runs(), 5);
-    const double left = states - static_cast<double>(grid.tick.runs() * grid.tick.ticks);
+    const double left =
+        states - static_cast<double>((grid.tick.runs() * grid.tick.ticks) + grid.coupling.holds());
     grid.contact.places = timesIn(0.5 * left, grid.contact.ways(), 4);
     return grid;
 }

@@ -28,10 +28,26 @@ struct TickGrid {
     [[nodiscard]] long runs() const noexcept;
 };
 
-/// All states that are evaluated, each once: with every law and solver, or every foot search.
+/// Hands at a device: all of these with each other, on every sample of holdMaterials() and with
+/// every grip, or every `stride`-th of them; each with and without a coupling.
+struct CouplingGrid {
+    std::vector<double> leverStiffnesses;  ///< [N/m]
+    std::vector<double> tickRates;         ///< [Hz]
+    std::vector<double> delays;            ///< from a motion to its force, without the hold [s]
+    std::vector<double> positionGains;     ///< displacement at the tip per that of the hand
+    std::vector<double> forceGains;        ///< force at the hand per force at the tip
+    long stride = 1;
+
+    [[nodiscard]] long settings() const noexcept;  ///< without the stride
+    [[nodiscard]] long holds() const noexcept;     ///< that are evaluated
+};
+
+/// All states that are evaluated, each once: with every law and solver, or every foot search; on
+/// the bench.
 struct ExtremesGrid {
     ContactGrid contact;
     TickGrid tick;
+    CouplingGrid coupling;
 
     /// The ends of the ranges of docs/extremes.md with steps such that there are this many states
     /// to within some 5 %. @param states >= 1e4

@@ -2,6 +2,7 @@
 
 #include "core/ShareOut.h"
 #include "core/fidelity/extremes/ContactExtremes.h"
+#include "core/fidelity/extremes/CouplingExtremes.h"
 #include "core/fidelity/extremes/RefusedContacts.h"
 #include "core/fidelity/extremes/TickExtremes.h"
 
@@ -34,9 +35,16 @@ void addTicks(std::vector<Part>& parts, const TickGrid& grid) {
     }
 }
 
-/// The parts of every study.
+void addHolds(std::vector<Part>& parts, const CouplingGrid& grid) {
+    for (const HoldBench& bench : benchesOf(grid)) {
+        parts.emplace_back([&grid, bench] { return couplingExtremes(grid, bench); });
+    }
+}
+
+/// The parts of every study, those that take longest first.
 std::vector<Part> partsOf(const ExtremesGrid& grid) {
     std::vector<Part> parts;
+    addHolds(parts, grid.coupling);
     addContacts(parts, grid.contact);
     addTicks(parts, grid.tick);
     return parts;
@@ -54,6 +62,7 @@ void ExtremesFindings::addDefect(const std::string& sentence) {
 
 void ExtremesFindings::add(ExtremesFindings&& other) {
     std::move(other.regions.begin(), other.regions.end(), std::back_inserter(regions));
+    std::move(other.holds.begin(), other.holds.end(), std::back_inserter(holds));
     states += other.states;
     defects += other.defects;
     std::move(other.examples.begin(), other.examples.end(), std::back_inserter(examples));

@@ -3,6 +3,7 @@
 #include "core/Progress.h"
 #include "core/fidelity/extremes/ExtremesGrid.h"
 #include "core/fidelity/extremes/ExtremesRegion.h"
+#include "core/fidelity/extremes/HoldOutcome.h"
 
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ namespace asperity {
 /// What a part of the study found.
 struct ExtremesFindings {
     std::vector<ExtremesRegion> regions;
+    std::vector<HoldOutcome> holds;
     long states = 0;   ///< of the grid, each once however many models are asked
     long defects = 0;  ///< states that no answer may have: a value that is not finite, no balance
     /// The first of them in each place of the grid, one sentence each, so that it can be repeated.

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/haptics/coupling/ScaleGuard.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace asperity {
+
+/// How the handle is held once the tip has been tapped on the sample.
+enum class Grip : std::uint8_t { None, Light, Normal };
+
+inline constexpr std::array kGrips{Grip::None, Grip::Light, Grip::Normal};
+
+/// What becomes of a hand at a device that holds a tip on a sample, best first.
+enum class HoldVerdict : std::uint8_t {
+    Still,         ///< the handle comes to rest
+    Noisy,         ///< at rest but for the detector's noise, which the force gain makes felt
+    NoCoupling,    ///< refused: the device holds no coupling as stiff as is needed
+    ScaleTooHigh,  ///< refused: the guard of the scale says so
+    Shakes,        ///< the handle does not come to rest, nor without the detector's noise
+    NotFinite,     ///< a defect
+};
+
+inline constexpr std::array kHoldVerdicts{HoldVerdict::Still,      HoldVerdict::Noisy,
+                                          HoldVerdict::NoCoupling, HoldVerdict::ScaleTooHigh,
+                                          HoldVerdict::Shakes,     HoldVerdict::NotFinite};
+
+/// "none", "light", "normal".
+[[nodiscard]] const char* nameOf(Grip grip) noexcept;
+
+/// "still", "noisy", "no coupling", "scale too high", "shakes", "not finite".
+[[nodiscard]] const char* nameOf(HoldVerdict verdict) noexcept;
+
+/// One person at one device on one sample.
+struct HoldSetting {
+    std::string material;
+    double workOfAdhesion = 0.0;  ///< [J/m^2]
+    double leverStiffness = 0.0;  ///< [N/m]
+    double tickRate = 0.0;        ///< [Hz]
+    double delay = 0.0;           ///< from a motion to its force, without the hold [s]
+    HandScale scale;
+    Grip grip = Grip::Light;
+    bool coupled = false;  ///< with the gains of designCoupling(); else the hand moves the base
+};
+
+/// What became of it.
+struct HoldOutcome {
+    HoldSetting setting;
+    HoldVerdict verdict = HoldVerdict::Still;
+    double contact = 0.0;     ///< largest stiffness of lever and contact, at the hand [N/m]
+    double felt = 0.0;        ///< the same in series with the coupling [N/m]
+    bool guardHolds = false;  ///< whether judgeScale() accepts the scale
+    double swing = 0.0;       ///< of the handle in the end, to and fro [m]; 0 where refused
+    std::string refusal;      ///< the program's sentence; empty where there is none
+};
+
+/// A sentence with X for every quantity, so that refusals of one kind can be counted.
+[[nodiscard]] std::string kindOf(const std::string& sentence);
+
+}  // namespace asperity
