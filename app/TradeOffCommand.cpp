@@ -82,9 +82,14 @@ void printFrames(const TradeOff& study) {
                     r.median * 1e3, r.surfaceErrorRms * 1e9, r.surfaceErrorMax * 1e9);
     }
     const TradeOffReference& reference = study.reference;
-    std::printf("  reference, at %d of %d contacts: %s; itself: %.2g nm (%s)\n\n",
-                reference.contacts, reference.contactsAsked, reference.frame.name().c_str(),
+    std::printf("  reference, at %d of %d contacts: %s; itself: %.2g nm (%s)\n", reference.contacts,
+                reference.contactsAsked, reference.frame.name().c_str(),
                 reference.surfaceDoubt * 1e9, reference.surfaceDoubtBy.c_str());
+    if (reference.frame.deformation == DeformationTier::HalfSpace) {
+        std::printf("  there the law's normal force is %.2g nN rms off the half-space's own\n",
+                    reference.halfSpaceForce * 1e9);
+    }
+    std::printf("\n");
 }
 
 void printRates(const TradeOff& study) {
@@ -96,7 +101,7 @@ void printRates(const TradeOff& study) {
 }
 
 void printComposition(const TradeOff& study, const Composition& whole) {
-    std::printf("%6.3f %% %8.2g %%  %5.0f Hz, %s; %s\n", whole.load * 100.0, whole.error * 100.0,
+    std::printf("%6.3f %% %8.3g %%  %5.0f Hz, %s; %s\n", whole.load * 100.0, whole.error * 100.0,
                 study.rates[whole.rate].rate, study.ticks[whole.tick].tier.name().c_str(),
                 study.frames[whole.frame].tier.name().c_str());
 }
@@ -122,8 +127,8 @@ void printCompositions(const TradeOff& study, double tolerance) {
 }
 
 void printNeeds(const SceneNeeds& needs) {
-    std::printf("what the scene requires, within %.2g %%: forces within %.2g %%, a tick %.2f us "
-                "instead of %.2f us\n",
+    std::printf("what the scene requires, within %.3g %%: the terms left out by itself move forces "
+                "by %.2g %% together, a tick takes %.2f us instead of %.2f us\n",
                 needs.tolerance * 100.0, needs.forceError * 100.0, needs.modelTick * 1e6,
                 needs.fullTick * 1e6);
     for (const TermNeed& need : needs.terms) {
@@ -136,11 +141,6 @@ void printNeeds(const SceneNeeds& needs) {
     std::printf("\n");
 }
 
-TradeOff measuredOnTerminal(Scene& scene) {
-    ProgressLine line("measuring");
-    return studyTradeOff(scene, {}, &line);
-}
-
 void tradeOff(const TradeOffOptions& options) {
     const VirtualDisplay display;  // before anything is written: the figure needs it at the end
     const std::filesystem::path scene =
@@ -148,10 +148,14 @@ void tradeOff(const TradeOffOptions& options) {
     LoadedScene loaded = loadSceneOnTerminal(scene, {});
     const std::filesystem::path out = options.out;
     makeOutputFolder(out);
-    const TradeOff study = measuredOnTerminal(loaded.scene);
-    const std::vector<DeformationResult> deformations = studyDeformation(loaded.scene, {});
+    ProgressLine line("measuring");
+    ProgressPart running(&line, 0.0, 0.7);
+    const TradeOff study = studyTradeOff(loaded.scene, {}, &running);
     writeTradeOff(out, study);
     writeNeeds(out / "needs.csv", loaded.needs);
+    ProgressPart deforming(&line, 0.7, 1.0);
+    const std::vector<DeformationResult> deformations =
+        studyDeformation(loaded.scene, {}, &deforming);
     writeDeformations(out / "deformation.csv", deformations);
     printTicks(study, loaded.needs.tolerance);
     printFrames(study);

@@ -9,7 +9,8 @@
 
 namespace asperity {
 
-/// Writes tradeoff.csv, frames.csv, rates.csv and the figure tradeoff.png into a folder.
+/// Writes tradeoff.csv, frames.csv, rates.csv, compositions.csv and the figure tradeoff.png into a
+/// folder.
 /// @throw Error when a file cannot be written, or no display answers
 void writeTradeOff(const std::filesystem::path& folder, const TradeOff& study);
 

@@ -16,7 +16,6 @@ namespace {
 
 constexpr int kScenes = 200;
 constexpr int kRounds = 7;
-constexpr double kDuration = 0.12;  // of a run [s]
 
 struct Gain {
     double tickRatio = 1.0;  ///< required over everything
@@ -24,17 +23,6 @@ struct Gain {
     int leftOut = 0;         ///< terms of the force
     double fitTime = 0.0;    ///< of finding out what the scene requires [s]
 };
-
-std::vector<RecordedRun> otherPlaces(const Scene& scene) {
-    const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
-    std::vector<RecordedRun> runs;
-    for (const Vector2& share : {Vector2(0.5, 0.45), Vector2(0.15, 0.8), Vector2(0.85, 0.6)}) {
-        const Vector2 place = share.cwiseProduct(size);
-        runs.push_back(recordRun(
-            scene, approachPath(scene, {.duration = kDuration, .place = place}), kDuration));
-    }
-    return runs;
-}
 
 int leftOutOf(const SceneNeeds& needs) {
     return static_cast<int>(std::ranges::count_if(needs.terms, [&](const TermNeed& need) {
@@ -49,7 +37,7 @@ Gain gainOf(Scene& scene) {
     const SceneNeeds needs = fitModel(scene);
     const double fitTime = std::chrono::duration<double>(Clock::now() - start).count();
     setModel(scene, needs.full);
-    const std::vector<RecordedRun> runs = otherPlaces(scene);
+    const std::vector<RecordedRun> runs = test::runsElsewhere(scene);
     std::vector<double> whole;
     std::vector<double> required;
     Gain gain{.leftOut = leftOutOf(needs), .fitTime = fitTime};

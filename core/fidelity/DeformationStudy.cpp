@@ -42,6 +42,7 @@ HeightMap flatMap() {
 /// Both surfaces with the material and the law of the exact sphere.
 Scene sceneOf(Scene scene, const SampleMaterial& material) {
     scene.description.law = ContactLaw::SphereMaugis;
+    scene.description.terms = {};  // a law settles its terms
     return withMaterial(std::move(scene), material);
 }
 
@@ -155,12 +156,15 @@ DeformationResult resultOf(const Site& site, DeformationTier tier,
 
 }  // namespace
 
-std::vector<DeformationResult> studyDeformation(const Scene& scene, const DeformationPlan& plan) {
+std::vector<DeformationResult> studyDeformation(const Scene& scene, const DeformationPlan& plan,
+                                                Progress* progress) {
     constexpr double kReach = 3.0;  // of a patch in contact radii
     const Scene level = buildScene(scene.description, flatMap());
     std::vector<DeformationResult> results;
+    double done = 0.0;
     for (const SampleMaterial& material : paperMaterials()) {
         for (const bool flat : {true, false}) {
+            reportTo(progress, done++ / (2.0 * paperMaterials().size()));
             const Scene there = sceneOf(flat ? level : scene, material);
             const std::optional<TipState> state = loadedState(there, plan.load);
             if (!state) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/scene/Scene.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 
@@ -41,7 +42,8 @@ struct DeformationPlan {
 /// sphere: on a flat sample, where the closed form is exact and the reference; and in the middle of
 /// the scene's scan, where a half-space of finer pixels is the reference as long as it holds.
 /// Source of the materials: Vogl, Ma, Sitti (2005), table 1; docs/physics.md 1.
-[[nodiscard]] std::vector<DeformationResult> studyDeformation(const Scene& scene,
-                                                              const DeformationPlan& plan);
+/// @param progress may be null  @throw Cancelled
+[[nodiscard]] std::vector<DeformationResult>
+studyDeformation(const Scene& scene, const DeformationPlan& plan, Progress* progress = nullptr);
 
 }  // namespace asperity

@@ -32,7 +32,7 @@ struct FrameTier {
     [[nodiscard]] std::string name() const;
 };
 
-/// For people: "four points", "contact radius", "closed form".
+/// For people: "contact radius", "closed form".
 [[nodiscard]] const char* nameOf(DeformationTier deformation) noexcept;
 
 /// The ways for a tick of this scene to reckon with a force: each law that its sample allows, with

@@ -28,8 +28,8 @@ template <class Result>
     return choices;
 }
 
-/// Of each choice, whether no other is as cheap and nearer, or cheaper and as near (within 2 % of
-/// the error). Of those that cannot be told apart it is the first.
+/// Of each choice, whether it is cheaper than all on the front that are as near or nearer, the
+/// nearest of all beginning the front: the cheapest of those that cannot be told from it.
 [[nodiscard]] std::vector<bool> paretoFront(std::span<const CostAndError> choices,
                                             const Resolution& resolution);
 

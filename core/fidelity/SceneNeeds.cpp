@@ -163,6 +163,15 @@ void decideSurface(const SceneDescription& description, const SurfaceNeeds& surf
     }
 }
 
+std::string whyHalfSpace(const SurfaceNeeds& surface) {
+    if (!surface.touches) {
+        return "the sampled runs touch nothing";
+    }
+    const bool somewhere = surface.halfSpace > 0.0;
+    return somewhere && !surface.halfSpaceHolds ? "it does not hold at every contact"
+                                                : surface.halfSpaceWord;
+}
+
 void fillIn(const SurfaceNeeds& surface, SceneNeeds& needs) {
     for (TermNeed& need : needs.terms) {
         if (need.term == ModelTerm::OutsideDisplacement) {
@@ -173,7 +182,7 @@ void fillIn(const SurfaceNeeds& surface, SceneNeeds& needs) {
         } else if (need.term == ModelTerm::HalfSpaceSolve) {
             need.effect = surface.halfSpace;
             need.time = surface.halfSpaceTime;
-            need.why = surface.touches ? surface.halfSpaceWord : "the sampled runs touch nothing";
+            need.why = whyHalfSpace(surface);
         }
     }
 }
@@ -189,12 +198,25 @@ void leaveAsItIs(double tickTime, SceneNeeds& needs) {
     needs.modelTick = tickTime;
 }
 
+/// Of terms that matter and are not in: which other one took their place.
+void nameExcluders(SceneNeeds& needs) {
+    for (TermNeed& need : needs.terms) {
+        for (const ModelTerm other : kModelTerms) {
+            if (need.effect > needs.tolerance && exclude(need.term, other) &&
+                has(needs.full, other) && !has(needs.full, need.term)) {
+                need.why += std::string("; no contact law has it beside the ") + nameOf(other);
+            }
+        }
+    }
+}
+
 void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs) {
     force.decide(tipFitsEverywhere(scene));
     setModel(scene, needs.full);
     const SurfaceNeeds surface = surfaceNeedsOf(scene, force.reference().states);
     fillIn(surface, needs);
     decideSurface(scene.description, surface, needs);
+    nameExcluders(needs);
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #include "core/fidelity/SurfaceNeeds.h"
 
+#include "core/fidelity/ModelRun.h"
 #include "core/scene/ContactPatch.h"
 #include "core/scene/HalfSpaceModel.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,7 @@ namespace {
 constexpr int kSamples = 65;
 constexpr double kReach = 3.0;  // of a patch, in contact radii
 constexpr std::size_t kMoments = 3;
+constexpr int kRounds = 3;  // of timed patches
 
 /// Contacts that differ, the one with the largest normal force first.
 std::vector<const TipState*> moments(std::span<const TipState> states) {
@@ -42,13 +45,18 @@ double rms(const std::vector<double>& values) {
     return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// What it makes, and the time that this takes [s].
+/// What it makes, and the shortest time that this takes [s].
 template <class Make>
-auto timed(const Make& make) {
+auto timed(int rounds, const Make& make) {
     using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
+    double shortest = std::numeric_limits<double>::infinity();
     auto made = make();
-    return std::pair(std::move(made), std::chrono::duration<double>(Clock::now() - start).count());
+    for (int round = 0; round < rounds; ++round) {
+        const auto start = Clock::now();
+        made = make();
+        shortest = std::min(shortest, std::chrono::duration<double>(Clock::now() - start).count());
+    }
+    return std::pair(std::move(made), shortest);
 }
 
 /// Root mean square of the distance between the patches' points [m].
@@ -67,11 +75,12 @@ SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states
     SurfaceNeeds needs;
     std::vector<double> outside;
     std::vector<double> halfSpaces;
+    std::vector<double> outsideTimes;
     for (const TipState* state : moments(states)) {
         const PatchGrid grid{.halfWidth = kReach * state->contact.contactRadius,
                              .samples = kSamples};
         const auto patch = [&](DeformationTier tier) {
-            return timed([&] { return contactPatch(scene, *state, tier, grid); });
+            return timed(kRounds, [&] { return contactPatch(scene, *state, tier, grid); });
         };
         const double depth = std::abs(state->contact.indentation);
         const auto share = [depth](double distance) {
@@ -80,8 +89,8 @@ SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states
         const auto [radius, radiusTime] = patch(DeformationTier::ContactRadius);
         const auto [closed, closedTime] = patch(DeformationTier::ClosedForm);
         outside.push_back(share(rmsDistance(radius, closed)));
-        needs.outsideTime = closedTime - radiusTime;
-        const auto [answer, solveTime] = timed([&] { return halfSpace.solve(scene, *state); });
+        outsideTimes.push_back(closedTime - radiusTime);
+        const auto [answer, solveTime] = timed(1, [&] { return halfSpace.solve(scene, *state); });
         if (!needs.touches) {
             needs.halfSpaceWord = sentenceOf(answer);
         }
@@ -93,6 +102,7 @@ SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states
             needs.halfSpaceTime = solveTime;
         }
     }
+    needs.outsideTime = quantile(outsideTimes, 0.5);
     needs.outside = rms(outside);
     needs.halfSpace = rms(halfSpaces);
     return needs;

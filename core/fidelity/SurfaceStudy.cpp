@@ -77,19 +77,26 @@ struct SurfaceError {
 struct SolvedContacts {
     std::vector<TipState> states;
     std::vector<SurfacePatch> patches;
+    double forceError = 0.0;  ///< of the law against its own force, root mean square [N]
 };
 
 /// @param pixels of the half-space, a side
 SolvedContacts solvedContacts(const Scene& scene, const std::vector<TipState>& states, int pixels) {
     SolvedContacts solved;
+    double sum = 0.0;
     HalfSpaceModel model(pixels, {.tolerance = 1e-4});
     for (const TipState& state : states) {
         const HalfSpaceAnswer answer = model.solve(scene, state);
         if (answer.valid()) {
             solved.states.push_back(state);
+            const double error = answer.force - state.normalForce;
+            sum += error * error;
             solved.patches.push_back(
                 halfSpacePatch(scene, answer, gridOf(state, kReferenceSamples)));
         }
+    }
+    if (!solved.states.empty()) {
+        solved.forceError = std::sqrt(sum / static_cast<double>(solved.states.size()));
     }
     return solved;
 }
@@ -165,6 +172,7 @@ void studySurfaces(const Scene& scene, std::span<const TipState> states, const T
         reference = closedForms(scene, contacts);
         result.reference.surfaceDoubtBy = "no half-space holds here, and nothing finer is known";
     }
+    result.reference.halfSpaceForce = reference.forceError;
     result.reference.contacts = static_cast<int>(reference.states.size());
     result.reference.contactsAsked = static_cast<int>(contacts.size());
     result.reference.frame = {.deformation =

@@ -58,8 +58,9 @@ TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan, Progress* progres
     const SceneKept before(scene);
     TradeOff result;
     ProgressPart ticking(progress, 0.0, 0.8);
-    const std::vector<TickTier> tiers = tickTiers(scene);
+    std::vector<TickTier> tiers = tickTiers(scene);
     TickStudy ticks(scene, plan, &ticking);
+    tiers.push_back(tierOf(ticks.model()));
     measureTicks(ticks, tiers, decouplingTiers(before.model()), result);
     setModel(scene, ticks.model());
     ProgressPart drawing(progress, 0.8, 0.95);

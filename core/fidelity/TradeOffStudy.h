@@ -57,6 +57,9 @@ struct TradeOffReference {
     double surfaceDoubt = 0.0;   ///< root mean square [m]
     std::string forceDoubtBy;    ///< the terms that its law has no room for; empty: none
     std::string surfaceDoubtBy;  ///< what was compared
+    /// Of the normal force against the half-space's own, at the contacts where that holds, root
+    /// mean square [N].
+    double halfSpaceForce = 0.0;
 };
 
 struct TradeOff {

@@ -43,6 +43,10 @@ void checkTerms(const SceneDescription& scene) {
                         " is the matter of [physics] law, which is " + keyOf(*scene.law) +
                         "; leave out one of them");
         }
+        if (on == true && term == ModelTerm::SampleCurvature && scene.law && isSphere(*scene.law)) {
+            refuse(term, std::string("[physics] law is ") + keyOf(*scene.law) +
+                             ", which takes the sample as flat");
+        }
         if (on == true) {
             checkOn(scene, term);
         }

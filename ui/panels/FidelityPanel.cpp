@@ -143,8 +143,8 @@ void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choic
     terms_->show(needs, choices);
     const QSignalBlocker blocker(tolerance_);
     tolerance_->setValue(100.0 * needs.tolerance);
-    summary_->setText(tr("Forces within %1 % of the whole model's; a tick takes %2 µs instead of "
-                         "%3 µs.")
+    summary_->setText(tr("The terms left out by itself move forces by %1 % together; a tick takes "
+                         "%2 µs instead of %3 µs.")
                           .arg(percentText(needs.forceError))
                           .arg(1e6 * needs.modelTick, 0, 'f', 2)
                           .arg(1e6 * needs.fullTick, 0, 'f', 2));

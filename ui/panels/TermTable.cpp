@@ -79,6 +79,7 @@ void TermTable::addRow(int row) {
     auto* combo = new QComboBox(this);
     combo->setObjectName(QString::fromUtf8(nameOf(term)));
     combo->setEnabled(false);
+    combo->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     guardFromWheel(*combo);
     // activated() comes from people only.
     connect(combo, qOverload<int>(&QComboBox::activated), this,
@@ -95,6 +96,7 @@ void TermTable::show(const SceneNeeds& needs, const ModelChoices& choices) {
         showNeed(row, need == needs.terms.end() ? TermNeed{.why = {}} : *need);
         showChoice(row, choices);
     }
+    resizeColumnToContents(Choice);
     fitHeight();
 }
 

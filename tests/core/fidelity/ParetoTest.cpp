@@ -18,15 +18,20 @@ TEST(Pareto, OfEqualsTheFirstIsOnTheFront) {
     EXPECT_EQ(paretoFront(Choices{{1.0, 1.0}, {1.0, 1.0}}, {}), (Front{true, false}));
 }
 
-TEST(Pareto, WhoIsHardlyNearerIsNot) {
-    EXPECT_EQ(paretoFront(Choices{{1.0, 1.0}, {2.0, 0.99}, {3.0, 0.985}, {4.0, 0.97}}, {}),
-              (Front{true, false, false, true}));
-}
-
 TEST(Pareto, AsCheapAsCanBeToldTheNearestIsOnTheFront) {
     const Choices choices{{1.00, 5.0}, {1.04, 2.0}, {1.2, 1.0}};
     EXPECT_EQ(paretoFront(choices, {.cost = 0.05}), (Front{false, true, true}));
     EXPECT_EQ(paretoFront(choices, {.cost = 0.01}), (Front{true, true, true}));
+}
+
+TEST(Pareto, NoNeighbourOnTheFrontIsAsCheapAndNearer) {
+    const Resolution tenth{.cost = 0.1};
+    EXPECT_EQ(paretoFront(Choices{{1.0, 5.0}, {1.08, 4.0}, {1.16, 3.0}, {1.5, 1.0}}, tenth),
+              (Front{true, false, true, true}));
+    EXPECT_EQ(paretoFront(Choices{{4.05, 1.09}, {4.30, 0.7}, {4.49, 0.66}}, tenth),
+              (Front{true, false, true}))
+        << "a tenth is 10.9 %";
+    EXPECT_EQ(paretoFront(Choices{{4.10, 1.09}, {4.49, 0.66}}, tenth), (Front{false, true}));
 }
 
 TEST(Pareto, ErrorsThatCannotBeToldAreAllTheSame) {
@@ -47,6 +52,11 @@ TEST(Pareto, OfTheEquallyCheapTheNearestIsNamed) {
     const Choices choices{{1.00, 4.0}, {1.04, 1.0}, {1.02, 9.0}};
     EXPECT_EQ(cheapestWithin(choices, 5.0, {.cost = 0.05}), 1U);
     EXPECT_EQ(cheapestWithin(choices, 5.0, {.cost = 0.01}), 0U);
+}
+
+TEST(Pareto, OfTheEquallyCheapAndNearTheCheapestIsNamed) {
+    const Choices choices{{2.71, 0.40}, {2.50, 0.14}, {2.60, 0.2}};
+    EXPECT_EQ(cheapestWithin(choices, 1.0, {.cost = 0.15, .error = 0.5}), 1U);
 }
 
 }  // namespace

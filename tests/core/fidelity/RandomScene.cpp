@@ -74,4 +74,16 @@ Scene randomScene(Random& random) {
     return buildScene(description, randomMap(random));
 }
 
+std::vector<RecordedRun> runsElsewhere(const Scene& scene) {
+    constexpr double kDuration = 0.12;  // [s]
+    const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
+    std::vector<RecordedRun> runs;
+    for (const Vector2& share : {Vector2(0.5, 0.45), Vector2(0.15, 0.8), Vector2(0.85, 0.6)}) {
+        const Vector2 place = share.cwiseProduct(size);
+        runs.push_back(recordRun(
+            scene, approachPath(scene, {.duration = kDuration, .place = place}), kDuration));
+    }
+    return runs;
+}
+
 }  // namespace asperity::test

@@ -67,6 +67,12 @@ TEST(TermChecks, ALawAndItsTermsAreNotBothSaid) {
               "them");
     scene.terms = {.friction = false};
     EXPECT_EQ(refusalOf(scene), "");
+    scene.terms = {.curvature = true};
+    EXPECT_EQ(refusalOf(scene), "");
+    scene.law = ContactLaw::SphereMaugis;
+    EXPECT_EQ(refusalOf(scene),
+              "[fidelity]: curvature cannot be on: [physics] law is md_sphere, which takes the "
+              "sample as flat");
 }
 
 TEST(TermChecks, ASceneIsHeldToThem) {
