@@ -15,7 +15,9 @@ public:
     virtual HandState advance(double timeStep) noexcept = 0;
 
     /// The force that the hand shall feel, lab frame [N]. Loop thread only. Devices that only
-    /// sense have nothing to do with it.
+    /// sense have nothing to do with it. A device with motors says so in HandState::maxForce, else
+    /// no governor guards its hand; and it lets go by itself when it is not told a force for a
+    /// while, for a program that crashed tells it none.
     virtual void setForce(const Vector3& force) noexcept;
 };
 

@@ -30,6 +30,7 @@ void HapticLoop::start() {
     if (!thread_) {
         thisSecond_ = {};
         sinceStart_ = {};
+        ++latest_.sample.input.starts;
         thread_.emplace(scene_.description.tickRate, [this](const Beat& now) { beat(now); });
     }
 }

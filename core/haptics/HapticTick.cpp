@@ -121,6 +121,22 @@ bool allFinite(const TickOutput& out) {
            out.estimate.kind != DecouplingCase::InvalidInput;
 }
 
+Fault faultOf(const TickInput& input, const TickOutput& out) {
+    if (!allFinite(out)) {
+        return Fault::NotFinite;
+    }
+    return input.hand.connected ? Fault::None : Fault::DeviceLost;
+}
+
+/// Where there is no equilibrium the last force of the search means nothing.
+ForceRequest requestOf(const TickInput& input, const TickOutput& out, const CouplingStep& coupling,
+                       Fault fault) {
+    const bool means = out.model.converged && !out.model.locked;
+    return {.force = means ? out.handForce : Vector3(Vector3::Zero()),
+            .mismatch = input.settings.coupling.stiffness * coupling.stretch.norm(),
+            .fault = fault};
+}
+
 /// Whether a base that goes ahead by `compensation` has the tip where it was commanded: not where
 /// lever, sample and friction have no stable state there.
 bool holdsTip(const Scene& scene, const BaseMotion& tip, const Vector3& compensation,
@@ -189,18 +205,18 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     memory.hand = input.hand.position;
     memory.proxy = proxyAfter(input, command.coupling, out.model, memory.model, memory.correction);
     memory.started = true;
-    if (!allFinite(out)) {
+    const Fault found = faultOf(input, out);
+    if (found == Fault::NotFinite) {
         memory = before;  // nothing non-finite may live on into the next tick
-        memory.fault = Fault::NotFinite;
-    } else if (!input.hand.connected) {
-        memory.fault = Fault::DeviceLost;
     }
-    out.fault = memory.fault;
-    // Where there is no equilibrium the last force of the search means nothing.
-    const bool meaningless = !out.model.converged || out.model.locked;
-    if (out.fault != Fault::None || !input.settings.forcesOn || meaningless) {
-        out.handForce.setZero();
-    }
+    const ForceRequest request =
+        requestOf(input, out, command.coupling, memory.fault != Fault::None ? memory.fault : found);
+    const GovernedForce governed = governForce(input, request, memory.governor);
+    memory.governor = governed.memory;
+    memory.fault = governed.fault;
+    out.handForce = governed.force;
+    out.forceState = governed.state;
+    out.fault = governed.fault;
     return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/Vector.h"
 #include "core/haptics/Proxy.h"
+#include "core/haptics/governor/ForceGovernor.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/Scene.h"
 #include "core/scene/TickInput.h"
@@ -18,6 +19,7 @@ struct TickMemory {
     Vector3 correction = Vector3::Zero();             ///< slow part of estimate minus model [N]
     Vector3 hand = Vector3::Zero();                   ///< its position in the last tick [m]
     ProxyMemory proxy;
+    GovernorMemory governor;
     bool started = false;       ///< false: `base` and `hand` hold nothing yet
     Fault fault = Fault::None;  ///< latched
     std::uint32_t rearms = 0;   ///< as the last tick's settings had them

@@ -1,6 +1,7 @@
 #include "core/io/SceneFile.h"
 
 #include "core/Error.h"
+#include "core/io/GovernorKeys.h"
 #include "core/io/NamedChoice.h"
 #include "core/io/ProbeFile.h"
 #include "core/io/TomlFile.h"
@@ -207,6 +208,7 @@ void readHaptics(TomlSection section, SceneDescription& scene) {
     coupling.stiffness = section.number("coupling_stiffness_n_m", coupling.stiffness);
     coupling.damping = section.number("coupling_damping_n_s_m", coupling.damping);
     coupling.proxyDamping = section.number("proxy_damping_n_s_m", coupling.proxyDamping);
+    scene.governor = readGovernorKeys(section, scene.governor);
     section.refuseUnknownKeys();
 }
 
@@ -302,6 +304,19 @@ toml::table fidelityTable(const SceneDescription& scene) {
     return table;
 }
 
+toml::table hapticsTable(const SceneDescription& scene) {
+    toml::table table = governorTable(scene.governor);
+    table.insert("rate_hz", scene.tickRate);
+    table.insert("position_gain", scene.positionGain);
+    table.insert("force_gain", scene.forceGain);
+    table.insert("correction_hz", scene.correctionBandwidth);
+    table.insert("position_control", nameOf(kPositionControls, scene.positionControl));
+    table.insert("coupling_stiffness_n_m", scene.coupling.stiffness);
+    table.insert("coupling_damping_n_s_m", scene.coupling.damping);
+    table.insert("proxy_damping_n_s_m", scene.coupling.proxyDamping);
+    return table;
+}
+
 toml::table truthTable(const TruthDescription& truth) {
     toml::table table = materialTable(truth.material);
     table.insert("stiffness_n_m", truth.stiffness);
@@ -355,15 +370,7 @@ std::string sceneText(const SceneDescription& scene) {
                                 {"meniscus_angle_rad", scene.meniscus.contactAngle},
                                 {"meniscus_range_m", scene.meniscus.range}}},
         {"fidelity", fidelityTable(scene)},
-        {"haptics",
-         toml::table{{"rate_hz", scene.tickRate},
-                     {"position_gain", scene.positionGain},
-                     {"force_gain", scene.forceGain},
-                     {"correction_hz", scene.correctionBandwidth},
-                     {"position_control", nameOf(kPositionControls, scene.positionControl)},
-                     {"coupling_stiffness_n_m", scene.coupling.stiffness},
-                     {"coupling_damping_n_s_m", scene.coupling.damping},
-                     {"proxy_damping_n_s_m", scene.coupling.proxyDamping}}},
+        {"haptics", hapticsTable(scene)},
         {"view", toml::table{{"zoom_half_width_m", scene.zoomHalfWidth}}}};
     std::ostringstream text;
     text << table << '\n';

@@ -25,6 +25,19 @@ Vector3 standardDeviation(const Matrix3& covariance) {
     return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
+/// What the force governor goes by.
+void addGoverned(CsvWriter& csv, const TickInput& input) {
+    const GovernorLimits& limits = input.settings.governor;
+    csv.add(input.hand.maxForce)
+        .add(input.hand.streams ? 1.0 : 0.0)
+        .add(input.hand.age)
+        .add(static_cast<double>(input.starts))
+        .add(limits.maxForce)
+        .add(limits.engageTime)
+        .add(limits.maxHandSpeed)
+        .add(static_cast<double>(limits.deadManButton));
+}
+
 /// A cell that must be finite.
 double finite(const CsvTable& table, std::size_t row, const std::string& column,
               const std::filesystem::path& path) {
@@ -34,6 +47,28 @@ double finite(const CsvTable& table, std::size_t row, const std::string& column,
                          column + " must be a finite number");
     }
     return value;
+}
+
+/// Recordings from before there was a governor say nothing of it.
+void readGoverned(const CsvTable& table, std::size_t row, const std::filesystem::path& path,
+                  TickInput& input) {
+    if (!table.has("hand_max_force_n")) {
+        return;
+    }
+    const auto cell = [&](const char* column) { return finite(table, row, column, path); };
+    input.hand.maxForce = cell("hand_max_force_n");
+    input.hand.streams = cell("hand_streams") != 0.0;
+    input.hand.age = cell("hand_age_s");
+    input.starts = static_cast<std::uint32_t>(cell("starts"));
+    const double button = cell("dead_man_button");
+    if (!(button >= GovernorLimits::kNoButton && button <= GovernorLimits::kLastButton)) {
+        throw InputError(path.string(), "line " + std::to_string(table.line(row)),
+                         "dead_man_button must lie between -1 and 31");
+    }
+    input.settings.governor = {.maxForce = cell("max_force_n"),
+                               .engageTime = cell("engage_s"),
+                               .maxHandSpeed = cell("max_hand_speed_m_s"),
+                               .deadManButton = static_cast<int>(button)};
 }
 
 }  // namespace
@@ -66,10 +101,33 @@ void ForceLogWriter::take(const TickSample& sample) {
 
 TickInputWriter::TickInputWriter(const std::filesystem::path& path)
     : csv_(path, comments("all that the run depended on besides scene.toml, one row a tick"),
-           {"time_s", "time_step_s", "hand_x_m", "hand_y_m", "hand_z_m", "buttons", "connected",
-            "alpha_rad", "theta_rad", "age_s", "position_gain", "force_gain", "correction_hz",
-            "tip_control", "coupling_stiffness_n_m", "coupling_damping_n_s_m",
-            "proxy_damping_n_s_m", "forces_on", "rearms"}) {}
+           {"time_s",
+            "time_step_s",
+            "hand_x_m",
+            "hand_y_m",
+            "hand_z_m",
+            "buttons",
+            "connected",
+            "alpha_rad",
+            "theta_rad",
+            "age_s",
+            "position_gain",
+            "force_gain",
+            "correction_hz",
+            "tip_control",
+            "coupling_stiffness_n_m",
+            "coupling_damping_n_s_m",
+            "proxy_damping_n_s_m",
+            "forces_on",
+            "rearms",
+            "hand_max_force_n",
+            "hand_streams",
+            "hand_age_s",
+            "starts",
+            "max_force_n",
+            "engage_s",
+            "max_hand_speed_m_s",
+            "dead_man_button"}) {}
 
 void TickInputWriter::take(const TickSample& sample) {
     const TickInput& input = sample.input;
@@ -88,8 +146,9 @@ void TickInputWriter::take(const TickSample& sample) {
         .add(input.settings.coupling.damping)
         .add(input.settings.coupling.proxyDamping)
         .add(input.settings.forcesOn ? 1.0 : 0.0)
-        .add(static_cast<double>(input.settings.rearms))
-        .endRow();
+        .add(static_cast<double>(input.settings.rearms));
+    addGoverned(csv_, input);
+    csv_.endRow();
 }
 
 std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
@@ -122,6 +181,7 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
                                        .proxyDamping = added("proxy_damping_n_s_m")},
                           .forcesOn = cell("forces_on") != 0.0,
                           .rearms = static_cast<std::uint32_t>(cell("rearms"))};
+        readGoverned(table, row, path, input);
     }
     return samples;
 }

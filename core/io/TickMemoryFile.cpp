@@ -48,6 +48,12 @@ void visit(Memory& memory, const Visitor& number) {
     number("proxy_coupling_damping_n_s_m", memory.proxy.gains.damping);
     number("proxy_damping_n_s_m", memory.proxy.gains.proxyDamping);
     number("proxy_force_gain", memory.proxy.forceGain);
+    number("governor_share", memory.governor.share);
+    number("governor_starts", memory.governor.starts);
+    vector("governor_from", memory.governor.speed.from, "m");
+    number("governor_time_s", memory.governor.speed.time);
+    number("governor_started", memory.governor.speed.started);
+    number("governor_speed_m_s", memory.governor.speed.speed);
     number("started", memory.started);
     number("fault", memory.fault);
     number("rearms", memory.rearms);
@@ -66,7 +72,7 @@ bool isValue(ContactBranch, double number) {
     return isUpTo(static_cast<double>(ContactBranch::Bonded), number);
 }
 bool isValue(Fault, double number) {
-    return isUpTo(static_cast<double>(Fault::DeviceLost), number);
+    return isUpTo(static_cast<double>(Fault::VelocityTrip), number);
 }
 bool isValue(std::uint32_t, double number) {
     return isUpTo(std::numeric_limits<std::uint32_t>::max(), number);
@@ -94,8 +100,9 @@ TickMemory readTickMemory(const std::filesystem::path& path) {
     }
     TickMemory memory;
     visit(memory, [&](const std::string& name, auto& value) {
-        if (name.starts_with("proxy_") && !table.has(name)) {
-            return;  // from before there was a proxy
+        const bool isLater = name.starts_with("proxy_") || name.starts_with("governor_");
+        if (isLater && !table.has(name)) {
+            return;  // from before there was a proxy or a governor
         }
         const double number = table.number(0, name);
         if (!isValue(value, number)) {

@@ -119,6 +119,7 @@ Scene assemble(const SceneDescription& description, Ground ground) {
                          .correctionBandwidth = description.correctionBandwidth,
                          .positionControl = description.positionControl,
                          .coupling = description.coupling,
+                         .governor = description.governor,
                          .forcesOn = true}};
 }
 

@@ -65,6 +65,15 @@ void check(const CouplingGains& coupling) {
             "[haptics]: a coupling needs proxy_damping_n_s_m above 0: its proxy has no mass");
 }
 
+void check(const GovernorLimits& governor) {
+    require(isWithin(governor.maxForce, 1e-3, 50.0),
+            "[haptics]: max_force_n must lie between 1e-3 and 50");
+    require(isWithin(governor.engageTime, 0.5, 2.0),
+            "[haptics]: engage_s must lie between 0.5 and 2");
+    require(isWithin(governor.maxHandSpeed, 0.01, 10.0),
+            "[haptics]: max_hand_speed_m_s must lie between 0.01 and 10");
+}
+
 void check(const SampleDescription& sample) {
     require(sample.imagingTipRadius == 0.0 || isWithin(sample.imagingTipRadius, 1e-12, 1.0),
             "[sample]: imaging_tip_radius_m must be 0 (not known) or lie between 1e-12 and 1");
@@ -177,6 +186,7 @@ void checkScene(const SceneDescription& scene) {
     require(scene.correctionBandwidth >= 0.0 && std::isfinite(scene.correctionBandwidth),
             "[haptics]: correction_hz must be zero or a positive number");
     check(scene.coupling);
+    check(scene.governor);
     require(scene.zoomHalfWidth >= 0.0 && std::isfinite(scene.zoomHalfWidth),
             "[view]: zoom_half_width_m must be zero or a positive number of metres");
 }

@@ -104,6 +104,7 @@ struct SceneDescription {
     PositionControl positionControl = PositionControl::Base;
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
     CouplingGains coupling;
+    GovernorLimits governor;
     double zoomHalfWidth = 0.0;  ///< of the zoomed view [m]; 0: chosen from the contact
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/CouplingGains.h"
+#include "core/scene/GovernorLimits.h"
 
 #include <cstdint>
 
@@ -19,6 +20,7 @@ struct Settings {
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
     PositionControl positionControl = PositionControl::Base;
     CouplingGains coupling;    ///< of the hand and what it commands
+    GovernorLimits governor;   ///< of the force, where the hand renders it
     bool forcesOn = true;      ///< false: the hand feels nothing
     std::uint32_t rearms = 0;  ///< how often a person has taken back a fault
 };

@@ -13,6 +13,12 @@ struct HandState {
     Vector3 position = Vector3::Zero();  ///< [m]
     std::uint32_t buttons = 0;           ///< bit i: button i is down
     bool connected = true;               ///< false: the device is lost, the position its last
+    double maxForce = 0.0;               ///< that its motors render [N]; 0: it only senses
+    bool streams = false;  ///< it reports all the time: that it falls silent is a fault
+    double age = 0.0;      ///< of its newest report [s]
+
+    /// Whether the force governor stands between tick and hand.
+    [[nodiscard]] bool rendersForce() const noexcept { return maxForce > 0.0; }
 };
 
 /// All that one tick depends on besides the scene and its memory: what a recording holds.
@@ -20,7 +26,8 @@ struct TickInput {
     HandState hand;
     AfmMeasurement measurement;
     Settings settings;
-    double timeStep = 1e-3;  ///< [s]
+    double timeStep = 1e-3;    ///< [s]
+    std::uint32_t starts = 0;  ///< of the loop: after each the force comes on anew
 };
 
 }  // namespace asperity

@@ -10,6 +10,10 @@ const char* faultName(Fault fault) noexcept {
         return "not_finite";
     case Fault::DeviceLost:
         return "device_lost";
+    case Fault::DeviceSilent:
+        return "device_silent";
+    case Fault::VelocityTrip:
+        return "velocity_trip";
     }
     return "unknown";
 }

@@ -13,8 +13,22 @@ namespace asperity {
 /// it back.
 enum class Fault : std::uint8_t {
     None,
-    NotFinite,   ///< a value of the input or of the result was NaN or infinite
-    DeviceLost,  ///< the hand's device was unplugged
+    NotFinite,     ///< a value of the input or of the result was NaN or infinite
+    DeviceLost,    ///< the hand's device was unplugged
+    DeviceSilent,  ///< a device that streams sent no report any more
+    VelocityTrip,  ///< the hand moved faster than a hand does while the force acted
+};
+
+/// What becomes of the force on its way to the hand. A hand that only senses knows On, Off, Fault.
+enum class ForceState : std::uint8_t {
+    Off,       ///< a person switched it off
+    Released,  ///< the dead-man switch is not held
+    Waiting,   ///< until it may come on: little force, and the proxy near the hand
+    Engaging,  ///< comes on
+    On,
+    Limited,  ///< on, and more is wanted than device and scene allow
+    Fading,   ///< the device has been silent for a moment
+    Fault,    ///< off, see TickOutput::fault
 };
 
 /// What one tick makes; lab frame.
@@ -26,6 +40,7 @@ struct TickOutput {
     Vector3 handForce = Vector3::Zero();  ///< for the device [N]
     ValidityFlags flags;
     Fault fault = Fault::None;
+    ForceState forceState = ForceState::On;
 
     [[nodiscard]] TipRegion region() const noexcept { return model.contact.region(); }
 };

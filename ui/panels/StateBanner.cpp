@@ -32,6 +32,8 @@ QString regionWords(TipRegion region) {
     return {};
 }
 
+bool actsFully(ForceState state) { return state == ForceState::On || state == ForceState::Limited; }
+
 }  // namespace
 
 QString validityWords(Validity flag) {
@@ -86,6 +88,31 @@ QString faultWords(Fault fault) {
         return QStringLiteral("a value was not a number: forces are off");
     case Fault::DeviceLost:
         return QStringLiteral("the hand's device is not there: forces are off");
+    case Fault::DeviceSilent:
+        return QStringLiteral("the hand's device sends nothing any more: forces are off");
+    case Fault::VelocityTrip:
+        return QStringLiteral("the hand was too fast: forces are off");
+    }
+    return {};
+}
+
+QString forceWords(ForceState state) {
+    switch (state) {
+    case ForceState::Off:
+        return QStringLiteral("forces off (Esc)");
+    case ForceState::Released:
+        return QStringLiteral("forces off: hold the dead-man switch");
+    case ForceState::Waiting:
+        return QStringLiteral("forces wait until the tip feels little");
+    case ForceState::Engaging:
+        return QStringLiteral("forces come on");
+    case ForceState::Limited:
+        return QStringLiteral("force at its limit");
+    case ForceState::Fading:
+        return QStringLiteral("forces fade: the hand's device is silent");
+    case ForceState::On:
+    case ForceState::Fault:
+        return {};
     }
     return {};
 }
@@ -170,8 +197,8 @@ QString StateBanner::stateWords() const {
     if (paused_) {
         words << QStringLiteral("paused");
     }
-    if (!latest_.sample.input.settings.forcesOn) {
-        words << QStringLiteral("forces off (Esc)");
+    if (const QString force = forceWords(output.forceState); !force.isEmpty()) {
+        words << force;
     }
     words << regionWords(output.region());
     if (!halfSpace_.isEmpty()) {
@@ -188,7 +215,7 @@ QRgb StateBanner::stateColour() const {
     if (paused_ || !hasRun_) {
         return theme::kMuted;
     }
-    if (!latest_.sample.input.settings.forcesOn) {
+    if (!actsFully(output.forceState)) {
         return theme::kCaution;
     }
     switch (output.region()) {

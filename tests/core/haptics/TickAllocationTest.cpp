@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <set>
 
 namespace asperity {
 namespace {
@@ -67,6 +68,30 @@ TEST(TickAllocation, NorDoesACoupling) {
     SceneDescription description = test::plainScene();
     description.coupling = {.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
     expectNoAllocation(buildScene(description, test::hillyMap()));
+}
+
+TEST(TickAllocation, NorDoesAGovernorWhateverBecomesOfTheForce) {
+    SceneDescription description = test::plainScene();
+    description.coupling = {.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
+    description.governor.deadManButton = 0;
+    const Scene scene = buildScene(description, test::flatMap());
+    TickMemory memory;
+    TickInput input;
+    input.settings = scene.settings;
+    std::set<ForceState> states;
+    for (int i = 0; i <= 3000; ++i) {
+        input.hand = {.position = {64.0_nm, 64.0_nm, i < 1500 ? 5.0_nm : -2.0_nm},
+                      .buttons = i > 10 ? 1U : 0U,
+                      .maxForce = i < 2000 ? 5.0 : 1e-12,
+                      .streams = true,
+                      .age = i < 2500 ? 0.0 : (i - 2500) * 1e-3};
+        input.settings.forcesOn = i > 5;
+        const std::size_t before = test::allocationCount();
+        const TickOutput output = tick(scene, input, memory);
+        ASSERT_EQ(test::allocationCount(), before) << "tick " << i;
+        states.insert(output.forceState);
+    }
+    EXPECT_EQ(states.size(), 7U) << "all but Waiting";
 }
 
 TEST(TickAllocation, NorDoSeveralFeet) {

@@ -144,6 +144,8 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.terms.torsion = true;
     scene.tolerance = 0.125;
     scene.coupling = {.stiffness = 1e3 / 3.0, .damping = 2.5, .proxyDamping = 3.0};
+    scene.governor = {
+        .maxForce = 10.0 / 3.0, .engageTime = 0.7, .maxHandSpeed = 1.1, .deadManButton = 3};
     const std::string text = sceneText(scene);
     const SceneDescription again = readScene(write("again.toml", text));
     EXPECT_EQ(sceneText(again), text);
@@ -165,6 +167,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_FALSE(again.terms.friction) << "left to the program";
     EXPECT_EQ(again.tolerance, scene.tolerance);
     EXPECT_EQ(again.coupling, scene.coupling);
+    EXPECT_EQ(again.governor, scene.governor);
 }
 
 TEST_F(SceneFile, RefusesAnUnknownKeyByNameAndLine) {
@@ -203,6 +206,12 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
          "coupling_stiffness_n_m"},
         {std::string(sample) + "[haptics]\ncoupling_stiffness_n_m = 300\n",
          "proxy_damping_n_s_m above 0"},
+        {std::string(sample) + "[haptics]\nmax_force_n = 0\n", "max_force_n"},
+        {std::string(sample) + "[haptics]\nengage_s = 0.49\n", "engage_s"},
+        {std::string(sample) + "[haptics]\nengage_s = 2.01\n", "engage_s"},
+        {std::string(sample) + "[haptics]\nmax_hand_speed_m_s = nan\n", "max_hand_speed_m_s"},
+        {std::string(sample) + "[haptics]\ndead_man_button = 32\n", "0 to 31, or -1"},
+        {std::string(sample) + "[haptics]\ndead_man_button = 0.5\n", "0 to 31, or -1"},
         {"[sample\nfile = 1", "line 1"},
     };
     for (const auto& [text, expected] : mistakes) {

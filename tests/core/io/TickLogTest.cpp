@@ -18,13 +18,22 @@ TickSample sampleOf(double time) {
     TickSample sample;
     sample.time = time;
     sample.input.timeStep = 1.0 / 3.0e3;
-    sample.input.hand = {.position = {1.0 / 3.0, -2e-9 / 7.0, 5e-324}, .buttons = 5};
+    sample.input.hand = {.position = {1.0 / 3.0, -2e-9 / 7.0, 5e-324},
+                         .buttons = 5,
+                         .maxForce = 8.5 / 3.0,
+                         .streams = true,
+                         .age = 1e-3 / 3.0};
+    sample.input.starts = 2;
     sample.input.measurement = {{0.1 + 0.2, -1e-300}, 0.02};
     sample.input.settings = {
         .positionGain = 1e-6 / 3.0,
         .forceGain = 1e8 / 7.0,
         .correctionBandwidth = 20.0,
         .coupling = {.stiffness = 1e3 / 3.0, .damping = 0.1 + 0.2, .proxyDamping = 3.0},
+        .governor = {.maxForce = 1.0 / 3.0,
+                     .engageTime = 0.7,
+                     .maxHandSpeed = 1.1,
+                     .deadManButton = 31},
         .forcesOn = false};
     sample.output.model.contact = {.force = -3e-9, .indentation = 1e-9, .contactRadius = 2e-9};
     sample.output.model.contact.branch = ContactBranch::Bonded;
@@ -54,6 +63,36 @@ TEST(TickLog, InputsReadBackToTheSameBits) {
     EXPECT_EQ(bits(read[0].input.settings.forceGain), bits(written.input.settings.forceGain));
     EXPECT_EQ(read[0].input.settings.coupling, written.input.settings.coupling);
     EXPECT_FALSE(read[0].input.settings.forcesOn);
+    EXPECT_EQ(bits(read[0].input.hand.maxForce), bits(written.input.hand.maxForce));
+    EXPECT_TRUE(read[0].input.hand.streams);
+    EXPECT_EQ(bits(read[0].input.hand.age), bits(written.input.hand.age));
+    EXPECT_EQ(read[0].input.starts, 2U);
+    EXPECT_EQ(read[0].input.settings.governor, written.input.settings.governor);
+}
+
+TEST(TickLog, ReadsInputsFromBeforeThereWasAGovernor) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    std::ofstream(path) << "time_s,time_step_s,hand_x_m,hand_y_m,hand_z_m,buttons,connected,"
+                           "alpha_rad,theta_rad,age_s,position_gain,force_gain,correction_hz,"
+                           "tip_control,forces_on,rearms\n"
+                           "0,0.001,1,2,3,0,1,0,0,0,1,1,20,0,1,0\n";
+    const TickInput input = readTickInputs(path).at(0).input;
+    EXPECT_FALSE(input.hand.rendersForce());
+    EXPECT_EQ(input.settings.governor, GovernorLimits{});
+}
+
+TEST(TickLog, RefusesADeadManSwitchThatIsNoButton) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    for (const int button : {-2, 32}) {
+        TickSample sample = sampleOf(0.0);
+        sample.input.settings.governor.deadManButton = button;
+        TickInputWriter writer(path);
+        writer.take(sample);
+        writer.close();
+        EXPECT_THROW((void)readTickInputs(path), InputError) << button;
+    }
 }
 
 TEST(TickLog, ForceLogSaysGapStateAndFlagsInWords) {

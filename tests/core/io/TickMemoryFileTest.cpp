@@ -30,6 +30,10 @@ TickMemory someMemory() {
                     .friction = 1e-9 / 3.0,
                     .gains = {.stiffness = 400.0 / 3.0, .damping = 0.1, .proxyDamping = 0.3},
                     .forceGain = 1e8 / 3.0};
+    memory.governor = {
+        .share = 1.0 / 3.0,
+        .starts = 5,
+        .speed = {.from = {0.1 / 3.0, 0.2, -0.3}, .time = 1e-3, .started = true, .speed = 0.7}};
     memory.started = true;
     memory.fault = Fault::DeviceLost;
     memory.rearms = 4;
@@ -63,6 +67,12 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.proxy.friction, written.proxy.friction);
     EXPECT_EQ(read.proxy.gains, written.proxy.gains);
     EXPECT_EQ(read.proxy.forceGain, written.proxy.forceGain);
+    EXPECT_EQ(read.governor.share, written.governor.share);
+    EXPECT_EQ(read.governor.starts, written.governor.starts);
+    EXPECT_EQ(read.governor.speed.from, written.governor.speed.from);
+    EXPECT_EQ(read.governor.speed.time, written.governor.speed.time);
+    EXPECT_EQ(read.governor.speed.started, written.governor.speed.started);
+    EXPECT_EQ(read.governor.speed.speed, written.governor.speed.speed);
     EXPECT_EQ(read.started, written.started);
     EXPECT_EQ(read.fault, written.fault);
     EXPECT_EQ(read.rearms, written.rearms);

@@ -52,13 +52,29 @@ TEST(StateBanner, SaysWhereTheTipIs) {
 TEST(StateBanner, SaysThatTheRunIsPausedOrTheForcesAreOff) {
     StateBanner banner;
     TickSample sample = bonded(3e-9);
-    sample.input.settings.forcesOn = false;
+    sample.output.forceState = ForceState::Off;
     banner.show(test::snapshotOf(sample));
     EXPECT_EQ(stateOf(banner), QStringLiteral("forces off (Esc) · in contact"));
     banner.setPaused(true);
     EXPECT_EQ(stateOf(banner), QStringLiteral("paused · forces off (Esc) · in contact"));
     banner.setPaused(false);
     EXPECT_EQ(stateOf(banner), QStringLiteral("forces off (Esc) · in contact"));
+}
+
+TEST(StateBanner, SaysWhatBecomesOfTheForce) {
+    StateBanner banner;
+    std::set<QString> said;
+    TickSample sample = far();
+    for (const ForceState state :
+         {ForceState::On, ForceState::Off, ForceState::Released, ForceState::Waiting,
+          ForceState::Engaging, ForceState::Limited, ForceState::Fading}) {
+        sample.output.forceState = state;
+        banner.show(test::snapshotOf(sample));
+        said.insert(stateOf(banner));
+        EXPECT_TRUE(stateOf(banner).endsWith(QStringLiteral("far")));
+        EXPECT_TRUE(rearmButton(banner).isHidden());
+    }
+    EXPECT_EQ(said.size(), 7U) << "each in words of its own";
 }
 
 TEST(StateBanner, AFaultStandsAboveAllAndCanBeTakenBack) {
@@ -86,7 +102,7 @@ TEST(StateBanner, EachStateHasAColourOfItsOwn) {
     StateBanner banner;
     banner.resize(800, banner.height());
     TickSample off = far();
-    off.input.settings.forcesOn = false;
+    off.output.forceState = ForceState::Off;
     TickSample fault = far();
     fault.output.fault = Fault::NotFinite;
     std::set<QRgb> colours;
@@ -187,7 +203,12 @@ TEST(StateBanner, EveryFlagAndFaultHasWords) {
     EXPECT_EQ(words.count(QString()), 0U);
     EXPECT_TRUE(faultWords(Fault::None).isEmpty());
     EXPECT_FALSE(faultWords(Fault::NotFinite).isEmpty());
-    EXPECT_NE(faultWords(Fault::NotFinite), faultWords(Fault::DeviceLost));
+    std::set<QString> said;
+    for (const Fault fault :
+         {Fault::NotFinite, Fault::DeviceLost, Fault::DeviceSilent, Fault::VelocityTrip}) {
+        said.insert(faultWords(fault));
+    }
+    EXPECT_EQ(said.size(), 4U);
 }
 
 }  // namespace

@@ -1,0 +1,139 @@
+#include "core/haptics/governor/ForceGovernor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+/// After a stall one tick may stand for many; the force comes on by no more than this at once.
+constexpr double kLongestStep = 10e-3;  // [s]
+
+bool isFinite(const TickInput& input, const ForceRequest& request) {
+    const GovernorLimits& limits = input.settings.governor;
+    return request.force.allFinite() && std::isfinite(request.mismatch) &&
+           input.hand.position.allFinite() && std::isfinite(input.hand.maxForce) &&
+           std::isfinite(input.hand.age) && std::isfinite(limits.maxForce) &&
+           std::isfinite(limits.engageTime) && std::isfinite(limits.maxHandSpeed);
+}
+
+/// The most that device and scene allow [N].
+double largestForce(const TickInput& input) {
+    return std::min(input.hand.maxForce, input.settings.governor.maxForce);
+}
+
+Vector3 saturated(const Vector3& force, double size, double largest) {
+    return size > largest ? Vector3((largest / size) * force) : force;
+}
+
+bool holdsDeadMan(const TickInput& input) {
+    const int button = input.settings.governor.deadManButton;
+    return button == GovernorLimits::kNoButton ||
+           ((input.hand.buttons >> static_cast<unsigned>(button)) & 1U) != 0U;
+}
+
+/// Share of the force that the silence of the device leaves: 1 while it reports.
+double shareInSilence(const HandState& hand) {
+    if (!hand.streams) {
+        return 1.0;
+    }
+    return std::clamp((kSilenceEnd - hand.age) / (kSilenceEnd - kSilenceAllowed), 0.0, 1.0);
+}
+
+/// The fault of the request, which came first, or one that shows in the hand.
+Fault faultOf(const TickInput& input, const ForceRequest& request, const GovernorMemory& memory) {
+    if (request.fault != Fault::None) {
+        return request.fault;
+    }
+    if (shareInSilence(input.hand) == 0.0) {
+        return Fault::DeviceSilent;
+    }
+    const bool acts = memory.share > 0.0;
+    return acts && memory.speed.speed > input.settings.governor.maxHandSpeed ? Fault::VelocityTrip
+                                                                             : Fault::None;
+}
+
+bool mayComeOn(const TickInput& input, const ForceRequest& request, double speed) {
+    const double small = kSmallShare * largestForce(input);
+    return request.force.stableNorm() <= small && request.mismatch <= small &&
+           speed <= input.settings.governor.maxHandSpeed;
+}
+
+/// Share of the wanted force in this tick, given that nothing forbids it.
+double nextShare(const TickInput& input, const ForceRequest& request,
+                 const GovernorMemory& memory) {
+    const double alive = shareInSilence(input.hand);
+    if (alive < 1.0) {
+        return std::min(memory.share, alive);
+    }
+    if (memory.share == 0.0 && !mayComeOn(input, request, memory.speed.speed)) {
+        return 0.0;
+    }
+    const double step = std::min(input.timeStep, kLongestStep);
+    return std::min(1.0, memory.share + step / input.settings.governor.engageTime);
+}
+
+/// Why no force acts at all, or On.
+ForceState permission(const TickInput& input, Fault fault) {
+    if (fault != Fault::None) {
+        return ForceState::Fault;
+    }
+    if (!input.settings.forcesOn) {
+        return ForceState::Off;
+    }
+    return holdsDeadMan(input) || !input.hand.rendersForce() ? ForceState::On
+                                                             : ForceState::Released;
+}
+
+ForceState stateOf(const TickInput& input, double share, bool limited) {
+    if (share == 0.0) {
+        return ForceState::Waiting;
+    }
+    if (shareInSilence(input.hand) < 1.0) {
+        return ForceState::Fading;
+    }
+    if (share < 1.0) {
+        return ForceState::Engaging;
+    }
+    return limited ? ForceState::Limited : ForceState::On;
+}
+
+/// For a hand that only senses: there is nothing to guard.
+GovernedForce passed(const TickInput& input, const ForceRequest& request) {
+    const ForceState state = permission(input, request.fault);
+    return {.force = state == ForceState::On ? request.force : Vector3(Vector3::Zero()),
+            .state = state,
+            .fault = request.fault};
+}
+
+}  // namespace
+
+GovernedForce governForce(const TickInput& input, const ForceRequest& request,
+                          const GovernorMemory& before) noexcept {
+    if (!isFinite(input, request)) {
+        const Fault first = request.fault != Fault::None ? request.fault : Fault::NotFinite;
+        return {.state = ForceState::Fault, .fault = first};
+    }
+    if (!input.hand.rendersForce()) {
+        return passed(input, request);
+    }
+    GovernorMemory memory =
+        before.starts == input.starts ? before : GovernorMemory{.starts = input.starts};
+    memory.speed = watchSpeed(memory.speed, input.hand.position, input.timeStep);
+    const Fault fault = faultOf(input, request, memory);
+    const ForceState allowed = permission(input, fault);
+    if (allowed != ForceState::On) {
+        memory.share = 0.0;
+        return {.state = allowed, .fault = fault, .memory = memory};
+    }
+    memory.share = nextShare(input, request, memory);
+    const double size = request.force.stableNorm();
+    const double largest = largestForce(input);
+    return {.force = memory.share * saturated(request.force, size, largest),
+            .state = stateOf(input, memory.share, size > largest),
+            .fault = fault,
+            .memory = memory};
+}
+
+}  // namespace asperity

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/Vector.h"
+#include "core/haptics/governor/SpeedWatch.h"
+#include "core/scene/TickInput.h"
+#include "core/scene/TickOutput.h"
+
+#include <cstdint>
+
+namespace asperity {
+
+/// A device may be silent for this long; then its force begins to fade [s].
+inline constexpr double kSilenceAllowed = 10e-3;
+/// Here it has faded, which is a fault: one period of the slowest tick before the 50 ms at which it
+/// must be gone [s].
+inline constexpr double kSilenceEnd = 40e-3;
+/// Share of the largest force up to which a force may come on.
+inline constexpr double kSmallShare = 0.1;
+
+/// What a tick wants the hand to feel; the hand's frame.
+struct ForceRequest {
+    Vector3 force = Vector3::Zero();  ///< [N]
+    double mismatch = 0.0;            ///< Kc |hand less proxy|, 0 without a coupling [N]
+    Fault fault = Fault::None;        ///< latched before, or found by this tick
+};
+
+/// What the governor hands from one tick to the next.
+struct GovernorMemory {
+    double share = 0.0;        ///< of the wanted force that acts, 0 to 1
+    std::uint32_t starts = 0;  ///< as the last tick had them
+    SpeedWatch speed;          ///< of the hand
+};
+
+struct GovernedForce {
+    Vector3 force = Vector3::Zero();  ///< for the device, the hand's frame [N]
+    ForceState state = ForceState::Off;
+    Fault fault = Fault::None;  ///< that of the request, or the first that the governor found
+    GovernorMemory memory;
+};
+
+/// The last step between the tick and a hand that renders force. In order: values that are not
+/// finite; saturation, which keeps the direction; the force comes on, linearly in engageTime, once
+/// it is small (kSmallShare), the proxy near the hand and the hand slow; dead-man switch; watchdog
+/// on the age of the device's newest report; velocity trip, while the force acts. A fault, a
+/// released switch, a start and forces off take the force away in the same tick, and it comes on
+/// anew afterwards. In normal running the wanted force passes unchanged: nothing is smoothed. A
+/// hand that only senses gets its force as wanted, or none. Source: docs/haptics.md, Governor.
+[[nodiscard]] GovernedForce governForce(const TickInput& input, const ForceRequest& request,
+                                        const GovernorMemory& before) noexcept;
+
+}  // namespace asperity

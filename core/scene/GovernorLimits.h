@@ -1,0 +1,18 @@
+#pragma once
+
+namespace asperity {
+
+/// What the force governor holds a rendered force to. Source: docs/haptics.md.
+struct GovernorLimits {
+    static constexpr int kNoButton = -1;
+    static constexpr int kLastButton = 31;
+
+    double maxForce = 3.0;          ///< the most that the hand shall feel [N]
+    double engageTime = 1.0;        ///< in which the force comes on [s], > 0
+    double maxHandSpeed = 1.5;      ///< above it the device runs away [m/s]
+    int deadManButton = kNoButton;  ///< bit of HandState::buttons that must be held
+
+    bool operator==(const GovernorLimits&) const = default;
+};
+
+}  // namespace asperity

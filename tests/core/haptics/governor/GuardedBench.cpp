@@ -1,0 +1,64 @@
+#include "tests/core/haptics/governor/GuardedBench.h"
+
+#include "core/Units.h"
+#include "tests/support/TestScenes.h"
+
+namespace asperity::test {
+
+namespace {
+
+constexpr double kHigh = 4e-3;   // [m]
+constexpr double kDeep = -5e-3;  // [m]
+
+/// The middle of the test map, in the hand's frame.
+Vector3 above(double height) { return {64e-3, 64e-3, height}; }
+
+Scene coupledScene() {
+    SceneDescription description = plainScene();
+    description.positionGain = 1.0_nm / 1e-3;
+    description.forceGain = 1.0 / 10.0_nN;
+    description.coupling = {.stiffness = 600.0, .damping = 2.9, .proxyDamping = 3.0};
+    return buildScene(description, flatMap());
+}
+
+}  // namespace
+
+GuardedBench::GuardedBench()
+    : scene_(coupledScene())
+    , bench_({.arm = kNormalGrip}, above(kHigh))
+    , afm_(scene_.touched(), scene_.truth) {
+    input.settings = scene_.settings;
+    input.timeStep = scene_.timeStep();
+}
+
+void GuardedBench::reachFor(double height) { bench_.reachFor(above(height)); }
+
+TickSample GuardedBench::step() {
+    time_ += input.timeStep;
+    input.hand = bench_.advance(input.timeStep);
+    input.hand.maxForce = kPhantomClass.maxForce;
+    input.hand.streams = true;
+    if (tamper) {
+        tamper(input.hand, time_);
+    }
+    input.measurement = afm_.exchange(commandBase(scene_, input, memory).base);
+    const TickOutput output = tick(scene_, input, memory);
+    bench_.setForce(output.handForce);
+    return {.time = time_, .input = input, .output = output};
+}
+
+std::vector<TickSample> GuardedBench::run(double duration) {
+    std::vector<TickSample> samples;
+    for (const double end = time_ + duration - 0.5 * input.timeStep; time_ < end;) {
+        samples.push_back(step());
+    }
+    return samples;
+}
+
+double GuardedBench::pressDown() {
+    run(1.2);
+    reachFor(kDeep);
+    return run(0.8).back().output.handForce.norm();
+}
+
+}  // namespace asperity::test

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/haptics/VirtualRun.h"
+#include "core/haptics/bench/VirtualBench.h"
+#include "core/probe/SimulatedAfm.h"
+
+#include <functional>
+#include <vector>
+
+namespace asperity::test {
+
+/// A person at a Phantom class device with motors, coupled to a tip over flat polystyrene, at 1
+/// kHz of virtual time: 1 mm of the hand is 1 nm, 1 N is 10 nN. What the device tells can be
+/// tampered with, to inject faults.
+class GuardedBench {
+public:
+    GuardedBench();
+
+    /// Where the person wants the handle from now on: height over the sample [m].
+    void reachFor(double height);
+    /// @return the ticks of this time [s], whose samples tell the time since the beginning
+    std::vector<TickSample> run(double duration);
+    /// Engages high over the sample, then goes down and presses. @return the force there [N]
+    double pressDown();
+
+    TickInput input;    ///< of the last tick; its settings are those of the next one
+    TickMemory memory;  ///< what the next tick starts from
+    std::function<void(HandState&, double time)> tamper;  ///< with what the device tells at a time
+    [[nodiscard]] double now() const noexcept { return time_; }
+    [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
+
+private:
+    TickSample step();
+
+    Scene scene_;
+    VirtualBench bench_;
+    SimulatedAfm afm_;
+    double time_ = 0.0;  ///< of the last tick [s]
+};
+
+}  // namespace asperity::test
