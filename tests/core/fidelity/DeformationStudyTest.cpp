@@ -51,5 +51,13 @@ TEST_F(DeformationStudy, NoHalfSpaceHoldsForRubber) {
     EXPECT_FALSE(result("silicone rubber", "scan", DeformationTier::HalfSpace).compared);
 }
 
+TEST_F(DeformationStudy, TakesItsOwnLawWhateverTheSceneSaysOfItsTerms) {
+    SceneDescription description = test::plainScene();
+    description.terms.adhesion = false;
+    const std::vector<DeformationResult> all =
+        studyDeformation(buildScene(description, test::flatMap()), {.rounds = 1, .samples = 9});
+    EXPECT_EQ(all.size(), 24U);
+}
+
 }  // namespace
 }  // namespace asperity
