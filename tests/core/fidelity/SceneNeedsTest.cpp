@@ -92,6 +92,20 @@ TEST(SceneNeeds, AThinFilmNeedsItsBaseAndAThickOneDoesNot) {
     EXPECT_EQ(film(10.0_um, 0.066), ContactLaw::Split);
 }
 
+TEST(SceneNeeds, SaysWhatKeepsATermOutThatMatters) {
+    SceneDescription description = test::plainScene();
+    description.sample.material.filmThickness = 3.0_nm;
+    Scene scene = buildScene(description, test::flatMap());
+    const SceneNeeds needs = fitModel(scene);
+    ASSERT_EQ(scene.model.law.law, ContactLaw::HertzFilm);
+    const TermNeed& adhesion = needOf(needs, ModelTerm::Adhesion);
+    EXPECT_FALSE(adhesion.on);
+    EXPECT_GT(adhesion.effect, needs.tolerance);
+    EXPECT_NE(adhesion.why.find("no contact law has it beside the film's base"), std::string::npos)
+        << adhesion.why;
+    EXPECT_EQ(needOf(needs, ModelTerm::Torsion).why.find("no contact law"), std::string::npos);
+}
+
 TEST(SceneNeeds, WhereATickTakesTooLongAllStaysIn) {
     Scene scene = buildScene(test::plainScene(), test::hillyMap());
     const SceneNeeds needs = fitModel(scene, 0.0);

@@ -96,6 +96,9 @@ TEST(TradeOffStudy, WideContactsAreHeldAgainstTheExactSphere) {
 TEST(TradeOffStudy, TheFinerWayToDrawIsNearerToTheReference) {
     const TradeOff all = study(stiffScene(), test::hillyMap());
     ASSERT_EQ(all.reference.frame.deformation, DeformationTier::HalfSpace);
+    EXPECT_GT(all.reference.halfSpaceForce, 0.0);
+    EXPECT_LT(all.reference.halfSpaceForce, 0.05 * all.reference.forceScale)
+        << "the half-space's own force is about the law's";
     const auto& four = result(all, DeformationTier::FourPoint, 97);
     const auto& radius = result(all, DeformationTier::ContactRadius, 97);
     const auto& closed = result(all, DeformationTier::ClosedForm, 97);

@@ -100,6 +100,20 @@ TEST(SceneModel, ATermThatIsTakenOutIsOutAndComesBack) {
     }
 }
 
+TEST(SceneModel, ASettledDescriptionSaysEveryTerm) {
+    const SceneDescription open = tiltedScene();
+    for (const ModelTerm term : kModelTerms) {
+        const SceneModel less = without(usualModel(open), term);
+        const SceneDescription said = settled(open, less);
+        const SceneModel again = usualModel(said);
+        for (const ModelTerm each : kModelTerms) {
+            EXPECT_TRUE(isSettled(each, said)) << nameOf(each);
+            EXPECT_EQ(has(again, each), has(less, each)) << nameOf(each);
+        }
+        EXPECT_NO_THROW(checkScene(said)) << nameOf(term);
+    }
+}
+
 TEST(SceneModel, AGivenLawSettlesItsTerms) {
     SceneDescription description = test::plainScene();
     EXPECT_FALSE(isSettled(ModelTerm::Adhesion, description));
