@@ -1,0 +1,80 @@
+#include "core/haptics/mapping/WorkspaceMapping.h"
+
+#include "core/haptics/SoftLimit.h"
+
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kRotationAccuracy = 1e-9;  // of unit length and right angles
+constexpr double kParallel = 1e-6;          // sine of the angle between right and up [1]
+
+bool isRotation(const Matrix3& axes) {
+    return axes.allFinite() && axes.isUnitary(kRotationAccuracy) && axes.determinant() > 0.0;
+}
+
+bool isValid(const Vector3& hand, const MappingSettings& settings) {
+    return hand.allFinite() && std::isfinite(settings.positionGain) &&
+           settings.positionGain > 0.0 && isRotation(settings.axes);
+}
+
+bool isValid(const Workspace& workspace, const Vector3& hand) {
+    return hand.allFinite() && workspace.centre.allFinite() && std::isfinite(workspace.radius) &&
+           std::isfinite(workspace.freeShare) && std::isfinite(workspace.stiffness) &&
+           std::isfinite(workspace.forceLimit);
+}
+
+}  // namespace
+
+std::optional<Matrix3> viewAxes(const Vector3& right, const Vector3& up) noexcept {
+    if (!right.allFinite() || !up.allFinite() || right.isZero(0.0) || up.isZero(0.0)) {
+        return std::nullopt;
+    }
+    const Vector3 x = right / lengthOf(right);
+    const Vector3 away = (up / lengthOf(up)).cross(x);
+    if (away.norm() < kParallel) {
+        return std::nullopt;
+    }
+    Matrix3 axes;
+    axes.col(0) = x;
+    axes.col(1) = away.normalized();
+    axes.col(2) = axes.col(0).cross(axes.col(1));
+    return axes;
+}
+
+MappingStep mapHand(const Workspace& workspace, const Vector3& hand,
+                    const MappingSettings& settings, const MappingMemory& before) noexcept {
+    MappingStep step;
+    if (!isValid(hand, settings)) {
+        return step;
+    }
+    step.status = settings.clutched ? MappingStatus::Clutched : MappingStatus::Following;
+    step.edgeForce = edgeForce(workspace, hand);
+    step.memory = {.hand = hand, .follows = !settings.clutched};
+    if (before.follows && step.memory.follows) {
+        step.motion = settings.axes * (hand - before.hand);
+        step.displacement = settings.positionGain * step.motion;
+    }
+    return step;
+}
+
+Vector3 forceOnHand(const MappingSettings& settings, const Vector3& force) noexcept {
+    return settings.axes.transpose() * force;
+}
+
+Vector3 edgeForce(const Workspace& workspace, const Vector3& hand) noexcept {
+    if (!isValid(workspace, hand) || !(workspace.radius > 0.0 && workspace.stiffness > 0.0)) {
+        return Vector3::Zero();
+    }
+    const Vector3 way = hand - workspace.centre;
+    const double distance = lengthOf(way);
+    const double beyond = distance - workspace.freeShare * workspace.radius;
+    if (!(beyond > 0.0 && distance > 0.0)) {
+        return Vector3::Zero();
+    }
+    return softLimited(-workspace.stiffness * beyond * (way / distance), workspace.forceLimit);
+}
+
+}  // namespace asperity

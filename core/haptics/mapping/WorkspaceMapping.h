@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/Vector.h"
+
+#include <optional>
+
+namespace asperity {
+
+/// The ball in which a device can be moved, and the spring that tells the hand of its edge; the
+/// device's axes and units.
+struct Workspace {
+    Vector3 centre = Vector3::Zero();  ///< [m]
+    double radius = 0.0;               ///< [m]; 0: not known, no spring
+    double freeShare = 0.9;            ///< of the radius, up to which there is no spring
+    double stiffness = 0.0;            ///< of the spring [N/m]
+    double forceLimit = 0.0;           ///< of the spring, which nears it smoothly [N]
+};
+
+/// What a person may change while the loop runs; none of it moves anything by itself.
+struct MappingSettings {
+    double positionGain = 1.0;           ///< displacement at the tip per displacement of the hand
+    Matrix3 axes = Matrix3::Identity();  ///< rotation from the device's axes to the world's
+    bool clutched = false;               ///< the hand moves, what it commands stays
+};
+
+/// What one step hands to the next.
+struct MappingMemory {
+    Vector3 hand = Vector3::Zero();  ///< its last position, the device's axes [m]
+    bool follows = false;            ///< the hand commanded there, so that its next motion counts
+};
+
+enum class MappingStatus {
+    Following,  ///< the command goes with the hand
+    Clutched,   ///< it stays, and the hand shall feel no force of the contact
+    Invalid,    ///< a value is not finite, a gain not above 0, or the axes are no rotation
+};
+
+/// What one step makes.
+struct MappingStep {
+    MappingStatus status = MappingStatus::Invalid;
+    Vector3 motion = Vector3::Zero();        ///< of the hand, world axes, its own scale [m]
+    Vector3 displacement = Vector3::Zero();  ///< of what it commands, world axes and scale [m]
+    Vector3 edgeForce = Vector3::Zero();     ///< of the workspace on the hand, device's axes [N]
+    MappingMemory memory;
+};
+
+/// Axes that go with a view: right, away from the person and up of the hand (its x, y, z) are
+/// right, into the picture and up on the screen. For a view from above, up in the image is then a
+/// hand that rises, and a hand that moves away goes down to the sample.
+/// @param right, up of the view in world axes, any length; `up` is made orthogonal to `right`
+/// @return nothing where these are not finite, zero or parallel
+[[nodiscard]] std::optional<Matrix3> viewAxes(const Vector3& right, const Vector3& up) noexcept;
+
+/// From the hand to what it commands. The motion since the last step counts if the hand commanded
+/// at both its ends; it is turned by the axes, and the command moves by it times the gain. So a
+/// changed gain or view, a clutch pressed or released, a first step and one after invalid input
+/// move nothing by themselves. With a coupling it is `motion` that the proxy follows, and the
+/// proxy's own motion times the gain that the command follows. Wait-free.
+/// @param hand its position, the device's axes [m]
+[[nodiscard]] MappingStep mapHand(const Workspace& workspace, const Vector3& hand,
+                                  const MappingSettings& settings,
+                                  const MappingMemory& before) noexcept;
+
+/// A force in world axes, at the hand's scale, as the hand feels it in the device's axes [N]: by
+/// the transpose of the axes, so that force times motion is the same power in both.
+[[nodiscard]] Vector3 forceOnHand(const MappingSettings& settings, const Vector3& force) noexcept;
+
+/// Force of the workspace's spring on the hand, the device's axes [N]: zero up to the free share of
+/// the radius, from there k (r - r0) towards the centre, which nears the force limit smoothly. It
+/// depends on the place alone: what it takes from a hand it gives back. Zero for invalid values.
+[[nodiscard]] Vector3 edgeForce(const Workspace& workspace, const Vector3& hand) noexcept;
+
+}  // namespace asperity

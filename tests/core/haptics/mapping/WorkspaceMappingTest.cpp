@@ -1,0 +1,172 @@
+#include "core/haptics/mapping/WorkspaceMapping.h"
+
+#include "core/Units.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Matrix3 turned(double angle, const Vector3& axis) {
+    return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
+/// A hand and the place that it commands, which starts at the world's origin.
+class MappedHand {
+public:
+    MappingSettings settings{.positionGain = 1e-6};  // 1 mm: 1 nm
+
+    MappingStep moveTo(const Vector3& hand) {
+        MappingStep step = mapHand({}, hand, settings, memory_);
+        memory_ = step.memory;
+        command_ += step.displacement;
+        return step;
+    }
+    [[nodiscard]] Vector3 command() const { return command_; }
+
+private:
+    MappingMemory memory_;
+    Vector3 command_ = Vector3::Zero();
+};
+
+void expectNear(const Vector3& value, const Vector3& expected, double scale) {
+    EXPECT_LT((value - expected).norm(), 1e-12 * scale)
+        << value.transpose() << " and not " << expected.transpose();
+}
+
+TEST(WorkspaceMapping, WhereTheHandIsFirstSeenMovesNothing) {
+    MappedHand mapped;
+    EXPECT_EQ(mapped.moveTo({0.1, -0.2, 0.3}).status, MappingStatus::Following);
+    EXPECT_EQ(mapped.command(), Vector3::Zero());
+}
+
+TEST(WorkspaceMapping, TheCommandFollowsTheHandTimesTheGain) {
+    MappedHand mapped;
+    mapped.moveTo({0.02, 0.0, 0.0});
+    mapped.moveTo({0.021, 0.002, -0.003});
+    expectNear(mapped.command(), {1.0_nm, 2.0_nm, -3.0_nm}, 1.0_nm);
+}
+
+TEST(WorkspaceMapping, AZoomInMidMotionChangesTheSpeedButNotThePlace) {
+    MappedHand mapped;
+    const Vector3 step(0.1e-3, 0.0, -0.2e-3);  // of the hand in a tick, far from its origin
+    Vector3 hand(0.05, 0.05, 0.05);
+    Vector3 last = Vector3::Zero();
+    mapped.moveTo(hand);
+    for (int i = 0; i < 400; ++i) {
+        mapped.settings.positionGain = 1e-6 * std::exp2(std::sin(0.1 * i) * 5.0);
+        hand += step;
+        mapped.moveTo(hand);
+        expectNear(mapped.command() - last, mapped.settings.positionGain * step,
+                   mapped.settings.positionGain * hand.norm());
+        last = mapped.command();
+    }
+}
+
+TEST(WorkspaceMapping, ZoomAndTurnedViewMoveNothingUnderAHandAtRest) {
+    MappedHand mapped;
+    const Vector3 hand(0.05, -0.04, 0.03);
+    mapped.moveTo(hand);
+    mapped.settings.positionGain = 1e-3;
+    mapped.moveTo(hand);
+    mapped.settings.axes = turned(1.0, {1.0, 2.0, 3.0});
+    mapped.moveTo(hand);
+    EXPECT_EQ(mapped.command(), Vector3::Zero());
+}
+
+TEST(WorkspaceMapping, AClutchedHandLeavesTheCommandAndGoesOnFromThere) {
+    MappedHand mapped;
+    mapped.moveTo({0.0, 0.0, 0.0});
+    mapped.moveTo({0.01, 0.0, 0.0});
+    const Vector3 held = mapped.command();
+    mapped.settings.clutched = true;
+    for (int i = 1; i <= 100; ++i) {
+        const MappingStep step = mapped.moveTo({0.01 - 2e-4 * i, 1e-4 * i, 0.0});
+        ASSERT_EQ(step.status, MappingStatus::Clutched);
+        ASSERT_EQ(mapped.command(), held);
+    }
+    mapped.settings.clutched = false;
+    mapped.moveTo({-0.03, 0.05, 0.02});  // far from the last place with the clutch held
+    ASSERT_EQ(mapped.command(), held);
+    mapped.moveTo({-0.02, 0.05, 0.02});
+    expectNear(mapped.command(), held + Vector3(10.0_nm, 0.0, 0.0), 10.0_nm);
+}
+
+TEST(WorkspaceMapping, ClutchingReachesBeyondTheWorkspace) {
+    MappedHand mapped;
+    for (int stroke = 0; stroke < 10; ++stroke) {
+        mapped.settings.clutched = false;
+        mapped.moveTo({-0.05, 0.0, 0.0});
+        mapped.moveTo({0.05, 0.0, 0.0});
+        mapped.settings.clutched = true;
+        mapped.moveTo({0.05, 0.0, 0.0});
+        mapped.moveTo({-0.05, 0.0, 0.0});
+    }
+    expectNear(mapped.command(), {1000.0_nm, 0.0, 0.0}, 1000.0_nm);
+}
+
+TEST(WorkspaceMapping, PowerIsTheSameInTheHandsAxesAndTheWorlds) {
+    for (int i = 0; i < 50; ++i) {
+        MappedHand mapped;
+        mapped.settings.axes = turned(0.3 * i, {std::cos(i), std::sin(2.0 * i), 0.5});
+        const Vector3 velocity(0.1, -0.02 * i, 0.3);
+        const Vector3 force(std::sin(i), 1.0, -0.1 * i);
+        mapped.moveTo(Vector3::Zero());
+        const Vector3 inWorld = mapped.moveTo(velocity).motion;
+        const Vector3 felt = forceOnHand(mapped.settings, force);
+        const double scale = force.norm() * velocity.norm();
+        EXPECT_NEAR(felt.dot(velocity), force.dot(inWorld), 1e-12 * scale);
+        EXPECT_NEAR(felt.norm(), force.norm(), 1e-12 * force.norm());
+    }
+}
+
+TEST(WorkspaceMapping, TheHandFollowsTheScreen) {
+    // Looking along +y, z up: the device's own axes. From above: up in the image is a hand's rise.
+    EXPECT_TRUE(viewAxes(Vector3::UnitX(), Vector3::UnitZ())->isIdentity(1e-15));
+    const Matrix3 above = viewAxes(2.0 * Vector3::UnitX(), 3.0 * Vector3::UnitY()).value();
+    expectNear(above * Vector3::UnitZ(), Vector3::UnitY(), 1.0);
+    expectNear(above * Vector3::UnitY(), -Vector3::UnitZ(), 1.0);
+    const Matrix3 skew = viewAxes({1.0, 2.0, 0.0}, {0.3, 0.1, 1.0}).value();
+    EXPECT_TRUE(skew.isUnitary(1e-12));
+    EXPECT_NEAR(skew.determinant(), 1.0, 1e-12);
+    EXPECT_GT(skew.col(2).dot(Vector3(0.3, 0.1, 1.0)), 0.0);
+    expectNear(skew.col(0), Vector3(1.0, 2.0, 0.0).normalized(), 1.0);
+}
+
+TEST(WorkspaceMapping, AViewWithNoUpHasNoAxes) {
+    EXPECT_FALSE(viewAxes(Vector3::UnitX(), -2.0 * Vector3::UnitX()));
+    EXPECT_FALSE(viewAxes(Vector3::Zero(), Vector3::UnitZ()));
+    EXPECT_FALSE(viewAxes(Vector3::UnitX(), {0.0, kNan, 1.0}));
+    EXPECT_FALSE(viewAxes({kInfinity, 0.0, 0.0}, Vector3::UnitZ()));
+}
+
+TEST(WorkspaceMapping, AHandThatIsNoNumberStopsTheCommandAndDoesNotThrowItAfterwards) {
+    for (const double bad : {kNan, kInfinity, -kInfinity}) {
+        MappedHand mapped;
+        mapped.moveTo(Vector3::Zero());
+        EXPECT_EQ(mapped.moveTo({0.0, bad, 0.0}).status, MappingStatus::Invalid);
+        EXPECT_EQ(mapped.moveTo({0.1, 0.1, 0.1}).status, MappingStatus::Following);
+        EXPECT_EQ(mapped.command(), Vector3::Zero());
+    }
+}
+
+TEST(WorkspaceMapping, RefusesGainsAndAxesThatAreNone) {
+    for (const double gain : {0.0, -1e-6, kNan, kInfinity}) {
+        EXPECT_EQ(mapHand({}, Vector3::Zero(), {.positionGain = gain}, {}).status,
+                  MappingStatus::Invalid);
+    }
+    const Matrix3 mirror = Vector3(-1.0, 1.0, 1.0).asDiagonal();
+    const Matrix3 none = Matrix3::Constant(kNan);
+    for (const Matrix3& axes : {Matrix3(2.0 * Matrix3::Identity()), mirror, none}) {
+        EXPECT_EQ(mapHand({}, Vector3::Zero(), {.axes = axes}, {}).status, MappingStatus::Invalid);
+    }
+}
+
+}  // namespace
+}  // namespace asperity
