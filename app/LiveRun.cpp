@@ -19,7 +19,16 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
     , halfSpace_(loaded_.scene.model.deformation == DeformationTier::HalfSpace
                      ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
                      : nullptr)
-    , loop_(loaded_.scene, *hand_, afm_) {}
+    , loop_(loaded_.scene, *hand_, afm_)
+    , blackBox_(loaded_.scene.timeStep()) {}
+
+void LiveRun::fetch(const TickSink& sink) {
+    loop_.drain([&](const TickSample& sample) {
+        blackBox_.take(sample);
+        sink(sample);
+    });
+    blackBox_.mark(loop_.snapshot());
+}
 
 void LiveRun::setSettings(const Settings& settings) noexcept {
     settings_ = settings;

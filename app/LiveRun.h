@@ -2,6 +2,7 @@
 
 #include "app/LoadedScene.h"
 #include "core/haptics/HapticLoop.h"
+#include "core/haptics/blackbox/BlackBox.h"
 #include "core/probe/SimulatedAfm.h"
 #include "core/scene/HalfSpaceWorker.h"
 
@@ -19,6 +20,10 @@ public:
     [[nodiscard]] const LoadedScene& loaded() const noexcept { return loaded_; }
     [[nodiscard]] const Scene& scene() const noexcept { return loaded_.scene; }
     [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
+    /// Gives every tick since the last call to `sink`, in order, and to the black box.
+    void fetch(const TickSink& sink);
+    /// The last seconds, for when a fault comes.
+    [[nodiscard]] BlackBox& blackBox() noexcept { return blackBox_; }
     /// What solves the half-space beside the loop; null where the scene does not ask for it.
     [[nodiscard]] HalfSpaceWorker* halfSpace() noexcept { return halfSpace_.get(); }
 
@@ -46,6 +51,7 @@ private:
     std::unique_ptr<HapticDevice> hand_;
     std::unique_ptr<HalfSpaceWorker> halfSpace_;
     HapticLoop loop_;
+    BlackBox blackBox_;
 };
 
 /// In the middle of the scan, above the sample [m].

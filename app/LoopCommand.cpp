@@ -11,6 +11,7 @@
 #include "core/haptics/ScriptedHand.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -70,12 +71,26 @@ bool isDone(const AlternatingBlocks& blocks, double begin, const LoopOptions& op
            static_cast<double>(blocks.pairs()) >= std::floor(0.5 * options.duration);
 }
 
+/// What it takes to fetch ticks from the loop into the black box.
+struct FetchCost {
+    double time = 0.0;  ///< of all [s]
+    long ticks = 0;
+
+    void fetch(LiveRun& run) {
+        const double begin = monotonicSeconds();
+        run.fetch([this](const TickSample&) { ++ticks; });
+        time += monotonicSeconds() - begin;
+    }
+    [[nodiscard]] double perTick() const { return time / static_cast<double>(std::max(ticks, 1L)); }
+};
+
 void print(const LoopOptions& options, LiveRun& run, const AlternatingBlocks& blocks,
-           std::vector<ViewRate> views) {
+           double fetchTime, std::vector<ViewRate> views) {
     const LoopReport report{.rate = run.scene().description.tickRate,
                             .duration = options.duration,
                             .statistics = run.loop().snapshot().statistics,
                             .blocks = blocks,
+                            .fetchTime = fetchTime,
                             .views = std::move(views)};
     std::cout << (options.json ? loopReportJson(report) : loopReportText(report)) << '\n';
 }
@@ -86,14 +101,15 @@ void runBare(const LoopOptions& options) {
     LiveRun run(std::move(loaded), path.front().position);
     run.takeHand([&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
     AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
+    FetchCost cost;
     const double begin = monotonicSeconds();
     while (!isDone(blocks, begin, options)) {
         std::this_thread::sleep_for(kPoll);
-        run.loop().drain([](const TickSample&) {});
+        cost.fetch(run);
         blocks.poll();
     }
     blocks.finish();
-    print(options, run, blocks, {});
+    print(options, run, blocks, cost.perTick(), {});
 }
 
 void runInWindow(const LoopOptions& options) {
@@ -115,7 +131,7 @@ void runInWindow(const LoopOptions& options) {
     poll.start(kPoll);
     live.exec();
     blocks.finish();
-    print(options, run, blocks, live.session().viewRates());
+    print(options, run, blocks, 0.0, live.session().viewRates());
 }
 
 }  // namespace

@@ -40,6 +40,10 @@ std::string loopReportJson(const LoopReport& report) {
                                   {"lateness", quantilesJson(blocks.bare())}}},
                                 {"pairs_of_blocks", blocks.pairs()},
                                 {"median_block_p99_lateness_ratio", blocks.medianP99Ratio()}};
+    if (report.fetchTime > 0.0) {
+        json["black_box"] = {{"time_per_tick_s", report.fetchTime},
+                             {"share_of_period", report.fetchTime * report.rate}};
+    }
     for (const ViewRate& view : report.views) {
         json["frames_per_second"][view.view] = view.framesPerSecond;
     }
@@ -62,6 +66,10 @@ std::string loopReportText(const LoopReport& report) {
         text << "\nlateness ratio " << blocks.medianP99Ratio()
              << " (median p99 of 1 s blocks over that of the bare loop, " << blocks.pairs()
              << " pairs)";
+    }
+    if (report.fetchTime > 0.0) {
+        text << "\nblack box      " << formatSi(report.fetchTime, "s") << " a tick, "
+             << 100.0 * report.fetchTime * report.rate << " % of the period";
     }
     for (const ViewRate& view : report.views) {
         text << "\n" << view.view << ": " << view.framesPerSecond << " frames/s";

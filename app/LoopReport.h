@@ -19,6 +19,7 @@ struct LoopReport {
     double duration = 0.0;  ///< of the whole measurement [s]
     LoopStatistics statistics;
     const AlternatingBlocks& blocks;
+    double fetchTime = 0.0;       ///< to fetch one tick into the black box [s]; 0: not measured
     std::vector<ViewRate> views;  ///< empty: without a window
 };
 

@@ -122,6 +122,12 @@ void Session::connectMenus() {
     connect(menus.forcesOff, &QAction::triggered, this, [this] { setForces(false); });
     connect(menus.takeBackFault, &QAction::triggered, this, &Session::takeBackFault);
     connect(menus.record, &QAction::triggered, this, &Session::record);
+    connect(menus.saveLastSeconds, &QAction::triggered, this, [this] {
+        if (run_) {
+            fetchTicks();
+            saveLastSeconds();
+        }
+    });
     connect(&window_, &MainWindow::openRequested, this,
             [this](const QString& file) { open(file.toStdString()); });
     connect(&window_, &MainWindow::pathFileChosen, this,
@@ -318,6 +324,9 @@ void Session::onFrame() {
     if (run_) {
         moveHand(elapsed);
         fetchTicks();
+        if (run_->blackBox().frozen()) {
+            saveLastSeconds();
+        }
         if (!run_->loop().running()) {
             show_.rest();
         }
@@ -351,7 +360,7 @@ void Session::moveHand(double seconds) {
 }
 
 void Session::fetchTicks() {
-    run_->loop().drain([this](const TickSample& sample) {
+    run_->fetch([this](const TickSample& sample) {
         show_.take(sample);
         if (recording_) {
             recording_->take(sample);

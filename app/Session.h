@@ -62,6 +62,7 @@ Q_SIGNALS:
     void openFailed(QString reason);
     void openCancelled();
     void recordingFinished(QString folder);
+    void lastSecondsSaved(QString folder);
 
 private:
     [[nodiscard]] static std::filesystem::path standardRecordingsFolder();
@@ -96,6 +97,9 @@ private:
     void record(bool on);
     void finishRecording();
     void tellOfRecording(const Recording& recording);
+    /// Writes what the black box holds, and begins it anew.
+    void saveLastSeconds();
+    void tellOfLastSeconds(const Recording& recording, Fault fault);
     void savePicture(const QString& file);
 
     void onFrame();

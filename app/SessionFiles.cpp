@@ -18,9 +18,16 @@ namespace asperity {
 
 namespace {
 
+/// One that is not there yet.
 std::filesystem::path folderOfThisMoment(const std::filesystem::path& parent) {
-    const QString now = QDateTime::currentDateTime().toString("yyyy-MM-dd_HH-mm-ss.zzz");
-    return parent / now.toStdString();
+    const auto named = [&parent](const QDateTime& time) {
+        return parent / time.toString("yyyy-MM-dd_HH-mm-ss.zzz").toStdString();
+    };
+    QDateTime now = QDateTime::currentDateTime();
+    while (std::filesystem::exists(named(now))) {
+        now = now.addMSecs(1);
+    }
+    return named(now);
 }
 
 }  // namespace
@@ -122,6 +129,34 @@ void Session::tellOfRecording(const Recording& recording) {
                              .arg(folder));
     }
     Q_EMIT recordingFinished(folder);
+}
+
+void Session::saveLastSeconds() {
+    BlackBox& box = run_->blackBox();
+    if (box.samples().empty()) {
+        window_.tell(tr("There are no last seconds to save yet"));
+    } else {
+        const Fault fault = box.samples().back().output.fault;
+        try {
+            Recording recording(folderOfThisMoment(recordings_), run_->loaded(), box.memory());
+            for (const TickSample& sample : box.samples()) {
+                recording.take(sample);
+            }
+            recording.finish();
+            tellOfLastSeconds(recording, fault);
+        } catch (const std::exception& error) {
+            window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));
+        }
+    }
+    box.restart();
+}
+
+void Session::tellOfLastSeconds(const Recording& recording, Fault fault) {
+    const QString folder = QString::fromStdString(recording.folder().string());
+    const QString saved =
+        tr("the last %1 ticks are saved in %2").arg(recording.ticks()).arg(folder);
+    window_.tell(fault == Fault::None ? saved : tr("Fault %1: %2").arg(faultName(fault), saved));
+    Q_EMIT lastSecondsSaved(folder);
 }
 
 void Session::showRecording() {

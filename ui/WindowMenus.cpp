@@ -24,6 +24,7 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     record = menu->addAction(tr("&Record"));
     record->setCheckable(true);
     record->setShortcut(tr("Ctrl+R"));
+    saveLastSeconds = menu->addAction(tr("Save the &last seconds"));
     menu->addSeparator();
     quit = menu->addAction(tr("&Quit"));
     quit->setShortcut(QKeySequence::Quit);

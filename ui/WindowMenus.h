@@ -21,6 +21,7 @@ public:
     QAction* cancelLoading;
     QAction* savePicture;
     QAction* record;  ///< checkable
+    QAction* saveLastSeconds;
     QAction* quit;
 
     QAction* startPause;

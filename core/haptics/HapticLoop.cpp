@@ -56,15 +56,15 @@ void HapticLoop::beat(const Beat& beat) noexcept {
 
 void HapticLoop::tickOnce(double timeStep) noexcept {
     TickSample& sample = latest_.sample;
-    if (memory_.started) {
+    if (latest_.memory.started) {
         sample.time += timeStep;
     }
     TickInput& input = sample.input;
     input.settings = settings_.read();
     input.timeStep = timeStep;
     input.hand = hand_->advance(timeStep);
-    input.measurement = afm_.exchange(commandBase(scene_, input, memory_).base);
-    sample.output = tick(scene_, input, memory_);
+    input.measurement = afm_.exchange(commandBase(scene_, input, latest_.memory).base);
+    sample.output = tick(scene_, input, latest_.memory);
     hand_->setForce(sample.output.handForce);
 }
 

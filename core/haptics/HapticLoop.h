@@ -56,7 +56,7 @@ public:
     /// Times since the last start; only while the loop does not run.
     [[nodiscard]] const LoopTimes& times() const noexcept { return sinceStart_; }
     /// What the next tick starts from; only while the loop does not run.
-    [[nodiscard]] const TickMemory& memory() const noexcept { return memory_; }
+    [[nodiscard]] const TickMemory& memory() const noexcept { return latest_.memory; }
 
 private:
     void beat(const Beat& beat) noexcept;
@@ -72,7 +72,6 @@ private:
     AfmController& afm_;
 
     // The loop thread's own while it runs.
-    TickMemory memory_;
     Snapshot latest_;
     LoopTimes thisSecond_;
     LoopTimes sinceStart_;

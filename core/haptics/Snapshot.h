@@ -19,6 +19,7 @@ struct LoopStatistics {
 /// The latest tick as the rest of the program sees it.
 struct Snapshot {
     TickSample sample;
+    TickMemory memory;  ///< what the tick after it starts from: a replay can begin there
     LoopStatistics statistics;
 };
 

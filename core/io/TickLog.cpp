@@ -58,7 +58,7 @@ void readGoverned(const CsvTable& table, std::size_t row, const std::filesystem:
     const auto cell = [&](const char* column) { return finite(table, row, column, path); };
     input.hand.maxForce = cell("hand_max_force_n");
     input.hand.streams = cell("hand_streams") != 0.0;
-    input.hand.age = cell("hand_age_s");
+    input.hand.age = table.number(row, "hand_age_s");
     input.starts = static_cast<std::uint32_t>(cell("starts"));
     const double button = cell("dead_man_button");
     if (!(button >= GovernorLimits::kNoButton && button <= GovernorLimits::kLastButton)) {
@@ -167,10 +167,12 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
             throw InputError(path.string(), "line " + std::to_string(table.line(row)),
                              "time_step_s must be positive");
         }
-        input.hand.position = {cell("hand_x_m"), cell("hand_y_m"), cell("hand_z_m")};
+        // What device and instrument said may be NaN: that is a fault, and replays as one.
+        const auto told = [&](const char* column) { return table.number(row, column); };
+        input.hand.position = {told("hand_x_m"), told("hand_y_m"), told("hand_z_m")};
         input.hand.buttons = static_cast<std::uint32_t>(cell("buttons"));
         input.hand.connected = cell("connected") != 0.0;
-        input.measurement = {{cell("alpha_rad"), cell("theta_rad")}, cell("age_s")};
+        input.measurement = {{told("alpha_rad"), told("theta_rad")}, told("age_s")};
         input.settings = {.positionGain = cell("position_gain"),
                           .forceGain = cell("force_gain"),
                           .correctionBandwidth = cell("correction_hz"),

@@ -1,11 +1,14 @@
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
+#include "ui/WindowMenus.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDropEvent>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QUrl>
 #include <QtTest>
 
@@ -13,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <thread>
 #include <unistd.h>
 
@@ -104,6 +108,39 @@ TEST_F(Window, ARecordingEndsWhereTicksAreLostAndStillReplays) {
     const ProgramRun replay =
         runProgram("replay '" + recording + "' --out '" + (folder.path() / "again").string() + "'");
     EXPECT_EQ(replay.exitCode, 0) << replay.output;
+}
+
+TEST_F(Window, AFaultLeavesItsLastSecondsWhichReplayToTheSameBits) {
+    session.open(sample("particles.gsf"));
+    ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
+    QSignalSpy saved(&session, &Session::lastSecondsSaved);
+    live(1000);
+    EXPECT_EQ(saved.count(), 0);
+    const Vector3 here = session.run()->basePosition();
+    const Vector3 nowhere = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+    session.follow({{0.0, here}, {0.5, here}, {1.0, nowhere}});
+    ASSERT_TRUE(eventually([&] { return saved.count() == 1; }));
+    const std::string lastSeconds = saved[0][0].toString().toStdString();
+    EXPECT_TRUE(window.statusBar()->currentMessage().contains("not_finite"));
+    const ProgramRun replay = runProgram("replay '" + lastSeconds + "' --out '" +
+                                         (folder.path() / "again").string() + "'");
+    EXPECT_EQ(replay.exitCode, 0) << replay.output;
+    EXPECT_NE(replay.output.find("bit-identical"), std::string::npos) << replay.output;
+    live(200);
+    window.menus().saveLastSeconds->trigger();
+    ASSERT_EQ(saved.count(), 2) << "the latched fault is not saved again, but a wish is granted";
+    EXPECT_NE(saved[1][0], saved[0][0]);
+}
+
+TEST_F(Window, SaysWhyTheLastSecondsCannotBeSaved) {
+    openFlatScene();
+    session.setRecordingsFolder(folder.write("taken", "a file"));
+    live(100);
+    window.menus().saveLastSeconds->trigger();
+    const auto boxes = window.findChildren<QMessageBox*>();
+    ASSERT_EQ(boxes.size(), 1);
+    EXPECT_TRUE(boxes.front()->text().contains("taken"));
+    EXPECT_TRUE(far());
 }
 
 TEST_F(Window, RefusesAPathInOtherUnitsThanMetres) {

@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 
 namespace asperity {
 namespace {
@@ -124,6 +126,21 @@ TEST(TickLog, RefusesDamagedInputsWithTheirLine) {
         std::ofstream(path) << damaged;
         EXPECT_THROW((void)readTickInputs(path), InputError) << bad;
     }
+}
+
+TEST(TickLog, KeepsANanOfTheDeviceWhichIsAFault) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    TickSample sample = sampleOf(0.0);
+    sample.input.hand.position.y() = std::numeric_limits<double>::quiet_NaN();
+    sample.input.hand.age = std::numeric_limits<double>::infinity();
+    TickInputWriter writer(path);
+    writer.take(sample);
+    writer.close();
+    const TickInput read = readTickInputs(path).front().input;
+    EXPECT_TRUE(std::isnan(read.hand.position.y()));
+    EXPECT_EQ(read.hand.position.x(), sample.input.hand.position.x());
+    EXPECT_EQ(read.hand.age, sample.input.hand.age);
 }
 
 TEST(HandPathFile, ReadsPlacesAndRefusesTimeThatStandsStill) {
