@@ -138,6 +138,7 @@ void readRows(RowReader& reader, const ScanMap& map, const MappedFile& file, Pro
     if (helper.joinable()) {
         helper.join();
     }
+    reportTo(progress, 1.0);  // the helper may have read all rows after a cancellation
 }
 
 }  // namespace
