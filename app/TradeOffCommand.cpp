@@ -127,10 +127,11 @@ void printCompositions(const TradeOff& study, double tolerance) {
 }
 
 void printNeeds(const SceneNeeds& needs) {
-    std::printf("what the scene requires, within %.3g %%: the terms left out by itself move forces "
-                "by %.2g %% together, a tick takes %.2f us instead of %.2f us\n",
-                needs.tolerance * 100.0, needs.forceError * 100.0, needs.modelTick * 1e6,
-                needs.fullTick * 1e6);
+    std::printf(
+        "what the scene requires, within %.3g %%: what is left out automatically moves forces "
+        "by %.2g %%, a tick takes %.2f us instead of %.2f us\n",
+        needs.tolerance * 100.0, needs.forceError * 100.0, needs.modelTick * 1e6,
+        needs.fullTick * 1e6);
     for (const TermNeed& need : needs.terms) {
         const char* unit = isOfSurface(need.term) ? "ms a patch" : "us a tick";
         const double time = need.time * (isOfSurface(need.term) ? 1e3 : 1e6);

@@ -107,6 +107,11 @@ std::vector<TickResult> TickStudy::measured(const std::vector<TickTier>& tiers) 
     return results;
 }
 
+double TickStudy::timeResolution() const {
+    constexpr double kFromRunToRun = 0.05;
+    return std::max(quantile(spreads_, 0.5), kFromRunToRun);
+}
+
 double TickStudy::missedBy(ModelTerm term) {
     const TermPair models = pairOf(term, model_);
     const ModelRun in = run(models.with);

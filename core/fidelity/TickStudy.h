@@ -24,8 +24,9 @@ public:
     /// The tiers, taking turns.
     [[nodiscard]] std::vector<TickResult> measured(const std::vector<TickTier>& tiers);
 
-    /// Of the times measured so far, as a share: half of what the rounds of a tier differ by.
-    [[nodiscard]] double timeResolution() const { return quantile(spreads_, 0.5); }
+    /// Of the times measured so far, as a share: half of what the rounds of a tier differ by, and
+    /// no less than what the next run of the program differs by.
+    [[nodiscard]] double timeResolution() const;
 
     /// Fills in what is known of the reference, and what it leaves out itself.
     void describe(TradeOffReference& reference);

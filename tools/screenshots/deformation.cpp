@@ -12,12 +12,11 @@
 #include "core/io/SceneFile.h"
 #include "core/probe/SimulatedAfm.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tools/screenshots/PictureTool.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 
 #include <cmath>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -174,15 +173,10 @@ void draw(const fs::path& out) {
 }  // namespace asperity
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: asperity_deformation_pictures OUT_FOLDER\n";
-        return 2;
-    }
-    try {
-        asperity::draw(argv[1]);
-        return 0;
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        return 1;
-    }
+    return asperity::runPictureTool({argv, static_cast<std::size_t>(argc)}, 1,
+                                    "asperity_deformation_pictures OUT_FOLDER",
+                                    [](char** arguments) {
+                                        asperity::draw(arguments[1]);
+                                        return 0;
+                                    });
 }

@@ -4,6 +4,7 @@
 #include "app/LiveWindow.h"
 #include "app/VirtualDisplay.h"
 #include "core/Error.h"
+#include "tools/screenshots/PictureTool.h"
 #include "ui/WindowMenus.h"
 #include "ui/panels/FidelityPanel.h"
 
@@ -12,8 +13,6 @@
 #include <QPushButton>
 #include <QTimer>
 
-#include <exception>
-#include <iostream>
 #include <string>
 
 namespace asperity {
@@ -48,14 +47,7 @@ int run(char** argv) {
 }  // namespace asperity
 
 int main(int argc, char** argv) {
-    if (argc != 3) {
-        std::cerr << "usage: asperity_fidelity_picture SCENE_OR_SCAN OUT.png\n";
-        return 2;
-    }
-    try {
-        return asperity::run(argv);
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        return 1;
-    }
+    return asperity::runPictureTool({argv, static_cast<std::size_t>(argc)}, 2,
+                                    "asperity_fidelity_picture SCENE_OR_SCAN OUT.png",
+                                    asperity::run);
 }

@@ -5,12 +5,11 @@
 #include "app/LiveWindow.h"
 #include "app/VirtualDisplay.h"
 #include "core/Error.h"
+#include "tools/screenshots/PictureTool.h"
 
 #include <QStatusBar>
 #include <QTimer>
 
-#include <exception>
-#include <iostream>
 #include <numbers>
 #include <string>
 
@@ -97,14 +96,7 @@ int run(char** argv) {
 }  // namespace asperity
 
 int main(int argc, char** argv) {
-    if (argc != 5) {
-        std::cerr << "usage: asperity_screenshots SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX\n";
-        return 2;
-    }
-    try {
-        return asperity::run(argv);
-    } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        return 1;
-    }
+    return asperity::runPictureTool({argv, static_cast<std::size_t>(argc)}, 4,
+                                    "asperity_screenshots SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX",
+                                    asperity::run);
 }

@@ -143,7 +143,7 @@ void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choic
     terms_->show(needs, choices);
     const QSignalBlocker blocker(tolerance_);
     tolerance_->setValue(100.0 * needs.tolerance);
-    summary_->setText(tr("The terms left out by itself move forces by %1 % together; a tick takes "
+    summary_->setText(tr("What is left out automatically moves forces by %1 %; a tick takes "
                          "%2 µs instead of %3 µs.")
                           .arg(percentText(needs.forceError))
                           .arg(1e6 * needs.modelTick, 0, 'f', 2)
