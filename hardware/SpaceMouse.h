@@ -30,6 +30,9 @@ public:
     SpaceMouse(const SpaceMouse&) = delete;
     SpaceMouse& operator=(const SpaceMouse&) = delete;
 
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return kSensesOnly;
+    }
     HandState advance(double timeStep) noexcept override;
 
     /// The hand's speed at full deflection [m/s]. Any thread; wait-free.

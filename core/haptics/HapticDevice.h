@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/Vector.h"
+#include "core/haptics/DeviceSpecification.h"
 #include "core/scene/TickInput.h"
 
 namespace asperity {
@@ -11,14 +12,24 @@ class HapticDevice {
 public:
     virtual ~HapticDevice() = default;
 
-    /// Where the hand is after one more time step [s]. Loop thread only.
+    /// Constant while the device lives. Only one that says here what its motors render is ever
+    /// told a force, and by it the governor guards the hand.
+    [[nodiscard]] virtual DeviceSpecification specification() const noexcept = 0;
+
+    /// Where the hand is after one more time step [s]; the loop adds what the specification says.
+    /// Loop thread only.
     virtual HandState advance(double timeStep) noexcept = 0;
 
-    /// The force that the hand shall feel, lab frame [N]. Loop thread only. Devices that only
-    /// sense have nothing to do with it. A device with motors says so in HandState::maxForce, else
-    /// no governor guards its hand; and it lets go by itself when it is not told a force for a
-    /// while, for a program that crashed tells it none.
+    /// The force that the hand shall feel [N]. Loop thread only. A device with motors lets go by
+    /// itself when it is not told a force for a while, for a program that crashed tells it none.
     virtual void setForce(const Vector3& force) noexcept;
+
+    /// How long it takes from a motion of the hand to the force that answers it, as measured so
+    /// far, without the hold of half a tick [s]. Any thread but the loop's.
+    [[nodiscard]] virtual double delay() const noexcept { return 0.0; }
 };
+
+/// A hand that only senses.
+inline constexpr DeviceSpecification kSensesOnly{};
 
 }  // namespace asperity

@@ -21,6 +21,7 @@ HapticLoop::HapticLoop(const Scene& scene, HapticDevice& hand, AfmController& af
     : settings_(scene.settings)
     , scene_(scene)
     , hand_(&hand)
+    , device_(hand.specification())
     , afm_(afm)
     , samples_(ringSize(scene)) {}
 
@@ -35,9 +36,14 @@ void HapticLoop::start() {
     }
 }
 
+void HapticLoop::setHand(HapticDevice& hand) noexcept {
+    hand_ = &hand;
+    device_ = hand.specification();
+}
+
 void HapticLoop::stop() {
     thread_.reset();
-    hand_->setForce(Vector3::Zero());
+    tellForce(Vector3::Zero());
 }
 
 void HapticLoop::drain(const std::function<void(const TickSample&)>& sink) {
@@ -63,9 +69,18 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     input.settings = settings_.read();
     input.timeStep = timeStep;
     input.hand = hand_->advance(timeStep);
+    input.hand.maxForce = device_.maxForce;
+    input.hand.streams = device_.streams;
     input.measurement = afm_.exchange(commandBase(scene_, input, latest_.memory).base);
     sample.output = tick(scene_, input, latest_.memory);
-    hand_->setForce(sample.output.handForce);
+    tellForce(sample.output.handForce);
+}
+
+/// What no governor guards is never told a force.
+void HapticLoop::tellForce(const Vector3& force) noexcept {
+    if (device_.rendersForce()) {
+        hand_->setForce(force);
+    }
 }
 
 void HapticLoop::measure(const Beat& beat, double begin) noexcept {

@@ -38,7 +38,7 @@ public:
     /// Starts, or goes on from where it stopped. @throw Error when there can be no more threads
     void start();
     /// Another hand takes over; only while the loop does not run. It outlives the loop.
-    void setHand(HapticDevice& hand) noexcept { hand_ = &hand; }
+    void setHand(HapticDevice& hand) noexcept;
     /// Lets the present tick end; the hand feels nothing from then on.
     void stop();
     [[nodiscard]] bool running() const noexcept { return thread_.has_value(); }
@@ -61,6 +61,7 @@ public:
 private:
     void beat(const Beat& beat) noexcept;
     void tickOnce(double timeStep) noexcept;
+    void tellForce(const Vector3& force) noexcept;
     void measure(const Beat& beat, double begin) noexcept;
 
     // First, since they are aligned to cache lines.
@@ -69,6 +70,7 @@ private:
 
     const Scene& scene_;
     HapticDevice* hand_;
+    DeviceSpecification device_;  ///< that the hand is
     AfmController& afm_;
 
     // The loop thread's own while it runs.

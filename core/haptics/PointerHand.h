@@ -15,6 +15,9 @@ public:
     /// Where the hand shall go [m]. One thread, not the loop's; wait-free.
     void moveTo(const Vector3& target) noexcept { target_.write(target); }
 
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return kSensesOnly;
+    }
     HandState advance(double timeStep) noexcept override;
 
 private:

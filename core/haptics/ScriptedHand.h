@@ -16,6 +16,9 @@ public:
     /// @param start where that one is, in the hand's frame, while the base is where `path` begins
     ScriptedHand(HandPath path, double positionGain, Vector3 start);
 
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return kSensesOnly;
+    }
     HandState advance(double timeStep) noexcept override;
 
 private:

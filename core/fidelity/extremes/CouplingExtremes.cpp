@@ -15,7 +15,7 @@ namespace asperity {
 namespace {
 
 /// As docs/haptics.md has it.
-constexpr DeviceLimits kDevice{
+constexpr DeviceSpecification kDevice{
     .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = kPhantomClass.mass};
 
 constexpr double kDetectorNoise = 1e-7;  // of a signal [rad]

@@ -20,9 +20,19 @@ double slowed(double velocity, double most) {
 VirtualBench::VirtualBench(const BenchSetup& setup, const Vector3& start)
     : handle_(setup.handle)
     , arm_(setup.arm)
+    , delay_(setup.delay)
     , target_(start)
     , position_(start)
     , onTheWay_(static_cast<std::size_t>(std::lround(setup.delay / kSubstep)), Vector3::Zero()) {}
+
+DeviceSpecification VirtualBench::specification() const noexcept {
+    return {.maxForce = handle_.maxForce,
+            .maxStiffness = handle_.maxStiffness,
+            .maxDamping = handle_.maxDamping,
+            .effectiveMass = handle_.mass,
+            .workspaceRadius = handle_.workspaceRadius,
+            .streams = true};
+}
 
 HandState VirtualBench::advance(double timeStep) noexcept {
     time_ += timeStep;

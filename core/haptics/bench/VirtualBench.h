@@ -14,6 +14,9 @@ struct HandlePhysics {
     double viscousFriction = 0.0;   ///< [N s/m]
     double resolution = 30e-6;      ///< of the sensed position [m]; 0: exact
     double maxForce = 8.5;          ///< that its motors give, along each axis [N]
+    double maxStiffness = 800.0;    ///< that it renders [N/m]
+    double maxDamping = 8.0;        ///< that it renders [N s/m]
+    double workspaceRadius = 0.1;   ///< of the ball in which it moves [m]
 };
 
 /// The arm that holds the handle: a spring to where the person wants it, and a damper.
@@ -48,6 +51,8 @@ public:
     /// How it is held from now on.
     void grip(const ArmImpedance& arm) noexcept { arm_ = arm; }
 
+    [[nodiscard]] DeviceSpecification specification() const noexcept override;
+    [[nodiscard]] double delay() const noexcept override { return delay_; }
     /// The position as the encoders tell it.
     HandState advance(double timeStep) noexcept override;
     void setForce(const Vector3& force) noexcept override { command_ = force; }
@@ -62,6 +67,7 @@ private:
 
     HandlePhysics handle_;
     ArmImpedance arm_;
+    double delay_;      ///< [s]
     Vector3 target_;    ///< [m]
     Vector3 position_;  ///< [m]
     Vector3 velocity_ = Vector3::Zero();

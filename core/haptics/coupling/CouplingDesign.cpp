@@ -17,7 +17,7 @@ constexpr double kLightestHandle = 0.045;        // [kg]
 constexpr double kDampingRatio = 0.15;           // that the delay leaves
 constexpr double kDelayedStiffness = 1.0 / 6.0;  // Kc tau^2 / m
 
-void check(const DeviceLimits& device, const LoopTiming& timing) {
+void check(const DeviceSpecification& device, const LoopTiming& timing) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
     if (!positive(device.maxStiffness) || !positive(device.maxDamping)) {
         throw Error("a haptic device's largest stiffness and damping must be positive numbers");
@@ -44,7 +44,7 @@ double stiffnessFor(double damping, double mass, double age) {
 
 }  // namespace
 
-CouplingGains designCoupling(const DeviceLimits& device, const LoopTiming& timing) {
+CouplingGains designCoupling(const DeviceSpecification& device, const LoopTiming& timing) {
     check(device, timing);
     const double mass = device.effectiveMass > 0.0 ? device.effectiveMass : kLightestHandle;
     const double age = timing.timeStep / 2.0 + timing.delay;

@@ -1,15 +1,9 @@
 #pragma once
 
+#include "core/haptics/DeviceSpecification.h"
 #include "core/haptics/coupling/VirtualCoupling.h"
 
 namespace asperity {
-
-/// What a haptic device's maker says of it.
-struct DeviceLimits {
-    double maxStiffness = 0.0;   ///< that it renders [N/m]
-    double maxDamping = 0.0;     ///< that it renders [N s/m]
-    double effectiveMass = 0.0;  ///< of the handle [kg]; 0: not known
-};
 
 /// How old the force is with which the loop answers a motion.
 struct LoopTiming {
@@ -31,7 +25,8 @@ inline constexpr double kSoftestCoupling = 250.0;  ///< softer, a surface is no 
 /// A mass that is not known is taken as 0.045 kg, that of the lightest desktop devices.
 /// Source: Colgate, Schenkel (1997); docs/haptics.md.
 /// @throw Error where that is softer than kSoftestCoupling, or a value is no such thing
-[[nodiscard]] CouplingGains designCoupling(const DeviceLimits& device, const LoopTiming& timing);
+[[nodiscard]] CouplingGains designCoupling(const DeviceSpecification& device,
+                                           const LoopTiming& timing);
 
 /// The stiffest contact, as seen from the hand, that a proxy meets without gaining energy [N/m]:
 /// the force is a tick old, and Colgate's bound b > K T / 2 holds for the proxy and its damper.

@@ -20,8 +20,11 @@ namespace {
 class MotorDevice final : public HapticDevice {
 public:
     explicit MotorDevice(std::atomic<double>& newest) : newest_(newest) {}
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return {.maxForce = 5.0};
+    }
     HandState advance(double /*timeStep*/) noexcept override {
-        return {.position = {64.0_nm, 64.0_nm, -2.0_nm}, .maxForce = 5.0};
+        return {.position = {64.0_nm, 64.0_nm, -2.0_nm}};
     }
     void setForce(const Vector3& force) noexcept override { newest_ = force.norm(); }
 

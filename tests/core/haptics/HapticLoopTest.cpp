@@ -24,7 +24,12 @@ void waitForTicks(HapticLoop& loop, long ticks) {
     }
 }
 
-Scene flatScene() { return buildScene(test::plainScene(), test::flatMap()); }
+/// Its forces come on within two ticks.
+Scene flatScene() {
+    Scene scene = buildScene(test::plainScene(), test::flatMap());
+    scene.settings.governor.engageTime = 1e-3;
+    return scene;
+}
 
 Vector3 middleAbove(const Scene& scene, double height) {
     const double x = 0.5 * scene.surface.sizeX();
@@ -36,6 +41,9 @@ Vector3 middleAbove(const Scene& scene, double height) {
 class FakeDevice final : public HapticDevice {
 public:
     explicit FakeDevice(const Vector3& position) : position_(position) {}
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return {.maxForce = 5.0};
+    }
     HandState advance(double /*timeStep*/) noexcept override {
         return {.position = position_, .connected = connected.load()};
     }
@@ -193,6 +201,9 @@ TEST(HapticLoop, TellsHowItKeepsTimeOnceASecond) {
 class SlowHand final : public HapticDevice {
 public:
     explicit SlowHand(const Vector3& position) : position_(position) {}
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return kSensesOnly;
+    }
     HandState advance(double /*timeStep*/) noexcept override {
         if (++steps_ == 20) {
             std::this_thread::sleep_for(std::chrono::milliseconds(6));

@@ -19,7 +19,8 @@ constexpr double kStill = 0.05e-3;  // [m] peak to peak: less, and no hand feels
 constexpr double kShakes = 1e-3;    // [m]
 constexpr CouplingGains kStiff{.stiffness = 600.0, .damping = 1.5, .proxyDamping = 3.0};
 constexpr CouplingGains kSoft{.stiffness = 300.0, .damping = 1.0, .proxyDamping = 2.0};
-constexpr DeviceLimits kPhantom{.maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
+constexpr DeviceSpecification kPhantom{
+    .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
 constexpr ArmImpedance kStiffLightGrip{.stiffness = 150.0, .damping = 0.5};
 
 BenchSetup benchOf(const ArmImpedance& arm, double delay) { return {.arm = arm, .delay = delay}; }

@@ -9,7 +9,8 @@
 namespace asperity {
 namespace {
 
-constexpr DeviceLimits kPhantom{.maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
+constexpr DeviceSpecification kPhantom{
+    .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
 
 /// At rest the hand feels what the sample does to the tip, times the force gain, though base, tip
 /// and hand are held by three springs in a row.

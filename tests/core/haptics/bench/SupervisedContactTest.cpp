@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kDelay = 5.0_ms;
 constexpr CouplingGains kTooStiff{.stiffness = 600.0, .damping = 1.5, .proxyDamping = 3.0};
-constexpr DeviceLimits kPhantom{.maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
+constexpr DeviceSpecification kPhantom{
+    .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
 
 struct Supervision {
     double leastEnergy = 0.0;  ///< [J]

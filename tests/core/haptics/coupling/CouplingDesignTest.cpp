@@ -11,9 +11,10 @@
 namespace asperity {
 namespace {
 
-constexpr DeviceLimits kPhantom{.maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
+constexpr DeviceSpecification kPhantom{
+    .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
 
-std::string refusal(const DeviceLimits& device, const LoopTiming& timing) {
+std::string refusal(const DeviceSpecification& device, const LoopTiming& timing) {
     try {
         static_cast<void>(designCoupling(device, timing));
     } catch (const Error& error) {
@@ -43,10 +44,10 @@ TEST(CouplingDesign, FollowsTheDelay) {
 }
 
 TEST(CouplingDesign, NoStifferThanTheDeviceAndNoMoreDampedThanItRenders) {
-    DeviceLimits soft = kPhantom;
+    DeviceSpecification soft = kPhantom;
     soft.maxStiffness = 300.0;
     EXPECT_EQ(designCoupling(soft, {.delay = 1.0_ms}).stiffness, 300.0);
-    DeviceLimits poor = kPhantom;
+    DeviceSpecification poor = kPhantom;
     poor.maxDamping = 2.0;
     const CouplingGains gains = designCoupling(poor, {.delay = 1.0_ms});
     EXPECT_NEAR(gains.damping, 2.0, 1e-12);
@@ -54,7 +55,7 @@ TEST(CouplingDesign, NoStifferThanTheDeviceAndNoMoreDampedThanItRenders) {
 }
 
 TEST(CouplingDesign, TakesAMassThatIsNotKnownAsALightOne) {
-    DeviceLimits unknown = kPhantom;
+    DeviceSpecification unknown = kPhantom;
     unknown.effectiveMass = 0.0;
     const LoopTiming late{.timeStep = 1.0_ms, .delay = 4.0_ms};
     EXPECT_LT(designCoupling(unknown, late).stiffness, designCoupling(kPhantom, late).stiffness);

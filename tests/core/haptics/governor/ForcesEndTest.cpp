@@ -17,9 +17,10 @@ namespace {
 class MotorDevice final : public HapticDevice {
 public:
     explicit MotorDevice(const Vector3& position) : position_(position) {}
-    HandState advance(double /*timeStep*/) noexcept override {
-        return {.position = position_, .maxForce = 5.0};
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return {.maxForce = 5.0};
     }
+    HandState advance(double /*timeStep*/) noexcept override { return {.position = position_}; }
     void setForce(const Vector3& force) noexcept override { newest = force.norm(); }
 
     std::atomic<double> newest{0.0};  ///< [N]

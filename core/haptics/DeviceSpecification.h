@@ -1,0 +1,17 @@
+#pragma once
+
+namespace asperity {
+
+/// What the maker of a haptic device says of it; a value of 0: not known, or it has none.
+struct DeviceSpecification {
+    double maxForce = 0.0;         ///< that its motors render [N]; 0: it only senses
+    double maxStiffness = 0.0;     ///< that it renders [N/m]
+    double maxDamping = 0.0;       ///< that it renders [N s/m]
+    double effectiveMass = 0.0;    ///< of the handle [kg]
+    double workspaceRadius = 0.0;  ///< of the ball in which the handle moves [m]
+    bool streams = false;          ///< it reports all the time: that it falls silent is a fault
+
+    [[nodiscard]] bool rendersForce() const noexcept { return maxForce > 0.0; }
+};
+
+}  // namespace asperity
