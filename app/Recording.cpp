@@ -24,6 +24,7 @@ SceneDescription withSettings(SceneDescription scene, const Settings& settings) 
     scene.correctionBandwidth = settings.correctionBandwidth;
     scene.positionControl = settings.positionControl;
     scene.coupling = settings.coupling;
+    scene.guide = settings.guide;
     return scene;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>  // cross product
+#include <Eigen/Geometry>
 
 namespace asperity {
 

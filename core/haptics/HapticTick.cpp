@@ -129,12 +129,43 @@ Fault faultOf(const TickInput& input, const TickOutput& out) {
 }
 
 /// Where there is no equilibrium the last force of the search means nothing.
-ForceRequest requestOf(const TickInput& input, const TickOutput& out, const CouplingStep& coupling,
+ForceRequest requestOf(const TickInput& input, const TickOutput& out, const BaseCommand& command,
                        Fault fault) {
     const bool means = out.model.converged && !out.model.locked;
     return {.force = means ? out.handForce : Vector3(Vector3::Zero()),
-            .mismatch = input.settings.coupling.stiffness * coupling.stretch.norm(),
+            .mismatch = input.settings.coupling.stiffness * command.coupling.stretch.norm(),
+            .edge = command.hand.edgeForce,
             .fault = fault};
+}
+
+MappingSettings mappingSettings(const TickInput& input) {
+    return {.positionGain = input.settings.positionGain,
+            .axes = axesOf(input.settings.handTurn),
+            .clutched = input.clutched()};
+}
+
+/// A handle with motors may have been moved while the loop rested, and another one is elsewhere:
+/// the motion up to the first tick after a start counts for nothing.
+MappingStep mappedHand(const TickInput& input, const TickMemory& memory) {
+    const bool restarted = input.hand.rendersForce() && input.starts != memory.governor.starts;
+    return mapHand(input.settings.workspace, input.hand.position, mappingSettings(input),
+                   restarted ? MappingMemory{} : memory.mapping);
+}
+
+/// What the hand commanded in the last tick.
+Vector3 commandedPlace(const TickMemory& memory) {
+    return memory.control == PositionControl::Tip ? Vector3(memory.base + memory.compensation)
+                                                  : memory.base;
+}
+
+/// What the hand would feel if nothing governed it, the device's axes [N].
+Vector3 wantedForce(const TickInput& input, const TickOutput& out, const BaseCommand& command,
+                    const Vector3& correction) {
+    const Settings& settings = input.settings;
+    return forceOnHand(mappingSettings(input),
+                       settings.coupling.couples()
+                           ? command.coupling.hand
+                           : Vector3(settings.forceGain * (out.model.force + correction)));
 }
 
 /// Whether a base that goes ahead by `compensation` has the tip where it was commanded: not where
@@ -155,9 +186,11 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     const Settings& settings = input.settings;
     const bool tipControl = settings.positionControl == PositionControl::Tip;
     BaseCommand command;
-    command.base.position = settings.positionGain * input.hand.position;
+    command.base.position = settings.positionGain * (axesOf(settings.handTurn) * input.hand.position);
+    command.hand = mappedHand(input, memory);
     if (memory.started) {
-        command.coupling = moveProxy(input, input.hand.position - memory.hand, memory.proxy);
+        command.guide = stepGuide(input, commandedPlace(memory), memory.guide);
+        command.coupling = moveProxy(input, command.hand.motion, command.guide, memory.proxy);
         const Vector3 step = settings.positionGain * command.coupling.motion;
         command.base = {memory.base + step, step / input.timeStep};
     }
@@ -194,15 +227,14 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     out.estimate = decoupled(scene, decouplingInput(scene, input, out, prior));
     out.tip = out.base.position + out.estimate.deflection;
     memory.correction = slowCorrection(input, out, memory.correction);
-    out.handForce = input.settings.coupling.couples()
-                        ? command.coupling.hand
-                        : Vector3(input.settings.forceGain * (out.model.force + memory.correction));
+    out.handForce = wantedForce(input, out, command, memory.correction);
     out.flags = validity(scene, out, prior.contradicted);
     out.flags.set(Validity::TipNotHeld, !command.tipHeld);
     memory.base = out.base.position;
     memory.compensation = command.compensation;
     memory.control = input.settings.positionControl;
-    memory.hand = input.hand.position;
+    memory.mapping = command.hand.memory;
+    memory.guide = guideAfter(input, command.guide, command.coupling.motion);
     memory.proxy = proxyAfter(input, command.coupling, out.model, memory.model, memory.correction);
     memory.started = true;
     const Fault found = faultOf(input, out);
@@ -210,7 +242,7 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
         memory = before;  // nothing non-finite may live on into the next tick
     }
     const ForceRequest request =
-        requestOf(input, out, command.coupling, memory.fault != Fault::None ? memory.fault : found);
+        requestOf(input, out, command, memory.fault != Fault::None ? memory.fault : found);
     const GovernedForce governed = governForce(input, request, memory.governor);
     memory.governor = governed.memory;
     memory.fault = governed.fault;

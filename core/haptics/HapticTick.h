@@ -3,6 +3,7 @@
 #include "core/Vector.h"
 #include "core/haptics/Proxy.h"
 #include "core/haptics/governor/ForceGovernor.h"
+#include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/Scene.h"
 #include "core/scene/TickInput.h"
@@ -17,22 +18,25 @@ struct TickMemory {
     Vector3 compensation = Vector3::Zero();  ///< how far the tip was commanded ahead of it [m]
     PositionControl control = PositionControl::Base;  ///< of the last tick
     Vector3 correction = Vector3::Zero();             ///< slow part of estimate minus model [N]
-    Vector3 hand = Vector3::Zero();                   ///< its position in the last tick [m]
+    MappingMemory mapping;
     ProxyMemory proxy;
+    GuideMemory guide;
     GovernorMemory governor;
-    bool started = false;       ///< false: `base` and `hand` hold nothing yet
+    bool started = false;       ///< false: `base` holds nothing yet
     Fault fault = Fault::None;  ///< latched
     std::uint32_t rearms = 0;   ///< as the last tick's settings had them
 };
 
 /// Where the hand sends the cantilever's base in this tick. The base, or the tip, follows the
 /// displacements of the hand, or of the proxy that it is coupled to, times the gain, so that a
-/// changed gain, coupling or control moves nothing by itself.
+/// changed gain, coupling, view or control and a clutch move nothing by themselves.
 struct BaseCommand {
     BaseMotion base;                         ///< with the velocity that the hand gives
     Vector3 compensation = Vector3::Zero();  ///< commanded place of the tip less the base [m]
     bool tipHeld = true;    ///< false: no place of the base can hold the tip where it shall be
-    CouplingStep coupling;  ///< what led there, and the force of the coupling on the hand
+    MappingStep hand;       ///< what led there, and what the workspace does to the hand
+    GuideStep guide;        ///< what pulled at the proxy
+    CouplingStep coupling;  ///< where the proxy went, and the force of the coupling on the hand
 };
 
 /// With the tip under control, the base goes ahead by the deflection C F that the model expects at

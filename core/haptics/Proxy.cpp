@@ -24,15 +24,17 @@ double largestFriction(const EquilibriumMemory& memory) {
 
 }  // namespace
 
-CouplingStep moveProxy(const TickInput& input, const Vector3& handMotion,
+CouplingStep moveProxy(const TickInput& input, const Vector3& handMotion, const GuideStep& guide,
                        const ProxyMemory& memory) noexcept {
     const Settings& settings = input.settings;
     const CouplingGains& gains = settings.coupling;
     if (!gains.couples()) {
         return {.motion = handMotion};
     }
-    const ProxyLoad load = loadOn(memory, settings);
-    const bool seated = memory.gains == gains && memory.forceGain == settings.forceGain;
+    ProxyLoad load = loadOn(memory, settings);
+    load.force += guide.force;
+    const bool seated =
+        memory.gains == gains && memory.forceGain == settings.forceGain && !guide.changed;
     const Vector3 stretch = seated ? memory.stretch : Vector3(-load.force / gains.stiffness);
     return stepCoupling(gains, handMotion, stretch, load, input.timeStep);
 }

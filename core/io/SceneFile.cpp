@@ -1,7 +1,7 @@
 #include "core/io/SceneFile.h"
 
 #include "core/Error.h"
-#include "core/io/GovernorKeys.h"
+#include "core/io/HapticsKeys.h"
 #include "core/io/NamedChoice.h"
 #include "core/io/ProbeFile.h"
 #include "core/io/TomlFile.h"
@@ -32,8 +32,6 @@ constexpr std::array<NamedValue<FootEffort>, 3> kEfforts{{{"local", FootEffort::
                                                           {"certified", FootEffort::Certified}}};
 constexpr std::array<NamedValue<DecouplingTier>, 2> kDecouplings{
     {{"planar", DecouplingTier::Planar}, {"estimator", DecouplingTier::Estimator}}};
-constexpr std::array<NamedValue<PositionControl>, 2> kPositionControls{
-    {{"base", PositionControl::Base}, {"tip", PositionControl::Tip}}};
 constexpr std::array<NamedValue<ShapeKind>, 3> kShapes{{{"sphere", ShapeKind::Sphere},
                                                         {"cylinder", ShapeKind::Cylinder},
                                                         {"plane", ShapeKind::Plane}}};
@@ -197,21 +195,6 @@ void readFidelity(TomlSection section, SceneDescription& scene) {
     section.refuseUnknownKeys();
 }
 
-void readHaptics(TomlSection section, SceneDescription& scene) {
-    scene.tickRate = section.number("rate_hz", scene.tickRate);
-    scene.positionGain = section.number("position_gain", scene.positionGain);
-    scene.forceGain = section.number("force_gain", scene.forceGain);
-    scene.correctionBandwidth = section.number("correction_hz", scene.correctionBandwidth);
-    scene.positionControl =
-        choice(section, "position_control", kPositionControls, scene.positionControl);
-    CouplingGains& coupling = scene.coupling;
-    coupling.stiffness = section.number("coupling_stiffness_n_m", coupling.stiffness);
-    coupling.damping = section.number("coupling_damping_n_s_m", coupling.damping);
-    coupling.proxyDamping = section.number("proxy_damping_n_s_m", coupling.proxyDamping);
-    scene.governor = readGovernorKeys(section, scene.governor);
-    section.refuseUnknownKeys();
-}
-
 void readRest(const toml::table& table, const std::filesystem::path& path,
               SceneDescription& scene) {
     readPhysics(TomlSection(table, path, "physics"), scene);
@@ -301,19 +284,6 @@ toml::table fidelityTable(const SceneDescription& scene) {
             table.insert(keyOf(term), nameOf(kSwitches, scene.terms.*member));
         }
     }
-    return table;
-}
-
-toml::table hapticsTable(const SceneDescription& scene) {
-    toml::table table = governorTable(scene.governor);
-    table.insert("rate_hz", scene.tickRate);
-    table.insert("position_gain", scene.positionGain);
-    table.insert("force_gain", scene.forceGain);
-    table.insert("correction_hz", scene.correctionBandwidth);
-    table.insert("position_control", nameOf(kPositionControls, scene.positionControl));
-    table.insert("coupling_stiffness_n_m", scene.coupling.stiffness);
-    table.insert("coupling_damping_n_s_m", scene.coupling.damping);
-    table.insert("proxy_damping_n_s_m", scene.coupling.proxyDamping);
     return table;
 }
 

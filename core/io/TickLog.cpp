@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/Version.h"
 #include "core/io/CsvTable.h"
+#include "core/io/SettingsColumns.h"
 
 #include <cmath>
 #include <string>
@@ -25,19 +26,6 @@ Vector3 standardDeviation(const Matrix3& covariance) {
     return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
-/// What the force governor goes by.
-void addGoverned(CsvWriter& csv, const TickInput& input) {
-    const GovernorLimits& limits = input.settings.governor;
-    csv.add(input.hand.maxForce)
-        .add(input.hand.streams ? 1.0 : 0.0)
-        .add(input.hand.age)
-        .add(static_cast<double>(input.starts))
-        .add(limits.maxForce)
-        .add(limits.engageTime)
-        .add(limits.maxHandSpeed)
-        .add(static_cast<double>(limits.deadManButton));
-}
-
 /// A cell that must be finite.
 double finite(const CsvTable& table, std::size_t row, const std::string& column,
               const std::filesystem::path& path) {
@@ -49,26 +37,25 @@ double finite(const CsvTable& table, std::size_t row, const std::string& column,
     return value;
 }
 
-/// Recordings from before there was a governor say nothing of it.
-void readGoverned(const CsvTable& table, std::size_t row, const std::filesystem::path& path,
-                  TickInput& input) {
-    if (!table.has("hand_max_force_n")) {
-        return;
+/// What the device is. Recordings from before there was a governor say nothing of it.
+void readDevice(const CsvTable& table, std::size_t row, const std::filesystem::path& path,
+                TickInput& input) {
+    if (table.has("hand_max_force_n")) {
+        input.hand.maxForce = finite(table, row, "hand_max_force_n", path);
+        input.hand.streams = finite(table, row, "hand_streams", path) != 0.0;
+        input.hand.age = table.number(row, "hand_age_s");
+        input.starts = static_cast<std::uint32_t>(finite(table, row, "starts", path));
     }
-    const auto cell = [&](const char* column) { return finite(table, row, column, path); };
-    input.hand.maxForce = cell("hand_max_force_n");
-    input.hand.streams = cell("hand_streams") != 0.0;
-    input.hand.age = table.number(row, "hand_age_s");
-    input.starts = static_cast<std::uint32_t>(cell("starts"));
-    const double button = cell("dead_man_button");
-    if (!(button >= GovernorLimits::kNoButton && button <= GovernorLimits::kLastButton)) {
-        throw InputError(path.string(), "line " + std::to_string(table.line(row)),
-                         "dead_man_button must lie between -1 and 31");
-    }
-    input.settings.governor = {.maxForce = cell("max_force_n"),
-                               .engageTime = cell("engage_s"),
-                               .maxHandSpeed = cell("max_hand_speed_m_s"),
-                               .deadManButton = static_cast<int>(button)};
+}
+
+std::vector<std::string> inputColumns() {
+    std::vector<std::string> columns{"time_s",       "time_step_s", "hand_x_m",  "hand_y_m",
+                                     "hand_z_m",     "buttons",     "connected", "alpha_rad",
+                                     "theta_rad",    "age_s",       "starts",    "hand_max_force_n",
+                                     "hand_streams", "hand_age_s"};
+    const std::vector<std::string> knobs = settingsColumns();
+    columns.insert(columns.end(), knobs.begin(), knobs.end());
+    return columns;
 }
 
 }  // namespace
@@ -101,33 +88,7 @@ void ForceLogWriter::take(const TickSample& sample) {
 
 TickInputWriter::TickInputWriter(const std::filesystem::path& path)
     : csv_(path, comments("all that the run depended on besides scene.toml, one row a tick"),
-           {"time_s",
-            "time_step_s",
-            "hand_x_m",
-            "hand_y_m",
-            "hand_z_m",
-            "buttons",
-            "connected",
-            "alpha_rad",
-            "theta_rad",
-            "age_s",
-            "position_gain",
-            "force_gain",
-            "correction_hz",
-            "tip_control",
-            "coupling_stiffness_n_m",
-            "coupling_damping_n_s_m",
-            "proxy_damping_n_s_m",
-            "forces_on",
-            "rearms",
-            "hand_max_force_n",
-            "hand_streams",
-            "hand_age_s",
-            "starts",
-            "max_force_n",
-            "engage_s",
-            "max_hand_speed_m_s",
-            "dead_man_button"}) {}
+           inputColumns()) {}
 
 void TickInputWriter::take(const TickSample& sample) {
     const TickInput& input = sample.input;
@@ -138,16 +99,11 @@ void TickInputWriter::take(const TickSample& sample) {
         .add(input.measurement.signals.bending)
         .add(input.measurement.signals.torsion)
         .add(input.measurement.age)
-        .add(input.settings.positionGain)
-        .add(input.settings.forceGain)
-        .add(input.settings.correctionBandwidth)
-        .add(input.settings.positionControl == PositionControl::Tip ? 1.0 : 0.0)
-        .add(input.settings.coupling.stiffness)
-        .add(input.settings.coupling.damping)
-        .add(input.settings.coupling.proxyDamping)
-        .add(input.settings.forcesOn ? 1.0 : 0.0)
-        .add(static_cast<double>(input.settings.rearms));
-    addGoverned(csv_, input);
+        .add(static_cast<double>(input.starts))
+        .add(input.hand.maxForce)
+        .add(input.hand.streams ? 1.0 : 0.0)
+        .add(input.hand.age);
+    addSettings(csv_, input.settings);
     csv_.endRow();
 }
 
@@ -156,10 +112,6 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
     std::vector<TickSample> samples(table.rows());
     for (std::size_t row = 0; row < samples.size(); ++row) {
         const auto cell = [&](const char* column) { return finite(table, row, column, path); };
-        // Recordings from before there was a coupling say nothing of it.
-        const auto added = [&](const char* column) {
-            return table.has(column) ? cell(column) : 0.0;
-        };
         samples[row].time = cell("time_s");
         TickInput& input = samples[row].input;
         input.timeStep = cell("time_step_s");
@@ -173,17 +125,8 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
         input.hand.buttons = static_cast<std::uint32_t>(cell("buttons"));
         input.hand.connected = cell("connected") != 0.0;
         input.measurement = {{told("alpha_rad"), told("theta_rad")}, told("age_s")};
-        input.settings = {.positionGain = cell("position_gain"),
-                          .forceGain = cell("force_gain"),
-                          .correctionBandwidth = cell("correction_hz"),
-                          .positionControl = cell("tip_control") != 0.0 ? PositionControl::Tip
-                                                                        : PositionControl::Base,
-                          .coupling = {.stiffness = added("coupling_stiffness_n_m"),
-                                       .damping = added("coupling_damping_n_s_m"),
-                                       .proxyDamping = added("proxy_damping_n_s_m")},
-                          .forcesOn = cell("forces_on") != 0.0,
-                          .rearms = static_cast<std::uint32_t>(cell("rearms"))};
-        readGoverned(table, row, path, input);
+        input.settings = readSettings(table, row);
+        readDevice(table, row, path, input);
     }
     return samples;
 }

@@ -4,10 +4,10 @@
 #include "core/Version.h"
 #include "core/io/CsvTable.h"
 #include "core/io/CsvWriter.h"
+#include "core/io/StoredValue.h"
 
-#include <cmath>
-#include <cstdint>
-#include <limits>
+#include <algorithm>
+#include <array>
 #include <string>
 #include <type_traits>
 
@@ -39,7 +39,8 @@ void visit(Memory& memory, const Visitor& number) {
     number("control", memory.control);
     vector("base", memory.base, "m");
     vector("correction", memory.correction, "n");
-    vector("hand", memory.hand, "m");
+    vector("hand", memory.mapping.hand, "m");
+    number("mapping_follows", memory.mapping.follows);
     vector("proxy_stretch", memory.proxy.stretch, "m");
     vector("proxy_load", memory.proxy.load, "n");
     vector("proxy_normal", memory.proxy.normal, "1");
@@ -48,7 +49,18 @@ void visit(Memory& memory, const Visitor& number) {
     number("proxy_coupling_damping_n_s_m", memory.proxy.gains.damping);
     number("proxy_damping_n_s_m", memory.proxy.gains.proxyDamping);
     number("proxy_force_gain", memory.proxy.forceGain);
+    number("guide", memory.guide.fixture.kind);
+    vector("guide_point", memory.guide.fixture.point, "m");
+    vector("guide_axis", memory.guide.fixture.axis, "1");
+    number("guide_stiffness_n_m", memory.guide.fixture.stiffness);
+    number("guide_damping_n_s_m", memory.guide.fixture.damping);
+    number("guide_force_limit_n", memory.guide.fixture.forceLimit);
+    number("guide_capture_m", memory.guide.fixture.captureDistance);
+    number("guide_position_gain", memory.guide.positionGain);
+    number("guide_share", memory.guide.share);
+    vector("guide_velocity", memory.guide.velocity, "m_s");
     number("governor_share", memory.governor.share);
+    number("governor_edge_share", memory.governor.edgeShare);
     number("governor_starts", memory.governor.starts);
     vector("governor_from", memory.governor.speed.from, "m");
     number("governor_time_s", memory.governor.speed.time);
@@ -59,23 +71,11 @@ void visit(Memory& memory, const Visitor& number) {
     number("rearms", memory.rearms);
 }
 
-bool isUpTo(double largest, double number) {
-    return number >= 0.0 && number <= largest && number == std::floor(number);
-}
-bool isValue(double, double number) { return std::isfinite(number); }
-bool isValue(bool, double number) { return isUpTo(1.0, number); }
-bool isValue(std::size_t, double number) { return isUpTo(static_cast<double>(kMostFeet), number); }
-bool isValue(PositionControl, double number) {
-    return isUpTo(static_cast<double>(PositionControl::Tip), number);
-}
-bool isValue(ContactBranch, double number) {
-    return isUpTo(static_cast<double>(ContactBranch::Bonded), number);
-}
-bool isValue(Fault, double number) {
-    return isUpTo(static_cast<double>(Fault::VelocityTrip), number);
-}
-bool isValue(std::uint32_t, double number) {
-    return isUpTo(std::numeric_limits<std::uint32_t>::max(), number);
+/// Whether there are memories from before there was such a value.
+bool isLater(const std::string& name) {
+    constexpr std::array kLater{"proxy_", "governor_", "guide", "mapping_"};
+    return std::any_of(kLater.begin(), kLater.end(),
+                       [&name](const char* begin) { return name.starts_with(begin); });
 }
 
 }  // namespace
@@ -99,16 +99,18 @@ TickMemory readTickMemory(const std::filesystem::path& path) {
         throw InputError(path.string(), "", "expected one row of values");
     }
     TickMemory memory;
+    memory.mapping.follows = true;  // there was no clutch
     visit(memory, [&](const std::string& name, auto& value) {
-        const bool isLater = name.starts_with("proxy_") || name.starts_with("governor_");
-        if (isLater && !table.has(name)) {
-            return;  // from before there was a proxy or a governor
+        if (isLater(name) && !table.has(name)) {
+            return;
         }
+        using Value = std::decay_t<decltype(value)>;
         const double number = table.number(0, name);
-        if (!isValue(value, number)) {
+        // A guide may reach without end.
+        if (!stored::standsFor<Value>(number) && !(name == "guide_capture_m" && number > 0.0)) {
             throw InputError(path.string(), name, "expected a value as Asperity writes it");
         }
-        value = static_cast<std::decay_t<decltype(value)>>(number);
+        value = static_cast<Value>(number);
     });
     return memory;
 }

@@ -120,6 +120,8 @@ Scene assemble(const SceneDescription& description, Ground ground) {
                          .positionControl = description.positionControl,
                          .coupling = description.coupling,
                          .governor = description.governor,
+                         .clutchButton = description.clutchButton,
+                         .guide = description.guide,
                          .forcesOn = true}};
 }
 

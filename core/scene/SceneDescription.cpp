@@ -74,6 +74,22 @@ void check(const GovernorLimits& governor) {
             "[haptics]: max_hand_speed_m_s must lie between 0.01 and 10");
 }
 
+void check(const VirtualFixture& guide) {
+    constexpr double kMost = 1e4;    // of stiffness and damping
+    constexpr double kFarthest = 1;  // [m]
+    require(guide.point.cwiseAbs().maxCoeff() <= kFarthest,
+            "[haptics]: guide_x_m, guide_y_m and guide_z_m must lie between -1 and 1");
+    require(isWithin(guide.axis.norm(), 1.0 - 1e-9, 1.0 + 1e-9),
+            "[haptics]: guide_axis_x, guide_axis_y and guide_axis_z must give a direction");
+    require(isWithin(guide.stiffness, 0.0, kMost),
+            "[haptics]: guide_stiffness_n_m must lie between 0 and 1e4");
+    require(isWithin(guide.damping, 0.0, kMost),
+            "[haptics]: guide_damping_n_s_m must lie between 0 and 1e4");
+    require(isWithin(guide.forceLimit, 0.0, 50.0),
+            "[haptics]: guide_force_limit_n must lie between 0 and 50");
+    require(guide.captureDistance > 0.0, "[haptics]: guide_capture_m must be above 0");
+}
+
 void check(const SampleDescription& sample) {
     require(sample.imagingTipRadius == 0.0 || isWithin(sample.imagingTipRadius, 1e-12, 1.0),
             "[sample]: imaging_tip_radius_m must be 0 (not known) or lie between 1e-12 and 1");
@@ -187,6 +203,7 @@ void checkScene(const SceneDescription& scene) {
             "[haptics]: correction_hz must be zero or a positive number");
     check(scene.coupling);
     check(scene.governor);
+    check(scene.guide);
     require(scene.zoomHalfWidth >= 0.0 && std::isfinite(scene.zoomHalfWidth),
             "[view]: zoom_half_width_m must be zero or a positive number of metres");
 }

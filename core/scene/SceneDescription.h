@@ -105,6 +105,11 @@ struct SceneDescription {
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
     CouplingGains coupling;
     GovernorLimits governor;
+    int clutchButton = kNoButton;  ///< while it is held, the hand moves and commands nothing
+    VirtualFixture guide{.stiffness = 200.0,
+                         .damping = 0.5,
+                         .forceLimit = 1.0,
+                         .captureDistance = 50e-9};  ///< lengths of the world
     double zoomHalfWidth = 0.0;  ///< of the zoomed view [m]; 0: chosen from the contact
 };
 

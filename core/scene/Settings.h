@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/Vector.h"
 #include "core/scene/CouplingGains.h"
 #include "core/scene/GovernorLimits.h"
+#include "core/scene/VirtualFixture.h"
+#include "core/scene/Workspace.h"
 
 #include <cstdint>
 
@@ -19,10 +22,18 @@ struct Settings {
     double forceGain = 1.0;             ///< force at the hand per force at the tip
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
     PositionControl positionControl = PositionControl::Base;
-    CouplingGains coupling;    ///< of the hand and what it commands
-    GovernorLimits governor;   ///< of the force, where the hand renders it
-    bool forcesOn = true;      ///< false: the hand feels nothing
-    std::uint32_t rearms = 0;  ///< how often a person has taken back a fault
+    CouplingGains coupling;   ///< of the hand and what it commands
+    GovernorLimits governor;  ///< of the force, where the hand renders it
+    /// Turn from the device's axes to the world's: along its axis, as long as its angle [rad].
+    Vector3 handTurn = Vector3::Zero();
+    Workspace workspace;           ///< of the device
+    bool clutched = false;         ///< the hand moves, what it commands stays
+    int clutchButton = kNoButton;  ///< that does so while it is held
+    VirtualFixture guide;          ///< lengths of the world
+    bool forcesOn = true;          ///< false: the hand feels nothing
+    std::uint32_t rearms = 0;      ///< how often a person has taken back a fault
+
+    bool operator==(const Settings&) const = default;
 };
 
 }  // namespace asperity

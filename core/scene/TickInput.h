@@ -19,6 +19,10 @@ struct HandState {
 
     /// Whether the force governor stands between tick and hand.
     [[nodiscard]] bool rendersForce() const noexcept { return maxForce > 0.0; }
+    /// Whether a button is down; kNoButton never is.
+    [[nodiscard]] bool holds(int button) const noexcept {
+        return button != kNoButton && ((buttons >> static_cast<unsigned>(button)) & 1U) != 0U;
+    }
 };
 
 /// All that one tick depends on besides the scene and its memory: what a recording holds.
@@ -28,6 +32,11 @@ struct TickInput {
     Settings settings;
     double timeStep = 1e-3;    ///< [s]
     std::uint32_t starts = 0;  ///< of the loop: after each the force comes on anew
+
+    /// Whether the hand moves without commanding anything.
+    [[nodiscard]] bool clutched() const noexcept {
+        return settings.clutched || hand.holds(settings.clutchButton);
+    }
 };
 
 }  // namespace asperity

@@ -23,6 +23,7 @@ enum class Fault : std::uint8_t {
 enum class ForceState : std::uint8_t {
     Off,       ///< a person switched it off
     Released,  ///< the dead-man switch is not held
+    Clutched,  ///< the hand moves and commands nothing: it feels no more than its workspace's edge
     Waiting,   ///< until it may come on: little force, and the proxy near the hand
     Engaging,  ///< comes on
     On,
@@ -37,7 +38,7 @@ struct TickOutput {
     TipState model;                       ///< equilibrium of the believed system
     ForceEstimate estimate;               ///< from the measured signals
     Vector3 tip = Vector3::Zero();        ///< apex, from base and estimated force [m]
-    Vector3 handForce = Vector3::Zero();  ///< for the device [N]
+    Vector3 handForce = Vector3::Zero();  ///< for the device, its axes [N]
     ValidityFlags flags;
     Fault fault = Fault::None;
     ForceState forceState = ForceState::On;

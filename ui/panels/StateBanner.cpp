@@ -102,6 +102,8 @@ QString forceWords(ForceState state) {
         return QStringLiteral("forces off (Esc)");
     case ForceState::Released:
         return QStringLiteral("forces off: hold the dead-man switch");
+    case ForceState::Clutched:
+        return QStringLiteral("clutch: the hand moves, the tip stays");
     case ForceState::Waiting:
         return QStringLiteral("forces wait until the tip feels little");
     case ForceState::Engaging:

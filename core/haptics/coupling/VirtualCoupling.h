@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-/// What the contact does to the proxy, as the last tick has it; the hand's frame and units.
+/// What contact and guide do to the proxy, as the last tick has it; world axes, the hand's units.
 struct ProxyLoad {
     Vector3 force = Vector3::Zero();    ///< all but friction [N]
     Vector3 normal = Vector3::UnitZ();  ///< of the surface, unit
@@ -13,7 +13,7 @@ struct ProxyLoad {
     double restSpeed = 1.0;             ///< v0, below which it fades [m/s], > 0
 };
 
-/// What one step makes; the hand's frame and units.
+/// What one step makes; world axes, the hand's units.
 struct CouplingStep {
     Vector3 hand = Vector3::Zero();     ///< force on the hand [N]
     Vector3 motion = Vector3::Zero();   ///< of the proxy in this step [m]

@@ -12,10 +12,11 @@ constexpr double kLongestStep = 10e-3;  // [s]
 
 bool isFinite(const TickInput& input, const ForceRequest& request) {
     const GovernorLimits& limits = input.settings.governor;
-    return request.force.allFinite() && std::isfinite(request.mismatch) &&
-           input.hand.position.allFinite() && std::isfinite(input.hand.maxForce) &&
-           std::isfinite(input.hand.age) && std::isfinite(limits.maxForce) &&
-           std::isfinite(limits.engageTime) && std::isfinite(limits.maxHandSpeed);
+    return request.force.allFinite() && request.edge.allFinite() &&
+           std::isfinite(request.mismatch) && input.hand.position.allFinite() &&
+           std::isfinite(input.hand.maxForce) && std::isfinite(input.hand.age) &&
+           std::isfinite(limits.maxForce) && std::isfinite(limits.engageTime) &&
+           std::isfinite(limits.maxHandSpeed);
 }
 
 /// The most that device and scene allow [N].
@@ -23,14 +24,14 @@ double largestForce(const TickInput& input) {
     return std::min(input.hand.maxForce, input.settings.governor.maxForce);
 }
 
-Vector3 saturated(const Vector3& force, double size, double largest) {
+Vector3 saturated(const Vector3& force, double largest) {
+    const double size = force.stableNorm();
     return size > largest ? Vector3((largest / size) * force) : force;
 }
 
 bool holdsDeadMan(const TickInput& input) {
     const int button = input.settings.governor.deadManButton;
-    return button == GovernorLimits::kNoButton ||
-           ((input.hand.buttons >> static_cast<unsigned>(button)) & 1U) != 0U;
+    return button == kNoButton || input.hand.holds(button);
 }
 
 /// Share of the force that the silence of the device leaves: 1 while it reports.
@@ -49,32 +50,29 @@ Fault faultOf(const TickInput& input, const ForceRequest& request, const Governo
     if (shareInSilence(input.hand) == 0.0) {
         return Fault::DeviceSilent;
     }
-    const bool acts = memory.share > 0.0;
+    const bool acts = memory.share > 0.0 || (memory.edgeShare > 0.0 && !request.edge.isZero(0.0));
     return acts && memory.speed.speed > input.settings.governor.maxHandSpeed ? Fault::VelocityTrip
                                                                              : Fault::None;
 }
 
-bool mayComeOn(const TickInput& input, const ForceRequest& request, double speed) {
-    const double small = kSmallShare * largestForce(input);
-    return request.force.stableNorm() <= small && request.mismatch <= small &&
-           speed <= input.settings.governor.maxHandSpeed;
-}
-
-/// Share of the wanted force in this tick, given that nothing forbids it.
-double nextShare(const TickInput& input, const ForceRequest& request,
-                 const GovernorMemory& memory) {
+/// Share of a force that acts in this tick, given that nothing forbids it.
+/// @param before  that acted in the last one
+/// @param wanted  what must be small for the force to come on: the force itself, a mismatch [N]
+double nextShare(const TickInput& input, double before, double wanted, double handSpeed) {
     const double alive = shareInSilence(input.hand);
     if (alive < 1.0) {
-        return std::min(memory.share, alive);
+        return std::min(before, alive);
     }
-    if (memory.share == 0.0 && !mayComeOn(input, request, memory.speed.speed)) {
+    const bool mayComeOn = wanted <= kSmallShare * largestForce(input) &&
+                           handSpeed <= input.settings.governor.maxHandSpeed;
+    if (before == 0.0 && !mayComeOn) {
         return 0.0;
     }
     const double step = std::min(input.timeStep, kLongestStep);
-    return std::min(1.0, memory.share + step / input.settings.governor.engageTime);
+    return std::min(1.0, before + step / input.settings.governor.engageTime);
 }
 
-/// Why no force acts at all, or On.
+/// What keeps the force away, or On.
 ForceState permission(const TickInput& input, Fault fault) {
     if (fault != Fault::None) {
         return ForceState::Fault;
@@ -82,11 +80,16 @@ ForceState permission(const TickInput& input, Fault fault) {
     if (!input.settings.forcesOn) {
         return ForceState::Off;
     }
-    return holdsDeadMan(input) || !input.hand.rendersForce() ? ForceState::On
-                                                             : ForceState::Released;
+    if (input.hand.rendersForce() && !holdsDeadMan(input)) {
+        return ForceState::Released;
+    }
+    return input.clutched() ? ForceState::Clutched : ForceState::On;
 }
 
 ForceState stateOf(const TickInput& input, double share, bool limited) {
+    if (input.clutched()) {
+        return ForceState::Clutched;
+    }
     if (share == 0.0) {
         return ForceState::Waiting;
     }
@@ -123,15 +126,22 @@ GovernedForce governForce(const TickInput& input, const ForceRequest& request,
     memory.speed = watchSpeed(memory.speed, input.hand.position, input.timeStep);
     const Fault fault = faultOf(input, request, memory);
     const ForceState allowed = permission(input, fault);
-    if (allowed != ForceState::On) {
+    if (allowed != ForceState::On && allowed != ForceState::Clutched) {
         memory.share = 0.0;
+        memory.edgeShare = 0.0;
         return {.state = allowed, .fault = fault, .memory = memory};
     }
-    memory.share = nextShare(input, request, memory);
     const double size = request.force.stableNorm();
+    const double speed = memory.speed.speed;
+    memory.share = allowed == ForceState::On
+                       ? nextShare(input, memory.share, std::max(size, request.mismatch), speed)
+                       : 0.0;
+    memory.edgeShare = nextShare(input, memory.edgeShare, request.edge.stableNorm(), speed);
     const double largest = largestForce(input);
-    return {.force = memory.share * saturated(request.force, size, largest),
-            .state = stateOf(input, memory.share, size > largest),
+    const Vector3 sum =
+        memory.share * saturated(request.force, largest) + memory.edgeShare * request.edge;
+    return {.force = saturated(sum, largest),
+            .state = stateOf(input, memory.share, size > largest || sum.stableNorm() > largest),
             .fault = fault,
             .memory = memory};
 }

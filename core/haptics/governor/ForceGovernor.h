@@ -17,22 +17,24 @@ inline constexpr double kSilenceEnd = 40e-3;
 /// Share of the largest force up to which a force may come on.
 inline constexpr double kSmallShare = 0.1;
 
-/// What a tick wants the hand to feel; the hand's frame.
+/// What a tick wants the hand to feel; the device's axes.
 struct ForceRequest {
-    Vector3 force = Vector3::Zero();  ///< [N]
+    Vector3 force = Vector3::Zero();  ///< of the coupling, or of the sample itself [N]
     double mismatch = 0.0;            ///< Kc |hand less proxy|, 0 without a coupling [N]
+    Vector3 edge = Vector3::Zero();   ///< of the device's workspace, which a clutch leaves [N]
     Fault fault = Fault::None;        ///< latched before, or found by this tick
 };
 
 /// What the governor hands from one tick to the next.
 struct GovernorMemory {
     double share = 0.0;        ///< of the wanted force that acts, 0 to 1
+    double edgeShare = 0.0;    ///< likewise of the edge's
     std::uint32_t starts = 0;  ///< as the last tick had them
     SpeedWatch speed;          ///< of the hand
 };
 
 struct GovernedForce {
-    Vector3 force = Vector3::Zero();  ///< for the device, the hand's frame [N]
+    Vector3 force = Vector3::Zero();  ///< for the device, its axes [N]
     ForceState state = ForceState::Off;
     Fault fault = Fault::None;  ///< that of the request, or the first that the governor found
     GovernorMemory memory;
@@ -43,8 +45,9 @@ struct GovernedForce {
 /// it is small (kSmallShare), the proxy near the hand and the hand slow; dead-man switch; watchdog
 /// on the age of the device's newest report; velocity trip, while the force acts. A fault, a
 /// released switch, a start and forces off take the force away in the same tick, and it comes on
-/// anew afterwards. In normal running the wanted force passes unchanged: nothing is smoothed. A
-/// hand that only senses gets its force as wanted, or none. Source: docs/haptics.md, Governor.
+/// anew afterwards; a clutch does so to all but the force of the workspace's edge. In normal
+/// running the wanted force passes unchanged: nothing is smoothed. A hand that only senses gets its
+/// force as wanted, or none. Source: docs/haptics.md, Governor.
 [[nodiscard]] GovernedForce governForce(const TickInput& input, const ForceRequest& request,
                                         const GovernorMemory& before) noexcept;
 

@@ -44,6 +44,17 @@ std::optional<Matrix3> viewAxes(const Vector3& right, const Vector3& up) noexcep
     return axes;
 }
 
+Matrix3 axesOf(const Vector3& turn) noexcept {
+    const double angle = lengthOf(turn);
+    return angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix()
+                       : Matrix3(Matrix3::Identity());
+}
+
+Vector3 turnOf(const Matrix3& axes) noexcept {
+    const Eigen::AngleAxisd turn(axes);
+    return turn.angle() * turn.axis();
+}
+
 MappingStep mapHand(const Workspace& workspace, const Vector3& hand,
                     const MappingSettings& settings, const MappingMemory& before) noexcept {
     MappingStep step;

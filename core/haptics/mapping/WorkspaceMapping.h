@@ -1,20 +1,11 @@
 #pragma once
 
 #include "core/Vector.h"
+#include "core/scene/Workspace.h"
 
 #include <optional>
 
 namespace asperity {
-
-/// The ball in which a device can be moved, and the spring that tells the hand of its edge; the
-/// device's axes and units.
-struct Workspace {
-    Vector3 centre = Vector3::Zero();  ///< [m]
-    double radius = 0.0;               ///< [m]; 0: not known, no spring
-    double freeShare = 0.9;            ///< of the radius, up to which there is no spring
-    double stiffness = 0.0;            ///< of the spring [N/m]
-    double forceLimit = 0.0;           ///< of the spring, which nears it smoothly [N]
-};
 
 /// What a person may change while the loop runs; none of it moves anything by itself.
 struct MappingSettings {
@@ -50,6 +41,10 @@ struct MappingStep {
 /// @param right, up of the view in world axes, any length; `up` is made orthogonal to `right`
 /// @return nothing where these are not finite, zero or parallel
 [[nodiscard]] std::optional<Matrix3> viewAxes(const Vector3& right, const Vector3& up) noexcept;
+
+/// Axes as Settings::handTurn has them, and back.
+[[nodiscard]] Matrix3 axesOf(const Vector3& turn) noexcept;
+[[nodiscard]] Vector3 turnOf(const Matrix3& axes) noexcept;
 
 /// From the hand to what it commands. The motion since the last step counts if the hand commanded
 /// at both its ends; it is turned by the axes, and the command moves by it times the gain. So a

@@ -1,6 +1,4 @@
-#include "core/Units.h"
-#include "core/haptics/HapticTick.h"
-#include "core/probe/SimulatedAfm.h"
+#include "tests/core/haptics/GuidedHand.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -11,45 +9,11 @@
 namespace asperity {
 namespace {
 
-constexpr CouplingGains kGains{.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
 constexpr CouplingGains kSofter{.stiffness = 250.0, .damping = 1.0, .proxyDamping = 2.0};
 
-/// Silicon oxide without noise, 1 mm of the hand to 1 nm and 1 N to 10 nN.
-Scene coupledScene(const CouplingGains& gains, const HeightMap& map = test::flatMap()) {
-    SceneDescription description = test::plainScene();
-    description.sample.material.elastic.youngsModulus = 70.0_GPa;
-    description.sample.material.workOfAdhesion = 0.2;
-    description.truth.material = description.sample.material;
-    description.truth.signalNoise = 0.0;
-    description.positionGain = 1e-6;
-    description.forceGain = 1e8;
-    description.coupling = gains;
-    return buildScene(description, map);
-}
-
-/// A hand that goes where it is told, with tick and instrument.
-class GuidedHand {
-public:
-    explicit GuidedHand(const Scene& scene)
-        : settings(scene.settings), scene_(scene), afm_(scene.touched(), scene.truth) {}
-
-    TickOutput moveTo(const Vector3& hand, int ticks = 1) {
-        TickInput input{.hand = {.position = hand}, .settings = settings};
-        TickOutput out;
-        for (int i = 0; i < ticks; ++i) {
-            input.measurement = afm_.exchange(commandBase(scene_, input, memory_).base);
-            out = tick(scene_, input, memory_);
-        }
-        return out;
-    }
-
-    Settings settings;
-
-private:
-    const Scene& scene_;
-    SimulatedAfm afm_;
-    TickMemory memory_;
-};
+using test::coupledScene;
+using test::GuidedHand;
+using test::kGains;
 
 TEST(CoupledTick, TheProxyCommandsTheBaseAndTheHandFeelsTheCoupling) {
     const Scene scene = coupledScene(kGains);

@@ -78,20 +78,24 @@ TEST(TickAllocation, NorDoesAGovernorWhateverBecomesOfTheForce) {
     TickMemory memory;
     TickInput input;
     input.settings = scene.settings;
+    input.settings.workspace = {.radius = 60.0_nm, .stiffness = 200.0, .forceLimit = 2.0};
+    input.settings.clutchButton = 1;
+    input.settings.handTurn = {0.1, 0.2, 0.3};
     std::set<ForceState> states;
     for (int i = 0; i <= 3000; ++i) {
         input.hand = {.position = {64.0_nm, 64.0_nm, i < 1500 ? 5.0_nm : -2.0_nm},
-                      .buttons = i > 10 ? 1U : 0U,
+                      .buttons = i > 100 && i < 110 ? 3U : (i > 10 ? 1U : 0U),
                       .maxForce = i < 2000 ? 5.0 : 1e-12,
                       .streams = true,
                       .age = i < 2500 ? 0.0 : (i - 2500) * 1e-3};
         input.settings.forcesOn = i > 5;
+        input.settings.guide.kind = static_cast<FixtureKind>(i / 100 % 4);
         const std::size_t before = test::allocationCount();
         const TickOutput output = tick(scene, input, memory);
         ASSERT_EQ(test::allocationCount(), before) << "tick " << i;
         states.insert(output.forceState);
     }
-    EXPECT_EQ(states.size(), 7U) << "all but Waiting";
+    EXPECT_EQ(states.size(), 8U) << "all but Waiting";
 }
 
 TEST(TickAllocation, NorDoSeveralFeet) {

@@ -146,9 +146,19 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.coupling = {.stiffness = 1e3 / 3.0, .damping = 2.5, .proxyDamping = 3.0};
     scene.governor = {
         .maxForce = 10.0 / 3.0, .engageTime = 0.7, .maxHandSpeed = 1.1, .deadManButton = 3};
+    scene.clutchButton = 1;
+    scene.guide = {.kind = FixtureKind::Line,
+                   .point = {1e-9 / 3.0, 2e-9, -3e-9},
+                   .axis = Vector3(1.0, 2.0, 3.0).normalized(),
+                   .stiffness = 300.0,
+                   .damping = 0.3,
+                   .forceLimit = 2.0,
+                   .captureDistance = 30e-9 / 7.0};
     const std::string text = sceneText(scene);
     const SceneDescription again = readScene(write("again.toml", text));
     EXPECT_EQ(sceneText(again), text);
+    EXPECT_EQ(again.clutchButton, 1);
+    EXPECT_EQ(again.guide, scene.guide);
     EXPECT_EQ(again.sample.channel, scene.sample.channel);
     EXPECT_EQ(again.sample.material.elastic.youngsModulus,
               scene.sample.material.elastic.youngsModulus);

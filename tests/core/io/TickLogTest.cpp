@@ -36,7 +36,22 @@ TickSample sampleOf(double time) {
                      .engageTime = 0.7,
                      .maxHandSpeed = 1.1,
                      .deadManButton = 31},
-        .forcesOn = false};
+        .handTurn = {0.1 / 3.0, -0.2, 2.5},
+        .workspace = {.centre = {0.1, -0.2, 0.3},
+                      .radius = 0.1 / 3.0,
+                      .freeShare = 0.7,
+                      .stiffness = 2e2 / 3.0,
+                      .forceLimit = 1.7},
+        .clutched = true,
+        .clutchButton = 4,
+        .guide = {.kind = FixtureKind::Line,
+                  .point = {1e-9, 2e-9 / 3.0, -3e-9},
+                  .axis = Vector3(1.0, 2.0, -3.0).normalized(),
+                  .stiffness = 2e2 / 7.0,
+                  .damping = 0.1 + 0.2,
+                  .forceLimit = 1.1},
+        .forcesOn = false,
+        .rearms = 3};
     sample.output.model.contact = {.force = -3e-9, .indentation = 1e-9, .contactRadius = 2e-9};
     sample.output.model.contact.branch = ContactBranch::Bonded;
     sample.output.estimate.covariance(1, 1) = 4e-18;
@@ -62,14 +77,11 @@ TEST(TickLog, InputsReadBackToTheSameBits) {
     EXPECT_EQ(bits(read[0].input.measurement.signals.bending),
               bits(written.input.measurement.signals.bending));
     EXPECT_EQ(read[0].input.measurement.signals.torsion, -1e-300);
-    EXPECT_EQ(bits(read[0].input.settings.forceGain), bits(written.input.settings.forceGain));
-    EXPECT_EQ(read[0].input.settings.coupling, written.input.settings.coupling);
-    EXPECT_FALSE(read[0].input.settings.forcesOn);
+    EXPECT_EQ(read[0].input.settings, written.input.settings);
     EXPECT_EQ(bits(read[0].input.hand.maxForce), bits(written.input.hand.maxForce));
     EXPECT_TRUE(read[0].input.hand.streams);
     EXPECT_EQ(bits(read[0].input.hand.age), bits(written.input.hand.age));
     EXPECT_EQ(read[0].input.starts, 2U);
-    EXPECT_EQ(read[0].input.settings.governor, written.input.settings.governor);
 }
 
 TEST(TickLog, ReadsInputsFromBeforeThereWasAGovernor) {
@@ -81,7 +93,7 @@ TEST(TickLog, ReadsInputsFromBeforeThereWasAGovernor) {
                            "0,0.001,1,2,3,0,1,0,0,0,1,1,20,0,1,0\n";
     const TickInput input = readTickInputs(path).at(0).input;
     EXPECT_FALSE(input.hand.rendersForce());
-    EXPECT_EQ(input.settings.governor, GovernorLimits{});
+    EXPECT_EQ(input.settings, Settings{});
 }
 
 TEST(TickLog, RefusesADeadManSwitchThatIsNoButton) {

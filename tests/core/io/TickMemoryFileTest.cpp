@@ -23,15 +23,25 @@ TickMemory someMemory() {
     memory.control = PositionControl::Tip;
     memory.base = {0.1, 0.2, 0.3};
     memory.correction = {1e-10, 2e-10, -3e-10};
-    memory.hand = {7.0, 8.0, 9.0};
+    memory.mapping = {.hand = {7.0, 8.0, 9.0}, .follows = true};
     memory.proxy = {.stretch = {1e-3 / 3.0, 0.0, -2e-3},
                     .load = {1e-9, -2e-9, 1e-8 / 7.0},
                     .normal = {0.6, 0.0, 0.8},
                     .friction = 1e-9 / 3.0,
                     .gains = {.stiffness = 400.0 / 3.0, .damping = 0.1, .proxyDamping = 0.3},
                     .forceGain = 1e8 / 3.0};
+    memory.guide = {.fixture = {.kind = FixtureKind::Plane,
+                                .point = {1e-9 / 3.0, 2e-9, 3e-9},
+                                .axis = {0.6, 0.0, 0.8},
+                                .stiffness = 200.0 / 3.0,
+                                .damping = 0.5,
+                                .forceLimit = 1.1},
+                    .positionGain = 1e-6 / 3.0,
+                    .share = 0.7,
+                    .velocity = {1e-3, 2e-3 / 3.0, -3e-3}};
     memory.governor = {
         .share = 1.0 / 3.0,
+        .edgeShare = 2.0 / 3.0,
         .starts = 5,
         .speed = {.from = {0.1 / 3.0, 0.2, -0.3}, .time = 1e-3, .started = true, .speed = 0.7}};
     memory.started = true;
@@ -60,14 +70,20 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.control, written.control);
     EXPECT_EQ(read.base, written.base);
     EXPECT_EQ(read.correction, written.correction);
-    EXPECT_EQ(read.hand, written.hand);
+    EXPECT_EQ(read.mapping.hand, written.mapping.hand);
+    EXPECT_EQ(read.mapping.follows, written.mapping.follows);
     EXPECT_EQ(read.proxy.stretch, written.proxy.stretch);
     EXPECT_EQ(read.proxy.load, written.proxy.load);
     EXPECT_EQ(read.proxy.normal, written.proxy.normal);
     EXPECT_EQ(read.proxy.friction, written.proxy.friction);
     EXPECT_EQ(read.proxy.gains, written.proxy.gains);
     EXPECT_EQ(read.proxy.forceGain, written.proxy.forceGain);
+    EXPECT_EQ(read.guide.fixture, written.guide.fixture);
+    EXPECT_EQ(read.guide.positionGain, written.guide.positionGain);
+    EXPECT_EQ(read.guide.share, written.guide.share);
+    EXPECT_EQ(read.guide.velocity, written.guide.velocity);
     EXPECT_EQ(read.governor.share, written.governor.share);
+    EXPECT_EQ(read.governor.edgeShare, written.governor.edgeShare);
     EXPECT_EQ(read.governor.starts, written.governor.starts);
     EXPECT_EQ(read.governor.speed.from, written.governor.speed.from);
     EXPECT_EQ(read.governor.speed.time, written.governor.speed.time);

@@ -1,0 +1,43 @@
+#include "tests/core/haptics/GuidedHand.h"
+
+#include "core/Units.h"
+#include "tests/support/TestScenes.h"
+
+namespace asperity::test {
+
+Scene coupledScene(const CouplingGains& gains, const HeightMap& map) {
+    SceneDescription description = plainScene();
+    description.sample.material.elastic.youngsModulus = 70.0_GPa;
+    description.sample.material.workOfAdhesion = 0.2;
+    description.truth.material = description.sample.material;
+    description.truth.signalNoise = 0.0;
+    description.positionGain = 1e-6;
+    description.forceGain = 1e8;
+    description.coupling = gains;
+    return buildScene(description, map);
+}
+
+Scene coupledScene(const CouplingGains& gains) { return coupledScene(gains, flatMap()); }
+
+TickOutput GuidedHand::moveTo(const Vector3& hand, int ticks) {
+    TickInput input{.hand = device, .settings = settings, .starts = starts};
+    input.hand.position = hand;
+    place_ = hand;
+    TickOutput out;
+    for (int i = 0; i < ticks; ++i) {
+        input.measurement = afm_.exchange(commandBase(scene_, input, memory_).base);
+        out = tick(scene_, input, memory_);
+    }
+    return out;
+}
+
+TickOutput GuidedHand::glideTo(const Vector3& hand, int ticks) {
+    const Vector3 from = place_;
+    const int moving = ticks / 2;
+    for (int i = 1; i < moving; ++i) {
+        moveTo(from + static_cast<double>(i) / moving * (hand - from));
+    }
+    return moveTo(hand, ticks - moving);
+}
+
+}  // namespace asperity::test

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/haptics/HapticTick.h"
+#include "core/probe/SimulatedAfm.h"
+
+#include <cstdint>
+
+namespace asperity::test {
+
+inline constexpr CouplingGains kGains{.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
+
+/// Silicon oxide without noise under a hand for which 1 mm is 1 nm and 1 N is 10 nN.
+[[nodiscard]] Scene coupledScene(const CouplingGains& gains, const HeightMap& map);
+/// The same on flat ground.
+[[nodiscard]] Scene coupledScene(const CouplingGains& gains);
+
+/// A hand that goes where it is told, with tick and instrument.
+class GuidedHand {
+public:
+    explicit GuidedHand(const Scene& scene)
+        : settings(scene.settings), scene_(scene), afm_(scene.touched(), scene.truth) {}
+
+    TickOutput moveTo(const Vector3& hand, int ticks = 1);
+    /// At a speed that a hand has, in half of the ticks; then it stays.
+    TickOutput glideTo(const Vector3& hand, int ticks);
+
+    Settings settings;
+    HandState device;  ///< what it is; the place is that of moveTo()
+    std::uint32_t starts = 0;
+
+private:
+    const Scene& scene_;
+    Vector3 place_ = Vector3::Zero();  ///< [m]
+    SimulatedAfm afm_;
+    TickMemory memory_;
+};
+
+}  // namespace asperity::test

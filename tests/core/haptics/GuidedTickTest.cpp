@@ -1,0 +1,119 @@
+#include "tests/core/haptics/GuidedHand.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace asperity {
+namespace {
+
+using test::GuidedHand;
+using test::kGains;
+
+constexpr double kFar = 1e-4;                // of what the sample pulls from there [N]
+const Vector3 kHigh(64e-3, 64e-3, 40e-3);    // of the hand [m]
+const Vector3 kTarget(64e-9, 64e-9, 40e-9);  // where that sends the base [m]
+
+VirtualFixture guideTo(FixtureKind kind, const Vector3& point) {
+    return {.kind = kind,
+            .point = point,
+            .stiffness = 200.0,
+            .damping = 0.5,
+            .forceLimit = 1.0,
+            .captureDistance = 50e-9};
+}
+
+TEST(GuidedTick, AGuidePullsTheBaseToItsTargetAndTheHandFeelsIt) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand(scene);
+    hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
+    hand.moveTo(kHigh, 1000);
+    const Vector3 aside(1e-3, 0.0, 2e-3);
+    const TickOutput out = hand.moveTo(kHigh + aside, 4000);
+    // Coupling and guide in series: the base comes to Kc / (Kc + k) of the way. The guide gives
+    // less than k e by its fading towards the capture distance and towards its limit.
+    const Vector3 way = (out.base.position - kTarget) / 1e-6;
+    EXPECT_LT(way.norm(), 0.72 * aside.norm());
+    EXPECT_GT(way.norm(), 0.66 * aside.norm());
+    EXPECT_LT((out.handForce + kGains.stiffness * (aside - way)).norm(), 1e-6);
+    EXPECT_LT(out.handForce.normalized().dot(aside.normalized()), -1.0 + 1e-9);
+}
+
+TEST(GuidedTick, APlaneLeavesTheHandFreeWithinIt) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand(scene);
+    hand.settings.guide = guideTo(FixtureKind::Plane, kTarget);
+    hand.moveTo(kHigh, 1000);
+    const TickOutput within = hand.moveTo(kHigh + Vector3(15e-3, -10e-3, 0.0), 4000);
+    EXPECT_LT(within.handForce.norm(), kFar);
+    EXPECT_LT(hand.moveTo(kHigh + Vector3(15e-3, -10e-3, 3e-3), 4000).handForce.z(), -0.3);
+}
+
+TEST(GuidedTick, AGuideThatIsSwitchedOnComesOnByAndBy) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand(scene);
+    const Vector3 place = kHigh + Vector3(5e-3, 0.0, 0.0);
+    Vector3 last = hand.moveTo(place, 100).handForce;
+    hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
+    double steepest = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        const Vector3 now = hand.moveTo(place).handForce;
+        steepest = std::max(steepest, (now - last).norm());
+        last = now;
+    }
+    EXPECT_GT(last.norm(), 0.4);
+    EXPECT_LT(steepest, 2.5e-3) << "1 N in half a second is 2 mN a tick";
+}
+
+TEST(GuidedTick, NeitherZoomNorAnotherGuideMovesTheBaseByItself) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand(scene);
+    hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
+    hand.moveTo(kHigh, 1000);
+    const Vector3 place = kHigh + Vector3(3e-3, 0.0, 0.0);
+    const TickOutput before = hand.moveTo(place, 4000);
+    ASSERT_GT(before.handForce.norm(), 0.2);
+    hand.settings.positionGain = 2e-6;
+    const TickOutput zoomed = hand.moveTo(place);
+    EXPECT_LT((zoomed.base.position - before.base.position).norm(), 1e-15);
+    EXPECT_LT(zoomed.handForce.norm(), kFar) << "the guide comes on anew";
+    const TickOutput held = hand.moveTo(place, 4000);
+    hand.settings.guide = {};
+    const TickOutput without = hand.moveTo(place);
+    EXPECT_LT((without.base.position - held.base.position).norm(), 1e-15);
+    EXPECT_LT(without.handForce.norm(), kFar);
+}
+
+TEST(GuidedTick, WithTheTipUnderControlItIsTheTipThatIsGuided) {
+    Scene scene = buildScene(test::plainScene(), test::flatMap());  // soft enough to be held
+    scene.settings.positionGain = 1e-6;
+    scene.settings.forceGain = 1e8;
+    scene.settings.coupling = kGains;
+    GuidedHand hand(scene);
+    const Vector3 pressed(64e-3, 64e-3, -2e-3);
+    hand.settings.positionControl = PositionControl::Tip;
+    hand.moveTo({64e-3, 64e-3, 5e-3});
+    const TickOutput before = hand.glideTo(pressed, 6000);
+    ASSERT_EQ(before.region(), TipRegion::Contact);
+    ASSERT_LT(before.base.position.z(), before.model.tip.z() - 0.1e-9) << "the base is ahead";
+    hand.settings.guide = guideTo(FixtureKind::Plane, before.model.tip);
+    const TickOutput atTip = hand.moveTo(pressed, 4000);
+    EXPECT_LT((atTip.handForce - before.handForce).norm(), 0.01 * before.handForce.norm());
+    hand.settings.guide = guideTo(FixtureKind::Plane, before.base.position);
+    const TickOutput atBase = hand.moveTo(pressed, 4000);
+    EXPECT_LT(atBase.base.position.z(), before.base.position.z()) << "pulled deeper";
+    EXPECT_LT(atBase.handForce.z(), 0.99 * before.handForce.z());
+}
+
+TEST(GuidedTick, WithoutACouplingAGuideHasNothingToPullAt) {
+    const Scene scene = test::coupledScene({});
+    GuidedHand hand(scene);
+    hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
+    hand.moveTo(kHigh, 1000);
+    const Vector3 place = kHigh + Vector3(3e-3, 0.0, 0.0);
+    EXPECT_LT((hand.moveTo(place, 1000).base.position - 1e-6 * place).norm(), 1e-18);
+}
+
+}  // namespace
+}  // namespace asperity

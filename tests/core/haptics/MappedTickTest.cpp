@@ -1,0 +1,151 @@
+#include "tests/core/haptics/GuidedHand.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+namespace {
+
+using test::GuidedHand;
+using test::kGains;
+
+const Vector3 kHigh(64e-3, 64e-3, 4e-3);
+const Vector3 kPressed(64e-3, 64e-3, -3e-3);
+constexpr double kFar = 0.02;  // of what the sample pulls from 4 nm [N]
+
+/// Engaged, in the air.
+GuidedHand engagedHand(const Scene& scene) {
+    GuidedHand hand(scene);
+    hand.device.maxForce = 8.5;
+    hand.moveTo(kHigh, 1500);
+    return hand;
+}
+
+Workspace workspaceAround(const Vector3& centre) {
+    return {.centre = centre, .radius = 50e-3, .stiffness = 200.0, .forceLimit = 2.0};
+}
+
+TEST(MappedTick, AClutchedHandMovesNothingAndFeelsNothing) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand = engagedHand(scene);
+    const TickOutput before = hand.glideTo(kPressed, 2000);
+    ASSERT_GT(before.handForce.norm(), 0.1);
+    hand.settings.clutched = true;
+    const TickOutput first = hand.moveTo(kPressed);
+    EXPECT_EQ(first.handForce, Vector3::Zero()) << "in the same tick";
+    EXPECT_EQ(first.forceState, ForceState::Clutched);
+    EXPECT_EQ(first.fault, Fault::None);
+    const TickOutput away = hand.glideTo({30e-3, 90e-3, 40e-3}, 400);
+    EXPECT_LT((away.base.position - before.base.position).norm(), 1e-15);
+    EXPECT_EQ(away.handForce, Vector3::Zero());
+}
+
+TEST(MappedTick, AfterAClutchTheCommandGoesOnFromWhereItWas) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand = engagedHand(scene);
+    const TickOutput before = hand.moveTo(kHigh);
+    hand.settings.clutchButton = 2;
+    hand.device.buttons = 1U << 2U;
+    const Vector3 elsewhere(10e-3, 20e-3, 30e-3);
+    hand.glideTo(elsewhere, 400);
+    hand.device.buttons = 0;
+    EXPECT_LT((hand.moveTo(elsewhere).base.position - before.base.position).norm(), 1e-18);
+    const Vector3 step(1e-3, -2e-3, 0.5e-3);
+    const TickOutput after = hand.glideTo(elsewhere + step, 4000);
+    EXPECT_LT((after.base.position - before.base.position - 1e-6 * step).norm(), 1e-11)
+        << "but for what the sample pulls from afar";
+    EXPECT_EQ(after.forceState, ForceState::On) << "the force came on anew";
+}
+
+TEST(MappedTick, AForceThatAClutchTookAwayComesOnByAndBy) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand = engagedHand(scene);
+    hand.settings.clutched = true;
+    hand.moveTo(kHigh, 20);
+    hand.settings.clutched = false;
+    EXPECT_EQ(hand.moveTo(kHigh, 500).forceState, ForceState::Engaging);
+    EXPECT_EQ(hand.moveTo(kHigh, 600).forceState, ForceState::On);
+}
+
+TEST(MappedTick, ATurnedViewTurnsMotionAndForceAlike) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand straight = engagedHand(scene);
+    GuidedHand turned(scene);
+    turned.settings.handTurn = {0.3, -0.5, 0.8};
+    const Matrix3 axes = axesOf(turned.settings.handTurn);
+    turned.device.maxForce = 8.5;
+    const auto asSeen = [&](const Vector3& place) -> Vector3 { return axes.transpose() * place; };
+    turned.moveTo(asSeen(kHigh), 1500);
+    const TickOutput one = straight.glideTo(kPressed, 4000);
+    const TickOutput other = turned.glideTo(asSeen(kPressed), 4000);
+    EXPECT_LT((one.base.position - other.base.position).norm(), 1e-15);
+    EXPECT_LT((asSeen(one.handForce) - other.handForce).norm(), 1e-6 * one.handForce.norm());
+}
+
+TEST(MappedTick, AViewThatTurnsMovesNothing) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand = engagedHand(scene);
+    const TickOutput before = hand.glideTo(kPressed, 4000);
+    for (int i = 1; i <= 100; ++i) {
+        hand.settings.handTurn = {0.0, 0.0, 0.01 * i};
+        const TickOutput now = hand.moveTo(kPressed);
+        ASSERT_LT((now.base.position - before.base.position).norm(), 1e-15) << i;
+        ASSERT_NEAR(now.handForce.norm(), before.handForce.norm(), 1e-6) << i;
+    }
+}
+
+TEST(MappedTick, TheEdgeOfTheWorkspacePushesBack) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand = engagedHand(scene);
+    hand.settings.workspace = workspaceAround(kHigh);
+    EXPECT_LT(hand.glideTo(kHigh + Vector3(44e-3, 0.0, 0.0), 1000).handForce.norm(), kFar);
+    const TickOutput out = hand.glideTo(kHigh + Vector3(48e-3, 0.0, 0.0), 4000);
+    EXPECT_NEAR(out.handForce.x(), -0.6 / std::hypot(1.0, 0.6 / 2.0), kFar);
+    EXPECT_NEAR(out.handForce.z(), 0.0, kFar);
+}
+
+TEST(MappedTick, AClutchedHandStillFeelsTheEdge) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand = engagedHand(scene);
+    hand.settings.workspace = workspaceAround(kHigh);
+    hand.settings.clutched = true;
+    EXPECT_LT(hand.glideTo(kHigh + Vector3(0.0, 48e-3, 0.0), 200).handForce.y(), -0.5);
+    hand.settings.forcesOn = false;
+    EXPECT_EQ(hand.moveTo(kHigh + Vector3(0.0, 48e-3, 0.0)).handForce, Vector3::Zero());
+}
+
+TEST(MappedTick, AHandThatStartsBeyondTheEdgeIsNotPushedUntilItComesIn) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand(scene);
+    hand.device.maxForce = 8.5;
+    hand.settings.workspace = workspaceAround(kHigh);
+    const Vector3 beyond = kHigh + Vector3(50e-3, 0.0, 0.0);
+    EXPECT_LT(hand.moveTo(beyond, 2000).handForce.norm(), kFar);
+    hand.glideTo(kHigh, 1500);
+    EXPECT_LT(hand.glideTo(beyond, 500).handForce.x(), -0.5);
+}
+
+TEST(MappedTick, CouplingAndEdgeTogetherStayWithinTheLimit) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand = engagedHand(scene);
+    hand.settings.workspace = workspaceAround(kHigh);
+    hand.settings.workspace.forceLimit = 3.0;
+    const TickOutput out = hand.glideTo(kHigh - Vector3(0.0, 0.0, 90e-3), 2000);
+    EXPECT_EQ(out.forceState, ForceState::Limited);
+    EXPECT_NEAR(out.handForce.norm(), scene.settings.governor.maxForce, 1e-12);
+}
+
+TEST(MappedTick, AHandleThatWasMovedWhileTheLoopRestedMovesNothing) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand = engagedHand(scene);
+    const TickOutput before = hand.moveTo(kHigh);
+    ++hand.starts;
+    const TickOutput after = hand.moveTo(kHigh + Vector3(20e-3, 0.0, -50e-3), 10);
+    EXPECT_LT((after.base.position - before.base.position).norm(), 1e-18);
+    EXPECT_EQ(after.forceState, ForceState::Engaging);
+}
+
+}  // namespace
+}  // namespace asperity
