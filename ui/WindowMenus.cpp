@@ -10,6 +10,7 @@ namespace asperity {
 WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
     addFileMenu(bar);
     addRunMenu(bar);
+    addHandMenu(bar);
     addViewMenu(bar);
     addHelpMenu(bar);
 }
@@ -37,9 +38,6 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
     forcesOff = menu->addAction(tr("&Forces off"));
     forcesOff->setShortcut(tr("Esc"));
     takeBackFault = menu->addAction(tr("Take &back a fault"));
-    tipControl = menu->addAction(tr("Hand commands the &tip"));
-    tipControl->setCheckable(true);
-    tipControl->setToolTip(tr("The base goes ahead by the deflection that the model expects"));
     menu->addSeparator();
     followPathFile = menu->addAction(tr("Follow a path from a &file…"));
     followRecording = menu->addAction(tr("Repeat a &recording…"));
@@ -47,6 +45,40 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
         action->setShortcutContext(Qt::ApplicationShortcut);
     }
 }
+
+void WindowMenus::addHandMenu(QMenuBar& bar) {
+    QMenu* menu = bar.addMenu(tr("H&and"));
+    menu->setToolTipsVisible(true);
+    tipControl = menu->addAction(tr("Commands the &tip"));
+    tipControl->setToolTip(tr("The base goes ahead by the deflection that the model expects"));
+    clutch = menu->addAction(tr("&Clutch"));
+    clutch->setShortcut(tr("C"));
+    clutch->setToolTip(tr("The hand moves, the tip stays; the force comes on anew afterwards"));
+    followsView = menu->addAction(tr("Device follows the &view"));
+    followsView->setToolTip(tr("Right, away and up of the device are those of the screen"));
+    for (QAction* action : {tipControl, clutch, followsView}) {
+        action->setCheckable(true);
+    }
+    addGuides(*menu->addMenu(tr("&Guide")));
+}
+
+void WindowMenus::addGuides(QMenu& menu) {
+    auto* group = new QActionGroup(&menu);
+    const auto add = [&](FixtureKind kind, const QString& text) {
+        QAction* action = group->addAction(text);
+        action->setCheckable(true);
+        menu.addAction(action);
+        guides_[kind] = action;
+        connect(action, &QAction::triggered, this, [this, kind] { Q_EMIT guideChosen(kind); });
+    };
+    add(FixtureKind::None, tr("&None"));
+    add(FixtureKind::Point, tr("&Point where the tip is"));
+    add(FixtureKind::Line, tr("Upright &line through the tip"));
+    add(FixtureKind::Plane, tr("Level p&lane through the tip"));
+    setGuide(FixtureKind::None);
+}
+
+void WindowMenus::setGuide(FixtureKind kind) { guides_.at(kind)->setChecked(true); }
 
 void WindowMenus::addViewMenu(QMenuBar& bar) {
     QMenu* menu = bar.addMenu(tr("&View"));

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/scene/VirtualFixture.h"
+
 #include <QObject>
 
+#include <map>
 #include <optional>
 
 class QAction;
@@ -27,9 +30,12 @@ public:
     QAction* startPause;
     QAction* forcesOff;
     QAction* takeBackFault;
-    QAction* tipControl;  ///< checkable
     QAction* followPathFile;
     QAction* followRecording;
+
+    QAction* tipControl;   ///< checkable
+    QAction* clutch;       ///< checkable
+    QAction* followsView;  ///< checkable
 
     QAction* zoomIn;
     QAction* zoomOut;
@@ -39,16 +45,25 @@ public:
     QAction* controls;
     QAction* about;
 
+    /// Shows which guide there is.
+    void setGuide(FixtureKind kind);
+
 Q_SIGNALS:
     /// How much larger than life displacements shall be drawn; empty: the view chooses.
     void magnificationChosen(std::optional<double> factor);
+    /// A guide through where the tip is now, or none.
+    void guideChosen(FixtureKind kind);
 
 private:
     void addFileMenu(QMenuBar& bar);
     void addRunMenu(QMenuBar& bar);
+    void addHandMenu(QMenuBar& bar);
+    void addGuides(QMenu& menu);
     void addViewMenu(QMenuBar& bar);
     void addMagnifications(QMenu& menu);
     void addHelpMenu(QMenuBar& bar);
+
+    std::map<FixtureKind, QAction*> guides_;
 };
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "core/haptics/SoftLimit.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -9,6 +10,9 @@ namespace asperity {
 namespace {
 
 constexpr double kRotationAccuracy = 1e-9;  // of unit length and right angles
+constexpr double kStiffestEdge = 200.0;     // [N/m]
+constexpr double kEdgeDamping = 0.3;        // that the delay may take [N s/m]
+constexpr double kEdgeForce = 2.0;          // [N]
 constexpr double kParallel = 1e-6;          // sine of the angle between right and up [1]
 
 bool isRotation(const Matrix3& axes) {
@@ -53,6 +57,12 @@ Matrix3 axesOf(const Vector3& turn) noexcept {
 Vector3 turnOf(const Matrix3& axes) noexcept {
     const Eigen::AngleAxisd turn(axes);
     return turn.angle() * turn.axis();
+}
+
+Workspace workspaceOf(double radius, double age) noexcept {
+    return {.radius = radius,
+            .stiffness = std::min(kStiffestEdge, kEdgeDamping / age),
+            .forceLimit = kEdgeForce};
 }
 
 MappingStep mapHand(const Workspace& workspace, const Vector3& hand,

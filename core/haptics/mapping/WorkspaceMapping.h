@@ -60,6 +60,13 @@ struct MappingStep {
 /// the transpose of the axes, so that force times motion is the same power in both.
 [[nodiscard]] Vector3 forceOnHand(const MappingSettings& settings, const Vector3& force) noexcept;
 
+/// The workspace of a device, with a spring that a light grip keeps at rest: nothing but the arm
+/// damps it, by 0.5 N s/m at least, and a force of the given age takes k * age of that away
+/// (Colgate's bound). k is the lesser of 200 N/m and 0.3 N s/m / age; docs/haptics.md.
+/// @param radius in which the handle moves [m]; 0: not known, no spring
+/// @param age    of the force that answers a motion: half a tick and the delay [s]
+[[nodiscard]] Workspace workspaceOf(double radius, double age) noexcept;
+
 /// Force of the workspace's spring on the hand, the device's axes [N]: zero up to the free share of
 /// the radius, from there k (r - r0) towards the centre, which nears the force limit smoothly. It
 /// depends on the place alone: what it takes from a hand it gives back. Zero for invalid values.
