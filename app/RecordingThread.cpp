@@ -1,6 +1,7 @@
 #include "app/RecordingThread.h"
 
-#include <ctime>
+#include "core/realtime/PacedThread.h"
+
 #include <utility>
 
 namespace asperity {
@@ -10,13 +11,6 @@ namespace {
 constexpr std::size_t kBatch = 250;  // ticks handed over at once
 /// That wait; as many again may be in the writer's hands.
 constexpr std::size_t kMostWaiting = (std::size_t{50} << 20U) / sizeof(TickSample);
-
-/// What the calling thread has taken of a processor [s].
-double processorSeconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 }  // namespace
 

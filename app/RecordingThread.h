@@ -40,8 +40,11 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const noexcept { return folder_; }
     /// That were written; when it is finished.
     [[nodiscard]] long ticks() const noexcept { return recording_.ticks(); }
-    /// What the writing took of a processor, all in all; when it is finished [s].
-    [[nodiscard]] double processorTime() const noexcept { return processorTime_; }
+    /// What the writing took of a processor, a tick, opening and closing included; when it is
+    /// finished [s].
+    [[nodiscard]] double timePerTick() const noexcept {
+        return ticks() == 0 ? 0.0 : processorTime_ / static_cast<double>(ticks());
+    }
 
 private:
     void handOver();

@@ -47,6 +47,11 @@ public:
     void follow(const HandPath& path);
     void start();
     void pause();
+    /// Every tick from now on is written to a folder, until finishRecording() or the run's end.
+    void startRecording(const std::filesystem::path& folder);
+    void finishRecording();
+    /// Processor time that it took to write a tick of the last recording; 0: there is none [s].
+    [[nodiscard]] double writingTime() const { return writingTime_; }
 
     /// The present run; null before the first scene.
     [[nodiscard]] LiveRun* run() { return run_.get(); }
@@ -98,7 +103,6 @@ private:
     void setForces(bool on);
     void takeBackFault();
     void record(bool on);
-    void finishRecording();
     void tellOfRecording(const RecordingThread& recording);
     /// Begins to write what the black box holds, as soon as nothing else of it is being written.
     void saveLastSeconds();
@@ -124,6 +128,7 @@ private:
     HandControl hand_;
     std::unique_ptr<RecordingThread> recording_;
     std::future<LastSeconds> lastSeconds_;  ///< being written; not valid: none
+    double writingTime_ = 0.0;              ///< [s]
     std::filesystem::path recordings_;
     std::vector<SampleMaterial> materials_;
     QString loading_;  ///< name of the file that is being loaded; empty: none

@@ -25,7 +25,8 @@ std::filesystem::path folderOfThisMoment(const std::filesystem::path& parent) {
         return parent / time.toString("yyyy-MM-dd_HH-mm-ss.zzz").toStdString();
     };
     QDateTime now = QDateTime::currentDateTime();
-    while (std::filesystem::exists(named(now))) {
+    std::error_code unknown;
+    while (std::filesystem::exists(named(now), unknown)) {
         now = now.addMSecs(1);
     }
     return named(now);
@@ -88,16 +89,20 @@ std::filesystem::path Session::standardRecordingsFolder() {
 }
 
 void Session::record(bool on) {
-    if (!on || !run_) {
+    if (on && run_) {
+        startRecording(folderOfThisMoment(recordings_));
+    } else {
         finishRecording();
-        return;
     }
+}
+
+void Session::startRecording(const std::filesystem::path& folder) {
     const bool running = run_->loop().running();
     run_->loop().stop();
     fetchTicks();  // those before the recording belong to nobody
     try {
-        recording_ = std::make_unique<RecordingThread>(folderOfThisMoment(recordings_),
-                                                       run_->loaded(), run_->loop().memory());
+        recording_ =
+            std::make_unique<RecordingThread>(folder, run_->loaded(), run_->loop().memory());
     } catch (const std::exception& error) {
         window_.complain(QString::fromUtf8(error.what()));
     }
@@ -113,6 +118,7 @@ void Session::finishRecording() {
         const std::unique_ptr<RecordingThread> finished = std::move(recording_);
         try {
             finished->finish();
+            writingTime_ = finished->timePerTick();
             tellOfRecording(*finished);
         } catch (const std::exception& error) {
             window_.complain(QString::fromUtf8(error.what()));

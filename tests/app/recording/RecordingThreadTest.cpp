@@ -48,7 +48,7 @@ TEST_F(OnItsOwnThread, EveryTickIsThereWhenItIsFinished) {
     recording.finish();
     EXPECT_EQ(recording.end(), RecordingEnd::None);
     EXPECT_EQ(recording.ticks(), 10'007);
-    EXPECT_GT(recording.processorTime(), 0.0);
+    EXPECT_GT(recording.timePerTick(), 0.0);
     expectHolds(10'007);
 }
 
