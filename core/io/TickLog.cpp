@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/Version.h"
 #include "core/io/CsvTable.h"
+#include "core/io/SceneSettings.h"
 
 #include <cmath>
 #include <string>
@@ -47,6 +48,16 @@ double finite(const CsvTable& table, std::size_t row, const std::string& column,
                          column + " must be a finite number");
     }
     return value;
+}
+
+/// A knob may have what a scene may say of it.
+void requireInRange(const Settings& settings, const std::filesystem::path& path, std::size_t line) {
+    try {
+        checkSettings(settings);
+    } catch (const Error& error) {
+        throw InputError(path.string(), "line " + std::to_string(line),
+                         std::string("as in a scene, ") + error.what());
+    }
 }
 
 /// Recordings from before there was a governor say nothing of it.
@@ -184,6 +195,7 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
                           .forcesOn = cell("forces_on") != 0.0,
                           .rearms = static_cast<std::uint32_t>(cell("rearms"))};
         readGoverned(table, row, path, input);
+        requireInRange(input.settings, path, table.line(row));
     }
     return samples;
 }
