@@ -23,11 +23,14 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
     , blackBox_(loaded_.scene.timeStep()) {}
 
 void LiveRun::fetch(const TickSink& sink) {
+    const double begin = processorSeconds();
     loop_.drain([&](const TickSample& sample) {
         blackBox_.take(sample);
         sink(sample);
+        ++fetchCost_.ticks;
     });
     blackBox_.mark(loop_.snapshot());
+    fetchCost_.time += processorSeconds() - begin;
 }
 
 void LiveRun::setSettings(const Settings& settings) noexcept {

@@ -11,6 +11,16 @@
 
 namespace asperity {
 
+/// What it takes of a processor to fetch ticks from the loop into the black box and to who asks.
+struct FetchCost {
+    double time = 0.0;  ///< of all [s]
+    long ticks = 0;
+
+    [[nodiscard]] double perTick() const noexcept {
+        return ticks == 0 ? 0.0 : time / static_cast<double>(ticks);
+    }
+};
+
 /// A scene with its instrument, its hand and its loop: everything that lives and ends together.
 class LiveRun {
 public:
@@ -22,6 +32,8 @@ public:
     [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
     /// Gives every tick since the last call to `sink`, in order, and to the black box.
     void fetch(const TickSink& sink);
+    /// Of all calls of fetch() so far.
+    [[nodiscard]] const FetchCost& fetchCost() const noexcept { return fetchCost_; }
     /// The last seconds, for when a fault comes.
     [[nodiscard]] BlackBox& blackBox() noexcept { return blackBox_; }
     /// What solves the half-space beside the loop; null where the scene does not ask for it.
@@ -52,6 +64,7 @@ private:
     std::unique_ptr<HalfSpaceWorker> halfSpace_;
     HapticLoop loop_;
     BlackBox blackBox_;
+    FetchCost fetchCost_;
 };
 
 /// In the middle of the scan, above the sample [m].

@@ -6,6 +6,7 @@
 #include "app/LoopReport.h"
 #include "app/OptionChecks.h"
 #include "app/ProgressLine.h"
+#include "app/RecordingThread.h"
 #include "app/VirtualDisplay.h"
 #include "core/Error.h"
 #include "core/haptics/ScriptedHand.h"
@@ -29,6 +30,7 @@ struct LoopOptions {
     std::string input;
     double rate = 0.0;       // [Hz]; 0: the scene's own
     double duration = 10.0;  // [s]
+    std::string record;      // folder; empty: nothing is recorded
     bool window = false;
     bool json = false;
 };
@@ -71,28 +73,34 @@ bool isDone(const AlternatingBlocks& blocks, double begin, const LoopOptions& op
            static_cast<double>(blocks.pairs()) >= std::floor(0.5 * options.duration);
 }
 
-/// What it takes to fetch ticks from the loop into the black box.
-struct FetchCost {
-    double time = 0.0;  ///< of all [s]
-    long ticks = 0;
-
-    void fetch(LiveRun& run) {
-        const double begin = monotonicSeconds();
-        run.fetch([this](const TickSample&) { ++ticks; });
-        time += monotonicSeconds() - begin;
-    }
-    [[nodiscard]] double perTick() const { return time / static_cast<double>(std::max(ticks, 1L)); }
-};
-
 void print(const LoopOptions& options, LiveRun& run, const AlternatingBlocks& blocks,
-           double fetchTime, std::vector<ViewRate> views) {
+           double writingTime, std::vector<ViewRate> views) {
     const LoopReport report{.rate = run.scene().description.tickRate,
                             .duration = options.duration,
                             .statistics = run.loop().snapshot().statistics,
                             .blocks = blocks,
-                            .fetchTime = fetchTime,
+                            .fetchTime = run.fetchCost().perTick(),
+                            .writingTime = writingTime,
                             .views = std::move(views)};
     std::cout << (options.json ? loopReportJson(report) : loopReportText(report)) << '\n';
+}
+
+/// Null where none is asked for.
+std::unique_ptr<RecordingThread> startRecording(const LoopOptions& options, const LiveRun& run) {
+    if (options.record.empty()) {
+        return nullptr;
+    }
+    removeEarlierResults(options.record);
+    return std::make_unique<RecordingThread>(options.record, run.loaded(), TickMemory{});
+}
+
+/// @return what it took to write a tick [s]
+double finish(RecordingThread& recording) {
+    recording.finish();
+    if (recording.end() != RecordingEnd::None) {
+        throw Error(recording.folder().string() + ": the recording ended before the measurement");
+    }
+    return recording.timePerTick();
 }
 
 void runBare(const LoopOptions& options) {
@@ -100,25 +108,38 @@ void runBare(const LoopOptions& options) {
     const HandPath path = repeatedApproach(loaded.scene, options.duration);
     LiveRun run(std::move(loaded), path.front().position);
     run.takeHand([&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
+    const std::unique_ptr<RecordingThread> recording = startRecording(options, run);
     AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
-    FetchCost cost;
+    const auto fetch = [&] {
+        run.fetch([&recording](const TickSample& sample) {
+            if (recording) {
+                recording->take(sample);
+            }
+        });
+    };
     const double begin = monotonicSeconds();
     while (!isDone(blocks, begin, options)) {
         std::this_thread::sleep_for(kPoll);
-        cost.fetch(run);
+        fetch();
         blocks.poll();
     }
     blocks.finish();
-    print(options, run, blocks, cost.perTick(), {});
+    fetch();
+    print(options, run, blocks, recording ? finish(*recording) : 0.0, {});
 }
 
 void runInWindow(const LoopOptions& options) {
     const VirtualDisplay display;
     LiveWindow live;
-    live.session().use(loadForLoop(options));
-    LiveRun& run = *live.session().run();
+    Session& session = live.session();
+    session.use(loadForLoop(options));
+    LiveRun& run = *session.run();
     live.window().lock();  // another scene would end the run that is measured
-    live.session().follow(repeatedApproach(run.scene(), options.duration));
+    session.follow(repeatedApproach(run.scene(), options.duration));
+    if (!options.record.empty()) {
+        removeEarlierResults(options.record);
+        session.startRecording(options.record);
+    }
     AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
     const double begin = monotonicSeconds();
     QTimer poll;
@@ -131,7 +152,11 @@ void runInWindow(const LoopOptions& options) {
     poll.start(kPoll);
     live.exec();
     blocks.finish();
-    print(options, run, blocks, 0.0, live.session().viewRates());
+    session.finishRecording();
+    if (!options.record.empty() && session.writingTime() == 0.0) {
+        throw Error(options.record + ": the recording could not be written");
+    }
+    print(options, run, blocks, session.writingTime(), session.viewRates());
 }
 
 }  // namespace
@@ -149,6 +174,10 @@ void addLoopCommand(CLI::App& program) {
         ->capture_default_str()
         ->check(CLI::Range(0.1, 3600.0))
         ->check(finiteNumber());
+    command
+        ->add_option("--record", options->record,
+                     "folder: record every tick meanwhile, and say what that costs")
+        ->check(notEmpty());
     command->add_flag("--window", options->window, "with the window open and every view drawn");
     command->add_flag("--json", options->json, "as JSON");
     command->callback([options] { options->window ? runInWindow(*options) : runBare(*options); });

@@ -22,6 +22,19 @@ std::string quantilesText(const LatencyHistogram& times) {
            ", largest " + formatSi(quantiles.largest, "s");
 }
 
+/// Of one tick [s]: what fetches it hands it over, too.
+double recordingTime(const LoopReport& report) { return report.fetchTime + report.writingTime; }
+
+nlohmann::ordered_json costJson(double perTick, double rate) {
+    return {{"time_per_tick_s", perTick}, {"share_of_period", perTick * rate}};
+}
+
+std::string costText(double perTick, double rate) {
+    std::ostringstream text;
+    text << formatSi(perTick, "s") << " a tick, " << 100.0 * perTick * rate << " % of the period";
+    return text.str();
+}
+
 }  // namespace
 
 std::string loopReportJson(const LoopReport& report) {
@@ -40,9 +53,9 @@ std::string loopReportJson(const LoopReport& report) {
                                   {"lateness", quantilesJson(blocks.bare())}}},
                                 {"pairs_of_blocks", blocks.pairs()},
                                 {"median_block_p99_lateness_ratio", blocks.medianP99Ratio()}};
-    if (report.fetchTime > 0.0) {
-        json["black_box"] = {{"time_per_tick_s", report.fetchTime},
-                             {"share_of_period", report.fetchTime * report.rate}};
+    json["black_box"] = costJson(report.fetchTime, report.rate);
+    if (report.writingTime > 0.0) {
+        json["recording"] = costJson(recordingTime(report), report.rate);
     }
     for (const ViewRate& view : report.views) {
         json["frames_per_second"][view.view] = view.framesPerSecond;
@@ -67,9 +80,9 @@ std::string loopReportText(const LoopReport& report) {
              << " (median p99 of 1 s blocks over that of the bare loop, " << blocks.pairs()
              << " pairs)";
     }
-    if (report.fetchTime > 0.0) {
-        text << "\nblack box      " << formatSi(report.fetchTime, "s") << " a tick, "
-             << 100.0 * report.fetchTime * report.rate << " % of the period";
+    text << "\nblack box      " << costText(report.fetchTime, report.rate);
+    if (report.writingTime > 0.0) {
+        text << "\nrecording      " << costText(recordingTime(report), report.rate);
     }
     for (const ViewRate& view : report.views) {
         text << "\n" << view.view << ": " << view.framesPerSecond << " frames/s";

@@ -13,13 +13,14 @@ struct ViewRate {
     double framesPerSecond = 0.0;
 };
 
-/// What `asperity loop` measured.
+/// What `asperity loop` measured. Times of fetching and writing are those of a processor.
 struct LoopReport {
     double rate = 0.0;      ///< asked for [Hz]
     double duration = 0.0;  ///< of the whole measurement [s]
     LoopStatistics statistics;
     const AlternatingBlocks& blocks;
-    double fetchTime = 0.0;       ///< to fetch one tick into the black box [s]; 0: not measured
+    double fetchTime = 0.0;       ///< to fetch one tick, into the black box too [s]
+    double writingTime = 0.0;     ///< to write one tick into a recording [s]; 0: there is none
     std::vector<ViewRate> views;  ///< empty: without a window
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/RunSummary.h"
 #include "core/io/SceneFile.h"
+#include "core/io/SceneSettings.h"
 #include "core/io/TickMemoryFile.h"
 #include "core/scene/ModelTerm.h"
 
@@ -15,17 +16,6 @@ namespace {
 std::filesystem::path made(std::filesystem::path folder) {
     makeOutputFolder(folder);
     return folder;
-}
-
-/// The scene with the knobs as they are now.
-SceneDescription withSettings(SceneDescription scene, const Settings& settings) {
-    scene.positionGain = settings.positionGain;
-    scene.forceGain = settings.forceGain;
-    scene.correctionBandwidth = settings.correctionBandwidth;
-    scene.positionControl = settings.positionControl;
-    scene.coupling = settings.coupling;
-    scene.guide = settings.guide;
-    return scene;
 }
 
 }  // namespace

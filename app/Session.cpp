@@ -125,7 +125,7 @@ void Session::connectMenus() {
     connect(menus.saveLastSeconds, &QAction::triggered, this, [this] {
         if (run_) {
             fetchTicks();
-            saveLastSeconds();
+            run_->blackBox().freeze();
         }
     });
     connect(&window_, &MainWindow::openRequested, this,
@@ -192,7 +192,7 @@ void Session::showKnobs() {
 }
 
 void Session::endRun() {
-    finishRecording();
+    saveRun();
     window_.showScene(nullptr, {});
     hand_.detach();
     run_.reset();
@@ -253,7 +253,7 @@ void Session::rebuild(const std::function<LoadedScene(LoadedScene)>& change) {
     const double halfWidth = window_.view().halfWidth();
     const Vector2 place = run_->basePosition().head<2>();
     const Settings settings = run_->settings();
-    finishRecording();
+    saveRun();
     window_.showScene(nullptr, {});
     hand_.detach();
     LoadedScene scene = change(LiveRun::release(std::move(run_)));
@@ -324,16 +324,14 @@ void Session::onFrame() {
     if (run_) {
         moveHand(elapsed);
         fetchTicks();
-        if (run_->blackBox().frozen()) {
-            saveLastSeconds();
-        }
+        saveLastSeconds();
         if (!run_->loop().running()) {
             show_.rest();
         }
         const Snapshot& latest = run_->loop().snapshot();
         solveHalfSpace(latest);
         show_.show(latest, now);
-        if (recording_ && recording_->broken()) {
+        if (recording_ && recording_->end() != RecordingEnd::None) {
             finishRecording();
         }
     }

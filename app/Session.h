@@ -3,8 +3,9 @@
 #include "app/FidelityStudy.h"
 #include "app/FrameShow.h"
 #include "app/HandControl.h"
+#include "app/LastSeconds.h"
 #include "app/LiveRun.h"
-#include "app/Recording.h"
+#include "app/RecordingThread.h"
 #include "app/SceneLoader.h"
 
 #include <QObject>
@@ -46,6 +47,11 @@ public:
     void follow(const HandPath& path);
     void start();
     void pause();
+    /// Every tick from now on is written to a folder, until finishRecording() or the run's end.
+    void startRecording(const std::filesystem::path& folder);
+    void finishRecording();
+    /// Processor time that it took to write a tick of the last recording; 0: there is none [s].
+    [[nodiscard]] double writingTime() const { return writingTime_; }
 
     /// The present run; null before the first scene.
     [[nodiscard]] LiveRun* run() { return run_.get(); }
@@ -79,6 +85,8 @@ private:
     void onLoadFailed(const std::exception_ptr& error);
     void begin(LoadedScene scene, const Vector3& start, const Settings& settings);
     void endRun();
+    /// Fetches and saves all that the run still holds, before it goes.
+    void saveRun();
     /// The loop begins again above the same place, with the same knobs, on the scene changed.
     void rebuild(const std::function<LoadedScene(LoadedScene)>& change);
     void chooseMaterial(int index);
@@ -95,11 +103,11 @@ private:
     void setForces(bool on);
     void takeBackFault();
     void record(bool on);
-    void finishRecording();
-    void tellOfRecording(const Recording& recording);
-    /// Writes what the black box holds, and begins it anew.
+    void tellOfRecording(const RecordingThread& recording);
+    /// Begins to write what the black box holds, as soon as nothing else of it is being written.
     void saveLastSeconds();
-    void tellOfLastSeconds(const Recording& recording, Fault fault);
+    /// Waits until they are written.
+    void finishLastSeconds();
     void savePicture(const QString& file);
 
     void onFrame();
@@ -118,7 +126,9 @@ private:
     QTimer frames_;
     std::unique_ptr<LiveRun> run_;
     HandControl hand_;
-    std::unique_ptr<Recording> recording_;
+    std::unique_ptr<RecordingThread> recording_;
+    std::future<LastSeconds> lastSeconds_;  ///< being written; not valid: none
+    double writingTime_ = 0.0;              ///< [s]
     std::filesystem::path recordings_;
     std::vector<SampleMaterial> materials_;
     QString loading_;  ///< name of the file that is being loaded; empty: none

@@ -12,6 +12,7 @@
 #include <QPixmap>
 #include <QStandardPaths>
 
+#include <chrono>
 #include <utility>
 
 namespace asperity {
@@ -24,7 +25,8 @@ std::filesystem::path folderOfThisMoment(const std::filesystem::path& parent) {
         return parent / time.toString("yyyy-MM-dd_HH-mm-ss.zzz").toStdString();
     };
     QDateTime now = QDateTime::currentDateTime();
-    while (std::filesystem::exists(named(now))) {
+    std::error_code unknown;
+    while (std::filesystem::exists(named(now), unknown)) {
         now = now.addMSecs(1);
     }
     return named(now);
@@ -87,17 +89,21 @@ std::filesystem::path Session::standardRecordingsFolder() {
 }
 
 void Session::record(bool on) {
-    if (!on || !run_) {
+    if (on && run_) {
+        startRecording(folderOfThisMoment(recordings_));
+    } else {
         finishRecording();
-        return;
     }
+}
+
+void Session::startRecording(const std::filesystem::path& folder) {
     const bool running = run_->loop().running();
     run_->loop().stop();
     fetchTicks();  // those before the recording belong to nobody
     try {
-        recording_ = std::make_unique<Recording>(folderOfThisMoment(recordings_), run_->loaded(),
-                                                 run_->loop().memory());
-    } catch (const Error& error) {
+        recording_ =
+            std::make_unique<RecordingThread>(folder, run_->loaded(), run_->loop().memory());
+    } catch (const std::exception& error) {
         window_.complain(QString::fromUtf8(error.what()));
     }
     showRecording();
@@ -109,54 +115,81 @@ void Session::record(bool on) {
 void Session::finishRecording() {
     if (recording_) {
         fetchTicks();
-        const std::unique_ptr<Recording> finished = std::move(recording_);
+        const std::unique_ptr<RecordingThread> finished = std::move(recording_);
         try {
             finished->finish();
+            writingTime_ = finished->timePerTick();
             tellOfRecording(*finished);
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
             window_.complain(QString::fromUtf8(error.what()));
         }
     }
     showRecording();
 }
 
-void Session::tellOfRecording(const Recording& recording) {
+void Session::tellOfRecording(const RecordingThread& recording) {
     const QString folder = QString::fromStdString(recording.folder().string());
     window_.tell(tr("%1 ticks recorded in %2").arg(recording.ticks()).arg(folder));
-    if (recording.broken()) {
+    if (recording.end() == RecordingEnd::TicksLost) {
         window_.complain(tr("The window was busy for so long that ticks were lost. The recording "
                             "in %1 ends before them.")
+                             .arg(folder));
+    } else if (recording.end() == RecordingEnd::DiskTooSlow) {
+        window_.complain(tr("The disk cannot write as fast as the loop runs. The recording in %1 "
+                            "ends where it fell behind.")
                              .arg(folder));
     }
     Q_EMIT recordingFinished(folder);
 }
 
 void Session::saveLastSeconds() {
-    BlackBox& box = run_->blackBox();
-    if (box.samples().empty()) {
-        window_.tell(tr("There are no last seconds to save yet"));
-    } else {
-        const Fault fault = box.samples().back().output.fault;
-        try {
-            Recording recording(folderOfThisMoment(recordings_), run_->loaded(), box.memory());
-            for (const TickSample& sample : box.samples()) {
-                recording.take(sample);
-            }
-            recording.finish();
-            tellOfLastSeconds(recording, fault);
-        } catch (const std::exception& error) {
-            window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));
-        }
+    using namespace std::chrono_literals;
+    if (lastSeconds_.valid() && lastSeconds_.wait_for(0s) == std::future_status::ready) {
+        finishLastSeconds();
     }
-    box.restart();
+    if (!run_->blackBox().frozen() || lastSeconds_.valid()) {
+        return;
+    }
+    try {
+        BlackBox box = run_->blackBox().release();
+        if (box.samples().empty()) {
+            window_.tell(tr("There are no last seconds to save yet"));
+        } else {
+            lastSeconds_ =
+                writeLastSeconds(folderOfThisMoment(recordings_), run_->loaded(), std::move(box));
+        }
+    } catch (const std::exception& error) {
+        window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));
+    }
 }
 
-void Session::tellOfLastSeconds(const Recording& recording, Fault fault) {
-    const QString folder = QString::fromStdString(recording.folder().string());
-    const QString saved =
-        tr("the last %1 ticks are saved in %2").arg(recording.ticks()).arg(folder);
-    window_.tell(fault == Fault::None ? saved : tr("Fault %1: %2").arg(faultName(fault), saved));
-    Q_EMIT lastSecondsSaved(folder);
+void Session::finishLastSeconds() {
+    if (!lastSeconds_.valid()) {
+        return;
+    }
+    try {
+        const LastSeconds written = lastSeconds_.get();
+        const QString folder = QString::fromStdString(written.folder.string());
+        const QString saved =
+            tr("the last %1 ticks are saved in %2").arg(written.ticks).arg(folder);
+        window_.tell(written.fault == Fault::None
+                         ? saved
+                         : tr("Fault %1: %2").arg(faultName(written.fault), saved));
+        Q_EMIT lastSecondsSaved(folder);
+    } catch (const std::exception& error) {
+        window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));
+    }
+}
+
+void Session::saveRun() {
+    if (run_) {
+        run_->loop().stop();
+        fetchTicks();
+        finishRecording();
+        finishLastSeconds();
+        saveLastSeconds();
+        finishLastSeconds();
+    }
 }
 
 void Session::showRecording() {

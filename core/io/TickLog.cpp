@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/Version.h"
 #include "core/io/CsvTable.h"
+#include "core/io/SceneSettings.h"
 #include "core/io/SettingsColumns.h"
 
 #include <cmath>
@@ -35,6 +36,16 @@ double finite(const CsvTable& table, std::size_t row, const std::string& column,
                          column + " must be a finite number");
     }
     return value;
+}
+
+/// A knob may have what a scene may say of it.
+void requireInRange(const Settings& settings, const std::filesystem::path& path, std::size_t line) {
+    try {
+        checkSettings(settings);
+    } catch (const Error& error) {
+        throw InputError(path.string(), "line " + std::to_string(line),
+                         std::string("as in a scene, ") + error.what());
+    }
 }
 
 /// What the device is. Recordings from before there was a governor say nothing of it.
@@ -127,6 +138,9 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
         input.measurement = {{told("alpha_rad"), told("theta_rad")}, told("age_s")};
         input.settings = readSettings(table, row);
         readDevice(table, row, path, input);
+        if (row == 0 || input.settings != samples[row - 1].input.settings) {
+            requireInRange(input.settings, path, table.line(row));
+        }
     }
     return samples;
 }

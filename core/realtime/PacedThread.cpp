@@ -31,6 +31,12 @@ timespec toTimespec(double seconds) {
             .tv_nsec = static_cast<long>((seconds - whole) * 1e9)};
 }
 
+double secondsOf(clockid_t clock) noexcept {
+    timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 /// @param spin last part of the way that is not slept [s]
 void waitUntil(double time, double spin) {
     const timespec wake = toTimespec(time - spin);
@@ -46,11 +52,9 @@ const char* policyName(SchedulingPolicy policy) noexcept {
     return policy == SchedulingPolicy::Realtime ? "real-time" : "ordinary";
 }
 
-double monotonicSeconds() noexcept {
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+double monotonicSeconds() noexcept { return secondsOf(CLOCK_MONOTONIC); }
+
+double processorSeconds() noexcept { return secondsOf(CLOCK_THREAD_CPUTIME_ID); }
 
 PacedThread::PacedThread(double rate, Body body) : period_(1.0 / rate), body_(std::move(body)) {
     try {

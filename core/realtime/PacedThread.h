@@ -49,4 +49,7 @@ private:
 /// Monotonic time, for measuring how long something takes [s].
 [[nodiscard]] double monotonicSeconds() noexcept;
 
+/// What the calling thread has taken of a processor [s].
+[[nodiscard]] double processorSeconds() noexcept;
+
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -115,6 +116,27 @@ TEST_F(Replay, NamesASettingThatWasAlteredInTheScene) {
         EXPECT_EQ(again.exitCode, 1) << again.output;
         EXPECT_NE(again.output.find(key), std::string::npos) << again.output;
         std::ofstream(run / "scene.toml") << original;
+    }
+}
+
+TEST_F(Replay, RefusesKnobsThatNoSceneMayHave) {
+    const std::vector<std::pair<const char*, const char*>> knobs{{"coupling_stiffness_n_m", "-600"},
+                                                                 {"coupling_damping_n_s_m", "1e7"},
+                                                                 {"proxy_damping_n_s_m", "-3"},
+                                                                 {"max_force_n", "nan"},
+                                                                 {"engage_s", "0"},
+                                                                 {"max_hand_speed_m_s", "inf"},
+                                                                 {"position_gain", "0"},
+                                                                 {"force_gain", "-1"}};
+    for (const auto& [column, value] : knobs) {
+        const std::string original = test::contentOf(run / "tick_input.csv");
+        alter(333, column, value);
+        const auto again = replay();
+        EXPECT_EQ(again.exitCode, 3) << again.output;
+        for (const char* part : {"tick_input.csv", "line 337", column}) {
+            EXPECT_NE(again.output.find(part), std::string::npos) << again.output;
+        }
+        std::ofstream(run / "tick_input.csv") << original;
     }
 }
 

@@ -97,7 +97,27 @@ TEST(Loop, MeasuresItselfBesideABareLoop) {
     EXPECT_GE(report["lateness"]["largest_s"], report["lateness"]["p99_s"]);
     EXPECT_GT(report["median_block_p99_lateness_ratio"], 0.0);
     EXPECT_FALSE(report.contains("frames_per_second"));
+    EXPECT_FALSE(report.contains("recording"));
 }
+
+/// What was recorded during a measurement is a run like any other, and its cost is told.
+void expectRecords(const std::string& loop) {
+    const test::ScratchFolder folder;
+    const std::string recording = folder.file("run").string();
+    const auto run = test::runProgram(loop + " --duration 2.5 --json --record " + recording);
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const auto report = nlohmann::json::parse(run.output.substr(run.output.find('{')));
+    const double fetching = report["black_box"]["time_per_tick_s"];
+    EXPECT_GT(fetching, 0.0);
+    EXPECT_GT(report["recording"]["time_per_tick_s"], fetching);
+    const auto replay =
+        test::runProgram("replay " + recording + " --out " + folder.file("again").string());
+    EXPECT_EQ(replay.exitCode, 0) << replay.output;
+}
+
+TEST(Loop, RecordsMeanwhile) { expectRecords("loop"); }
+
+TEST(Loop, RecordsInTheWindowMeanwhile) { expectRecords("loop --window"); }
 
 TEST(Loop, DrawsEveryViewMeanwhile) {
     const auto run = test::runProgram("loop --duration 2.5 --window --json", "DISPLAY=");
@@ -159,9 +179,9 @@ TEST(TradeOff, WritesATableAndAFigureAndPrintsThem) {
     const auto run = test::runProgram("tradeoff " + test::shippedScene("polystyrene").string() +
                                       " --out " + scratch.file("out").string());
     ASSERT_EQ(run.exitCode, 0) << run.output;
-    for (const char* part :
-         {"cheapest within 5 % of the force", "the reference itself", "closed form, 97 x 97",
-          "what the scene requires", "sphere correction", "whole ways", "the cheapest within 5 %"}) {
+    for (const char* part : {"cheapest within 5 % of the force", "the reference itself",
+                             "closed form, 97 x 97", "what the scene requires", "sphere correction",
+                             "whole ways", "the cheapest within 5 %"}) {
         EXPECT_NE(run.output.find(part), std::string::npos) << part;
     }
     const CsvTable table = readCsv(scratch.path() / "out/tradeoff.csv");

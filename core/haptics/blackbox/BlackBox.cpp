@@ -76,6 +76,15 @@ void BlackBox::restart() noexcept {
     frozen_ = false;
 }
 
+BlackBox BlackBox::release() {
+    BlackBox given(timeStep_, seconds_);
+    given.samples_.swap(samples_);
+    given.marks_.swap(marks_);
+    given.frozen_ = true;
+    restart();
+    return given;
+}
+
 void BlackBox::forgetAll() noexcept {
     samples_.clear();
     marks_.clear();

@@ -9,7 +9,7 @@ namespace asperity {
 /// The last seconds of a live run, tick by tick, with the memory that their first tick starts from:
 /// what is needed to see why a fault came, and to replay it to the same bits. It holds them from
 /// the first fault on, or when asked to. For the thread that drains the loop; the tick knows
-/// nothing of it. After construction it asks for no memory.
+/// nothing of it. After construction it asks for no memory but in release().
 class BlackBox {
 public:
     /// A replay can begin at every mark; the box begins at one. So it may hold more than was asked
@@ -34,6 +34,8 @@ public:
     /// Forgets all and begins anew at the next mark. A fault that is latched then does not freeze
     /// it again; the next one does.
     void restart() noexcept;
+    /// Gives away what it holds, to be written by another thread, and begins anew as restart().
+    [[nodiscard]] BlackBox release();
 
     /// Oldest first. A box that froze by itself ends with the first tick of the fault.
     [[nodiscard]] const boost::circular_buffer<TickSample>& samples() const noexcept {

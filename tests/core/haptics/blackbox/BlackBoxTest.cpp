@@ -119,6 +119,24 @@ TEST(BlackBox, BegunAnewItWaitsForTheNextFaultNotTheLatchedOne) {
     expectReplayable(box);
 }
 
+TEST(BlackBox, GivesAwayWhatItHoldsAndBeginsAnew) {
+    BlackBox box(kStep, 2.0);
+    Ticks ticks(box);
+    ticks.run(3000);
+    ticks.run(1, Fault::DeviceLost);
+    const double event = ticks.now();
+    const BlackBox given = box.release();
+    ticks.run(500, Fault::DeviceLost);
+    EXPECT_TRUE(given.frozen());
+    EXPECT_EQ(given.samples().back().time, event);
+    expectReplayable(given);
+    EXPECT_FALSE(box.frozen());
+    EXPECT_GT(box.samples().front().time, event);
+    expectReplayable(box);
+    ticks.run(3000);
+    EXPECT_GE(heldSeconds(box), 2.0 - 1e-9);
+}
+
 TEST(BlackBox, BeginsAfterTicksThatWereLost) {
     BlackBox box(kStep, 2.0);
     Ticks ticks(box);

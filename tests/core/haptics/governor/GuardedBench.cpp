@@ -23,15 +23,17 @@ Scene coupledScene() {
 
 }  // namespace
 
-GuardedBench::GuardedBench()
-    : scene_(coupledScene())
-    , bench_({.arm = kNormalGrip}, above(kHigh))
-    , afm_(scene_.touched(), scene_.truth) {
+GuardedBench::GuardedBench() : GuardedBench(coupledScene(), above(kHigh)) {}
+
+GuardedBench::GuardedBench(const Scene& scene, const Vector3& start)
+    : scene_(scene), bench_({.arm = kNormalGrip}, start), afm_(scene_.touched(), scene_.truth) {
     input.settings = scene_.settings;
     input.timeStep = scene_.timeStep();
 }
 
-void GuardedBench::reachFor(double height) { bench_.reachFor(above(height)); }
+void GuardedBench::reachFor(double height) { reachFor(above(height)); }
+
+void GuardedBench::reachFor(const Vector3& place) { bench_.reachFor(place); }
 
 TickSample GuardedBench::step() {
     time_ += input.timeStep;

@@ -15,9 +15,14 @@ namespace asperity::test {
 class GuardedBench {
 public:
     GuardedBench();
+    /// The same person and device at another scene.
+    /// @param start of the handle, the hand's frame [m]
+    GuardedBench(const Scene& scene, const Vector3& start);
 
     /// Where the person wants the handle from now on: height over the sample [m].
     void reachFor(double height);
+    /// The same anywhere; the hand's frame [m].
+    void reachFor(const Vector3& place);
     /// @return the ticks of this time [s], whose samples tell the time since the beginning
     std::vector<TickSample> run(double duration);
     /// Engages high over the sample, then goes down and presses. @return the force there [N]
