@@ -15,7 +15,7 @@ std::vector<ShareKey> keys() {
     return {{{0, 158, 115}, "comes to rest"},
             {{86, 180, 233}, "at rest but for the detector's noise"},
             {{110, 110, 110}, "refused: no coupling for this rate and delay"},
-            {{190, 190, 190}, "refused: the contact is too stiff at the hand"},
+            {{190, 190, 190}, "refused: contact too stiff, or adhesion too strong, at the hand"},
             {{213, 94, 0}, "shakes"},
             {{0, 0, 0}, "a defect"}};
 }

@@ -15,8 +15,10 @@ namespace asperity {
 namespace {
 
 /// As docs/haptics.md has it.
-constexpr DeviceSpecification kDevice{
-    .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = kPhantomClass.mass};
+constexpr DeviceSpecification kDevice{.maxForce = kPhantomClass.maxForce,
+                                      .maxStiffness = kPhantomClass.maxStiffness,
+                                      .maxDamping = kPhantomClass.maxDamping,
+                                      .effectiveMass = kPhantomClass.mass};
 
 constexpr double kDetectorNoise = 1e-7;  // of a signal [rad]
 
@@ -35,15 +37,6 @@ Scene sceneOf(const HoldBench& bench, double signalNoise) {
     scene.law = ContactLaw::Split;
     return buildScene(
         scene, flatMap({.columns = kPixels, .rows = kPixels, .sizeX = kSize, .sizeY = kSize}));
-}
-
-/// Lever and contact in series under a force [N/m].
-double tipStiffness(const Scene& scene, double force) {
-    constexpr double kForceControl = 1e3;  // compliance beside which no indentation counts [m/N]
-    const double lever = 1.0 / scene.belief.cantilever.compliance()(2, 2);
-    const ContactState pressed =
-        scene.belief.contact.equilibrium(kForceControl * force, kForceControl, {});
-    return pressed.solved() ? inSeries(lever, pressed.stiffness) : lever;
 }
 
 std::string describe(const HoldSetting& hold) {
@@ -108,10 +101,11 @@ private:
 
     [[nodiscard]] HoldOutcome judged(const HoldSetting& hold,
                                      const std::optional<CouplingGains>& gains) const {
-        const double tip = tipStiffness(scene_, kPhantomClass.maxForce / hold.scale.forceGain);
-        const ScaleJudgement judgement =
-            judgeScale(tip, hold.scale, gains,
-                       {.device = kDevice.maxStiffness, .timeStep = scene_.timeStep()});
+        const TipLoad tip = tipLoad(scene_.belief, kDevice.maxForce / hold.scale.forceGain);
+        const ScaleJudgement judgement = judgeScale(tip, hold.scale, gains,
+                                                    {.stiffness = kDevice.maxStiffness,
+                                                     .force = kDevice.maxForce,
+                                                     .timeStep = scene_.timeStep()});
         return {.setting = hold,
                 .contact = judgement.contact,
                 .felt = judgement.felt,

@@ -16,7 +16,7 @@ const char* nameOf(HoldVerdict verdict) noexcept {
 }
 
 std::string kindOf(const std::string& sentence) {
-    static const std::regex quantity(R"([0-9][0-9.e+-]* \S{0,2}(N/m|s)\b)");
+    static const std::regex quantity(R"([0-9][0-9.e+-]* \S{0,2}(N/m|N|s)\b)");
     return std::regex_replace(sentence, quantity, "X $1");
 }
 

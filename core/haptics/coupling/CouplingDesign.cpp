@@ -42,12 +42,18 @@ double stiffnessFor(double damping, double mass, double age) {
     return root * root;
 }
 
+double massOf(const DeviceSpecification& device) {
+    return device.effectiveMass > 0.0 ? device.effectiveMass : kLightestHandle;
+}
+
+double ageOf(const LoopTiming& timing) { return timing.timeStep / 2.0 + timing.delay; }
+
 }  // namespace
 
 CouplingGains designCoupling(const DeviceSpecification& device, const LoopTiming& timing) {
     check(device, timing);
-    const double mass = device.effectiveMass > 0.0 ? device.effectiveMass : kLightestHandle;
-    const double age = timing.timeStep / 2.0 + timing.delay;
+    const double mass = massOf(device);
+    const double age = ageOf(timing);
     const double stiffness =
         std::min({device.maxStiffness, kStiffestCoupling, kDelayedStiffness * mass / (age * age),
                   stiffnessFor(device.maxDamping, mass, age)});
@@ -60,6 +66,21 @@ CouplingGains designCoupling(const DeviceSpecification& device, const LoopTiming
     return {.stiffness = stiffness,
             .damping = dampingFor(stiffness, mass, age),
             .proxyDamping = kProxyDamping};
+}
+
+bool holdsHandle(const CouplingGains& gains, const DeviceSpecification& device,
+                 const LoopTiming& timing) {
+    check(device, timing);
+    if (gains.stiffness > device.maxStiffness || gains.damping > device.maxDamping) {
+        return false;
+    }
+    // With x = omega tau: |k + i beta x| = x^2 where the gain is 1.
+    const double age = ageOf(timing);
+    const double k = gains.stiffness * age * age / massOf(device);
+    const double beta = gains.damping * age / massOf(device);
+    const double crossover =
+        std::sqrt((beta * beta + std::sqrt(std::pow(beta, 4.0) + 4.0 * k * k)) / 2.0);
+    return std::atan2(beta * crossover, k) > crossover;
 }
 
 double stiffestContact(const CouplingGains& gains, double timeStep) noexcept {

@@ -28,6 +28,13 @@ inline constexpr double kSoftestCoupling = 250.0;  ///< softer, a surface is no 
 [[nodiscard]] CouplingGains designCoupling(const DeviceSpecification& device,
                                            const LoopTiming& timing);
 
+/// Whether a coupling that was not designed keeps the same handle at rest: no stiffer and no more
+/// damped than the device renders, and m s^2 + (Kc + Bc s) e^(-s tau) = 0 has its roots on the
+/// left. That is so where the loop (Kc + Bc s) e^(-s tau) / (m s^2) has phase left at its one gain
+/// of 1. Source: docs/haptics.md. @throw Error where a value of device or timing is no such thing
+[[nodiscard]] bool holdsHandle(const CouplingGains& gains, const DeviceSpecification& device,
+                               const LoopTiming& timing);
+
 /// The stiffest contact, as seen from the hand, that a proxy meets without gaining energy [N/m]:
 /// the force is a tick old, and Colgate's bound b > K T / 2 holds for the proxy and its damper.
 [[nodiscard]] double stiffestContact(const CouplingGains& gains, double timeStep) noexcept;

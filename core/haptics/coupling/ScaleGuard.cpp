@@ -9,19 +9,43 @@ namespace asperity {
 
 namespace {
 
+constexpr const char* kForceRemedy = ": a smaller force gain is needed";
+constexpr const char* kStiffnessRemedy =
+    ": a smaller force gain or a smaller position gain is needed";
+
 std::string newtonsPerMetre(double stiffness) { return formatSi(stiffness, "N/m"); }
 
+/// What is left for the contact beside a guide, from (K + k) T/2 + b = bp [N/m].
+double contactBound(const CouplingGains& gains, const GuideLoad& guide, double timeStep) {
+    CouplingGains left = gains;
+    left.proxyDamping -= guide.damping;
+    return stiffestContact(left, timeStep) - guide.stiffness;
+}
+
+std::string contactRefusal(const ScaleJudgement& judged) {
+    const std::string bound = "(" + newtonsPerMetre(judged.contactBound) + ")";
+    if (judged.guided && judged.contactBound < 0.0) {
+        return "the guide alone is stiffer or more damped than the coupling bears at this rate: a "
+               "softer guide is needed";
+    }
+    return "the contact is " + newtonsPerMetre(judged.contact) +
+           " at the hand, more than the coupling bears at this rate " +
+           (judged.guided ? "beside the guide " : "") + bound + kStiffnessRemedy;
+}
+
 std::string sentenceFor(const ScaleJudgement& judged) {
-    const std::string remedy = ": a smaller force gain or a larger position gain is needed";
     if (!(judged.felt <= judged.feltBound)) {
         return "the hand would feel " + newtonsPerMetre(judged.felt) +
                ", more than the device renders (" + newtonsPerMetre(judged.feltBound) + ")" +
-               remedy;
+               kStiffnessRemedy;
     }
     if (!(judged.contact <= judged.contactBound)) {
-        return "the contact is " + newtonsPerMetre(judged.contact) +
-               " at the hand, more than the coupling bears at this rate (" +
-               newtonsPerMetre(judged.contactBound) + ")" + remedy;
+        return contactRefusal(judged);
+    }
+    if (!(judged.adhesion <= judged.forceBound)) {
+        return "the sample would hold the hand with " + formatSi(judged.adhesion, "N") +
+               ", more than the motors may give (" + formatSi(judged.forceBound, "N") + ")" +
+               kForceRemedy;
     }
     return "the hand feels " + newtonsPerMetre(judged.felt) + " of the " +
            newtonsPerMetre(judged.contact) + " of the scaled contact; the device renders " +
@@ -30,17 +54,18 @@ std::string sentenceFor(const ScaleJudgement& judged) {
 
 }  // namespace
 
-double inSeries(double first, double second) noexcept { return 1.0 / (1.0 / first + 1.0 / second); }
-
-ScaleJudgement judgeScale(double tipStiffness, const HandScale& scale,
-                          const std::optional<CouplingGains>& coupling,
-                          const StiffnessBounds& bounds) {
-    const double contact = tipStiffness * scale.forceGain * scale.positionGain;
+ScaleJudgement judgeScale(const TipLoad& tip, const HandScale& scale,
+                          const std::optional<CouplingGains>& coupling, const ScaleBounds& bounds,
+                          const GuideLoad& guide) {
+    const double contact = tip.stiffness * scale.forceGain * scale.positionGain;
     ScaleJudgement judged{.contact = contact,
-                          .contactBound = coupling ? stiffestContact(*coupling, bounds.timeStep)
+                          .contactBound = coupling ? contactBound(*coupling, guide, bounds.timeStep)
                                                    : std::numeric_limits<double>::infinity(),
                           .felt = coupling ? inSeries(contact, coupling->stiffness) : contact,
-                          .feltBound = bounds.device};
+                          .feltBound = bounds.stiffness,
+                          .adhesion = tip.adhesion * scale.forceGain,
+                          .forceBound = bounds.force,
+                          .guided = guide.stiffness > 0.0 || guide.damping > 0.0};
     judged.sentence = sentenceFor(judged);
     return judged;
 }

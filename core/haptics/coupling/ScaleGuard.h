@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/haptics/coupling/TipLoad.h"
 #include "core/haptics/coupling/VirtualCoupling.h"
 
 #include <optional>
@@ -11,12 +12,21 @@ namespace asperity {
 struct HandScale {
     double positionGain = 1.0;  ///< displacement at the tip per displacement of the hand
     double forceGain = 1.0;     ///< force at the hand per force at the tip
+
+    bool operator==(const HandScale&) const = default;
+};
+
+/// A guide (virtual fixture) that pulls at the proxy beside the contact, at the hand's scale.
+struct GuideLoad {
+    double stiffness = 0.0;  ///< k [N/m]
+    double damping = 0.0;    ///< b [N s/m]
 };
 
 /// What device and loop can bear.
-struct StiffnessBounds {
-    double device = 0.0;    ///< stiffness that the device renders [N/m]
-    double timeStep = 0.0;  ///< from tick to tick [s]
+struct ScaleBounds {
+    double stiffness = 0.0;  ///< that the device renders [N/m]
+    double force = 0.0;      ///< that its motors may give [N]
+    double timeStep = 0.0;   ///< from tick to tick [s]
 };
 
 /// A scale, judged.
@@ -25,27 +35,30 @@ struct ScaleJudgement {
     double contactBound = 0.0;  ///< that the proxy meets without gaining energy [N/m]
     double felt = 0.0;          ///< stiffness in series with the coupling [N/m]
     double feltBound = 0.0;     ///< that the device renders [N/m]
-    std::string sentence;       ///< for people: what is felt, or what is too stiff and the remedy
+    double adhesion = 0.0;      ///< of the sample, at the hand [N]
+    double forceBound = 0.0;    ///< that the motors may give [N]
+    bool guided = false;        ///< a guide takes its part of `contactBound`
+    std::string sentence;       ///< for people: what is felt, or what is too much and the remedy
 
     [[nodiscard]] bool holds() const noexcept {
-        return felt <= feltBound && contact <= contactBound;
+        return felt <= feltBound && contact <= contactBound && adhesion <= forceBound;
     }
 };
 
-/// Stiffness of springs in series [N/m]; docs/physics.md 7.1.
-[[nodiscard]] double inSeries(double first, double second) noexcept;
-
-/// Judges the stiffness that the hand feels against the device's, and that of the contact against
-/// what the proxy bears; without a coupling the hand feels the contact itself.
+/// Judges three things; without a coupling the hand feels the contact itself, and no guide acts:
 ///
-/// `tipStiffness` [N/m] is the largest that the tip meets: lever in series with the contact, along
-/// the contact's normal. Before snap-in and pull-off the stiffness is negative and has no bound,
-/// but it needs none: it only drives the proxy into the jump, which loses energy and ends on the
-/// positive stiffness judged here. What the jump brings to the hand is a force, of at most the
-/// adhesion, and it is the device's largest force that bounds that.
+/// - the stiffness that the hand feels against the device's;
+/// - the contact K that the proxy meets, with the guide beside it: (K + k) T/2 + b must stay below
+///   bp, for the force of both is a tick old;
+/// - the adhesion against what the motors may give: one that pulls harder is not held, the handle
+///   gives way with the force at its limit.
+///
+/// Before snap-in and pull-off the stiffness is negative and has no bound, but it needs none: it
+/// only drives the proxy into the jump, which loses energy and ends on the positive stiffness
+/// judged here. What the jump brings to the hand is a force, of at most the adhesion.
 /// Source: docs/haptics.md.
-[[nodiscard]] ScaleJudgement judgeScale(double tipStiffness, const HandScale& scale,
+[[nodiscard]] ScaleJudgement judgeScale(const TipLoad& tip, const HandScale& scale,
                                         const std::optional<CouplingGains>& coupling,
-                                        const StiffnessBounds& bounds);
+                                        const ScaleBounds& bounds, const GuideLoad& guide = {});
 
 }  // namespace asperity

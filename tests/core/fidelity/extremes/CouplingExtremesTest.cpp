@@ -65,6 +65,18 @@ TEST(CouplingExtremes, AContactStifferThanTheProxyBearsIsRefusedButForSoftSample
     }
 }
 
+TEST(CouplingExtremes, AnAdhesionStrongerThanTheMotorsIsRefusedWhateverTheStiffness) {
+    CouplingGrid grid = gridOf(1000.0, 1.0_ms, 1e10);
+    grid.leverStiffnesses = {0.2};
+    grid.positionGains = {1e-7};  // the contact is at most 200 N/m
+    for (const HoldOutcome& hold : holdsOf(grid)) {
+        EXPECT_EQ(hold.guardHolds, hold.setting.workOfAdhesion == 0.0) << hold.setting.material;
+        if (hold.setting.coupled) {
+            EXPECT_EQ(hold.verdict == HoldVerdict::ScaleTooHigh, !hold.guardHolds);
+        }
+    }
+}
+
 TEST(CouplingExtremes, AHandThatFeelsThePiconewtonsOfAStiffLeverFeelsTheDetectorsNoise) {
     CouplingGrid grid = gridOf(1000.0, 1.0_ms, 1e10);
     grid.positionGains = {1e-7};
@@ -88,6 +100,7 @@ TEST(HoldOutcome, SentencesOfOneKindDifferInQuantitiesAlone) {
               "the contact is X N/m at the hand (X N/m)");
     EXPECT_EQ(kindOf("a force that is 850 µs old, as of 1e-05 s"),
               "a force that is X s old, as of X s");
+    EXPECT_EQ(kindOf("with 17.9 N, more than (850 mN)"), "with X N, more than (X N)");
 }
 
 }  // namespace

@@ -5,8 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace asperity {
 namespace {
@@ -76,6 +80,57 @@ TEST(CouplingDesign, RefusesWhatIsNoDevice) {
     EXPECT_NE(refusal({.maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = -1.0}, {}), "");
     EXPECT_NE(refusal(kPhantom, {.timeStep = 0.0}), "");
     EXPECT_NE(refusal(kPhantom, {.delay = kNan}), "");
+}
+
+/// Whether a handle with nobody at it comes to rest, stepped by 10 us from 1 mm: m x'' = -Kc x - Bc
+/// x' of tau ago.
+bool comesToRest(const CouplingGains& gains, double mass, double age) {
+    constexpr double kStep = 10e-6;
+    const auto late = static_cast<std::size_t>(std::lround(age / kStep));
+    std::vector<double> forces(late, 0.0);
+    double place = 1e-3;
+    double speed = 0.0;
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < 400000; ++i) {
+        const double force =
+            std::exchange(forces[i % late], -gains.stiffness * place - gains.damping * speed);
+        speed += kStep * force / mass;
+        place += kStep * speed;
+        if (i > 300000) {
+            farthest = std::max(farthest, std::abs(place));
+        }
+    }
+    return farthest < 1e-3;
+}
+
+TEST(CouplingDesign, ACouplingHoldsExactlyWhereAHandleAloneComesToRest) {
+    int holding = 0;
+    for (const double stiffness : {100.0, 300.0, 600.0, 800.0}) {
+        for (const double damping : {0.3, 1.0, 1.5, 3.0, 8.0}) {
+            for (const double delay : {1.0_ms, 3.0_ms, 5.0_ms, 9.0_ms}) {
+                const CouplingGains gains{stiffness, damping, 3.0};
+                const bool holds = holdsHandle(gains, kPhantom, {.delay = delay});
+                EXPECT_EQ(holds, comesToRest(gains, 0.075, delay + 0.5_ms))
+                    << stiffness << " " << damping << " " << delay;
+                holding += holds ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(holding, 10);
+    EXPECT_LT(holding, 70);
+}
+
+TEST(CouplingDesign, WhatIsDesignedHolds) {
+    for (const double delay : {0.0, 1.0_ms, 3.0_ms, 6.0_ms}) {
+        const LoopTiming timing{.timeStep = 1.0_ms, .delay = delay};
+        EXPECT_TRUE(holdsHandle(designCoupling(kPhantom, timing), kPhantom, timing)) << delay;
+    }
+}
+
+TEST(CouplingDesign, ACouplingStifferOrMoreDampedThanTheDeviceDoesNotHold) {
+    EXPECT_FALSE(holdsHandle({801.0, 3.0, 3.0}, kPhantom, {.delay = 0.0}));
+    EXPECT_FALSE(holdsHandle({300.0, 8.1, 3.0}, kPhantom, {.delay = 0.0}));
+    EXPECT_TRUE(holdsHandle({800.0, 3.0, 3.0}, kPhantom, {.delay = 0.0}));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@ namespace asperity {
 namespace {
 
 constexpr HandScale kCommon{.positionGain = 1e-6, .forceGain = 1e8};  // 1 mm: 1 nm, 1 N: 10 nN
-constexpr StiffnessBounds kPhantom{.device = 800.0, .timeStep = 1e-3};
-constexpr double kLever = 14.0;  // [N/m], on a hard sample
+constexpr ScaleBounds kPhantom{.stiffness = 800.0, .force = 3.0, .timeStep = 1e-3};
+constexpr TipLoad kLever{.stiffness = 14.0};  // on a hard sample
 const CouplingGains kSoft{.stiffness = 300.0, .damping = 2.0, .proxyDamping = 3.0};
 
 TEST(ScaleGuard, RefusesTheUncoupledLeverWithTheNumber) {
@@ -28,7 +28,7 @@ TEST(ScaleGuard, TheHandFeelsContactAndCouplingInSeries) {
 }
 
 TEST(ScaleGuard, ASoftSampleLetsAStiffLeverPass) {
-    const double onRubber = inSeries(kLever, 0.1);
+    const TipLoad onRubber{.stiffness = inSeries(kLever.stiffness, 0.1)};
     EXPECT_TRUE(judgeScale(onRubber, kCommon, {}, kPhantom).holds());
 }
 
@@ -40,14 +40,64 @@ TEST(ScaleGuard, ACouplingDoesNotMakeUpForAContactThatTheProxyCannotBear) {
     EXPECT_FALSE(slow.holds());
     EXPECT_NE(slow.sentence.find("8.4 kN/m"), std::string::npos) << slow.sentence;
     EXPECT_NE(slow.sentence.find("(6 kN/m)"), std::string::npos) << slow.sentence;
-    EXPECT_TRUE(
-        judgeScale(kLever, magnified, kSoft, {.device = 800.0, .timeStep = 0.25e-3}).holds());
+    ScaleBounds fast = kPhantom;
+    fast.timeStep = 0.25e-3;
+    EXPECT_TRUE(judgeScale(kLever, magnified, kSoft, fast).holds());
+}
+
+TEST(ScaleGuard, AnAdhesionStrongerThanTheMotorsIsRefusedWithBothForces) {
+    const TipLoad sticky{.stiffness = 14.0, .adhesion = 29e-9};
+    const ScaleJudgement held = judgeScale(sticky, kCommon, kSoft, kPhantom);
+    EXPECT_NEAR(held.adhesion, 2.9, 1e-12);
+    EXPECT_TRUE(held.holds());
+    const HandScale larger{.positionGain = 1e-7, .forceGain = 1.1e8};
+    const ScaleJudgement judged = judgeScale(sticky, larger, kSoft, kPhantom);
+    EXPECT_FALSE(judged.holds());
+    EXPECT_NE(judged.sentence.find("3.19 N"), std::string::npos) << judged.sentence;
+    EXPECT_NE(judged.sentence.find("(3 N)"), std::string::npos) << judged.sentence;
+}
+
+TEST(ScaleGuard, AGuideTakesItsPartOfWhatTheProxyBears) {
+    // (K + k) T/2 + b < bp: of 6000 N/m a damping of 0.5 N s/m takes 1000, a stiffness its own.
+    const GuideLoad guide{.stiffness = 200.0, .damping = 0.5};
+    const ScaleJudgement beside = judgeScale(kLever, kCommon, kSoft, kPhantom, guide);
+    EXPECT_NEAR(beside.contactBound, 4800.0, 1e-9);
+    EXPECT_TRUE(beside.holds());
+    const HandScale magnified{.positionGain = 1e-6, .forceGain = 4e8};
+    EXPECT_TRUE(judgeScale(kLever, magnified, kSoft, kPhantom).holds());
+    const ScaleJudgement judged = judgeScale(kLever, magnified, kSoft, kPhantom, guide);
+    EXPECT_FALSE(judged.holds());
+    EXPECT_NE(judged.sentence.find("beside the guide (4.8 kN/m)"), std::string::npos)
+        << judged.sentence;
+}
+
+TEST(ScaleGuard, AGuideThatTheProxyCannotBearIsRefusedInTheAir) {
+    const GuideLoad stiff{.stiffness = 7000.0, .damping = 0.0};
+    const ScaleJudgement judged = judgeScale({}, kCommon, kSoft, kPhantom, stiff);
+    EXPECT_FALSE(judged.holds());
+    EXPECT_NE(judged.sentence.find("softer guide"), std::string::npos) << judged.sentence;
+}
+
+TEST(ScaleGuard, ARefusedScaleHoldsWithTheRemedyThatIsNamed) {
+    const HandScale magnified{.positionGain = 1e-6, .forceGain = 6e8};
+    const ScaleJudgement judged = judgeScale(kLever, magnified, kSoft, kPhantom);
+    ASSERT_FALSE(judged.holds());
+    EXPECT_NE(judged.sentence.find("a smaller force gain or a smaller position gain"),
+              std::string::npos)
+        << judged.sentence;
+    for (const HandScale& remedied : {HandScale{1e-6, 3e8}, HandScale{0.5e-6, 6e8}}) {
+        EXPECT_TRUE(judgeScale(kLever, remedied, kSoft, kPhantom).holds());
+    }
 }
 
 TEST(ScaleGuard, WhatIsNoNumberDoesNotPass) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_FALSE(judgeScale(kNan, kCommon, kSoft, kPhantom).holds());
-    EXPECT_FALSE(judgeScale(kLever, kCommon, kSoft, {.device = kNan, .timeStep = 1e-3}).holds());
+    EXPECT_FALSE(judgeScale({.stiffness = kNan}, kCommon, kSoft, kPhantom).holds());
+    const TipLoad unknown{.stiffness = 14.0, .adhesion = kNan};
+    EXPECT_FALSE(judgeScale(unknown, kCommon, kSoft, kPhantom).holds());
+    ScaleBounds noDevice = kPhantom;
+    noDevice.stiffness = kNan;
+    EXPECT_FALSE(judgeScale(kLever, kCommon, kSoft, noDevice).holds());
 }
 
 }  // namespace

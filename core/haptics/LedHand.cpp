@@ -1,4 +1,4 @@
-#include "core/haptics/PointerHand.h"
+#include "core/haptics/LedHand.h"
 
 #include <cmath>
 
@@ -10,17 +10,17 @@ constexpr double kResponse = 50.0;  // natural frequency of the follower [rad/s]
 
 }  // namespace
 
-PointerHand::PointerHand(const Vector3& start) : target_(start), position_(start) {}
+LedHand::LedHand(const Vector3& start) : target_(start), position_(start) {}
 
 // The exact solution of x'' = w^2 (target - x) - 2 w x' over one step: stable at any step.
-HandState PointerHand::advance(double timeStep) noexcept {
+const Vector3& LedHand::lead(double timeStep) noexcept {
     const Vector3& target = target_.read();
     const double decay = std::exp(-kResponse * timeStep);
     const Vector3 error = position_ - target;
     const Vector3 drive = velocity_ + kResponse * error;
     position_ = target + decay * (error + timeStep * drive);
     velocity_ = decay * (velocity_ - kResponse * timeStep * drive);
-    return {.position = position_};
+    return position_;
 }
 
 }  // namespace asperity

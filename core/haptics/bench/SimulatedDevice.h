@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/haptics/LedHand.h"
+#include "core/haptics/bench/VirtualBench.h"
+
+namespace asperity {
+
+/// A haptic device without the device: the virtual bench with a person at it who holds the handle
+/// in a normal grip and reaches for where mouse and keyboard lead, at most by 0.5 m/s. The force
+/// that comes back moves the handle away from there, as it does a hand.
+class SimulatedDevice final : public LedHand {
+public:
+    /// @param start where handle and hand rest at first, in the device's own frame [m]
+    explicit SimulatedDevice(const Vector3& start, const BenchSetup& setup = {.arm = kNormalGrip});
+
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return bench_.specification();
+    }
+    [[nodiscard]] double delay() const noexcept override { return bench_.delay(); }
+    HandState advance(double timeStep) noexcept override;
+    void setForce(const Vector3& force) noexcept override { bench_.setForce(force); }
+
+private:
+    VirtualBench bench_;
+    Vector3 reach_;  ///< where the person wants the handle [m]
+};
+
+}  // namespace asperity

@@ -1,0 +1,41 @@
+#include "core/haptics/coupling/CoupledHand.h"
+
+#include "core/Error.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+CoupledHand judged(const ProbeSystem& tip, const HandRequest& request, const CouplingGains& gains) {
+    const double force = std::min(request.device.maxForce, request.maxForce);
+    const TipLoad load = tipLoad(tip, force / request.scale.forceGain);
+    CoupledHand hand{.gains = gains,
+                     .judgement = judgeScale(load, request.scale, gains,
+                                             {.stiffness = request.device.maxStiffness,
+                                              .force = force,
+                                              .timeStep = request.timing.timeStep}),
+                     .refusal = {}};
+    if (!hand.judgement.holds()) {
+        hand.refusal = hand.judgement.sentence;
+    }
+    return hand;
+}
+
+}  // namespace
+
+CoupledHand coupleHand(const ProbeSystem& tip, const HandRequest& request) {
+    try {
+        if (request.own.couples() && holdsHandle(request.own, request.device, request.timing)) {
+            if (CoupledHand own = judged(tip, request, request.own); own.holds()) {
+                return own;
+            }
+        }
+        return judged(tip, request, designCoupling(request.device, request.timing));
+    } catch (const Error& error) {
+        return {.gains = {}, .judgement = {}, .refusal = error.what()};
+    }
+}
+
+}  // namespace asperity

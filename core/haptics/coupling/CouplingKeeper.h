@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/haptics/coupling/CoupledHand.h"
+#include "core/scene/Scene.h"
+
+#include <optional>
+#include <string>
+
+namespace asperity {
+
+/// Sees to it that no hand with motors leads the tip of a run but with a coupling and a scale that
+/// hold. Hands that only sense are left alone. Knobs go in and come out; who calls it turns them.
+class CouplingKeeper {
+public:
+    /// @param scene outlives the keeper
+    explicit CouplingKeeper(const Scene& scene) : scene_(&scene) {}
+
+    /// The hand that leads lets go: the knobs as hands that only sense had them.
+    [[nodiscard]] Settings release(Settings knobs);
+
+    /// A hand takes over, after release(). One with motors gets the scene's scale where that is one
+    /// for hands in millimetres and holds; else 1 mm : 1 nm with the largest force gain that holds,
+    /// of 1 N : 10 nN and those below it in steps of a fifth.
+    /// @param delay as the device has it so far [s]
+    /// @throw Error with the refusal where no scale holds
+    [[nodiscard]] Settings takeOver(const DeviceSpecification& device, double delay,
+                                    Settings knobs);
+
+    /// A person turns knobs. Those that do not hold are refused; switching forces off never is.
+    /// @throw Error with the refusal; nothing has changed then
+    [[nodiscard]] Settings turned(Settings wanted, double delay);
+
+    /// A delay that has grown beyond what the gains are designed for has them designed anew; where
+    /// none hold any more the forces go off, and refusal() says why.
+    /// @return the knobs that changed; none: as they were
+    [[nodiscard]] std::optional<Settings> follow(Settings knobs, double delay);
+
+    /// Whether the hand could be held on another sample or with another model under these knobs.
+    /// @throw Error with the refusal
+    void requireHolding(const ProbeSystem& tip, const Settings& knobs) const;
+
+    /// The hand with motors that leads, and what it feels; null where none does.
+    [[nodiscard]] const CoupledHand* hand() const noexcept { return led_ ? &led_->hand : nullptr; }
+    /// The delay that its gains are designed for [s].
+    [[nodiscard]] double delay() const noexcept { return led_ ? led_->delay : 0.0; }
+
+private:
+    /// A hand with motors that leads.
+    struct Led {
+        DeviceSpecification device;
+        double delay = 0.0;  ///< designed for [s]
+        CoupledHand hand;
+        HandScale scale;
+        HandScale before;              ///< of the hands that only sense
+        CouplingGains couplingBefore;  ///< likewise
+    };
+
+    [[nodiscard]] HandRequest request(const Led& led, const Settings& knobs) const;
+    [[nodiscard]] CoupledHand couple(const Led& led, const Settings& knobs) const;
+    [[nodiscard]] Settings fitted(const Led& led, Settings knobs) const;
+    [[nodiscard]] Settings take(Led led, Settings knobs);
+
+    const Scene* scene_;
+    std::optional<Led> led_;
+};
+
+/// "1 mm : 1 nm, 1 N : 10 nN", for people.
+[[nodiscard]] std::string scaleWords(const HandScale& scale);
+
+}  // namespace asperity

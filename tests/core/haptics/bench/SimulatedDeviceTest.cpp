@@ -1,0 +1,62 @@
+#include "core/haptics/bench/SimulatedDevice.h"
+
+#include "core/Units.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace asperity {
+namespace {
+
+constexpr double kTick = 1.0_ms;
+constexpr double kResolution = kPhantomClass.resolution;
+
+/// Lets so much time pass. @return where the handle is then
+Vector3 after(SimulatedDevice& device, double seconds) {
+    Vector3 place = Vector3::Zero();
+    for (double time = 0.0; time < seconds; time += kTick) {
+        place = device.advance(kTick).position;
+    }
+    return place;
+}
+
+TEST(SimulatedDevice, RestsWhereItStartsToTheEncodersStep) {
+    const Vector3 start(1e-3, -2e-3, 5e-3);
+    SimulatedDevice device(start);
+    EXPECT_LE((after(device, 0.5) - start).cwiseAbs().maxCoeff(), 0.5001 * kResolution);
+}
+
+TEST(SimulatedDevice, TheHandleGoesWhereThePointerLeads) {
+    SimulatedDevice device(Vector3::Zero());
+    const Vector3 target(4e-3, 0.0, -8e-3);
+    device.moveTo(target);
+    // Joint friction leaves it short by at most 0.04 N over the arm's 150 N/m.
+    const double friction = kPhantomClass.coulombFriction / kNormalGrip.stiffness;
+    EXPECT_LT((after(device, 1.0) - target).cwiseAbs().maxCoeff(), friction + kResolution);
+}
+
+TEST(SimulatedDevice, AForceMovesTheHandleAwayFromThereAgainstTheArm) {
+    SimulatedDevice device(Vector3::Zero());
+    device.setForce({0.0, 0.0, 1.5});
+    const double friction = kPhantomClass.coulombFriction / kNormalGrip.stiffness;
+    EXPECT_NEAR(after(device, 1.0).z(), 1.5 / kNormalGrip.stiffness, friction + kResolution);
+}
+
+TEST(SimulatedDevice, ThePersonReachesNoFasterThanPeopleDoHoweverFarThePointerJumps) {
+    SimulatedDevice device(Vector3::Zero());
+    device.moveTo({0.5, 0.0, 0.0});
+    double fastest = 0.0;
+    double last = 0.0;
+    for (int i = 0; i < 3000; i += 10) {
+        const double place = after(device, 10 * kTick).x();
+        fastest = std::max(fastest, (place - last) / (10 * kTick));
+        last = place;
+    }
+    EXPECT_NEAR(last, 0.5, 1e-3);
+    EXPECT_GT(fastest, 0.4);
+    EXPECT_LT(fastest, 0.75);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,72 @@
+#include "core/haptics/coupling/CoupledHand.h"
+
+#include "core/Units.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+ProbeSystem polystyrene() {
+    const SceneDescription scene = test::plainScene();
+    return believedSystem(scene, usualModel(scene));
+}
+
+/// 1 mm : 1 nm and 1 N : 10 nN at a device of the Phantom class, felt up to 3 N.
+HandRequest common() {
+    return {.device = {.maxForce = 8.5,
+                       .maxStiffness = 800.0,
+                       .maxDamping = 8.0,
+                       .effectiveMass = 0.075},
+            .timing = {.timeStep = 1.0_ms, .delay = 1.0_ms},
+            .scale = {.positionGain = 1e-6, .forceGain = 1e8},
+            .own = {},
+            .maxForce = 3.0};
+}
+
+TEST(CoupledHand, GetsTheDesignedGainsAndFeelsLeverContactAndCouplingInSeries) {
+    const CoupledHand hand = coupleHand(polystyrene(), common());
+    ASSERT_TRUE(hand.holds()) << hand.refusal;
+    EXPECT_EQ(hand.gains, designCoupling(common().device, common().timing));
+    const double tip = tipLoad(polystyrene(), 30.0_nN).stiffness;
+    const double felt = inSeries(100.0 * tip, 600.0);
+    EXPECT_NEAR(hand.judgement.felt, felt, 1e-9 * felt);
+}
+
+TEST(CoupledHand, TheScenesOwnCouplingCountsWhereItHolds) {
+    HandRequest request = common();
+    request.own = {.stiffness = 300.0, .damping = 1.0, .proxyDamping = 2.0};
+    EXPECT_EQ(coupleHand(polystyrene(), request).gains, request.own);
+    request.timing.delay = 6.0_ms;  // now Kc tau is 1.95, more than its damping
+    EXPECT_EQ(coupleHand(polystyrene(), request).gains,
+              designCoupling(request.device, request.timing));
+}
+
+TEST(CoupledHand, AnOwnCouplingTooLittleDampedForTheContactGivesWayToTheDesignedOne) {
+    HandRequest request = common();
+    request.own = {.stiffness = 300.0, .damping = 1.0, .proxyDamping = 0.2};  // bears 400 N/m
+    EXPECT_EQ(coupleHand(polystyrene(), request).gains.proxyDamping, 3.0);
+}
+
+TEST(CoupledHand, TheLesserOfTheMotorsAndTheScenesLimitMustHoldTheAdhesion) {
+    HandRequest request = common();
+    request.maxForce = 0.5;  // polystyrene pulls with 6 nN
+    const CoupledHand limited = coupleHand(polystyrene(), request);
+    EXPECT_NE(limited.refusal.find("(500 mN)"), std::string::npos) << limited.refusal;
+    request = common();
+    request.device.maxForce = 0.4;
+    const CoupledHand weak = coupleHand(polystyrene(), request);
+    EXPECT_NE(weak.refusal.find("(400 mN)"), std::string::npos) << weak.refusal;
+}
+
+TEST(CoupledHand, ADelayThatNoCouplingHoldsIsRefusedInTheWordsOfTheDesign) {
+    HandRequest request = common();
+    request.timing.delay = 8.0_ms;
+    const CoupledHand late = coupleHand(polystyrene(), request);
+    EXPECT_FALSE(late.holds());
+    EXPECT_NE(late.refusal.find("173 N/m"), std::string::npos) << late.refusal;
+}
+
+}  // namespace
+}  // namespace asperity
