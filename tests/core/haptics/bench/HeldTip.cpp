@@ -22,10 +22,11 @@ Vector3 above(double height) { return {64e-3, 64e-3, height}; }
 /// Tick and simulated instrument.
 class CoupledTick {
 public:
-    CoupledTick(const Scene& scene, const CouplingGains& gains)
+    CoupledTick(const Scene& scene, const Hold& hold)
         : scene_(scene), afm_(scene.touched(), scene.truth) {
         input_.settings = scene.settings;
-        input_.settings.coupling = gains;
+        input_.settings.coupling = hold.coupling;
+        input_.settings.guide = hold.guide;
         input_.timeStep = scene.timeStep();
     }
 
@@ -62,7 +63,7 @@ Scene hapticScene(const std::string& material, const HeightMap& map, double tick
 HeldTip holdTip(const Scene& scene, const Hold& hold, const PortWatch& watch) {
     constexpr double kStart = 4e-3;  // [m]
     VirtualBench bench(hold.bench, above(kStart));
-    CoupledTick loop(scene, hold.coupling);
+    CoupledTick loop(scene, hold);
     HeldTip held;
     double low = kStart;
     double high = -1.0;

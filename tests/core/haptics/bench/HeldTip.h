@@ -17,6 +17,7 @@ namespace asperity::test {
 struct Hold {
     BenchSetup bench;
     CouplingGains coupling;  ///< without stiffness: the hand moves the base itself
+    VirtualFixture guide;    ///< lengths of the world
     double goal = -3e-3;     ///< height that the hand goes to, in its frame [m]
     double lift = 0.0;       ///< by which the goal is raised after half a second [m]
     bool letGo = false;      ///< whether the hand opens after half a second
