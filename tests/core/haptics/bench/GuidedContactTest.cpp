@@ -10,6 +10,7 @@
 namespace asperity {
 namespace {
 
+constexpr double kStill = 0.01e-3;     // [m]
 constexpr double kChatters = 0.02e-3;  // of the proxy, what the handle's mass leaves of it [m]
 
 /// As a scene has it by itself, with the target pressed into the sample by one nanometre.
@@ -35,7 +36,7 @@ TEST(GuidedContact, EveryGuideHoldsALightGripStill) {
                     test::holdTip(scene, {.bench = {.arm = kLightGrip, .delay = delay},
                                           .coupling = designed(scene, delay),
                                           .guide = guideTo(kind)});
-                EXPECT_LT(held.peakToPeak, 0.1 * kChatters) << material << ' ' << delay;
+                EXPECT_LT(held.peakToPeak, kStill) << material << ' ' << delay;
             }
         }
     }
