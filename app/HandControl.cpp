@@ -2,6 +2,7 @@
 
 #include "core/haptics/PointerHand.h"
 #include "core/haptics/ScriptedHand.h"
+#include "core/haptics/bench/SimulatedDevice.h"
 #include "hardware/SpaceMouse.h"
 
 #include <memory>
@@ -21,25 +22,47 @@ void HandControl::attach(LiveRun& run) {
     usePointer();
 }
 
-void HandControl::detach() {
-    letGo();
-    run_ = nullptr;
+void HandControl::detach() { run_ = nullptr; }
+
+HandKind HandControl::kind() const {
+    if (handAs<PointerHand>() != nullptr) {
+        return HandKind::Pointer;
+    }
+    if (handAs<ScriptedHand>() != nullptr) {
+        return HandKind::Script;
+    }
+    if (handAs<SpaceMouse>() != nullptr) {
+        return HandKind::SpaceMouse;
+    }
+    return handAs<SimulatedDevice>() != nullptr ? HandKind::SimulatedDevice : HandKind::Other;
 }
 
-void HandControl::letGo() {
-    pointer_ = nullptr;
-    spaceMouse_ = nullptr;
-    pilot_.reset();
+void HandControl::use(HandKind kind) {
+    switch (kind) {
+    case HandKind::Pointer:
+        return usePointer();
+    case HandKind::SpaceMouse:
+        return useSpaceMouse();
+    case HandKind::SimulatedDevice:
+        return lead([](const Vector3& start) { return std::make_unique<SimulatedDevice>(start); });
+    case HandKind::Script:
+    case HandKind::Other:
+        break;
+    }
 }
 
 void HandControl::usePointer() {
-    run_->takeHand([this] {
-        auto hand = std::make_unique<PointerHand>(run_->handPosition());
-        letGo();
-        pointer_ = hand.get();
-        pilot_.emplace(run_->handPosition());
-        return hand;
+    lead([](const Vector3& start) { return std::make_unique<PointerHand>(start); });
+}
+
+void HandControl::lead(const MakeLed& make) {
+    Vector3 start = Vector3::Zero();
+    run_->takeHand([&] {
+        start = run_->handPosition();
+        return make(start);
     });
+    pilot_ = HandPilot(start);
+    piloted_ = &run_->hand();
 }
 
 HandPath HandControl::leadIn(const Vector3& start) {
@@ -55,7 +78,6 @@ void HandControl::follow(const HandPath& path) {
         for (std::size_t i = 1; i < path.size(); ++i) {
             way.push_back({begin + path[i].time, path[i].position});
         }
-        letGo();
         return std::make_unique<ScriptedHand>(std::move(way), run_->settings().positionGain,
                                               run_->handPosition());
     });
@@ -65,49 +87,52 @@ void HandControl::useSpaceMouse() {
     if (!transport_) {
         transport_.emplace();
     }
-    run_->takeHand([this] {
-        auto hand = std::make_unique<SpaceMouse>(*transport_, run_->handPosition());
-        letGo();
-        spaceMouse_ = hand.get();
-        return hand;
-    });
+    run_->takeHand(
+        [this] { return std::make_unique<SpaceMouse>(*transport_, run_->handPosition()); });
 }
 
-bool HandControl::leads() const { return pilot_ && run_->loop().running(); }
+LedHand* HandControl::led() const {
+    auto* const hand = handAs<LedHand>();
+    return hand != nullptr && hand == piloted_ && run_->loop().running() ? hand : nullptr;
+}
+
+double HandControl::reach() const {
+    return kind() == HandKind::Pointer ? 1.0 : 1.0 / run_->settings().positionGain;
+}
 
 void HandControl::displace(const Vector3& displacement) {
-    if (leads()) {
-        pilot_->displace(displacement);
+    if (led() != nullptr) {
+        pilot_.displace(reach() * displacement);
     }
 }
 
 void HandControl::setVelocity(const Vector3& velocity) {
-    if (pilot_) {
-        pilot_->setVelocity(velocity);
+    if (run_ != nullptr) {
+        pilot_.setVelocity(reach() * velocity);
     }
 }
 
 void HandControl::travelTo(const Vector2& place) {
-    if (!leads()) {
-        return;
+    if (led() != nullptr) {
+        pilot_.follow(journey(run_->scene(), run_->basePosition(), place, kJourney));
     }
-    pilot_->follow(journey(run_->scene(), run_->basePosition(), place, kJourney));
 }
 
 void HandControl::advance(double seconds, double halfWidth) {
-    if (leads()) {
+    if (LedHand* const hand = led()) {
         const HandMapping now{.hand = run_->handPosition(),
                               .base = run_->basePosition(),
                               .positionGain = run_->settings().positionGain};
-        pointer_->moveTo(pilot_->advance(seconds, now));
+        hand->moveTo(pilot_.advance(seconds, now));
     }
-    if (spaceMouse_ != nullptr) {
-        spaceMouse_->setSpeed(kMouseSpeed * halfWidth);
+    if (auto* const mouse = handAs<SpaceMouse>()) {
+        mouse->setSpeed(kMouseSpeed * halfWidth);
     }
 }
 
 std::string HandControl::deviceStatus() const {
-    return spaceMouse_ != nullptr ? spaceMouse_->status() : std::string();
+    const auto* const mouse = handAs<SpaceMouse>();
+    return mouse != nullptr ? mouse->status() : std::string();
 }
 
 }  // namespace asperity

@@ -4,13 +4,18 @@
 #include "core/haptics/HandPilot.h"
 #include "hardware/HidapiTransport.h"
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace asperity {
 
-class PointerHand;
+class LedHand;
 class SpaceMouse;
+
+/// In the order of the window's list.
+enum class HandKind : int { Other = -1, Pointer, Script, SpaceMouse, SimulatedDevice };
 
 /// Which hand moves the tip of a run, and what the person does with mouse and keyboard meanwhile.
 /// Displacements and velocities are those of the hand.
@@ -23,15 +28,15 @@ public:
     void usePointer();
     /// Goes to where the path begins, well above the sample, and follows it.
     void follow(const HandPath& path);
-    /// @throw Error when there is no way to HID devices at all
-    void useSpaceMouse();
+    /// One of those that need no path; the present hand stays where that one cannot have the tip.
+    /// @throw Error why it cannot: no way to HID devices at all, or no scale at which it holds
+    void use(HandKind kind);
 
-    [[nodiscard]] bool pointing() const { return pointer_ != nullptr; }
-    [[nodiscard]] bool scripted() const {
-        return run_ != nullptr && !pointing() && spaceMouse_ == nullptr;
-    }
+    /// Which hand has the tip.
+    [[nodiscard]] HandKind kind() const;
 
-    /// What only mouse and keyboard do; nothing while another hand has the tip or the run pauses.
+    /// What mouse and keyboard do; nothing while a hand has the tip that they do not lead, or the
+    /// run pauses. A device's handle is moved so far that its tip goes this way.
     void displace(const Vector3& displacement);
     void setVelocity(const Vector3& velocity);
     void travelTo(const Vector2& place);
@@ -43,17 +48,25 @@ public:
     [[nodiscard]] std::string deviceStatus() const;
 
 private:
-    void letGo();
-    /// Mouse and keyboard have the tip, and the run does not pause.
-    [[nodiscard]] bool leads() const;
+    using MakeLed = std::function<std::unique_ptr<HapticDevice>(const Vector3& start)>;
+    void lead(const MakeLed& make);
+    void useSpaceMouse();
+    /// The hand that mouse and keyboard lead here; null: none, or the run pauses.
+    [[nodiscard]] LedHand* led() const;
+    /// The hand as such a device; null: it is none. The run alone knows which hand it has.
+    template <typename Device>
+    [[nodiscard]] Device* handAs() const {
+        return run_ != nullptr ? dynamic_cast<Device*>(&run_->hand()) : nullptr;
+    }
+    /// Way of the hand per way that mouse and keyboard ask for.
+    [[nodiscard]] double reach() const;
     /// From the present place of the base to the start of a path.
     [[nodiscard]] HandPath leadIn(const Vector3& start);
 
     LiveRun* run_ = nullptr;
     std::optional<HidapiTransport> transport_;
-    PointerHand* pointer_ = nullptr;    ///< of the run, while it has the tip
-    SpaceMouse* spaceMouse_ = nullptr;  ///< likewise
-    std::optional<HandPilot> pilot_;    ///< leads the pointer
+    HandPilot pilot_{Vector3::Zero()};       ///< where mouse and keyboard lead
+    const HapticDevice* piloted_ = nullptr;  ///< the hand that it was made for; only compared
 };
 
 }  // namespace asperity

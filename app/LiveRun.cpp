@@ -12,6 +12,7 @@ Vector3 startPlace(const Scene& scene) {
 
 LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
     : loaded_(std::move(loaded))
+    , coupling_(loaded_.scene)
     , start_(start)
     , settings_(loaded_.scene.settings)
     , afm_(loaded_.scene.touched(), loaded_.scene.truth)
@@ -33,19 +34,39 @@ void LiveRun::fetch(const TickSink& sink) {
     fetchCost_.time += processorSeconds() - begin;
 }
 
-void LiveRun::setSettings(const Settings& settings) noexcept {
+void LiveRun::apply(const Settings& settings) noexcept {
     settings_ = settings;
     loop_.setSettings(settings);
 }
 
+void LiveRun::setSettings(const Settings& settings) {
+    apply(coupling_.turned(settings, hand_->delay()));
+}
+
+Settings LiveRun::sensingSettings() const {
+    CouplingKeeper without = coupling_;
+    return without.release(settings_);
+}
+
+bool LiveRun::followDelay() {
+    const std::optional<Settings> changed = coupling_.follow(settings_, hand_->delay());
+    if (changed) {
+        apply(*changed);
+    }
+    return changed.has_value();
+}
+
 void LiveRun::takeHand(const MakeHand& make) {
     const bool running = loop_.running();
+    const CouplingKeeper coupling = coupling_;
+    const Settings settings = settings_;
     loop_.stop();
     try {
-        std::unique_ptr<HapticDevice> hand = make();
-        loop_.setHand(*hand);
-        hand_ = std::move(hand);
+        apply(coupling_.release(settings_));
+        seat(make());
     } catch (...) {
+        coupling_ = coupling;
+        apply(settings);
         if (running) {
             loop_.start();
         }
@@ -54,6 +75,19 @@ void LiveRun::takeHand(const MakeHand& make) {
     if (running) {
         loop_.start();
     }
+}
+
+/// A device is where it is, not where the base waits: before it leads, the first tick has to tell
+/// where that is.
+void LiveRun::seat(std::unique_ptr<HapticDevice> hand) {
+    const DeviceSpecification device = hand->specification();
+    const Settings settings = coupling_.takeOver(device, hand->delay(), settings_);
+    if (device.rendersForce() && loop_.snapshot().statistics.ticks == 0) {
+        loop_.step();
+    }
+    apply(settings);
+    loop_.setHand(*hand);
+    hand_ = std::move(hand);
 }
 
 Vector3 LiveRun::handPosition() noexcept {

@@ -3,6 +3,7 @@
 #include "app/LoadedScene.h"
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/blackbox/BlackBox.h"
+#include "core/haptics/coupling/CouplingKeeper.h"
 #include "core/probe/SimulatedAfm.h"
 #include "core/scene/HalfSpaceWorker.h"
 
@@ -41,12 +42,22 @@ public:
 
     /// The knobs as they are now; they begin as the scene says.
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
-    void setSettings(const Settings& settings) noexcept;
+    /// @throw Error where the hand has motors and could not be held so; nothing has changed then
+    void setSettings(const Settings& settings);
+    /// The knobs with the gains that hands have which only sense.
+    [[nodiscard]] Settings sensingSettings() const;
 
     using MakeHand = std::function<std::unique_ptr<HapticDevice>()>;
-    /// Another hand takes over. `make` is called while the loop rests: what it reads of the present
-    /// hand and base is exact. @throw what `make` throws; the present hand stays then
+    /// Another hand takes over; one with motors gets a coupling and a scale that hold, and when it
+    /// goes the earlier gains return. `make` is called while the loop rests, with the gains of
+    /// hands that only sense: what it reads of the present hand and base is exact.
+    /// @throw what `make` throws, or Error where no scale holds; the present hand stays then
     void takeHand(const MakeHand& make);
+    [[nodiscard]] HapticDevice& hand() noexcept { return *hand_; }
+    /// What is known of a hand with motors.
+    [[nodiscard]] const CouplingKeeper& coupling() const noexcept { return coupling_; }
+    /// Once a frame: has the gains follow the hand's delay. @return whether knobs changed
+    bool followDelay();
     /// Where the hand is, in its own frame [m].
     [[nodiscard]] Vector3 handPosition() noexcept;
     /// Where the base is [m].
@@ -56,7 +67,11 @@ public:
     [[nodiscard]] static LoadedScene release(std::unique_ptr<LiveRun> run);
 
 private:
+    void apply(const Settings& settings) noexcept;
+    void seat(std::unique_ptr<HapticDevice> hand);
+
     LoadedScene loaded_;
+    CouplingKeeper coupling_;
     Vector3 start_;  ///< of the base [m]
     Settings settings_;
     SimulatedAfm afm_;

@@ -26,21 +26,7 @@ namespace asperity {
 namespace {
 
 constexpr int kFramePeriod = 25;       // [ms]
-constexpr double kKeySpeed = 0.25;     // along the sample, of held keys [half widths/s]
-constexpr double kKeySpeedUp = 0.05;   // and across it [half widths/s]
 constexpr double kLongestFrame = 0.1;  // that a held key moves the hand for [s]
-
-enum Hand : int { Pointer, Script, SpaceMouseHand };
-
-using PlanPath = HandPath (*)(const Scene&, const PathPlan&);
-constexpr std::array<PlanPath, 3> kPaths{approachPath, rasterPath, scratchPath};
-
-/// Where held keys send the hand, world frame [half widths/s].
-Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
-    const Vector3 forward = Vector3::UnitZ().cross(camera.right());
-    return kKeySpeed * (keys.right * camera.right() + keys.forward * forward) +
-           kKeySpeedUp * keys.up * Vector3::UnitZ();
-}
 
 }  // namespace
 
@@ -76,7 +62,8 @@ bool Session::eventFilter(QObject* watched, QEvent* event) {
 
 void Session::fillChoices() {
     ControlBar& controls = window_.controls();
-    controls.setHands({tr("Mouse and keyboard"), tr("Scripted path"), tr("SpaceMouse")});
+    controls.setHands(
+        {tr("Mouse and keyboard"), tr("Scripted path"), tr("SpaceMouse"), tr("Simulated device")});
     controls.setPaths({tr("Approach"), tr("Raster"), tr("Scratch")});
     for (const std::filesystem::path& file : dataFiles("materials")) {
         try {
@@ -137,15 +124,6 @@ void Session::connectMenus() {
     connect(&window_, &MainWindow::pictureFileChosen, this, &Session::savePicture);
 }
 
-void Session::connectViews() {
-    connect(&window_.view(), &ZoomView::tipDragged, this, [this](double dx, double dy, double dz) {
-        hand_.displace({dx, dy, dz});
-    });
-    connect(&window_.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
-        travelTo({x, y});
-    });
-}
-
 void Session::use(LoadedScene scene) {
     const Vector3 place = startPlace(scene.scene);
     Settings settings = scene.scene.settings;
@@ -183,12 +161,7 @@ void Session::showKnobs() {
     controls.setMaterials(names);
     controls.setMaterial(static_cast<int>(std::find(materials_.begin(), materials_.end(), own) -
                                           materials_.begin()));
-    controls.setHand(Pointer);
-    controls.setForcesOn(run_->settings().forcesOn);
-    controls.setForceGain(run_->settings().forceGain);
-    controls.setPositionGain(run_->settings().positionGain);
-    window_.menus().tipControl->setChecked(run_->settings().positionControl ==
-                                           PositionControl::Tip);
+    showHand();
 }
 
 void Session::endRun() {
@@ -218,41 +191,47 @@ void Session::changeSettings(const std::function<void(Settings&)>& change) {
     if (run_) {
         Settings settings = run_->settings();
         change(settings);
-        run_->setSettings(settings);
+        try {
+            run_->setSettings(settings);
+        } catch (const Error& error) {
+            window_.tell(QString::fromUtf8(error.what()));
+        }
+        showHand();
     }
 }
 
 void Session::setForces(bool on) {
-    changeSettings([on](Settings& settings) { settings.forcesOn = on; });
     window_.controls().setForcesOn(on);
+    changeSettings([on](Settings& settings) { settings.forcesOn = on; });
 }
 
 void Session::takeBackFault() {
     changeSettings([](Settings& settings) { ++settings.rearms; });
 }
 
-void Session::choosePositionGain(double gain) {
-    if (hand_.scripted()) {
-        window_.controls().setPositionGain(run_->settings().positionGain);
-        window_.tell(tr("A path is in places of the scan: the position gain waits for a hand"));
+void Session::chooseMaterial(int index) {
+    if (!run_) {
         return;
     }
-    changeSettings([gain](Settings& settings) { settings.positionGain = gain; });
-}
-
-void Session::chooseMaterial(int index) {
-    if (run_) {
-        const SampleMaterial& material = materials_.at(static_cast<std::size_t>(index));
-        rebuild(
-            [&material](LoadedScene scene) { return withMaterial(std::move(scene), material); });
+    const SampleMaterial& material = materials_.at(static_cast<std::size_t>(index));
+    SceneDescription changed = run_->scene().description;
+    changed.sample.material = material;
+    try {
+        requireHolding(changed);
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+        showKnobs();
+        return;
     }
+    rebuild([&material](LoadedScene scene) { return withMaterial(std::move(scene), material); });
 }
 
 void Session::rebuild(const std::function<LoadedScene(LoadedScene)>& change) {
     const bool running = run_->loop().running();
     const double halfWidth = window_.view().halfWidth();
     const Vector2 place = run_->basePosition().head<2>();
-    const Settings settings = run_->settings();
+    const Settings settings = run_->sensingSettings();
+    const LedDevice device = ledDevice();
     saveRun();
     window_.showScene(nullptr, {});
     hand_.detach();
@@ -260,62 +239,8 @@ void Session::rebuild(const std::function<LoadedScene(LoadedScene)>& change) {
     const Vector3 start = waitingPlace(scene.scene, place);
     begin(std::move(scene), start, settings);
     window_.view().setHalfWidth(halfWidth);
+    takeUp(device);
     running ? this->start() : pause();
-}
-
-void Session::chooseHand(int index) {
-    if (!run_) {
-        return;
-    }
-    if (index == Script) {
-        choosePath(0);
-        return;
-    }
-    try {
-        index == SpaceMouseHand ? hand_.useSpaceMouse() : hand_.usePointer();
-    } catch (const Error& error) {
-        window_.controls().setHand(Pointer);
-        window_.complain(QString::fromUtf8(error.what()));
-    }
-}
-
-void Session::choosePath(int index) {
-    if (run_) {
-        const Vector2 here = run_->basePosition().head<2>();
-        window_.controls().setPath(index);
-        follow(kPaths.at(static_cast<std::size_t>(index))(run_->scene(), {.place = here}));
-    }
-}
-
-void Session::followFile(const QString& file, const ReadPath& read) {
-    if (!run_) {
-        return;
-    }
-    try {
-        const HandPath path = read(file.toStdString());
-        requireNear(run_->scene(), path, file.toStdString());
-        window_.controls().setPath(-1);
-        follow(path);
-    } catch (const Error& error) {
-        window_.complain(QString::fromUtf8(error.what()));
-    }
-}
-
-void Session::follow(const HandPath& path) {
-    hand_.follow(path);
-    window_.controls().setHand(Script);
-    window_.overview().showPath(outline(path));
-}
-
-void Session::travelTo(const Vector2& place) {
-    if (!run_) {
-        return;
-    }
-    if (!hand_.pointing()) {
-        hand_.usePointer();
-        window_.controls().setHand(Pointer);
-    }
-    hand_.travelTo(place);
 }
 
 void Session::onFrame() {
@@ -323,6 +248,7 @@ void Session::onFrame() {
     const double elapsed = std::min(now - std::exchange(lastFrame_, now), kLongestFrame);
     if (run_) {
         moveHand(elapsed);
+        followDelay();
         fetchTicks();
         saveLastSeconds();
         if (!run_->loop().running()) {
@@ -344,16 +270,6 @@ void Session::solveHalfSpace(const Snapshot& latest) {
         isDrawable(latest.sample.output.model)) {
         worker->ask(latest.sample.output.model);
         show_.setHalfSpace(worker->newest());
-    }
-}
-
-void Session::moveHand(double seconds) {
-    const double halfWidth = window_.view().halfWidth();
-    hand_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
-    hand_.advance(seconds, halfWidth);
-    const std::string status = hand_.deviceStatus();
-    if (status != std::exchange(deviceStatus_, status) && !status.empty()) {
-        window_.tell(QString::fromStdString(status));
     }
 }
 

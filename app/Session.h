@@ -93,7 +93,17 @@ private:
     void chooseModel(const SceneDescription& choices);
     void pickTier(const TickTier& tier);
     void measureFidelity();
+    /// Makes sure that a hand with motors could hold the tip of this. @throw Error
+    void requireHolding(const SceneDescription& scene) const;
     void chooseHand(int index);
+    /// A device that leads, to be taken up again on another scene; `Other`: none does.
+    struct LedDevice {
+        HandKind kind = HandKind::Other;
+        HandScale scale;
+    };
+    [[nodiscard]] LedDevice ledDevice() const;
+    void takeUp(const LedDevice& device);
+    void followDelay();
     void choosePath(int index);
     void choosePositionGain(double gain);
     using ReadPath = std::function<HandPath(const std::filesystem::path&)>;
@@ -115,6 +125,8 @@ private:
     void moveHand(double seconds);
     void fetchTicks();
     void showKnobs();
+    void showHand();
+    void tellOfHand();
     void showRecording();
     void showFidelity();
 

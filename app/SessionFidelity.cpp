@@ -69,6 +69,7 @@ void Session::connectFidelity() {
 void Session::chooseModel(const SceneDescription& choices) {
     try {
         requireModel(choices);
+        requireHolding(choices);
     } catch (const Error& error) {
         window_.complain(QString::fromUtf8(error.what()));
         showFidelity();

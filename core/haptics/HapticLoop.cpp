@@ -54,6 +54,16 @@ void HapticLoop::beat(const Beat& beat) noexcept {
     const double begin = monotonicSeconds();
     tickOnce(static_cast<double>(1 + beat.skipped) * scene_.timeStep());
     measure(beat, begin);
+    publish();
+}
+
+void HapticLoop::step() {
+    tickOnce(scene_.timeStep());
+    ++latest_.statistics.ticks;
+    publish();
+}
+
+void HapticLoop::publish() noexcept {
     if (!samples_.push(latest_.sample)) {
         ++latest_.statistics.lostSamples;
     }

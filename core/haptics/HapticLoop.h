@@ -37,6 +37,9 @@ public:
 
     /// Starts, or goes on from where it stopped. @throw Error when there can be no more threads
     void start();
+    /// One tick without waiting for its time; only while the loop does not run. The base is then
+    /// where the present hand has it, before another one takes over that may be anywhere.
+    void step();
     /// Another hand takes over; only while the loop does not run. It outlives the loop.
     void setHand(HapticDevice& hand) noexcept;
     /// Lets the present tick end; the hand feels nothing from then on.
@@ -62,6 +65,7 @@ private:
     void beat(const Beat& beat) noexcept;
     void tickOnce(double timeStep) noexcept;
     void tellForce(const Vector3& force) noexcept;
+    void publish() noexcept;
     void measure(const Beat& beat, double begin) noexcept;
 
     // First, since they are aligned to cache lines.

@@ -15,16 +15,27 @@
 namespace asperity::test {
 namespace {
 
+constexpr double kPositionGain = 1e-6;  // 1 mm : 1 nm
+const Vector3 kHeld(64.0_nm, 64.0_nm, -2.0_nm);
+
+/// So little force that it comes on at once.
+SceneDescription feebleScene() {
+    SceneDescription scene = plainScene();
+    scene.positionGain = kPositionGain;
+    scene.forceGain = 1e6;
+    return scene;
+}
+
 /// A device with motors, held still with the tip a little in the sample. What it was told last
 /// outlives it.
 class MotorDevice final : public HapticDevice {
 public:
     explicit MotorDevice(std::atomic<double>& newest) : newest_(newest) {}
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
-        return {.maxForce = 5.0};
+        return {.maxForce = 5.0, .maxStiffness = 800.0, .maxDamping = 8.0};
     }
     HandState advance(double /*timeStep*/) noexcept override {
-        return {.position = {64.0_nm, 64.0_nm, -2.0_nm}};
+        return {.position = kHeld / kPositionGain};
     }
     void setForce(const Vector3& force) noexcept override { newest_ = force.norm(); }
 
@@ -50,11 +61,11 @@ TEST(ForcesEnd, WhenASignalEndsTheProgram) {
     for (const int signal : {SIGINT, SIGTERM}) {
         std::atomic<double> newest{0.0};
         {
-            LoadedScene loaded{.scene = buildScene(plainScene(), flatMap()),
+            LoadedScene loaded{.scene = buildScene(feebleScene(), flatMap()),
                                .format = "made for the test",
                                .sha256 = "",
                                .notes = {}};
-            LiveRun run(std::move(loaded), {64.0_nm, 64.0_nm, -2.0_nm});
+            LiveRun run(std::move(loaded), kHeld);
             run.takeHand([&newest] { return std::make_unique<MotorDevice>(newest); });
             run.loop().start();
             sendWhenFelt(signal, newest);

@@ -1,7 +1,6 @@
 #include "tests/app/window/WindowFixture.h"
 #include "tests/hardware/VirtualSpaceMouse.h"
 
-#include <QComboBox>
 #include <QPushButton>
 #include <QtTest>
 
@@ -17,19 +16,12 @@ const Report kAtRest = {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 /// The window with the loop, and a SpaceMouse with its own thread: all that runs at once.
 class WindowWithSpaceMouse : public Window {
 protected:
-    void chooseSpaceMouse() {
-        auto* hand = child<QComboBox>("hand");
-        hand->setFocus();
-        QTest::keyClick(hand, Qt::Key_End);
-        ASSERT_EQ(hand->currentText().toStdString(), "SpaceMouse");
-    }
-
     VirtualSpaceMouse device;
 };
 
 TEST_F(WindowWithSpaceMouse, BringsTheTipIntoContactAndBack) {
     openFlatScene();
-    chooseSpaceMouse();
+    choose("hand", "SpaceMouse");
     device.send({kPressedDown});
     ASSERT_TRUE(eventually([this] { return inContact() && number("forceZ") > 2e-9; })) << state();
     device.send({kPulledUp});
@@ -39,7 +31,7 @@ TEST_F(WindowWithSpaceMouse, BringsTheTipIntoContactAndBack) {
 
 TEST_F(WindowWithSpaceMouse, AnUnplugTakesTheForcesAwayUntilAPersonTakesItBack) {
     openFlatScene();
-    chooseSpaceMouse();
+    choose("hand", "SpaceMouse");
     device.send({kAtRest});
     ASSERT_TRUE(eventually([this] { return far(); })) << state();
     device.unplug();

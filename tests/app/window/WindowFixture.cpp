@@ -3,8 +3,11 @@
 #include "tests/support/TestScenes.h"
 #include "ui/view/ZoomView.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QComboBox>
 #include <QLabel>
+#include <QStatusBar>
 #include <QStringList>
 #include <QWheelEvent>
 #include <QtTest>
@@ -47,6 +50,25 @@ double Window::number(const char* label) {
     }
     return words[0].toDouble() * kUnits.at(words[1]);
 }
+
+// A list that drops down would need a person's click on it.
+void Window::choose(const char* list, const QString& entry) {
+    auto* box = child<QComboBox>(list);
+    const int index = box->findText(entry);
+    ASSERT_GE(index, 0) << entry.toStdString();
+    box->setCurrentIndex(index);
+    Q_EMIT box->activated(index);
+}
+
+void Window::turn(const char* knob, const QString& number) {
+    auto* box = child<QAbstractSpinBox>(knob);
+    box->setFocus();
+    box->selectAll();
+    QTest::keyClicks(box, number);
+    QTest::keyClick(box, Qt::Key_Return);
+}
+
+std::string Window::told() { return window.statusBar()->currentMessage().toStdString(); }
 
 void Window::press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
     QTest::keyPress(&window.view(), key, modifiers);

@@ -43,6 +43,13 @@ protected:
     [[nodiscard]] bool inContact() { return state().starts_with("in contact"); }
     [[nodiscard]] bool far() { return state().starts_with("far"); }
 
+    /// Chooses an entry of a list of the control bar.
+    void choose(const char* list, const QString& entry);
+    /// Types a number into a knob of the control bar.
+    void turn(const char* knob, const QString& number);
+    /// The short message of the bottom line.
+    std::string told();
+
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
     void release(Qt::Key key);
     void drag(const QPoint& from, const QPoint& to);

@@ -64,6 +64,18 @@ struct Bench {
     HapticLoop loop{scene, hand, afm};
 };
 
+TEST(HapticLoop, AStepIsATickWithoutTheClock) {
+    Bench bench;
+    bench.loop.step();
+    bench.loop.step();
+    EXPECT_FALSE(bench.loop.running());
+    EXPECT_EQ(bench.loop.snapshot().statistics.ticks, 2);
+    EXPECT_EQ(bench.loop.snapshot().sample.output.base.position, middleAbove(bench.scene, -2.0_nm));
+    std::vector<double> times;
+    bench.loop.drain([&times](const TickSample& sample) { times.push_back(sample.time); });
+    EXPECT_EQ(times, (std::vector<double>{0.0, bench.scene.timeStep()}));
+}
+
 TEST(HapticLoop, MakesTheSameTicksAsAVirtualRun) {
     const Scene scene = flatScene();
     const HandPath path{{0.0, middleAbove(scene, 3.0_nm)}, {0.2, middleAbove(scene, -2.0_nm)}};

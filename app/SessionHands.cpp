@@ -1,0 +1,174 @@
+// Which hand a session gives the tip, and what its knobs may be.
+
+#include "app/PathChecks.h"
+#include "app/Session.h"
+#include "core/Error.h"
+#include "core/scene/SceneModel.h"
+#include "ui/HeldKeys.h"
+#include "ui/MainWindow.h"
+#include "ui/WindowMenus.h"
+#include "ui/panels/ControlBar.h"
+#include "ui/panels/OverviewPanel.h"
+#include "ui/view/ZoomView.h"
+
+#include <QAction>
+
+#include <array>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half widths/s]
+constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
+
+using PlanPath = HandPath (*)(const Scene&, const PathPlan&);
+constexpr std::array<PlanPath, 3> kPaths{approachPath, rasterPath, scratchPath};
+
+/// Where held keys send the hand, world frame [half widths/s].
+Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
+    const Vector3 forward = Vector3::UnitZ().cross(camera.right());
+    return kKeySpeed * (keys.right * camera.right() + keys.forward * forward) +
+           kKeySpeedUp * keys.up * Vector3::UnitZ();
+}
+
+}  // namespace
+
+void Session::connectViews() {
+    connect(&window_.view(), &ZoomView::tipDragged, this, [this](double dx, double dy, double dz) {
+        hand_.displace({dx, dy, dz});
+    });
+    connect(&window_.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
+        travelTo({x, y});
+    });
+}
+
+void Session::choosePositionGain(double gain) {
+    if (hand_.kind() == HandKind::Script) {
+        window_.controls().setPositionGain(run_->settings().positionGain);
+        window_.tell(tr("A path is in places of the scan: the position gain waits for a hand"));
+        return;
+    }
+    changeSettings([gain](Settings& settings) { settings.positionGain = gain; });
+}
+
+void Session::chooseHand(int index) {
+    if (!run_) {
+        return;
+    }
+    if (index == static_cast<int>(HandKind::Script)) {
+        choosePath(0);
+        return;
+    }
+    try {
+        hand_.use(static_cast<HandKind>(index));
+        tellOfHand();
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+    showHand();
+}
+
+void Session::showHand() {
+    const Settings& settings = run_->settings();
+    ControlBar& controls = window_.controls();
+    controls.setHand(static_cast<int>(hand_.kind()));
+    controls.setForcesOn(settings.forcesOn);
+    controls.setForceGain(settings.forceGain);
+    controls.setPositionGain(settings.positionGain);
+    window_.menus().tipControl->setChecked(settings.positionControl == PositionControl::Tip);
+}
+
+/// Of one with motors: its scale, and what is felt or why forces are off.
+void Session::tellOfHand() {
+    if (const CoupledHand* const hand = run_->coupling().hand()) {
+        const Settings& settings = run_->settings();
+        const std::string scale = scaleWords({settings.positionGain, settings.forceGain});
+        window_.tell(QString::fromStdString(hand->holds() ? scale + ": " + hand->judgement.sentence
+                                                          : "forces are off: " + hand->refusal));
+    }
+}
+
+void Session::followDelay() {
+    if (run_->followDelay()) {
+        showHand();
+        tellOfHand();
+    }
+}
+
+void Session::requireHolding(const SceneDescription& scene) const {
+    if (run_->coupling().hand() != nullptr) {
+        run_->coupling().requireHolding(believedSystem(scene, usualModel(scene)), run_->settings());
+    }
+}
+
+Session::LedDevice Session::ledDevice() const {
+    return {.kind = run_->coupling().hand() != nullptr ? hand_.kind() : HandKind::Other,
+            .scale = {run_->settings().positionGain, run_->settings().forceGain}};
+}
+
+void Session::takeUp(const LedDevice& device) {
+    if (device.kind == HandKind::Other) {
+        return;
+    }
+    chooseHand(static_cast<int>(device.kind));
+    if (hand_.kind() == device.kind) {
+        changeSettings([&device](Settings& settings) {
+            settings.positionGain = device.scale.positionGain;
+            settings.forceGain = device.scale.forceGain;
+        });
+        tellOfHand();
+    }
+}
+
+void Session::choosePath(int index) {
+    if (run_) {
+        const Vector2 here = run_->basePosition().head<2>();
+        window_.controls().setPath(index);
+        follow(kPaths.at(static_cast<std::size_t>(index))(run_->scene(), {.place = here}));
+    }
+}
+
+void Session::followFile(const QString& file, const ReadPath& read) {
+    if (!run_) {
+        return;
+    }
+    try {
+        const HandPath path = read(file.toStdString());
+        requireNear(run_->scene(), path, file.toStdString());
+        window_.controls().setPath(-1);
+        follow(path);
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+}
+
+void Session::follow(const HandPath& path) {
+    hand_.follow(path);
+    showHand();
+    window_.overview().showPath(outline(path));
+}
+
+void Session::travelTo(const Vector2& place) {
+    if (!run_) {
+        return;
+    }
+    if (hand_.kind() != HandKind::Pointer) {
+        hand_.usePointer();
+        showHand();
+    }
+    hand_.travelTo(place);
+}
+
+void Session::moveHand(double seconds) {
+    const double halfWidth = window_.view().halfWidth();
+    hand_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
+    hand_.advance(seconds, halfWidth);
+    const std::string status = hand_.deviceStatus();
+    if (status != std::exchange(deviceStatus_, status) && !status.empty()) {
+        window_.tell(QString::fromStdString(status));
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,182 @@
+#include "core/Error.h"
+#include "core/Units.h"
+#include "core/haptics/PointerHand.h"
+#include "tests/app/window/WindowFixture.h"
+#include "ui/panels/OverviewPanel.h"
+
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QtTest>
+
+#include <atomic>
+#include <cmath>
+#include <memory>
+
+namespace asperity::test {
+namespace {
+
+constexpr const char* kSimulated = "Simulated device";
+constexpr const char* kMouse = "Mouse and keyboard";
+
+/// The window with a device in its list that has motors.
+class WindowWithDevice : public Window {
+protected:
+    void leadWithDevice() {
+        openFlatScene();
+        choose("hand", kSimulated);
+    }
+    const Settings& knobs() { return session.run()->settings(); }
+    double handForce() { return session.run()->loop().snapshot().sample.output.handForce.norm(); }
+    std::string handShown() { return child<QComboBox>("hand")->currentText().toStdString(); }
+};
+
+TEST_F(WindowWithDevice, IsCoupledAtAScaleThatHoldsAndThePersonIsToldWhatIsFelt) {
+    leadWithDevice();
+    EXPECT_EQ(handShown(), kSimulated);
+    EXPECT_TRUE(knobs().coupling.couples());
+    EXPECT_EQ(knobs().positionGain, 1e-6);
+    EXPECT_EQ(knobs().forceGain, 1e8);
+    EXPECT_EQ(child<QAbstractSpinBox>("forceGain")->text().toStdString(), "1e8");
+    EXPECT_NE(told().find("1 mm : 1 nm, 1 N : 10 nN: the hand feels"), std::string::npos) << told();
+}
+
+TEST_F(WindowWithDevice, FeelsTheSampleAndLetsGo) {
+    leadWithDevice();
+    ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
+    press(Qt::Key_PageDown);
+    ASSERT_TRUE(eventually([this] { return inContact() && handForce() > 0.5; })) << state();
+    release(Qt::Key_PageDown);
+    live(500);
+    // At rest the hand feels the force on the tip at the scale.
+    const TickOutput& latest = session.run()->loop().snapshot().sample.output;
+    EXPECT_NEAR(latest.handForce.z(), 1e8 * latest.model.force.z(), 0.1) << state();
+    press(Qt::Key_PageUp);
+    EXPECT_TRUE(eventually([this] { return far(); })) << state();
+    release(Qt::Key_PageUp);
+    EXPECT_EQ(session.run()->loop().snapshot().sample.output.fault, Fault::None);
+}
+
+TEST_F(WindowWithDevice, TakesTheTipAndGivesItBackWithTheEarlierGainsAndNothingMoves) {
+    openFlatScene();
+    turn("forceGain", "250");
+    live(300);
+    const Vector3 before = session.run()->basePosition();
+    choose("hand", kSimulated);
+    live(500);
+    EXPECT_LT((session.run()->basePosition() - before).norm(), 0.03_nm) << "an encoder's step";
+    const Vector3 led = session.run()->basePosition();
+    choose("hand", kMouse);
+    live(500);
+    EXPECT_EQ(knobs().forceGain, 250.0);
+    EXPECT_EQ(knobs().positionGain, 1.0);
+    EXPECT_FALSE(knobs().coupling.couples());
+    EXPECT_LT((session.run()->basePosition() - led).norm(), 1e-3_nm);
+}
+
+TEST_F(WindowWithDevice, RefusesAGainThatDoesNotHoldAndTheKnobGoesBack) {
+    leadWithDevice();
+    turn("forceGain", "1e9");
+    EXPECT_EQ(knobs().forceGain, 1e8);
+    EXPECT_EQ(child<QAbstractSpinBox>("forceGain")->text().toStdString(), "1e8");
+    EXPECT_NE(told().find("smaller force gain"), std::string::npos) << told();
+    turn("positionGain", "1e-4");
+    EXPECT_EQ(knobs().positionGain, 1e-6);
+    turn("forceGain", "2e8");
+    EXPECT_EQ(knobs().forceGain, 2e8);
+}
+
+TEST_F(WindowWithDevice, GoesOnLeadingOverAnotherMaterialUnlessThatDoesNotHold) {
+    leadWithDevice();
+    turn("forceGain", "4e8");
+    ASSERT_EQ(knobs().forceGain, 4e8);
+    choose("material", "silicon oxide");  // pulls with 18 nN
+    EXPECT_EQ(child<QComboBox>("material")->currentText().toStdString(), "polystyrene");
+    auto* box = window.findChild<QMessageBox*>();
+    ASSERT_NE(box, nullptr);
+    EXPECT_NE(box->text().toStdString().find("more than the motors may give (3 N)"),
+              std::string::npos)
+        << box->text().toStdString();
+    box->close();
+    choose("material", "silicone rubber");
+    EXPECT_EQ(child<QComboBox>("material")->currentText().toStdString(), "silicone rubber");
+    EXPECT_EQ(handShown(), kSimulated);
+    EXPECT_EQ(knobs().forceGain, 4e8);
+    EXPECT_EQ(knobs().positionGain, 1e-6);
+    EXPECT_TRUE(knobs().coupling.couples());
+    EXPECT_TRUE(eventually([this] { return state() == "far"; })) << state();
+    choose("hand", kMouse);
+    EXPECT_EQ(knobs().positionGain, 1.0);
+    EXPECT_EQ(knobs().forceGain, 1.0);
+}
+
+/// A device with motors at rest whose delay is what a test says.
+class LateDevice final : public HapticDevice {
+public:
+    explicit LateDevice(const std::atomic<double>& delay) : delay_(delay) {}
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return {.maxForce = 5.0, .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
+    }
+    [[nodiscard]] double delay() const noexcept override { return delay_; }
+    HandState advance(double /*timeStep*/) noexcept override { return {}; }
+
+private:
+    const std::atomic<double>& delay_;  ///< [s]
+};
+
+TEST_F(WindowWithDevice, TheCouplingFollowsTheDelayAndWithoutOneTheForcesGoOff) {
+    std::atomic<double> delay{1.0_ms};
+    openFlatScene();
+    session.run()->takeHand([&delay] { return std::make_unique<LateDevice>(delay); });
+    const double stiffness = knobs().coupling.stiffness;
+    delay = 5.0_ms;
+    ASSERT_TRUE(eventually([&] { return knobs().coupling.stiffness < 0.8 * stiffness; }));
+    EXPECT_TRUE(knobs().forcesOn);
+    delay = 9.0_ms;
+    ASSERT_TRUE(eventually([this] { return !knobs().forcesOn; }));
+    EXPECT_NE(told().find("forces are off: the haptic device holds no coupling"), std::string::npos)
+        << told();
+    QTest::mouseClick(child<QPushButton>("forces"), Qt::LeftButton);
+    EXPECT_FALSE(knobs().forcesOn);
+    EXPECT_FALSE(child<QPushButton>("forces")->isChecked());
+    delay = 2.0_ms;
+    QTest::mouseClick(child<QPushButton>("forces"), Qt::LeftButton);
+    EXPECT_TRUE(knobs().forcesOn);
+    session.run()->takeHand([] { return std::make_unique<PointerHand>(Vector3::Zero()); });
+}
+
+TEST_F(WindowWithDevice, ADeviceThatNoScaleHoldsIsRefusedAndTheMouseStays) {
+    std::atomic<double> delay{20.0_ms};
+    openFlatScene();
+    EXPECT_THROW(session.run()->takeHand([&delay] { return std::make_unique<LateDevice>(delay); }),
+                 Error);
+    EXPECT_FALSE(knobs().coupling.couples());
+    const double start = session.run()->basePosition().x();
+    press(Qt::Key_Right);
+    EXPECT_TRUE(
+        eventually([&] { return std::abs(session.run()->basePosition().x() - start) > 1e-9; }));
+    release(Qt::Key_Right);
+}
+
+TEST_F(WindowWithDevice, AHandTakenBehindTheSessionIsNotLedByTheMouse) {
+    openFlatScene();
+    const Vector3 here = session.run()->handPosition();
+    session.run()->takeHand([&here] { return std::make_unique<PointerHand>(here); });
+    const Vector3 before = session.run()->basePosition();
+    press(Qt::Key_Right);
+    live(300);
+    release(Qt::Key_Right);
+    EXPECT_LT((session.run()->basePosition() - before).norm(), 1e-15);
+    std::atomic<double> delay{0.0};
+    session.run()->takeHand([&delay] { return std::make_unique<LateDevice>(delay); });
+    const Vector2 place(90e-9, 40e-9);
+    Q_EMIT window.overview().placeChosen(place.x(), place.y());
+    EXPECT_TRUE(eventually([&] {
+        return (session.run()->basePosition().head<2>() - place).norm() < 0.05e-9;
+    })) << "the mouse takes the tip first";
+    EXPECT_EQ(handShown(), kMouse);
+}
+
+}  // namespace
+}  // namespace asperity::test
