@@ -20,6 +20,7 @@ struct TickMemory {
     Vector3 hand = Vector3::Zero();                   ///< its position in the last tick [m]
     ProxyMemory proxy;
     GovernorMemory governor;
+    double unsolved = 0.0;      ///< for how long there has been no equilibrium [s]
     bool started = false;       ///< false: `base` and `hand` hold nothing yet
     Fault fault = Fault::None;  ///< latched
     std::uint32_t rearms = 0;   ///< as the last tick's settings had them

@@ -54,6 +54,7 @@ void visit(Memory& memory, const Visitor& number) {
     number("governor_time_s", memory.governor.speed.time);
     number("governor_started", memory.governor.speed.started);
     number("governor_speed_m_s", memory.governor.speed.speed);
+    number("unsolved_s", memory.unsolved);
     number("started", memory.started);
     number("fault", memory.fault);
     number("rearms", memory.rearms);
@@ -72,7 +73,7 @@ bool isValue(ContactBranch, double number) {
     return isUpTo(static_cast<double>(ContactBranch::Bonded), number);
 }
 bool isValue(Fault, double number) {
-    return isUpTo(static_cast<double>(Fault::VelocityTrip), number);
+    return isUpTo(static_cast<double>(Fault::SolverFailed), number);
 }
 bool isValue(std::uint32_t, double number) {
     return isUpTo(std::numeric_limits<std::uint32_t>::max(), number);
@@ -100,9 +101,10 @@ TickMemory readTickMemory(const std::filesystem::path& path) {
     }
     TickMemory memory;
     visit(memory, [&](const std::string& name, auto& value) {
-        const bool isLater = name.starts_with("proxy_") || name.starts_with("governor_");
+        const bool isLater =
+            name.starts_with("proxy_") || name.starts_with("governor_") || name == "unsolved_s";
         if (isLater && !table.has(name)) {
-            return;  // from before there was a proxy or a governor
+            return;  // from before there was a proxy, a governor or this fault
         }
         const double number = table.number(0, name);
         if (!isValue(value, number)) {
