@@ -14,10 +14,12 @@ namespace {
 constexpr double kModelSpread = 0.2;    // share of N that the model may be off
 constexpr double kModelFloor = 0.1e-9;  // [N]
 constexpr double kContradictionSigmas = 3.0;
-constexpr double kSnapInMargin = 1e-9;  // [m]
-constexpr double kSnapInWatch = 20e-9;  // [m]: no tip snaps in across a wider gap
-constexpr double kHeldWithin = 1e-11;   // [m]: how near the commanded place the tip must be
-constexpr double kSliding = 0.5;        // weight of the slip direction from which it counts
+constexpr double kSnapInMargin = 1e-9;       // [m]
+constexpr double kSnapInWatch = 20e-9;       // [m]: no tip snaps in across a wider gap
+constexpr double kHeldWithin = 1e-11;        // [m]: how near the commanded place the tip must be
+constexpr double kStall = 10e-3;             // [s]: a longer step counts as this
+constexpr double kUnsolvedAllowed = 0.0499;  // [s]: 50 ms, however the steps were rounded
+constexpr double kSliding = 0.5;             // weight of the slip direction from which it counts
 
 /// What the contact model gives to the estimate, weighed against the bending signal.
 struct NormalForcePrior {
@@ -121,18 +123,29 @@ bool allFinite(const TickOutput& out) {
            out.estimate.kind != DecouplingCase::InvalidInput;
 }
 
-Fault faultOf(const TickInput& input, const TickOutput& out) {
+bool isSolved(const TipState& model) { return model.converged && !model.locked; }
+
+/// A stall of the loop is no failure of the solver's.
+double unsolvedFor(const TickInput& input, const TickOutput& out, double before) {
+    return isSolved(out.model) ? 0.0 : before + std::min(input.timeStep, kStall);
+}
+
+Fault faultOf(const TickInput& input, const TickOutput& out, double unsolved) {
     if (!allFinite(out)) {
         return Fault::NotFinite;
     }
-    return input.hand.connected ? Fault::None : Fault::DeviceLost;
+    if (!input.hand.connected) {
+        return Fault::DeviceLost;
+    }
+    // A script or a mouse is pushed by nothing when a force comes back.
+    const bool isOver = input.hand.rendersForce() && unsolved >= kUnsolvedAllowed;
+    return isOver ? Fault::SolverFailed : Fault::None;
 }
 
 /// Where there is no equilibrium the last force of the search means nothing.
 ForceRequest requestOf(const TickInput& input, const TickOutput& out, const BaseCommand& command,
                        Fault fault) {
-    const bool means = out.model.converged && !out.model.locked;
-    return {.force = means ? out.handForce : Vector3(Vector3::Zero()),
+    return {.force = isSolved(out.model) ? out.handForce : Vector3(Vector3::Zero()),
             .mismatch = input.settings.coupling.stiffness * command.coupling.stretch.norm(),
             .edge = command.hand.edgeForce,
             .fault = fault};
@@ -186,7 +199,8 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     const Settings& settings = input.settings;
     const bool tipControl = settings.positionControl == PositionControl::Tip;
     BaseCommand command;
-    command.base.position = settings.positionGain * (axesOf(settings.handTurn) * input.hand.position);
+    command.base.position =
+        settings.positionGain * (axesOf(settings.handTurn) * input.hand.position);
     command.hand = mappedHand(input, memory);
     if (memory.started) {
         command.guide = stepGuide(input, commandedPlace(memory), memory.guide);
@@ -237,7 +251,8 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     memory.guide = guideAfter(input, command.guide, command.coupling.motion);
     memory.proxy = proxyAfter(input, command.coupling, out.model, memory.model, memory.correction);
     memory.started = true;
-    const Fault found = faultOf(input, out);
+    memory.unsolved = unsolvedFor(input, out, memory.unsolved);
+    const Fault found = faultOf(input, out, memory.unsolved);
     if (found == Fault::NotFinite) {
         memory = before;  // nothing non-finite may live on into the next tick
     }

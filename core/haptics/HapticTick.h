@@ -22,6 +22,7 @@ struct TickMemory {
     ProxyMemory proxy;
     GuideMemory guide;
     GovernorMemory governor;
+    double unsolved = 0.0;      ///< for how long there has been no equilibrium [s]
     bool started = false;       ///< false: `base` holds nothing yet
     Fault fault = Fault::None;  ///< latched
     std::uint32_t rearms = 0;   ///< as the last tick's settings had them

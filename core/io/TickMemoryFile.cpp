@@ -66,6 +66,7 @@ void visit(Memory& memory, const Visitor& number) {
     number("governor_time_s", memory.governor.speed.time);
     number("governor_started", memory.governor.speed.started);
     number("governor_speed_m_s", memory.governor.speed.speed);
+    number("unsolved_s", memory.unsolved);
     number("started", memory.started);
     number("fault", memory.fault);
     number("rearms", memory.rearms);
@@ -73,7 +74,7 @@ void visit(Memory& memory, const Visitor& number) {
 
 /// Whether there are memories from before there was such a value.
 bool isLater(const std::string& name) {
-    constexpr std::array kLater{"proxy_", "governor_", "guide", "mapping_"};
+    constexpr std::array kLater{"proxy_", "governor_", "guide", "mapping_", "unsolved_s"};
     return std::any_of(kLater.begin(), kLater.end(),
                        [&name](const char* begin) { return name.starts_with(begin); });
 }

@@ -14,6 +14,8 @@ const char* faultName(Fault fault) noexcept {
         return "device_silent";
     case Fault::VelocityTrip:
         return "velocity_trip";
+    case Fault::SolverFailed:
+        return "solver_failed";
     }
     return "unknown";
 }

@@ -17,6 +17,7 @@ enum class Fault : std::uint8_t {
     DeviceLost,    ///< the hand's device was unplugged
     DeviceSilent,  ///< a device that streams sent no report any more
     VelocityTrip,  ///< the hand moved faster than a hand does while the force acted
+    SolverFailed,  ///< for a while no equilibrium of the tip was found
 };
 
 /// What becomes of the force on its way to the hand. A hand that only senses knows On, Off, Fault.

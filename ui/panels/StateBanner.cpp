@@ -92,6 +92,8 @@ QString faultWords(Fault fault) {
         return QStringLiteral("the hand's device sends nothing any more: forces are off");
     case Fault::VelocityTrip:
         return QStringLiteral("the hand was too fast: forces are off");
+    case Fault::SolverFailed:
+        return QStringLiteral("no equilibrium of the tip was found: forces are off");
     }
     return {};
 }

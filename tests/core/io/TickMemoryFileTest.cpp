@@ -45,6 +45,7 @@ TickMemory someMemory() {
         .starts = 5,
         .speed = {.from = {0.1 / 3.0, 0.2, -0.3}, .time = 1e-3, .started = true, .speed = 0.7}};
     memory.started = true;
+    memory.unsolved = 0.031;
     memory.fault = Fault::DeviceLost;
     memory.rearms = 4;
     return memory;
@@ -90,6 +91,7 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.governor.speed.started, written.governor.speed.started);
     EXPECT_EQ(read.governor.speed.speed, written.governor.speed.speed);
     EXPECT_EQ(read.started, written.started);
+    EXPECT_EQ(read.unsolved, written.unsolved);
     EXPECT_EQ(read.fault, written.fault);
     EXPECT_EQ(read.rearms, written.rearms);
 }

@@ -204,11 +204,11 @@ TEST(StateBanner, EveryFlagAndFaultHasWords) {
     EXPECT_TRUE(faultWords(Fault::None).isEmpty());
     EXPECT_FALSE(faultWords(Fault::NotFinite).isEmpty());
     std::set<QString> said;
-    for (const Fault fault :
-         {Fault::NotFinite, Fault::DeviceLost, Fault::DeviceSilent, Fault::VelocityTrip}) {
+    for (const Fault fault : {Fault::NotFinite, Fault::DeviceLost, Fault::DeviceSilent,
+                              Fault::VelocityTrip, Fault::SolverFailed}) {
         said.insert(faultWords(fault));
     }
-    EXPECT_EQ(said.size(), 4U);
+    EXPECT_EQ(said.size(), 5U);
 }
 
 }  // namespace
