@@ -256,6 +256,7 @@ void Session::onFrame() {
         if (!run_->loop().running()) {
             show_.rest();
         }
+        show_.setEnergyGiven(run_->energy().active());
         const Snapshot& latest = run_->loop().snapshot();
         solveHalfSpace(latest);
         show_.show(latest, now);

@@ -96,7 +96,7 @@ void Session::record(bool on) {
     fetchTicks();  // those before the recording belong to nobody
     try {
         recording_ = std::make_unique<Recording>(folderOfThisMoment(recordings_), run_->loaded(),
-                                                 run_->loop().memory());
+                                                 run_->loop().memory(), run_->hand().delay());
     } catch (const Error& error) {
         window_.complain(QString::fromUtf8(error.what()));
     }
@@ -138,7 +138,8 @@ void Session::saveLastSeconds() {
     } else {
         const Fault fault = box.samples().back().output.fault;
         try {
-            Recording recording(folderOfThisMoment(recordings_), run_->loaded(), box.memory());
+            Recording recording(folderOfThisMoment(recordings_), run_->loaded(), box.memory(),
+                                run_->hand().delay());
             for (const TickSample& sample : box.samples()) {
                 recording.take(sample);
             }

@@ -181,6 +181,7 @@ void StateBanner::clear() {
     hasRun_ = false;
     lastSeen_.fill(kNever);
     setHalfSpace(nullptr);
+    setEnergyGiven(false);
     showState();
     showFlags();
 }
@@ -260,6 +261,10 @@ void StateBanner::showFlags() {
         if (isShown(flag)) {
             words << validityWords(flagNumber(flag));
         }
+    }
+    if (energyGiven_) {
+        words << QStringLiteral("hand and device begin to shake: hold firmer, or turn the force "
+                                "gain down");
     }
     if (!notHolding_.isEmpty()) {
         words << notHolding_;
