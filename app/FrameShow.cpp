@@ -28,6 +28,8 @@ void FrameShow::setHalfSpace(const std::shared_ptr<const HalfSpaceAnswer>& answe
     window_.banner().setHalfSpace(answer.get());
 }
 
+void FrameShow::setEnergyGiven(bool given) { window_.banner().setEnergyGiven(given); }
+
 void FrameShow::show(const Snapshot& latest, double now) {
     frame_ = (frame_ + 1) % kFramesPerPanelFrame;
     if (frame_ == 0) {

@@ -21,6 +21,8 @@ public:
     void take(const TickSample& sample);
     /// What the half-space says, for the frames to come; or null.
     void setHalfSpace(const std::shared_ptr<const HalfSpaceAnswer>& answer);
+    /// Whether a hand with motors is given energy that nobody put in.
+    void setEnergyGiven(bool given);
     /// One frame: the same tick in all views that are drawn in it.
     /// @param now monotonic time [s]
     void show(const Snapshot& latest, double now);

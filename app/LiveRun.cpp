@@ -21,12 +21,16 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
                      ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
                      : nullptr)
     , loop_(loaded_.scene, *hand_, afm_)
-    , blackBox_(loaded_.scene.timeStep()) {}
+    , blackBox_(loaded_.scene.timeStep())
+    , energy_(newEnergyWatch()) {}
+
+EnergyWatch LiveRun::newEnergyWatch() const { return {loaded_.scene.timeStep(), hand_->delay()}; }
 
 void LiveRun::fetch(const TickSink& sink) {
     const double begin = processorSeconds();
     loop_.drain([&](const TickSample& sample) {
         blackBox_.take(sample);
+        energy_.take(sample);
         sink(sample);
         ++fetchCost_.ticks;
     });
@@ -52,6 +56,7 @@ bool LiveRun::followDelay() {
     const std::optional<Settings> changed = coupling_.follow(settings_, hand_->delay());
     if (changed) {
         apply(*changed);
+        energy_ = newEnergyWatch();
     }
     return changed.has_value();
 }
@@ -88,6 +93,7 @@ void LiveRun::seat(std::unique_ptr<HapticDevice> hand) {
     apply(settings);
     loop_.setHand(*hand);
     hand_ = std::move(hand);
+    energy_ = newEnergyWatch();
 }
 
 Vector3 LiveRun::handPosition() noexcept {

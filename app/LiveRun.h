@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/LoadedScene.h"
+#include "core/haptics/EnergyWatch.h"
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/blackbox/BlackBox.h"
 #include "core/haptics/coupling/CouplingKeeper.h"
@@ -31,12 +32,14 @@ public:
     [[nodiscard]] const LoadedScene& loaded() const noexcept { return loaded_; }
     [[nodiscard]] const Scene& scene() const noexcept { return loaded_.scene; }
     [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
-    /// Gives every tick since the last call to `sink`, in order, and to the black box.
+    /// Gives every tick since the last call to `sink`, in order, and to black box and energy watch.
     void fetch(const TickSink& sink);
     /// Of all calls of fetch() so far.
     [[nodiscard]] const FetchCost& fetchCost() const noexcept { return fetchCost_; }
     /// The last seconds, for when a fault comes.
     [[nodiscard]] BlackBox& blackBox() noexcept { return blackBox_; }
+    /// Supervises a hand with motors.
+    [[nodiscard]] const EnergyWatch& energy() const noexcept { return energy_; }
     /// What solves the half-space beside the loop; null where the scene does not ask for it.
     [[nodiscard]] HalfSpaceWorker* halfSpace() noexcept { return halfSpace_.get(); }
 
@@ -69,6 +72,7 @@ public:
 private:
     void apply(const Settings& settings) noexcept;
     void seat(std::unique_ptr<HapticDevice> hand);
+    [[nodiscard]] EnergyWatch newEnergyWatch() const;
 
     LoadedScene loaded_;
     CouplingKeeper coupling_;
@@ -80,6 +84,7 @@ private:
     HapticLoop loop_;
     BlackBox blackBox_;
     FetchCost fetchCost_;
+    EnergyWatch energy_;
 };
 
 /// In the middle of the scan, above the sample [m].

@@ -21,8 +21,11 @@ std::filesystem::path made(std::filesystem::path folder) {
 }  // namespace
 
 Recording::Recording(std::filesystem::path folder, const LoadedScene& loaded,
-                     const TickMemory& memory)
-    : folder_(made(std::move(folder))), loaded_(loaded), recorder_(folder_) {
+                     const TickMemory& memory, double delay)
+    : folder_(made(std::move(folder)))
+    , loaded_(loaded)
+    , recorder_(folder_)
+    , energy_(folder_ / run_files::kEnergy, loaded.scene.timeStep(), delay) {
     writeTickMemory(folder_ / run_files::kMemory, memory);
 }
 
@@ -36,12 +39,14 @@ void Recording::take(const TickSample& sample) {
     if (!broken_) {
         recorder_.take(sample);
         events_.take(sample);
+        energy_.take(sample);
         lastTime_ = sample.time;
     }
 }
 
 void Recording::finish() {
     recorder_.close();
+    energy_.close();
     writeTextFile(
         folder_ / run_files::kScene,
         sceneText(withSettings(settled(loaded_.scene.description, loaded_.scene.model), start_)));

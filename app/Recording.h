@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/EnergyLog.h"
 #include "app/LoadedScene.h"
 #include "app/RunFolder.h"
 #include "core/haptics/HapticTick.h"
@@ -13,8 +14,10 @@ namespace asperity {
 class Recording {
 public:
     /// @param memory what its first tick starts from
+    /// @param delay  of the hand's device [s]
     /// @throw Error when the folder cannot be made or written
-    Recording(std::filesystem::path folder, const LoadedScene& loaded, const TickMemory& memory);
+    Recording(std::filesystem::path folder, const LoadedScene& loaded, const TickMemory& memory,
+              double delay);
 
     /// Every tick; from the first one that is missing on, none is taken.
     void take(const TickSample& sample);
@@ -31,6 +34,7 @@ private:
     const LoadedScene& loaded_;
     RunRecorder recorder_;
     RunEventRecorder events_;
+    EnergyLog energy_;
     Settings start_;         ///< the knobs of the first tick
     double lastTime_ = 0.0;  ///< [s]
     bool broken_ = false;

@@ -14,6 +14,7 @@ inline constexpr const char* kScene = "scene.toml";
 inline constexpr const char* kInput = "tick_input.csv";
 inline constexpr const char* kMemory = "tick_memory.csv";  ///< absent: the run began afresh
 inline constexpr const char* kLog = "force_log.csv";
+inline constexpr const char* kEnergy = "energy_log.csv";  ///< of a hand with motors
 inline constexpr const char* kSummary = "summary.json";
 inline constexpr const char* kDeformation = "deformation.png";
 inline constexpr const char* kDeformationFields = "deformation.exr";

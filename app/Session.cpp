@@ -191,12 +191,16 @@ void Session::changeSettings(const std::function<void(Settings&)>& change) {
     if (run_) {
         Settings settings = run_->settings();
         change(settings);
+        QString refusal;
         try {
             run_->setSettings(settings);
         } catch (const Error& error) {
-            window_.tell(QString::fromUtf8(error.what()));
+            refusal = QString::fromUtf8(error.what());
         }
-        showHand();
+        showHand();  // a knob that is refused goes back
+        if (!refusal.isEmpty()) {
+            window_.complain(refusal);
+        }
     }
 }
 
@@ -254,6 +258,7 @@ void Session::onFrame() {
         if (!run_->loop().running()) {
             show_.rest();
         }
+        show_.setEnergyGiven(run_->energy().active());
         const Snapshot& latest = run_->loop().snapshot();
         solveHalfSpace(latest);
         show_.show(latest, now);

@@ -3,6 +3,7 @@
 #include "app/PathChecks.h"
 #include "app/Session.h"
 #include "core/Error.h"
+#include "core/SiFormat.h"
 #include "core/scene/SceneModel.h"
 #include "ui/HeldKeys.h"
 #include "ui/MainWindow.h"
@@ -80,20 +81,28 @@ void Session::showHand() {
     window_.menus().tipControl->setChecked(settings.positionControl == PositionControl::Tip);
 }
 
-/// Of one with motors: its scale, and what is felt or why forces are off.
+/// Of one with motors: its scale, and what is felt; so short that the bottom line has room for it.
 void Session::tellOfHand() {
     if (const CoupledHand* const hand = run_->coupling().hand()) {
         const Settings& settings = run_->settings();
-        const std::string scale = scaleWords({settings.positionGain, settings.forceGain});
-        window_.tell(QString::fromStdString(hand->holds() ? scale + ": " + hand->judgement.sentence
-                                                          : "forces are off: " + hand->refusal));
+        window_.tell(tr("%1; the hand feels %2 of %3")
+                         .arg(QString::fromStdString(
+                                  scaleWords({settings.positionGain, settings.forceGain})),
+                              QString::fromStdString(formatSi(hand->judgement.felt, "N/m")),
+                              QString::fromStdString(formatSi(hand->judgement.contact, "N/m"))));
     }
 }
 
 void Session::followDelay() {
-    if (run_->followDelay()) {
-        showHand();
+    if (!run_->followDelay()) {
+        return;
+    }
+    showHand();
+    const CoupledHand& hand = *run_->coupling().hand();
+    if (hand.holds()) {
         tellOfHand();
+    } else {
+        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(hand.refusal)));
     }
 }
 

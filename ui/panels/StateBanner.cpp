@@ -185,6 +185,7 @@ void StateBanner::clear() {
     hasRun_ = false;
     lastSeen_.fill(kNever);
     setHalfSpace(nullptr);
+    setEnergyGiven(false);
     showState();
     showFlags();
 }
@@ -264,6 +265,10 @@ void StateBanner::showFlags() {
         if (isShown(flag)) {
             words << validityWords(flagNumber(flag));
         }
+    }
+    if (energyGiven_) {
+        words << QStringLiteral("hand and device begin to shake: hold firmer, or turn the force "
+                                "gain down");
     }
     if (!notHolding_.isEmpty()) {
         words << notHolding_;

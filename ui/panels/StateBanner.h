@@ -37,6 +37,8 @@ public:
     /// What the half-space says of the contact, shown from the next tick on: its own force beside
     /// the law's, or that it does not hold; null: nothing.
     void setHalfSpace(const HalfSpaceAnswer* answer);
+    /// Whether a hand with motors is given energy that nobody put in; shown from the next tick on.
+    void setEnergyGiven(bool given) { energyGiven_ = given; }
     /// The run stands still, or goes on.
     void setPaused(bool paused);
     void clear();
@@ -58,6 +60,7 @@ private:
     Snapshot latest_;
     bool hasRun_ = false;
     bool paused_ = false;
+    bool energyGiven_ = false;
     std::array<double, kValidityFlagCount> lastSeen_{};  ///< time of each flag [s]
     QRgb shownColour_ = 0;
     QString caution_;     ///< all flags, whole

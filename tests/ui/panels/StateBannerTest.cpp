@@ -194,6 +194,18 @@ TEST(StateBanner, FlagsThatDoNotFitAreWholeInTheToolTip) {
     EXPECT_TRUE(flags->toolTip().contains(validityWords(Validity::LargeContact)));
 }
 
+TEST(StateBanner, WarnsWhileTheHandIsGivenEnergy) {
+    StateBanner banner;
+    const auto* flags = banner.findChild<QLabel*>(QStringLiteral("flags"));
+    ASSERT_NE(flags, nullptr);
+    banner.setEnergyGiven(true);
+    banner.show(test::snapshotOf(far()));
+    EXPECT_TRUE(flags->toolTip().contains("begin to shake"));
+    banner.setEnergyGiven(false);
+    banner.show(test::snapshotOf(far()));
+    EXPECT_FALSE(flags->toolTip().contains("begin to shake"));
+}
+
 TEST(StateBanner, EveryFlagAndFaultHasWords) {
     std::set<QString> words;
     for (int flag = 0; flag < kValidityFlagCount; ++flag) {

@@ -1,0 +1,19 @@
+#include "core/haptics/EnergyWatch.h"
+
+namespace asperity {
+
+void EnergyWatch::take(const TickSample& sample) {
+    const CouplingGains& gains = sample.input.settings.coupling;
+    if (!sample.input.hand.rendersForce() || !gains.couples()) {
+        observer_.reset();
+        return;
+    }
+    if (!observer_ || gains != gains_ || sample.input.starts != starts_) {
+        observer_.emplace(gains.stiffness, timeStep_, delay_);
+        gains_ = gains;
+        starts_ = sample.input.starts;
+    }
+    observer_->observe(sample.input.hand.position, sample.output.handForce);
+}
+
+}  // namespace asperity

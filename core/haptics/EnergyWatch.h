@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/haptics/VirtualRun.h"
+#include "core/haptics/coupling/PassivityObserver.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace asperity {
+
+/// The passivity observer over the ticks of a run, while a hand with motors leads by a coupling. It
+/// begins anew with another coupling and each time the loop starts.
+class EnergyWatch {
+public:
+    /// @param timeStep from tick to tick [s]
+    /// @param delay    of the hand's device [s]
+    EnergyWatch(double timeStep, double delay) : timeStep_(timeStep), delay_(delay) {}
+
+    /// Every tick, in order.
+    void take(const TickSample& sample);
+
+    /// As of the last tick; null: no such hand leads.
+    [[nodiscard]] const PassivityObserver* observer() const noexcept {
+        return observer_ ? &*observer_ : nullptr;
+    }
+    /// Whether the hand is given energy that nobody put in: the person must be told.
+    [[nodiscard]] bool active() const noexcept { return observer_ && observer_->active(); }
+
+private:
+    double timeStep_;  ///< [s]
+    double delay_;     ///< [s]
+    std::optional<PassivityObserver> observer_;
+    CouplingGains gains_;       ///< that it was made for
+    std::uint32_t starts_ = 0;  ///< likewise
+};
+
+}  // namespace asperity
