@@ -44,7 +44,8 @@ void HandControl::use(HandKind kind) {
     case HandKind::SpaceMouse:
         return useSpaceMouse();
     case HandKind::SimulatedDevice:
-        return lead([](const Vector3& start) { return std::make_unique<SimulatedDevice>(start); });
+        return lead(
+            [](const Vector3&) { return std::make_unique<SimulatedDevice>(Vector3::Zero()); });
     case HandKind::Script:
     case HandKind::Other:
         break;
@@ -56,12 +57,11 @@ void HandControl::usePointer() {
 }
 
 void HandControl::lead(const MakeLed& make) {
-    Vector3 start = Vector3::Zero();
     run_->takeHand([&] {
-        start = run_->handPosition();
-        return make(start);
+        std::unique_ptr<LedHand> hand = make(run_->handPosition());
+        pilot_ = HandPilot(hand->start());
+        return hand;
     });
-    pilot_ = HandPilot(start);
     piloted_ = &run_->hand();
 }
 
@@ -94,6 +94,10 @@ void HandControl::useSpaceMouse() {
 LedHand* HandControl::led() const {
     auto* const hand = handAs<LedHand>();
     return hand != nullptr && hand == piloted_ && run_->loop().running() ? hand : nullptr;
+}
+
+bool HandControl::isDevice() const {
+    return run_ != nullptr && handAs<LedHand>() == nullptr && kind() != HandKind::Script;
 }
 
 double HandControl::reach() const {

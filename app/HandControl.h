@@ -35,11 +35,16 @@ public:
     /// Which hand has the tip.
     [[nodiscard]] HandKind kind() const;
 
+    /// Whether a person moves it by itself: a device whose axes are not those of the screen.
+    [[nodiscard]] bool isDevice() const;
+
     /// What mouse and keyboard do; nothing while a hand has the tip that they do not lead, or the
     /// run pauses. A device's handle is moved so far that its tip goes this way.
     void displace(const Vector3& displacement);
     void setVelocity(const Vector3& velocity);
     void travelTo(const Vector2& place);
+    /// In the place of mouse and keyboard: leads the base along a path, as well as the hand can.
+    void leadAlong(const HandPath& path) { pilot_.follow(path); }
 
     /// Moves the hand on by a frame. @param halfWidth of the view: the scale of what is seen [m]
     void advance(double seconds, double halfWidth);
@@ -48,7 +53,7 @@ public:
     [[nodiscard]] std::string deviceStatus() const;
 
 private:
-    using MakeLed = std::function<std::unique_ptr<HapticDevice>(const Vector3& start)>;
+    using MakeLed = std::function<std::unique_ptr<LedHand>(const Vector3& start)>;
     void lead(const MakeLed& make);
     void useSpaceMouse();
     /// The hand that mouse and keyboard lead here; null: none, or the run pauses.

@@ -7,10 +7,10 @@
 namespace asperity {
 
 std::future<LastSeconds> writeLastSeconds(std::filesystem::path folder, const LoadedScene& loaded,
-                                          BlackBox box) {
+                                          BlackBox box, double delay) {
     return std::async(
-        std::launch::async, [folder = std::move(folder), &loaded, box = std::move(box)] {
-            Recording recording(folder, loaded, box.memory());
+        std::launch::async, [folder = std::move(folder), &loaded, box = std::move(box), delay] {
+            Recording recording(folder, loaded, box.memory(), delay);
             for (const TickSample& sample : box.samples()) {
                 recording.take(sample);
             }

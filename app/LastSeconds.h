@@ -18,8 +18,10 @@ struct LastSeconds {
 /// Writes it on a thread of its own.
 /// @param box holds ticks
 /// @param loaded outlives the writing
+/// @param delay  of the hand's device [s]
 /// @return throws Error where the folder cannot be written; its destructor waits
 [[nodiscard]] std::future<LastSeconds> writeLastSeconds(std::filesystem::path folder,
-                                                        const LoadedScene& loaded, BlackBox box);
+                                                        const LoadedScene& loaded, BlackBox box,
+                                                        double delay);
 
 }  // namespace asperity

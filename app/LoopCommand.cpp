@@ -2,6 +2,7 @@
 
 #include "app/AlternatingBlocks.h"
 #include "app/DataFolder.h"
+#include "app/HandControl.h"
 #include "app/LiveWindow.h"
 #include "app/LoopReport.h"
 #include "app/OptionChecks.h"
@@ -31,6 +32,7 @@ struct LoopOptions {
     double rate = 0.0;       // [Hz]; 0: the scene's own
     double duration = 10.0;  // [s]
     std::string record;      // folder; empty: nothing is recorded
+    bool simulatedDevice = false;
     bool window = false;
     bool json = false;
 };
@@ -86,12 +88,13 @@ void print(const LoopOptions& options, LiveRun& run, const AlternatingBlocks& bl
 }
 
 /// Null where none is asked for.
-std::unique_ptr<RecordingThread> startRecording(const LoopOptions& options, const LiveRun& run) {
+std::unique_ptr<RecordingThread> startRecording(const LoopOptions& options, LiveRun& run) {
     if (options.record.empty()) {
         return nullptr;
     }
     removeEarlierResults(options.record);
-    return std::make_unique<RecordingThread>(options.record, run.loaded(), TickMemory{});
+    return std::make_unique<RecordingThread>(options.record, run.loaded(), run.loop().memory(),
+                                             run.hand().delay());
 }
 
 /// @return what it took to write a tick [s]
@@ -107,7 +110,15 @@ void runBare(const LoopOptions& options) {
     LoadedScene loaded = loadForLoop(options);
     const HandPath path = repeatedApproach(loaded.scene, options.duration);
     LiveRun run(std::move(loaded), path.front().position);
-    run.takeHand([&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
+    HandControl device;
+    if (options.simulatedDevice) {
+        device.attach(run);
+        device.use(HandKind::SimulatedDevice);
+        device.leadAlong(path);
+    } else {
+        run.takeHand(
+            [&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
+    }
     const std::unique_ptr<RecordingThread> recording = startRecording(options, run);
     AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
     const auto fetch = [&] {
@@ -120,6 +131,7 @@ void runBare(const LoopOptions& options) {
     const double begin = monotonicSeconds();
     while (!isDone(blocks, begin, options)) {
         std::this_thread::sleep_for(kPoll);
+        device.advance(std::chrono::duration<double>(kPoll).count(), 0.0);
         fetch();
         blocks.poll();
     }
@@ -135,7 +147,8 @@ void runInWindow(const LoopOptions& options) {
     session.use(loadForLoop(options));
     LiveRun& run = *session.run();
     live.window().lock();  // another scene would end the run that is measured
-    session.follow(repeatedApproach(run.scene(), options.duration));
+    const HandPath path = repeatedApproach(run.scene(), options.duration);
+    options.simulatedDevice ? session.leadDevice(path) : session.follow(path);
     if (!options.record.empty()) {
         removeEarlierResults(options.record);
         session.startRecording(options.record);
@@ -178,6 +191,9 @@ void addLoopCommand(CLI::App& program) {
         ->add_option("--record", options->record,
                      "folder: record every tick meanwhile, and say what that costs")
         ->check(notEmpty());
+    command->add_flag("--simulated-device", options->simulatedDevice,
+                      "a person at the simulated haptic device leads the tip, not a script: with "
+                      "coupling, governor and edge");
     command->add_flag("--window", options->window, "with the window open and every view drawn");
     command->add_flag("--json", options->json, "as JSON");
     command->callback([options] { options->window ? runInWindow(*options) : runBare(*options); });

@@ -15,9 +15,9 @@ constexpr std::size_t kMostWaiting = (std::size_t{50} << 20U) / sizeof(TickSampl
 }  // namespace
 
 RecordingThread::RecordingThread(const std::filesystem::path& folder, const LoadedScene& loaded,
-                                 const TickMemory& memory)
+                                 const TickMemory& memory, double delay)
     : folder_(folder)
-    , recording_(folder, loaded, memory)
+    , recording_(folder, loaded, memory, delay)
     , thread_([this](const std::stop_token& stop) { work(stop); }) {
     fresh_.reserve(kBatch);
 }

@@ -25,7 +25,7 @@ public:
     /// @param loaded outlives it
     /// @throw Error as Recording
     RecordingThread(const std::filesystem::path& folder, const LoadedScene& loaded,
-                    const TickMemory& memory);
+                    const TickMemory& memory, double delay);
     /// Leaves no tables where it was not finished.
     ~RecordingThread() = default;
     RecordingThread(const RecordingThread&) = delete;

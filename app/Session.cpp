@@ -38,6 +38,7 @@ Session::Session(MainWindow& window)
     fillChoices();
     connectControls();
     connectMenus();
+    connectHandMenu();
     connectViews();
     connectLoader();
     connectFidelity();
@@ -100,11 +101,6 @@ void Session::connectMenus() {
         if (run_) {
             run_->loop().running() ? pause() : start();
         }
-    });
-    connect(menus.tipControl, &QAction::triggered, this, [this](bool tip) {
-        changeSettings([tip](Settings& settings) {
-            settings.positionControl = tip ? PositionControl::Tip : PositionControl::Base;
-        });
     });
     connect(menus.forcesOff, &QAction::triggered, this, [this] { setForces(false); });
     connect(menus.takeBackFault, &QAction::triggered, this, &Session::takeBackFault);

@@ -45,6 +45,8 @@ public:
 
     /// The hand follows a path of the base from its start.
     void follow(const HandPath& path);
+    /// A person at the simulated device leads the base along a path from its start.
+    void leadDevice(const HandPath& path);
     void start();
     void pause();
     /// Every tick from now on is written to a folder, until finishRecording() or the run's end.
@@ -76,6 +78,7 @@ private:
 
     void connectControls();
     void connectMenus();
+    void connectHandMenu();
     void connectViews();
     void connectLoader();
     void connectFidelity();
@@ -105,6 +108,9 @@ private:
     void takeUp(const LedDevice& device);
     void followDelay();
     void choosePath(int index);
+    void chooseGuide(FixtureKind kind);
+    /// Turns the axes of a device with the view, where that is wanted.
+    void turnHand();
     void choosePositionGain(double gain);
     using ReadPath = std::function<HandPath(const std::filesystem::path&)>;
     void followFile(const QString& file, const ReadPath& read);

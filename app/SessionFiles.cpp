@@ -101,15 +101,9 @@ void Session::startRecording(const std::filesystem::path& folder) {
     run_->loop().stop();
     fetchTicks();  // those before the recording belong to nobody
     try {
-<<<<<<< HEAD
-        recording_ =
-            std::make_unique<RecordingThread>(folder, run_->loaded(), run_->loop().memory());
+        recording_ = std::make_unique<RecordingThread>(folder, run_->loaded(),
+                                                       run_->loop().memory(), run_->hand().delay());
     } catch (const std::exception& error) {
-=======
-        recording_ = std::make_unique<Recording>(folderOfThisMoment(recordings_), run_->loaded(),
-                                                 run_->loop().memory(), run_->hand().delay());
-    } catch (const Error& error) {
->>>>>>> 943ef0bc27ea3226c0561c1615a2f0b381d66a82
         window_.complain(QString::fromUtf8(error.what()));
     }
     showRecording();
@@ -149,7 +143,6 @@ void Session::tellOfRecording(const RecordingThread& recording) {
 }
 
 void Session::saveLastSeconds() {
-<<<<<<< HEAD
     using namespace std::chrono_literals;
     if (lastSeconds_.valid() && lastSeconds_.wait_for(0s) == std::future_status::ready) {
         finishLastSeconds();
@@ -162,29 +155,11 @@ void Session::saveLastSeconds() {
         if (box.samples().empty()) {
             window_.tell(tr("There are no last seconds to save yet"));
         } else {
-            lastSeconds_ =
-                writeLastSeconds(folderOfThisMoment(recordings_), run_->loaded(), std::move(box));
+            lastSeconds_ = writeLastSeconds(folderOfThisMoment(recordings_), run_->loaded(),
+                                            std::move(box), run_->hand().delay());
         }
     } catch (const std::exception& error) {
         window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));
-=======
-    BlackBox& box = run_->blackBox();
-    if (box.samples().empty()) {
-        window_.tell(tr("There are no last seconds to save yet"));
-    } else {
-        const Fault fault = box.samples().back().output.fault;
-        try {
-            Recording recording(folderOfThisMoment(recordings_), run_->loaded(), box.memory(),
-                                run_->hand().delay());
-            for (const TickSample& sample : box.samples()) {
-                recording.take(sample);
-            }
-            recording.finish();
-            tellOfLastSeconds(recording, fault);
-        } catch (const std::exception& error) {
-            window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));
-        }
->>>>>>> 943ef0bc27ea3226c0561c1615a2f0b381d66a82
     }
 }
 

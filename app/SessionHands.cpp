@@ -4,6 +4,7 @@
 #include "app/Session.h"
 #include "core/Error.h"
 #include "core/SiFormat.h"
+#include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/scene/SceneModel.h"
 #include "ui/HeldKeys.h"
 #include "ui/MainWindow.h"
@@ -45,6 +46,49 @@ void Session::connectViews() {
     });
 }
 
+void Session::connectHandMenu() {
+    WindowMenus& menus = window_.menus();
+    connect(menus.tipControl, &QAction::triggered, this, [this](bool tip) {
+        changeSettings([tip](Settings& settings) {
+            settings.positionControl = tip ? PositionControl::Tip : PositionControl::Base;
+        });
+    });
+    connect(menus.clutch, &QAction::triggered, this, [this](bool clutched) {
+        changeSettings([clutched](Settings& settings) { settings.clutched = clutched; });
+    });
+    connect(&menus, &WindowMenus::guideChosen, this, &Session::chooseGuide);
+}
+
+void Session::chooseGuide(FixtureKind kind) {
+    if (!run_) {
+        return;
+    }
+    const TickSample sample = run_->loop().snapshot().sample;
+    changeSettings([&](Settings& settings) {
+        settings.guide = run_->scene().description.guide;
+        settings.guide.kind = kind;
+        settings.guide.axis = Vector3::UnitZ();
+        settings.guide.point = settings.positionControl == PositionControl::Tip
+                                   ? sample.output.model.tip
+                                   : sample.output.base.position;
+    });
+    showHand();
+    if (kind != FixtureKind::None && !run_->settings().coupling.couples()) {
+        window_.tell(tr("A guide pulls at a hand with a coupling: take a device with motors, or "
+                        "give the scene a coupling"));
+    }
+}
+
+void Session::turnHand() {
+    const bool turns = window_.menus().followsView->isChecked() && hand_.isDevice();
+    const ViewCamera& camera = window_.view().camera();
+    const auto axes = turns ? viewAxes(camera.right(), camera.up()) : std::nullopt;
+    const Vector3 turn = axes ? turnOf(*axes) : Vector3(Vector3::Zero());
+    if (turn != run_->settings().handTurn) {
+        changeSettings([&turn](Settings& settings) { settings.handTurn = turn; });
+    }
+}
+
 void Session::choosePositionGain(double gain) {
     if (hand_.kind() == HandKind::Script) {
         window_.controls().setPositionGain(run_->settings().positionGain);
@@ -78,7 +122,10 @@ void Session::showHand() {
     controls.setForcesOn(settings.forcesOn);
     controls.setForceGain(settings.forceGain);
     controls.setPositionGain(settings.positionGain);
-    window_.menus().tipControl->setChecked(settings.positionControl == PositionControl::Tip);
+    WindowMenus& menus = window_.menus();
+    menus.tipControl->setChecked(settings.positionControl == PositionControl::Tip);
+    menus.clutch->setChecked(settings.clutched);
+    menus.setGuide(settings.guide.kind);
 }
 
 /// Of one with motors: its scale, and what is felt; so short that the bottom line has room for it.
@@ -159,6 +206,12 @@ void Session::follow(const HandPath& path) {
     window_.overview().showPath(outline(path));
 }
 
+void Session::leadDevice(const HandPath& path) {
+    hand_.use(HandKind::SimulatedDevice);
+    hand_.leadAlong(path);
+    showHand();
+}
+
 void Session::travelTo(const Vector2& place) {
     if (!run_) {
         return;
@@ -174,6 +227,7 @@ void Session::moveHand(double seconds) {
     const double halfWidth = window_.view().halfWidth();
     hand_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
     hand_.advance(seconds, halfWidth);
+    turnHand();
     const std::string status = hand_.deviceStatus();
     if (status != std::exchange(deviceStatus_, status) && !status.empty()) {
         window_.tell(QString::fromStdString(status));

@@ -8,7 +8,7 @@ struct DeviceSpecification {
     double maxStiffness = 0.0;     ///< that it renders [N/m]
     double maxDamping = 0.0;       ///< that it renders [N s/m]
     double effectiveMass = 0.0;    ///< of the handle [kg]
-    double workspaceRadius = 0.0;  ///< of the ball in which the handle moves [m]
+    double workspaceRadius = 0.0;  ///< of the ball about its zero in which the handle moves [m]
     bool streams = false;          ///< it reports all the time: that it falls silent is a fault
 
     [[nodiscard]] bool rendersForce() const noexcept { return maxForce > 0.0; }

@@ -10,7 +10,7 @@ constexpr double kResponse = 50.0;  // natural frequency of the follower [rad/s]
 
 }  // namespace
 
-LedHand::LedHand(const Vector3& start) : target_(start), position_(start) {}
+LedHand::LedHand(const Vector3& start) : start_(start), target_(start), position_(start) {}
 
 // The exact solution of x'' = w^2 (target - x) - 2 w x' over one step: stable at any step.
 const Vector3& LedHand::lead(double timeStep) noexcept {

@@ -12,14 +12,17 @@ public:
     /// Where the hand shall go [m]. One thread, not the loop's; wait-free.
     void moveTo(const Vector3& target) noexcept { target_.write(target); }
 
+    /// Where it is led to at first [m].
+    [[nodiscard]] const Vector3& start() const noexcept { return start_; }
+
 protected:
-    /// @param start where it is led to at first [m]
     explicit LedHand(const Vector3& start);
 
     /// Where it is led to after one more time step [s]. Loop thread only.
     const Vector3& lead(double timeStep) noexcept;
 
 private:
+    Vector3 start_;  ///< [m]
     TripleBuffer<Vector3> target_;
     Vector3 position_;                    ///< [m]
     Vector3 velocity_ = Vector3::Zero();  ///< [m/s]

@@ -1,5 +1,6 @@
 #include "ui/panels/StateBanner.h"
 
+#include "core/haptics/mapping/WorkspaceMapping.h"
 #include "ui/Theme.h"
 
 #include <QHBoxLayout>
@@ -204,6 +205,10 @@ QString StateBanner::stateWords() const {
     }
     if (const QString force = forceWords(output.forceState); !force.isEmpty()) {
         words << force;
+    }
+    const TickInput& input = latest_.sample.input;
+    if (!edgeForce(input.settings.workspace, input.hand.position).isZero(0.0)) {
+        words << QStringLiteral("edge of the workspace: clutch (C)");
     }
     words << regionWords(output.region());
     if (!halfSpace_.isEmpty()) {

@@ -6,8 +6,9 @@
 namespace asperity {
 
 /// A haptic device without the device: the virtual bench with a person at it who holds the handle
-/// in a normal grip and reaches for where mouse and keyboard lead, at most by 0.5 m/s. The force
-/// that comes back moves the handle away from there, as it does a hand.
+/// in a normal grip and reaches for where mouse and keyboard lead, at most by 0.5 m/s and no
+/// farther than to the edge of its workspace. The force that comes back moves the handle away from
+/// there, as it does a hand.
 class SimulatedDevice final : public LedHand {
 public:
     /// @param start where handle and hand rest at first, in the device's own frame [m]

@@ -15,7 +15,8 @@ CoupledHand judged(const ProbeSystem& tip, const HandRequest& request, const Cou
                      .judgement = judgeScale(load, request.scale, gains,
                                              {.stiffness = request.device.maxStiffness,
                                               .force = force,
-                                              .timeStep = request.timing.timeStep}),
+                                              .timeStep = request.timing.timeStep},
+                                             request.guide),
                      .refusal = {}};
     if (!hand.judgement.holds()) {
         hand.refusal = hand.judgement.sentence;

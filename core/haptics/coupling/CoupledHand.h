@@ -15,6 +15,7 @@ struct HandRequest {
     HandScale scale;
     CouplingGains own;      ///< that the scene asks for; none: those that are designed
     double maxForce = 0.0;  ///< that the hand shall feel at most [N]
+    GuideLoad guide;
 };
 
 /// The coupling of such a hand, and what it feels; or why there is none.

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/SiFormat.h"
+#include "core/haptics/mapping/WorkspaceMapping.h"
 
 #include <cmath>
 #include <utility>
@@ -36,6 +37,12 @@ Settings withScale(Settings knobs, const HandScale& scale) {
     return knobs;
 }
 
+GuideLoad guideLoad(const VirtualFixture& guide) {
+    return guide.kind == FixtureKind::None
+               ? GuideLoad{}
+               : GuideLoad{.stiffness = guide.stiffness, .damping = guide.damping};
+}
+
 }  // namespace
 
 HandRequest CouplingKeeper::request(const Led& led, const Settings& knobs) const {
@@ -43,7 +50,8 @@ HandRequest CouplingKeeper::request(const Led& led, const Settings& knobs) const
             .timing = {.timeStep = scene_->timeStep(), .delay = led.delay},
             .scale = scaleOf(knobs),
             .own = scene_->settings.coupling,
-            .maxForce = knobs.governor.maxForce};
+            .maxForce = knobs.governor.maxForce,
+            .guide = guideLoad(knobs.guide)};
 }
 
 CoupledHand CouplingKeeper::couple(const Led& led, const Settings& knobs) const {
@@ -53,6 +61,7 @@ CoupledHand CouplingKeeper::couple(const Led& led, const Settings& knobs) const 
 Settings CouplingKeeper::take(Led led, Settings knobs) {
     led.scale = scaleOf(knobs);
     knobs.coupling = led.hand.gains;
+    knobs.workspace = workspaceOf(led.device.workspaceRadius, 0.5 * scene_->timeStep() + led.delay);
     led_ = std::move(led);
     return knobs;
 }
@@ -75,6 +84,7 @@ Settings CouplingKeeper::release(Settings knobs) {
     if (led_) {
         knobs = withScale(knobs, led_->before);
         knobs.coupling = led_->couplingBefore;
+        knobs.workspace = {};
         led_.reset();
     }
     return knobs;

@@ -8,8 +8,9 @@
 
 namespace asperity {
 
-/// Sees to it that no hand with motors leads the tip of a run but with a coupling and a scale that
-/// hold. Hands that only sense are left alone. Knobs go in and come out; who calls it turns them.
+/// Sees to it that no hand with motors leads the tip of a run but with a coupling, a scale and an
+/// edge of its workspace that hold. Hands that only sense are left alone. Knobs go in and come out;
+/// who calls it turns them.
 class CouplingKeeper {
 public:
     /// @param scene outlives the keeper

@@ -87,7 +87,7 @@ TEST(Recording, OfAMinuteWithTurnedKnobsAndAFaultReplaysToTheSameBits) {
     const LoadedScene loaded = loadScene(folder.write("scene.toml", sceneText(coupledScene())), {});
     LongSession session(loaded);
     session.step();  // a recording begins in the middle of a run
-    Recording recording(folder.path() / "run", loaded, session.memory());
+    Recording recording(folder.path() / "run", loaded, session.memory(), 1e-3);
     long inContact = 0;
     std::map<ForceState, long> states;
     while (session.now() < kSession) {

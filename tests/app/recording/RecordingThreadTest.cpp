@@ -43,7 +43,7 @@ protected:
 };
 
 TEST_F(OnItsOwnThread, EveryTickIsThereWhenItIsFinished) {
-    RecordingThread recording(run, loaded, {});
+    RecordingThread recording(run, loaded, {}, 0.0);
     give(recording, 10'007);
     recording.finish();
     EXPECT_EQ(recording.end(), RecordingEnd::None);
@@ -53,13 +53,13 @@ TEST_F(OnItsOwnThread, EveryTickIsThereWhenItIsFinished) {
 }
 
 TEST_F(OnItsOwnThread, ARecordingOfNothingIsARecording) {
-    RecordingThread recording(run, loaded, {});
+    RecordingThread recording(run, loaded, {}, 0.0);
     recording.finish();
     expectHolds(0);
 }
 
 TEST_F(OnItsOwnThread, EndsWhereTicksAreLost) {
-    RecordingThread recording(run, loaded, {});
+    RecordingThread recording(run, loaded, {}, 0.0);
     give(recording, 1500);
     count += 20;
     give(recording, 1500);
@@ -70,7 +70,7 @@ TEST_F(OnItsOwnThread, EndsWhereTicksAreLost) {
 
 // A loop without any pause makes ticks a hundred times as fast as they can be written.
 TEST_F(OnItsOwnThread, ADiskThatDoesNotFollowEndsItInGoodOrder) {
-    RecordingThread recording(run, loaded, {});
+    RecordingThread recording(run, loaded, {}, 0.0);
     while (recording.end() == RecordingEnd::None && count < 10'000'000) {
         give(recording, 1000);
     }
@@ -83,7 +83,7 @@ TEST_F(OnItsOwnThread, ADiskThatDoesNotFollowEndsItInGoodOrder) {
 }
 
 TEST_F(OnItsOwnThread, SaysWhatCannotBeWritten) {
-    RecordingThread recording(run, loaded, {});
+    RecordingThread recording(run, loaded, {}, 0.0);
     give(recording, 1000);
     std::filesystem::create_directory(run / run_files::kLog);
     try {
@@ -97,7 +97,7 @@ TEST_F(OnItsOwnThread, SaysWhatCannotBeWritten) {
 
 TEST_F(OnItsOwnThread, LeavesNoTablesWhereItIsGivenUp) {
     {
-        RecordingThread recording(run, loaded, {});
+        RecordingThread recording(run, loaded, {}, 0.0);
         give(recording, 1000);
     }
     EXPECT_FALSE(std::filesystem::exists(run / run_files::kInput));
