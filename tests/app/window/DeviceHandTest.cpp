@@ -2,6 +2,7 @@
 #include "core/Units.h"
 #include "core/haptics/PointerHand.h"
 #include "core/io/CsvTable.h"
+#include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
 #include "ui/panels/OverviewPanel.h"
 
@@ -149,6 +150,23 @@ TEST_F(WindowWithDevice, ARecordingHoldsTheEnergyAtTheHand) {
     const std::filesystem::path other = finished[1][0].toString().toStdString();
     EXPECT_TRUE(std::filesystem::exists(other / "force_log.csv"));
     EXPECT_FALSE(std::filesystem::exists(other / "energy_log.csv"));
+}
+
+TEST_F(WindowWithDevice, ARecordingReplaysToTheSameBits) {
+    session.open(std::filesystem::path(ASPERITY_DATA_DIR) / "samples/particles.gsf");
+    ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
+    choose("hand", kSimulated);
+    ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
+    QSignalSpy finished(&session, &Session::recordingFinished);
+    QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
+    press(Qt::Key_PageDown);
+    ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
+    release(Qt::Key_PageDown);
+    QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
+    ASSERT_EQ(finished.count(), 1);
+    const ProgramRun replay = runProgram("replay '" + finished[0][0].toString().toStdString() +
+                                         "' --out '" + (folder.path() / "again").string() + "'");
+    EXPECT_NE(replay.output.find("bit-identical"), std::string::npos) << replay.output;
 }
 
 /// A handle that shakes at 60 Hz as soon as it is told to; its force is 5.5 ms late.
