@@ -32,7 +32,7 @@ public:
     [[nodiscard]] Settings turned(Settings wanted, double delay);
 
     /// A delay that has grown beyond what the gains are designed for has them designed anew; where
-    /// none hold any more the forces go off, and refusal() says why.
+    /// none hold any more the forces go off, and hand()->refusal says why.
     /// @return the knobs that changed; none: as they were
     [[nodiscard]] std::optional<Settings> follow(Settings knobs, double delay);
 
@@ -42,8 +42,6 @@ public:
 
     /// The hand with motors that leads, and what it feels; null where none does.
     [[nodiscard]] const CoupledHand* hand() const noexcept { return led_ ? &led_->hand : nullptr; }
-    /// The delay that its gains are designed for [s].
-    [[nodiscard]] double delay() const noexcept { return led_ ? led_->delay : 0.0; }
 
 private:
     /// A hand with motors that leads.
