@@ -1,9 +1,12 @@
 #include "app/HandControl.h"
 
+#include "app/DataFolder.h"
 #include "core/haptics/PointerHand.h"
 #include "core/haptics/ScriptedHand.h"
 #include "core/haptics/bench/SimulatedDevice.h"
+#include "core/io/WoodenHapticsFile.h"
 #include "hardware/SpaceMouse.h"
+#include "hardware/woodenhaptics/WoodenHaptics.h"
 
 #include <memory>
 #include <utility>
@@ -34,7 +37,10 @@ HandKind HandControl::kind() const {
     if (handAs<SpaceMouse>() != nullptr) {
         return HandKind::SpaceMouse;
     }
-    return handAs<SimulatedDevice>() != nullptr ? HandKind::SimulatedDevice : HandKind::Other;
+    if (handAs<SimulatedDevice>() != nullptr) {
+        return HandKind::SimulatedDevice;
+    }
+    return handAs<WoodenHaptics>() != nullptr ? HandKind::WoodenHaptics : HandKind::Other;
 }
 
 void HandControl::use(HandKind kind) {
@@ -46,6 +52,8 @@ void HandControl::use(HandKind kind) {
     case HandKind::SimulatedDevice:
         return lead(
             [](const Vector3&) { return std::make_unique<SimulatedDevice>(Vector3::Zero()); });
+    case HandKind::WoodenHaptics:
+        return useWoodenHaptics();
     case HandKind::Script:
     case HandKind::Other:
         break;
@@ -83,12 +91,23 @@ void HandControl::follow(const HandPath& path) {
     });
 }
 
-void HandControl::useSpaceMouse() {
+HidapiTransport& HandControl::hid() {
     if (!transport_) {
         transport_.emplace();
     }
-    run_->takeHand(
-        [this] { return std::make_unique<SpaceMouse>(*transport_, run_->handPosition()); });
+    return *transport_;
+}
+
+void HandControl::useSpaceMouse() {
+    HidapiTransport& transport = hid();
+    run_->takeHand([&] { return std::make_unique<SpaceMouse>(transport, run_->handPosition()); });
+}
+
+void HandControl::useWoodenHaptics() {
+    const std::filesystem::path file = dataFolder() / "devices" / "woodenhaptics_2015.toml";
+    const WoodenHapticsDescription description = readWoodenHaptics(file);
+    HidapiTransport& transport = hid();
+    run_->takeHand([&] { return std::make_unique<WoodenHaptics>(transport, description); });
 }
 
 LedHand* HandControl::led() const {
@@ -135,6 +154,9 @@ void HandControl::advance(double seconds, double halfWidth) {
 }
 
 std::string HandControl::deviceStatus() const {
+    if (const auto* const device = handAs<WoodenHaptics>()) {
+        return device->status();
+    }
     const auto* const mouse = handAs<SpaceMouse>();
     return mouse != nullptr ? mouse->status() : std::string();
 }

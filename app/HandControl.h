@@ -15,7 +15,14 @@ class LedHand;
 class SpaceMouse;
 
 /// In the order of the window's list.
-enum class HandKind : int { Other = -1, Pointer, Script, SpaceMouse, SimulatedDevice };
+enum class HandKind : int {
+    Other = -1,
+    Pointer,
+    Script,
+    SpaceMouse,
+    SimulatedDevice,
+    WoodenHaptics,
+};
 
 /// Which hand moves the tip of a run, and what the person does with mouse and keyboard meanwhile.
 /// Displacements and velocities are those of the hand.
@@ -56,6 +63,9 @@ private:
     using MakeLed = std::function<std::unique_ptr<LedHand>(const Vector3& start)>;
     void lead(const MakeLed& make);
     void useSpaceMouse();
+    void useWoodenHaptics();
+    /// The way to HID devices. @throw Error when there is none
+    [[nodiscard]] HidapiTransport& hid();
     /// The hand that mouse and keyboard lead here; null: none, or the run pauses.
     [[nodiscard]] LedHand* led() const;
     /// The hand as such a device; null: it is none. The run alone knows which hand it has.

@@ -63,8 +63,8 @@ bool Session::eventFilter(QObject* watched, QEvent* event) {
 
 void Session::fillChoices() {
     ControlBar& controls = window_.controls();
-    controls.setHands(
-        {tr("Mouse and keyboard"), tr("Scripted path"), tr("SpaceMouse"), tr("Simulated device")});
+    controls.setHands({tr("Mouse and keyboard"), tr("Scripted path"), tr("SpaceMouse"),
+                       tr("Simulated device"), tr("WoodenHaptics")});
     controls.setPaths({tr("Approach"), tr("Raster"), tr("Scratch")});
     for (const std::filesystem::path& file : dataFiles("materials")) {
         try {

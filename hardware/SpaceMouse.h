@@ -2,14 +2,11 @@
 
 #include "core/haptics/HapticDevice.h"
 #include "core/realtime/TripleBuffer.h"
-#include "hardware/HidTransport.h"
+#include "hardware/HidFollower.h"
 #include "hardware/SpaceMouseReports.h"
 
 #include <atomic>
-#include <condition_variable>
-#include <mutex>
 #include <string>
-#include <thread>
 
 namespace asperity {
 
@@ -41,7 +38,7 @@ public:
     }
 
     /// For people: which device it is, or why there is none. Any thread but the loop's.
-    [[nodiscard]] std::string status() const;
+    [[nodiscard]] std::string status() const { return follower_.status(); }
 
 private:
     struct Reading {
@@ -49,23 +46,12 @@ private:
         bool connected = false;
     };
 
-    [[nodiscard]] std::unique_ptr<HidConnection> find();
-    void run(const std::stop_token& stop);
     void follow(HidConnection& device, const std::stop_token& stop);
-    bool pauseUnlessStopped(const std::stop_token& stop);
-    void setStatus(std::string status);
 
-    HidTransport& transport_;
     Vector3 position_;  ///< of the hand; the loop thread's own [m]
     std::atomic<double> fullSpeed_;
-
-    mutable std::mutex mutex_;  ///< guards the status
-    std::string status_;
-    std::condition_variable_any wakeUp_;
-
-    std::unique_ptr<HidConnection> device_;  ///< the thread's own once that runs
     TripleBuffer<Reading> reading_;
-    std::jthread thread_;  ///< last: it uses all the others
+    HidFollower follower_;  ///< last: its thread uses all the others
 };
 
 }  // namespace asperity
