@@ -1,5 +1,7 @@
 #include "hardware/DeviceRegistry.h"
 
+#include "hardware/woodenhaptics/WoodenHapticsReports.h"
+
 #include <algorithm>
 #include <array>
 
@@ -19,6 +21,11 @@ constexpr std::array kSpaceMice = {ProductRange{0x046d, 0xc603, 0xc640},
                                    ProductRange{0x256f, 0xc652, 0xc652}};
 
 constexpr HidUsage kMultiAxisController = {.page = 0x01, .id = 0x08};
+constexpr HidUsage kTeensySerialPort = {.page = 0xFFC9, .id = 0x04};
+
+bool hasCollection(const HidDeviceInfo& device, const HidUsage& usage) {
+    return std::find(device.usages.begin(), device.usages.end(), usage) != device.usages.end();
+}
 
 std::string nameOf(const HidDeviceInfo& device) {
     if (!device.product.empty()) {
@@ -35,9 +42,15 @@ DeviceDescription describe(const HidDeviceInfo& device) {
     if (isSpaceMouse(device)) {
         description.driver = kSpaceMouseDriver;
         description.senses = {"x", "y", "z", "rx", "ry", "rz", "buttons"};
-        description.obstacle = device.permitted ? "" : kNoPermission;
-    } else {
+    } else if (isWoodenHaptics(device)) {
+        description.driver = kWoodenHapticsDriver;
+        description.senses = {"x", "y", "z", "buttons"};
+        description.rendersForce = true;
+    }
+    if (description.driver.empty()) {
         description.obstacle = "no driver for this device";
+    } else if (!device.permitted) {
+        description.obstacle = kNoPermission;
     }
     return description;
 }
@@ -50,8 +63,12 @@ bool isSpaceMouse(const HidDeviceInfo& device) {
             return device.vendorId == range.vendorId && device.productId >= range.first &&
                    device.productId <= range.last;
         });
-    return known && std::find(device.usages.begin(), device.usages.end(), kMultiAxisController) !=
-                        device.usages.end();
+    return known && hasCollection(device, kMultiAxisController);
+}
+
+bool isWoodenHaptics(const HidDeviceInfo& device) {
+    return woodenHapticsBoard(device.vendorId, device.productId) &&
+           !hasCollection(device, kTeensySerialPort);
 }
 
 std::vector<DeviceDescription> listDevices(HidTransport& transport) {

@@ -76,6 +76,33 @@ TEST(DeviceRegistry, SaysWhatASpaceMouseCanDo) {
     EXPECT_TRUE(list[0].usable());
 }
 
+HidDeviceInfo teensyInfo() {
+    return {.path = "/dev/hidraw4",
+            .vendorId = 0x16c0,
+            .productId = 0x0486,
+            .product = "WoodenHaptics",
+            .usages = {{.page = 0xFFAB, .id = 0x200}}};
+}
+
+TEST(DeviceRegistry, SaysWhatAWoodenHapticsCanDo) {
+    FakeHid hid({teensyInfo()});
+    const std::vector<DeviceDescription> list = listDevices(hid);
+    ASSERT_EQ(list.size(), 1U);
+    EXPECT_EQ(list[0].driver, kWoodenHapticsDriver);
+    EXPECT_EQ(list[0].senses, (std::vector<std::string>{"x", "y", "z", "buttons"}));
+    EXPECT_TRUE(list[0].rendersForce);
+    EXPECT_TRUE(list[0].usable());
+}
+
+TEST(DeviceRegistry, TheSerialPortOfATeensyIsNoWoodenHaptics) {
+    HidDeviceInfo device = teensyInfo();
+    EXPECT_TRUE(isWoodenHaptics(device));
+    device.usages = {{.page = 0xFFC9, .id = 4}};
+    EXPECT_FALSE(isWoodenHaptics(device));
+    EXPECT_FALSE(isWoodenHaptics(withIds(0x16c0, 0x0487)));
+    EXPECT_TRUE(isWoodenHaptics(withIds(0x1234, 0x0006)));
+}
+
 TEST(DeviceRegistry, ListsUnknownDevicesAsNotUsable) {
     FakeHid hid;
     hid.plug({.path = "/dev/hidraw0", .vendorId = 0x1234, .productId = 1, .manufacturer = "Acme"});
@@ -131,14 +158,16 @@ bool udevMatches(const std::string& pattern, unsigned product) {
     return fnmatch(("@(" + pattern + ")").c_str(), id.str().c_str(), FNM_EXTMATCH) == 0;
 }
 
-TEST(DeviceRegistry, TheUdevRulesOpenTheSpaceMiceAndNothingElse) {
+TEST(DeviceRegistry, TheUdevRulesOpenKnownDevicesAndNothingElse) {
     const auto rules = shippedRules();
-    ASSERT_EQ(rules.size(), 2U);
+    ASSERT_EQ(rules.size(), 4U);
     for (const auto& [vendor, pattern] : rules) {
         const auto vendorId = static_cast<std::uint16_t>(std::stoul(vendor, nullptr, 16));
         for (unsigned product = 0; product <= 0xFFFF; ++product) {
             const auto productId = static_cast<std::uint16_t>(product);
-            ASSERT_EQ(udevMatches(pattern, product), isSpaceMouse(withIds(vendorId, productId)))
+            const HidDeviceInfo device = withIds(vendorId, productId);
+            ASSERT_EQ(udevMatches(pattern, product),
+                      isSpaceMouse(device) || isWoodenHaptics(device))
                 << vendor << ':' << std::hex << product;
         }
     }

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 
 #include <algorithm>
+#include <thread>
 
 namespace asperity::test {
 
@@ -34,8 +35,9 @@ public:
     }
 
     bool write(std::span<const std::uint8_t> report) override {
+        std::this_thread::sleep_for(hid_.timeOfAWrite());
         const std::lock_guard lock(hid_.mutex_);
-        if (lost()) {
+        if (lost() || hid_.refusesWrites_) {
             return false;
         }
         hid_.written_.emplace_back(report.begin(), report.end());
@@ -71,6 +73,21 @@ void FakeHid::send(const std::vector<Report>& reports) {
 void FakeHid::refuseToOpen(const std::string& why) {
     const std::lock_guard lock(mutex_);
     refusal_ = why;
+}
+
+void FakeHid::refuseToWrite(bool refuse) {
+    const std::lock_guard lock(mutex_);
+    refusesWrites_ = refuse;
+}
+
+void FakeHid::holdWrites(std::chrono::milliseconds time) {
+    const std::lock_guard lock(mutex_);
+    writing_ = time;
+}
+
+std::chrono::milliseconds FakeHid::timeOfAWrite() const {
+    const std::lock_guard lock(mutex_);
+    return writing_;
 }
 
 std::vector<Report> FakeHid::written() const {

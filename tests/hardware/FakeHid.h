@@ -22,6 +22,10 @@ public:
     void send(const std::vector<Report>& reports);
     /// From now on opening fails with this sentence; empty: it works again.
     void refuseToOpen(const std::string& why);
+    /// Whether writing fails from now on.
+    void refuseToWrite(bool refuse);
+    /// From now on a write takes so long.
+    void holdWrites(std::chrono::milliseconds time);
 
     [[nodiscard]] std::vector<Report> written() const;
     [[nodiscard]] int opened() const;  ///< connections that are open now
@@ -32,12 +36,16 @@ public:
 private:
     class Connection;
 
+    [[nodiscard]] std::chrono::milliseconds timeOfAWrite() const;
+
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<HidDeviceInfo> devices_;
     std::deque<Report> reports_;
     std::vector<Report> written_;
     std::string refusal_;
+    bool refusesWrites_ = false;
+    std::chrono::milliseconds writing_{0};  ///< how long a write takes
     int plugging_ = 0;  ///< counts unplugs: a connection from before one is lost
     int opened_ = 0;
 };

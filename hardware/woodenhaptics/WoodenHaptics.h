@@ -1,0 +1,92 @@
+#pragma once
+
+#include "core/haptics/HapticDevice.h"
+#include "core/haptics/WoodenHapticsDescription.h"
+#include "core/realtime/TripleBuffer.h"
+#include "hardware/HidFollower.h"
+#include "hardware/woodenhaptics/RecentMaximum.h"
+#include "hardware/woodenhaptics/WoodenHapticsReports.h"
+
+#include <atomic>
+#include <optional>
+
+namespace asperity {
+
+/// A hand at a WoodenHaptics or Polhem: three joints with motors, over USB HID. A thread of its own
+/// exchanges reports with the device, and without one looks for it twice a second. Positions and
+/// forces are in the lab's frame, from the workspace's origin.
+///
+/// The motors get a force only while it answers a reading that is no older than 40 ms: a loop that
+/// hangs, a device that falls silent and one that comes back feel none. When the program is killed,
+/// the firmware cuts the currents after half a second without a message.
+class WoodenHaptics final : public HapticDevice {
+public:
+    /// Takes the first one that can be opened; one that answers within 0.2 s is connected at once.
+    /// @param transport must outlive the hand
+    WoodenHaptics(HidTransport& transport, WoodenHapticsDescription description);
+    /// Sends zero currents and joins the thread, in some hundredths of a second unless a write
+    /// hangs.
+    ~WoodenHaptics() override;
+    WoodenHaptics(const WoodenHaptics&) = delete;
+    WoodenHaptics& operator=(const WoodenHaptics&) = delete;
+
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return description_.specification;
+    }
+    HandState advance(double timeStep) noexcept override;
+    void setForce(const Vector3& force) noexcept override;
+    /// The longest of about the last two seconds, from the reading that a force answers until the
+    /// device has taken the force.
+    [[nodiscard]] double delay() const noexcept override {
+        return delay_.load(std::memory_order_relaxed);
+    }
+
+    /// Tells the device that its handle is in the rest pose now. Until then its encoders count from
+    /// where the handle stood at power-up. Any thread; wait-free.
+    void calibrate() noexcept { calibrationWanted_.store(true, std::memory_order_relaxed); }
+
+    /// For people: which device it is, or why there is none. Any thread but the loop's.
+    [[nodiscard]] std::string status() const { return follower_.status(); }
+
+private:
+    struct Reading {
+        Vector3 position = Vector3::Zero();  ///< lab frame [m]
+        bool button = false;
+        bool connected = false;
+        double time = 0.0;  ///< when it was read; before the first: the beginning [s]
+    };
+    struct Order {
+        Vector3 force = Vector3::Zero();  ///< lab frame [N]
+        double answers = 0.0;             ///< time of the reading that it answers; 0: none [s]
+    };
+    /// A connection while it is followed.
+    struct Link {
+        HidConnection& device;
+        WoodenHapticsBoard board;
+        std::optional<Vector3> angles;  ///< of the joints, newest [rad]
+    };
+
+    void awaitFirstReading();
+    void follow(const FoundDevice& found, const std::stop_token& stop);
+    bool listen(Link& link);
+    bool answer(const Link& link);
+    [[nodiscard]] static bool isLive(const Link& link, const Order& order);
+    void noteDelay(const Order& order);
+    [[nodiscard]] WoodenHapticsMessage nextMessage(const Link& link, const Vector3& force);
+
+    const WoodenHapticsDescription description_;
+    Reading latest_;  ///< the follower's thread's own
+    TripleBuffer<Reading> reading_;
+    TripleBuffer<Order> order_;
+    std::atomic<bool> calibrationWanted_{false};
+    std::atomic<double> delay_{0.0};
+    double taken_ = 0.0;  ///< time of the reading that advance() took, 0: none [s]; the loop's own
+
+    // The follower's thread's own.
+    RecentMaximum delays_;
+    double answered_ = 0.0;  ///< time of the reading whose answer was last timed [s]
+
+    HidFollower follower_;  ///< last: its thread uses all the others
+};
+
+}  // namespace asperity

@@ -1,0 +1,221 @@
+#include "hardware/woodenhaptics/WoodenHaptics.h"
+
+#include "tests/hardware/Eventually.h"
+#include "tests/hardware/FakeHid.h"
+#include "tests/hardware/woodenhaptics/ArmPose.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace asperity::test {
+namespace {
+
+const Vector3 kHandle(0.04, -0.02, 0.03);  // [m]
+const Vector3 kForce(0.5, -0.3, 0.8);      // [N]
+const Report kZeroCurrents(15, 0);
+
+HidDeviceInfo mbedInfo() {
+    return {.path = "/dev/hidraw7",
+            .vendorId = 0x1234,
+            .productId = 0x0006,
+            .product = "Polhem",
+            .usages = {{.page = 0xFFAB, .id = 0x200}}};
+}
+
+Report readingReport(const Vector3& handle, bool button = false) {
+    Report report;
+    const auto [a, b, c] = countsAt(handle);
+    for (const int word : {int{a}, int{b}, int{c}, button ? 10000 : 0, 0, 0, 0}) {
+        const auto bits = static_cast<unsigned>(word);
+        report.push_back(static_cast<std::uint8_t>(bits & 0xFFU));
+        report.push_back(static_cast<std::uint8_t>((bits >> 8U) & 0xFFU));
+    }
+    return report;
+}
+
+/// What makes the handle push like this where it is.
+Report currentsFor(const Vector3& handle, const Vector3& force) {
+    const Vector3 angles = jointAngles(shippedDevice(), countsAt(handle));
+    const auto message =
+        currentsMessage(WoodenHapticsBoard::Mbed,
+                        motorCurrents(shippedDevice(),
+                                      jointTorques(shippedDevice(), angles, inDeviceFrame(force))));
+    return {message.report().begin(), message.report().end()};
+}
+
+/// A hand at a device in memory that speaks whenever it is told to.
+class WoodenHapticsHand : public ::testing::Test {
+protected:
+    WoodenHapticsHand() {
+        hid.send({readingReport(kHandle)});
+        hand = std::make_unique<WoodenHaptics>(hid, shippedDevice());
+    }
+
+    /// One tick of a loop that wants the hand to feel the force.
+    HandState tick(const Vector3& force) {
+        hid.send({readingReport(kHandle)});
+        const HandState state = hand->advance(1e-3);
+        hand->setForce(force);
+        return state;
+    }
+    bool wrote(const Report& message) const {
+        const std::vector<Report> all = hid.written();
+        return std::find(all.begin(), all.end(), message) != all.end();
+    }
+    void pushUntilItIsFelt() {
+        ASSERT_TRUE(eventually([this] {
+            (void)tick(kForce);
+            return hid.written().back() == currentsFor(kHandle, kForce);
+        }));
+    }
+
+    FakeHid hid{{mbedInfo()}};
+    std::unique_ptr<WoodenHaptics> hand;
+};
+
+TEST_F(WoodenHapticsHand, IsWhereTheHandleIsAtOnce) {
+    const HandState state = hand->advance(1e-3);
+    EXPECT_TRUE(state.connected);
+    EXPECT_LT((state.position - kHandle).norm(), 0.1e-3);
+    EXPECT_EQ(state.buttons, 0U);
+    EXPECT_EQ(hand->status(), "Polhem at /dev/hidraw7");
+}
+
+TEST_F(WoodenHapticsHand, IsWhatItsDeviceFileSays) {
+    const DeviceSpecification specification = hand->specification();
+    EXPECT_EQ(specification.maxForce, 5.0);
+    EXPECT_TRUE(specification.streams);
+}
+
+TEST_F(WoodenHapticsHand, TheButtonOfPolhemIsButtonZero) {
+    hid.send({readingReport(kHandle, true)});
+    EXPECT_TRUE(eventually([this] { return hand->advance(1e-3).buttons == 1U; }));
+}
+
+TEST_F(WoodenHapticsHand, OfManyReadingsTheNewestCounts) {
+    const Vector3 newest(-0.03, 0.05, 0.0);
+    std::vector<Report> reports(40, readingReport(kHandle));
+    reports.push_back(readingReport(newest));
+    hid.send(reports);
+    EXPECT_TRUE(
+        eventually([&] { return (hand->advance(1e-3).position - newest).norm() < 0.1e-3; }));
+}
+
+TEST_F(WoodenHapticsHand, PushesAsTheArmStands) {
+    EXPECT_NE(currentsFor(kHandle, kForce), kZeroCurrents);
+    pushUntilItIsFelt();
+}
+
+TEST_F(WoodenHapticsHand, NoCurrentFlowsBeforeAForceIsTold) {
+    const std::size_t before = hid.written().size();
+    ASSERT_TRUE(eventually([&] {
+        hid.send({readingReport(kHandle)});
+        return hid.written().size() > before + 10;
+    }));
+    const std::vector<Report> all = hid.written();
+    EXPECT_EQ(std::count(all.begin(), all.end(), kZeroCurrents),
+              static_cast<std::ptrdiff_t>(all.size()));
+}
+
+TEST_F(WoodenHapticsHand, ALoopThatHangsLetsGo) {
+    pushUntilItIsFelt();
+    EXPECT_TRUE(eventually([this] {
+        hid.send({readingReport(kHandle)});
+        return hid.written().back() == kZeroCurrents;
+    }));
+}
+
+TEST_F(WoodenHapticsHand, ADeviceThatFallsSilentLetsGoAndTheHandGrowsOld) {
+    pushUntilItIsFelt();
+    EXPECT_TRUE(eventually([this] {
+        const double age = hand->advance(1e-3).age;
+        hand->setForce(kForce);
+        return age > 40e-3 && hid.written().back() == kZeroCurrents;
+    }));
+    hid.send({readingReport(kHandle)});
+    const double old = hand->advance(1e-3).age;
+    EXPECT_TRUE(eventually([&] { return hand->advance(1e-3).age < old; }));
+}
+
+TEST_F(WoodenHapticsHand, ADeviceThatComesBackIsHeldByNoForceFromBefore) {
+    pushUntilItIsFelt();
+    hid.unplug();
+    ASSERT_TRUE(eventually([this] { return !hand->advance(1e-3).connected; }));
+    hand->setForce(kForce);
+    const std::size_t before = hid.written().size();
+    hid.plug(mbedInfo());
+    ASSERT_TRUE(eventually([&] {
+        hid.send({readingReport(kHandle)});
+        hand->setForce(kForce);  // answers the reading from before
+        return hid.written().size() > before + 20;
+    }));
+    const std::vector<Report> all = hid.written();
+    EXPECT_EQ(
+        std::count(all.begin() + static_cast<std::ptrdiff_t>(before), all.end(), kZeroCurrents),
+        static_cast<std::ptrdiff_t>(all.size() - before));
+    pushUntilItIsFelt();
+}
+
+TEST_F(WoodenHapticsHand, ALostDeviceIsNotConnectedAndStaysWhereItWas) {
+    const Vector3 reached = hand->advance(1e-3).position;
+    hid.unplug();
+    ASSERT_TRUE(eventually([this] { return !hand->advance(1e-3).connected; }));
+    EXPECT_EQ(hand->advance(1e-3).position, reached);
+    EXPECT_TRUE(eventually([this] {
+        return hand->status() == "the WoodenHaptics was unplugged" ||
+               hand->status() == "no WoodenHaptics is plugged in";
+    }));
+}
+
+TEST_F(WoodenHapticsHand, ADeviceThatTakesNoMessageIsLost) {
+    hid.refuseToWrite(true);
+    ASSERT_TRUE(eventually([this] { return !hand->advance(1e-3).connected; }));
+    hid.refuseToWrite(false);
+    EXPECT_TRUE(eventually([this] { return tick(Vector3::Zero()).connected; }));
+}
+
+TEST_F(WoodenHapticsHand, LetsGoInTheEnd) {
+    pushUntilItIsFelt();
+    hand.reset();
+    EXPECT_EQ(hid.written().back(), kZeroCurrents);
+    EXPECT_EQ(hid.opened(), 0);
+}
+
+TEST_F(WoodenHapticsHand, CalibrationTellsTheEncodersOfTheRestPoseOnce) {
+    const auto message = encodersMessage(WoodenHapticsBoard::Mbed, {0, 0, 6000});
+    const Report expected(message.report().begin(), message.report().end());
+    hand->calibrate();
+    ASSERT_TRUE(eventually([&] { return wrote(expected); }));
+    pushUntilItIsFelt();
+    const std::vector<Report> all = hid.written();
+    EXPECT_EQ(std::count(all.begin(), all.end(), expected), 1);
+}
+
+TEST_F(WoodenHapticsHand, DelayIsFromTheReadingToTheWrittenForce) {
+    EXPECT_EQ(hand->delay(), 0.0);
+    hid.holdWrites(std::chrono::milliseconds(5));
+    pushUntilItIsFelt();
+    ASSERT_TRUE(eventually([this] { return hand->delay() > 0.0; }));
+    EXPECT_GE(hand->delay(), 5e-3);
+}
+
+TEST(WoodenHaptics, AsksADeviceThatIsSilentWithZeroCurrents) {
+    FakeHid hid({mbedInfo()});
+    WoodenHaptics hand(hid, shippedDevice());
+    EXPECT_TRUE(eventually([&] { return hid.written().size() > 3; }));
+    EXPECT_EQ(hid.written().front(), kZeroCurrents);
+    EXPECT_FALSE(hand.advance(1e-3).connected);
+}
+
+TEST(WoodenHaptics, IsNotMovedByReportsOfAnotherLength) {
+    FakeHid hid({mbedInfo()});
+    WoodenHaptics hand(hid, shippedDevice());
+    hid.send({Report(13, 1), Report(15, 1), Report(64, 1), {}});
+    const std::size_t before = hid.written().size();
+    ASSERT_TRUE(eventually([&] { return hid.written().size() > before + 3; }));
+    EXPECT_FALSE(hand.advance(1e-3).connected);
+}
+
+}  // namespace
+}  // namespace asperity::test
