@@ -46,6 +46,20 @@ TEST(DevicesCommand, SaysWhatTheSpaceMouseCanDo) {
         "renders_force": false, "usable": true, "obstacle": null})"));
 }
 
+TEST(DevicesCommand, SaysThatAWoodenHapticsRendersForce) {
+    const VirtualHid device(
+        {.vendorId = 0x16c0,
+         .productId = 0x0486,
+         .manufacturer = "Teensyduino",
+         .product = "WoodenHaptics",
+         .reportDescriptor = {0x06, 0xAB, 0xFF, 0x0A, 0x00, 0x02, 0xA1, 0x01, 0xC0}});
+    EXPECT_EQ(deviceNamed("WoodenHaptics"), nlohmann::json::parse(R"({
+        "name": "WoodenHaptics", "vendor_id": "16c0", "product_id": "0486",
+        "path": "/dev/hidraw7", "driver": "WoodenHaptics",
+        "senses": ["x", "y", "z", "buttons"],
+        "renders_force": true, "usable": true, "obstacle": null})"));
+}
+
 TEST(DevicesCommand, SaysWhyAnUnknownDeviceCannotBeUsed) {
     const VirtualSpaceMouse device;
     const nlohmann::json unknown = deviceNamed("Acme Maus");

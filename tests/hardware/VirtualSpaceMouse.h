@@ -1,60 +1,13 @@
 #pragma once
 
-#include <cstdint>
-#include <deque>
-#include <memory>
-#include <mutex>
-#include <string>
-#include <umockdev.h>
-#include <vector>
+#include "tests/hardware/VirtualHid.h"
 
 namespace asperity::test {
 
-/// A SpaceMouse Compact that exists for this process alone: umockdev shows its
-/// files and answers for its node, so that the real hidapi can be tested. One at a time; the
-/// program must be linked with libumockdev-preload before everything else.
-class VirtualSpaceMouse {
+/// A SpaceMouse Compact.
+class VirtualSpaceMouse : public VirtualHid {
 public:
-    using Report = std::vector<std::uint8_t>;
-
-    /// Plugged in at /dev/hidraw7, beside a HID mouse at /dev/hidraw3 that answers nothing.
     VirtualSpaceMouse();
-    ~VirtualSpaceMouse();
-    VirtualSpaceMouse(const VirtualSpaceMouse&) = delete;
-    VirtualSpaceMouse& operator=(const VirtualSpaceMouse&) = delete;
-
-    /// Where it is plugged in, or was last.
-    [[nodiscard]] std::string path() const;
-    /// Under another number than before.
-    void plug();
-    void unplug();
-    /// All reports at once: no reader sees some of them only.
-    void send(const std::vector<Report>& reports);
-    [[nodiscard]] std::vector<Report> written() const;
-
-private:
-    struct Unref {
-        void operator()(void* object) const { g_object_unref(object); }
-    };
-
-    static gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
-    static gboolean onRead(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
-    static gboolean onWrite(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
-    void addToSystem(const std::string& description);
-    void openTokens();
-    void closeTokens();
-    void forgetTerminal() const;
-
-    std::unique_ptr<UMockdevTestbed, Unref> testbed_;
-    std::unique_ptr<UMockdevIoctlBase, Unref> node_;
-
-    int number_;  ///< of the node
-
-    mutable std::mutex mutex_;
-    int tokensIn_ = -1;   ///< takes a byte for each report: what poll() on the node sees
-    int tokensOut_ = -1;  ///< gives it back when the report is read; -1: unplugged
-    std::deque<Report> reports_;
-    std::vector<Report> written_;
 };
 
 }  // namespace asperity::test
