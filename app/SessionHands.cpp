@@ -56,6 +56,11 @@ void Session::connectHandMenu() {
     connect(menus.clutch, &QAction::triggered, this, [this](bool clutched) {
         changeSettings([clutched](Settings& settings) { settings.clutched = clutched; });
     });
+    connect(menus.calibrate, &QAction::triggered, this, [this] {
+        if (run_) {
+            run_->hand().calibrate();
+        }
+    });
     connect(&menus, &WindowMenus::guideChosen, this, &Session::chooseGuide);
 }
 

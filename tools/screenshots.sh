@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes pictures in docs/pictures anew: of the live window, from the scene that comes with the
-# program, or from the scan named, in both window sizes of docs/window.md, and of its fidelity panel;
+# program, or from the scan named, in both window sizes of docs/window.md, of its fidelity panel and
+# with the simulated device;
 # and of deformed surfaces, docs/deformation.md, on samples made up for them.
 # Usage: tools/screenshots.sh [FILE or SCENE.toml [OUT_FOLDER]]
 set -euo pipefail
@@ -12,7 +13,8 @@ command -v pngquant >/dev/null || {
     echo "screenshots.sh: no pngquant; tools/install_packages.sh tools/developer_packages.txt installs it" >&2
     exit 1
 }
-"$top/tools/build.sh" release asperity_screenshots asperity_deformation_pictures asperity_fidelity_picture
+"$top/tools/build.sh" release asperity_screenshots asperity_deformation_pictures asperity_fidelity_picture \
+    asperity_device_picture
 unset DISPLAY  # the window's size must not depend on a window manager: it starts its own Xvfb
 for size in "1600 1000" "1280 800"; do
     read -r width height <<<"$size"
@@ -21,4 +23,6 @@ for size in "1600 1000" "1280 800"; do
 done
 "$top/build/release/bin/asperity_fidelity_picture" "$input" "$out/fidelity.png"
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/fidelity.png"
+"$top/build/release/bin/asperity_device_picture" "$input" 1280 800 "$out/device.png"
+pngquant --force --ext .png --speed 1 --quality 80-100 "$out/device.png"
 "$top/build/release/bin/asperity_deformation_pictures" "$out"

@@ -60,6 +60,8 @@ void WindowMenus::addHandMenu(QMenuBar& bar) {
         action->setCheckable(true);
     }
     addGuides(*menu->addMenu(tr("&Guide")));
+    menu->addSeparator();
+    calibrate = menu->addAction(tr("C&alibrate: the handle is in its rest pose"));
 }
 
 void WindowMenus::addGuides(QMenu& menu) {

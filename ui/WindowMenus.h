@@ -36,6 +36,7 @@ public:
     QAction* tipControl;   ///< checkable
     QAction* clutch;       ///< checkable
     QAction* followsView;  ///< checkable
+    QAction* calibrate;
 
     QAction* zoomIn;
     QAction* zoomOut;

@@ -4,4 +4,6 @@ namespace asperity {
 
 void HapticDevice::setForce(const Vector3& /*force*/) noexcept {}
 
+void HapticDevice::calibrate() noexcept {}
+
 }  // namespace asperity

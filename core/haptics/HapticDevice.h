@@ -24,6 +24,10 @@ public:
     /// itself when it is not told a force for a while, for a program that crashed tells it none.
     virtual void setForce(const Vector3& force) noexcept;
 
+    /// The handle is in the device's rest pose now: for devices whose encoders count from there.
+    /// Any thread; wait-free.
+    virtual void calibrate() noexcept;
+
     /// How long it takes from a motion of the hand to the force that answers it, as measured so
     /// far, without the hold of half a tick [s]. Any thread but the loop's.
     [[nodiscard]] virtual double delay() const noexcept { return 0.0; }

@@ -3,6 +3,9 @@
 #include "core/realtime/PacedThread.h"
 #include "hardware/DrainReports.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace asperity {
 
 namespace {
@@ -10,9 +13,10 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kReadPatience{10};  // the board speaks when spoken to: then ask it again
-constexpr double kFirstReading = 0.2;      // how long the beginning waits for it [s]
-constexpr double kNever = 0.0;             // no reading: longer ago than any force lasts [s]
-constexpr double kForceLasts = 40e-3;      // after the reading that it answers [s]
+constexpr int kOldReadings = 3;        // may be on their way when it is calibrated, and one more
+constexpr double kFirstReading = 0.2;  // how long the beginning waits for it [s]
+constexpr double kNever = 0.0;         // no reading: longer ago than any force lasts [s]
+constexpr double kForceLasts = 40e-3;  // after the reading that it answers [s]
 
 /// Lets go of the hand in the end, however that comes about.
 class MotorsOff {
@@ -29,8 +33,8 @@ private:
 
 }  // namespace
 
-WoodenHaptics::WoodenHaptics(HidTransport& transport, const WoodenHapticsDescription& description)
-    : description_(description)
+WoodenHaptics::WoodenHaptics(HidTransport& transport, WoodenHapticsDescription description)
+    : description_(std::move(description))
     , latest_{.time = monotonicSeconds()}
     , reading_(latest_)
     , follower_(transport, kWoodenHapticsDriver) {
@@ -44,11 +48,17 @@ WoodenHaptics::WoodenHaptics(HidTransport& transport, const WoodenHapticsDescrip
 
 WoodenHaptics::~WoodenHaptics() = default;
 
-void WoodenHaptics::awaitFirstReading() {
+void WoodenHaptics::awaitFirstReading() const {
     const double end = monotonicSeconds() + kFirstReading;
-    while (!reading_.read().connected && monotonicSeconds() < end) {
+    while (!awaitsCalibration_ && monotonicSeconds() < end) {
         std::this_thread::sleep_for(milliseconds(1));
     }
+}
+
+std::string WoodenHaptics::status() const {
+    return awaitsCalibration_
+               ? follower_.status() + ": put the handle into its rest pose, then Hand > Calibrate"
+               : follower_.status();
 }
 
 HandState WoodenHaptics::advance(double /*timeStep*/) noexcept {
@@ -73,6 +83,7 @@ void WoodenHaptics::follow(const FoundDevice& found, const std::stop_token& stop
     calibrationWanted_.store(false, std::memory_order_relaxed);  // of a device that was lost
     while (!stop.stop_requested() && listen(link) && answer(link)) {
     }
+    awaitsCalibration_ = false;
     latest_.connected = false;
     latest_.button = false;
     reading_.write(latest_);
@@ -89,9 +100,13 @@ bool WoodenHaptics::listen(Link& link) {
         });
     if (drained == Drained::All && newest) {
         link.angles = jointAngles(description_, newest->counts);
+        if (link.uncounted) {
+            link.uncounted = std::max(0, *link.uncounted - 1);
+        }
+        awaitsCalibration_ = !link.uncounted;
         latest_ = {.position = inHandFrame(handlePosition(description_, *link.angles)),
                    .button = newest->button,
-                   .connected = true,
+                   .connected = link.calibrated(),
                    .time = monotonicSeconds()};
         reading_.write(latest_);
     }
@@ -101,11 +116,11 @@ bool WoodenHaptics::listen(Link& link) {
 /// Whether the order may move the motors: it answers a young reading. One from before the device
 /// was lost is too old, for it is looked for half a second later.
 bool WoodenHaptics::isLive(const Link& link, const Order& order) {
-    return link.angles && monotonicSeconds() - order.answers <= kForceLasts;
+    return link.calibrated() && monotonicSeconds() - order.answers <= kForceLasts;
 }
 
 /// @return false when the device is lost
-bool WoodenHaptics::answer(const Link& link) {
+bool WoodenHaptics::answer(Link& link) {
     const Order order = order_.read();
     const bool live = isLive(link, order);
     const Vector3 force = live ? order.force : Vector3(Vector3::Zero());
@@ -118,11 +133,12 @@ bool WoodenHaptics::answer(const Link& link) {
     return true;
 }
 
-WoodenHapticsMessage WoodenHaptics::nextMessage(const Link& link, const Vector3& force) {
+WoodenHapticsMessage WoodenHaptics::nextMessage(Link& link, const Vector3& force) {
     if (!link.angles) {
         return currentsMessage(link.board, Vector3::Zero());
     }
     if (calibrationWanted_.exchange(false, std::memory_order_relaxed)) {
+        link.uncounted = kOldReadings;
         const auto& [a, b, c] = description_.joints;
         return encodersMessage(link.board, {a.restCounts, b.restCounts, c.restCounts});
     }

@@ -17,13 +17,15 @@ namespace asperity {
 /// forces are in the lab's frame, from the workspace's origin.
 ///
 /// The motors get a force only while it answers a reading that is no older than 40 ms: a loop that
-/// hangs, a device that falls silent and one that comes back feel none. When the program is killed,
-/// the firmware cuts the currents after half a second without a message.
+/// hangs, a device that falls silent and one that comes back feel none. Its encoders count from
+/// where the handle stood at power-up: until calibrate() was called it is not connected, for places
+/// and the directions of forces would be wrong, and so it is again after it was lost. When the
+/// program is killed, the firmware cuts the currents after half a second without a message.
 class WoodenHaptics final : public HapticDevice {
 public:
-    /// Takes the first one that can be opened; one that answers within 0.2 s is connected at once.
+    /// Takes the first one that can be opened, and waits up to 0.2 s for its first answer.
     /// @param transport must outlive the hand
-    WoodenHaptics(HidTransport& transport, const WoodenHapticsDescription& description);
+    WoodenHaptics(HidTransport& transport, WoodenHapticsDescription description);
     /// Sends zero currents and joins the thread, in some hundredths of a second unless a write
     /// hangs.
     ~WoodenHaptics() override;
@@ -41,19 +43,20 @@ public:
         return delay_.load(std::memory_order_relaxed);
     }
 
-    /// Tells the device that its handle is in the rest pose now. Until then its encoders count from
-    /// where the handle stood at power-up. Any thread; wait-free.
-    void calibrate() noexcept { calibrationWanted_.store(true, std::memory_order_relaxed); }
+    void calibrate() noexcept override {
+        calibrationWanted_.store(true, std::memory_order_relaxed);
+    }
 
-    /// For people: which device it is, or why there is none. Any thread but the loop's.
-    [[nodiscard]] std::string status() const { return follower_.status(); }
+    /// For people: which device it is and what it waits for, or why there is none. Any thread but
+    /// the loop's.
+    [[nodiscard]] std::string status() const;
 
 private:
     struct Reading {
         Vector3 position = Vector3::Zero();  ///< lab frame [m]
         bool button = false;
-        bool connected = false;
-        double time = 0.0;  ///< when it was read; before the first: the beginning [s]
+        bool connected = false;  ///< and calibrated
+        double time = 0.0;       ///< when it was read; before the first: the beginning [s]
     };
     struct Order {
         Vector3 force = Vector3::Zero();  ///< lab frame [N]
@@ -64,21 +67,26 @@ private:
         HidConnection& device;
         WoodenHapticsBoard board;
         std::optional<Vector3> angles;  ///< of the joints, newest [rad]
+        /// Readings until the encoders count from the rest pose; none: nobody calibrated them.
+        std::optional<int> uncounted;
+
+        [[nodiscard]] bool calibrated() const noexcept { return uncounted == 0; }
     };
 
-    void awaitFirstReading();
+    void awaitFirstReading() const;
     void follow(const FoundDevice& found, const std::stop_token& stop);
     bool listen(Link& link);
-    bool answer(const Link& link);
+    bool answer(Link& link);
     [[nodiscard]] static bool isLive(const Link& link, const Order& order);
     void noteDelay(const Order& order);
-    [[nodiscard]] WoodenHapticsMessage nextMessage(const Link& link, const Vector3& force);
+    [[nodiscard]] WoodenHapticsMessage nextMessage(Link& link, const Vector3& force);
 
     const WoodenHapticsDescription description_;
     Reading latest_;  ///< the follower's thread's own
     TripleBuffer<Reading> reading_;
     TripleBuffer<Order> order_;
     std::atomic<bool> calibrationWanted_{false};
+    std::atomic<bool> awaitsCalibration_{false};  ///< it answers, and nobody calibrated it
     std::atomic<double> delay_{0.0};
     double taken_ = 0.0;  ///< time of the reading that advance() took, 0: none [s]; the loop's own
 

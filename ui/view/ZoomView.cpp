@@ -23,6 +23,7 @@ constexpr double kMostPatchReach = 0.85;
 constexpr double kSlack = 0.35;        // how far the tip goes from the middle
 constexpr double kSlackInDrag = 0.85;  // the picture stays still under the pointer
 constexpr double kBlockDepth = 0.12;
+constexpr double kGuideReach = 0.4;
 constexpr double kOverlap = 0.015;  // of patch and terrain
 
 // In sizes of tip and arrow.
@@ -55,6 +56,7 @@ ZoomView::ZoomView(QWidget* parent)
     , contact_(live_, through_)
     , tip_(live_)
     , force_(through_)
+    , guide_(through_)
     , labels_(through_) {
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
     format.setSamples(0);  // and SetMultiSamples: multisampling takes half the frame rate
@@ -200,6 +202,7 @@ void ZoomView::showContact(const TickSample& sample) {
                    .window = window,
                    .bottom = terrain_.bottom()});
     tip_.show(shape, factor, {.top = kTipTop * gear, .toEye = camera_.out(), .shading = shading});
+    guide_.show(sample.input.settings.guide, kGuideReach * frame_->halfWidth());
     force_.show(sample.output.estimate, drawnAt(shape, shape.contact().foot, factor), sample.time,
                 kArrowRoom * gear);
 }
@@ -208,6 +211,7 @@ void ZoomView::hideContact() {
     contact_.hide();
     tip_.hide();
     force_.hide();
+    guide_.hide();
 }
 
 void ZoomView::showLabels() {

@@ -6,6 +6,7 @@
 #include "ui/ColourScale.h"
 #include "ui/view/ContactLayer.h"
 #include "ui/view/ForceLayer.h"
+#include "ui/view/GuideLayer.h"
 #include "ui/view/Magnification.h"
 #include "ui/view/StaticLayer.h"
 #include "ui/view/SurfaceColours.h"
@@ -129,6 +130,7 @@ private:
     ContactLayer contact_;
     TipLayer tip_;
     ForceLayer force_;
+    GuideLayer guide_;
     ViewLabels labels_;
 
     QTimer settling_;          ///< runs while the view is in motion

@@ -5,6 +5,7 @@
 #include "hardware/woodenhaptics/WoodenHaptics.h"
 #include "tests/hardware/Eventually.h"
 #include "tests/hardware/woodenhaptics/ArmPose.h"
+#include "tests/hardware/woodenhaptics/Calibration.h"
 #include "tests/hardware/woodenhaptics/CoupledTip.h"
 
 #include <csignal>
@@ -20,7 +21,7 @@ int main() {
 
     HidapiTransport transport;
     WoodenHaptics hand(transport, shippedDevice());
-    if (!eventually([&hand] { return hand.advance(0.0).connected; })) {
+    if (!calibrateWhenItWaits(hand)) {
         return 1;
     }
     CoupledTip tip(hand);

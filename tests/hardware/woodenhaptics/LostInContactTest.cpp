@@ -2,6 +2,7 @@
 #include "hardware/woodenhaptics/WoodenHaptics.h"
 #include "tests/hardware/Eventually.h"
 #include "tests/hardware/woodenhaptics/ArmPose.h"
+#include "tests/hardware/woodenhaptics/Calibration.h"
 #include "tests/hardware/woodenhaptics/ChildProgram.h"
 #include "tests/hardware/woodenhaptics/CoupledTip.h"
 #include "tests/hardware/woodenhaptics/VirtualWoodenHaptics.h"
@@ -41,7 +42,10 @@ bool droveSince(const VirtualWoodenHaptics& device, std::size_t begin) {
 /// A tip in this process that presses on the sample.
 class Unplugged : public ::testing::Test {
 protected:
-    Unplugged() { tip.loop.start(); }
+    Unplugged() {
+        EXPECT_TRUE(calibrateWhenItWaits(hand));
+        tip.loop.start();
+    }
 
     void SetUp() override {
         ASSERT_TRUE(engages());
@@ -92,8 +96,14 @@ TEST_F(Unplugged, PluggedInAgainTheMotorsRestUntilAPersonTakesTheFaultBack) {
     ASSERT_TRUE(eventually([this] { return isCut(device); }));
     const std::size_t before = device.events().size();
     device.plug();
-    ASSERT_TRUE(eventually([this] { return isConnected(); }));
     ASSERT_TRUE(eventually([&] { return device.events().size() > before + 50; }));
+    EXPECT_FALSE(droveSince(device, before));
+    EXPECT_FALSE(isConnected()) << "it may have lost its power, and does not know its pose";
+    ASSERT_TRUE(eventually([this] { return waitsForCalibration(hand); }));
+    hand.calibrate();
+    ASSERT_TRUE(eventually([this] { return isConnected(); }));
+    const std::size_t calibrated = device.events().size();
+    ASSERT_TRUE(eventually([&] { return device.events().size() > calibrated + 50; }));
     EXPECT_FALSE(droveSince(device, before));
     EXPECT_NE(tip.now().output.fault, Fault::None);
     EXPECT_TRUE(engages());

@@ -45,17 +45,23 @@ TEST(SimulatedDevice, AForceMovesTheHandleAwayFromThereAgainstTheArm) {
 
 TEST(SimulatedDevice, ThePersonReachesNoFasterThanPeopleDoHoweverFarThePointerJumps) {
     SimulatedDevice device(Vector3::Zero());
-    device.moveTo({0.5, 0.0, 0.0});
+    device.moveTo({0.09, 0.0, 0.0});
     double fastest = 0.0;
     double last = 0.0;
-    for (int i = 0; i < 3000; i += 10) {
+    for (int i = 0; i < 1500; i += 10) {
         const double place = after(device, 10 * kTick).x();
         fastest = std::max(fastest, (place - last) / (10 * kTick));
         last = place;
     }
-    EXPECT_NEAR(last, 0.5, 1e-3);
+    EXPECT_NEAR(last, 0.09, 1e-3);
     EXPECT_GT(fastest, 0.4);
     EXPECT_LT(fastest, 0.75);
+}
+
+TEST(SimulatedDevice, ThePersonReachesNoFartherThanToTheEdgeOfTheWorkspace) {
+    SimulatedDevice device(Vector3::Zero());
+    device.moveTo({0.5, 0.0, 0.0});
+    EXPECT_NEAR(after(device, 3.0).x(), kPhantomClass.workspaceRadius, 1e-3);
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+/// Opens the live window with the simulated device, presses the tip into the sample beside a guide,
+/// and saves what the window shows.
+/// Usage: asperity_device_picture SCENE_OR_SCAN WIDTH HEIGHT OUT.png
+
+#include "app/LiveWindow.h"
+#include "app/VirtualDisplay.h"
+#include "core/Error.h"
+#include "tools/screenshots/PictureTool.h"
+#include "ui/WindowMenus.h"
+
+#include <QTimer>
+
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kWay = 3.0;           // time to go in [s]
+constexpr double kDepth = 2e-9;        // of the base below first touch [m]
+constexpr double kPressing = 0.3;      // force at the hand [N]
+constexpr double kPictureAfter = 2.0;  // the guide is there [s]
+
+HandPath pathDown(const Scene& scene) {
+    PathPlan plan{.duration = 4.0 * kWay, .indentation = kDepth, .slideLength = 12e-9};
+    plan.place = startPlace(scene).head<2>();
+    return approachPath(scene, plan);
+}
+
+int run(char** argv) {
+    const VirtualDisplay display;
+    LiveWindow live;
+    live.window().resize(std::stoi(argv[2]), std::stoi(argv[3]));
+    Session& session = live.session();
+    session.use(loadScene(argv[1], {}));
+    session.leadDevice(pathDown(session.run()->scene()));
+    double guided = 0.0;
+    bool saved = false;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+        const TickSample sample = session.run()->loop().snapshot().sample;
+        if (guided == 0.0 && sample.output.handForce.z() > kPressing) {
+            Q_EMIT live.window().menus().guideChosen(FixtureKind::Plane);
+            guided = sample.time;
+        }
+        if (guided > 0.0 && sample.time > guided + kPictureAfter) {
+            Q_EMIT live.window().pictureFileChosen(QString::fromUtf8(argv[4]));
+            saved = true;
+            live.window().close();
+        }
+    });
+    timer.start(30);
+    QTimer::singleShot(40000, &live.window(), &QWidget::close);
+    const int status = live.exec();
+    if (!saved) {
+        throw Error("the hand was not seen pressing");
+    }
+    return status;
+}
+
+}  // namespace
+
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+    return asperity::runPictureTool({argv, static_cast<std::size_t>(argc)}, 4,
+                                    "asperity_device_picture SCENE_OR_SCAN WIDTH HEIGHT OUT.png",
+                                    asperity::run);
+}
