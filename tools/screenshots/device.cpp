@@ -17,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr double kWay = 3.0;           // time to go in [s]
-constexpr double kDepth = 2e-9;        // of the base below first touch [m]
+constexpr double kDepth = 4e-9;        // of the base below first touch [m]
 constexpr double kPressing = 0.3;      // force at the hand [N]
 constexpr double kPictureAfter = 2.0;  // the guide is there [s]
 
@@ -43,7 +43,7 @@ int run(char** argv) {
             Q_EMIT live.window().menus().guideChosen(FixtureKind::Plane);
             guided = sample.time;
         }
-        if (guided > 0.0 && sample.time > guided + kPictureAfter) {
+        if (!saved && guided > 0.0 && sample.time > guided + kPictureAfter) {
             Q_EMIT live.window().pictureFileChosen(QString::fromUtf8(argv[4]));
             saved = true;
             live.window().close();
