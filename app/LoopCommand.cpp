@@ -1,6 +1,7 @@
 #include "app/LoopCommand.h"
 
 #include "app/AlternatingBlocks.h"
+#include "app/CancelOnSignal.h"
 #include "app/DataFolder.h"
 #include "app/HandControl.h"
 #include "app/LiveWindow.h"
@@ -93,6 +94,7 @@ std::unique_ptr<RecordingThread> startRecording(const LoopOptions& options, Live
         return nullptr;
     }
     removeEarlierResults(options.record);
+    run.fetch([](const TickSample&) {});  // what a device begins with is not of the recording
     return std::make_unique<RecordingThread>(options.record, run.loaded(), run.loop().memory(),
                                              run.hand().delay());
 }
@@ -128,8 +130,9 @@ void runBare(const LoopOptions& options) {
             }
         });
     };
+    const CancelOnSignal cancel;
     const double begin = monotonicSeconds();
-    while (!isDone(blocks, begin, options)) {
+    while (!isDone(blocks, begin, options) && !CancelOnSignal::hasArrived()) {
         std::this_thread::sleep_for(kPoll);
         device.advance(std::chrono::duration<double>(kPoll).count(), 0.0);
         fetch();

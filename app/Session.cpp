@@ -123,9 +123,13 @@ void Session::connectMenus() {
 void Session::use(LoadedScene scene) {
     const Vector3 place = startPlace(scene.scene);
     Settings settings = scene.scene.settings;
-    settings.forcesOn = !run_ || run_->settings().forcesOn;  // off stays off
+    settings.forcesOn = !run_ || forcesMayAct();
     begin(std::move(scene), place, settings);
     start();
+}
+
+bool Session::forcesMayAct() {
+    return run_->settings().forcesOn && run_->loop().snapshot().sample.output.fault == Fault::None;
 }
 
 void Session::begin(LoadedScene scene, const Vector3& start, const Settings& settings) {
@@ -230,7 +234,8 @@ void Session::rebuild(const std::function<LoadedScene(LoadedScene)>& change) {
     const bool running = run_->loop().running();
     const double halfWidth = window_.view().halfWidth();
     const Vector2 place = run_->basePosition().head<2>();
-    const Settings settings = run_->sensingSettings();
+    Settings settings = run_->sensingSettings();
+    settings.forcesOn = forcesMayAct();
     const LedDevice device = ledDevice();
     saveRun();
     window_.showScene(nullptr, {});
@@ -277,7 +282,7 @@ void Session::solveHalfSpace(const Snapshot& latest) {
 void Session::fetchTicks() {
     run_->fetch([this](const TickSample& sample) {
         show_.take(sample);
-        if (recording_) {
+        if (recording_ && sample.time > recordedAfter_) {
             recording_->take(sample);
         }
     });

@@ -91,6 +91,8 @@ private:
     /// Fetches and saves all that the run still holds, before it goes.
     void saveRun();
     /// The loop begins again above the same place, with the same knobs, on the scene changed.
+    /// Forces that are off, or that a fault keeps away, stay off over another scene.
+    [[nodiscard]] bool forcesMayAct();
     void rebuild(const std::function<LoadedScene(LoadedScene)>& change);
     void chooseMaterial(int index);
     void chooseModel(const SceneDescription& choices);
@@ -110,7 +112,7 @@ private:
     void choosePath(int index);
     void chooseGuide(FixtureKind kind);
     /// Turns the axes of a device with the view, where that is wanted.
-    void turnHand();
+    void turnHand(double seconds);
     void choosePositionGain(double gain);
     using ReadPath = std::function<HandPath(const std::filesystem::path&)>;
     void followFile(const QString& file, const ReadPath& read);
@@ -146,6 +148,7 @@ private:
     HandControl hand_;
     std::unique_ptr<RecordingThread> recording_;
     std::future<LastSeconds> lastSeconds_;  ///< being written; not valid: none
+    double recordedAfter_ = 0.0;            ///< what came until then is not of the recording [s]
     double writingTime_ = 0.0;              ///< [s]
     std::filesystem::path recordings_;
     std::vector<SampleMaterial> materials_;

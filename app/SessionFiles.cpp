@@ -97,19 +97,16 @@ void Session::record(bool on) {
 }
 
 void Session::startRecording(const std::filesystem::path& folder) {
-    const bool running = run_->loop().running();
-    run_->loop().stop();
     fetchTicks();  // those before the recording belong to nobody
+    const Snapshot before = run_->loop().snapshot();
+    recordedAfter_ = before.statistics.ticks > 0 ? before.sample.time : -1.0;
     try {
-        recording_ = std::make_unique<RecordingThread>(folder, run_->loaded(),
-                                                       run_->loop().memory(), run_->hand().delay());
+        recording_ = std::make_unique<RecordingThread>(folder, run_->loaded(), before.memory,
+                                                       run_->hand().delay());
     } catch (const std::exception& error) {
         window_.complain(QString::fromUtf8(error.what()));
     }
     showRecording();
-    if (running) {
-        run_->loop().start();
-    }
 }
 
 void Session::finishRecording() {

@@ -23,6 +23,7 @@ namespace asperity {
 namespace {
 
 constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half widths/s]
+constexpr double kTurnSpeed = 1.0;    // of a device's axes: the force turns with them [rad/s]
 constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
 
 using PlanPath = HandPath (*)(const Scene&, const PathPlan&);
@@ -84,11 +85,12 @@ void Session::chooseGuide(FixtureKind kind) {
     }
 }
 
-void Session::turnHand() {
+void Session::turnHand(double seconds) {
     const bool turns = window_.menus().followsView->isChecked() && hand_.isDevice();
     const ViewCamera& camera = window_.view().camera();
     const auto axes = turns ? viewAxes(camera.right(), camera.up()) : std::nullopt;
-    const Vector3 turn = axes ? turnOf(*axes) : Vector3(Vector3::Zero());
+    const Vector3 wanted = axes ? turnOf(*axes) : Vector3(Vector3::Zero());
+    const Vector3 turn = turnedTowards(run_->settings().handTurn, wanted, kTurnSpeed * seconds);
     if (turn != run_->settings().handTurn) {
         changeSettings([&turn](Settings& settings) { settings.handTurn = turn; });
     }
@@ -232,7 +234,7 @@ void Session::moveHand(double seconds) {
     const double halfWidth = window_.view().halfWidth();
     hand_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
     hand_.advance(seconds, halfWidth);
-    turnHand();
+    turnHand(seconds);
     const std::string status = hand_.deviceStatus();
     if (status != std::exchange(deviceStatus_, status) && !status.empty()) {
         window_.tell(QString::fromStdString(status));

@@ -146,7 +146,7 @@ Fault faultOf(const TickInput& input, const TickOutput& out, double unsolved) {
 ForceRequest requestOf(const TickInput& input, const TickOutput& out, const BaseCommand& command,
                        Fault fault) {
     return {.force = isSolved(out.model) ? out.handForce : Vector3(Vector3::Zero()),
-            .mismatch = input.settings.coupling.stiffness * command.coupling.stretch.norm(),
+            .mismatch = input.settings.coupling.stiffness * command.proxy.coupling.stretch.norm(),
             .edge = command.hand.edgeForce,
             .fault = fault};
 }
@@ -158,11 +158,15 @@ MappingSettings mappingSettings(const TickInput& input) {
 }
 
 /// A handle with motors may have been moved while the loop rested, and another one is elsewhere:
-/// the motion up to the first tick after a start counts for nothing.
+/// the motion up to the first tick after a start counts for nothing. Nor does one that comes back
+/// elsewhere after it was lost.
 MappingStep mappedHand(const TickInput& input, const TickMemory& memory) {
     const bool restarted = input.hand.rendersForce() && input.starts != memory.governor.starts;
-    return mapHand(input.settings.workspace, input.hand.position, mappingSettings(input),
-                   restarted ? MappingMemory{} : memory.mapping);
+    MappingStep step =
+        mapHand(input.settings.workspace, input.hand.position, mappingSettings(input),
+                restarted ? MappingMemory{} : memory.mapping);
+    step.memory.follows = step.memory.follows && input.hand.connected;
+    return step;
 }
 
 /// What the hand commanded in the last tick.
@@ -177,7 +181,7 @@ Vector3 wantedForce(const TickInput& input, const TickOutput& out, const BaseCom
     const Settings& settings = input.settings;
     return forceOnHand(mappingSettings(input),
                        settings.coupling.couples()
-                           ? command.coupling.hand
+                           ? command.proxy.coupling.hand
                            : Vector3(settings.forceGain * (out.model.force + correction)));
 }
 
@@ -202,10 +206,11 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     command.base.position =
         settings.positionGain * (axesOf(settings.handTurn) * input.hand.position);
     command.hand = mappedHand(input, memory);
+    command.proxy.forceGain = settings.forceGain;
     if (memory.started) {
         command.guide = stepGuide(input, commandedPlace(memory), memory.guide);
-        command.coupling = moveProxy(input, command.hand.motion, command.guide, memory.proxy);
-        const Vector3 step = settings.positionGain * command.coupling.motion;
+        command.proxy = moveProxy(input, command.hand.motion, command.guide, memory.proxy);
+        const Vector3 step = settings.positionGain * command.proxy.coupling.motion;
         command.base = {memory.base + step, step / input.timeStep};
     }
     if (!tipControl) {
@@ -248,8 +253,8 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     memory.compensation = command.compensation;
     memory.control = input.settings.positionControl;
     memory.mapping = command.hand.memory;
-    memory.guide = guideAfter(input, command.guide, command.coupling.motion);
-    memory.proxy = proxyAfter(input, command.coupling, out.model, memory.model, memory.correction);
+    memory.guide = guideAfter(input, command.guide, command.proxy.coupling.motion);
+    memory.proxy = proxyAfter(input, command.proxy, out.model, memory.model, memory.correction);
     memory.started = true;
     memory.unsolved = unsolvedFor(input, out, memory.unsolved);
     const Fault found = faultOf(input, out, memory.unsolved);

@@ -34,10 +34,10 @@ struct TickMemory {
 struct BaseCommand {
     BaseMotion base;                         ///< with the velocity that the hand gives
     Vector3 compensation = Vector3::Zero();  ///< commanded place of the tip less the base [m]
-    bool tipHeld = true;    ///< false: no place of the base can hold the tip where it shall be
-    MappingStep hand;       ///< what led there, and what the workspace does to the hand
-    GuideStep guide;        ///< what pulled at the proxy
-    CouplingStep coupling;  ///< where the proxy went, and the force of the coupling on the hand
+    bool tipHeld = true;  ///< false: no place of the base can hold the tip where it shall be
+    MappingStep hand;     ///< what led there, and what the workspace does to the hand
+    GuideStep guide;      ///< what pulled at the proxy
+    ProxyStep proxy;      ///< where it went, and the force of the coupling on the hand
 };
 
 /// With the tip under control, the base goes ahead by the deflection C F that the model expects at

@@ -2,14 +2,30 @@
 
 #include "core/probe/Sliding.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace asperity {
 
 namespace {
 
-ProxyLoad loadOn(const ProxyMemory& memory, const Settings& settings) {
-    return {.force = settings.forceGain * memory.load,
+constexpr double kGainTime = 0.1;       // in which a gain changes by a factor of e [s]
+constexpr double kLongestStep = 10e-3;  // that a stall counts as [s]
+
+/// The force gain of this tick.
+double nextGain(const TickInput& input, double before) {
+    const double wanted = input.settings.forceGain;
+    if (!(before > 0.0 && wanted > 0.0)) {
+        return wanted;
+    }
+    const double factor = std::exp(std::min(input.timeStep, kLongestStep) / kGainTime);
+    return std::clamp(wanted, before / factor, before * factor);
+}
+
+ProxyLoad loadOn(const ProxyMemory& memory, const Settings& settings, double forceGain) {
+    return {.force = forceGain * memory.load,
             .normal = memory.normal,
-            .friction = settings.forceGain * memory.friction,
+            .friction = forceGain * memory.friction,
             .restSpeed = kRestSpeed / settings.positionGain};
 }
 
@@ -24,26 +40,30 @@ double largestFriction(const EquilibriumMemory& memory) {
 
 }  // namespace
 
-CouplingStep moveProxy(const TickInput& input, const Vector3& handMotion, const GuideStep& guide,
-                       const ProxyMemory& memory) noexcept {
+ProxyStep moveProxy(const TickInput& input, const Vector3& handMotion, const GuideStep& guide,
+                    const ProxyMemory& memory) noexcept {
     const Settings& settings = input.settings;
     const CouplingGains& gains = settings.coupling;
     if (!gains.couples()) {
-        return {.motion = handMotion};
+        return {.coupling = {.motion = handMotion}, .forceGain = settings.forceGain};
     }
-    ProxyLoad load = loadOn(memory, settings);
+    const bool sameSpring = memory.gains == gains && !guide.changed;
+    const double forceGain =
+        memory.gains.couples() ? nextGain(input, memory.forceGain) : settings.forceGain;
+    ProxyLoad load = loadOn(memory, settings, forceGain);
     load.force += guide.force;
-    const bool seated =
-        memory.gains == gains && memory.forceGain == settings.forceGain && !guide.changed;
-    const Vector3 stretch = seated ? memory.stretch : Vector3(-load.force / gains.stiffness);
-    return stepCoupling(gains, handMotion, stretch, load, input.timeStep);
+    const Vector3 rescaled =
+        memory.stretch - (forceGain - memory.forceGain) / gains.stiffness * memory.load;
+    const Vector3 stretch = sameSpring ? rescaled : Vector3(-load.force / gains.stiffness);
+    return {.coupling = stepCoupling(gains, handMotion, stretch, load, input.timeStep),
+            .forceGain = forceGain};
 }
 
-ProxyMemory proxyAfter(const TickInput& input, const CouplingStep& step, const TipState& state,
+ProxyMemory proxyAfter(const TickInput& input, const ProxyStep& step, const TipState& state,
                        const EquilibriumMemory& feet, const Vector3& correction) noexcept {
-    ProxyMemory memory{.stretch = step.stretch,
+    ProxyMemory memory{.stretch = step.coupling.stretch,
                        .gains = input.settings.coupling,
-                       .forceGain = input.settings.forceGain};
+                       .forceGain = step.forceGain};
     if (state.converged && !state.locked) {
         memory.load = state.normalForce * state.normal + correction;
         memory.normal = state.normal;

@@ -14,19 +14,26 @@ struct ProxyMemory {
     Vector3 normal = Vector3::UnitZ();  ///< of the surface, unit
     double friction = 0.0;              ///< the most that it gives at the tip [N]
     CouplingGains gains;                ///< that the spring was stretched by
-    double forceGain = 0.0;             ///< likewise
+    double forceGain = 0.0;  ///< that the hand feels the sample with, on its way to the knob's
+};
+
+/// What one tick makes of the proxy.
+struct ProxyStep {
+    CouplingStep coupling;
+    double forceGain = 0.0;  ///< in this tick
 };
 
 /// Moves the proxy in one tick; without a coupling it goes with the hand and there is no force. A
-/// force gain, coupling or guide that changed seats the spring so that it just bears the load:
-/// nothing moves by itself, and the hand feels the load at its new scale.
+/// coupling or guide that changed seats the spring so that it just bears the load: nothing moves by
+/// itself. A force gain that changed is neared by a factor of e in 0.1 s, and the spring with it,
+/// so that the force neither steps nor moves anything.
 /// @param handMotion in this tick, world axes, at the hand [m]
-[[nodiscard]] CouplingStep moveProxy(const TickInput& input, const Vector3& handMotion,
-                                     const GuideStep& guide, const ProxyMemory& memory) noexcept;
+[[nodiscard]] ProxyStep moveProxy(const TickInput& input, const Vector3& handMotion,
+                                  const GuideStep& guide, const ProxyMemory& memory) noexcept;
 
 /// What the next tick starts from; a state without an equilibrium is no load.
 /// @param correction slow part of estimate minus model [N]
-[[nodiscard]] ProxyMemory proxyAfter(const TickInput& input, const CouplingStep& step,
+[[nodiscard]] ProxyMemory proxyAfter(const TickInput& input, const ProxyStep& step,
                                      const TipState& state, const EquilibriumMemory& feet,
                                      const Vector3& correction) noexcept;
 

@@ -85,6 +85,12 @@ Settings readSettings(const CsvTable& table, std::size_t row) {
         }
         using Value = std::decay_t<decltype(value)>;
         const double number = table.number(row, name);
+        const bool isSize = name.starts_with("workspace_radius") ||
+                            name.starts_with("workspace_free") || name.starts_with("edge_");
+        if (isSize && number < 0.0) {
+            throw InputError(table.file(), "line " + std::to_string(table.line(row)),
+                             name + " must not be negative");
+        }
         // A guide may reach without end.
         if (!stored::standsFor<Value>(number) && !(name == "guide_capture_m" && number > 0.0)) {
             throw InputError(table.file(), "line " + std::to_string(table.line(row)),

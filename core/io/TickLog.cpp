@@ -5,6 +5,7 @@
 #include "core/io/CsvTable.h"
 #include "core/io/SceneSettings.h"
 #include "core/io/SettingsColumns.h"
+#include "core/io/StoredValue.h"
 
 #include <cmath>
 #include <string>
@@ -38,6 +39,18 @@ double finite(const CsvTable& table, std::size_t row, const std::string& column,
     return value;
 }
 
+/// A cell that must stand for a value of this type.
+template <typename Value>
+Value valueOf(const CsvTable& table, std::size_t row, const std::string& column,
+              const std::filesystem::path& path) {
+    const double value = table.number(row, column);
+    if (!stored::standsFor<Value>(value)) {
+        throw InputError(path.string(), "line " + std::to_string(table.line(row)),
+                         column + " must be a number as Asperity writes it");
+    }
+    return static_cast<Value>(value);
+}
+
 /// A knob may have what a scene may say of it.
 void requireInRange(const Settings& settings, const std::filesystem::path& path, std::size_t line) {
     try {
@@ -53,9 +66,9 @@ void readDevice(const CsvTable& table, std::size_t row, const std::filesystem::p
                 TickInput& input) {
     if (table.has("hand_max_force_n")) {
         input.hand.maxForce = finite(table, row, "hand_max_force_n", path);
-        input.hand.streams = finite(table, row, "hand_streams", path) != 0.0;
+        input.hand.streams = valueOf<bool>(table, row, "hand_streams", path);
         input.hand.age = table.number(row, "hand_age_s");
-        input.starts = static_cast<std::uint32_t>(finite(table, row, "starts", path));
+        input.starts = valueOf<std::uint32_t>(table, row, "starts", path);
     }
 }
 
@@ -133,8 +146,8 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
         // What device and instrument said may be NaN: that is a fault, and replays as one.
         const auto told = [&](const char* column) { return table.number(row, column); };
         input.hand.position = {told("hand_x_m"), told("hand_y_m"), told("hand_z_m")};
-        input.hand.buttons = static_cast<std::uint32_t>(cell("buttons"));
-        input.hand.connected = cell("connected") != 0.0;
+        input.hand.buttons = valueOf<std::uint32_t>(table, row, "buttons", path);
+        input.hand.connected = valueOf<bool>(table, row, "connected", path);
         input.measurement = {{told("alpha_rad"), told("theta_rad")}, told("age_s")};
         input.settings = readSettings(table, row);
         readDevice(table, row, path, input);

@@ -107,6 +107,10 @@ TickMemory readTickMemory(const std::filesystem::path& path) {
         }
         using Value = std::decay_t<decltype(value)>;
         const double number = table.number(0, name);
+        const bool isShare = name.ends_with("_share");
+        if (isShare && !(number >= 0.0 && number <= 1.0)) {
+            throw InputError(path.string(), name, "expected a share from 0 to 1");
+        }
         // A guide may reach without end.
         if (!stored::standsFor<Value>(number) && !(name == "guide_capture_m" && number > 0.0)) {
             throw InputError(path.string(), name, "expected a value as Asperity writes it");

@@ -117,6 +117,8 @@ void expectRecords(const std::string& loop) {
 
 TEST(Loop, RecordsMeanwhile) { expectRecords("loop"); }
 
+TEST(Loop, RecordsWithTheSimulatedDeviceMeanwhile) { expectRecords("loop --simulated-device"); }
+
 TEST(Loop, RecordsInTheWindowMeanwhile) { expectRecords("loop --window"); }
 
 TEST(Loop, DrawsEveryViewMeanwhile) {

@@ -10,7 +10,7 @@ namespace {
 
 CoupledHand judged(const ProbeSystem& tip, const HandRequest& request, const CouplingGains& gains) {
     const double force = std::min(request.device.maxForce, request.maxForce);
-    const TipLoad load = tipLoad(tip, force / request.scale.forceGain);
+    const TipLoad load = tipLoad(tip, force / request.scale.forceGain, request.control);
     CoupledHand hand{.gains = gains,
                      .judgement = judgeScale(load, request.scale, gains,
                                              {.stiffness = request.device.maxStiffness,

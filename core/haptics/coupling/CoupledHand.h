@@ -16,6 +16,7 @@ struct HandRequest {
     CouplingGains own;      ///< that the scene asks for; none: those that are designed
     double maxForce = 0.0;  ///< that the hand shall feel at most [N]
     GuideLoad guide;
+    PositionControl control = PositionControl::Base;
 };
 
 /// The coupling of such a hand, and what it feels; or why there is none.

@@ -51,7 +51,8 @@ HandRequest CouplingKeeper::request(const Led& led, const Settings& knobs) const
             .scale = scaleOf(knobs),
             .own = scene_->settings.coupling,
             .maxForce = knobs.governor.maxForce,
-            .guide = guideLoad(knobs.guide)};
+            .guide = guideLoad(knobs.guide),
+            .control = knobs.positionControl};
 }
 
 CoupledHand CouplingKeeper::couple(const Led& led, const Settings& knobs) const {

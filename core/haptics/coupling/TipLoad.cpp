@@ -12,12 +12,14 @@ constexpr double kForceControl = 1e3;  // compliance beside which no indentation
 
 double inSeries(double first, double second) noexcept { return 1.0 / (1.0 / first + 1.0 / second); }
 
-TipLoad tipLoad(const ProbeSystem& system, double largestForce) noexcept {
+TipLoad tipLoad(const ProbeSystem& system, double largestForce, PositionControl control) noexcept {
     const ContactModel& contact = system.contact;
     const double lever = 1.0 / system.cantilever.compliance()(2, 2);
     const ContactState pressed =
         contact.equilibrium(kForceControl * largestForce, kForceControl, {});
-    return {.stiffness = pressed.solved() ? inSeries(lever, pressed.stiffness) : lever,
+    const double stiffness =
+        control == PositionControl::Tip ? pressed.stiffness : inSeries(lever, pressed.stiffness);
+    return {.stiffness = pressed.solved() ? stiffness : lever,
             .adhesion = std::max(0.0, -contact.lastBonded(kForceControl).force)};
 }
 

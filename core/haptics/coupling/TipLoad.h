@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/probe/ProbeSystem.h"
+#include "core/scene/Settings.h"
 
 namespace asperity {
 
@@ -13,9 +14,11 @@ struct TipLoad {
 /// Stiffness of springs in series [N/m]; docs/physics.md 7.1.
 [[nodiscard]] double inSeries(double first, double second) noexcept;
 
-/// Along the normal of a flat sample. A contact stiffens as it is pressed, so that its stiffness
+/// Along the normal of a flat sample. With the tip under control the base makes up for the lever,
+/// and the hand meets the contact alone. A contact stiffens as it is pressed, so that its stiffness
 /// is that under `largestForce` [N]; the adhesion is the pull-off force of the contact law, under a
 /// load that does not give way, with a meniscus where there is one. Source: docs/haptics.md.
-[[nodiscard]] TipLoad tipLoad(const ProbeSystem& system, double largestForce) noexcept;
+[[nodiscard]] TipLoad tipLoad(const ProbeSystem& system, double largestForce,
+                              PositionControl control = PositionControl::Base) noexcept;
 
 }  // namespace asperity

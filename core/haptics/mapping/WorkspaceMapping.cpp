@@ -59,6 +59,13 @@ Vector3 turnOf(const Matrix3& axes) noexcept {
     return turn.angle() * turn.axis();
 }
 
+Vector3 turnedTowards(const Vector3& turn, const Vector3& wanted, double most) noexcept {
+    const Eigen::Quaterniond from(axesOf(turn));
+    const Eigen::Quaterniond to(axesOf(wanted));
+    const double way = from.angularDistance(to);
+    return way > most ? turnOf(from.slerp(most / way, to).toRotationMatrix()) : wanted;
+}
+
 Workspace workspaceOf(double radius, double age) noexcept {
     return {.radius = radius,
             .stiffness = std::min(kStiffestEdge, kEdgeDamping / age),

@@ -46,6 +46,10 @@ struct MappingStep {
 [[nodiscard]] Matrix3 axesOf(const Vector3& turn) noexcept;
 [[nodiscard]] Vector3 turnOf(const Matrix3& axes) noexcept;
 
+/// On the shortest way from one turn to another, by at most so much [rad].
+[[nodiscard]] Vector3 turnedTowards(const Vector3& turn, const Vector3& wanted,
+                                    double most) noexcept;
+
 /// From the hand to what it commands. The motion since the last step counts if the hand commanded
 /// at both its ends; it is turned by the axes, and the command moves by it times the gain. So a
 /// changed gain or view, a clutch pressed or released, a first step and one after invalid input

@@ -21,6 +21,19 @@
 namespace asperity::test {
 namespace {
 
+/// A device with motors at rest that can be pulled out.
+class PulledDevice final : public HapticDevice {
+public:
+    explicit PulledDevice(const std::atomic<bool>& connected) : connected_(connected) {}
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return {.maxForce = 5.0, .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
+    }
+    HandState advance(double /*timeStep*/) noexcept override { return {.connected = connected_}; }
+
+private:
+    const std::atomic<bool>& connected_;
+};
+
 constexpr const char* kSimulated = "Simulated device";
 constexpr const char* kMouse = "Mouse and keyboard";
 
@@ -119,6 +132,34 @@ TEST_F(WindowWithDevice, GoesOnLeadingOverAnotherMaterialUnlessThatDoesNotHold) 
     choose("hand", kMouse);
     EXPECT_EQ(knobs().positionGain, 1.0);
     EXPECT_EQ(knobs().forceGain, 1.0);
+}
+
+TEST_F(WindowWithDevice, ALatchedFaultKeepsForcesOffOverAnotherMaterialToo) {
+    openFlatScene();
+    std::atomic<bool> connected{true};
+    session.run()->takeHand([&] { return std::make_unique<PulledDevice>(connected); });
+    connected = false;
+    ASSERT_TRUE(eventually([this] { return state().starts_with("fault"); })) << state();
+    choose("material", "silicone rubber");
+    ASSERT_TRUE(eventually([this] { return state().find("forces off") != std::string::npos; }))
+        << state();
+    EXPECT_FALSE(knobs().forcesOn);
+}
+
+TEST_F(WindowWithDevice, ARecordingThatBeginsInContactTakesNoForceAway) {
+    leadWithDevice();
+    ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
+    press(Qt::Key_PageDown);
+    ASSERT_TRUE(eventually([this] { return inContact() && handForce() > 0.5; })) << state();
+    release(Qt::Key_PageDown);
+    live(300);
+    const double before = handForce();
+    QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
+    for (int i = 0; i < 10; ++i) {
+        live(20);
+        EXPECT_GT(handForce(), 0.7 * before);
+    }
+    QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
 }
 
 TEST_F(WindowWithDevice, ARecordingHoldsTheEnergyAtTheHand) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 namespace asperity {
 namespace {
@@ -51,14 +52,48 @@ TEST(CoupledTick, ChangedGainsMoveNothingByThemselves) {
     };
     guided.settings.forceGain = 2e8;
     expectStill("twice the force gain", 2.0);
-    guided.settings.positionGain = 3e-6;
-    expectStill("three times the position gain", 2.0);
+    guided.settings.positionGain = 1.2e-6;  // more, and the contact is stiffer than the proxy bears
+    expectStill("a larger position gain", 2.0);
     guided.settings.coupling = kSofter;
     expectStill("a softer coupling", 2.0);
     guided.settings.coupling = {};
     expectStill("no coupling", 2.0);
     guided.settings.coupling = kGains;
     expectStill("a coupling again", 2.0);
+}
+
+TEST(CoupledTick, AForceGainThatIsTurnedUpNeitherStepsNorMovesTheBase) {
+    const Scene scene = coupledScene(kGains);
+    GuidedHand guided(scene);
+    guided.settings.forceGain = 1e6;
+    const Vector3 hand(64e-3, 64e-3, -3e-3);
+    guided.moveTo({64e-3, 64e-3, 4e-3});
+    const TickOutput before = guided.moveTo(hand, 4000);
+    guided.settings.forceGain = 1e8;
+    Vector3 last = before.handForce;
+    double steepest = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        const TickOutput now = guided.moveTo(hand);
+        steepest = std::max(steepest, (now.handForce - last).norm() / now.handForce.norm());
+        EXPECT_LT((now.base.position - before.base.position).norm(), 1e-13) << i;
+        last = now.handForce;
+    }
+    EXPECT_LT(steepest, 0.011) << "a factor of e in 0.1 s";
+    EXPECT_LT((last - 100.0 * before.handForce).norm(), 0.01 * last.norm());
+}
+
+TEST(CoupledTick, FreeAirDragsNoMoreThanAHandCanBear) {
+    const Scene scene = coupledScene(kGains);
+    GuidedHand guided(scene);
+    constexpr double kSpeed = 50e-3;  // [m/s]
+    TickOutput out;
+    for (int i = 0; i < 1000; ++i) {
+        out = guided.moveTo({30e-3 + kSpeed * i * 1e-3, 64e-3, 60e-3});
+    }
+    const double drag = -out.handForce.x() / kSpeed;
+    std::cout << "drag in free air " << drag << " N s/m\n";
+    EXPECT_LE(drag, 5.0);
+    EXPECT_NEAR(drag, kGains.proxyDamping, 0.01);
 }
 
 TEST(CoupledTick, ForcesOffLeaveTheProxyWhereItIs) {

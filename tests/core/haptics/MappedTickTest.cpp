@@ -137,6 +137,18 @@ TEST(MappedTick, CouplingAndEdgeTogetherStayWithinTheLimit) {
     EXPECT_NEAR(out.handForce.norm(), scene.settings.governor.maxForce, 1e-12);
 }
 
+TEST(MappedTick, AHandleThatComesBackElsewhereAfterItWasLostMovesNothing) {
+    const Scene scene = test::coupledScene(kGains);
+    GuidedHand hand = engagedHand(scene);
+    const TickOutput before = hand.moveTo(kHigh);
+    hand.device.connected = false;
+    hand.moveTo(kHigh, 20);
+    hand.device.connected = true;
+    const TickOutput after = hand.moveTo(kHigh - Vector3(0.0, 0.0, 54e-3), 20);
+    EXPECT_EQ(after.fault, Fault::DeviceLost);
+    EXPECT_LT((after.base.position - before.base.position).norm(), 1e-18);
+}
+
 TEST(MappedTick, AHandleThatWasMovedWhileTheLoopRestedMovesNothing) {
     const Scene scene = test::coupledScene(kGains);
     GuidedHand hand = engagedHand(scene);

@@ -6,6 +6,7 @@
 #include "tests/support/TestScenes.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace asperity::test {
 
@@ -65,8 +66,8 @@ HeldTip holdTip(const Scene& scene, const Hold& hold, const PortWatch& watch) {
     VirtualBench bench(hold.bench, above(kStart));
     CoupledTick loop(scene, hold);
     HeldTip held;
-    double low = kStart;
-    double high = -1.0;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
     int counted = 0;
     for (int i = 0; i * scene.timeStep() < kEnd; ++i) {
         const double time = i * scene.timeStep();

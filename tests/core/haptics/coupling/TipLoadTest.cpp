@@ -23,6 +23,15 @@ ProbeSystem systemOf(const SceneDescription& scene) {
 
 double leverOf(const ProbeSystem& system) { return 1.0 / system.cantilever.compliance()(2, 2); }
 
+TEST(TipLoad, WithTheTipUnderControlTheHandMeetsTheContactAlone) {
+    const ProbeSystem system = systemOf(sceneWith(ContactLaw::Hertz));
+    const double lever = 1.0 / system.cantilever.compliance()(2, 2);
+    const double base = tipLoad(system, 10.0_nN).stiffness;
+    const double tip = tipLoad(system, 10.0_nN, PositionControl::Tip).stiffness;
+    EXPECT_NEAR(inSeries(lever, tip), base, 1e-12 * base);
+    EXPECT_GT(tip, base);
+}
+
 TEST(TipLoad, IsLeverAndContactInSeries) {
     const ProbeSystem hertz = systemOf(sceneWith(ContactLaw::Hertz));
     constexpr double kForce = 100.0_nN;
