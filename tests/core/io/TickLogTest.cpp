@@ -140,6 +140,32 @@ TEST(TickLog, RefusesDamagedInputsWithTheirLine) {
     }
 }
 
+TEST(TickLog, RefusesCellsThatStandForNothing) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    const std::string names =
+        "time_s,time_step_s,hand_x_m,hand_y_m,hand_z_m,buttons,connected,alpha_rad,theta_rad,age_s,"
+        "position_gain,force_gain,correction_hz,tip_control,forces_on,rearms,hand_max_force_n,"
+        "hand_streams,hand_age_s,starts,edge_stiffness_n_m\n";
+    const auto isRead = [&](const std::string& buttons, const std::string& connected,
+                            const std::string& starts, const std::string& edge) {
+        std::ofstream(path) << names << "0,0.001,1,2,3," << buttons << ',' << connected
+                            << ",0,0,0,1,1,20,0,1,0,5,1,0," << starts << ',' << edge << '\n';
+        try {
+            return readTickInputs(path).size() == 1;
+        } catch (const InputError&) {
+            return false;
+        }
+    };
+    EXPECT_TRUE(isRead("3", "1", "2", "200"));
+    for (const char* bad : {"-1", "1e20", "1.5"}) {
+        EXPECT_FALSE(isRead(bad, "1", "2", "200")) << bad;
+        EXPECT_FALSE(isRead("3", "1", bad, "200")) << bad;
+    }
+    EXPECT_FALSE(isRead("3", "7", "2", "200"));
+    EXPECT_FALSE(isRead("3", "1", "2", "-200"));
+}
+
 TEST(TickLog, KeepsANanOfTheDeviceWhichIsAFault) {
     const test::ScratchFolder scratch;
     const auto path = scratch.path() / "tick_input.csv";

@@ -110,6 +110,10 @@ TEST(TickMemoryFile, RefusesValuesThatNoMemoryHas) {
     writeTickMemory(file, memory);
     EXPECT_THROW((void)readTickMemory(file), InputError);
     memory = someMemory();
+    memory.governor.share = 5.0;  // would give five times the force
+    writeTickMemory(file, memory);
+    EXPECT_THROW((void)readTickMemory(file), InputError);
+    memory = someMemory();
     memory.base.x() = std::numeric_limits<double>::quiet_NaN();
     writeTickMemory(file, memory);
     EXPECT_THROW((void)readTickMemory(file), InputError);

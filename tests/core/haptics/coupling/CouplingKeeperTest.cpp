@@ -138,6 +138,38 @@ TEST(CouplingKeeper, AGainThatDoesNotHoldIsRefusedAndChangesNothing) {
     EXPECT_NEAR(keeper.hand()->judgement.contact, 2.0 * before, 1e-9 * before) << "judged anew";
 }
 
+TEST(CouplingKeeper, TheTipUnderControlIsRefusedWhereItsContactAloneIsTooStiff) {
+    const Scene scene = sceneOf([](SceneDescription& description) {
+        description.sample.material.elastic = {.youngsModulus = 70e9, .poissonRatio = 0.17};
+    });
+    CouplingKeeper keeper(scene);
+    Settings knobs = keeper.takeOver(kPhantom, 1.0_ms, scene.settings);
+    knobs.positionControl = PositionControl::Tip;
+    EXPECT_NE(refusal([&] { static_cast<void>(keeper.turned(knobs, 1.0_ms)); }), "");
+}
+
+TEST(CouplingKeeper, AGuideIsJudgedBesideTheContact) {
+    const Scene scene = plain();
+    CouplingKeeper keeper(scene);
+    Settings knobs = keeper.takeOver(kPhantom, 1.0_ms, scene.settings);
+    knobs.guide = scene.description.guide;
+    knobs.guide.kind = FixtureKind::Point;
+    knobs = keeper.turned(knobs, 1.0_ms);
+    knobs.guide.damping = 5.0;  // more than the proxy's
+    EXPECT_NE(refusal([&] { static_cast<void>(keeper.turned(knobs, 1.0_ms)); }), "");
+}
+
+TEST(CouplingKeeper, TheDeviceGetsTheEdgeOfItsWorkspaceAndOtherHandsNone) {
+    const Scene scene = plain();
+    CouplingKeeper keeper(scene);
+    DeviceSpecification device = kPhantom;
+    device.workspaceRadius = 0.1;
+    const Settings knobs = keeper.takeOver(device, 5.0_ms, scene.settings);
+    EXPECT_EQ(knobs.workspace.radius, 0.1);
+    EXPECT_NEAR(knobs.workspace.stiffness, 0.3 / 5.5e-3, 1e-9) << "for the age of its force";
+    EXPECT_EQ(keeper.release(knobs).workspace, Workspace{});
+}
+
 TEST(CouplingKeeper, ADelayThatGrowsHasTheGainsDesignedAnew) {
     const Scene scene = plain();
     CouplingKeeper keeper(scene);

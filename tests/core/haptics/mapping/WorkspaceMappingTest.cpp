@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace asperity {
 namespace {
@@ -166,6 +167,17 @@ TEST(WorkspaceMapping, RefusesGainsAndAxesThatAreNone) {
     for (const Matrix3& axes : {Matrix3(2.0 * Matrix3::Identity()), mirror, none}) {
         EXPECT_EQ(mapHand({}, Vector3::Zero(), {.axes = axes}, {}).status, MappingStatus::Invalid);
     }
+}
+
+TEST(WorkspaceMapping, ATurnGoesTheShortestWayAndNoFartherThanItMay) {
+    const Vector3 from(0.0, 0.0, 3.0);
+    const Vector3 wanted(0.0, 0.0, -3.0);  // 0.28 rad on, past the half turn
+    const Vector3 next = turnedTowards(from, wanted, 0.1);
+    const Eigen::AngleAxisd gone(axesOf(from).transpose() * axesOf(next));
+    EXPECT_NEAR(gone.angle(), 0.1, 1e-9);
+    const Eigen::AngleAxisd left(axesOf(next).transpose() * axesOf(wanted));
+    EXPECT_NEAR(left.angle(), 2.0 * (std::numbers::pi - 3.0) - 0.1, 1e-9);
+    EXPECT_EQ(turnedTowards(from, wanted, 0.3), wanted);
 }
 
 }  // namespace
