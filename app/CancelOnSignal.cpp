@@ -1,17 +1,20 @@
 #include "app/CancelOnSignal.h"
 
+#include <atomic>
+
 namespace asperity {
 
 namespace {
 
-volatile std::sig_atomic_t arrived = 0;  // all that a signal handler may write
+std::atomic<bool> arrived = false;
+static_assert(std::atomic<bool>::is_always_lock_free);  // else no signal handler may write it
 
-void note(int /*signal*/) { arrived = 1; }
+void note(int /*signal*/) { arrived = true; }
 
 }  // namespace
 
 CancelOnSignal::CancelOnSignal() : signals_(note) {}
 
-bool CancelOnSignal::hasArrived() { return arrived != 0; }
+bool CancelOnSignal::hasArrived() { return arrived; }
 
 }  // namespace asperity

@@ -2,11 +2,29 @@
 
 #include "app/OptionChecks.h"
 #include "app/ProgressLine.h"
+#include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
 
 #include <iostream>
+#include <sstream>
+#include <unistd.h>
 
 namespace asperity {
+
+namespace {
+
+/// Byte by byte into a pipe or file; a terminal must not obey what the cells of a table hold.
+void writeToStandardOutput(const TableWriting& write) {
+    if (isatty(STDOUT_FILENO) != 1) {
+        write(std::cout, nullptr);
+        return;
+    }
+    std::ostringstream table;
+    write(table, nullptr);
+    std::cout << printableLines(table.str());
+}
+
+}  // namespace
 
 void addCaseFiles(CLI::App& command, CaseFiles& files) {
     command.add_option("--cases", files.cases, "CSV table, one case a row")
@@ -28,7 +46,7 @@ void requireWritableTable(const std::string& out) {
 
 void writeTable(const std::string& out, const TableWriting& write) {
     if (out.empty()) {
-        write(std::cout, nullptr);
+        writeToStandardOutput(write);
         return;
     }
     ProgressLine line("writing");  // before the file: a signal in between would leave it

@@ -22,6 +22,8 @@ struct ContactCase {
     std::string model;
     ContactPair pair;
     double cohesiveStress = 0.0;  ///< [Pa]
+    double filmThickness = 0.0;   ///< [m]; 0: a half-space
+    double poissonRatio = kNaN;   ///< of the film
     double indentation = 0.0;     ///< [m]
     std::string branch;
 };
@@ -33,36 +35,50 @@ struct ContactAnswer {
     double lambda = kNaN;
 };
 
+/// The number in a column that a table need not have.
+double numberOr(const CsvTable& table, std::size_t row, const std::string& column,
+                double otherwise) {
+    return table.has(column) ? table.number(row, column) : otherwise;
+}
+
 ContactCase readCase(const CsvTable& table, std::size_t row) {
     return {.model = table.text(row, "model"),
             .pair = {.tipRadius = table.number(row, "radius_m"),
                      .reducedModulus = table.number(row, "e_star_pa"),
                      .workOfAdhesion = table.number(row, "work_of_adhesion_j_m2")},
             .cohesiveStress = table.number(row, "sigma0_pa"),
+            .filmThickness = numberOr(table, row, "film_thickness_m", 0.0),
+            .poissonRatio = numberOr(table, row, "poisson_ratio", kNaN),
             .indentation = table.number(row, "indentation_m"),
             .branch = table.text(row, "branch")};
-}
-
-/// A film has a thickness, for which the table has no column.
-std::optional<ContactLaw> lawOf(const std::string& model) {
-    const auto law = lawFromKey(model);
-    return law == ContactLaw::HertzFilm ? std::nullopt : law;
 }
 
 bool usesStress(ContactLaw law) {
     return law == ContactLaw::Maugis || law == ContactLaw::SphereMaugis;
 }
 
+/// The law of a film needs one.
+ContactStatus filmStatus(ContactLaw law, const ContactCase& asked) {
+    if (law == ContactLaw::HertzFilm && asked.filmThickness == 0.0) {
+        return ContactStatus::FilmThicknessOutOfRange;
+    }
+    return checkFilm(asked.filmThickness, asked.poissonRatio);
+}
+
 std::string statusOf(const ContactModel& model, const ContactState& state) {
     const double radius = model.pair().tipRadius;
-    if (model.law() == ContactLaw::SphereMaugis && state.cohesiveRadius >= radius) {
+    const bool isSphereZone = isSphere(model.law()) && model.cohesiveStress() > 0.0;
+    if (isSphereZone && state.cohesiveRadius >= radius) {
         return "cohesive_zone_at_equator";
     }
-    return isLargeContact(state.contactRadius, radius) ? "large_contact" : "ok";
+    if (isLargeContact(state.contactRadius, radius)) {
+        return "large_contact";
+    }
+    return state.contactRadius > model.widestFilmContact() ? "thin_film" : "ok";
 }
 
 ContactAnswer answerTo(const ContactCase& asked) {
-    const auto law = lawOf(asked.model);
+    const auto law = lawFromKey(asked.model);
     if (!law) {
         return {"unknown_model"};
     }
@@ -75,7 +91,14 @@ ContactAnswer answerTo(const ContactCase& asked) {
     if (pairStatus != ContactStatus::Solved) {
         return {nameOf(pairStatus)};
     }
-    const ContactModel model(*law, asked.pair, {.cohesiveStress = stress});
+    const ContactStatus sampleStatus = filmStatus(*law, asked);
+    if (sampleStatus != ContactStatus::Solved) {
+        return {nameOf(sampleStatus)};
+    }
+    const ContactModel model(*law, asked.pair,
+                             {.cohesiveStress = stress,
+                              .filmThickness = asked.filmThickness,
+                              .film = {.poissonRatio = asked.poissonRatio}});
     const ContactMemory memory{
         asked.branch == "approach" ? ContactBranch::Far : ContactBranch::Bonded, 0.0};
     const ContactState state = model.equilibrium(asked.indentation, 0.0, memory);
@@ -97,12 +120,14 @@ void write(CsvWriter& csv, const ContactAnswer& answer) {
 }
 
 std::vector<std::string> commentsFor(const std::string& cases) {
-    return {std::string("Asperity ") + kVersion + ": contact at given indentation; cases: " + cases,
-            "SI units, as each column's name ends; force > 0 is repulsive, indentation < 0 a gap",
-            "state: far, cohesive (zone without contact), contact; lambda: transition parameter, 0 "
-            "for laws without a cohesive zone",
-            "status: ok; large_contact (a/R above 0.3, evaluated formally); "
-            "cohesive_zone_at_equator; else why there is no answer"};
+    return {
+        std::string("Asperity ") + kVersion + ": contact at given indentation; cases: " + cases,
+        "SI units, as each column's name ends; force > 0 is repulsive, indentation < 0 a gap",
+        "state: far, cohesive (zone without contact), contact; lambda: transition parameter, 0 "
+        "for laws without a cohesive zone",
+        "status: ok; large_contact (a/R above 0.3, evaluated formally); thin_film (beyond what the "
+        "law holds for, evaluated formally); cohesive_zone_at_equator; else why there is no "
+        "answer"};
 }
 
 void contact(const CaseFiles& files) {
@@ -130,9 +155,11 @@ void addContactCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "contact", "Force, contact radius and state for each case of a table, held at its "
                    "indentation");
-    command->footer("Columns of the cases: model (hertz dmt jkr md sneddon jkr_sphere md_sphere "
-                    "split), radius_m, e_star_pa,\nwork_of_adhesion_j_m2, sigma0_pa (of the md "
-                    "models), indentation_m (< 0: a gap), branch (approach, retract).");
+    command->footer(
+        "Columns of the cases: model (hertz dmt jkr md sneddon jkr_sphere md_sphere split "
+        "split_sphere hertz_film),\nradius_m, e_star_pa, work_of_adhesion_j_m2, sigma0_pa (of the "
+        "md models), indentation_m (< 0: a gap),\nbranch (approach, retract). Of a film on a "
+        "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5).");
     const auto files = std::make_shared<CaseFiles>();
     addCaseFiles(*command, *files);
     command->callback([files] { contact(*files); });

@@ -27,8 +27,8 @@ std::string captionOf(const Scene& scene, const TickSample& sample) {
     const ContactState& contact = out.model.contact;
     std::string caption = "Indentation " + formatSi(contact.indentation, "m") +
                           ", contact radius " + formatSi(contact.contactRadius, "m") +
-                          ", normal force " + formatSi(contact.force, "N") + " (model), " +
-                          formatSi(out.estimate.force.dot(out.model.foot.normal), "N") +
+                          ", normal force " + formatSi(out.model.normalForce, "N") + " (model), " +
+                          formatSi(out.estimate.force.dot(out.model.normal), "N") +
                           " (estimate). Tip of " + formatSi(scene.belief.tipRadius(), "m") +
                           " radius on " + scene.description.sample.material.name + ".";
     std::replace(caption.begin(), caption.end(), '_', ' ');

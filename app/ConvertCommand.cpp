@@ -5,9 +5,10 @@
 #include "app/OptionChecks.h"
 #include "app/ProgressLine.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
-#include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
+#include "core/io/ScanFile.h"
 #include "core/surface/Levelling.h"
 #include "core/surface/Residual.h"
 #include "core/surface/fit/BSplineFit.h"
@@ -79,14 +80,14 @@ void writeInAnyFormat(const std::filesystem::path& path, const HeightRows& map,
 /// Of the file that was read.
 void tellNotes(const std::vector<std::string>& notes) {
     for (const std::string& note : notes) {
-        std::cerr << "note: " << note << '\n';
+        std::cerr << "note: " << printable(note) << '\n';
     }
 }
 
 void tellWritten(const ConvertOptions& options, const std::string& channel, const HeightRows& map,
                  const PixelMask& invalid) {
-    std::cerr << options.output << ": '" << channel << "', " << map.columns << " x " << map.rows
-              << " pixels";
+    std::cerr << printable(options.output) << ": '" << printable(channel) << "', " << map.columns
+              << " x " << map.rows << " pixels";
     if (const auto lost = std::ranges::count(invalid, true); lost > 0) {
         std::cerr << ", " << lost << " of them without data";
     }

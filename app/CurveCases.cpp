@@ -51,7 +51,7 @@ void addCases(const SceneDescription& scene, double compliance, std::vector<Curv
     const LawChoice choice = chooseLaw(scene.law, contactPair(scene, scene.sample.material),
                                        scene.sample.material.filmThickness);
     cases.push_back(caseOf(scene, choice, compliance));
-    if (!scene.law && choice.law == ContactLaw::SphereMaugis) {
+    if (!scene.law && choice.law == ContactLaw::SphereSplit) {
         cases.push_back(caseOf(scene,
                                {ContactLaw::Split, "for comparison: formally, as for a paraboloid"},
                                compliance));

@@ -4,6 +4,7 @@
 #include "app/CurveCases.h"
 #include "app/OptionChecks.h"
 #include "app/VirtualDisplay.h"
+#include "core/PrintableText.h"
 #include "core/Version.h"
 #include "core/contact/ForceCurve.h"
 #include "core/contact/LawChoice.h"
@@ -145,7 +146,7 @@ void curve(const CurveOptions& options) {
         plan.points = options.points;
         results.push_back({asked, forceCurve(asked.model, asked.compliance, plan)});
         for (const std::string& line : summary(results.back())) {
-            std::cerr << line << '\n';
+            std::cerr << printable(line) << '\n';
         }
     }
     writeTable(options.out,

@@ -1,5 +1,7 @@
 #include "app/DevicesCommand.h"
 
+#include "app/JsonText.h"
+#include "core/PrintableText.h"
 #include "hardware/DeviceRegistry.h"
 #include "hardware/HidapiTransport.h"
 
@@ -48,14 +50,14 @@ void printJson(const std::vector<DeviceDescription>& devices) {
         list.push_back(deviceJson(device));
     }
     const nlohmann::json report = {{"devices", list}};
-    std::cout << report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    std::cout << jsonText(report) << '\n';
 }
 
 void printDevice(const DeviceDescription& device) {
-    std::cout << device.name;
+    std::cout << printable(device.name);
     if (!device.path.empty()) {
         std::cout << ", " << hexadecimal(device.vendorId) << ':' << hexadecimal(device.productId)
-                  << ", " << device.path;
+                  << ", " << printable(device.path);
     }
     std::cout << "\n  " << (device.usable() ? "usable" : "not usable: " + device.obstacle) << '\n';
     if (device.driver.empty()) {

@@ -21,11 +21,14 @@ struct sigaction replaced(int signal, void (*handler)(int)) {
 }  // namespace
 
 EndSignals::EndSignals(void (*handler)(int))
-    : interrupt_(replaced(SIGINT, handler)), terminate_(replaced(SIGTERM, handler)) {}
+    : interrupt_(replaced(SIGINT, handler))
+    , terminate_(replaced(SIGTERM, handler))
+    , hangUp_(replaced(SIGHUP, handler)) {}
 
 EndSignals::~EndSignals() {
     sigaction(SIGINT, &interrupt_, nullptr);
     sigaction(SIGTERM, &terminate_, nullptr);
+    sigaction(SIGHUP, &hangUp_, nullptr);
 }
 
 }  // namespace asperity

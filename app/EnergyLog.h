@@ -4,6 +4,7 @@
 #include "core/io/CsvWriter.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace asperity {
 
@@ -13,17 +14,19 @@ class EnergyLog {
 public:
     /// @param timeStep from tick to tick [s]
     /// @param delay    of the hand's device [s]
-    /// @throw Error when the file's folder cannot be written
-    EnergyLog(const std::filesystem::path& path, double timeStep, double delay);
+    EnergyLog(std::filesystem::path path, double timeStep, double delay);
 
+    /// @throw Error when the file is there or cannot be made
     void take(const TickSample& sample);
-    /// Puts the whole log in place. @throw Error
-    void close();
+    /// Hands all rows so far to the system. @throw Error
+    void flush();
+    /// Waits until the disk holds what was flushed. @throw Error
+    void sync() const;
 
 private:
+    std::filesystem::path path_;
     EnergyWatch watch_;
-    CsvWriter csv_;
-    bool empty_ = true;
+    std::optional<CsvWriter> csv_;  ///< of a GrowingFile; none before the first row
 };
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include "app/LevellingOption.h"
 #include "app/LoadedScene.h"
 #include "app/OptionChecks.h"
+#include "app/OutputFolder.h"
 #include "app/ProgressLine.h"
 #include "app/RunCurves.h"
 #include "app/RunFolder.h"
@@ -11,6 +12,7 @@
 #include "app/RunSummary.h"
 #include "app/VirtualDisplay.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "core/haptics/HandPath.h"
 #include "core/haptics/RunEvents.h"
 #include "core/haptics/VirtualRun.h"
@@ -24,6 +26,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace asperity {
 
@@ -37,6 +40,7 @@ struct ExploreOptions {
     std::string out;
     std::string path = "approach";
     double duration = 0.0;  // [s]; 0: the path's own
+    bool force = false;
     SceneOverrides overrides;
 };
 
@@ -80,16 +84,21 @@ struct RunKeeper {
 };
 
 void tellOutcome(const RunEvents& events) {
-    if (events.flagged.at(0) > 0) {
-        std::cerr << "note: contact radius above 0.3 tip radii in " << events.flagged.at(0)
-                  << " of " << events.ticks
-                  << " ticks: beyond what half-space contact theory holds for\n";
+    const auto flagged = [&events](Validity flag) {
+        return events.flagged.at(std::countr_zero(static_cast<std::uint32_t>(flag)));
+    };
+    if (const long large = flagged(Validity::LargeContact); large > 0) {
+        std::cerr << "note: contact radius above 0.3 tip radii in " << large << " of "
+                  << events.ticks << " ticks: beyond what half-space contact theory holds for\n";
     }
-    const long curved =
-        events.flagged.at(std::countr_zero(static_cast<std::uint32_t>(Validity::CurvedSample)));
-    if (curved > 0) {
+    if (const long curved = flagged(Validity::CurvedSample); curved > 0) {
         std::cerr << "note: in " << curved << " of " << events.ticks
                   << " ticks no single effective radius stands for the sample's curvature\n";
+    }
+    if (const long wrong = flagged(Validity::EstimateInconsistent); wrong > 0) {
+        std::cerr << "note: in " << wrong << " of " << events.ticks
+                  << " ticks the signals contradict the stated friction law or noise: the "
+                     "estimate's standard deviation was widened\n";
     }
     if (!events.snapIn) {
         std::cerr << "note: the tip never snapped into contact\n";
@@ -122,22 +131,29 @@ void run(const Scene& scene, const PlannedRun& plan, AfmController& afm, RunKeep
     });
 }
 
-/// Runs, and leaves in the folder all but the pictures.
-FinishedRun finishedRun(const ExploreOptions& options) {
-    const LoadedScene loaded = loadSceneOnTerminal(options.input, options.overrides);
-    for (const std::string& note : loaded.notes) {
-        std::cerr << "note: " << note << '\n';
-    }
-    const Scene& scene = loaded.scene;
-    const PlannedRun plan = planRun(scene, options);
-    const std::filesystem::path out = options.out;
-    makeOutputFolder(out);
+/// A scene and what its hand is to do.
+struct Prepared {
+    LoadedScene loaded;
+    PlannedRun plan;
+};
 
+Prepared prepare(const ExploreOptions& options) {
+    LoadedScene loaded = loadSceneOnTerminal(options.input, options.overrides);
+    for (const std::string& note : loaded.notes) {
+        std::cerr << "note: " << printable(note) << '\n';
+    }
+    PlannedRun plan = planRun(loaded.scene, options);
+    return {std::move(loaded), std::move(plan)};
+}
+
+/// Runs, and leaves in the folder all but the pictures.
+FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& out) {
+    const auto& [loaded, plan] = prepared;
+    const Scene& scene = loaded.scene;
     RunKeeper keeper{.recorder = RunRecorder(out), .events = {}, .curves = {}};
     SimulatedAfm afm(scene.touched(), scene.truth);
     run(scene, plan, afm, keeper);
     keeper.recorder.close();
-    removeEarlierResults(out);
 
     const RunEvents& events = keeper.events.events();
     writeTextFile(out / run_files::kScene, sceneText(settled(scene.description, scene.model)));
@@ -157,11 +173,20 @@ void draw(const FinishedRun& run, const std::filesystem::path& folder) {
 void explore(const ExploreOptions& options) {
     const CancelOnSignal cancel;   // between one piece of work and the next, too
     const VirtualDisplay display;  // before anything is written: pictures need it at the end
-    const FinishedRun run = finishedRun(options);
-    draw(run, options.out);
+    std::optional<Prepared> prepared(prepare(options));
+    OutputFolder out(options.out, exploredRun(), options.force);
+    const FinishedRun run = finishedRun(*prepared, out.staging());
+    prepared.reset();  // drawing takes as much memory as a large scan
+    try {
+        draw(run, out.staging());
+    } catch (const Error&) {
+        out.commit();  // what was measured is kept where it cannot be drawn
+        throw;
+    }
+    out.commit();
     tellOutcome(run.events);
     std::cout << run.events.ticks << " ticks at " << run.tickRate << " Hz; results in "
-              << options.out << "/\n";
+              << printable(options.out) << "/\n";
 }
 
 }  // namespace
@@ -173,6 +198,7 @@ void addExploreCommand(CLI::App& program) {
     const auto options = std::make_shared<ExploreOptions>();
     command->add_option("INPUT", options->input, "height map or scene.toml")->required();
     addOutputFolder(*command, options->out, "folder for the results");
+    addForce(*command, options->force);
     command
         ->add_option("--path", options->path,
                      "approach, raster, scratch, or a CSV file with time_s, x_m, y_m, z_m")

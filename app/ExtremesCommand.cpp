@@ -4,8 +4,8 @@
 #include "app/CouplingReport.h"
 #include "app/ExtremesMap.h"
 #include "app/OptionChecks.h"
+#include "app/OutputFolder.h"
 #include "app/ProgressLine.h"
-#include "app/RunFolder.h"
 #include "app/VirtualDisplay.h"
 #include "core/Error.h"
 #include "core/Version.h"
@@ -166,17 +166,18 @@ void reportDefects(const ExtremesFindings& findings) {
 
 void extremes(const ExtremesOptions& options) {
     const VirtualDisplay display;  // before anything is written: the map needs it at the end
-    const std::filesystem::path out = options.out;
-    makeOutputFolder(out);
+    OutputFolder out(options.out,
+                     {.own = {"extremes.csv", "coupling.csv", "extremes.png", "coupling.png"}});
     const auto start = std::chrono::steady_clock::now();
     const ExtremesFindings findings = findingsOf(options.states);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    writeTable(out / "extremes.csv", findings.regions);
-    writeHolds(out / "coupling.csv", findings.holds);
-    writeShareMaps(out / "extremes.png", extremesMap(findings.regions),
+    writeTable(out.staging() / "extremes.csv", findings.regions);
+    writeHolds(out.staging() / "coupling.csv", findings.holds);
+    writeShareMaps(out.staging() / "extremes.png", extremesMap(findings.regions),
                    {.width = 2000, .height = 1060});
-    writeShareMaps(out / "coupling.png", couplingMap(findings.holds),
+    writeShareMaps(out.staging() / "coupling.png", couplingMap(findings.holds),
                    {.width = 1400, .height = 900});
+    out.commit();
     const std::vector<ExtremesRegion> sums = summedOverPlaces(findings.regions);
     printModels(sums);
     printHolds(findings.holds);

@@ -105,7 +105,7 @@ ShareMap tickMap(const std::vector<ExtremesRegion>& regions) {
 }  // namespace
 
 ShareMapPage extremesMap(const std::vector<ExtremesRegion>& regions) {
-    constexpr int kMapsPerRow = 5;
+    constexpr int kMapsPerRow = 6;
     ShareMapPage page{.title = "Where each contact law holds: adhesive samples (Hertz on a film: "
                                "films without adhesion), every lever and depth; Maugis-Dugdale on "
                                "the sphere, Hertz on a film and the tick are their own reference",

@@ -1,11 +1,13 @@
 #include "app/InfoCommand.h"
 
+#include "app/JsonText.h"
+#include "core/PathText.h"
+#include "core/PrintableText.h"
 #include "core/SiFormat.h"
 #include "core/io/DefaultChannel.h"
-#include "core/io/FileHash.h"
-#include "core/io/HeightMapFile.h"
 #include "core/io/HeightStatistics.h"
 #include "core/io/PhysicalUnit.h"
+#include "core/io/ScanFile.h"
 #include "core/scene/ImagingTip.h"
 
 #include <CLI/CLI.hpp>
@@ -15,7 +17,9 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <sstream>
+#include <utility>
 
 namespace asperity {
 
@@ -30,24 +34,44 @@ bool isDefault(const HeightMapFile& file, const ScanChannel& channel) {
     return &channel == &file.channels.at(file.defaultChannel) && isTopography(channel);
 }
 
-/// The four corner pixels: they tell which way up the image lies. NaN becomes null.
-nlohmann::json cornersJson(const HeightMap& map) {
-    const int bottom = map.rows - 1;
-    const int right = map.columns - 1;
-    return {{"top_left", map.at(0, 0)},
-            {"top_right", map.at(0, right)},
-            {"bottom_left", map.at(bottom, 0)},
-            {"bottom_right", map.at(bottom, right)}};
+/// What is told of a channel's pixels.
+struct PixelFacts {
+    HeightStatistics statistics;
+    /// The corner pixels: they tell which way up the image lies. NaN: no data.
+    double topLeft = 0.0;
+    double topRight = 0.0;
+    double bottomLeft = 0.0;
+    double bottomRight = 0.0;
+};
+
+PixelFacts pixelFacts(const ScanFile& file, const ScanChannel& channel) {
+    PixelFacts facts;
+    const int bottom = channel.map.rows - 1;
+    facts.statistics = heightStatistics([&](const TakeRow& take) {
+        file.forEachRow(channel, [&](int row, std::span<const double> values) {
+            if (row == 0) {
+                facts.topLeft = values.front();
+                facts.topRight = values.back();
+            }
+            if (row == bottom) {
+                facts.bottomLeft = values.front();
+                facts.bottomRight = values.back();
+            }
+            take(values);
+        });
+    });
+    return facts;
 }
 
 /// NaN, of a channel without a valid pixel, becomes null.
-nlohmann::json channelJson(const HeightMapFile& file, const ScanChannel& channel) {
-    const HeightStatistics statistics = heightStatistics(channel.map);
+nlohmann::json channelJson(const ScanFile& file, const ScanChannel& channel) {
+    const PixelFacts facts = pixelFacts(file, channel);
+    const HeightStatistics& statistics = facts.statistics;
     return {{"name", channel.name},
             {"unit", channel.unit},
             {"direction", channel.direction},
             {"is_height", channel.isHeight()},
-            {"is_default", isDefault(file, channel)},
+            {"is_default", isDefault(file.contents(), channel)},
             {"columns", channel.map.columns},
             {"rows", channel.map.rows},
             {"size_known", channel.hasSize()},
@@ -63,7 +87,11 @@ nlohmann::json channelJson(const HeightMapFile& file, const ScanChannel& channel
             {"mean", statistics.mean},
             {"rms", statistics.rms},
             {"invalid_pixels", statistics.invalidPixels},
-            {"corners", cornersJson(channel.map)},
+            {"corners",
+             {{"top_left", facts.topLeft},
+              {"top_right", facts.topRight},
+              {"bottom_left", facts.bottomLeft},
+              {"bottom_right", facts.bottomRight}}},
             {"metadata", channel.metadata}};
 }
 
@@ -76,21 +104,19 @@ std::vector<std::string> notesOf(const HeightMapFile& file) {
     return notes;
 }
 
-void printJson(const HeightMapFile& file, const std::string& path) {
+void printJson(const ScanFile& scan, const std::string& path) {
+    const HeightMapFile& file = scan.contents();
     nlohmann::json channels = nlohmann::json::array();
     for (const ScanChannel& channel : file.channels) {
-        channels.push_back(channelJson(file, channel));
+        channels.push_back(channelJson(scan, channel));
     }
     const ScanChannel& first = file.channels.at(file.defaultChannel);
     const nlohmann::json defaultName =
         isTopography(first) ? nlohmann::json(first.name) : nlohmann::json();
-    const nlohmann::json report = {{"file", path},
-                                   {"format", file.format},
-                                   {"sha256", sha256OfFile(path)},
-                                   {"default_channel", defaultName},
-                                   {"channels", channels},
-                                   {"notes", notesOf(file)}};
-    std::cout << report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    const nlohmann::json report = {{"file", pathText(path)},  {"format", file.format},
+                                   {"sha256", scan.sha256()}, {"default_channel", defaultName},
+                                   {"channels", channels},    {"notes", notesOf(file)}};
+    std::cout << jsonText(report) << '\n';
 }
 
 using Row = std::vector<std::string>;
@@ -103,7 +129,10 @@ std::size_t shownWidth(const std::string& text) {
 }
 
 /// Columns as wide as their widest cell, numbers to the right: all but the first two.
-void printTable(const std::vector<Row>& rows) {
+void printTable(std::vector<Row> rows) {
+    for (Row& row : rows) {
+        std::ranges::transform(row, row.begin(), printable);
+    }
     std::vector<std::size_t> widths(rows.front().size(), 0);
     for (const Row& row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
@@ -139,12 +168,12 @@ std::string sizeText(const ScanChannel& channel) {
            quantity(channel.map.sizeY(), channel.lateralUnit);
 }
 
-Row channelRow(const HeightMapFile& file, const ScanChannel& channel) {
-    const HeightStatistics statistics = heightStatistics(channel.map);
+Row channelRow(const ScanFile& file, const ScanChannel& channel) {
+    const HeightStatistics statistics = pixelFacts(file, channel).statistics;
     const auto value = [&channel](double number) {
         return std::isnan(number) ? std::string("-") : quantity(number, channel.unit);
     };
-    return {(isDefault(file, channel) ? "* " : "  ") + channel.name,
+    return {(isDefault(file.contents(), channel) ? "* " : "  ") + channel.name,
             channel.direction,
             std::to_string(channel.map.columns) + " x " + std::to_string(channel.map.rows),
             sizeText(channel),
@@ -155,19 +184,20 @@ Row channelRow(const HeightMapFile& file, const ScanChannel& channel) {
             std::to_string(statistics.invalidPixels)};
 }
 
-void printForPeople(const HeightMapFile& file, const std::string& path) {
-    std::cout << path << "\n" << file.format << "\n\n";
+void printForPeople(const ScanFile& scan, const std::string& path) {
+    const HeightMapFile& file = scan.contents();
+    std::cout << printable(path) << "\n" << file.format << "\n\n";
     std::vector<Row> rows = {
         {"  channel", "direction", "pixels", "size", "min", "max", "mean", "rms", "invalid"}};
     for (const ScanChannel& channel : file.channels) {
-        rows.push_back(channelRow(file, channel));
+        rows.push_back(channelRow(scan, channel));
     }
-    printTable(rows);
+    printTable(std::move(rows));
     const bool hasHeight = isTopography(file.channels.at(file.defaultChannel));
     std::cout << (hasHeight ? "\n* taken when no channel is named; rms is about the mean\n"
                             : "\nNo channel is a height map; rms is about the mean\n");
     for (const std::string& note : notesOf(file)) {
-        std::cout << "- " << note << '\n';
+        std::cout << "- " << printable(note) << '\n';
     }
 }
 
@@ -180,7 +210,7 @@ void addInfoCommand(CLI::App& program) {
     command->add_option("FILE", options->file, "height-map file")->required();
     command->add_flag("--json", options->json, "print JSON with SI values in full precision");
     command->callback([options] {
-        const HeightMapFile file = readHeightMapFile(options->file);
+        const ScanFile file(options->file);
         if (options->json) {
             printJson(file, options->file);
         } else {

@@ -2,8 +2,10 @@
 
 #include "app/QuitOnSignal.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "ui/Theme.h"
 #include "vtkplugins/pictures/Display.h"
+#include "vtkplugins/pictures/DrawingMemory.h"
 
 #include <exception>
 #include <iostream>
@@ -20,13 +22,14 @@ LiveWindow::Display::Display() {
     if (!haveDisplay()) {
         throw Error("no display to open the window on; `asperity explore` works without one");
     }
+    requireDrawingMemory({});
 }
 
 bool LiveWindow::Application::notify(QObject* receiver, QEvent* event) {
     try {
         return QApplication::notify(receiver, event);
     } catch (const std::exception& error) {
-        std::cerr << "asperity: " << error.what() << '\n';
+        std::cerr << "asperity: " << printable(error.what()) << '\n';
         exit(1);
         return true;
     }

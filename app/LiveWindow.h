@@ -16,8 +16,8 @@ public:
     [[nodiscard]] Session& session() { return session_; }
     [[nodiscard]] MainWindow& window() { return window_; }
 
-    /// Shows the window and stays until it is closed, or the program is asked to end by SIGINT or
-    /// SIGTERM. @return the exit status
+    /// Shows the window and stays until it is closed, or the program is asked to end by SIGINT,
+    /// SIGTERM or SIGHUP. @return the exit status
     int exec();
 
 private:

@@ -1,13 +1,14 @@
 #include "app/LoadedScene.h"
 
 #include "core/Error.h"
-#include "core/io/FileHash.h"
-#include "core/io/HeightMapFile.h"
+#include "core/fidelity/ForceErrorText.h"
+#include "core/io/ScanFile.h"
 #include "core/io/SceneFile.h"
 #include "core/scene/ImagingTip.h"
 
 #include <cstdio>
 #include <utility>
+#include <variant>
 
 namespace asperity {
 
@@ -50,11 +51,10 @@ std::string modelNote(const SceneNeeds& needs) {
             out += (out.empty() ? "" : ", ") + std::string(nameOf(need.term));
         }
     }
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  "model: forces within %.2g %% of the whole (tolerance %.2g %%)",
-                  100.0 * needs.forceError, 100.0 * needs.tolerance);
-    return text + (out.empty() ? ", nothing left out" : "; left out: " + out);
+    char tolerance[40];
+    std::snprintf(tolerance, sizeof tolerance, " (tolerance %.2g %%)", 100.0 * needs.tolerance);
+    return "model: " + forceErrorText(needs) + tolerance +
+           (out.empty() ? ", nothing left out" : "; left out: " + out);
 }
 
 LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
@@ -85,13 +85,16 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     }
     sample.file = std::filesystem::absolute(sample.file).lexically_normal().string();
     ProgressPart reading(progress, 0.0, 0.2);
-    HeightScan scan = readHeightScan(sample.file, sample.channel, &reading);
+    const ScanFile file(sample.file);
+    SceneScan scan = file.readSceneScan(sample.channel, &reading);
     sample.channel = scan.channel;
-    ProgressPart building(progress, 0.2, 0.8);
-    ProgressPart hashing(progress, 0.8, 1.0);
-    LoadedScene loaded{.scene = buildScene(description, std::move(scan.map), &building),
+    ProgressPart hashing(progress, 0.2, 0.4);
+    std::string hash = file.sha256(&hashing);
+    ProgressPart building(progress, 0.4, 1.0);
+    const auto build = [&](auto map) { return buildScene(description, std::move(map), &building); };
+    LoadedScene loaded{.scene = std::visit(build, std::move(scan.map)),
                        .format = std::move(scan.format),
-                       .sha256 = sha256OfFile(sample.file, &hashing),
+                       .sha256 = std::move(hash),
                        .notes = std::move(scan.notes),
                        .needs = {}};
     loaded.notes.push_back(levellingNote(loaded.scene));

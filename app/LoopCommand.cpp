@@ -33,6 +33,7 @@ struct LoopOptions {
     double rate = 0.0;       // [Hz]; 0: the scene's own
     double duration = 10.0;  // [s]
     std::string record;      // folder; empty: nothing is recorded
+    bool force = false;      // an earlier run in that folder may go
     bool simulatedDevice = false;
     bool window = false;
     bool json = false;
@@ -88,27 +89,45 @@ void print(const LoopOptions& options, LiveRun& run, const AlternatingBlocks& bl
     std::cout << (options.json ? loopReportJson(report) : loopReportText(report)) << '\n';
 }
 
+/// Before the work: the folder must be free.
+void prepareFolder(const LoopOptions& options) {
+    if (!options.record.empty()) {
+        options.force ? removeRun(options.record) : requireNoRun(options.record);
+    }
+}
+
 /// Null where none is asked for.
 std::unique_ptr<RecordingThread> startRecording(const LoopOptions& options, LiveRun& run) {
     if (options.record.empty()) {
         return nullptr;
     }
-    removeEarlierResults(options.record);
     run.fetch([](const TickSample&) {});  // what a device begins with is not of the recording
     return std::make_unique<RecordingThread>(options.record, run.loaded(), run.loop().memory(),
                                              run.hand().delay());
 }
 
+[[noreturn]] void failRecording(const std::string& folder, const std::string& reason) {
+    throw Error(folder + ": the recording has ended: " + reason +
+                "; what was written until then is kept, and can be replayed");
+}
+
 /// @return what it took to write a tick [s]
 double finish(RecordingThread& recording) {
-    recording.finish();
+    try {
+        recording.finish();
+    } catch (const std::exception& error) {
+        failRecording(recording.folder().string(), error.what());
+    }
     if (recording.end() != RecordingEnd::None) {
-        throw Error(recording.folder().string() + ": the recording ended before the measurement");
+        failRecording(recording.folder().string(), recording.end() == RecordingEnd::TicksLost
+                                                       ? "ticks were lost"
+                                                       : "the disk is slower than the loop");
     }
     return recording.timePerTick();
 }
 
 void runBare(const LoopOptions& options) {
+    prepareFolder(options);
     LoadedScene loaded = loadForLoop(options);
     const HandPath path = repeatedApproach(loaded.scene, options.duration);
     LiveRun run(std::move(loaded), path.front().position);
@@ -121,7 +140,11 @@ void runBare(const LoopOptions& options) {
         run.takeHand(
             [&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
     }
+    const CancelOnSignal cancel;
     const std::unique_ptr<RecordingThread> recording = startRecording(options, run);
+    const auto hasEnded = [&recording] {
+        return recording && recording->end() != RecordingEnd::None;
+    };
     AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
     const auto fetch = [&] {
         run.fetch([&recording](const TickSample& sample) {
@@ -130,9 +153,8 @@ void runBare(const LoopOptions& options) {
             }
         });
     };
-    const CancelOnSignal cancel;
     const double begin = monotonicSeconds();
-    while (!isDone(blocks, begin, options) && !CancelOnSignal::hasArrived()) {
+    while (!isDone(blocks, begin, options) && !CancelOnSignal::hasArrived() && !hasEnded()) {
         std::this_thread::sleep_for(kPoll);
         device.advance(std::chrono::duration<double>(kPoll).count(), 0.0);
         fetch();
@@ -140,10 +162,12 @@ void runBare(const LoopOptions& options) {
     }
     blocks.finish();
     fetch();
-    print(options, run, blocks, recording ? finish(*recording) : 0.0, {});
+    const double writingTime = recording ? finish(*recording) : 0.0;
+    print(options, run, blocks, writingTime, {});
 }
 
 void runInWindow(const LoopOptions& options) {
+    prepareFolder(options);
     const VirtualDisplay display;
     LiveWindow live;
     Session& session = live.session();
@@ -153,7 +177,6 @@ void runInWindow(const LoopOptions& options) {
     const HandPath path = repeatedApproach(run.scene(), options.duration);
     options.simulatedDevice ? session.leadDevice(path) : session.follow(path);
     if (!options.record.empty()) {
-        removeEarlierResults(options.record);
         session.startRecording(options.record);
     }
     AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
@@ -161,7 +184,7 @@ void runInWindow(const LoopOptions& options) {
     QTimer poll;
     QObject::connect(&poll, &QTimer::timeout, [&] {
         blocks.poll();
-        if (isDone(blocks, begin, options)) {
+        if (isDone(blocks, begin, options) || !session.recordingFailure().isEmpty()) {
             live.window().close();
         }
     });
@@ -169,8 +192,8 @@ void runInWindow(const LoopOptions& options) {
     live.exec();
     blocks.finish();
     session.finishRecording();
-    if (!options.record.empty() && session.writingTime() == 0.0) {
-        throw Error(options.record + ": the recording could not be written");
+    if (!session.recordingFailure().isEmpty()) {
+        failRecording(options.record, session.recordingFailure().toStdString());
     }
     print(options, run, blocks, session.writingTime(), session.viewRates());
 }
@@ -194,6 +217,7 @@ void addLoopCommand(CLI::App& program) {
         ->add_option("--record", options->record,
                      "folder: record every tick meanwhile, and say what that costs")
         ->check(notEmpty());
+    addForce(*command, options->force);
     command->add_flag("--simulated-device", options->simulatedDevice,
                       "a person at the simulated haptic device leads the tip, not a script: with "
                       "coupling, governor and edge");

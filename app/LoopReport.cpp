@@ -1,5 +1,6 @@
 #include "app/LoopReport.h"
 
+#include "app/JsonText.h"
 #include "core/SiFormat.h"
 #include "core/Version.h"
 
@@ -60,7 +61,7 @@ std::string loopReportJson(const LoopReport& report) {
     for (const ViewRate& view : report.views) {
         json["frames_per_second"][view.view] = view.framesPerSecond;
     }
-    return json.dump(2);
+    return jsonText(json);
 }
 
 std::string loopReportText(const LoopReport& report) {

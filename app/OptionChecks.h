@@ -29,4 +29,9 @@ inline void addOutputFolder(CLI::App& command, std::string& folder, const std::s
     command.add_option("--out", folder, what)->required()->check(notEmpty());
 }
 
+/// The option of every command that writes where a recording or another run may be.
+inline void addForce(CLI::App& command, bool& force) {
+    command.add_flag("--force", force, "replace a recording, or another run, in that folder");
+}
+
 }  // namespace asperity

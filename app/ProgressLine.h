@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// Shows on the terminal how far long work is; silent where standard error is no terminal. The line
-/// is wiped at the end. SIGINT and SIGTERM cancel the work. One at a time.
+/// is wiped at the end. SIGINT, SIGTERM and SIGHUP cancel the work. One at a time.
 class ProgressLine : public Progress {
 public:
     /// @param work a word for people: "loading"

@@ -9,8 +9,8 @@
 
 namespace asperity {
 
-/// Ends the event loop in good order on SIGINT and SIGTERM, so that recordings are kept and the
-/// hand feels nothing any more. One of them at a time.
+/// Ends the event loop in good order on SIGINT, SIGTERM and SIGHUP, so that recordings are kept and
+/// the hand feels nothing any more. One of them at a time.
 class QuitOnSignal : public QObject {
 public:
     QuitOnSignal();

@@ -8,9 +8,17 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kBatch = 250;  // ticks handed over at once
+constexpr std::size_t kBatch = 250;                    // ticks handed over at once at most
+constexpr double kBatchTime = 0.1;                     // that they span at most [s]
+constexpr std::chrono::milliseconds kKeepPeriod{500};  // between flushes
+constexpr double kMostBehind = 0.5;  // ticks of a batch, where the disk follows [s]
 /// That wait; as many again may be in the writer's hands.
 constexpr std::size_t kMostWaiting = (std::size_t{50} << 20U) / sizeof(TickSample);
+
+/// That the ticks of a batch span [s].
+double timeOf(const std::vector<TickSample>& batch) {
+    return batch.empty() ? 0.0 : batch.back().time - batch.front().time;
+}
 
 }  // namespace
 
@@ -24,7 +32,7 @@ RecordingThread::RecordingThread(const std::filesystem::path& folder, const Load
 
 void RecordingThread::take(const TickSample& sample) {
     fresh_.push_back(sample);
-    if (fresh_.size() == kBatch) {
+    if (fresh_.size() == kBatch || sample.time - fresh_.front().time >= kBatchTime) {
         handOver();
     }
 }
@@ -78,27 +86,43 @@ void RecordingThread::work(const std::stop_token& stop) {
 }
 
 void RecordingThread::writeAll(const std::stop_token& stop) {
+    kept_ = Clock::now();
     std::vector<TickSample> batch;
-    while (receive(batch, stop)) {
+    do {
+        receive(batch, stop);
         for (const TickSample& sample : batch) {
             recording_.take(sample);
         }
         if (recording_.broken()) {
             endBecause(RecordingEnd::TicksLost);
         }
-    }
-    if (!stop.stop_requested()) {
-        recording_.finish();
+        if (Clock::now() - kept_ >= kKeepPeriod) {
+            keepWritten(timeOf(batch) > kMostBehind);
+        }
+    } while (!allReceived(stop));
+    stop.stop_requested() ? recording_.flush() : recording_.finish();
+}
+
+/// A disk that is behind has no time to be waited for.
+void RecordingThread::keepWritten(bool behind) {
+    kept_ = Clock::now();  // before the disk is waited for: the period includes that
+    recording_.flush();
+    if (!behind) {
+        recording_.sync();
     }
 }
 
-/// @return false: all was received
-bool RecordingThread::receive(std::vector<TickSample>& batch, const std::stop_token& stop) {
+void RecordingThread::receive(std::vector<TickSample>& batch, const std::stop_token& stop) {
     batch.clear();
     std::unique_lock lock(mutex_);
-    waiting_.wait(lock, stop, [this] { return complete_ || !handed_.empty(); });
+    waiting_.wait_until(lock, stop, kept_ + kKeepPeriod,
+                        [this] { return complete_ || !handed_.empty(); });
     std::swap(batch, handed_);
-    return !stop.stop_requested() && !batch.empty();
+}
+
+bool RecordingThread::allReceived(const std::stop_token& stop) const {
+    const std::lock_guard lock(mutex_);
+    return (complete_ || stop.stop_requested()) && handed_.empty();
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "app/Recording.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -19,14 +20,15 @@ enum class RecordingEnd {
 };
 
 /// A recording that is written on a thread of its own: who hands over ticks waits for no disk. For
-/// one thread that hands them over.
+/// one thread that hands them over. What is older than about 0.6 s survives the end of the process,
+/// and where the disk follows, a power cut.
 class RecordingThread {
 public:
     /// @param loaded outlives it
     /// @throw Error as Recording
     RecordingThread(const std::filesystem::path& folder, const LoadedScene& loaded,
                     const TickMemory& memory, double delay);
-    /// Leaves no tables where it was not finished.
+    /// Where it was not finished, what was handed over is written, and said not to be complete.
     ~RecordingThread() = default;
     RecordingThread(const RecordingThread&) = delete;
     RecordingThread& operator=(const RecordingThread&) = delete;
@@ -50,13 +52,18 @@ private:
     void handOver();
     void work(const std::stop_token& stop);
     void writeAll(const std::stop_token& stop);
-    [[nodiscard]] bool receive(std::vector<TickSample>& batch, const std::stop_token& stop);
+    void receive(std::vector<TickSample>& batch, const std::stop_token& stop);
+    [[nodiscard]] bool allReceived(const std::stop_token& stop) const;
     void endBecause(RecordingEnd reason);
+    void keepWritten(bool behind);
+
+    using Clock = std::chrono::steady_clock;
 
     std::filesystem::path folder_;
     Recording recording_;            ///< the writer's while it runs
     double processorTime_ = 0.0;     ///< the writer's while it runs [s]
     std::exception_ptr error_;       ///< the writer's while it runs
+    Clock::time_point kept_;         ///< the writer's: when it last flushed
     std::vector<TickSample> fresh_;  ///< not handed over yet
     mutable std::mutex mutex_;       ///< guards the rest
     std::condition_variable_any waiting_;

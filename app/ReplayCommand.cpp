@@ -2,20 +2,17 @@
 
 #include "app/LoadedScene.h"
 #include "app/OptionChecks.h"
+#include "app/OutputFolder.h"
 #include "app/ProgressLine.h"
+#include "app/RecordedRun.h"
 #include "app/RunFolder.h"
 #include "core/Error.h"
-#include "core/haptics/HapticTick.h"
-#include "core/io/CsvTable.h"
 #include "core/io/TextValue.h"
-#include "core/io/TickMemoryFile.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace asperity {
@@ -25,19 +22,8 @@ namespace {
 struct ReplayOptions {
     std::string run;
     std::string out;
+    bool force = false;
 };
-
-/// The hash of the scan that the run was made on.
-std::string recordedHash(const std::filesystem::path& folder) {
-    const std::filesystem::path path = folder / run_files::kSummary;
-    std::ifstream file(path);
-    const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
-    const nlohmann::json::json_pointer pointer("/input/sha256");
-    if (summary.is_discarded() || !summary.contains(pointer) || !summary[pointer].is_string()) {
-        throw InputError(path.string(), "input.sha256", "expected the hash of the scan");
-    }
-    return summary[pointer].get<std::string>();
-}
 
 /// A run starts with its scene's settings and keeps its rate, but for whole periods that a live one
 /// skips now and then: where the recorded input says otherwise, one of the two files was altered.
@@ -63,22 +49,14 @@ void requireSameSettings(const Scene& scene, const std::vector<TickSample>& samp
             first.settings.correctionBandwidth);
 }
 
-/// What the first tick starts from: a recording may begin in the middle of a run.
-TickMemory startMemory(const std::filesystem::path& folder) {
-    const std::filesystem::path file = folder / run_files::kMemory;
-    return std::filesystem::exists(file) ? readTickMemory(file) : TickMemory{};
-}
-
 /// Runs the recorded inputs through the tick again and writes what comes out.
-void runAgain(const Scene& scene, const std::filesystem::path& from,
-              const std::filesystem::path& out) {
-    std::vector<TickSample> samples = readTickInputs(from / run_files::kInput);
-    if (!samples.empty()) {
-        requireSameSettings(scene, samples);
+void runAgain(const Scene& scene, RecordedRun& run, const std::filesystem::path& out) {
+    if (!run.samples.empty()) {
+        requireSameSettings(scene, run.samples);
     }
     RunRecorder recorder(out);
-    TickMemory memory = startMemory(from);
-    for (TickSample& sample : samples) {
+    TickMemory memory = run.memory;
+    for (TickSample& sample : run.samples) {
         sample.output = tick(scene, sample.input, memory);
         recorder.take(sample);
     }
@@ -87,7 +65,8 @@ void runAgain(const Scene& scene, const std::filesystem::path& from,
 
 /// Compares two force logs cell by cell, as text: the numbers are written to the last bit.
 /// @throw Error naming the first tick that differs
-void compare(const CsvTable& recorded, const CsvTable& replayed) {
+void compare(const RecordedRun& run, const CsvTable& replayed) {
+    const CsvTable& recorded = run.log;
     const std::size_t common = std::min(recorded.rows(), replayed.rows());
     for (std::size_t row = 0; row < common; ++row) {
         for (const std::string& column : replayed.columns()) {
@@ -102,29 +81,42 @@ void compare(const CsvTable& recorded, const CsvTable& replayed) {
             }
         }
     }
-    if (recorded.rows() != replayed.rows()) {
+    if (run.state == RunState::Complete && recorded.rows() != replayed.rows()) {
         throw Error("first differing tick: " + std::to_string(common) + ": the recorded log has " +
                     std::to_string(recorded.rows()) + " ticks, the recorded input " +
                     std::to_string(replayed.rows()));
     }
 }
 
+void tellOutcome(const RecordedRun& run) {
+    const std::string cutOff = sentenceOf(run.state);
+    if (!cutOff.empty()) {
+        std::cerr << "note: " << cutOff << '\n';
+    }
+    if (run.samples.empty()) {
+        std::cerr << "note: the recording ended before its first tick was written\n";
+    }
+    std::cout << "bit-identical: " << run.samples.size() << " ticks\n";
+}
+
 void replay(const ReplayOptions& options) {
     const std::filesystem::path folder = options.run;
-    const std::filesystem::path out = options.out;
-    if (std::filesystem::exists(out) && std::filesystem::equivalent(folder, out)) {
+    const std::filesystem::path target = options.out;
+    if (std::filesystem::exists(target) && std::filesystem::equivalent(folder, target)) {
         throw Error("--out must be another folder than the run: its logs would be overwritten");
     }
-    const CsvTable recorded = readCsv(folder / run_files::kLog);
+    RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    if (loaded.sha256 != recordedHash(folder)) {
+    if (loaded.sha256 != run.sha256) {
         throw InputError(loaded.scene.description.sample.file, "",
                          "the scan has changed since the run was recorded (its hash differs)");
     }
-    makeOutputFolder(out);
-    runAgain(loaded.scene, folder, out);
-    compare(recorded, readCsv(out / run_files::kLog));
-    std::cout << "bit-identical: " << recorded.rows() << " ticks\n";
+    OutputFolder out(target, replayedLogs(), options.force);
+    runAgain(loaded.scene, run, out.staging());
+    const CsvTable replayed = readCsv(out.staging() / run_files::kLog);
+    out.commit();
+    compare(run, replayed);
+    tellOutcome(run);
 }
 
 }  // namespace
@@ -133,8 +125,10 @@ void addReplayCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "replay", "Run a recorded input again; say whether every tick is bit-identical");
     const auto options = std::make_shared<ReplayOptions>();
-    command->add_option("RUN", options->run, "folder that explore wrote")->required();
+    command->add_option("RUN", options->run, "folder that explore or a recording wrote")
+        ->required();
     addOutputFolder(*command, options->out, "folder for the replayed logs");
+    addForce(*command, options->force);
     command->callback([options] { replay(*options); });
 }
 

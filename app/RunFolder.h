@@ -1,10 +1,12 @@
 #pragma once
 
+#include "app/OutputFolder.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/io/TickLog.h"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -14,7 +16,8 @@ inline constexpr const char* kScene = "scene.toml";
 inline constexpr const char* kInput = "tick_input.csv";
 inline constexpr const char* kMemory = "tick_memory.csv";  ///< absent: the run began afresh
 inline constexpr const char* kLog = "force_log.csv";
-inline constexpr const char* kEnergy = "energy_log.csv";  ///< of a hand with motors
+inline constexpr const char* kEnergy = "energy_log.csv";    ///< of a hand with motors
+inline constexpr const char* kManifest = "recording.json";  ///< of what Record wrote
 inline constexpr const char* kSummary = "summary.json";
 inline constexpr const char* kDeformation = "deformation.png";
 inline constexpr const char* kDeformationFields = "deformation.exr";
@@ -22,14 +25,25 @@ inline constexpr const char* kOverview = "overview.png";
 inline constexpr const char* kForces = "forces.png";
 }  // namespace run_files
 
-/// Writes the two tables of a run tick by tick; each appears whole or not at all.
+/// All of them: none of a new run stands beside one of an earlier run.
+[[nodiscard]] const std::vector<std::string>& runFileNames();
+/// What `asperity explore` leaves: it replaces another such run, and no recording unasked.
+[[nodiscard]] FolderContent exploredRun();
+/// What `asperity replay` leaves: it replaces other logs of its own, and no run unasked.
+[[nodiscard]] FolderContent replayedLogs();
+
+/// Writes the two tables of a run tick by tick; they grow in their place.
 class RunRecorder {
 public:
-    /// @throw Error when the folder cannot be made or written
+    /// @throw Error when a table is there or cannot be made
     explicit RunRecorder(const std::filesystem::path& folder);
 
     void take(const TickSample& sample);
-    /// Puts the tables in place. @throw Error
+    /// Hands all ticks so far to the system. @throw Error
+    void flush();
+    /// Waits until the disk holds what was flushed. @throw Error
+    void sync() const;
+    /// Writes what is left. @throw Error
     void close();
 
 private:
@@ -40,10 +54,12 @@ private:
 /// Makes a folder for output where there is none. @throw Error
 void makeOutputFolder(const std::filesystem::path& folder);
 
-/// Removes from a folder what an earlier run left there and a new one does not write over at once:
-/// its pictures and what it started from. No log stands beside what belongs to another one, even
-/// where drawing fails or is cancelled. @throw Error
-void removeEarlierResults(const std::filesystem::path& folder);
+/// A recording is written into its folder from its first tick on, so the folder must not hold a run
+/// yet. @throw Error where it does
+void requireNoRun(const std::filesystem::path& folder);
+/// Removes the files of an earlier run, and no others. @throw Error where that is a recording which
+/// goes on, or they cannot be removed
+void removeRun(const std::filesystem::path& folder);
 
 /// Writes a small text file whole or not at all. @throw Error
 void writeTextFile(const std::filesystem::path& path, const std::string& text);

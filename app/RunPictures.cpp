@@ -27,8 +27,8 @@ DeformationView viewOf(const Scene& scene, const TickSample& sample, const char*
 std::vector<DeformationView> deformationViews(const Scene& scene, const RunEvents& events) {
     std::vector<DeformationView> views;
     views.push_back(viewOf(scene, *events.deepest, "Largest indentation"));
-    if (events.beforePullOff) {
-        views.push_back(viewOf(scene, *events.beforePullOff, "Just before pull-off"));
+    if (events.lastHold) {
+        views.push_back(viewOf(scene, *events.lastHold, "Just before pull-off"));
     }
     return views;
 }

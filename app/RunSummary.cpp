@@ -1,5 +1,7 @@
 #include "app/RunSummary.h"
 
+#include "app/JsonText.h"
+#include "core/PathText.h"
 #include "core/Version.h"
 #include "core/io/SceneFile.h"
 #include "core/scene/HalfSpaceModel.h"
@@ -23,7 +25,7 @@ Json sceneJson(const SceneDescription& scene) {
 
 Json inputJson(const LoadedScene& loaded) {
     const BSplineSurface& surface = loaded.scene.surface;
-    return {{"file", loaded.scene.description.sample.file},
+    return {{"file", pathText(loaded.scene.description.sample.file)},
             {"sha256", loaded.sha256},
             {"format", loaded.format},
             {"channel", loaded.scene.description.sample.channel},
@@ -50,7 +52,13 @@ Json modelJson(const SceneNeeds& needs) {
     for (const TermNeed& need : needs.terms) {
         terms.push_back(termJson(need));
     }
-    return {{"tolerance", needs.tolerance}, {"force_error", needs.forceError}, {"terms", terms}};
+    Json model = {{"tolerance", needs.tolerance}, {"force_error", nullptr}, {"terms", terms}};
+    if (needs.measured) {
+        model["force_error"] = needs.totalError();
+        model["force_error_left_out"] = needs.wholeError;
+        model["force_error_law"] = needs.lawError;
+    }
+    return model;
 }
 
 Json vectorJson(const Vector3& vector) { return {vector.x(), vector.y(), vector.z()}; }
@@ -86,7 +94,7 @@ Json halfSpaceJson(const Scene& scene, const std::optional<TickSample>& sample) 
             {"contact_radius_m", answer.contactRadius}};
 }
 
-/// A jump between two states; null when there was none.
+/// A jump of the model between two states; null when there was none.
 Json jumpJson(const std::optional<TickSample>& before, const std::optional<TickSample>& after) {
     if (!before || !after) {
         return nullptr;
@@ -94,6 +102,15 @@ Json jumpJson(const std::optional<TickSample>& before, const std::optional<TickS
     return {{"before", stateJson(*before)},
             {"after", stateJson(*after)},
             {"energy_lost_j", after->output.model.contact.energyLost}};
+}
+
+/// The last jump off, and when signals and model last held the tip both.
+Json pullOffJson(const RunEvents& events) {
+    Json json = jumpJson(events.beforePullOff, events.pullOff);
+    if (!json.is_null()) {
+        json["last_hold"] = optionalState(events.lastHold);
+    }
+    return json;
 }
 
 Json flagsJson(const RunEvents& events) {
@@ -120,12 +137,11 @@ std::string runSummary(const LoadedScene& loaded, const RunEvents& events) {
           {"ticks_flagged", flagsJson(events)},
           {"ticks_faulted", events.faults}}},
         {"snap_in", jumpJson(events.beforeSnapIn, events.snapIn)},
-        {"pull_off", jumpJson(events.beforePullOff, events.pullOff)},
+        {"pull_off", pullOffJson(events)},
         {"largest_indentation", optionalState(events.deepest)},
         {"largest_indentation_half_space", halfSpaceJson(loaded.scene, events.deepest)},
         {"strongest_attraction", optionalState(events.strongestPull)}};
-    constexpr int kIndent = 2;
-    return summary.dump(kIndent) + '\n';
+    return jsonText(summary) + '\n';
 }
 
 }  // namespace asperity

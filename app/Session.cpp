@@ -3,6 +3,8 @@
 #include "app/DataFolder.h"
 #include "app/PathChecks.h"
 #include "core/Error.h"
+#include "core/PathText.h"
+#include "core/PrintableText.h"
 #include "core/io/HandPathFile.h"
 #include "core/io/SceneFile.h"
 #include "ui/HeldKeys.h"
@@ -111,12 +113,14 @@ void Session::connectMenus() {
             run_->blackBox().freeze();
         }
     });
-    connect(&window_, &MainWindow::openRequested, this,
-            [this](const QString& file) { open(file.toStdString()); });
+    connect(&window_, &MainWindow::openRequested, this, [this](const QString& file) {
+        const std::string text = file.toStdString();
+        open(pathFromText(text).value_or(text));
+    });
     connect(&window_, &MainWindow::pathFileChosen, this,
             [this](const QString& file) { followFile(file, readHandPath); });
     connect(&window_, &MainWindow::recordingChosen, this,
-            [this](const QString& file) { followFile(file, readRecordedPath); });
+            [this](const QString& file) { repeatRecording(file.toStdString()); });
     connect(&window_, &MainWindow::pictureFileChosen, this, &Session::savePicture);
 }
 
@@ -139,8 +143,8 @@ void Session::begin(LoadedScene scene, const Vector3& start, const Settings& set
     hand_.attach(*run_);
     const SampleDescription& sample = run_->scene().description.sample;
     const std::filesystem::path file = sample.file;
-    const QString name =
-        QString::fromStdString(sample.shape ? sampleName(sample) : file.filename().string());
+    const QString name = QString::fromStdString(sample.shape ? sampleName(sample)
+                                                             : printable(file.filename().string()));
     window_.showScene(&run_->scene(), name);
     window_.tell(name);
     showKnobs();
@@ -256,6 +260,7 @@ void Session::onFrame() {
         followDelay();
         fetchTicks();
         saveLastSeconds();
+        tellOfRecovered();
         if (!run_->loop().running()) {
             show_.rest();
         }

@@ -5,6 +5,7 @@
 #include "app/HandControl.h"
 #include "app/LastSeconds.h"
 #include "app/LiveRun.h"
+#include "app/RecordingRecovery.h"
 #include "app/RecordingThread.h"
 #include "app/SceneLoader.h"
 
@@ -14,6 +15,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <memory>
 #include <string>
 #include <vector>
@@ -52,6 +54,11 @@ public:
     /// Every tick from now on is written to a folder, until finishRecording() or the run's end.
     void startRecording(const std::filesystem::path& folder);
     void finishRecording();
+    /// Why the last recording could not be written on; empty: it could.
+    [[nodiscard]] const QString& recordingFailure() const { return recordingFailure_; }
+    /// Ends the recordings in the recordings' folder that were cut off at their last whole tick, in
+    /// the background, and says so.
+    void recoverCutOff();
     /// Processor time that it took to write a tick of the last recording; 0: there is none [s].
     [[nodiscard]] double writingTime() const { return writingTime_; }
 
@@ -69,6 +76,7 @@ Q_SIGNALS:
     void sceneShown();
     void openFailed(QString reason);
     void openCancelled();
+    /// Whatever ended it: what was written of it is in the folder.
     void recordingFinished(QString folder);
     void lastSecondsSaved(QString folder);
 
@@ -115,13 +123,15 @@ private:
     void turnHand(double seconds);
     void choosePositionGain(double gain);
     using ReadPath = std::function<HandPath(const std::filesystem::path&)>;
-    void followFile(const QString& file, const ReadPath& read);
+    bool followFile(const QString& file, const ReadPath& read);
+    void repeatRecording(const std::filesystem::path& forceLog);
     void travelTo(const Vector2& place);
     void changeSettings(const std::function<void(Settings&)>& change);
     void setForces(bool on);
     void takeBackFault();
     void record(bool on);
     void tellOfRecording(const RecordingThread& recording);
+    void tellOfRecovered();
     /// Begins to write what the black box holds, as soon as nothing else of it is being written.
     void saveLastSeconds();
     /// Waits until they are written.
@@ -147,9 +157,11 @@ private:
     std::unique_ptr<LiveRun> run_;
     HandControl hand_;
     std::unique_ptr<RecordingThread> recording_;
-    std::future<LastSeconds> lastSeconds_;  ///< being written; not valid: none
-    double recordedAfter_ = 0.0;            ///< what came until then is not of the recording [s]
-    double writingTime_ = 0.0;              ///< [s]
+    std::future<LastSeconds> lastSeconds_;                    ///< being written; not valid: none
+    std::future<std::vector<RecoveredRecording>> recovered_;  ///< not valid: nothing to tell of
+    QString recordingFailure_;
+    double recordedAfter_ = 0.0;  ///< what came until then is not of the recording [s]
+    double writingTime_ = 0.0;    ///< [s]
     std::filesystem::path recordings_;
     std::vector<SampleMaterial> materials_;
     QString loading_;  ///< name of the file that is being loaded; empty: none

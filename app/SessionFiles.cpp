@@ -2,6 +2,7 @@
 
 #include "app/Session.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "ui/MainWindow.h"
 #include "ui/WindowMenus.h"
 #include "ui/panels/ControlBar.h"
@@ -40,7 +41,7 @@ QString Session::reasonOf(const std::exception_ptr& error) {
     } catch (const std::bad_alloc&) {
         return tr("out of memory");
     } catch (const std::exception& known) {
-        return QString::fromUtf8(known.what());
+        return QString::fromStdString(printable(known.what()));
     }
 }
 
@@ -53,7 +54,7 @@ void Session::connectLoader() {
 }
 
 void Session::open(const std::filesystem::path& input) {
-    loading_ = QString::fromStdString(input.filename().string());
+    loading_ = QString::fromStdString(printable(input.filename().string()));
     window_.showLoading(loading_);
     loader_.load(input);
 }
@@ -97,6 +98,7 @@ void Session::record(bool on) {
 }
 
 void Session::startRecording(const std::filesystem::path& folder) {
+    recordingFailure_.clear();
     fetchTicks();  // those before the recording belong to nobody
     const Snapshot before = run_->loop().snapshot();
     recordedAfter_ = before.statistics.ticks > 0 ? before.sample.time : -1.0;
@@ -104,7 +106,8 @@ void Session::startRecording(const std::filesystem::path& folder) {
         recording_ = std::make_unique<RecordingThread>(folder, run_->loaded(), before.memory,
                                                        run_->hand().delay());
     } catch (const std::exception& error) {
-        window_.complain(QString::fromUtf8(error.what()));
+        recordingFailure_ = QString::fromUtf8(error.what());
+        window_.complain(recordingFailure_);
     }
     showRecording();
 }
@@ -118,8 +121,12 @@ void Session::finishRecording() {
             writingTime_ = finished->timePerTick();
             tellOfRecording(*finished);
         } catch (const std::exception& error) {
-            window_.complain(QString::fromUtf8(error.what()));
+            recordingFailure_ = QString::fromUtf8(error.what());
+            window_.complain(tr("The recording has ended: %1. What was written until then is kept, "
+                                "and can be replayed.")
+                                 .arg(recordingFailure_));
         }
+        Q_EMIT recordingFinished(QString::fromStdString(finished->folder().string()));
     }
     showRecording();
 }
@@ -136,7 +143,33 @@ void Session::tellOfRecording(const RecordingThread& recording) {
                             "ends where it fell behind.")
                              .arg(folder));
     }
-    Q_EMIT recordingFinished(folder);
+}
+
+void Session::recoverCutOff() {
+    recovered_ = std::async(std::launch::async, recoverRecordings, recordings_);
+}
+
+/// Once a scene is there: its name would be told over it.
+void Session::tellOfRecovered() {
+    using namespace std::chrono_literals;
+    if (!recovered_.valid() || recovered_.wait_for(0s) != std::future_status::ready) {
+        return;
+    }
+    const std::vector<RecoveredRecording> recordings = recovered_.get();
+    for (const RecoveredRecording& recording : recordings) {
+        const QString folder = QString::fromStdString(recording.folder.string());
+        window_.tell(recording.problem.empty()
+                         ? tr("A recording that was cut off is kept: %1 s in %2")
+                               .arg(recording.duration, 0, 'f', 1)
+                               .arg(folder)
+                         : tr("A recording that was cut off is not kept: %1")
+                               .arg(QString::fromUtf8(recording.problem.c_str())));
+    }
+    if (recordings.size() > 1) {
+        window_.tell(tr("%1 recordings that were cut off are kept in %2")
+                         .arg(recordings.size())
+                         .arg(QString::fromStdString(recordings_.string())));
+    }
 }
 
 void Session::saveLastSeconds() {

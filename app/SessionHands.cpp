@@ -1,10 +1,12 @@
 // Which hand a session gives the tip, and what its knobs may be.
 
 #include "app/PathChecks.h"
+#include "app/RecordedRun.h"
 #include "app/Session.h"
 #include "core/Error.h"
 #include "core/SiFormat.h"
 #include "core/haptics/mapping/WorkspaceMapping.h"
+#include "core/io/HandPathFile.h"
 #include "core/scene/SceneModel.h"
 #include "ui/HeldKeys.h"
 #include "ui/MainWindow.h"
@@ -193,17 +195,32 @@ void Session::choosePath(int index) {
     }
 }
 
-void Session::followFile(const QString& file, const ReadPath& read) {
+/// @return whether the hand follows it
+bool Session::followFile(const QString& file, const ReadPath& read) {
     if (!run_) {
-        return;
+        return false;
     }
     try {
         const HandPath path = read(file.toStdString());
         requireNear(run_->scene(), path, file.toStdString());
         window_.controls().setPath(-1);
         follow(path);
+        return true;
     } catch (const Error& error) {
         window_.complain(QString::fromUtf8(error.what()));
+        return false;
+    }
+}
+
+void Session::repeatRecording(const std::filesystem::path& forceLog) {
+    const auto read = [](const std::filesystem::path& file) {
+        return readRecordedPath(readRunTable(file));
+    };
+    if (followFile(QString::fromStdString(forceLog.string()), read)) {
+        const std::string cutOff = sentenceOf(stateOf(forceLog.parent_path()));
+        if (!cutOff.empty()) {
+            window_.tell(QString::fromStdString(cutOff));
+        }
     }
 }
 

@@ -3,12 +3,14 @@
 #include "app/DataFolder.h"
 #include "app/LoadedScene.h"
 #include "app/OptionChecks.h"
+#include "app/OutputFolder.h"
 #include "app/ProgressLine.h"
-#include "app/RunFolder.h"
 #include "app/TradeOffFiles.h"
 #include "app/VirtualDisplay.h"
+#include "core/PrintableText.h"
 #include "core/fidelity/Composition.h"
 #include "core/fidelity/DeformationStudy.h"
+#include "core/fidelity/ForceErrorText.h"
 #include "core/fidelity/TradeOffStudy.h"
 
 #include <CLI/CLI.hpp>
@@ -30,8 +32,8 @@ void printDeformations(const std::vector<DeformationResult>& results) {
     std::printf("%-16s %-6s %-15s %6s %9s %9s %9s %10s %10s\n", "", "", "", "", "[ms]", "[%]",
                 "[%]", "force [nN]", "force [nN]");
     for (const DeformationResult& r : results) {
-        std::printf("%-16s %-6s %-15s %6.2f %9.2f", r.material.c_str(), r.surface.c_str(),
-                    nameOf(r.tier), r.contactRatio, r.time * 1e3);
+        std::printf("%-16s %-6s %-15s %6.2f %9.2f", printable(r.material).c_str(),
+                    r.surface.c_str(), nameOf(r.tier), r.contactRatio, r.time * 1e3);
         if (r.compared) {
             std::printf(" %9.3g %9.3g", r.errorRms * 1e2, r.errorMax * 1e2);
         } else {
@@ -129,9 +131,9 @@ void printCompositions(const TradeOff& study, double tolerance) {
 void printNeeds(const SceneNeeds& needs) {
     std::printf(
         "what the scene requires, within %.3g %%: what is left out automatically moves forces "
-        "by %.2g %%, a tick takes %.2f us instead of %.2f us\n",
+        "by %.2g %%, a tick takes %.2f us instead of %.2f us; %s\n",
         needs.tolerance * 100.0, needs.forceError * 100.0, needs.modelTick * 1e6,
-        needs.fullTick * 1e6);
+        needs.fullTick * 1e6, forceErrorText(needs).c_str());
     for (const TermNeed& need : needs.terms) {
         const char* unit = isOfSurface(need.term) ? "ms a patch" : "us a tick";
         const double time = need.time * (isOfSurface(need.term) ? 1e3 : 1e6);
@@ -147,17 +149,17 @@ void tradeOff(const TradeOffOptions& options) {
     const std::filesystem::path scene =
         options.scene.empty() ? defaultSceneFile() : std::filesystem::path(options.scene);
     LoadedScene loaded = loadSceneOnTerminal(scene, {});
-    const std::filesystem::path out = options.out;
-    makeOutputFolder(out);
+    OutputFolder out(options.out, {.own = tradeOffFileNames()});
     ProgressLine line("measuring");
     ProgressPart running(&line, 0.0, 0.7);
     const TradeOff study = studyTradeOff(loaded.scene, {}, &running);
-    writeTradeOff(out, study);
-    writeNeeds(out / "needs.csv", loaded.needs);
+    writeTradeOff(out.staging(), study);
+    writeNeeds(out.staging() / "needs.csv", loaded.needs);
     ProgressPart deforming(&line, 0.7, 1.0);
     const std::vector<DeformationResult> deformations =
         studyDeformation(loaded.scene, {}, &deforming);
-    writeDeformations(out / "deformation.csv", deformations);
+    writeDeformations(out.staging() / "deformation.csv", deformations);
+    out.commit();
     printTicks(study, loaded.needs.tolerance);
     printFrames(study);
     printRates(study);

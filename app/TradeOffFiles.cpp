@@ -153,6 +153,11 @@ void drawFigure(const std::filesystem::path& path, const TradeOff& study) {
 
 }  // namespace
 
+std::vector<std::string> tradeOffFileNames() {
+    return {"tradeoff.csv", "frames.csv", "rates.csv",      "compositions.csv",
+            "tradeoff.png", "needs.csv",  "deformation.csv"};
+}
+
 void writeTradeOff(const std::filesystem::path& folder, const TradeOff& study) {
     writeTicks(folder / "tradeoff.csv", study);
     writeFrames(folder / "frames.csv", study);

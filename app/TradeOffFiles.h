@@ -5,9 +5,13 @@
 #include "core/fidelity/TradeOffStudy.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace asperity {
+
+/// All files that `asperity tradeoff` leaves, the main table first.
+[[nodiscard]] std::vector<std::string> tradeOffFileNames();
 
 /// Writes tradeoff.csv, frames.csv, rates.csv, compositions.csv and the figure tradeoff.png into a
 /// folder.

@@ -2,7 +2,9 @@
 
 #include "app/DataFolder.h"
 #include "app/LiveWindow.h"
+#include "app/OptionChecks.h"
 #include "app/ProgressLine.h"
+#include "app/RunFolder.h"
 #include "vtkplugins/pictures/Display.h"
 
 #include <CLI/CLI.hpp>
@@ -24,6 +26,15 @@ CLI::Validator noMistypedCommand() {
                            : std::string();
             },
             ""};
+}
+
+/// Records the first scene that is shown.
+void recordFromTheStart(Session& session, const std::filesystem::path& folder) {
+    auto* const once = new QObject(&session);
+    QObject::connect(&session, &Session::sceneShown, once, [&session, once, folder] {
+        once->deleteLater();
+        session.startRecording(folder);
+    });
 }
 
 /// Shows the window, and the file as soon as it is loaded. Where that fails the program ends as
@@ -55,6 +66,11 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
                     "height map or scene.toml to open in the window; without one, the scene that "
                     "comes with the program")
         ->check(noMistypedCommand());
+    program
+        .add_option("--record", options->record,
+                    "folder: record every tick of the scene from the first one on")
+        ->check(notEmpty());
+    addForce(program, options->force);
     return options;
 }
 
@@ -62,7 +78,14 @@ int openWindow(const WindowOptions& options) {
     if (!options.input.empty() && !haveDisplay()) {
         (void)loadSceneOnTerminal(options.input, {});  // what is wrong with the input comes first
     }
+    if (!options.record.empty()) {
+        options.force ? removeRun(options.record) : requireNoRun(options.record);
+    }
     LiveWindow live;
+    live.session().recoverCutOff();
+    if (!options.record.empty()) {
+        recordFromTheStart(live.session(), options.record);
+    }
     const std::filesystem::path input =
         options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
     return input.empty() ? live.exec() : execWith(live, input);

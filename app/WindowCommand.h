@@ -11,7 +11,9 @@ namespace asperity {
 
 /// What `asperity [FILE or SCENE.toml]` was given.
 struct WindowOptions {
-    std::string input;  ///< empty: the scene that comes with the program
+    std::string input;   ///< empty: the scene that comes with the program
+    std::string record;  ///< folder for a recording from the first tick on; empty: none
+    bool force = false;  ///< an earlier run in that folder may go
 };
 
 /// Adds the options of the program itself, without a subcommand.

@@ -9,15 +9,18 @@
 #include "app/LoopCommand.h"
 #include "app/ProjectCommand.h"
 #include "app/ReplayCommand.h"
+#include "app/StandardStreams.h"
 #include "app/TradeOffCommand.h"
 #include "app/WindowCommand.h"
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "core/Version.h"
 
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <sstream>
 
 namespace {
 
@@ -46,7 +49,12 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return program.exit(error) == 0 ? 0 : kWrongUsage;
+        std::ostringstream help;
+        std::ostringstream complaint;
+        const int status = program.exit(error, help, complaint);
+        std::cout << help.str();
+        std::cerr << asperity::printableLines(complaint.str());
+        return status == 0 ? 0 : kWrongUsage;
     }
     return program.get_subcommands().empty() ? asperity::openWindow(*window) : 0;
 }
@@ -54,6 +62,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    asperity::openClosedStandardStreams();
     try {
         const int status = run(argc, argv);
         std::cout.flush();
@@ -68,7 +77,7 @@ int main(int argc, char** argv) {
         std::cerr << "asperity: out of memory\n";
         return kFailed;
     } catch (const std::exception& error) {
-        std::cerr << "asperity: " << error.what() << '\n';
+        std::cerr << "asperity: " << asperity::printable(error.what()) << '\n';
         return kFailed;
     }
 }

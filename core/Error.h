@@ -1,15 +1,18 @@
 #pragma once
 
+#include "core/PrintableText.h"
+
 #include <stdexcept>
 #include <string>
 
 namespace asperity {
 
 /// Something failed while loading, configuring or writing. The message is one sentence that a user
-/// can act on; the program prints it and exits with 1.
+/// can act on; the program prints it and exits with 1. What it quotes from outside is made
+/// printable.
 class Error : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit Error(const std::string& message) : std::runtime_error(printable(message)) {}
 };
 
 /// An input that cannot be read: names the file, the place in it and what was expected there.

@@ -1,14 +1,18 @@
 #include "core/TemporaryFile.h"
 
 #include "core/Error.h"
+#include "core/Leftover.h"
 
+#include <cerrno>
+#include <fcntl.h>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace asperity {
 
 namespace {
+
+std::string reasonOf(int error) { return std::generic_category().message(error); }
 
 /// Where a file of this name is to be, symbolic links followed. @throw Error when it cannot be
 /// there
@@ -32,17 +36,38 @@ std::filesystem::path placeOf(const std::filesystem::path& target) {
 }  // namespace
 
 TemporaryFile::TemporaryFile(std::filesystem::path target)
-    : target_(std::move(target)), place_(placeOf(target_)), path_(place_) {
-    path_ += ".part" + std::to_string(getpid());
-    if (!std::ofstream(path_)) {
-        throw Error(target_.string() +
-                    ": cannot be written; its folder is missing or not writable");
+    : target_(std::move(target)), place_(placeOf(target_)), file_(created()) {}
+
+/// Names the file and creates it; what was left for the same target goes before.
+FileDescriptor TemporaryFile::created() {
+    constexpr mode_t kAsUmaskSays = 0666;
+    constexpr int kTries = 100;
+    const std::string prefix = temporaryPrefix(place_.filename().string());
+    sweepLeftovers(place_.parent_path(), prefix);
+    for (int i = 0; i < kTries; ++i) {
+        path_ = place_.parent_path() / temporaryName(prefix);
+        FileDescriptor file(open(
+            path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kAsUmaskSays));
+        if (file.isOpen() && holdTemporary(file, path_)) {
+            return file;
+        }
+        if (!file.isOpen() && errno != EEXIST) {
+            break;
+        }
     }
+    throw Error(target_.string() + ": cannot be written: " +
+                (errno == ENOENT ? "its folder is missing" : reasonOf(errno)));
 }
 
 TemporaryFile::~TemporaryFile() {
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
+}
+
+void TemporaryFile::sync() const {
+    if (fsync(file_.get()) != 0) {
+        throw Error(target_.string() + ": cannot be written: " + reasonOf(errno));
+    }
 }
 
 void TemporaryFile::commit() const {
@@ -58,11 +83,21 @@ void requireWritable(const std::filesystem::path& target) { const TemporaryFile 
 OutputFile::OutputFile(std::filesystem::path target)
     : file_(std::move(target)), stream_(file_.path(), std::ios::binary) {}
 
-void OutputFile::commit() {
+void OutputFile::close() {
     stream_.close();
     if (!stream_) {
         throw Error(file_.target().string() + ": writing stopped half-way (disk full?)");
     }
+}
+
+void OutputFile::commit() {
+    close();
+    file_.commit();
+}
+
+void OutputFile::commitToDisk() {
+    close();
+    file_.sync();
     file_.commit();
 }
 

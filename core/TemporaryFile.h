@@ -1,13 +1,19 @@
 #pragma once
 
+#include "core/FileDescriptor.h"
+
 #include <filesystem>
 #include <fstream>
 
 namespace asperity {
 
 /// A file being written beside the one that it will replace, so that a write that fails half-way
-/// leaves what was there before. Removed unless committed. A symbolic link stays, and what it leads
-/// to is replaced.
+/// leaves what was there before. Removed unless committed; what a killed process left for the same
+/// target is removed by the next one. A symbolic link at the target stays, and what it leads to is
+/// replaced.
+///
+/// Its own name is random, and it is created anew, so that no link planted in its place is
+/// followed. Encoders that open path() themselves find the file there and truncate it.
 class TemporaryFile {
 public:
     /// @throw Error when the target's folder cannot be written, or the target is there and no
@@ -20,13 +26,18 @@ public:
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
     [[nodiscard]] const std::filesystem::path& target() const noexcept { return target_; }
 
+    /// Waits until the disk holds what was written. @throw Error
+    void sync() const;
     /// Puts the written file in the target's place. @throw Error
     void commit() const;
 
 private:
+    [[nodiscard]] FileDescriptor created();
+
     std::filesystem::path target_;
     std::filesystem::path place_;  ///< of the target, links followed
     std::filesystem::path path_;
+    FileDescriptor file_;  ///< holds the lock
 };
 
 /// Refuses a target that a TemporaryFile refuses, before long work is done for it. @throw Error
@@ -41,8 +52,12 @@ public:
     [[nodiscard]] std::ostream& stream() noexcept { return stream_; }
     /// Flushes, checks that all was written, puts the file in place. @throw Error
     void commit();
+    /// The same, and a power cut leaves the old file or the new one. @throw Error
+    void commitToDisk();
 
 private:
+    void close();
+
     TemporaryFile file_;
     std::ofstream stream_;
 };

@@ -1,13 +1,43 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Asperity and runs its tests.
-# Usage: tools/test.sh [PRESET]        release (default), dev, asan or tsan
+# Usage: tools/test.sh [PRESET]   all tests of one preset but those labelled long: release (default),
+#                                 dev, asan, tsan, or of one gate: release-gate, asan-gate, tsan-gate
+#        tools/test.sh gates      the three gates in one run: the release tests; readers, tick and
+#                                 window with AddressSanitizer and UBSan, and a minute of each
+#                                 fuzzer; loop, recording and devices with ThreadSanitizer
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-preset=${1:-release}
+wanted=${1:-release}
 
-"$top/tools/install_packages.sh"
-"$top/tools/build.sh" "$preset"
+# The tests that draw need a display; a virtual one gives the same pictures everywhere.
+with_display() {
+    xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" "$@"
+}
+
+packages=()
+case $wanted in
+release | release-gate | dev) ;;
+*) packages=("$top/tools/gate_packages.txt") ;;
+esac
+"$top/tools/install_packages.sh" "${packages[@]}"
 
 cd "$top"
-# The tests that draw need a display; a virtual one gives the same pictures everywhere.
-xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" ctest --preset "$preset" -j2
+if [ "$wanted" != gates ]; then
+    target=all
+    case $wanted in asan-gate | tsan-gate) target=asperity_gate ;; esac
+    "$top/tools/build.sh" "$wanted" "$target"
+    with_display ctest --preset "$wanted" -j2
+    exit
+fi
+
+"$top/tools/build.sh" release-gate
+"$top/tools/build.sh" asan-gate asperity_gate
+"$top/tools/build.sh" tsan-gate asperity_gate
+
+# One run and one summary for all of them.
+gates=$top/build/gates
+mkdir -p "$gates"
+for preset in release-gate asan-gate tsan-gate; do
+    echo "subdirs(\"$top/build/$preset\")"
+done >"$gates/CTestTestfile.cmake"
+with_display ctest --test-dir "$gates" --output-on-failure --no-tests=error -j2 --label-exclude '^long$'

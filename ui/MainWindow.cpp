@@ -219,6 +219,7 @@ void MainWindow::lock() {
 void MainWindow::complain(const QString& message) {
     auto* box =
         new QMessageBox(QMessageBox::Warning, tr("Asperity"), message, QMessageBox::Ok, this);
+    box->setTextFormat(Qt::PlainText);  // a name of a file may look like markup
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
 }
@@ -266,7 +267,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
-    Q_EMIT openRequested(event->mimeData()->urls().front().toLocalFile());
+    // As a file URI: Qt's own texts lose the bytes of a name that is no UTF-8.
+    Q_EMIT openRequested(QString::fromLatin1(event->mimeData()->urls().front().toEncoded()));
 }
 
 void MainWindow::showFidelity() {

@@ -27,6 +27,8 @@ LawNames namesOf(ContactLaw law) noexcept {
         return {"md_sphere", "Maugis-Dugdale on the exact sphere"};
     case ContactLaw::Split:
         return {"split", "Maugis-Dugdale with tail"};
+    case ContactLaw::SphereSplit:
+        return {"split_sphere", "Maugis-Dugdale with tail on the exact sphere"};
     case ContactLaw::HertzFilm:
         return {"hertz_film", "Hertz on a film"};
     }
@@ -37,7 +39,11 @@ LawNames namesOf(ContactLaw law) noexcept {
 
 bool isSphere(ContactLaw law) noexcept {
     return law == ContactLaw::Sneddon || law == ContactLaw::SphereJkr ||
-           law == ContactLaw::SphereMaugis;
+           law == ContactLaw::SphereMaugis || law == ContactLaw::SphereSplit;
+}
+
+bool hasTail(ContactLaw law) noexcept {
+    return law == ContactLaw::Split || law == ContactLaw::SphereSplit;
 }
 
 bool isJkr(ContactLaw law) noexcept {

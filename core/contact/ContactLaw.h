@@ -17,16 +17,20 @@ enum class ContactLaw : std::uint8_t {
     SphereJkr,     ///< JKR on the exact sphere
     SphereMaugis,  ///< Maugis-Dugdale on the exact sphere
     Split,         ///< van der Waals tail joined to Maugis-Dugdale
+    SphereSplit,   ///< the same on the exact sphere
     HertzFilm,     ///< Hertz on a bonded incompressible film
 };
 
 inline constexpr std::array kContactLaws{
-    ContactLaw::Hertz,        ContactLaw::Dmt,     ContactLaw::Jkr,
-    ContactLaw::Maugis,       ContactLaw::Sneddon, ContactLaw::SphereJkr,
-    ContactLaw::SphereMaugis, ContactLaw::Split,   ContactLaw::HertzFilm};
+    ContactLaw::Hertz,       ContactLaw::Dmt,       ContactLaw::Jkr,          ContactLaw::Maugis,
+    ContactLaw::Sneddon,     ContactLaw::SphereJkr, ContactLaw::SphereMaugis, ContactLaw::Split,
+    ContactLaw::SphereSplit, ContactLaw::HertzFilm};
 
 /// Whether the law takes the tip as an exact sphere, not as the paraboloid that osculates it.
 [[nodiscard]] bool isSphere(ContactLaw law) noexcept;
+
+/// Whether the law has a van der Waals tail before contact.
+[[nodiscard]] bool hasTail(ContactLaw law) noexcept;
 
 /// Whether the law's attraction acts inside the contact only, with a neck at its edge.
 [[nodiscard]] bool isJkr(ContactLaw law) noexcept;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -28,14 +29,19 @@ void checkMeniscus(const Meniscus& meniscus) {
     }
 }
 
-void checkFilm(ContactLaw law, double thickness) {
-    const bool halfSpace = thickness == 0.0;
-    if (!halfSpace && !isWithin(thickness, 1e-12, 1.0)) {
-        throw Error("contact: the film's thickness must lie between 1e-12 and 1 m");
+/// Null on a half-space.
+std::shared_ptr<const FilmTable> filmFor(ContactLaw law, const ContactOptions& options) {
+    const ContactStatus status = checkFilm(options.filmThickness, options.film.poissonRatio);
+    if (status != ContactStatus::Solved) {
+        throw Error(std::string("contact: ") + expectationOf(status));
     }
-    if (halfSpace && law == ContactLaw::HertzFilm) {
+    if (options.filmThickness > 0.0) {
+        return sharedFilmTable(options.film);
+    }
+    if (law == ContactLaw::HertzFilm) {
         throw Error("contact: the law hertz_film needs the film's thickness");
     }
+    return nullptr;
 }
 
 /// A table for effective radii from a tenth to ten times the tip's, and, since the split law gives
@@ -79,22 +85,20 @@ ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& p
         options.cohesiveStress = defaultStress(pair);
     }
     requirePair(pair, options.cohesiveStress);
-    checkFilm(law, options.filmThickness);
     checkMeniscus(options.meniscus);
-    return {law, pair, options, tableFor(law, pair, options)};
+    return {law, pair, options, tableFor(law, pair, options), filmFor(law, options)};
 }
 
 ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
     const ContactPair& pair = given.pair;
-    const auto splitLaw = [](const ContactPair& of, const MaugisSolver& by) {
-        const AttractiveTail tail = splitTail(of);
-        return Split(WithTail(tail), SplitLaw(of, tail, by));
-    };
     const auto sudden = [](const auto& bonded) {
         return Joined(JoinedLaw(NoTail(bonded.onset()), bonded));
     };
+    const auto tailed = [](const AttractiveTail& tail, const auto& bonded) {
+        return Joined(JoinedLaw(WithTail(tail), bonded));
+    };
     if (given.law == ContactLaw::HertzFilm) {
-        return sudden(FilmLaw(pair, given.options.filmThickness));
+        return sudden(FilmLaw(pair, given.options.filmThickness, given.film));
     }
     const MaugisSolver solver{given.options.solver, given.table};
     const bool adhesive = pair.workOfAdhesion >= kSmallestAdhesion;
@@ -104,6 +108,7 @@ ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
     if (!adhesive) {
         return sudden(HertzLaw(pair));
     }
+    const AttractiveTail tail = splitTail(pair);
     switch (given.law) {
     case ContactLaw::Dmt:
         return sudden(DmtLaw(pair));
@@ -116,7 +121,9 @@ ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
     case ContactLaw::SphereMaugis:
         return sudden(SphereMaugisLaw(pair, given.options.cohesiveStress));
     case ContactLaw::Split:
-        return splitLaw(pair, solver);
+        return tailed(tail, splitLaw(pair, tail, solver));
+    case ContactLaw::SphereSplit:
+        return tailed(tail, sphereSplitLaw(pair, tail));
     default:
         return sudden(HertzLaw(pair));
     }
@@ -180,6 +187,14 @@ ContactState ContactModel::lastBonded(double compliance) const noexcept {
     return given_.options.meniscus.present() ? wetted(last) : last;
 }
 
+double ContactModel::widestFilmContact() const noexcept {
+    if (film() == nullptr) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return filmThickness() *
+           (law() == ContactLaw::HertzFilm ? kWidestFilmContact : film()->halfSpaceLimit());
+}
+
 double ContactModel::cohesiveStress() const noexcept {
     return onAlternative(
         [](const auto& joined) {
@@ -187,6 +202,40 @@ double ContactModel::cohesiveStress() const noexcept {
                 return joined.bonded().cohesiveStress();
             } else {
                 return 0.0;
+            }
+        },
+        joined_);
+}
+
+double ContactModel::cohesiveRange() const noexcept {
+    const double work = given_.pair.workOfAdhesion;
+    if (work < kSmallestAdhesion) {
+        return 0.0;
+    }
+    const AdhesionSplit* shares = split();
+    return shares != nullptr ? shares->cohesiveWork / shares->cohesiveStress
+                             : work / given_.options.cohesiveStress;
+}
+
+const AttractiveTail* ContactModel::tail() const noexcept {
+    return onAlternative(
+        [](const auto& joined) -> const AttractiveTail* {
+            if constexpr (requires { joined.separate().tail(); }) {
+                return &joined.separate().tail();
+            } else {
+                return nullptr;
+            }
+        },
+        joined_);
+}
+
+const AdhesionSplit* ContactModel::split() const noexcept {
+    return onAlternative(
+        [](const auto& joined) -> const AdhesionSplit* {
+            if constexpr (requires { joined.bonded().split(); }) {
+                return &joined.bonded().split();
+            } else {
+                return nullptr;
             }
         },
         joined_);

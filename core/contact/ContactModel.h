@@ -29,12 +29,14 @@ inline constexpr double kCohesiveRange = 0.35677581392778259e-9;
 struct ContactOptions {
     double cohesiveStress = 0.0;  ///< sigma0 of the Maugis laws [Pa]; 0: w / kCohesiveRange
     double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space
+    FilmElasticity film;          ///< of that film; by default incompressible, under a rigid tip
     Meniscus meniscus;            ///< by default none
     SolverTier solver = SolverTier::Newton;
 };
 
 /// One contact law by name for one material pair, in SI units: constant after construction (about a
-/// microsecond), no allocation, never throws after construction.
+/// microsecond; the first of a film some 40 ms, see sharedFilmTable()), no allocation, never throws
+/// after construction.
 class ContactModel {
 public:
     /// @throw Error when a parameter is outside its range, see ContactStatus, or the film's law
@@ -67,31 +69,44 @@ public:
     [[nodiscard]] const ContactPair& pair() const noexcept { return given_.pair; }
     /// sigma0 as the law uses it [Pa]; 0 where it has no cohesive zone.
     [[nodiscard]] double cohesiveStress() const noexcept;
+    /// Range h0 of the pair's attraction across a gap [m]: that of the law's cohesive zone, or,
+    /// where the law has none, that of the stress asked for; 0 without adhesion.
+    [[nodiscard]] double cohesiveRange() const noexcept;
     /// Transition parameter of the cohesive zone; 0 where the law has none.
     [[nodiscard]] double lambda() const noexcept;
 
     /// The table that states come from; null where the tier or the law has none.
     [[nodiscard]] const MaugisTable* table() const noexcept { return given_.table.get(); }
 
+    /// What a film of the sample does to a contact, whatever the law; null on a half-space.
+    [[nodiscard]] const FilmTable* film() const noexcept { return given_.film.get(); }
+    /// Contact radius beyond which the law does not hold on the sample's film [m]: where a law on a
+    /// half-space gives 1 / 1.05 of its force, where `hertz_film` is no longer held to a reference;
+    /// infinite on a half-space.
+    [[nodiscard]] double widestFilmContact() const noexcept;
     /// Of the sample [m]; 0: a half-space.
     [[nodiscard]] double filmThickness() const noexcept { return given_.options.filmThickness; }
 
-    using Split = JoinedLaw<WithTail, SplitLaw>;
-    /// The split law where it is the one; null otherwise.
-    [[nodiscard]] const Split* split() const noexcept { return std::get_if<Split>(&joined_); }
+    /// The van der Waals tail of the split laws; null where the law has none.
+    [[nodiscard]] const AttractiveTail* tail() const noexcept;
+    /// What tail and cohesive zone of the split laws take; null where the law has no tail.
+    [[nodiscard]] const AdhesionSplit* split() const noexcept;
 
 private:
     template <class Bonded>
     using Sudden = JoinedLaw<NoTail, Bonded>;
+    template <class Bonded>
+    using Tailed = JoinedLaw<WithTail, Bonded>;
     using Joined = std::variant<Sudden<HertzLaw>, Sudden<DmtLaw>, Sudden<JkrLaw>, Sudden<MaugisLaw>,
                                 Sudden<SneddonLaw>, Sudden<SphereJkrLaw>, Sudden<SphereMaugisLaw>,
-                                Sudden<FilmLaw>, Split>;
+                                Sudden<FilmLaw>, Tailed<SplitLaw>, Tailed<SphereSplitLaw>>;
 
     struct Checked {
         ContactLaw law;
         ContactPair pair;
         ContactOptions options;
         std::shared_ptr<const MaugisTable> table;
+        std::shared_ptr<const FilmTable> film;
     };
     explicit ContactModel(const Checked& given) noexcept;
 

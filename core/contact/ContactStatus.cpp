@@ -32,6 +32,10 @@ const char* nameOf(ContactStatus status) noexcept {
         return "adhesion_out_of_range";
     case ContactStatus::StressOutOfRange:
         return "cohesive_stress_out_of_range";
+    case ContactStatus::FilmThicknessOutOfRange:
+        return "film_thickness_out_of_range";
+    case ContactStatus::PoissonRatioOutOfRange:
+        return "poisson_ratio_out_of_range";
     case ContactStatus::ApproachOutOfRange:
         return "approach_out_of_range";
     case ContactStatus::ComplianceOutOfRange:
@@ -52,6 +56,10 @@ const char* expectationOf(ContactStatus status) noexcept {
         return "the work of adhesion must lie between 0 and 1000 J/m^2";
     case ContactStatus::StressOutOfRange:
         return "the range of the cohesive stress, w / sigma0, must lie between 1e-15 and 1 m";
+    case ContactStatus::FilmThicknessOutOfRange:
+        return "the film's thickness must lie between 1e-12 and 1 m";
+    case ContactStatus::PoissonRatioOutOfRange:
+        return "the film's Poisson ratio must lie between 0 and 0.5";
     case ContactStatus::ApproachOutOfRange:
         return "the approach of tip or lever base must lie within 1000 m of first touch";
     case ContactStatus::ComplianceOutOfRange:
@@ -72,6 +80,17 @@ ContactStatus checkPair(const ContactPair& pair, double cohesiveStress) noexcept
     }
     return stressIsUsable(pair.workOfAdhesion, cohesiveStress) ? ContactStatus::Solved
                                                                : ContactStatus::StressOutOfRange;
+}
+
+ContactStatus checkFilm(double thickness, double poissonRatio) noexcept {
+    if (thickness == 0.0) {
+        return ContactStatus::Solved;
+    }
+    if (!isWithin(thickness, 1e-12, 1.0)) {
+        return ContactStatus::FilmThicknessOutOfRange;
+    }
+    return isWithin(poissonRatio, 0.0, 0.5) ? ContactStatus::Solved
+                                            : ContactStatus::PoissonRatioOutOfRange;
 }
 
 void requirePair(const ContactPair& pair, double cohesiveStress) {

@@ -10,12 +10,14 @@ namespace asperity {
 /// near enough that no power of its ends overflows.
 enum class ContactStatus : std::uint8_t {
     Solved,
-    TipRadiusOutOfRange,   ///< not within 1e-12 .. 1 m
-    ModulusOutOfRange,     ///< reduced modulus not within 1e-1 .. 1e15 Pa
-    AdhesionOutOfRange,    ///< work of adhesion not within 0 .. 1e3 J/m^2
-    StressOutOfRange,      ///< cohesive stress not such that the range w / sigma0 is 1 fm .. 1 m
-    ApproachOutOfRange,    ///< beyond +-1e3 m
-    ComplianceOutOfRange,  ///< not within 0 .. 1e6 m/N
+    TipRadiusOutOfRange,      ///< not within 1e-12 .. 1 m
+    ModulusOutOfRange,        ///< reduced modulus not within 1e-1 .. 1e15 Pa
+    AdhesionOutOfRange,       ///< work of adhesion not within 0 .. 1e3 J/m^2
+    StressOutOfRange,         ///< cohesive stress not such that the range w / sigma0 is 1 fm .. 1 m
+    FilmThicknessOutOfRange,  ///< neither 0, a half-space, nor within 1e-12 .. 1 m
+    PoissonRatioOutOfRange,   ///< of a film, not within 0 .. 0.5
+    ApproachOutOfRange,       ///< beyond +-1e3 m
+    ComplianceOutOfRange,     ///< not within 0 .. 1e6 m/N
 };
 
 /// "ok", "tip_radius_out_of_range", ...
@@ -31,6 +33,9 @@ inline constexpr double kSmallestAdhesion = 1e-12;
 
 /// What is wrong with a pair first, or Solved. @param cohesiveStress sigma0 [Pa]
 [[nodiscard]] ContactStatus checkPair(const ContactPair& pair, double cohesiveStress) noexcept;
+
+/// What is wrong with a film first, or Solved. @param thickness [m]; 0: a half-space
+[[nodiscard]] ContactStatus checkFilm(double thickness, double poissonRatio) noexcept;
 
 /// @throw Error with one sentence where something is wrong with a pair.
 /// @param cohesiveStress sigma0 [Pa]

@@ -1,19 +1,23 @@
 #pragma once
 
-#include "core/contact/HertzLaw.h"
+#include "core/contact/FilmTable.h"
+#include "core/contact/LawPoint.h"
+#include "core/contact/Material.h"
+
+#include <memory>
+#include <optional>
 
 namespace asperity {
 
-/// Hertz on an incompressible film bonded to a rigid base: Hertz' force times a polynomial in
-/// chi = sqrt(R delta) / thickness. No adhesion. From the literature, not derived or verified here.
-/// Source: Dimitriadis et al. (2002), as quoted in docs/physics.md 2.10.
+/// Elastic contact of a paraboloid with a film bonded to a rigid base, without adhesion or friction
+/// under the tip: the exact solution up to a contact radius of FilmTable::largestRatio() film
+/// thicknesses, a power of it beyond. Source: docs/physics.md 2.10.
 class FilmLaw {
 public:
     /// @param thickness of the film [m], > 0
-    FilmLaw(const ContactPair& pair, double thickness) noexcept;
-
-    /// @param indentation >= 0 [m]
-    [[nodiscard]] LawPoint atIndentation(double indentation) const noexcept;
+    /// @param table     of the film's Poisson ratio
+    FilmLaw(const ContactPair& pair, double thickness,
+            std::shared_ptr<const FilmTable> table) noexcept;
 
     // As LawPoint.h has it; the branch ends where the bodies part.
     [[nodiscard]] LawPoint fold(double compliance) const noexcept;
@@ -22,8 +26,10 @@ public:
     [[nodiscard]] static double onset() noexcept { return 0.0; }
 
 private:
-    HertzLaw halfSpace_;
-    double thickness_;  ///< [m]
+    double thickness_;        ///< [m]
+    double indentationUnit_;  ///< t^2 / R [m]
+    double stiffnessUnit_;    ///< E* t [N/m]
+    std::shared_ptr<const FilmTable> table_;
 };
 
 }  // namespace asperity

@@ -45,7 +45,7 @@ LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair,
     }
     const double ratio = unloadedRatio(pair);
     if (ratio > kLargeContact) {
-        return {ContactLaw::SphereMaugis,
+        return {ContactLaw::SphereSplit,
                 sentence(ratio, "above 0.3: the paraboloid does not hold, the exact sphere does")};
     }
     return {ContactLaw::Split,

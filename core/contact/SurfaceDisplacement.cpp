@@ -41,22 +41,23 @@ CohesiveContact contactProfile(const ContactModel& model, const ContactState& st
                             .edgeWork = isJkr(model.law()) ? model.pair().workOfAdhesion : 0.0,
                             .shape =
                                 isSphere(model.law()) ? TipShape::Sphere : TipShape::Paraboloid};
-    if (const ContactModel::Split* split = model.split()) {
-        contact.indentation += split->bonded().split().tailLift;
+    if (model.law() == ContactLaw::HertzFilm) {
+        contact.film = model.film();
+        contact.filmThickness = model.filmThickness();
+    }
+    if (const AdhesionSplit* shares = model.split()) {
+        contact.indentation += shares->tailLift;
     }
     return contact;
 }
 
 double tailLift(const ContactModel& model, const ContactState& state, double radius) noexcept {
-    const ContactModel::Split* split = model.split();
-    if (split == nullptr || state.branch == ContactBranch::Far) {
+    const AdhesionSplit* shares = model.split();
+    if (shares == nullptr || shares->tailSnaps || state.branch == ContactBranch::Far) {
         return 0.0;
     }
-    const AdhesionSplit& shares = split->bonded().split();
     const double outside = std::max(0.0, radius - state.contactRadius);
-    return shares.tailSnaps
-               ? 0.0
-               : attractionLift(split->separate().tail(), shares.jointSeparation, outside);
+    return attractionLift(*model.tail(), shares->jointSeparation, outside);
 }
 
 double surfaceDisplacement(const ContactModel& model, const ContactState& state,
@@ -65,10 +66,9 @@ double surfaceDisplacement(const ContactModel& model, const ContactState& state,
     if (!state.solved() || untouched || !isWithin(radius, 0.0, kFarAway)) {
         return 0.0;
     }
-    const ContactModel::Split* split = model.split();
-    if (split != nullptr && state.branch == ContactBranch::Far) {
-        const AttractiveTail& tail = split->separate().tail();
-        return -attractionLift(tail, tail.attraction().separationAt(state.force), radius);
+    const AttractiveTail* tail = model.tail();
+    if (tail != nullptr && state.branch == ContactBranch::Far) {
+        return -attractionLift(*tail, tail->attraction().separationAt(state.force), radius);
     }
     return surfaceDisplacement(contactProfile(model, state), radius) -
            tailLift(model, state, radius);

@@ -6,11 +6,11 @@
 namespace asperity {
 
 /// What the shape of the surface at a state of a model depends on, without the tail of the split
-/// law.
+/// laws.
 [[nodiscard]] CohesiveContact contactProfile(const ContactModel& model,
                                              const ContactState& state) noexcept;
 
-/// By how much the tail of the split law lifts the bonded surface at `radius`, >= 0 [m]; 0 for
+/// By how much the tail of the split laws lifts the bonded surface at `radius`, >= 0 [m]; 0 for
 /// other laws. It is constant across the contact and falls off outside of it as the lift by the
 /// tail at the joint does.
 [[nodiscard]] double tailLift(const ContactModel& model, const ContactState& state,

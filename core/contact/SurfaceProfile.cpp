@@ -147,8 +147,18 @@ double spherePressure(const SphereContact& contact, double r) noexcept {
            pi;
 }
 
+/// Pressure on a film, inside the contact.
+double filmPressure(const CohesiveContact& contact, double r) noexcept {
+    const double a = contact.contactRadius;
+    return contact.reducedModulus / (pi * contact.tipRadius) * a *
+           contact.film->pressure(a / contact.filmThickness, leg(a, r) / a);
+}
+
 /// Pressure of the tip's shape alone, inside the contact.
 double shapePressure(const CohesiveContact& contact, double r) noexcept {
+    if (contact.film != nullptr) {
+        return filmPressure(contact, r);
+    }
     const double tip = contact.tipRadius;
     if (contact.shape == TipShape::Paraboloid) {
         return 2.0 * contact.reducedModulus / (pi * tip) * leg(contact.contactRadius, r);
@@ -171,6 +181,10 @@ double surfaceDisplacement(const CohesiveContact& contact, double radius) noexce
                             cohesiveIntegral(a, contact.cohesiveRadius, r);
     if (a == 0.0) {
         return -2.0 / pi * cohesive;
+    }
+    if (contact.film != nullptr) {
+        const double t = contact.filmThickness;
+        return t * (t / contact.tipRadius) * contact.film->displacement(a / t, r / t);
     }
     return 2.0 / pi *
            ((contact.indentation * std::asin(a / r)) - shapeTransform(contact, r) - cohesive);

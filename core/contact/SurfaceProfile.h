@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/contact/FilmTable.h"
+
 namespace asperity {
 
 /// Undeformed shape of the tip around its lowest point.
@@ -19,6 +21,8 @@ struct CohesiveContact {
     double cohesiveRadius = 0.0;  ///< the contact radius without a cohesive zone [m]
     double edgeWork = 0.0;        ///< work of adhesion of the JKR laws, 0 for others [J/m^2]
     TipShape shape = TipShape::Paraboloid;
+    const FilmTable* film = nullptr;  ///< that the law takes the sample for; null: a half-space
+    double filmThickness = 0.0;       ///< [m]
 };
 
 /// Beyond this distance the surface counts as undisturbed [m].

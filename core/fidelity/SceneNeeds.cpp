@@ -1,11 +1,14 @@
 #include "core/fidelity/SceneNeeds.h"
 
+#include "core/fidelity/FidelityTier.h"
 #include "core/fidelity/SampledRuns.h"
 #include "core/fidelity/SurfaceNeeds.h"
 #include "core/fidelity/TermFacts.h"
 #include "core/fidelity/TermPair.h"
+#include "core/fidelity/WholeModel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -64,6 +67,7 @@ public:
         leaveOut();
         needs_.forceError = runs_.error(needs_.model);
         needs_.modelTick = runs_.tickTime();
+        measureError();
     }
 
 private:
@@ -81,45 +85,52 @@ private:
         need.why = factOf(need.term, scene_, difference.with);
     }
 
-    [[nodiscard]] double effectOf(ModelTerm term) {
-        const TermPair models = pairOf(term, needs_.full);
+    [[nodiscard]] double effectOf(ModelTerm term, const SceneModel& model) {
+        const TermPair models = pairOf(term, model);
         return runs_.between(models.with, models.without).effect;
+    }
+
+    [[nodiscard]] bool saysLaw() const {
+        return std::ranges::any_of(kModelTerms, [&](ModelTerm term) {
+            return isOfLaw(term) && isSettled(term, scene_.description);
+        });
     }
 
     /// No law has all. Where the scene says nothing of its law, that of the materials is taken as
     /// long as what it has no room for does not matter, otherwise the one that leaves out least.
     void chooseLawOfAll() {
-        const bool said = std::ranges::any_of(kModelTerms, [&](ModelTerm term) {
-            return isOfLaw(term) && isSettled(term, scene_.description);
-        });
-        const bool isWide = has(needs_.full, ModelTerm::SphereCorrection);  // without load already
-        if (!said && !isWide) {
-            needs_.full = lawThatLeavesOutLeast();
+        if (!saysLaw()) {
+            needs_.full = withBestLaw(needs_.full);
         }
         runs_.refer(needs_.full);
     }
 
-    [[nodiscard]] SceneModel lawThatLeavesOutLeast() {
+    [[nodiscard]] SceneModel withBestLaw(const SceneModel& model) {
+        const bool isWide = has(model, ModelTerm::SphereCorrection);  // without load already
+        return isWide ? model : withLawThatLeavesOutLeast(model);
+    }
+
+    [[nodiscard]] SceneModel withLawThatLeavesOutLeast(const SceneModel& model) {
         std::vector<std::pair<ModelTerm, double>> effects;
         for (const ModelTerm term : kModelTerms) {
             if ((isOfLaw(term) || term == ModelTerm::SampleCurvature) &&
                 isPossible(term, scene_.description)) {
-                effects.emplace_back(term, effectOf(term));
+                effects.emplace_back(term, effectOf(term, model));
             }
         }
-        const auto leftOutBy = [&effects](const SceneModel& model) {
+        const auto leftOutBy = [&effects](const SceneModel& candidate) {
             double most = 0.0;
             for (const auto& [term, effect] : effects) {
-                most = std::max(most, has(model, term) ? 0.0 : effect);
+                most = std::max(most, has(candidate, term) ? 0.0 : effect);
             }
             return most;
         };
-        SceneModel best = needs_.full;
+        SceneModel best = model;
         if (leftOutBy(best) <= needs_.tolerance) {
             return best;
         }
         for (const ModelTerm term : {ModelTerm::SphereCorrection, ModelTerm::FilmBase}) {
-            const SceneModel other = with(needs_.full, term);
+            const SceneModel other = with(model, term);
             if (isPossible(term, scene_.description) && leftOutBy(other) < leftOutBy(best)) {
                 best = other;
             }
@@ -142,6 +153,34 @@ private:
                 }
             }
         }
+    }
+
+    /// The model that has all, whatever the scene says; where it says nothing the full one.
+    [[nodiscard]] SceneModel theWhole() {
+        SceneModel whole = wholeModel(scene_.description);
+        whole.solver = needs_.full.solver;  // they agree to nine digits
+        whole.decoupling = needs_.full.decoupling;
+        if (saysLaw()) {
+            return withBestLaw(whole);
+        }
+        whole.law = needs_.full.law;
+        return whole;
+    }
+
+    void measureError() {
+        const SceneModel whole = theWhole();
+        const bool isFull = tierOf(whole) == tierOf(needs_.full);
+        needs_.wholeError = isFull ? needs_.forceError : runs_.between(whole, needs_.model).effect;
+        double sum = 0.0;
+        for (const ModelTerm term : missingTerms(whole, scene_.description)) {
+            const double effect = isFull ? need(term).effect : effectOf(term, whole);
+            sum += effect * effect;
+            if (effect > 0.0) {
+                needs_.lawMisses.push_back(term);
+            }
+        }
+        needs_.lawError = std::sqrt(sum);
+        needs_.measured = true;
     }
 
     Scene& scene_;

@@ -28,8 +28,15 @@ struct SceneNeeds {
     SceneModel model;             ///< with those that matter
     double tolerance = 0.0;       ///< of forces and of indentations, as a share
     double forceError = 0.0;      ///< of `model` against `full`, as TermNeed::effect
-    double fullTick = 0.0;        ///< median of a tick with everything [s]
-    double modelTick = 0.0;       ///< and of one with what matters [s]
+    bool measured = false;        ///< whether the next three are known
+    double wholeError = 0.0;      ///< of `model` against the whole, which the scene cannot overrule
+    double lawError = 0.0;        ///< of the whole: terms that its law has no room for
+    std::vector<ModelTerm> lawMisses;  ///< those of them that move the force
+    double fullTick = 0.0;             ///< median of a tick with everything [s]
+    double modelTick = 0.0;            ///< and of one with what matters [s]
+
+    /// Of `model` against what the tip would feel if a contact law had every term.
+    [[nodiscard]] double totalError() const { return wholeError + lawError; }
 };
 
 /// Finds the terms that change forces or displacements by more than the scene's tolerance, and
@@ -39,6 +46,9 @@ struct SceneNeeds {
 /// one term after another, the least effect first, as long as each alone and all together stay
 /// within the tolerance. Terms that the description settles stay as they are. The search for other
 /// feet stays wherever the scan has a hollow that the tip does not fit, whatever the runs meet.
+/// The error is that of the model against the whole model (wholeModel(), under the law that leaves
+/// out least), and that of the whole by each term that its law has no room for, weighed by the same
+/// pairs of models as in TickStudy and added as squares.
 /// Decisions are reproducible, times are of this machine. Where a tick takes longer than
 /// `longestTick` [s] everything is left on.
 /// @throw Error as setModel()

@@ -2,6 +2,7 @@
 
 #include "core/contact/LawChoice.h"
 #include "core/fidelity/TermPair.h"
+#include "core/fidelity/WholeModel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,15 +38,6 @@ double estimateError(const ModelRun& run, const std::vector<RecordedRun>& runs) 
         }
     }
     return std::sqrt(sum / static_cast<double>(at));
-}
-
-/// Everything that the law of the scene's materials has room for, afresh.
-SceneModel wholeModel(SceneDescription scene) {
-    scene.law.reset();
-    scene.terms = {};
-    scene.solver = SolverTier::Exact;
-    scene.footSearch = FootEffort::Certified;
-    return usualModel(scene);
 }
 
 /// Half of what the medians of a tier's rounds differ by, as a share of the smallest.
@@ -124,10 +116,7 @@ void TickStudy::describe(TradeOffReference& reference) {
     reference.forceScale = forceScale(reference_);
     reference.contactRatio = largestContactRatio(reference_);
     double sum = 0.0;
-    for (const ModelTerm term : kModelTerms) {
-        if (isOfSurface(term) || has(model_, term) || !isPossible(term, scene_.description)) {
-            continue;
-        }
+    for (const ModelTerm term : missingTerms(model_, scene_.description)) {
         const double missed = missedBy(term);
         sum += missed * missed;
         char text[80];

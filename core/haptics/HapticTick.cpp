@@ -21,34 +21,10 @@ constexpr double kStall = 10e-3;             // [s]: a longer step counts as thi
 constexpr double kUnsolvedAllowed = 0.0499;  // [s]: 50 ms, however the steps were rounded
 constexpr double kSliding = 0.5;             // weight of the slip direction from which it counts
 
-/// What the contact model gives to the estimate, weighed against the bending signal.
-struct NormalForcePrior {
-    double force = 0.0;         ///< [N]
-    double sigma = 0.0;         ///< [N]
-    bool contradicted = false;  ///< the signal differs from the model by more than 3 sigma
-};
+bool isSolved(const TipState& model) { return model.converged && !model.locked; }
 
-/// A model that the signals contradict (it let go, the sample did not) must not outvote them: as
-/// the surprise grows, its sigma grows with it and its force gives way to what the bending tells.
-NormalForcePrior normalForcePrior(const Scene& scene, const TickInput& input,
-                                  const TipState& model) {
-    const Cantilever& cantilever = scene.belief.cantilever;
-    const double perForce = cantilever.bendingPerFz();
-    const double measured = input.measurement.signals.bending / perForce;
-    const double expected = leverSignals(cantilever, model.force).bending / perForce;
-    const double spread = kModelSpread * std::abs(model.normalForce) + kModelFloor;
-    const double surprise = measured - expected;
-    const double limit =
-        kContradictionSigmas * std::hypot(spread, scene.signalSigma.bending / perForce);
-    const double doubt = surprise * surprise / (surprise * surprise + limit * limit);
-    const double told = measured * model.normal.z();
-    return {.force = model.normalForce + doubt * (told - model.normalForce),
-            .sigma = std::hypot(spread, surprise),
-            .contradicted = std::abs(surprise) > limit};
-}
-
-DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, const TickOutput& out,
-                                const NormalForcePrior& prior) {
+/// What is known of a tick, with N as the contact model has it.
+DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, const TickOutput& out) {
     return {.signals = input.measurement.signals,
             .sigma = scene.signalSigma,
             .normal = out.model.normal,
@@ -56,14 +32,49 @@ DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, cons
             .frictionCoefficient = scene.belief.friction.coefficient,
             .shearStrength = scene.belief.friction.shearStrength,
             .contactArea = out.model.contactArea,
-            .normalForceModel = prior.force,
-            .normalForceSigma = prior.sigma};
+            .normalForceModel = out.model.normalForce,
+            .normalForceSigma = kModelSpread * std::abs(out.model.normalForce) + kModelFloor};
 }
 
-ForceEstimate decoupled(const Scene& scene, const DecouplingInput& input) {
+/// Where there is no equilibrium, nothing is expected of the signals.
+InnovationVerdict innovationVerdict(const Scene& scene, const TickInput& input,
+                                    const TickOutput& out, const DecouplingInput& known,
+                                    InnovationMemory& memory) {
+    return isSolved(out.model) ? monitorInnovation(scene.belief.cantilever,
+                                                   {.belief = known,
+                                                    .modelJumped = out.model.contact.jumped,
+                                                    .age = input.measurement.age,
+                                                    .timeStep = input.timeStep},
+                                                   memory)
+                               : InnovationVerdict{};
+}
+
+/// A model that the signals contradict (it let go, the sample did not) must not outvote them: as
+/// the surprise grows, its sigma grows with it and its force gives way to what the bending tells.
+DecouplingInput weighed(const Scene& scene, const TipState& model, DecouplingInput known) {
     const Cantilever& cantilever = scene.belief.cantilever;
-    return scene.model.decoupling == DecouplingTier::Planar ? planarEstimate(cantilever, input)
-                                                            : estimateForce(cantilever, input);
+    const double perForce = cantilever.bendingPerFz();
+    const double measured = known.signals.bending / perForce;
+    const double expected = leverSignals(cantilever, model.force).bending / perForce;
+    const double spread = known.normalForceSigma;
+    const double surprise = measured - expected;
+    const double limit =
+        kContradictionSigmas * std::hypot(spread, scene.signalSigma.bending / perForce);
+    const double doubt = surprise * surprise / (surprise * surprise + limit * limit);
+    const double told = measured * model.normal.z();
+    known.normalForceModel = model.normalForce + doubt * (told - model.normalForce);
+    known.normalForceSigma = std::hypot(spread, surprise);
+    return known;
+}
+
+/// @param covarianceFactor by which the signals scatter more than stated
+ForceEstimate decoupled(const Scene& scene, const DecouplingInput& input, double covarianceFactor) {
+    const Cantilever& cantilever = scene.belief.cantilever;
+    ForceEstimate estimate = scene.model.decoupling == DecouplingTier::Planar
+                                 ? planarEstimate(cantilever, input)
+                                 : estimateForce(cantilever, input);
+    estimate.covariance *= covarianceFactor;
+    return estimate;
 }
 
 /// Whether a separate tip is about to snap in on a lever as soft as this one.
@@ -80,7 +91,8 @@ bool snapsSoon(const Scene& scene, const TipState& model) {
     return jumpIn - now < kSnapInMargin && law.pullOffApproach(compliance) < jumpIn;
 }
 
-ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradicted) {
+ValidityFlags validity(const Scene& scene, const TickOutput& out,
+                       const InnovationVerdict& verdict) {
     const Vector3& foot = out.model.foot.point;
     ValidityFlags flags;
     flags.set(Validity::LargeContact, isLargeContact(out.model.contactRatio, 1.0));
@@ -91,7 +103,8 @@ ValidityFlags validity(const Scene& scene, const TickOutput& out, bool contradic
     flags.set(Validity::FootNotFound, !out.model.foot.converged);
     flags.set(Validity::NotInEquilibrium, !out.model.converged || !out.model.contact.solved());
     flags.set(Validity::FrictionLock, out.model.locked);
-    flags.set(Validity::ModelContradicted, contradicted);
+    flags.set(Validity::ModelContradicted, verdict.modelContradicted);
+    flags.set(Validity::EstimateInconsistent, verdict.estimateInconsistent);
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
     flags.set(Validity::UncertainPixel, bonded && scene.certainty.isUncertain(foot.x(), foot.y()));
     flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
@@ -122,8 +135,6 @@ bool allFinite(const TickOutput& out) {
            out.estimate.force.allFinite() && out.handForce.allFinite() &&
            out.estimate.kind != DecouplingCase::InvalidInput;
 }
-
-bool isSolved(const TipState& model) { return model.converged && !model.locked; }
 
 /// A stall of the loop is no failure of the solver's.
 double unsolvedFor(const TickInput& input, const TickOutput& out, double before) {
@@ -242,12 +253,15 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     const BaseCommand command = commandBase(scene, input, memory);
     out.base = command.base;
     out.model = tipEquilibrium(scene.felt(), scene.belief, out.base, memory.model);
-    const NormalForcePrior prior = normalForcePrior(scene, input, out.model);
-    out.estimate = decoupled(scene, decouplingInput(scene, input, out, prior));
+    DecouplingInput known = decouplingInput(scene, input, out);
+    const InnovationVerdict verdict =
+        innovationVerdict(scene, input, out, known, memory.innovation);
+    known.frictionLawError = verdict.frictionLawError;
+    out.estimate = decoupled(scene, weighed(scene, out.model, known), verdict.covarianceFactor);
     out.tip = out.base.position + out.estimate.deflection;
     memory.correction = slowCorrection(input, out, memory.correction);
     out.handForce = wantedForce(input, out, command, memory.correction);
-    out.flags = validity(scene, out, prior.contradicted);
+    out.flags = validity(scene, out, verdict);
     out.flags.set(Validity::TipNotHeld, !command.tipHeld);
     memory.base = out.base.position;
     memory.compensation = command.compensation;

@@ -4,6 +4,7 @@
 #include "core/haptics/Proxy.h"
 #include "core/haptics/governor/ForceGovernor.h"
 #include "core/haptics/mapping/WorkspaceMapping.h"
+#include "core/probe/InnovationMonitor.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/Scene.h"
 #include "core/scene/TickInput.h"
@@ -18,6 +19,7 @@ struct TickMemory {
     Vector3 compensation = Vector3::Zero();  ///< how far the tip was commanded ahead of it [m]
     PositionControl control = PositionControl::Base;  ///< of the last tick
     Vector3 correction = Vector3::Zero();             ///< slow part of estimate minus model [N]
+    InnovationMemory innovation;                      ///< what many ticks say of the estimate
     MappingMemory mapping;
     ProxyMemory proxy;
     GuideMemory guide;

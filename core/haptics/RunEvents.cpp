@@ -1,8 +1,53 @@
 #include "core/haptics/RunEvents.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity {
+
+namespace {
+
+constexpr double kAgreementSigmas = 3.0;
+constexpr double kAgreementShare = 0.2;  // of the model's force
+
+/// Normal force of one tick, as the signals and as the model have it, along the model's normal.
+struct NormalForces {
+    double estimate = 0.0;  ///< [N]
+    double sigma = 0.0;     ///< of the estimate [N]
+    double model = 0.0;     ///< [N]
+
+    explicit NormalForces(const TickOutput& out)
+        : estimate(out.estimate.force.dot(out.model.normal))
+        , sigma(std::sqrt(out.model.normal.dot(out.estimate.covariance * out.model.normal)))
+        , model(out.model.normalForce) {}
+
+    [[nodiscard]] double weakerPull() const { return -std::max(estimate, model); }
+    [[nodiscard]] bool agree() const {
+        return std::abs(estimate - model) <=
+               std::max(kAgreementSigmas * sigma, kAgreementShare * std::abs(model));
+    }
+};
+
+}  // namespace
+
+void HoldRecorder::take(const TickSample& sample) {
+    const NormalForces forces(sample.output);
+    if (!(forces.weakerPull() > 0.0)) {
+        return;
+    }
+    if (forces.agree()) {
+        agreeing_ = sample;
+    } else if (!strongest_ || forces.weakerPull() > NormalForces(strongest_->output).weakerPull()) {
+        strongest_ = sample;
+    }
+}
+
+std::optional<TickSample> HoldRecorder::release() {
+    std::optional<TickSample> last = agreeing_ ? agreeing_ : strongest_;
+    agreeing_.reset();
+    strongest_.reset();
+    return last;
+}
 
 void RunEventRecorder::take(const TickSample& sample) {
     ++events_.ticks;
@@ -20,11 +65,14 @@ void RunEventRecorder::take(const TickSample& sample) {
 }
 
 void RunEventRecorder::takeJumps(const TickSample& sample) {
+    const ContactBranch now = sample.output.model.contact.branch;
+    if (now == ContactBranch::Bonded) {
+        holds_.take(sample);
+    }
     if (!previous_) {
         return;
     }
     const ContactBranch before = previous_->output.model.contact.branch;
-    const ContactBranch now = sample.output.model.contact.branch;
     if (before == now) {
         return;
     }
@@ -35,6 +83,7 @@ void RunEventRecorder::takeJumps(const TickSample& sample) {
     if (now == ContactBranch::Far) {
         events_.beforePullOff = previous_;
         events_.pullOff = sample;
+        events_.lastHold = holds_.release();
     }
 }
 

@@ -12,15 +12,37 @@ namespace asperity {
 struct RunEvents {
     long ticks = 0;
     std::optional<TickSample> beforeSnapIn;
-    std::optional<TickSample> snapIn;                ///< first tick of the first contact
-    std::optional<TickSample> beforePullOff;         ///< last tick of the last contact
-    std::optional<TickSample> pullOff;               ///< first tick after it
+    std::optional<TickSample> snapIn;         ///< first tick of the first contact
+    std::optional<TickSample> beforePullOff;  ///< last tick of the last contact
+    std::optional<TickSample> pullOff;        ///< first tick after it
+    /// Last tick of the last contact in which signals and model both hold the tip, see
+    /// HoldRecorder; none when the signals never pulled while the model did.
+    std::optional<TickSample> lastHold;
     std::optional<TickSample> deepest;               ///< largest indentation
     std::optional<TickSample> strongestPull;         ///< most negative normal force of the model
     double largestForce = 0.0;                       ///< of the model, magnitude [N]
     double largestEstimatedForce = 0.0;              ///< magnitude [N]
     std::array<long, kValidityFlagCount> flagged{};  ///< ticks with each flag
     long faults = 0;  ///< ticks with the force switched off by a fault
+};
+
+/// Finds the last moment of a contact in which signals and model both hold the tip. The tip of the
+/// instrument and that of the model seldom come off in the same tick, and between the two moments
+/// one of them has a force that the other knows nothing of.
+///
+/// Both hold it while both pull and agree within three standard deviations of the estimate or 20 %
+/// of the model, whichever is more. Where they never agree (the sample is not what it is believed
+/// to be) it is the tick in which the weaker of the two pulls most.
+class HoldRecorder {
+public:
+    /// Takes a tick of a contact.
+    void take(const TickSample& sample);
+    /// Of the ticks taken since the last call.
+    [[nodiscard]] std::optional<TickSample> release();
+
+private:
+    std::optional<TickSample> agreeing_;
+    std::optional<TickSample> strongest_;
 };
 
 /// Follows a run tick by tick and keeps its events.
@@ -34,6 +56,7 @@ private:
     void takeExtremes(const TickSample& sample);
 
     RunEvents events_;
+    HoldRecorder holds_;
     std::optional<TickSample> previous_;
 };
 

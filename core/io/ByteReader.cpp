@@ -4,30 +4,68 @@
 
 namespace asperity {
 
-std::string_view ByteReader::take(std::uint64_t count, std::string_view what) {
+namespace {
+
+constexpr std::uint64_t kWindowBytes = 4096;
+constexpr std::uint64_t kLongestName = 65536;
+
+}  // namespace
+
+std::string bytesOf(const ByteSource& source, const ByteSpan& span) {
+    std::string bytes(static_cast<std::size_t>(span.count), '\0');
+    source.read(span.place, bytes);
+    return bytes;
+}
+
+ByteSpan ByteReader::take(std::uint64_t count, std::string_view what) {
     if (count > remaining()) {
         fail("expected " + std::to_string(count) + " bytes of " + std::string(what) +
              ", but only " + std::to_string(remaining()) +
              " are left; the file is truncated or damaged");
     }
-    const std::string_view taken = bytes_.substr(position_, static_cast<std::size_t>(count));
-    position_ += taken.size();
+    const ByteSpan taken{place_, count};
+    place_ += count;
     return taken;
 }
 
-std::string_view ByteReader::takeString(std::string_view what) {
-    const std::size_t end = bytes_.find('\0', position_);
-    if (end == std::string_view::npos) {
-        fail("expected " + std::string(what) +
-             " that ends with a NUL byte; the file is truncated or damaged");
+ByteSpan ByteReader::takeString(std::string_view what) {
+    for (std::uint64_t searched = place_; searched < end_;) {
+        const std::string_view bytes = window(searched, 1);
+        const std::size_t found = bytes.find('\0');
+        if (found != std::string_view::npos) {
+            const ByteSpan taken{place_, searched + found - place_};
+            place_ = taken.end() + 1;
+            return taken;
+        }
+        searched += bytes.size();
     }
-    const std::string_view taken = bytes_.substr(position_, end - position_);
-    position_ = end + 1;
-    return taken;
+    fail("expected " + std::string(what) +
+         " that ends with a NUL byte; the file is truncated or damaged");
+}
+
+std::string ByteReader::takeName(std::string_view what) {
+    const ByteSpan span = takeString(what);
+    if (span.count > kLongestName) {
+        place_ = span.place;
+        fail("expected " + std::string(what) + " of at most " + std::to_string(kLongestName) +
+             " bytes; the file is damaged");
+    }
+    return span.count == 0 ? std::string()
+                           : std::string(window(span.place, span.count).substr(0, span.count));
 }
 
 void ByteReader::fail(std::string_view message) const {
-    throw InputError(std::string(file_), "byte " + std::to_string(place()), std::string(message));
+    throw InputError(source_->name(), "byte " + std::to_string(place_), std::string(message));
+}
+
+std::string_view ByteReader::window(std::uint64_t place, std::uint64_t least) {
+    const bool held = place >= windowPlace_ && place + least <= windowPlace_ + window_.size();
+    if (!held) {
+        const std::uint64_t count = std::min(std::max(least, kWindowBytes), end_ - place);
+        window_ = bytesOf(*source_, {place, count});
+        windowPlace_ = place;
+    }
+    return std::string_view(window_).substr(static_cast<std::size_t>(place - windowPlace_));
 }
 
 }  // namespace asperity

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/io/ByteSource.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -31,37 +33,65 @@ void appendLittleEndian(std::string& bytes, Number value) {
     bytes.append(raw.data(), raw.size());
 }
 
-/// Walks through bytes and never past their end: every step is checked and throws an InputError
-/// that names the file, the byte and what was expected there.
+/// Where a run of bytes lies in its source.
+struct ByteSpan {
+    std::uint64_t place = 0;
+    std::uint64_t count = 0;
+
+    [[nodiscard]] std::uint64_t end() const { return place + count; }
+};
+
+/// The bytes of a span. Only for what is small: they are copied.
+[[nodiscard]] std::string bytesOf(const ByteSource& source, const ByteSpan& span);
+
+/// The number in a span of sizeof(Number) bytes.
+template <typename Number>
+[[nodiscard]] Number numberIn(const ByteSource& source, const ByteSpan& span) {
+    std::array<char, sizeof(Number)> bytes{};
+    source.read(span.place, bytes);
+    return littleEndian<Number>(bytes.data());
+}
+
+/// Walks through a span of a source and never past its end: every step is checked and throws an
+/// InputError that names the file, the byte and what was expected there. Holds a few bytes around
+/// its place, so that small steps cost no read each.
 class ByteReader {
 public:
-    /// @param bytes  must outlive the reader and what it hands out
-    /// @param file   for messages
-    /// @param origin place of bytes[0] in the file, for messages
-    ByteReader(std::string_view bytes, std::string_view file, std::size_t origin = 0)
-        : bytes_(bytes), file_(file), origin_(origin) {}
+    /// @param source must outlive the reader
+    explicit ByteReader(const ByteSource& source) : ByteReader(source, {0, source.size()}) {}
+    /// @param span within the source
+    ByteReader(const ByteSource& source, const ByteSpan& span)
+        : source_(&source), place_(span.place), end_(span.end()) {}
 
-    [[nodiscard]] bool atEnd() const { return position_ == bytes_.size(); }
-    [[nodiscard]] std::size_t remaining() const { return bytes_.size() - position_; }
-    [[nodiscard]] std::size_t place() const { return origin_ + position_; }  ///< byte in the file
+    [[nodiscard]] bool atEnd() const { return place_ == end_; }
+    [[nodiscard]] std::uint64_t remaining() const { return end_ - place_; }
+    [[nodiscard]] std::uint64_t place() const { return place_; }  ///< byte in the source
 
-    /// The next `count` bytes. @throw InputError when fewer are left
-    std::string_view take(std::uint64_t count, std::string_view what);
-    /// The bytes up to the next NUL, which is skipped. @throw InputError when there is none
-    std::string_view takeString(std::string_view what);
+    /// Skips the next `count` bytes. @throw InputError when fewer are left
+    ByteSpan take(std::uint64_t count, std::string_view what);
+    /// Skips the bytes up to the next NUL, and that; it is not in the span.
+    /// @throw InputError when there is none
+    ByteSpan takeString(std::string_view what);
+    /// As takeString(), for what cannot be long. @throw InputError when it is, too
+    std::string takeName(std::string_view what);
 
     template <typename Number>
     Number takeNumber(std::string_view what) {
-        return littleEndian<Number>(take(sizeof(Number), what).data());
+        const ByteSpan span = take(sizeof(Number), what);
+        return littleEndian<Number>(window(span.place, sizeof(Number)).data());
     }
 
     [[noreturn]] void fail(std::string_view message) const;
 
 private:
-    std::string_view bytes_;
-    std::string_view file_;
-    std::size_t origin_ = 0;
-    std::size_t position_ = 0;
+    /// Bytes from a place within the span on: `least` of them or more.
+    std::string_view window(std::uint64_t place, std::uint64_t least);
+
+    const ByteSource* source_;
+    std::uint64_t place_;
+    std::uint64_t end_;
+    std::string window_;             ///< what was read last
+    std::uint64_t windowPlace_ = 0;  ///< of its first byte
 };
 
 }  // namespace asperity

@@ -124,4 +124,13 @@ void CsvTable::fail(std::size_t line, const std::string& what) const {
 
 CsvTable readCsv(const std::filesystem::path& path) { return {readFileBytes(path), path.string()}; }
 
+CsvTable readUnfinishedCsv(const std::filesystem::path& path) {
+    return {wholeLines(readFileBytes(path)), path.string()};
+}
+
+std::string_view wholeLines(std::string_view content) {
+    content = content.substr(0, content.find('\0'));
+    return content.substr(0, content.rfind('\n') + 1);
+}
+
 }  // namespace asperity

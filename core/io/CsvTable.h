@@ -53,4 +53,10 @@ private:
 /// Reads a whole file. @throw InputError when it cannot be read, and as CsvTable
 [[nodiscard]] CsvTable readCsv(const std::filesystem::path& path);
 
+/// As far as whole lines go: for a table whose writing was cut off. After a power cut a file may
+/// end in zeros. @throw InputError as readCsv()
+[[nodiscard]] CsvTable readUnfinishedCsv(const std::filesystem::path& path);
+/// The whole lines at the start of such a table.
+[[nodiscard]] std::string_view wholeLines(std::string_view content);
+
 }  // namespace asperity

@@ -1,9 +1,11 @@
 #include "core/io/CsvWriter.h"
 
 #include "core/Error.h"
+#include "core/PrintableText.h"
 
 #include <array>
 #include <charconv>
+#include <utility>
 
 namespace asperity {
 
@@ -21,6 +23,13 @@ CsvWriter::CsvWriter(const std::filesystem::path& path, const std::vector<std::s
     writeHeader(comments, columns);
 }
 
+CsvWriter::CsvWriter(GrowingFile file, const std::vector<std::string>& comments,
+                     const std::vector<std::string>& columns)
+    : growing_(std::move(file)), columns_(columns.size()) {
+    writeHeader(comments, columns);
+    flush();
+}
+
 CsvWriter::CsvWriter(std::ostream& stream, const std::vector<std::string>& comments,
                      const std::vector<std::string>& columns)
     : stream_(&stream), columns_(columns.size()) {
@@ -30,7 +39,7 @@ CsvWriter::CsvWriter(std::ostream& stream, const std::vector<std::string>& comme
 void CsvWriter::writeHeader(const std::vector<std::string>& comments,
                             const std::vector<std::string>& columns) {
     for (const std::string& comment : comments) {
-        buffer_ += "# " + comment + "\n";
+        buffer_ += "# " + printable(comment) + "\n";
     }
     for (const std::string& column : columns) {
         add(column);
@@ -87,8 +96,18 @@ void CsvWriter::row(std::span<const double> values) {
 }
 
 void CsvWriter::flush() {
-    stream_->write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    if (growing_) {
+        growing_->append(buffer_);
+    } else {
+        stream_->write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    }
     buffer_.clear();
+}
+
+void CsvWriter::sync() const {
+    if (growing_) {
+        growing_->sync();
+    }
 }
 
 void CsvWriter::close() {
@@ -97,8 +116,7 @@ void CsvWriter::close() {
         file_->commit();
         return;
     }
-    stream_->flush();
-    if (!*stream_) {
+    if (stream_ != nullptr && !stream_->flush()) {
         throw Error("the CSV output could not be written");
     }
 }

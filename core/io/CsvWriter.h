@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/GrowingFile.h"
 #include "core/TemporaryFile.h"
 
 #include <filesystem>
@@ -17,9 +18,12 @@ namespace asperity {
 class CsvWriter {
 public:
     /// Into a file that takes its place when close() is called; without that, nothing is left.
-    /// @param comments one line each, without the `#`
+    /// @param comments one line each, without the `#`; made printable()
     /// @throw Error when the file's folder cannot be written
     CsvWriter(const std::filesystem::path& path, const std::vector<std::string>& comments,
+              const std::vector<std::string>& columns);
+    /// Into a file that grows in its place; the line of names is in it at once. @throw Error
+    CsvWriter(GrowingFile file, const std::vector<std::string>& comments,
               const std::vector<std::string>& columns);
     /// Into a stream that outlives the writer, such as standard output.
     CsvWriter(std::ostream& stream, const std::vector<std::string>& comments,
@@ -33,6 +37,11 @@ public:
     /// A whole row of numbers. @throw Error as endRow()
     void row(std::span<const double> values);
 
+    /// Hands all rows so far to the file or the stream. @throw Error when a growing file does not
+    /// take them
+    void flush();
+    /// Waits until the disk holds what was flushed to a growing file. @throw Error
+    void sync() const;
     /// Writes what is left and puts the file in place. @throw Error when not all could be written
     void close();
 
@@ -40,10 +49,10 @@ private:
     void writeHeader(const std::vector<std::string>& comments,
                      const std::vector<std::string>& columns);
     void separate();
-    void flush();
 
     std::optional<OutputFile> file_;
-    std::ostream* stream_;
+    std::optional<GrowingFile> growing_;
+    std::ostream* stream_ = nullptr;  ///< null: into the growing file
     std::size_t columns_;
     std::size_t cells_ = 0;  ///< of the row so far
     std::string buffer_;

@@ -2,17 +2,17 @@
 
 #include "core/Error.h"
 
+#include <cerrno>
 #include <fcntl.h>
-#include <fstream>
-#include <sys/mman.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace asperity {
 
 namespace {
 
-/// Looks at the path before opening it: a folder or a pipe would hang or give confusing errors.
-std::uintmax_t checkedSize(const std::filesystem::path& path) {
+/// Looks at the path before it is opened: a pipe would hang, a device may act.
+const std::filesystem::path& requireRegular(const std::filesystem::path& path) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) {
@@ -24,74 +24,87 @@ std::uintmax_t checkedSize(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(status)) {
         throw InputError(path.string(), "", "this is not a regular file");
     }
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error) {
-        throw InputError(path.string(), "", "its size cannot be read");
-    }
-    if (size == 0) {
-        throw InputError(path.string(), "", "the file is empty");
-    }
-    return size;
+    return path;
 }
 
-/// A file descriptor that is closed at the end of its scope.
-class OpenFile {
-public:
-    explicit OpenFile(const std::filesystem::path& path)
-        : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-    ~OpenFile() {
-        if (descriptor_ >= 0) {
-            close(descriptor_);
-        }
-    }
-
-    [[nodiscard]] int descriptor() const { return descriptor_; }
-
-private:
-    int descriptor_;
-};
-
-void* mapped(const std::filesystem::path& path, std::size_t size) {
-    const OpenFile file(path);
-    if (file.descriptor() < 0) {
-        throw InputError(path.string(), "", "the file cannot be opened for reading");
-    }
-    void* memory = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.descriptor(), 0);
-    if (memory == MAP_FAILED) {
-        throw InputError(path.string(), "", "the file cannot be brought into memory");
-    }
-    // Advice only.
-    (void)madvise(memory, size, MADV_SEQUENTIAL);
-    return memory;
+bool areSame(const timespec& one, const timespec& other) {
+    return one.tv_sec == other.tv_sec && one.tv_nsec == other.tv_nsec;
 }
 
 }  // namespace
 
-MappedFile::MappedFile(const std::filesystem::path& path)
-    : size_(static_cast<std::size_t>(checkedSize(path))), memory_(mapped(path, size_)) {}
+// O_NONBLOCK: should a pipe have taken the path's place meanwhile.
+OpenFile::OpenFile(const std::filesystem::path& path)
+    : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
 
-MappedFile::~MappedFile() { munmap(memory_, size_); }
+OpenFile::~OpenFile() {
+    if (descriptor_ >= 0) {
+        close(descriptor_);
+    }
+}
 
-void MappedFile::forget() const noexcept { (void)madvise(memory_, size_, MADV_DONTNEED); }
+FileBytes::FileBytes(const std::filesystem::path& path)
+    : ByteSource(path.string()), file_(requireRegular(path)), opened_{} {
+    if (file_.descriptor() < 0) {
+        throw InputError(name(), "", "the file cannot be opened for reading");
+    }
+    opened_ = status();
+    if (!S_ISREG(opened_.st_mode)) {
+        throw InputError(name(), "", "this is not a regular file");
+    }
+    if (opened_.st_size == 0) {
+        throw InputError(name(), "", "the file is empty");
+    }
+    // Advice only.
+    (void)posix_fadvise(file_.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);
+}
+
+void FileBytes::read(std::uint64_t place, std::span<char> bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t count =
+            pread(file_.descriptor(), bytes.data(), bytes.size(), static_cast<off_t>(place));
+        if (count < 0 && errno == EINTR) {
+            continue;
+        }
+        if (count < 0) {
+            throw InputError(name(), "byte " + std::to_string(place),
+                             "the file cannot be read: " + std::generic_category().message(errno));
+        }
+        if (count == 0) {
+            throw InputError(name(), "byte " + std::to_string(place),
+                             "the file became shorter while it was read; read it again when it "
+                             "has been saved whole");
+        }
+        place += static_cast<std::uint64_t>(count);
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+}
+
+void FileBytes::requireUnchanged() const {
+    const struct stat now = status();
+    if (now.st_size != opened_.st_size || !areSame(now.st_mtim, opened_.st_mtim)) {
+        throw InputError(name(), "",
+                         "the file was changed while it was read; read it again when it has been "
+                         "saved whole");
+    }
+}
+
+struct stat FileBytes::status() const {
+    struct stat result {};
+    if (fstat(file_.descriptor(), &result) != 0) {
+        throw InputError(name(), "", "its size cannot be read");
+    }
+    return result;
+}
 
 std::string readFileBytes(const std::filesystem::path& path) {
-    const std::uintmax_t size = checkedSize(path);
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) {
-        throw InputError(path.string(), "", "the file cannot be opened for reading");
-    }
+    const FileBytes file(path);
     std::string bytes;
-    if (size > bytes.max_size()) {
+    if (file.size() > bytes.max_size()) {
         throw InputError(path.string(), "", "the file is too large for memory");
     }
-    bytes.resize(static_cast<std::size_t>(size));
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (static_cast<std::uintmax_t>(stream.gcount()) != size) {
-        throw InputError(path.string(), "byte " + std::to_string(stream.gcount()),
-                         "the file cannot be read to its end");
-    }
+    bytes = file.start(file.size());
+    file.requireUnchanged();
     return bytes;
 }
 

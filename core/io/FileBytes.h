@@ -1,35 +1,50 @@
 #pragma once
 
-#include <cstddef>
+#include "core/io/ByteSource.h"
+
 #include <filesystem>
 #include <string>
-#include <string_view>
+#include <sys/stat.h>
 
 namespace asperity {
 
 /// The whole content of a file.
-/// @throw InputError when it is missing, a folder, no regular file, unreadable or empty
+/// @throw InputError when it is missing, a folder, no regular file, unreadable or empty, or becomes
+///        shorter meanwhile
 [[nodiscard]] std::string readFileBytes(const std::filesystem::path& path);
 
-/// A file whose bytes come into memory when they are looked at: for large scans.
-class MappedFile {
+/// A file descriptor for reading that is closed at the end of its scope.
+class OpenFile {
 public:
-    /// @throw InputError as readFileBytes
-    explicit MappedFile(const std::filesystem::path& path);
-    MappedFile(const MappedFile&) = delete;
-    MappedFile& operator=(const MappedFile&) = delete;
-    ~MappedFile();
+    explicit OpenFile(const std::filesystem::path& path);
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile();
 
-    /// Valid as long as this object.
-    [[nodiscard]] std::string_view bytes() const {
-        return {static_cast<const char*>(memory_), size_};
-    }
-    /// Gives back the memory of what was looked at; a further look fetches it again.
-    void forget() const noexcept;
+    [[nodiscard]] int descriptor() const { return descriptor_; }  ///< negative: it is not open
 
 private:
-    std::size_t size_;
-    void* memory_;
+    int descriptor_;
+};
+
+/// A file that stays open while it is read. Another one that takes its name changes nothing.
+class FileBytes final : public ByteSource {
+public:
+    /// @throw InputError as readFileBytes()
+    explicit FileBytes(const std::filesystem::path& path);
+
+    [[nodiscard]] std::uint64_t size() const override {
+        return static_cast<std::uint64_t>(opened_.st_size);
+    }
+    void read(std::uint64_t place, std::span<char> bytes) const override;
+    /// By size and time stamps, which a write within the same few milliseconds may leave alike.
+    void requireUnchanged() const override;
+
+private:
+    [[nodiscard]] struct stat status() const;
+
+    OpenFile file_;
+    struct stat opened_;  ///< when it was opened
 };
 
 }  // namespace asperity

@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <memory>
 #include <openssl/evp.h>
-#include <system_error>
 #include <vector>
 
 namespace asperity {
 
 namespace {
 
-constexpr std::size_t kBlockBytes = 65536;
+constexpr std::uint64_t kBlockBytes = 65536;
 
 struct FreeContext {
     void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
@@ -39,28 +37,21 @@ std::string hexadecimal(const unsigned char* bytes, std::size_t count) {
 
 }  // namespace
 
-std::string sha256OfFile(const std::filesystem::path& path, Progress* progress) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(path)) {
-        throw InputError(path.string(), "", "the file cannot be opened for reading");
-    }
+std::string sha256Of(const ByteSource& source, Progress* progress) {
     const std::unique_ptr<EVP_MD_CTX, FreeContext> context(EVP_MD_CTX_new());
     require(EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr));
     std::vector<char> block(kBlockBytes);
-    std::error_code unknown;  // of a pipe, say: then the size reads as huge
-    const std::uintmax_t blocks = std::filesystem::file_size(path, unknown) / kBlockBytes + 1;
-    const std::uintmax_t blocksPerStep = blocks / 32 + 1;
-    for (std::uintmax_t i = 0; stream; ++i) {
-        if (i % blocksPerStep == 0) {
-            reportTo(progress, std::min(1.0, static_cast<double>(i) / static_cast<double>(blocks)));
+    const std::uint64_t size = source.size();
+    const std::uint64_t step = (size / kBlockBytes / 32 + 1) * kBlockBytes;
+    for (std::uint64_t place = 0; place < size; place += block.size()) {
+        if (place % step == 0) {
+            reportTo(progress, static_cast<double>(place) / static_cast<double>(size));
         }
-        stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-        require(EVP_DigestUpdate(context.get(), block.data(),
-                                 static_cast<std::size_t>(stream.gcount())));
+        block.resize(static_cast<std::size_t>(std::min(kBlockBytes, size - place)));
+        source.read(place, block);
+        require(EVP_DigestUpdate(context.get(), block.data(), block.size()));
     }
-    if (stream.bad()) {
-        throw InputError(path.string(), "", "the file cannot be read to its end");
-    }
+    source.requireUnchanged();
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned length = 0;
     require(EVP_DigestFinal_ex(context.get(), digest.data(), &length));

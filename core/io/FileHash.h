@@ -1,15 +1,14 @@
 #pragma once
 
 #include "core/Progress.h"
+#include "core/io/ByteSource.h"
 
-#include <filesystem>
 #include <string>
 
 namespace asperity {
 
-/// SHA-256 of a file's content, 64 lower-case hexadecimal digits.
-/// @throw InputError when the file cannot be read; Cancelled
-[[nodiscard]] std::string sha256OfFile(const std::filesystem::path& path,
-                                       Progress* progress = nullptr);
+/// SHA-256 of a content, 64 lower-case hexadecimal digits.
+/// @throw InputError when it cannot be read or changes meanwhile; Cancelled
+[[nodiscard]] std::string sha256Of(const ByteSource& source, Progress* progress = nullptr);
 
 }  // namespace asperity

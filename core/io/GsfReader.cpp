@@ -15,20 +15,23 @@ namespace {
 constexpr std::string_view kFamily = "Gwyddion Simple Field ";
 constexpr std::string_view kMagic = "Gwyddion Simple Field 1.0\n";
 constexpr std::size_t kAlignment = 4;
+/// Gwyddion's own headers have some 200 bytes.
+constexpr std::size_t kLongestHeader = std::size_t{1} << 20U;
 
 using Fields = std::map<std::string, std::string>;
 
 class GsfReader {
 public:
-    GsfReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+    explicit GsfReader(const ByteSource& bytes)
+        : bytes_(bytes), start_(bytes.start(kLongestHeader + kAlignment)) {}
 
     StoredScan read() {
         checkMagic();
-        const std::size_t headerEnd = bytes_.find('\0');
-        if (headerEnd == std::string_view::npos) {
+        const std::size_t headerEnd = start_.find('\0');
+        if (headerEnd >= kLongestHeader) {
             fail("header", "no NUL byte ends it; the file is truncated or damaged");
         }
-        parseHeader(bytes_.substr(kMagic.size(), headerEnd - kMagic.size()));
+        parseHeader(std::string_view(start_).substr(kMagic.size(), headerEnd - kMagic.size()));
         StoredScan result;
         result.channels.push_back(channel(dataAfter(headerEnd)));
         settleSize(result.channels.back().channel, result.notes);
@@ -37,10 +40,10 @@ public:
 
 private:
     void checkMagic() const {
-        if (bytes_.starts_with(kMagic)) {
+        if (start_.starts_with(kMagic)) {
             return;
         }
-        if (bytes_.starts_with("Gwyddion Simple Field 1.0\r")) {
+        if (start_.starts_with("Gwyddion Simple Field 1.0\r")) {
             fail("line 1", "it ends with CR LF: a transfer in text mode has damaged the file");
         }
         fail("line 1", "expected 'Gwyddion Simple Field 1.0'");
@@ -63,15 +66,16 @@ private:
         }
     }
 
-    /// The samples: all that follows the padding, in exactly the number that the header promises.
-    std::string_view dataAfter(std::size_t headerEnd) {
-        size_ = checkedImageSize(integer("XRes"), integer("YRes"), file_, "XRes, YRes");
+    /// Where the samples begin: they are all that follows the padding, in exactly the number that
+    /// the header promises.
+    std::uint64_t dataAfter(std::size_t headerEnd) {
+        size_ = checkedImageSize(integer("XRes"), integer("YRes"), bytes_.name(), "XRes, YRes");
         const std::size_t start = (headerEnd / kAlignment + 1) * kAlignment;
-        const std::string_view padding = bytes_.substr(headerEnd, start - headerEnd);
-        if (padding.find_first_not_of('\0') != std::string_view::npos) {
+        const std::string padding = start_.substr(headerEnd, start - headerEnd);
+        if (padding.find_first_not_of('\0') != std::string::npos) {
             fail("byte " + std::to_string(headerEnd), "expected NUL bytes up to a multiple of 4");
         }
-        const std::size_t held = bytes_.size() - std::min(start, bytes_.size());
+        const std::uint64_t held = bytes_.size() - std::min<std::uint64_t>(start, bytes_.size());
         const std::uint64_t expected = size_.pixels() * sizeof(float);
         if (held != expected) {
             fail("byte " + std::to_string(start),
@@ -79,10 +83,10 @@ private:
                      std::to_string(size_.columns) + " x " + std::to_string(size_.rows) +
                      " pixels, found " + std::to_string(held));
         }
-        return bytes_.substr(start);
+        return start;
     }
 
-    StoredChannel channel(std::string_view data) {
+    StoredChannel channel(std::uint64_t data) {
         const PhysicalUnit lateral = parseUnit(takeText("XYUnits"));
         const PhysicalUnit vertical = parseUnit(takeText("ZUnits"));
         ScanChannel channel;
@@ -98,14 +102,17 @@ private:
         channel.originX = finiteOrZero(number("XOffset") * lateral.factor);
         channel.originY = finiteOrZero(number("YOffset") * lateral.factor);
         channel.metadata = fields_;
-        return {channel,
-                [data, columns = size_.columns, factor = vertical.factor](int row, double* values) {
-                    const std::size_t width = static_cast<std::size_t>(columns) * sizeof(float);
-                    const char* stored = data.data() + static_cast<std::size_t>(row) * width;
-                    for (int column = 0; column < columns; ++column, stored += sizeof(float)) {
-                        values[column] = factor * littleEndian<float>(stored);
-                    }
-                }};
+        return {
+            .channel = channel,
+            .factor = vertical.factor,
+            .readRow = [&bytes = bytes_, data, columns = static_cast<std::size_t>(size_.columns)](
+                           int row, RowRoom& room, double* numbers) {
+                room.resize(columns * sizeof(float));
+                bytes.read(data + static_cast<std::uint64_t>(row) * room.size(), room);
+                for (std::size_t i = 0; i < columns; ++i) {
+                    numbers[i] = littleEndian<float>(room.data() + i * sizeof(float));
+                }
+            }};
     }
 
     /// Removes the field, so that what is left is metadata.
@@ -142,11 +149,11 @@ private:
     }
 
     [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-        throw InputError(file_, place, what);
+        throw InputError(bytes_.name(), place, what);
     }
 
-    std::string_view bytes_;
-    const std::string& file_;
+    const ByteSource& bytes_;
+    std::string start_;
     Fields fields_;
     ImageSize size_;
 };
@@ -154,7 +161,7 @@ private:
 }  // namespace
 
 const HeightMapFormat kGsfFormat = {
-    "Gwyddion Simple Field .gsf", [](std::string_view bytes) { return bytes.starts_with(kFamily); },
-    [](std::string_view bytes, const std::string& file) { return GsfReader(bytes, file).read(); }};
+    "Gwyddion Simple Field .gsf", [](std::string_view start) { return start.starts_with(kFamily); },
+    [](const ByteSource& bytes) { return GsfReader(bytes).read(); }};
 
 }  // namespace asperity

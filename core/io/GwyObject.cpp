@@ -27,11 +27,11 @@ std::uint64_t valueSize(char type) {
     }
 }
 
-void requireType(const GwyComponent& component, char type, std::string_view file) {
+void requireType(const GwyComponent& component, char type, const ByteSource& source) {
     if (component.type == type) {
         return;
     }
-    throw InputError(std::string(file), "byte " + std::to_string(component.place),
+    throw InputError(source.name(), "byte " + std::to_string(component.value.place),
                      "the component '" + toUtf8(component.name) + "' has the type '" +
                          toUtf8({&component.type, 1}) + "'; expected '" + type + "'");
 }
@@ -40,9 +40,8 @@ void requireType(const GwyComponent& component, char type, std::string_view file
 
 GwyObject takeGwyObject(ByteReader& reader) {
     GwyObject object;
-    object.className = reader.takeString("a class name");
+    object.className = reader.takeName("a class name");
     const auto size = reader.takeNumber<std::uint32_t>("an object's size");
-    object.place = reader.place();
     object.components = reader.take(size, "an object");
     return object;
 }
@@ -52,21 +51,20 @@ std::optional<GwyComponent> GwyComponents::next() {
         return std::nullopt;
     }
     GwyComponent component;
-    component.name = reader_.takeString("a component's name");
-    component.type = reader_.take(1, "a component's type")[0];
-    component.place = reader_.place();
+    component.name = reader_.takeName("a component's name");
+    component.type = reader_.takeNumber<char>("a component's type");
     component.value = takeValue(component.type);
     return component;
 }
 
-std::string_view GwyComponents::takeValue(char type) {
+ByteSpan GwyComponents::takeValue(char type) {
     if (type == 's') {
         return reader_.takeString("a text");
     }
     if (type == 'o') {
-        ByteReader ahead = reader_;
-        (void)takeGwyObject(ahead);
-        return reader_.take(ahead.place() - reader_.place(), "an object");
+        const std::uint64_t start = reader_.place();
+        (void)takeGwyObject(reader_);
+        return {start, reader_.place() - start};
     }
     if (type >= 'A' && type <= 'Z') {
         return takeArray(type);
@@ -78,7 +76,7 @@ std::string_view GwyComponents::takeValue(char type) {
     return reader_.take(size, "a value");
 }
 
-std::string_view GwyComponents::takeArray(char type) {
+ByteSpan GwyComponents::takeArray(char type) {
     const std::uint64_t count = reader_.takeNumber<std::uint32_t>("an array's length");
     if (const std::uint64_t size = valueSize(type); size != 0) {
         return reader_.take(count * size, "an array");
@@ -86,40 +84,40 @@ std::string_view GwyComponents::takeArray(char type) {
     if (type != 'S' && type != 'O') {
         reader_.fail("unknown type of array; the file is damaged");
     }
-    ByteReader ahead = reader_;
+    const std::uint64_t start = reader_.place();
     for (std::uint64_t i = 0; i < count; ++i) {
         if (type == 'S') {
-            (void)ahead.takeString("a text");
+            (void)reader_.takeString("a text");
         } else {
-            (void)takeGwyObject(ahead);
+            (void)takeGwyObject(reader_);
         }
     }
-    return reader_.take(ahead.place() - reader_.place(), "an array");
+    return {start, reader_.place() - start};
 }
 
-std::int32_t gwyInteger(const GwyComponent& component, std::string_view file) {
-    requireType(component, 'i', file);
-    return littleEndian<std::int32_t>(component.value.data());
+std::int32_t gwyInteger(const GwyComponent& component, const ByteSource& source) {
+    requireType(component, 'i', source);
+    return numberIn<std::int32_t>(source, component.value);
 }
 
-double gwyNumber(const GwyComponent& component, std::string_view file) {
-    requireType(component, 'd', file);
-    return littleEndian<double>(component.value.data());
+double gwyNumber(const GwyComponent& component, const ByteSource& source) {
+    requireType(component, 'd', source);
+    return numberIn<double>(source, component.value);
 }
 
-std::string gwyText(const GwyComponent& component, std::string_view file) {
-    requireType(component, 's', file);
-    return toUtf8(component.value);
+std::string gwyText(const GwyComponent& component, const ByteSource& source) {
+    requireType(component, 's', source);
+    return toUtf8(bytesOf(source, component.value));
 }
 
-std::string_view gwyNumbers(const GwyComponent& component, std::string_view file) {
-    requireType(component, 'D', file);
+ByteSpan gwyNumbers(const GwyComponent& component, const ByteSource& source) {
+    requireType(component, 'D', source);
     return component.value;
 }
 
-GwyObject gwyObject(const GwyComponent& component, std::string_view file) {
-    requireType(component, 'o', file);
-    ByteReader reader(component.value, file, component.place);
+GwyObject gwyObject(const GwyComponent& component, const ByteSource& source) {
+    requireType(component, 'o', source);
+    ByteReader reader(source, component.value);
     return takeGwyObject(reader);
 }
 

@@ -5,23 +5,20 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace asperity {
 
-/// One named value of a serialised Gwyddion object; nothing is copied.
+/// One named value of a serialised Gwyddion object. The value stays in the source.
 struct GwyComponent {
-    std::string_view name;
-    char type = 0;           ///< one of b c i q d s o, in capitals an array
-    std::string_view value;  ///< its bytes; of a string without the NUL, of an array the items
-    std::size_t place = 0;   ///< byte of the value in the file
+    std::string name;
+    char type = 0;   ///< one of b c i q d s o, in capitals an array
+    ByteSpan value;  ///< of a string without the NUL, of an array the items
 };
 
 /// A serialised object: a class name and a block of components.
 struct GwyObject {
-    std::string_view className;
-    std::string_view components;
-    std::size_t place = 0;  ///< byte of the components in the file
+    std::string className;
+    ByteSpan components;
 };
 
 /// Reads an object at the reader's place. @throw InputError when it does not fit
@@ -32,25 +29,26 @@ struct GwyObject {
 /// Source: Gwyddion user guide, "Gwyddion native file format"; docs/formats.md 1.
 class GwyComponents {
 public:
-    GwyComponents(const GwyObject& object, std::string_view file)
-        : reader_(object.components, file, object.place) {}
+    /// @param source must outlive this
+    GwyComponents(const GwyObject& object, const ByteSource& source)
+        : reader_(source, object.components) {}
 
     /// The next component; empty at the end. @throw InputError when it does not fit
     [[nodiscard]] std::optional<GwyComponent> next();
 
 private:
-    std::string_view takeValue(char type);
-    std::string_view takeArray(char type);
+    ByteSpan takeValue(char type);
+    ByteSpan takeArray(char type);
 
     ByteReader reader_;
 };
 
 /// The values, checked to have the type that the format prescribes. @throw InputError otherwise
-[[nodiscard]] std::int32_t gwyInteger(const GwyComponent& component, std::string_view file);
-[[nodiscard]] double gwyNumber(const GwyComponent& component, std::string_view file);
-[[nodiscard]] std::string gwyText(const GwyComponent& component, std::string_view file);
-/// Raw doubles, lowest byte first.
-[[nodiscard]] std::string_view gwyNumbers(const GwyComponent& component, std::string_view file);
-[[nodiscard]] GwyObject gwyObject(const GwyComponent& component, std::string_view file);
+[[nodiscard]] std::int32_t gwyInteger(const GwyComponent& component, const ByteSource& source);
+[[nodiscard]] double gwyNumber(const GwyComponent& component, const ByteSource& source);
+[[nodiscard]] std::string gwyText(const GwyComponent& component, const ByteSource& source);
+/// Where raw doubles lie, lowest byte first.
+[[nodiscard]] ByteSpan gwyNumbers(const GwyComponent& component, const ByteSource& source);
+[[nodiscard]] GwyObject gwyObject(const GwyComponent& component, const ByteSource& source);
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include "core/io/ScanImage.h"
 #include "core/io/TextValue.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -36,14 +37,20 @@ struct DataField {
     double offsetY = 0.0;
     PhysicalUnit lateralUnit;
     PhysicalUnit unit;
-    std::string_view values;  ///< doubles, top row first
+    ByteSpan values;  ///< doubles, top row first
 
-    [[nodiscard]] double value(std::size_t pixel) const {
-        return littleEndian<double>(values.data() + pixel * sizeof(double));
+    void readRow(const ByteSource& source, int row, RowRoom& room, double* numbers) const {
+        const auto columns = static_cast<std::size_t>(size.columns);
+        room.resize(columns * sizeof(double));
+        source.read(values.place + static_cast<std::uint64_t>(row) * room.size(), room);
+        for (std::size_t i = 0; i < columns; ++i) {
+            numbers[i] = littleEndian<double>(room.data() + i * sizeof(double));
+        }
     }
-    /// As a mask.
-    [[nodiscard]] bool marks(std::size_t pixel) const { return value(pixel) > 0.0; }
 };
+
+/// Of a mask's values.
+bool marks(double value) { return value > 0.0; }
 
 /// "/12/data/title" → 12 and "data/title"; empty for a key that belongs to no image.
 struct ImageKey {
@@ -68,7 +75,7 @@ std::optional<ImageKey> parseKey(std::string_view key) {
 
 class GwyReader {
 public:
-    GwyReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+    explicit GwyReader(const ByteSource& bytes) : bytes_(bytes), file_(bytes.name()) {}
 
     StoredScan read() {
         collectImages();
@@ -85,11 +92,11 @@ public:
 
 private:
     void collectImages() {
-        if (bytes_.starts_with(kOldMagic)) {
+        if (bytes_.start(kOldMagic.size()) == kOldMagic) {
             throw InputError(file_, "byte 0",
                              "this is a file of Gwyddion 1; open and save it with Gwyddion 2");
         }
-        ByteReader reader(bytes_, file_);
+        ByteReader reader(bytes_);
         (void)reader.take(kMagic.size(), "the file's mark");
         const GwyObject container = takeGwyObject(reader);
         if (container.className != "GwyContainer") {
@@ -99,7 +106,7 @@ private:
             result_.notes.push_back(std::to_string(reader.remaining()) +
                                     " bytes after the end of the data are ignored");
         }
-        GwyComponents components(container, file_);
+        GwyComponents components(container, bytes_);
         while (const std::optional<GwyComponent> component = components.next()) {
             store(*component);
         }
@@ -115,14 +122,14 @@ private:
         } else if (key->rest == "mask") {
             images_[key->image].mask = field(component);
         } else if (key->rest == "meta") {
-            images_[key->image].metadata = gwyObject(component, file_);
+            images_[key->image].metadata = gwyObject(component, bytes_);
         } else if (key->rest == "data/title") {
-            images_[key->image].title = gwyText(component, file_);
+            images_[key->image].title = gwyText(component, bytes_);
         }
     }
 
     [[nodiscard]] GwyObject field(const GwyComponent& component) const {
-        const GwyObject object = gwyObject(component, file_);
+        GwyObject object = gwyObject(component, bytes_);
         if (object.className != "GwyDataField") {
             throw InputError(file_, place(object),
                              "'" + toUtf8(component.name) + "' is no GwyDataField");
@@ -149,38 +156,41 @@ private:
             channel.metadata = readMetadata(*parts.metadata);
         }
         settleSize(channel, result_.notes);
-        result_.channels.push_back({std::move(channel), [data, mask](int row, double* values) {
-                                        readRow(data, mask, row, values);
-                                    }});
+        result_.channels.push_back(
+            {.channel = std::move(channel),
+             .factor = data.unit.factor,
+             .readRow = [&bytes = bytes_, data, mask](int row, RowRoom& room, double* numbers) {
+                 data.readRow(bytes, row, room, numbers);
+                 if (mask) {
+                     removeMarked(bytes, *mask, row, room, numbers);
+                 }
+             }});
     }
 
-    static void readRow(const DataField& data, const std::optional<DataField>& mask, int row,
-                        double* values) {
-        const auto columns = static_cast<std::size_t>(data.size.columns);
-        const std::size_t first = static_cast<std::size_t>(row) * columns;
-        for (std::size_t i = 0; i < columns; ++i) {
-            values[i] = data.unit.factor * data.value(first + i);
-        }
-        if (!mask) {
-            return;
-        }
-        for (std::size_t i = 0; i < columns; ++i) {
-            if (mask->marks(first + i)) {
-                values[i] = std::numeric_limits<double>::quiet_NaN();
+    static void removeMarked(const ByteSource& bytes, const DataField& mask, int row, RowRoom& room,
+                             double* numbers) {
+        std::vector<double> values(static_cast<std::size_t>(mask.size.columns));
+        mask.readRow(bytes, row, room, values.data());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (marks(values[i])) {
+                numbers[i] = std::numeric_limits<double>::quiet_NaN();
             }
         }
     }
 
     /// Importers put void pixels into the mask and fill the data by interpolation.
     DataField maskOf(const ScanChannel& channel, const GwyObject& object) {
-        const DataField mask = readField(object);
+        DataField mask = readField(object);
         if (mask.size.columns != channel.map.columns || mask.size.rows != channel.map.rows) {
             throw InputError(file_, place(object),
                              "the mask of '" + channel.name + "' has another size than its image");
         }
-        std::size_t marked = 0;
-        for (std::size_t i = 0; i < mask.size.pixels(); ++i) {
-            marked += mask.marks(i) ? 1 : 0;
+        std::ptrdiff_t marked = 0;
+        RowRoom room;
+        std::vector<double> values(static_cast<std::size_t>(mask.size.columns));
+        for (int row = 0; row < mask.size.rows; ++row) {
+            mask.readRow(bytes_, row, room, values.data());
+            marked += std::ranges::count_if(values, marks);
         }
         if (marked > 0) {
             result_.notes.push_back("'" + channel.name + "': " + std::to_string(marked) +
@@ -193,25 +203,25 @@ private:
         DataField field;
         std::int32_t columns = 0;
         std::int32_t rows = 0;
-        GwyComponents components(object, file_);
+        GwyComponents components(object, bytes_);
         while (const std::optional<GwyComponent> part = components.next()) {
             if (part->name == "xres") {
-                columns = gwyInteger(*part, file_);
+                columns = gwyInteger(*part, bytes_);
             }
             if (part->name == "yres") {
-                rows = gwyInteger(*part, file_);
+                rows = gwyInteger(*part, bytes_);
             }
             if (part->name == "xreal") {
-                field.sizeX = gwyNumber(*part, file_);
+                field.sizeX = gwyNumber(*part, bytes_);
             }
             if (part->name == "yreal") {
-                field.sizeY = gwyNumber(*part, file_);
+                field.sizeY = gwyNumber(*part, bytes_);
             }
             if (part->name == "xoff") {
-                field.offsetX = gwyNumber(*part, file_);
+                field.offsetX = gwyNumber(*part, bytes_);
             }
             if (part->name == "yoff") {
-                field.offsetY = gwyNumber(*part, file_);
+                field.offsetY = gwyNumber(*part, bytes_);
             }
             if (part->name == "si_unit_xy") {
                 field.lateralUnit = readUnit(*part);
@@ -220,25 +230,25 @@ private:
                 field.unit = readUnit(*part);
             }
             if (part->name == "data") {
-                field.values = gwyNumbers(*part, file_);
+                field.values = gwyNumbers(*part, bytes_);
             }
         }
         field.size = checkedImageSize(columns, rows, file_, place(object));
-        if (field.values.size() / sizeof(double) != field.size.pixels()) {
+        if (field.values.count / sizeof(double) != field.size.pixels()) {
             throw InputError(file_, place(object),
                              std::to_string(columns) + " x " + std::to_string(rows) +
                                  " pixels are promised, but there are " +
-                                 std::to_string(field.values.size() / sizeof(double)));
+                                 std::to_string(field.values.count / sizeof(double)));
         }
         return field;
     }
 
     [[nodiscard]] PhysicalUnit readUnit(const GwyComponent& component) const {
         PhysicalUnit unit;
-        GwyComponents components(gwyObject(component, file_), file_);
+        GwyComponents components(gwyObject(component, bytes_), bytes_);
         while (const std::optional<GwyComponent> part = components.next()) {
             if (part->name == "unitstr") {
-                unit = parseUnit(gwyText(*part, file_));
+                unit = parseUnit(gwyText(*part, bytes_));
             }
         }
         return unit;
@@ -246,20 +256,20 @@ private:
 
     [[nodiscard]] std::map<std::string, std::string> readMetadata(const GwyObject& object) const {
         std::map<std::string, std::string> metadata;
-        GwyComponents components(object, file_);
+        GwyComponents components(object, bytes_);
         while (const std::optional<GwyComponent> part = components.next()) {
             if (part->type == 's') {
-                metadata[toUtf8(part->name)] = gwyText(*part, file_);
+                metadata[toUtf8(part->name)] = gwyText(*part, bytes_);
             }
         }
         return metadata;
     }
 
     static std::string place(const GwyObject& object) {
-        return "byte " + std::to_string(object.place);
+        return "byte " + std::to_string(object.components.place);
     }
 
-    std::string_view bytes_;
+    const ByteSource& bytes_;
     const std::string& file_;
     std::map<long long, ImageParts> images_;
     StoredScan result_;
@@ -269,9 +279,9 @@ private:
 
 const HeightMapFormat kGwyFormat = {
     "Gwyddion .gwy",
-    [](std::string_view bytes) {
-        return bytes.starts_with(kMagic) || bytes.starts_with(kOldMagic);
+    [](std::string_view start) {
+        return start.starts_with(kMagic) || start.starts_with(kOldMagic);
     },
-    [](std::string_view bytes, const std::string& file) { return GwyReader(bytes, file).read(); }};
+    [](const ByteSource& bytes) { return GwyReader(bytes).read(); }};
 
 }  // namespace asperity

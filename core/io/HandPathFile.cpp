@@ -1,7 +1,6 @@
 #include "core/io/HandPathFile.h"
 
 #include "core/Error.h"
-#include "core/io/CsvTable.h"
 
 #include <cmath>
 #include <string>
@@ -11,10 +10,10 @@ namespace asperity {
 namespace {
 
 /// @param prefix of the columns of the place: "" or "base_"
-HandPath readPath(const std::filesystem::path& path, const std::string& prefix) {
-    const CsvTable table = readCsv(path);
+HandPath readPath(const CsvTable& table, const std::string& prefix) {
+    const std::string& path = table.file();
     if (table.rows() == 0) {
-        throw InputError(path.string(), "", "holds no row of a path");
+        throw InputError(path, "", "holds no row of a path");
     }
     HandPath hand(table.rows());
     for (std::size_t row = 0; row < hand.size(); ++row) {
@@ -23,10 +22,10 @@ HandPath readPath(const std::filesystem::path& path, const std::string& prefix) 
                       table.number(row, prefix + "z_m")}};
         const std::string place = "line " + std::to_string(table.line(row));
         if (!hand[row].position.allFinite() || !std::isfinite(hand[row].time)) {
-            throw InputError(path.string(), place, "time and place must be finite numbers");
+            throw InputError(path, place, "time and place must be finite numbers");
         }
         if (row > 0 ? hand[row].time <= hand[row - 1].time : hand[row].time < 0.0) {
-            throw InputError(path.string(), place, "time_s must start at 0 or later and rise");
+            throw InputError(path, place, "time_s must start at 0 or later and rise");
         }
     }
     return hand;
@@ -34,10 +33,8 @@ HandPath readPath(const std::filesystem::path& path, const std::string& prefix) 
 
 }  // namespace
 
-HandPath readHandPath(const std::filesystem::path& path) { return readPath(path, ""); }
+HandPath readHandPath(const std::filesystem::path& path) { return readPath(readCsv(path), ""); }
 
-HandPath readRecordedPath(const std::filesystem::path& forceLog) {
-    return readPath(forceLog, "base_");
-}
+HandPath readRecordedPath(const CsvTable& forceLog) { return readPath(forceLog, "base_"); }
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/haptics/HandPath.h"
+#include "core/io/CsvTable.h"
 
 #include <filesystem>
 
@@ -11,6 +12,6 @@ namespace asperity {
 [[nodiscard]] HandPath readHandPath(const std::filesystem::path& path);
 
 /// The way of the base in a recorded force log. @throw InputError as readHandPath()
-[[nodiscard]] HandPath readRecordedPath(const std::filesystem::path& forceLog);
+[[nodiscard]] HandPath readRecordedPath(const CsvTable& forceLog);
 
 }  // namespace asperity

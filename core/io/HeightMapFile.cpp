@@ -5,6 +5,7 @@
 #include "core/io/FileBytes.h"
 #include "core/io/HeightMapFormat.h"
 #include "core/io/StoredRows.h"
+#include "core/io/TextValue.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +50,9 @@ std::string channelNames(const HeightMapFile& file) {
 }
 
 /// The first channel of this name; of several, one that is a height goes first.
-const ScanChannel* findChannel(const HeightMapFile& file, const std::string& name) {
+/// @param given in the encoding of a terminal or of the file
+const ScanChannel* findChannel(const HeightMapFile& file, const std::string& given) {
+    const std::string name = toUtf8(given);
     const ScanChannel* found = nullptr;
     for (const ScanChannel& channel : file.channels) {
         if (channel.name != name) {
@@ -73,30 +76,31 @@ const ScanChannel& defaultHeight(const HeightMapFile& file, const std::string& p
     return channel;
 }
 
-/// What the file holds, without the heights.
-struct Contents {
-    HeightMapFile file;
-    std::vector<StoredChannel> stored;  ///< as many as the file has channels
-
-    [[nodiscard]] const StoredChannel& storedOf(const ScanChannel& channel) const {
-        return stored[static_cast<std::size_t>(&channel - file.channels.data())];
+HeightMapFile readWhole(const ByteSource& bytes) {
+    HeightMapContents contents = contentsOf(bytes);
+    for (std::size_t i = 0; i < contents.stored.size(); ++i) {
+        contents.file.channels[i].map = readHeightMap(contents.stored[i], bytes);
     }
-};
+    return std::move(contents.file);
+}
 
-Contents contentsOf(std::string_view bytes, const std::string& file) {
-    if (bytes.empty()) {
-        throw InputError(file, "", "the file is empty");
+}  // namespace
+
+HeightMapContents contentsOf(const ByteSource& bytes) {
+    if (bytes.size() == 0) {
+        throw InputError(bytes.name(), "", "the file is empty");
     }
+    const std::string start = bytes.start(kMarkBytes);
     const auto& known = formats();
     const auto format = std::find_if(known.begin(), known.end(), [&](const HeightMapFormat* each) {
-        return each->recognises(bytes);
+        return each->recognises(start);
     });
     if (format == known.end()) {
-        throw InputError(file, "",
+        throw InputError(bytes.name(), "",
                          "this is no height map that can be read; known are " + formatNames());
     }
-    StoredScan scan = (*format)->read(bytes, file);
-    Contents contents;
+    StoredScan scan = (*format)->read(bytes);
+    HeightMapContents contents;
     contents.file.format = (*format)->name;
     contents.file.notes = std::move(scan.notes);
     for (const StoredChannel& stored : scan.channels) {
@@ -107,45 +111,12 @@ Contents contentsOf(std::string_view bytes, const std::string& file) {
     return contents;
 }
 
-}  // namespace
-
 HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file) {
-    Contents contents = contentsOf(bytes, file);
-    for (ScanChannel& channel : contents.file.channels) {
-        readHeights(contents.storedOf(channel), channel.map);
-    }
-    return std::move(contents.file);
+    return readWhole(MemoryBytes(bytes, file));
 }
 
 HeightMapFile readHeightMapFile(const std::filesystem::path& path) {
-    const MappedFile file(path);
-    return readHeightMapBytes(file.bytes(), path.string());
-}
-
-HeightScan readHeightScan(const std::filesystem::path& path, const std::string& name,
-                          Progress* progress) {
-    const MappedFile file(path);
-    Contents contents = contentsOf(file.bytes(), path.string());
-    const ScanChannel& channel = heightChannel(contents.file, path, name);
-    HeightScan scan{.format = contents.file.format,
-                    .channel = channel.name,
-                    .originX = channel.originX,
-                    .originY = channel.originY,
-                    .notes = {}};
-    scan.map = readScanMap(contents.storedOf(channel), file, progress);
-    scan.notes = std::move(contents.file.notes);
-    return scan;
-}
-
-HeightChannel readHeightChannel(const std::filesystem::path& path, const std::string& name,
-                                Progress* progress) {
-    const MappedFile file(path);
-    Contents contents = contentsOf(file.bytes(), path.string());
-    const ScanChannel& channel = heightChannel(contents.file, path, name);
-    HeightChannel result{.channel = channel, .notes = {}};
-    result.channel.map = readHeightMap(contents.storedOf(channel), file, progress);
-    result.notes = std::move(contents.file.notes);
-    return result;
+    return readWhole(FileBytes(path));
 }
 
 const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesystem::path& path,

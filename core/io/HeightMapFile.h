@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/Progress.h"
 #include "core/surface/HeightMap.h"
 
 #include <filesystem>
@@ -37,36 +36,9 @@ struct HeightMapFile {
 };
 
 /// Reads any supported file; the type is found by content, never by extension.
-/// @throw InputError when the file cannot be read whole, or its type is unknown
+/// @throw InputError when the file cannot be read whole, changes meanwhile, is of an unknown type,
+///        or holds a value that no instrument measures (a height beyond 1 km)
 [[nodiscard]] HeightMapFile readHeightMapFile(const std::filesystem::path& path);
-
-/// One height channel of a file on its way into a scene.
-struct HeightScan {
-    std::string format;   ///< for people
-    std::string channel;  ///< its name
-    ScanMap map;
-    double originX = 0.0;            ///< offset of the scan in the instrument's frame [m]
-    double originY = 0.0;            ///< [m]
-    std::vector<std::string> notes;  ///< of the whole file
-};
-
-/// Reads the named channel alone (empty: the default one), a few rows at a time, so that a large
-/// file never lies in memory beside its map.
-/// @throw InputError as readHeightMapFile() and heightChannel(); Cancelled
-[[nodiscard]] HeightScan readHeightScan(const std::filesystem::path& path, const std::string& name,
-                                        Progress* progress = nullptr);
-
-/// One height channel of a file, as exactly as the file gives it.
-struct HeightChannel {
-    ScanChannel channel;
-    std::vector<std::string> notes;  ///< of the whole file
-};
-
-/// As readHeightScan(), in double precision.
-/// @throw InputError as readHeightScan(); Cancelled
-[[nodiscard]] HeightChannel readHeightChannel(const std::filesystem::path& path,
-                                              const std::string& name,
-                                              Progress* progress = nullptr);
 
 /// The named channel (empty: the default one) as a height map.
 /// @throw InputError when there is no such channel, when its unit is not a length, when its lateral

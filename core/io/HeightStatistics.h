@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/surface/HeightMap.h"
-
 #include <cstddef>
+#include <functional>
+#include <span>
 
 namespace asperity {
 
@@ -15,6 +15,12 @@ struct HeightStatistics {
     std::size_t invalidPixels = 0;
 };
 
-[[nodiscard]] HeightStatistics heightStatistics(const HeightMap& map);
+/// Takes the values of one row after the other; what is not finite holds no data.
+using TakeRow = std::function<void(std::span<const double>)>;
+
+/// @param giveRows gives all rows, each time it is called: twice, for the mean and then for what
+///        is left of it, so that no more than a row need be in memory
+[[nodiscard]] HeightStatistics
+heightStatistics(const std::function<void(const TakeRow&)>& giveRows);
 
 }  // namespace asperity

@@ -12,12 +12,10 @@ namespace {
 constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kHeaderEnd = "\\*File list end";
 constexpr char kPadding = '\x1A';
-/// Real headers have 40 to 80 kB.
-constexpr std::size_t kLongestHeader = 1U << 20U;
 
 /// The header's text, without its end mark and padding.
 std::string_view headerText(std::string_view bytes, const std::string& file) {
-    bytes = bytes.substr(0, kLongestHeader);
+    bytes = bytes.substr(0, kLongestNanoscopeHeader);
     const std::size_t firstEnd = bytes.find('\n');
     if (firstEnd != std::string_view::npos && firstEnd > 0 && bytes[firstEnd - 1] != '\r') {
         throw InputError(file, "line 1",

@@ -36,6 +36,9 @@ struct CiaoValue {
 /// @return empty when a bracket is not closed or the type letter is missing
 [[nodiscard]] std::optional<CiaoValue> parseCiaoValue(std::string_view value);
 
+/// No header is longer [bytes]; real ones have 40 to 80 kB.
+constexpr std::size_t kLongestNanoscopeHeader = std::size_t{1} << 20U;
+
 /// Where the header ends, in bytes: the samples cannot start before.
 [[nodiscard]] std::size_t nanoscopeHeaderSize(std::string_view bytes);
 

@@ -6,7 +6,6 @@
 #include "core/io/ScanImage.h"
 #include "core/io/TextValue.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -25,12 +24,13 @@ constexpr std::size_t kMostImages = 64;
 
 class NanoscopeReader {
 public:
-    NanoscopeReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+    explicit NanoscopeReader(const ByteSource& bytes)
+        : bytes_(bytes), file_(bytes.name()), start_(bytes.start(kLongestNanoscopeHeader)) {}
 
     StoredScan read() {
         refuseRelatives();
-        sections_ = readNanoscopeHeader(bytes_, file_);
-        headerEnd_ = nanoscopeHeaderSize(bytes_);
+        sections_ = readNanoscopeHeader(start_, file_);
+        headerEnd_ = nanoscopeHeaderSize(start_);
         for (const NanoscopeSection& section : sections_) {
             if (lowerCase(section.name) == "ciao image list") {
                 addChannel(section);
@@ -44,10 +44,10 @@ public:
 
 private:
     void refuseRelatives() const {
-        if (bytes_.starts_with(kForceMagic)) {
+        if (start_.starts_with(kForceMagic)) {
             throw InputError(file_, "", "this NanoScope file holds force curves, no image");
         }
-        if (bytes_.starts_with(kTextMagic)) {
+        if (start_.starts_with(kTextMagic)) {
             throw InputError(file_, "",
                              "this NanoScope file was exported as text; save it in binary form");
         }
@@ -71,17 +71,17 @@ private:
         channel.originY = image.scanLength("Y Offset");
         channel.map = emptyMap(layout.size, layout.sizeX, layout.sizeY);
         channel.metadata = metadata(section);
-        const std::string_view data = samples(layout, place);
+        requireSamples(layout, place);
         addNotes(image, channel, layout.sampleBytes);
         result_.channels.push_back(
-            {std::move(channel), [layout, data, factor = scale.factor](int row, double* values) {
-                 readRow(layout, data, row, values);
-                 std::transform(values, values + layout.size.columns, values,
-                                [factor](double count) { return factor * count; });
+            {.channel = std::move(channel),
+             .factor = scale.factor,
+             .readRow = [&bytes = bytes_, layout](int row, RowRoom& room, double* counts) {
+                 readRow(bytes, layout, row, room, counts);
              }});
     }
 
-    std::string_view samples(const NanoscopeLayout& layout, const std::string& place) {
+    void requireSamples(const NanoscopeLayout& layout, const std::string& place) {
         const std::uint64_t length =
             layout.size.pixels() * static_cast<std::uint64_t>(layout.sampleBytes);
         if (layout.offset > bytes_.size() || length > bytes_.size() - layout.offset) {
@@ -101,22 +101,21 @@ private:
             }
         }
         taken_.emplace_back(layout.offset, layout.offset + length);
-        return bytes_.substr(static_cast<std::size_t>(layout.offset),
-                             static_cast<std::size_t>(length));
     }
 
     /// Counts of a row. The first stored row is the bottom of the image, whatever the scan's
     /// direction was.
-    static void readRow(const NanoscopeLayout& layout, std::string_view samples, int row,
-                        double* counts) {
+    static void readRow(const ByteSource& bytes, const NanoscopeLayout& layout, int row,
+                        RowRoom& room, double* counts) {
         const auto width = static_cast<std::size_t>(layout.sampleBytes);
-        const int columns = layout.size.columns;
-        const auto first = static_cast<std::size_t>(layout.size.rows - 1 - row) *
-                           static_cast<std::size_t>(columns);
-        const char* stored = samples.data() + first * width;
-        for (int column = 0; column < columns; ++column, stored += width) {
-            counts[column] = layout.sampleBytes == 4 ? littleEndian<std::int32_t>(stored)
-                                                     : littleEndian<std::int16_t>(stored);
+        const auto columns = static_cast<std::size_t>(layout.size.columns);
+        const auto fromBelow = static_cast<std::uint64_t>(layout.size.rows - 1 - row);
+        room.resize(columns * width);
+        bytes.read(layout.offset + fromBelow * room.size(), room);
+        for (std::size_t i = 0; i < columns; ++i) {
+            const char* stored = room.data() + i * width;
+            counts[i] = width == sizeof(std::int32_t) ? littleEndian<std::int32_t>(stored)
+                                                      : littleEndian<std::int16_t>(stored);
         }
     }
 
@@ -152,8 +151,9 @@ private:
         }
     }
 
-    std::string_view bytes_;
+    const ByteSource& bytes_;
     const std::string& file_;
+    std::string start_;  ///< with the whole header
     std::vector<NanoscopeSection> sections_;
     /// First and past-the-last byte of each image so far.
     std::size_t headerEnd_ = 0;
@@ -163,14 +163,12 @@ private:
 
 }  // namespace
 
-const HeightMapFormat kNanoscopeFormat = {"Bruker NanoScope",
-                                          [](std::string_view bytes) {
-                                              return bytes.starts_with(kMagic) ||
-                                                     bytes.starts_with(kTextMagic) ||
-                                                     bytes.starts_with(kForceMagic);
-                                          },
-                                          [](std::string_view bytes, const std::string& file) {
-                                              return NanoscopeReader(bytes, file).read();
-                                          }};
+const HeightMapFormat kNanoscopeFormat = {
+    "Bruker NanoScope",
+    [](std::string_view start) {
+        return start.starts_with(kMagic) || start.starts_with(kTextMagic) ||
+               start.starts_with(kForceMagic);
+    },
+    [](const ByteSource& bytes) { return NanoscopeReader(bytes).read(); }};
 
 }  // namespace asperity

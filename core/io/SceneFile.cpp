@@ -1,6 +1,7 @@
 #include "core/io/SceneFile.h"
 
 #include "core/Error.h"
+#include "core/PathText.h"
 #include "core/io/HapticsKeys.h"
 #include "core/io/NamedChoice.h"
 #include "core/io/ProbeFile.h"
@@ -254,7 +255,7 @@ toml::table sampleTable(const SampleDescription& sample) {
         insertShape(*sample.shape, table);
         return table;
     }
-    table.insert("file", sample.file);
+    table.insert("file", pathText(sample.file));
     table.insert("channel", sample.channel);
     table.insert("level", nameOf(kLevellings, sample.levelling));
     if (sample.smoothingLength != 0.0) {

@@ -1,11 +1,11 @@
 #include "core/io/StoredRows.h"
 
+#include "core/io/ChannelRows.h"
 #include "core/io/ScanImage.h"
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
-#include <cmath>
+#include <exception>
 #include <limits>
 #include <thread>
 
@@ -16,93 +16,67 @@ namespace {
 /// Parts in which an image is read.
 constexpr int kSteps = 32;
 
-/// Sums of two heights up to here fit into single precision.
-constexpr double kPlain = std::numeric_limits<float>::max() / 4.0;
-
-/// The first height that is plain; 0 when none is.
-double datumOf(const StoredChannel& stored) {
-    const HeightMap& map = stored.channel.map;
+/// The first height; 0 when there is none.
+double datumOf(ChannelRows& rows, const HeightMap& map) {
+    RowRoom room;
     std::vector<double> values(static_cast<std::size_t>(map.columns));
     for (int row = 0; row < map.rows; ++row) {
-        stored.readRow(row, values.data());
-        for (const double value : values) {
-            if (isFiniteHeight(value) && std::abs(value) <= kPlain) {
-                return value;
-            }
+        (void)rows.read(row, room, values.data());
+        const auto first =
+            std::ranges::find_if(values, [](double value) { return isFiniteHeight(value); });
+        if (first != values.end()) {
+            return *first;
         }
     }
     return 0.0;
 }
 
-/// Whether no magnitude is beyond kPlain and every value is a number. By the bits, whose order is
-/// that of the magnitudes: what is larger carries into the sign's place. No comparison raises a
-/// flag, and none is a branch.
-bool areAllPlain(const std::vector<double>& values) {
-    constexpr std::uint64_t kMagnitude = 0x7fffffffffffffffU;
-    constexpr std::uint64_t kRoom = kMagnitude - std::bit_cast<std::uint64_t>(kPlain);
-    std::uint64_t carried = 0;
-    for (const double value : values) {
-        carried |= (std::bit_cast<std::uint64_t>(value) & kMagnitude) + kRoom;
-    }
-    return carried <= kMagnitude;
-}
-
-/// Any value in single precision. A height beyond it becomes the largest there is: no surface is
-/// made of it.
+/// In single precision. No comparison raises a flag on what is no number.
 float pixelOf(double value, double datum) {
-    if (!isFiniteHeight(value)) {
-        return std::numeric_limits<float>::quiet_NaN();
-    }
-    constexpr double kLargest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::clamp(value - datum, -kLargest, kLargest));
-}
-
-/// Turns a row of values into pixels; those without data become NaN. Tells whether there may be
-/// any.
-bool writeRow(const std::vector<double>& values, double datum, float* pixels) {
-    if (!areAllPlain(values)) {
-        std::ranges::transform(values, pixels,
-                               [datum](double value) { return pixelOf(value, datum); });
-        return true;
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        pixels[i] = static_cast<float>(values[i] - datum);
-    }
-    return false;
+    return isFiniteHeight(value) ? static_cast<float>(value - datum)
+                                 : std::numeric_limits<float>::quiet_NaN();
 }
 
 /// Reads the rows of an image, some at a time: whoever is free takes the next ones. Any threads.
-class RowReader {
+class SharedRows {
 public:
-    RowReader(const StoredChannel& stored, ScanMap& map)
-        : stored_(stored), map_(map), step_(std::max(map.rows / kSteps, 1)) {}
+    SharedRows(ChannelRows& rows, ScanMap& map)
+        : rows_(rows), map_(map), step_(std::max(map.rows / kSteps, 1)) {}
 
     /// @return whether there were any left
     /// @param values room for a row
-    bool readNext(std::vector<double>& values) {
+    bool readNext(RowRoom& room, std::vector<double>& values) {
         const int first = next_.fetch_add(step_);
         for (int row = first; row < std::min(first + step_, map_.rows); ++row) {
-            stored_.readRow(row, values.data());
-            if (writeRow(values, map_.datum, map_.heights.data() + map_.index(row, 0))) {
-                mayHaveHoles_ = true;
-            }
+            const bool mayHaveHoles = rows_.read(row, room, values.data());
+            write(values, mayHaveHoles, map_.heights.data() + map_.index(row, 0));
         }
         return first < map_.rows;
     }
+    /// Nobody takes another row.
+    void stop() { next_ = map_.rows; }
     /// Share of the rows that somebody has begun with.
     [[nodiscard]] double begun() const {
         return static_cast<double>(std::min<int>(next_, map_.rows)) / map_.rows;
     }
 
-    /// Whether a pixel that was read may hold no data.
-    [[nodiscard]] bool mayHaveHoles() const { return mayHaveHoles_; }
-
 private:
-    const StoredChannel& stored_;
+    void write(const std::vector<double>& values, bool mayHaveHoles, float* pixels) const {
+        if (mayHaveHoles) {
+            std::ranges::transform(values, pixels, [datum = map_.datum](double value) {
+                return pixelOf(value, datum);
+            });
+            return;
+        }
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            pixels[i] = static_cast<float>(values[i] - map_.datum);
+        }
+    }
+
+    ChannelRows& rows_;
     ScanMap& map_;
     int step_;
     std::atomic<int> next_ = 0;
-    std::atomic<bool> mayHaveHoles_ = false;
 };
 
 /// Marks the pixels without data, if there are any.
@@ -118,55 +92,52 @@ void markInvalid(ScanMap& map) {
 }
 
 /// Reads all rows, on two threads where that is worth one.
-void readRows(RowReader& reader, const ScanMap& map, const MappedFile& file, Progress* progress) {
+void readRows(SharedRows& rows, const ScanMap& map, Progress* progress) {
     const auto columns = static_cast<std::size_t>(map.columns);
     constexpr std::size_t kWorthAThread = std::size_t{1} << 18U;
-    // Asked to stop and waited for at the end, when Cancelled flies by, too.
+    std::exception_ptr failure;  // of the helper
+    // Asked to stop and waited for at the end, when an exception flies by, too.
     std::jthread helper;
     if (map.heights.size() >= kWorthAThread) {
         helper = std::jthread([&](const std::stop_token& stop) {
-            std::vector<double> values(columns);
-            while (!stop.stop_requested() && reader.readNext(values)) {
+            try {
+                RowRoom room;
+                std::vector<double> values(columns);
+                while (!stop.stop_requested() && rows.readNext(room, values)) {
+                }
+            } catch (...) {
+                failure = std::current_exception();
+                rows.stop();
             }
         });
     }
+    RowRoom room;
     std::vector<double> values(columns);
     do {
-        file.forget();
-        reportTo(progress, reader.begun());
-    } while (reader.readNext(values));
+        reportTo(progress, rows.begun());
+    } while (rows.readNext(room, values));
     if (helper.joinable()) {
         helper.join();
+    }
+    if (failure) {
+        std::rethrow_exception(failure);
     }
     reportTo(progress, 1.0);  // the helper may have read all rows after a cancellation
 }
 
 }  // namespace
 
-void readHeights(const StoredChannel& stored, HeightMap& map) {
-    map.heights.resize(map.index(map.rows, 0));
-    for (int row = 0; row < map.rows; ++row) {
-        stored.readRow(row, map.heights.data() + map.index(row, 0));
-    }
-    invalidateNonFinite(map);
-}
-
-HeightMap readHeightMap(const StoredChannel& stored, const MappedFile& file, Progress* progress) {
+HeightMap readHeightMap(const StoredChannel& stored, const ByteSource& bytes, Progress* progress) {
     HeightMap map = stored.channel.map;
     map.heights.resize(map.index(map.rows, 0));
-    const int step = std::max(map.rows / kSteps, 1);
-    for (int row = 0; row < map.rows; ++row) {
-        if (row % step == 0) {
-            file.forget();
-            reportTo(progress, static_cast<double>(row) / map.rows);
-        }
-        stored.readRow(row, map.heights.data() + map.index(row, 0));
-    }
+    forEachStoredRow(stored, bytes, progress, [&map](int row, const std::vector<double>& values) {
+        std::ranges::copy(values, map.heights.data() + map.index(row, 0));
+    });
     invalidateNonFinite(map);
     return map;
 }
 
-ScanMap readScanMap(const StoredChannel& stored, const MappedFile& file, Progress* progress) {
+ScanMap readScanMap(const StoredChannel& stored, const ByteSource& bytes, Progress* progress) {
     const HeightMap& empty = stored.channel.map;
     ScanMap map;
     map.columns = empty.columns;
@@ -174,10 +145,12 @@ ScanMap readScanMap(const StoredChannel& stored, const MappedFile& file, Progres
     map.pitchX = empty.pitchX;
     map.pitchY = empty.pitchY;
     map.heights.resize(map.index(map.rows, 0));
-    map.datum = datumOf(stored);
-    RowReader reader(stored, map);
-    readRows(reader, map, file, progress);
-    if (reader.mayHaveHoles()) {
+    ChannelRows rows(stored, bytes);
+    map.datum = datumOf(rows, empty);
+    SharedRows shared(rows, map);
+    readRows(shared, map, progress);
+    rows.finish();
+    if (rows.mayHaveHoles()) {
         markInvalid(map);
     }
     return map;

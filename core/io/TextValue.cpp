@@ -1,5 +1,7 @@
 #include "core/io/TextValue.h"
 
+#include "core/Utf8.h"
+
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -7,39 +9,6 @@
 namespace asperity {
 
 namespace {
-
-/// Length of the UTF-8 sequence that starts with this byte; 0: it starts none.
-std::size_t sequenceLength(unsigned char lead) {
-    if (lead < 0x80) {
-        return 1;
-    }
-    if (lead >= 0xC2 && lead < 0xE0) {
-        return 2;
-    }
-    if (lead >= 0xE0 && lead < 0xF0) {
-        return 3;
-    }
-    if (lead >= 0xF0 && lead < 0xF5) {
-        return 4;
-    }
-    return 0;
-}
-
-bool isUtf8(std::string_view text) {
-    for (std::size_t i = 0; i < text.size();) {
-        const std::size_t length = sequenceLength(static_cast<unsigned char>(text[i]));
-        if (length == 0 || i + length > text.size()) {
-            return false;
-        }
-        for (std::size_t k = 1; k < length; ++k) {
-            if ((static_cast<unsigned char>(text[i + k]) & 0xC0U) != 0x80U) {
-                return false;
-            }
-        }
-        i += length;
-    }
-    return true;
-}
 
 /// Code points of the bytes 0x80 to 0x9F in Windows-1252; unused ones keep their number.
 constexpr std::array<std::uint16_t, 32> kWindows1252 = {

@@ -85,7 +85,7 @@ std::vector<std::string> inputColumns() {
 }  // namespace
 
 ForceLogWriter::ForceLogWriter(const std::filesystem::path& path)
-    : csv_(path, comments("what the run did, one row a tick"),
+    : csv_(GrowingFile(path), comments("what the run did, one row a tick"),
            {"time_s",         "base_x_m",       "base_y_m",         "base_z_m",   "tip_x_m",
             "tip_y_m",        "tip_z_m",        "est_fx_n",         "est_fy_n",   "est_fz_n",
             "est_sigma_fx_n", "est_sigma_fy_n", "est_sigma_fz_n",   "model_fx_n", "model_fy_n",
@@ -111,7 +111,8 @@ void ForceLogWriter::take(const TickSample& sample) {
 }
 
 TickInputWriter::TickInputWriter(const std::filesystem::path& path)
-    : csv_(path, comments("all that the run depended on besides scene.toml, one row a tick"),
+    : csv_(GrowingFile(path),
+           comments("all that the run depended on besides scene.toml, one row a tick"),
            inputColumns()) {}
 
 void TickInputWriter::take(const TickSample& sample) {
@@ -132,7 +133,11 @@ void TickInputWriter::take(const TickSample& sample) {
 }
 
 std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
-    const CsvTable table = readCsv(path);
+    return readTickInputs(readCsv(path));
+}
+
+std::vector<TickSample> readTickInputs(const CsvTable& table) {
+    const std::filesystem::path path = table.file();
     std::vector<TickSample> samples(table.rows());
     for (std::size_t row = 0; row < samples.size(); ++row) {
         const auto cell = [&](const char* column) { return finite(table, row, column, path); };

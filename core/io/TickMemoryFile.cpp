@@ -39,6 +39,16 @@ void visit(Memory& memory, const Visitor& number) {
     number("control", memory.control);
     vector("base", memory.base, "m");
     vector("correction", memory.correction, "n");
+    number("innovation_normal_defect", memory.innovation.normalDefect);
+    number("innovation_friction_defect", memory.innovation.frictionDefect);
+    number("innovation_normal_variance", memory.innovation.normalVariance);
+    number("innovation_friction_variance", memory.innovation.frictionVariance);
+    number("innovation_bending_noise", memory.innovation.bendingNoise);
+    number("innovation_torsion_noise", memory.innovation.torsionNoise);
+    number("innovation_age_s", memory.innovation.age);
+    number("innovation_contradicted", memory.innovation.contradicted);
+    number("innovation_friction_wrong", memory.innovation.frictionWrong);
+    number("innovation_noisy", memory.innovation.noisy);
     vector("hand", memory.mapping.hand, "m");
     number("mapping_follows", memory.mapping.follows);
     vector("proxy_stretch", memory.proxy.stretch, "m");
@@ -74,7 +84,8 @@ void visit(Memory& memory, const Visitor& number) {
 
 /// Whether there are memories from before there was such a value.
 bool isLater(const std::string& name) {
-    constexpr std::array kLater{"proxy_", "governor_", "guide", "mapping_", "unsolved_s"};
+    constexpr std::array kLater{"proxy_",   "governor_",  "guide",
+                                "mapping_", "unsolved_s", "innovation_"};
     return std::any_of(kLater.begin(), kLater.end(),
                        [&name](const char* begin) { return name.starts_with(begin); });
 }
@@ -110,6 +121,9 @@ TickMemory readTickMemory(const std::filesystem::path& path) {
         const bool isShare = name.ends_with("_share");
         if (isShare && !(number >= 0.0 && number <= 1.0)) {
             throw InputError(path.string(), name, "expected a share from 0 to 1");
+        }
+        if (name.ends_with("_variance") && !(number >= 0.0)) {
+            throw InputError(path.string(), name, "expected a variance, 0 or more");
         }
         // A guide may reach without end.
         if (!stored::standsFor<Value>(number) && !(name == "guide_capture_m" && number > 0.0)) {

@@ -1,8 +1,10 @@
 #include "core/io/TomlFile.h"
 
 #include "core/Error.h"
+#include "core/PathText.h"
 
 #include <fstream>
+#include <optional>
 #include <utility>
 
 namespace asperity {
@@ -88,11 +90,11 @@ std::string TomlSection::text(const std::string& key, const std::string& otherwi
 }
 
 std::filesystem::path TomlSection::path(const std::string& key) {
-    std::filesystem::path given = text(key, "");
-    if (given.empty()) {
-        return given;
+    const std::optional<std::filesystem::path> given = pathFromText(text(key, ""));
+    if (!given) {
+        refuse(key, "a path, or a file URI with two digits after each '%'");
     }
-    return (file_.parent_path() / given).lexically_normal();
+    return given->empty() ? *given : (file_.parent_path() / *given).lexically_normal();
 }
 
 void TomlSection::refuseUnknownKeys() const {

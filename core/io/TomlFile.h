@@ -22,7 +22,7 @@ public:
     [[nodiscard]] std::uint64_t count(const std::string& key, std::uint64_t otherwise);
     [[nodiscard]] bool flag(const std::string& key, bool otherwise);
     [[nodiscard]] std::string text(const std::string& key, const std::string& otherwise);
-    /// A path, resolved against the folder of the file.
+    /// A path as pathText() writes it, resolved against the folder of the file.
     [[nodiscard]] std::filesystem::path path(const std::string& key);
 
     /// Lets a key stand that somebody else reads.

@@ -1,8 +1,8 @@
 #include "core/probe/ForceDecoupling.h"
 
 #include "core/contact/Within.h"
+#include "core/probe/DecouplingRows.h"
 #include "core/probe/LeastSquares.h"
-#include "core/probe/Sliding.h"
 
 #include <Eigen/Geometry>
 
@@ -14,9 +14,14 @@ namespace asperity {
 
 namespace {
 
-constexpr double kPlanarityDefect = 0.02;    // eta_p of docs/physics.md 6.5
-constexpr double kFrictionLawDefect = 0.3;   // eta_f
-constexpr double kSmallestFriction = 1e-12;  // S0 [N]
+using decoupling::adhesiveFriction;
+using decoupling::ContactGeometry;
+using decoupling::frictionScale;
+using decoupling::geometryOf;
+using decoupling::kFrictionLawDefect;
+using decoupling::kPlanarityDefect;
+using decoupling::kSmallestFriction;
+
 constexpr double kNearSingularCondition = 100.0;
 constexpr double kSingularCondition = 1e15;  // what rounding leaves of an exactly singular system
 constexpr double kLargestInput = 1e12;       // in SI: far beyond any measurement, no overflow below
@@ -39,18 +44,7 @@ bool inputIsUsable(const DecouplingInput& in) noexcept {
            in.normal.norm() >= kSmallestNormal && usable(in.velocity) &&
            notNegative(in.frictionCoefficient) && notNegative(in.shearStrength) &&
            notNegative(in.contactArea) && usable(in.normalForceModel) &&
-           isDeviation(in.normalForceSigma);
-}
-
-/// Normal and sliding in the cantilever frame.
-struct ContactGeometry {
-    Vector3 normal = Vector3::UnitZ();
-    Sliding sliding;
-};
-
-ContactGeometry geometryOf(const Cantilever& cantilever, const DecouplingInput& in) noexcept {
-    const Vector3 normal = (cantilever.rotation() * in.normal).normalized();
-    return {normal, slidingOf(normal, cantilever.rotation() * in.velocity)};
+           isDeviation(in.normalForceSigma) && notNegative(in.frictionLawError);
 }
 
 /// Ratio of the singular values of the 2x2 system (N, T) -> force-equivalent signals.
@@ -81,16 +75,6 @@ struct WhitenedSystem {
         values(row) = value / sigma;
     }
 };
-
-double adhesiveFriction(const DecouplingInput& in) noexcept {
-    return in.shearStrength * in.contactArea;
-}
-
-/// S of docs/physics.md 6.5 [N].
-double frictionScale(const DecouplingInput& in) noexcept {
-    return (in.frictionCoefficient * std::abs(in.normalForceModel)) + adhesiveFriction(in) +
-           kSmallestFriction;
-}
 
 /// Standard deviation of the friction law [N].
 double lawDeviation(const Sliding& sliding, double scale) noexcept {
@@ -125,7 +109,8 @@ WhitenedSystem whitenedSystem(const Cantilever& cantilever, const DecouplingInpu
                in.sigma.bending / cz);
     system.set(1, Vector3::UnitY(), in.signals.torsion / cy, in.sigma.torsion / cy);
     system.set(2, planeNormal, 0.0, scale * std::hypot(g * kPlanarityDefect, sliding.doubt));
-    system.set(3, frictionLaw, law * adhesiveFriction(in), lawDeviation(sliding, scale));
+    system.set(3, frictionLaw, law * adhesiveFriction(in),
+               std::hypot(lawDeviation(sliding, scale), in.frictionLawError));
     system.set(4, normal, in.normalForceModel, in.normalForceSigma);
     return system;
 }

@@ -20,6 +20,8 @@ struct DecouplingInput {
     double contactArea = 0.0;            ///< A [m^2]
     double normalForceModel = 0.0;       ///< N of the contact model [N]
     double normalForceSigma = 0.0;       ///< its standard deviation [N], > 0
+    /// Standard deviation of the friction law beside its 30 % [N]: what InnovationMonitor found
+    double frictionLawError = 0.0;
 };
 
 /// How the signals become a force.

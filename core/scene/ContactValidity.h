@@ -9,9 +9,10 @@ namespace asperity {
 /// What a contact law does not hold for at one of its states on a material: large contact, elastic
 /// limit, thin film, law out of range (leavesLawsRange()). No allocation.
 ///
-/// A film is thin for laws on a half-space where it stiffens the contact by 4 %, a/t = 0.035; for
-/// `hertz_film`, whose series is one around a/t = 0, from a/t = 1 on.
-/// Source: docs/physics.md 2.10 (Dimitriadis), 4.4.
+/// The elastic limit is the pressure in the middle at which yield begins, yieldPressure().
+/// A film is thin for laws on a half-space where it makes the contact 5 % stiffer, by the exact
+/// solution for the film's Poisson ratio (a/t = 0.042 for 0.5, 0.061 for 0); for `hertz_film` from
+/// a/t = 2 on, the end of the reference. Source: docs/physics.md 2.10, 4.4.
 [[nodiscard]] ValidityFlags contactValidity(const ContactModel& model, const ContactState& state,
                                             const SampleMaterial& material) noexcept;
 

@@ -21,13 +21,23 @@ constexpr double kWiden = 1.6;            // where the contact on real topograph
 constexpr double kWidestPatch = 2.0;      // half width in tip radii
 constexpr double kSeveralFeetRoom = 1.0;  // in tip radii: other feet may lie so far away
 
+/// Whether the law's adhesion has no range that a half-space could take for its own: JKR's has
+/// none, DMT's reaches everywhere.
+bool adheresWithoutZone(const ContactModel& model) {
+    const bool adhesive = model.law() == ContactLaw::Dmt || isJkr(model.law());
+    return adhesive && model.pair().workOfAdhesion >= kSmallestAdhesion;
+}
+
 HalfSpaceVerdict askable(const Scene& scene, const TipState& state) {
     const ContactState& contact = state.contact;
     if (contact.branch != ContactBranch::Bonded || !(contact.cohesiveRadius > 0.0)) {
         return HalfSpaceVerdict::NotBonded;
     }
-    return scene.belief.contact.law() == ContactLaw::HertzFilm ? HalfSpaceVerdict::Film
-                                                               : HalfSpaceVerdict::Valid;
+    if (scene.belief.contact.law() == ContactLaw::HertzFilm) {
+        return HalfSpaceVerdict::Film;
+    }
+    return adheresWithoutZone(scene.belief.contact) ? HalfSpaceVerdict::NoZone
+                                                    : HalfSpaceVerdict::Valid;
 }
 
 HalfSpaceVerdict verdictOn(const HalfSpaceSolution& solution) {
@@ -71,6 +81,8 @@ const char* reasonOf(HalfSpaceVerdict verdict) {
         return "the tip touches nothing";
     case HalfSpaceVerdict::Film:
         return "the sample is a film";
+    case HalfSpaceVerdict::NoZone:
+        return "the contact law's adhesion has no cohesive zone";
     case HalfSpaceVerdict::LargeContact:
         return "contact radius above 0.3 tip radii";
     case HalfSpaceVerdict::ReachesBorder:

@@ -16,6 +16,7 @@ enum class HalfSpaceVerdict : std::uint8_t {
     Valid,
     NotBonded,      ///< the tip touches nothing: nothing to solve
     Film,           ///< the sample is a film, not a half-space
+    NoZone,         ///< the contact law adheres without a cohesive zone (DMT, JKR)
     LargeContact,   ///< contact radius over tip radius > 0.3
     ReachesBorder,  ///< the contact is larger than the largest patch
     TooCoarse,      ///< contact or cohesive zone a few pixels wide
@@ -46,7 +47,8 @@ struct HalfSpaceAnswer {
 /// Solves for the deformed surface around the tip, on the scan's own topography in the tangent
 /// plane at the foot and with the exact sphere as tip, at the indentation of the tick's state. Each
 /// answer starts from the one before where that fits, else from the closed form. The cohesive zone
-/// is the contact law's; a law without one (DMT, JKR) gets the scene's cohesive range.
+/// is the contact law's; of a law that adheres without one (DMT, JKR) nothing is solved, since with
+/// any zone of finite range the half-space would answer for another law.
 /// One object a thread; off the tick: allocates, takes milliseconds.
 /// Source: docs/physics.md 2, 3.4, 4.
 class HalfSpaceModel {

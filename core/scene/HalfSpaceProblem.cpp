@@ -12,24 +12,15 @@ namespace {
 
 constexpr double kNoTip = 1e-3;  // gap beyond the tip's equator [m]: no surface reaches so far
 
-/// The cohesive zone of a law, or of its pair where the law has none of its own.
+/// The cohesive zone of a law; none where the law has none.
 struct Cohesion {
     double stress = 0.0;  ///< [Pa]
     double range = 0.0;   ///< [m]
 };
 
-Cohesion cohesionOf(const ContactModel& model, double defaultRange) {
-    if (const ContactModel::Split* split = model.split()) {
-        const AdhesionSplit& shares = split->bonded().split();
-        return {shares.cohesiveStress, shares.cohesiveWork / shares.cohesiveStress};
-    }
-    const bool adheres = model.law() != ContactLaw::Hertz && model.law() != ContactLaw::Sneddon;
-    const double work = adheres ? model.pair().workOfAdhesion : 0.0;
-    if (work < kSmallestAdhesion) {
-        return {};
-    }
-    const double own = model.cohesiveStress();
-    return own > 0.0 ? Cohesion{own, work / own} : Cohesion{work / defaultRange, defaultRange};
+Cohesion cohesionOf(const ContactModel& model) {
+    const double stress = model.cohesiveStress();
+    return stress > 0.0 ? Cohesion{stress, model.cohesiveRange()} : Cohesion{};
 }
 
 }  // namespace
@@ -37,7 +28,7 @@ Cohesion cohesionOf(const ContactModel& model, double defaultRange) {
 HalfSpaceContact halfSpaceContact(const Scene& scene, const TipState& state,
                                   const HalfSpacePatch& patch) {
     const ContactModel model = contactModelAt(scene, state);
-    const Cohesion cohesion = cohesionOf(model, scene.description.cohesiveRange);
+    const Cohesion cohesion = cohesionOf(model);
     const double radius = scene.belief.tipRadius();
     HalfSpaceContact contact{.samples = patch.samples,
                              .pitch = patch.pitch(),
@@ -63,7 +54,7 @@ SurfaceTraction closedFormTraction(const Scene& scene, const TipState& state,
                                    const HalfSpacePatch& patch) {
     const ContactModel model = contactModelAt(scene, state);
     const CohesiveContact profile = contactProfile(model, state.contact);
-    const double stress = cohesionOf(model, scene.description.cohesiveRange).stress;
+    const double stress = cohesionOf(model).stress;
     SurfaceTraction traction;
     patch.forEachDistance([&](double distance) {
         const bool touches = distance < profile.contactRadius;
@@ -76,8 +67,8 @@ SurfaceTraction closedFormTraction(const Scene& scene, const TipState& state,
 
 double forceBeyondZone(const Scene& scene, const TipState& state) {
     const ContactModel model = contactModelAt(scene, state);
-    const ContactModel::Split* split = model.split();
-    const double tail = split != nullptr ? split->bonded().split().tailForce : 0.0;
+    const AdhesionSplit* shares = model.split();
+    const double tail = shares != nullptr ? shares->tailForce : 0.0;
     return tail - scene.description.meniscus.pull(model.pair().tipRadius);
 }
 

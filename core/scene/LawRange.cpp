@@ -15,26 +15,29 @@ bool isApart(const ContactState& state) noexcept { return state.branch == Contac
 
 /// Radius up to which a tip that is bonded without load is attracted [m]: JKR's contact, the widest
 /// of all, and around it where the undeformed gap is within the adhesion's range.
-double unloadedReach(const ContactPair& pair) noexcept {
+double unloadedReach(const ContactModel& model) noexcept {
+    const ContactPair& pair = model.pair();
     const double contact = std::cbrt(6.0) * maugisUnits(pair).radius;
-    return std::sqrt((contact * contact) + (2.0 * pair.tipRadius * kCohesiveRange));
+    return std::sqrt((contact * contact) + (2.0 * pair.tipRadius * model.cohesiveRange()));
 }
 
-bool reachesTooFar(const ContactPair& pair, double reach) noexcept {
-    return reach > kWidestAttraction * pair.tipRadius;
+bool reachesTooFar(const ContactModel& model, double reach) noexcept {
+    return reach > kWidestAttraction * model.pair().tipRadius;
 }
 
 /// How far from the axis the law's attraction reaches, or will once it has snapped in [m].
-double reachOf(const ContactPair& pair, const ContactState& state) noexcept {
-    return isApart(state) ? unloadedReach(pair) : state.cohesiveRadius;
+double reachOf(const ContactModel& model, const ContactState& state) noexcept {
+    return isApart(state) ? unloadedReach(model) : state.cohesiveRadius;
 }
 
-bool isWithinRange(const ContactState& state) noexcept {
-    return isApart(state) && state.indentation > -kCohesiveRange;
+bool isWithinRange(const ContactModel& model, const ContactState& state) noexcept {
+    return isApart(state) && state.indentation > -model.cohesiveRange();
 }
 
-double lambdaOf(const ContactPair& pair) noexcept {
-    return transitionParameter(maugisUnits(pair), pair.workOfAdhesion / kCohesiveRange);
+/// Transition parameter of the pair, also where the law takes no part in it.
+double lambdaOf(const ContactModel& model) noexcept {
+    const ContactPair& pair = model.pair();
+    return transitionParameter(maugisUnits(pair), pair.workOfAdhesion / model.cohesiveRange());
 }
 
 }  // namespace
@@ -51,17 +54,18 @@ bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexc
     case ContactLaw::HertzFilm:
         return true;
     case ContactLaw::Dmt:
-        return lambdaOf(pair) > kLargestDmt || isWithinRange(state) ||
-               reachesTooFar(pair, unloadedReach(pair));
+        return lambdaOf(model) > kLargestDmt || isWithinRange(model, state) ||
+               reachesTooFar(model, unloadedReach(model));
     case ContactLaw::Jkr:
-        return lambdaOf(pair) < kSmallestJkr || isWithinRange(state) ||
-               reachesTooFar(pair, reachOf(pair, state));
+        return lambdaOf(model) < kSmallestJkr || isWithinRange(model, state) ||
+               reachesTooFar(model, reachOf(model, state));
     case ContactLaw::SphereJkr:
-        return lambdaOf(pair) < kSmallestJkr || isWithinRange(state);
+        return lambdaOf(model) < kSmallestJkr || isWithinRange(model, state);
     case ContactLaw::Maugis:
     case ContactLaw::Split:
-        return reachesTooFar(pair, reachOf(pair, state));
+        return reachesTooFar(model, reachOf(model, state));
     case ContactLaw::SphereMaugis:
+    case ContactLaw::SphereSplit:
         return state.cohesiveRadius >= pair.tipRadius;
     }
     return false;

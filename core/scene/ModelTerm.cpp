@@ -25,6 +25,8 @@ ContactLaw onParaboloid(ContactLaw law) {
         return ContactLaw::Jkr;
     case ContactLaw::SphereMaugis:
         return ContactLaw::Maugis;
+    case ContactLaw::SphereSplit:
+        return ContactLaw::Split;
     default:
         return law;
     }
@@ -38,11 +40,20 @@ ContactLaw onSphere(ContactLaw law) {
     case ContactLaw::Jkr:
         return ContactLaw::SphereJkr;
     case ContactLaw::Maugis:
-    case ContactLaw::Split:
         return ContactLaw::SphereMaugis;
+    case ContactLaw::Split:
+        return ContactLaw::SphereSplit;
     default:
         return law;
     }
+}
+
+ContactLaw withTail(ContactLaw law) {
+    return isSphere(law) ? ContactLaw::SphereSplit : ContactLaw::Split;
+}
+
+ContactLaw withoutTail(ContactLaw law) {
+    return isSphere(law) ? ContactLaw::SphereMaugis : ContactLaw::Maugis;
 }
 
 /// Of the terms that a model says yes or no to.
@@ -165,8 +176,7 @@ bool exclude(ModelTerm a, ModelTerm b) noexcept {
     const auto are = [a, b](ModelTerm one, ModelTerm other) {
         return (a == one && b == other) || (a == other && b == one);
     };
-    return are(ModelTerm::SphereCorrection, ModelTerm::VanDerWaalsTail) ||
-           are(ModelTerm::SphereCorrection, ModelTerm::SampleCurvature) ||
+    return are(ModelTerm::SphereCorrection, ModelTerm::SampleCurvature) ||
            (a != b && isOfLaw(a) && isOfLaw(b) &&
             (a == ModelTerm::FilmBase || b == ModelTerm::FilmBase));
 }
@@ -189,7 +199,7 @@ bool has(const SceneModel& model, ModelTerm term) noexcept {
     case ModelTerm::Adhesion:
         return isAdhesive(model.law.law);
     case ModelTerm::VanDerWaalsTail:
-        return model.law.law == ContactLaw::Split;
+        return hasTail(model.law.law);
     case ModelTerm::SphereCorrection:
         return isSphere(model.law.law);
     case ModelTerm::FilmBase:
@@ -216,7 +226,7 @@ SceneModel without(SceneModel model, ModelTerm term) {
         model.law.law = withoutAdhesion(model.law.law);
         break;
     case ModelTerm::VanDerWaalsTail:
-        model.law.law = ContactLaw::Maugis;
+        model.law.law = withoutTail(model.law.law);
         break;
     case ModelTerm::SphereCorrection:
         model.law.law = onParaboloid(model.law.law);
@@ -245,10 +255,8 @@ SceneModel with(SceneModel model, ModelTerm term) {
     }
     switch (term) {
     case ModelTerm::Adhesion:
-        model.law.law = isSphere(model.law.law) ? ContactLaw::SphereMaugis : ContactLaw::Split;
-        break;
     case ModelTerm::VanDerWaalsTail:
-        model.law.law = ContactLaw::Split;
+        model.law.law = withTail(model.law.law);
         break;
     case ModelTerm::SphereCorrection:
         model.law.law = onSphere(model.law.law);

@@ -48,8 +48,8 @@ inline constexpr std::array kModelTerms{ModelTerm::Adhesion,         ModelTerm::
 /// Whether the description itself says if the term is in.
 [[nodiscard]] bool isSettled(ModelTerm term, const SceneDescription& scene) noexcept;
 
-/// Whether no contact law has both: the exact sphere's has no tail and takes the sample as flat,
-/// the film's neither adheres nor is it of the exact sphere.
+/// Whether no contact law has both: the exact sphere's takes the sample as flat, the film's neither
+/// adheres nor is it of the exact sphere.
 [[nodiscard]] bool exclude(ModelTerm a, ModelTerm b) noexcept;
 
 /// Whether the sample has what the term is about: adhesion, a film.

@@ -17,8 +17,12 @@ namespace asperity {
 
 namespace {
 
+double datumOf(const HeightMap& /*map*/) { return 0.0; }
+double datumOf(const ScanMap& map) { return map.datum; }
+
 /// Beyond these bounds a map is no scan of a microscope, and rounding would be all that is left.
-void checkMap(const ScanMap& map) {
+template <class Map>
+void checkMap(const Map& map) {
     constexpr double kSmallestPitch = 1e-13;  // [m]
     constexpr double kLargestLength = 1.0;    // [m]
     if (!(std::min(map.pitchX, map.pitchY) >= kSmallestPitch) ||
@@ -26,7 +30,7 @@ void checkMap(const ScanMap& map) {
         throw Error("the scan's pixels must be 0.1 pm or wider and the whole at most 1 m wide");
     }
     const bool tooHigh = std::any_of(map.heights.begin(), map.heights.end(), [&](double height) {
-        return std::abs(map.datum + height) > kLargestLength;
+        return std::abs(datumOf(map) + height) > kLargestLength;
     });
     if (tooHigh) {
         throw Error("the scan's heights must lie within 1 m of zero");
@@ -68,8 +72,9 @@ struct Ground {
 
 /// What is known of the surface under the image that a tip recorded; the image itself stands for it
 /// unless the scene says that the tip's shape is to be taken out.
-ScanReconstruction surfaceUnder(const SampleDescription& sample, ScanMap image,
-                                Progress* progress) {
+template <class Map>
+BasicTipReconstruction<Map> surfaceUnder(const SampleDescription& sample, Map image,
+                                         Progress* progress) {
     if (sample.erode) {
         return reconstructed(std::move(image), sample.imagingTipRadius, progress);
     }
@@ -78,19 +83,21 @@ ScanReconstruction surfaceUnder(const SampleDescription& sample, ScanMap image,
 }
 
 /// Smoothing goes before erosion, which would take every dip of the noise for the surface.
-Ground groundUnder(const SampleDescription& sample, const PlaneFit& plane, ScanMap map,
+template <class Map>
+Ground groundUnder(const SampleDescription& sample, const PlaneFit& plane, Map map,
                    Progress* progress) {
     const Smoothing smoothing = smoothingOf(sample, map);
     ProgressPart smoothingPart(progress, 0.0, 0.2);
     map = smoothed(withInvalidPixelsFilled(std::move(map)), smoothing, &smoothingPart);
     ProgressPart eroding(progress, 0.2, 0.8);
-    ScanReconstruction known = surfaceUnder(sample, std::move(map), &eroding);
+    BasicTipReconstruction<Map> known = surfaceUnder(sample, std::move(map), &eroding);
     CertaintyMap certainty(known.surface, known.certain);
     ProgressPart fitting(progress, 0.8, 1.0);
     return {plane, fitSurface(std::move(known.surface), {}, &fitting), std::move(certainty)};
 }
 
-Ground groundOf(const SampleDescription& sample, ScanMap map, Progress* progress) {
+template <class Map>
+Ground groundOf(const SampleDescription& sample, Map map, Progress* progress) {
     const PlaneFit plane = fitPlane(map);
     reportTo(progress, 0.2);
     map = levelled(std::move(map), sample.levelling);
@@ -125,6 +132,13 @@ Scene assemble(const SceneDescription& description, Ground ground) {
                          .forcesOn = true}};
 }
 
+template <class Map>
+Scene sceneOn(const SceneDescription& description, Map map, Progress* progress) {
+    checkScene(description);
+    checkMap(map);
+    return assemble(description, groundOf(description.sample, std::move(map), progress));
+}
+
 }  // namespace
 
 ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept {
@@ -133,13 +147,11 @@ ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept 
 }
 
 Scene buildScene(const SceneDescription& description, ScanMap map, Progress* progress) {
-    checkScene(description);
-    checkMap(map);
-    return assemble(description, groundOf(description.sample, std::move(map), progress));
+    return sceneOn(description, std::move(map), progress);
 }
 
-Scene buildScene(const SceneDescription& description, const HeightMap& map) {
-    return buildScene(description, singlePrecision(map));
+Scene buildScene(const SceneDescription& description, HeightMap map, Progress* progress) {
+    return sceneOn(description, std::move(map), progress);
 }
 
 Scene buildScene(const SceneDescription& description) {

@@ -46,11 +46,12 @@ struct Scene {
 [[nodiscard]] ContactModel contactModelAt(const Scene& scene, const TipState& state) noexcept;
 
 /// Levels, fills, smooths, on request erodes, and fits the map, and sets up both sides of the
-/// instrument.
+/// instrument. In the map's precision: a ScanMap is for scans that are too large for double.
 /// @throw Error when a value of the description is outside its range; Cancelled
 [[nodiscard]] Scene buildScene(const SceneDescription& description, ScanMap map,
                                Progress* progress = nullptr);
-[[nodiscard]] Scene buildScene(const SceneDescription& description, const HeightMap& map);
+[[nodiscard]] Scene buildScene(const SceneDescription& description, HeightMap map,
+                               Progress* progress = nullptr);
 
 /// The scene of a description whose sample is a shape.
 /// @throw Error when it is none, or a value of the description is outside its range

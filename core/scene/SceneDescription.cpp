@@ -1,6 +1,7 @@
 #include "core/scene/SceneDescription.h"
 
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "core/SiFormat.h"
 #include "core/Units.h"
 #include "core/contact/Within.h"
@@ -143,8 +144,8 @@ SceneDescription defaultScene() {
 
 std::string sampleName(const SampleDescription& sample) {
     if (!sample.shape) {
-        return std::filesystem::path(sample.file).filename().string() + ", channel " +
-               sample.channel;
+        return printable(std::filesystem::path(sample.file).filename().string() + ", channel " +
+                         sample.channel);
     }
     switch (sample.shape->kind) {
     case ShapeKind::Sphere:
@@ -166,6 +167,8 @@ ContactPair contactPair(const SceneDescription& scene, const SampleMaterial& mat
 ContactOptions contactOptions(const SceneDescription& scene, const SampleMaterial& material) {
     return {.cohesiveStress = material.workOfAdhesion / scene.cohesiveRange,
             .filmThickness = material.filmThickness,
+            .film = {.poissonRatio = material.elastic.poissonRatio,
+                     .share = sampleShare(material.elastic, scene.tip.elastic)},
             .meniscus = scene.meniscus,
             .solver = scene.solver};
 }

@@ -23,7 +23,7 @@ struct SampleMaterial {
     Elastic elastic{.youngsModulus = 2e9, .poissonRatio = 0.4};
     double workOfAdhesion = 0.066;  ///< w of the pair tip-sample [J/m^2]
     Friction friction{.coefficient = 0.3, .shearStrength = 0.0};
-    double hardness = 0.0;       ///< pressure at which it yields [Pa]; 0: not known
+    double hardness = 0.0;       ///< mean pressure under a plastic indent [Pa]; 0: not known
     double filmThickness = 0.0;  ///< of a film on a rigid base [m]; 0: a half-space
 
     bool operator==(const SampleMaterial&) const = default;

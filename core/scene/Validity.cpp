@@ -42,6 +42,8 @@ const char* validityName(Validity flag) noexcept {
         return "singular_geometry";
     case Validity::LawOutOfRange:
         return "law_out_of_range";
+    case Validity::EstimateInconsistent:
+        return "estimate_inconsistent";
     }
     return "unknown";
 }

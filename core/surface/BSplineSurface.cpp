@@ -96,6 +96,22 @@ ASPERITY_WITH_AVX2 void sampleCell(const float* corner, std::ptrdiff_t stride, d
                      t, s);
 }
 
+/// The first of a cell's control heights, and what single precision leaves of it.
+struct FineCorner {
+    const float* heights = nullptr;
+    const float* rests = nullptr;
+    std::ptrdiff_t stride = 0;
+
+    [[nodiscard]] ASPERITY_INLINE Double4 row(std::ptrdiff_t i) const {
+        return widened(heights + i * stride) + widened(rests + i * stride);
+    }
+};
+
+ASPERITY_WITH_AVX2 void sampleFineCell(const FineCorner& corner, double t, double s,
+                                       HeightSample& sample) {
+    sample = sampled({corner.row(0), corner.row(1), corner.row(2), corner.row(3)}, t, s);
+}
+
 /// On a grid with a single pixel along an axis; apart, so that it costs the others nothing.
 [[gnu::noinline]] void sampleThin(const BSplineSurface::Grid& grid, const SpanPlace& across,
                                   const SpanPlace& up, HeightSample& sample) {
@@ -106,6 +122,13 @@ ASPERITY_WITH_AVX2 void sampleCell(const float* corner, std::ptrdiff_t stride, d
             Double4{controls(i, 0), controls(i, 1), controls(i, 2), controls(i, 3)};
     }
     sample = sampled(rows, across.t, up.t);
+}
+
+/// A control height above the grid's datum [m].
+double storedControl(const BSplineSurface::Grid& grid, std::size_t index) {
+    const double height = grid.controlHeights[index];
+    return grid.controlRests.empty() ? height
+                                     : height + static_cast<double>(grid.controlRests[index]);
 }
 
 /// Continues a cubic sequence before c0: the fourth difference is zero.
@@ -138,7 +161,9 @@ BSplineSurface::Grid usable(BSplineSurface::Grid grid) {
     }
     const auto columns = static_cast<std::size_t>(grid.columns);
     const auto rows = static_cast<std::size_t>(grid.rows);
-    if (grid.controlHeights.size() != (rows + 2) * (columns + 2) ||
+    const std::size_t controls = (rows + 2) * (columns + 2);
+    if (grid.controlHeights.size() != controls ||
+        (!grid.controlRests.empty() && grid.controlRests.size() != controls) ||
         (!grid.invalid.empty() && grid.invalid.size() != rows * columns)) {
         throw Error("the control heights of a spline surface do not match its size");
     }
@@ -148,18 +173,23 @@ BSplineSurface::Grid usable(BSplineSurface::Grid grid) {
     return grid;
 }
 
-double largestMagnitude(const BSplineSurface::Grid& grid) {
+double largestMagnitude(const PixelVector<float>& heights) {
     // By the bits, whose order is that of the magnitudes: whole numbers are compared many at once.
     constexpr std::int32_t kMagnitude = 0x7fffffff;
     std::int32_t largest = 0;
-    for (const float height : grid.controlHeights) {
+    for (const float height : heights) {
         largest = std::max(largest, std::bit_cast<std::int32_t>(height) & kMagnitude);
     }
     const auto magnitude = std::bit_cast<float>(largest);
     if (!isFiniteHeight(magnitude)) {
         throw Error("a control height is not a finite number");
     }
-    return std::abs(grid.datum) + static_cast<double>(magnitude);
+    return static_cast<double>(magnitude);
+}
+
+double heightScaleOf(const BSplineSurface::Grid& grid) {
+    return std::abs(grid.datum) + largestMagnitude(grid.controlHeights) +
+           largestMagnitude(grid.controlRests);
 }
 
 }  // namespace
@@ -168,7 +198,7 @@ BSplineSurface::BSplineSurface(Grid grid, Progress* progress)
     : grid_(usable(std::move(grid)))
     , inversePitchX_(1.0 / grid_.pitchX)
     , inversePitchY_(1.0 / grid_.pitchY)
-    , heightScale_(largestMagnitude(grid_))
+    , heightScale_(heightScaleOf(grid_))
     , bounds_(cellBoundsOf(grid_, progress)) {}
 
 HeightSample BSplineSurface::at(double x, double y) const noexcept {
@@ -179,8 +209,14 @@ HeightSample BSplineSurface::at(double x, double y) const noexcept {
         sampleThin(grid_, across, up, sample);
     } else {
         const std::ptrdiff_t stride = grid_.columns + 2;
-        const float* corner = grid_.controlHeights.data() + up.first * stride + across.first;
-        sampleCell(corner, stride, across.t, up.t, sample);
+        const std::ptrdiff_t first = up.first * stride + across.first;
+        const float* corner = grid_.controlHeights.data() + first;
+        if (grid_.controlRests.empty()) {
+            sampleCell(corner, stride, across.t, up.t, sample);
+        } else {
+            sampleFineCell({corner, grid_.controlRests.data() + first, stride}, across.t, up.t,
+                           sample);
+        }
     }
     sample.height += grid_.datum;
     sample.dx *= inversePitchX_;
@@ -218,9 +254,10 @@ double BSplineSurface::relativeControl(int row, int column) const noexcept {
 
 double BSplineSurface::controlInRow(int row, int column) const noexcept {
     const std::size_t stride = static_cast<std::size_t>(grid_.columns) + 2;
-    const float* line =
-        grid_.controlHeights.data() + static_cast<std::size_t>(row + 1) * stride + 1;
-    return controlAlong(column, grid_.columns, [line](int c) -> double { return line[c]; });
+    const std::size_t first = static_cast<std::size_t>(row + 1) * stride + 1;
+    return controlAlong(column, grid_.columns, [&](int c) {
+        return storedControl(grid_, first + static_cast<std::size_t>(c));
+    });
 }
 
 Eigen::Matrix4d cellControls(const BSplineSurface::Grid& grid, int row, int column) noexcept {
@@ -228,9 +265,10 @@ Eigen::Matrix4d cellControls(const BSplineSurface::Grid& grid, int row, int colu
     Eigen::Matrix4d controls;
     for (int i = 0; i < 4; ++i) {
         // Along an axis with a single pixel the surface is level.
-        const float* line = grid.controlHeights.data() + (grid.rows == 1 ? 1 : row + i) * stride;
+        const std::ptrdiff_t line = (grid.rows == 1 ? 1 : row + i) * stride;
         for (int j = 0; j < 4; ++j) {
-            controls(i, j) = line[grid.columns == 1 ? 1 : column + j];
+            const std::ptrdiff_t at = line + (grid.columns == 1 ? 1 : column + j);
+            controls(i, j) = storedControl(grid, static_cast<std::size_t>(at));
         }
     }
     return controls;

@@ -14,8 +14,9 @@ namespace asperity {
 /// counted from the BOTTOM (y up), so that the spline's parameter grows with world x and y.
 ///
 /// Control heights are kept in single precision, so that large scans fit into memory, and relative
-/// to a datum, so that single precision tells them to 2^-24 of their distance from it. They DEFINE
-/// the surface: at() evaluates them in double precision.
+/// to a datum, so that single precision tells them to 2^-24 of their distance from it. Where pixels
+/// are so fine that this would show in the curvature, what it leaves of them is kept beside them.
+/// Both together DEFINE the surface: at() evaluates them in double precision.
 class BSplineSurface {
 public:
     struct Grid {
@@ -25,7 +26,9 @@ public:
         double pitchY = 0.0;                ///< [m]
         double datum = 0.0;                 ///< height that control heights are relative to [m]
         PixelVector<float> controlHeights;  ///< (rows + 2) x (columns + 2), bottom row first [m]
-        PixelMask invalid;                  ///< rows x columns, bottom row first; empty: all valid
+        /// What single precision leaves of them, as many; empty: nothing that matters [m].
+        PixelVector<float> controlRests = {};
+        PixelMask invalid;  ///< rows x columns, bottom row first; empty: all valid
     };
 
     /// @throw Error when the arrays do not match the size, a pitch is not positive, or a control

@@ -4,6 +4,7 @@
 #include "core/surface/fit/BSplineFit.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace asperity {
 
@@ -25,7 +26,7 @@ BSplineSurface coarserSurface(const BSplineSurface& surface, int mostPixels) {
             map.invalid.push_back(!surface.isMeasured(x, y));
         }
     }
-    return fitSurface(map);
+    return fitSurface(std::move(map));
 }
 
 }  // namespace asperity

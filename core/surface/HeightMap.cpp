@@ -9,30 +9,6 @@
 
 namespace asperity {
 
-namespace {
-
-/// The middle between the lowest and the highest height; 0 when there is none.
-double middleOf(const HeightMap& map) {
-    double lowest = std::numeric_limits<double>::max();
-    double highest = -lowest;
-    for (const double height : map.heights) {
-        if (isFiniteHeight(height)) {
-            lowest = std::min(lowest, height);
-            highest = std::max(highest, height);
-        }
-    }
-    if (lowest > highest) {
-        return 0.0;
-    }
-    const double middle = 0.5 * lowest + 0.5 * highest;
-    if (highest - middle > std::numeric_limits<float>::max()) {
-        throw Error("the heights of the map lie too far apart for single precision");
-    }
-    return middle;
-}
-
-}  // namespace
-
 template <class Heights>
 void requireUsable(const BasicHeightMap<Heights>& map) {
     if (map.columns < 1 || map.rows < 1) {
@@ -53,6 +29,25 @@ void requireUsable(const BasicHeightMap<Heights>& map) {
 template void requireUsable(const BasicHeightMap<std::vector<double>>&);
 template void requireUsable(const BasicHeightMap<PixelVector<float>>&);
 
+double middleHeight(const HeightMap& map) {
+    double lowest = std::numeric_limits<double>::max();
+    double highest = -lowest;
+    for (const double height : map.heights) {
+        if (isFiniteHeight(height)) {
+            lowest = std::min(lowest, height);
+            highest = std::max(highest, height);
+        }
+    }
+    if (lowest > highest) {
+        return 0.0;
+    }
+    const double middle = 0.5 * lowest + 0.5 * highest;
+    if (highest - middle > std::numeric_limits<float>::max()) {
+        throw Error("the heights of the map lie too far apart for single precision");
+    }
+    return middle;
+}
+
 ScanMap singlePrecision(const HeightMap& map) {
     requireUsable(map);
     ScanMap result;
@@ -60,7 +55,7 @@ ScanMap singlePrecision(const HeightMap& map) {
     result.rows = map.rows;
     result.pitchX = map.pitchX;
     result.pitchY = map.pitchY;
-    result.datum = middleOf(map);
+    result.datum = middleHeight(map);
     result.heights.reserve(map.heights.size());
     for (const double height : map.heights) {
         result.heights.push_back(static_cast<float>(height - result.datum));

@@ -45,6 +45,10 @@ struct ScanMap : BasicHeightMap<PixelVector<float>> {
     double datum = 0.0;  ///< the height that `heights` and at() are relative to [m]
 };
 
+/// The middle between the lowest and the highest height; 0 when there is none [m].
+/// @throw Error when the heights lie too far apart for single precision
+[[nodiscard]] double middleHeight(const HeightMap& map);
+
 /// The map in single precision, about the middle of its heights.
 /// @throw Error when the map is unusable, or its heights lie too far apart for single precision
 [[nodiscard]] ScanMap singlePrecision(const HeightMap& map);

@@ -13,9 +13,9 @@ std::string lineOf(const ContactRow& row) {
            "," + exactText(row.indentation) + "," + row.branch + "\n";
 }
 
-CsvTable contactTable(const std::string& lines) {
+CsvTable contactTable(const std::string& lines, const std::string& header) {
     const ScratchFolder scratch;
-    const auto cases = scratch.write("cases.csv", kContactHeader + lines);
+    const auto cases = scratch.write("cases.csv", header + lines);
     const auto run = runProgram("contact --cases " + cases.string() + " --out " +
                                 scratch.file("out.csv").string());
     EXPECT_EQ(run.exitCode, 0) << run.output;

@@ -10,6 +10,11 @@ namespace asperity::test {
 inline constexpr const char* kContactHeader =
     "model,radius_m,e_star_pa,work_of_adhesion_j_m2,sigma0_pa,indentation_m,branch\n";
 
+/// The same with those of a film.
+inline constexpr const char* kFilmHeader =
+    "model,radius_m,e_star_pa,work_of_adhesion_j_m2,sigma0_pa,indentation_m,branch,"
+    "film_thickness_m,poisson_ratio\n";
+
 /// One case of `asperity contact`; numbers as they stand in a reference table.
 struct ContactRow {
     std::string model;
@@ -26,6 +31,7 @@ struct ContactRow {
 
 /// Runs `asperity contact` on these lines and gives its table. Anything but success fails the
 /// calling test.
-[[nodiscard]] CsvTable contactTable(const std::string& lines);
+[[nodiscard]] CsvTable contactTable(const std::string& lines,
+                                    const std::string& header = kContactHeader);
 
 }  // namespace asperity::test

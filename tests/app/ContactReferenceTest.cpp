@@ -1,5 +1,6 @@
 #include "core/contact/ContactModel.h"
 #include "core/contact/MaugisUnits.h"
+#include "core/io/TextValue.h"
 #include "tests/app/CaseRuns.h"
 #include "tests/support/ReferenceTable.h"
 
@@ -257,6 +258,32 @@ TEST(ContactReference, HasTheExactSphereWhereItIsStable) {
     }
     EXPECT_GT(cases.size(), 70U);
     cases.check();
+}
+
+/// Lengths in film thicknesses of 1 um; a tip of 1 m, so that no contact is large.
+TEST(ContactReference, HasTheFilmExactly) {
+    const ReferenceTable table = test::referenceTable("T22_film_exact.csv");
+    constexpr double kThickness = 1e-6;
+    std::string lines;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const double root = table.number(row, "chi") * kThickness;
+        lines += "hertz_film,1,1e9,0,0," + exactText(root * root) + ",retract," +
+                 exactText(kThickness) + "," + table.text(row, "nu") + "\n";
+    }
+    const CsvTable out = test::contactTable(lines, test::kFilmHeader);
+    ASSERT_EQ(out.rows(), 65U);
+    for (std::size_t row = 0; row < out.rows(); ++row) {
+        SCOPED_TRACE(row);
+        const double root = table.number(row, "chi") * kThickness;
+        const double force =
+            table.number(row, "force_factor") * 4.0 / 3.0 * 1e9 * root * root * root;
+        EXPECT_NEAR(out.number(row, "force_n"), force, 1e-9 * force);
+        const double radius = table.number(row, "radius_factor") * root;
+        EXPECT_NEAR(out.number(row, "contact_radius_m"), radius, 1e-9 * radius);
+        EXPECT_EQ(out.text(row, "state"), "contact");
+        const bool atEnd = table.number(row, "a_over_t") == 2.0;  // rounding decides
+        EXPECT_TRUE(out.text(row, "status") == "ok" || atEnd);
+    }
 }
 
 }  // namespace

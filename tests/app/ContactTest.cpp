@@ -84,8 +84,30 @@ TEST_F(Contact, NamesWhatIsWrongWithACase) {
     }
 }
 
-TEST_F(Contact, HasNoFilmWithoutItsThickness) {
-    EXPECT_EQ(contactTable(lineWith(0, "hertz_film")).text(0, "status"), "unknown_model");
+TEST_F(Contact, HasNoFilmWithoutItsThicknessAndPoissonRatio) {
+    const std::string thickness = "film_thickness_out_of_range";
+    const std::string poisson = "poisson_ratio_out_of_range";
+    EXPECT_EQ(contactTable(lineWith(0, "hertz_film")).text(0, "status"), thickness);
+    const std::vector<std::pair<std::string, std::string>> films{
+        {"0,0.5", thickness},     {"nan,0.5", thickness}, {"-1e-9,0.5", thickness},
+        {"1e-13,0.5", thickness}, {"2,0.5", thickness},   {"1e-7,0.51", poisson},
+        {"1e-7,-0.1", poisson},   {"1e-7,nan", poisson},  {"1e-7,0.5", "ok"},
+        {"1e-7,0", "ok"}};
+    std::string lines;
+    for (const auto& [film, status] : films) {
+        lines += "hertz_film,15e-9,2.35e9,0,0,1e-10,retract," + film + "\n";
+    }
+    const CsvTable out = contactTable(lines, test::kFilmHeader);
+    for (std::size_t row = 0; row < films.size(); ++row) {
+        EXPECT_EQ(out.text(row, "status"), films[row].second) << films[row].first;
+        EXPECT_EQ(std::isfinite(out.number(row, "force_n")), films[row].second == "ok");
+    }
+    expectRefusal(test::kFilmHeader +
+                      std::string("hertz,15e-9,2.35e9,0,0,1e-10,retract,thin,0.5\n"),
+                  "line 2: column 'film_thickness_m'");
+}
+
+TEST_F(Contact, NamesNoModelThatItDoesNotKnow) {
     EXPECT_EQ(contactTable(lineWith(0, "")).text(0, "status"), "unknown_model");
     EXPECT_EQ(contactTable(lineWith(6, "")).text(0, "status"), "unknown_branch");
 }
@@ -95,6 +117,34 @@ TEST_F(Contact, WarnsOfALargeContact) {
     EXPECT_EQ(contactTable(lineWith(5, "1e-10")).text(0, "status"), "ok");
     EXPECT_EQ(contactTable("md_sphere,1e-10,1e10,0.05,1.4e8,-1e-10,retract\n").text(0, "status"),
               "cohesive_zone_at_equator");
+}
+
+/// At nu = 0.5 the film's force is 5 % above a half-space's from a/t = 0.042 on.
+TEST_F(Contact, WarnsOfAThinFilm) {
+    const CsvTable out = contactTable("hertz,1e-6,1e9,0,0,1.6e-11,retract,1e-7,0.5\n"
+                                      "hertz,1e-6,1e9,0,0,2.0e-11,retract,1e-7,0.5\n"
+                                      "hertz,1e-6,1e9,0,0,2.0e-11,retract,1e-7,0\n"
+                                      "hertz,1e-6,1e9,0,0,2.0e-11,retract,0,0.5\n"
+                                      "hertz_film,1e-6,1e9,0,0,1.8e-8,retract,1e-7,0.5\n"
+                                      "hertz_film,1e-6,1e9,0,0,1.9e-8,retract,1e-7,0.5\n",
+                                      test::kFilmHeader);
+    const std::vector<std::string> expected{"ok", "thin_film", "ok", "ok", "ok", "thin_film"};
+    for (std::size_t row = 0; row < expected.size(); ++row) {
+        EXPECT_EQ(out.text(row, "status"), expected[row]) << row;
+        EXPECT_GT(out.number(row, "force_n"), 0.0);
+    }
+}
+
+TEST_F(Contact, BringsRubberIntoContactAcrossTheGap) {
+    const CsvTable out = contactTable("split_sphere,15e-9,1.3333e6,0.022,6.1663e7,-3e-9,approach\n"
+                                      "split_sphere,15e-9,1.3333e6,0.022,6.1663e7,-2e-9,approach\n"
+                                      "split_sphere,1e-10,1e10,0.05,1.4e8,-1e-10,retract\n");
+    EXPECT_EQ(out.text(0, "state"), "far");
+    EXPECT_LT(out.number(0, "force_n"), -1e-12) << "the tail";
+    EXPECT_EQ(out.text(1, "state"), "contact");
+    EXPECT_LT(out.number(1, "force_n"), -3e-10);
+    EXPECT_LT(out.number(1, "contact_radius_m"), 15e-9) << "no wider than the sphere";
+    EXPECT_EQ(out.text(2, "status"), "cohesive_zone_at_equator");
 }
 
 TEST_F(Contact, RemembersTheBranch) {

@@ -1,6 +1,6 @@
 #include "core/Units.h"
-#include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
+#include "core/io/ScanFile.h"
 #include "core/surface/imaging/TipErosion.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/app/ProgramRun.h"

@@ -1,11 +1,14 @@
 #include "core/io/CsvTable.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ReferenceTable.h"
+#include "tests/support/Sanitized.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -105,6 +108,29 @@ TEST(ExplorePaths, RasterScratchAndFileRunToTheirEnd) {
     }
 }
 
+/// What the scene overrules and what its law misses is in the error: it said 0 %.
+TEST(ExploreModel, TellsTheWholeErrorOfItsForces) {
+    const test::ScratchFolder scratch;
+    const std::filesystem::path scene = scratch.file("hertz.toml");
+    std::ofstream(scene) << "[sample]\nfile = \"" << ASPERITY_DATA_DIR
+                         << "/samples/steps.gsf\"\n[physics]\nlaw = \"hertz\"\n";
+    const auto run = test::runProgram("explore " + scene.string() + " --out " +
+                                      scratch.file("out").string() + " --duration 0.2");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const nlohmann::json model = summaryOf(scratch.file("out"))["model"];
+    const double error = model["force_error"];
+    EXPECT_DOUBLE_EQ(error, model["force_error_left_out"].get<double>() +
+                                model["force_error_law"].get<double>());
+    for (const auto& term : model["terms"]) {
+        if (term["term"] == "adhesion") {
+            EXPECT_FALSE(term["on"]);
+            EXPECT_GT(error, 0.5 * term["effect"].get<double>());
+        }
+    }
+    EXPECT_NE(run.output.find("model: forces within "), std::string::npos);
+    EXPECT_EQ(run.output.find("of the whole"), std::string::npos);
+}
+
 TEST(ExploreLevelling, IsSaidAndCanBeSwitchedOff) {
     const test::ScratchFolder scratch;
     const std::string start = "explore " + test::shippedScene("polystyrene").string() +
@@ -113,6 +139,23 @@ TEST(ExploreLevelling, IsSaidAndCanBeSwitchedOff) {
               std::string::npos);
     EXPECT_NE(test::runProgram(start + " --level none").output.find("levelling: none"),
               std::string::npos);
+}
+
+// Mesa's driver ended the program with a segmentation fault where it got no memory.
+TEST(ExploreMemory, TooLittleToDrawIsSaidAndTheRunIsKept) {
+    if (test::kSanitized) {
+        GTEST_SKIP() << "a sanitizer needs more address space than any limit leaves";
+    }
+    for (const char* limit : {"ulimit -v 400000;", "ulimit -v 700000;", "ulimit -v 900000;"}) {
+        const test::ScratchFolder scratch;
+        const std::filesystem::path out = scratch.file("out");
+        const auto run = test::runProgram("explore " + test::shippedScene("polystyrene").string() +
+                                              " --duration 0.1 --out " + out.string(),
+                                          limit);
+        EXPECT_EQ(run.exitCode, 1) << limit;
+        EXPECT_NE(run.output.find("Not enough memory to draw"), std::string::npos) << run.output;
+        expectWholeLog(out, 101, 1000.0);
+    }
 }
 
 }  // namespace

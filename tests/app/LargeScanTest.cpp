@@ -2,6 +2,7 @@
 #include "core/io/HeightMapWriter.h"
 #include "core/surface/HeightRows.h"
 #include "tests/app/ChildProgram.h"
+#include "tests/support/Sanitized.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -56,14 +57,8 @@ protected:
     std::filesystem::path input = scratch.file("in.gsf");
 };
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kKnowsItsMemory = false;  // sanitizers take their own
-#else
-constexpr bool kKnowsItsMemory = true;
-#endif
-
 TEST_F(LargeScan, TakesAtMostTwoAndAHalfTimesItsSize) {
-    if (!kKnowsItsMemory) {
+    if (test::kSanitized) {
         GTEST_SKIP() << "the memory of a sanitizer is not that of the program";
     }
     const std::filesystem::path scene = scratch.write(
@@ -81,6 +76,14 @@ TEST_F(LargeScan, TakesAtMostTwoAndAHalfTimesItsSize) {
     EXPECT_LE(
         share({"convert", "IN", out + ".tiff", "--erode", "20e-9", "--certainty", out + ".gsf"}),
         2.5);
+}
+
+TEST_F(LargeScan, IsLookedAtRowByRow) {
+    if (test::kSanitized) {
+        GTEST_SKIP() << "the memory of a sanitizer is not that of the program";
+    }
+    EXPECT_LE(share({"info", "IN"}), 0.1);
+    EXPECT_LE(share({"info", "IN", "--json"}), 0.1);
 }
 
 TEST_F(LargeScan, ASignalEndsConvertAndNothingIsLeft) {

@@ -52,18 +52,37 @@ TEST_F(Signals, EndExploreWhileItRunsAndNothingHalfWrittenIsLeft) {
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-TEST_F(Signals, EndExploreAfterItsRunAndNoPictureOfAnEarlierOneIsLeft) {
-    for (const char* name :
-         {"deformation.png", "deformation.exr", "overview.png", "forces.png", "tick_memory.csv"}) {
+/// Whether the tables of the run are written: what comes then is drawing.
+bool isDrawing(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder, ignored)) {
+        if (file.path().filename() == "summary.json") {
+            return true;
+        }
+    }
+    return false;
+}
+
+TEST_F(Signals, EndExploreWhileItDrawsAndAnEarlierRunIsLeftWhole) {
+    for (const char* name : {"force_log.csv", "deformation.png", "deformation.exr", "forces.png"}) {
         std::ofstream(folder / name) << "earlier";
     }
     test::ChildProgram child(explore("0.1"));
-    waitFor(child, [this] { return std::filesystem::exists(folder / "force_log.csv"); });
+    waitFor(child, [this] { return isDrawing(folder); });
     child.send(SIGINT);
     EXPECT_EQ(child.wait().exitCode, 1);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 4);
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
-        EXPECT_NE(test::contentOf(file.path()), "earlier") << file.path();
+        EXPECT_EQ(test::contentOf(file.path()), "earlier") << file.path();
     }
+}
+
+TEST_F(Signals, OfAClosedTerminalEndInGoodOrderToo) {
+    test::ChildProgram child(explore("3600"));
+    waitForAFile(child);
+    child.send(SIGHUP);
+    EXPECT_EQ(child.wait().exitCode, 1);
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 TEST_F(Signals, LeaveTheFilesOfAnEarlierRunWhenTheyEndExploreBeforeItsOwn) {

@@ -1,6 +1,7 @@
 #include "core/TemporaryFile.h"
 
 #include "core/Error.h"
+#include "core/Leftover.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -73,6 +74,78 @@ TEST(TemporaryFile, AskingWhetherItCanBeWrittenLeavesNothing) {
     EXPECT_NO_THROW(requireWritable(scratch.file("out.txt")));
     EXPECT_THROW(requireWritable(scratch.file("none/out.txt")), Error);
     EXPECT_TRUE(fs::is_empty(scratch.path()));
+}
+
+/// What a killed process leaves for a target.
+fs::path leftover(const test::ScratchFolder& scratch, const std::string& target) {
+    return scratch.write(temporaryName(temporaryPrefix(target)), "half");
+}
+
+TEST(TemporaryFile, HasANameThatNobodyCanPlantALinkAt) {
+    const test::ScratchFolder scratch;
+    const TemporaryFile one(scratch.file("out.txt"));
+    const TemporaryFile other(scratch.file("out.txt"));
+    EXPECT_NE(one.path(), other.path());
+    EXPECT_EQ(one.path().parent_path(), scratch.path());
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(one.path())));
+}
+
+TEST(TemporaryFile, HasTheModeThatTheUmaskSays) {
+    const test::ScratchFolder scratch;
+    const mode_t before = umask(027);
+    write(scratch.file("out.txt"), "text");
+    umask(before);
+    EXPECT_EQ(fs::status(scratch.file("out.txt")).permissions(), fs::perms(0640));
+}
+
+TEST(TemporaryFile, SweepsWhatAKilledProcessLeftForTheSameTarget) {
+    const test::ScratchFolder scratch;
+    leftover(scratch, "out.txt");
+    const fs::path ofOther = leftover(scratch, "other.txt");
+    const fs::path ofUser = scratch.write(".asperity-notes.part", "mine");
+    const fs::path link = scratch.file(temporaryName(temporaryPrefix("out.txt")));
+    fs::create_symlink("other.txt", link);
+    write(scratch.file("out.txt"), "text");
+    EXPECT_TRUE(fs::exists(ofOther));
+    EXPECT_TRUE(fs::exists(ofUser));
+    EXPECT_TRUE(fs::is_symlink(link)) << "no regular file";
+    EXPECT_EQ(filesIn(scratch.path()), 4);
+}
+
+TEST(TemporaryFile, IsNotSweptWhileItIsWritten) {
+    const test::ScratchFolder scratch;
+    OutputFile slow(scratch.file("out.txt"));
+    slow.stream() << "slow";
+    write(scratch.file("out.txt"), "fast");
+    slow.commit();
+    EXPECT_EQ(test::contentOf(scratch.file("out.txt")), "slow");
+    EXPECT_EQ(filesIn(scratch.path()), 1);
+}
+
+TEST(TemporaryFile, TakesNamesAsLongAsTheFileSystem) {
+    const test::ScratchFolder scratch;
+    for (const std::size_t length : {245U, 246U, 255U}) {
+        const fs::path target = scratch.file(std::string(length, 'a'));
+        write(target, "text");
+        EXPECT_EQ(test::contentOf(target), "text") << length;
+    }
+    try {
+        requireWritable(scratch.file(std::string(256, 'a')));
+        FAIL() << "no file system has such names";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("File name too long"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(TemporaryFile, SaysThatItsFolderIsMissing) {
+    const test::ScratchFolder scratch;
+    try {
+        requireWritable(scratch.file("none/out.txt"));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("its folder is missing"), std::string::npos);
+    }
 }
 
 }  // namespace

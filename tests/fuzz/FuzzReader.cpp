@@ -10,10 +10,10 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
         const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-        const asperity::StoredScan scan = asperity::ASPERITY_FUZZED.read(bytes, "fuzz");
+        const asperity::MemoryBytes source(bytes, "fuzz");
+        const asperity::StoredScan scan = asperity::ASPERITY_FUZZED.read(source);
         for (const asperity::StoredChannel& stored : scan.channels) {
-            asperity::HeightMap map = stored.channel.map;
-            asperity::readHeights(stored, map);
+            const asperity::HeightMap map = asperity::readHeightMap(stored, source);
             const bool whole = map.heights.size() == map.index(map.rows, 0) &&
                                (map.invalid.empty() || map.invalid.size() == map.heights.size());
             if (!whole) {

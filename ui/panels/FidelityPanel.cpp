@@ -1,5 +1,6 @@
 #include "ui/panels/FidelityPanel.h"
 
+#include "core/fidelity/ForceErrorText.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/PercentText.h"
@@ -67,6 +68,7 @@ FidelityPanel::FidelityPanel(QWidget* parent)
     , measure_(new QPushButton(this)) {
     setWindowTitle(tr("Fidelity"));
     summary_->setObjectName(QStringLiteral("fidelitySummary"));
+    summary_->setWordWrap(true);
     tolerance_->setObjectName(QStringLiteral("tolerance"));
     automatic_->setObjectName(QStringLiteral("allAutomatic"));
     measure_->setObjectName(QStringLiteral("measure"));
@@ -143,9 +145,8 @@ void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choic
     terms_->show(needs, choices);
     const QSignalBlocker blocker(tolerance_);
     tolerance_->setValue(100.0 * needs.tolerance);
-    summary_->setText(tr("What is left out automatically moves forces by %1 %; a tick takes "
-                         "%2 µs instead of %3 µs.")
-                          .arg(percentText(needs.forceError))
+    summary_->setText(tr("Model: %1; a tick takes %2 µs instead of %3 µs.")
+                          .arg(QString::fromStdString(forceErrorText(needs)))
                           .arg(1e6 * needs.modelTick, 0, 'f', 2)
                           .arg(1e6 * needs.fullTick, 0, 'f', 2));
     now_ = now;

@@ -56,7 +56,7 @@ QString validityWords(Validity flag) {
     case Validity::FrictionLock:
         return QStringLiteral("friction would lock the cantilever");
     case Validity::ModelContradicted:
-        return QStringLiteral("signals contradict the model by more than 3 standard deviations");
+        return QStringLiteral("signals contradict the contact model by more than 3 sigma");
     case Validity::SingularGeometry:
         return QStringLiteral("signals say little about one direction of the force");
     case Validity::CurvedSample:
@@ -68,11 +68,13 @@ QString validityWords(Validity flag) {
     case Validity::TipNotHeld:
         return QStringLiteral("the cantilever cannot hold the tip where the hand wants it");
     case Validity::ElasticLimit:
-        return QStringLiteral("pressure above the hardness: it would yield");
+        return QStringLiteral("peak pressure exceeds onset of yield (about 0.6 hardness)");
     case Validity::ThinFilm:
         return QStringLiteral("contact too wide for the film's thickness and the contact law");
     case Validity::LawOutOfRange:
         return QStringLiteral("adhesion beyond the reach of the law");
+    case Validity::EstimateInconsistent:
+        return QStringLiteral("signals contradict friction law or noise: error bars widened");
     case Validity::Implausible:
         return QStringLiteral("estimated force breaks the friction law");
     case Validity::SnapInAhead:

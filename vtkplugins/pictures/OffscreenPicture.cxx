@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 #include "vtkplugins/pictures/Display.h"
+#include "vtkplugins/pictures/DrawingMemory.h"
 #include "vtkplugins/pictures/PainterItem.h"
 
 #include <vtkContextActor.h>
@@ -43,9 +44,12 @@ OffscreenPicture::OffscreenPicture(PictureSize size) : size_(size) {
         throw Error("Pictures need an X display and none answers: start the program in a desktop "
                     "session or under xvfb-run.");
     }
+    const PictureSize drawn{.width = size.width * kOversampling,
+                            .height = size.height * kOversampling};
+    requireDrawingMemory(drawn);
     window_->SetOffScreenRendering(1);
     window_->SetMultiSamples(0);
-    window_->SetSize(size.width * kOversampling, size.height * kOversampling);
+    window_->SetSize(drawn.width, drawn.height);
     window_->SetNumberOfLayers(kLayers);
 
     vtkRenderer* paper = addView({0.0, 0.0, double(size.width), double(size.height)}, 0);

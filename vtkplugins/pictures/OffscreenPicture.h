@@ -24,7 +24,8 @@ public:
     /// Pixels drawn per pixel written, along each side.
     static constexpr int kOversampling = 2;
 
-    /// @throw Error when there is no X display to draw with, or the size is unreasonable
+    /// @throw Error when there is no X display to draw with or too little memory, or the size is
+    /// unreasonable
     explicit OffscreenPicture(PictureSize size);
     ~OffscreenPicture();
     OffscreenPicture(const OffscreenPicture&) = delete;

@@ -43,8 +43,9 @@ private:
 /// A hand, the bench, the tick and the instrument.
 class HeldTip {
 public:
-    HeldTip(const Scene& scene, const BenchHold& hold)
+    HeldTip(const Scene& scene, const BenchHold& hold, const CancelCheck& check)
         : scene_(scene)
+        , check_(check)
         , bench_({.arm = armOf(hold.grip), .delay = hold.delay},
                  above(kStart, hold.scale.positionGain))
         , afm_(scene.touched(), scene.truth) {
@@ -90,6 +91,7 @@ private:
     }
 
     double swingInWindow() {
+        check_();
         Swing swing;
         for (double time = 0.0; time < kRestWindow; time += input_.timeStep) {
             step(goal_);
@@ -108,6 +110,7 @@ private:
     }
 
     const Scene& scene_;
+    const CancelCheck& check_;
     VirtualBench bench_;
     SimulatedAfm afm_;
     TickInput input_;
@@ -118,8 +121,9 @@ private:
 
 }  // namespace
 
-std::optional<double> swingOnBench(const Scene& scene, const BenchHold& hold) {
-    HeldTip tip(scene, hold);
+std::optional<double> swingOnBench(const Scene& scene, const BenchHold& hold,
+                                   const CancelCheck& check) {
+    HeldTip tip(scene, hold, check);
     double swing = 0.0;
     if (hold.grip == Grip::None) {
         tip.goTo(kPressedHard);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/ShareOut.h"
 #include "core/fidelity/extremes/HoldOutcome.h"
 #include "core/haptics/bench/VirtualBench.h"
 #include "core/scene/Scene.h"
@@ -32,6 +33,8 @@ struct BenchHold {
 ///
 /// @return how far the handle goes to and fro over the last kRestWindow of any hold, along the axis
 /// where that is most [m]; a creep one way is none; no value where a tick was not finite
-[[nodiscard]] std::optional<double> swingOnBench(const Scene& scene, const BenchHold& hold);
+/// @throw Cancelled
+[[nodiscard]] std::optional<double> swingOnBench(const Scene& scene, const BenchHold& hold,
+                                                 const CancelCheck& check);
 
 }  // namespace asperity

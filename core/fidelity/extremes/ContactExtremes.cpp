@@ -26,11 +26,11 @@ ContactLaw referenceLaw(const ContactSetting& setting) {
     return setting.filmThickness > 0.0 ? ContactLaw::HertzFilm : ContactLaw::SphereMaugis;
 }
 
-/// Whether the split law's tail makes a state, or its place, that the reference has no like of:
-/// where not both touch.
-bool hasTail(const ContactModel& model, const ContactState& state, const ContactState& reference) {
+/// Whether a split law's tail makes a state, or its place, that the reference has no like of: where
+/// not both touch.
+bool isOfTail(const ContactModel& model, const ContactState& state, const ContactState& reference) {
     const bool bothTouch = state.contactRadius > 0.0 && reference.contactRadius > 0.0;
-    return model.law() == ContactLaw::Split && model.lambda() > 0.0 && !bothTouch;
+    return hasTail(model.law()) && model.lambda() > 0.0 && !bothTouch;
 }
 
 /// Largest relative error that a solver may have: rounding, or what the table says of itself.
@@ -44,9 +44,11 @@ double promiseOf(const ContactModel& model) {
 /// as it can.
 class Candidates {
 public:
-    [[nodiscard]] std::vector<ContactCandidate> under(const ContactSetting& setting) {
+    [[nodiscard]] std::vector<ContactCandidate> under(const ContactSetting& setting,
+                                                      const CancelCheck& check) {
         std::vector<ContactCandidate> all;
         for (const LawTier& lawTier : lawTiers()) {
+            check();
             if (lawTier.law == ContactLaw::HertzFilm && setting.filmThickness == 0.0) {
                 continue;  // refusedContacts() has it
             }
@@ -73,14 +75,14 @@ private:
 
 class ContactStudy {
 public:
-    explicit ContactStudy(const ContactGrid& grid) : grid_(grid) {}
+    ContactStudy(const ContactGrid& grid, const CancelCheck& check) : grid_(grid), check_(check) {}
 
     /// One sample under all tips and levers.
     [[nodiscard]] ExtremesFindings run(ContactSetting setting) {
         Candidates candidates;
         for (const double radius : grid_.tipRadii) {
             setting.pair.tipRadius = radius;
-            meet(candidates.under(setting), setting);
+            meet(candidates.under(setting, check_), setting);
         }
         return std::move(findings_);
     }
@@ -140,6 +142,7 @@ private:
         findings_.states += static_cast<long>(way.size());
         std::vector<ContactCourse> courses;
         for (const Contender& contender : contenders) {
+            check_();
             courses.push_back(contactCourse(contender.model, way, setting.compliance()));
         }
         for (std::size_t k = 0; k < contenders.size(); ++k) {
@@ -183,7 +186,7 @@ private:
             .flags = contactValidity(by.model, course.states[i], sample),
             .referenceHolds =
                 contactValidity(yardstick.referenceModel, reference, sample).bits() == 0 &&
-                !hasTail(by.model, course.states[i], reference),
+                !isOfTail(by.model, course.states[i], reference),
             .errors = contactErrors(course, yardstick.reference, yardstick.way, i, units)};
         compared.errors.solver =
             stateErrors(course.states[i], yardstick.exact.states[i], units).largest();
@@ -191,6 +194,7 @@ private:
     }
 
     const ContactGrid& grid_;
+    const CancelCheck& check_;
     ExtremesFindings findings_;
 };
 
@@ -199,8 +203,8 @@ private:
 std::vector<FlatSample> samplesOf(const ContactGrid& grid) {
     std::vector<FlatSample> samples;
     for (const double modulus : grid.moduli) {
-        for (const double thickness : grid.filmThicknesses) {
-            samples.push_back({.modulus = modulus, .filmThickness = thickness});
+        for (const Film& film : grid.films) {
+            samples.push_back({.modulus = modulus, .film = film});
         }
         for (const double adhesion : grid.adhesions) {
             samples.push_back({.modulus = modulus, .adhesion = adhesion});
@@ -209,10 +213,12 @@ std::vector<FlatSample> samplesOf(const ContactGrid& grid) {
     return samples;
 }
 
-ExtremesFindings contactExtremes(const ContactGrid& grid, const FlatSample& sample) {
-    return ContactStudy(grid).run(
-        {.pair = {.reducedModulus = sample.modulus, .workOfAdhesion = sample.adhesion},
-         .filmThickness = sample.filmThickness});
+ExtremesFindings contactExtremes(const ContactGrid& grid, const FlatSample& sample,
+                                 const CancelCheck& check) {
+    return ContactStudy(grid, check)
+        .run({.pair = {.reducedModulus = sample.modulus, .workOfAdhesion = sample.adhesion},
+              .filmThickness = sample.film.thickness,
+              .filmPoissonRatio = sample.film.poissonRatio});
 }
 
 }  // namespace asperity

@@ -1,14 +1,15 @@
 #pragma once
 
+#include "core/ShareOut.h"
 #include "core/fidelity/extremes/ExtremesStudy.h"
 
 namespace asperity {
 
 /// A flat sample.
 struct FlatSample {
-    double modulus = 0.0;        ///< E* [Pa]
-    double adhesion = 0.0;       ///< w [J/m^2]
-    double filmThickness = 0.0;  ///< [m]; 0: a half-space
+    double modulus = 0.0;   ///< E* [Pa]
+    double adhesion = 0.0;  ///< w [J/m^2]
+    Film film = {};         ///< by default a half-space
 };
 
 /// All samples of the grid.
@@ -19,6 +20,8 @@ struct FlatSample {
 /// The reference is Maugis-Dugdale on the exact sphere, which has every other law on a half-space
 /// as a limit, on a film `hertz_film`. Where a flag says that the reference does not hold, and
 /// before contact for `split`, whose tail it lacks, nothing is known of a law's error.
-[[nodiscard]] ExtremesFindings contactExtremes(const ContactGrid& grid, const FlatSample& sample);
+/// @throw Cancelled
+[[nodiscard]] ExtremesFindings contactExtremes(const ContactGrid& grid, const FlatSample& sample,
+                                               const CancelCheck& check);
 
 }  // namespace asperity

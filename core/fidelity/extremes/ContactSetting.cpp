@@ -42,11 +42,11 @@ const char* tierName(const LawTier& lawTier) noexcept {
 std::string describe(const LawTier& lawTier, const ContactSetting& setting, double approach) {
     char text[400];
     std::snprintf(text, sizeof text,
-                  "%s (%s), tip radius %.17g m, E* %.17g Pa, w %.17g J/m^2, film %.17g m, lever "
-                  "%.17g N/m, approach %.17g m",
+                  "%s (%s), tip radius %.17g m, E* %.17g Pa, w %.17g J/m^2, film %.17g m (Poisson "
+                  "ratio %.17g), lever %.17g N/m, approach %.17g m",
                   keyOf(lawTier.law), tierName(lawTier), setting.pair.tipRadius,
                   setting.pair.reducedModulus, setting.pair.workOfAdhesion, setting.filmThickness,
-                  setting.leverStiffness, approach);
+                  setting.filmPoissonRatio, setting.leverStiffness, approach);
     return text;
 }
 
@@ -54,6 +54,7 @@ ContactCandidate candidate(const LawTier& lawTier, const ContactSetting& setting
     try {
         const ContactOptions options{.cohesiveStress = setting.cohesiveStress,
                                      .filmThickness = setting.filmThickness,
+                                     .film = {.poissonRatio = setting.filmPoissonRatio},
                                      .solver = lawTier.tier};
         return {lawTier, ContactModel(lawTier.law, setting.pair, options), ""};
     } catch (const Error& error) {

@@ -26,6 +26,7 @@ struct ContactSetting {
     double filmThickness = 0.0;   ///< [m]; 0: a half-space
     double leverStiffness = 1.0;  ///< [N/m]; infinite: displacement control
     double cohesiveStress = 0.0;  ///< [Pa]; 0: as ContactOptions has it
+    double filmPoissonRatio = 0.5;
 
     [[nodiscard]] double compliance() const noexcept { return 1.0 / leverStiffness; }
 };

@@ -66,8 +66,11 @@ CouplingOffer offerFor(const LoopTiming& timing) {
 
 class BenchStudy {
 public:
-    explicit BenchStudy(const HoldBench& bench)
-        : bench_(bench), scene_(sceneOf(bench, kDetectorNoise)), quiet_(sceneOf(bench, 0.0)) {}
+    BenchStudy(const HoldBench& bench, const CancelCheck& check)
+        : bench_(bench)
+        , check_(check)
+        , scene_(sceneOf(bench, kDetectorNoise))
+        , quiet_(sceneOf(bench, 0.0)) {}
 
     void meet(HoldSetting hold) {
         hold.material = bench_.material.name;
@@ -119,10 +122,10 @@ private:
                              .coupling = gains,
                              .delay = setting.delay,
                              .grip = setting.grip};
-        std::optional<double> swing = swingOnBench(scene_, hold);
+        std::optional<double> swing = swingOnBench(scene_, hold, check_);
         outcome.swing = swing.value_or(0.0);
         if (outcome.swing >= kStillWithin) {
-            swing = swingOnBench(quiet_, hold);
+            swing = swingOnBench(quiet_, hold, check_);
             outcome.verdict =
                 swing.value_or(0.0) >= kStillWithin ? HoldVerdict::Shakes : HoldVerdict::Noisy;
         }
@@ -134,6 +137,7 @@ private:
     }
 
     HoldBench bench_;
+    const CancelCheck& check_;
     Scene scene_;
     Scene quiet_;  ///< the same with a detector without noise
     ExtremesFindings findings_;
@@ -184,8 +188,9 @@ std::vector<HoldBench> benchesOf(const CouplingGrid& grid) {
     return benches;
 }
 
-ExtremesFindings couplingExtremes(const CouplingGrid& grid, const HoldBench& bench) {
-    BenchStudy study(bench);
+ExtremesFindings couplingExtremes(const CouplingGrid& grid, const HoldBench& bench,
+                                  const CancelCheck& check) {
+    BenchStudy study(bench, check);
     long index = bench.first;
     for (const HoldSetting& setting : settingsOf(grid)) {
         if (index++ % grid.stride == 0) {

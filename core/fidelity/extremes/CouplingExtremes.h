@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/ShareOut.h"
 #include "core/fidelity/extremes/ExtremesStudy.h"
 #include "core/scene/SceneDescription.h"
 
@@ -22,6 +23,8 @@ struct HoldBench {
 /// Hands at one device of the Phantom class on one bench: what designCoupling() and judgeScale()
 /// refuse is not tried; all else, and every hand without a coupling, is put on the virtual bench.
 /// The contact's stiffness that the guard is asked about is that under the device's largest force.
-[[nodiscard]] ExtremesFindings couplingExtremes(const CouplingGrid& grid, const HoldBench& bench);
+/// @throw Cancelled
+[[nodiscard]] ExtremesFindings couplingExtremes(const CouplingGrid& grid, const HoldBench& bench,
+                                                const CancelCheck& check);
 
 }  // namespace asperity

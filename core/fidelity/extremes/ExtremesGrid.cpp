@@ -38,7 +38,7 @@ int timesIn(double states, long part, int fewest) {
 }  // namespace
 
 long ContactGrid::ways() const noexcept {
-    const std::size_t samples = moduli.size() * (adhesions.size() + filmThicknesses.size());
+    const std::size_t samples = moduli.size() * (adhesions.size() + films.size());
     return product({samples, tipRadii.size(), leverStiffnesses.size()});
 }
 
@@ -71,7 +71,8 @@ ExtremesGrid ExtremesGrid::ofAbout(double states) {
         .contact = {.tipRadii = logSpaced(smallest, largest, steps(23)),
                     .moduli = logSpaced(1e4, 1e12, steps(13)),
                     .adhesions = {0.0, 1e-3, 0.01, 0.05, 0.2, 1.0},
-                    .filmThicknesses = {10e-9, 1e-6},
+                    .films = {{.thickness = 10e-9, .poissonRatio = 0.5},
+                              {.thickness = 1e-6, .poissonRatio = 0.3}},
                     .leverStiffnesses = {1e-3, 0.01, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4, kRigid}},
         .tick = {.tipRadii = logSpaced(smallest, largest, steps(6)),
                  .roughnesses = {0.0, 0.001, 0.003, 0.01, 0.03, 0.1},

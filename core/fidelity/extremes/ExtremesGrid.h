@@ -4,13 +4,19 @@
 
 namespace asperity {
 
+/// A film on a rigid base.
+struct Film {
+    double thickness = 0.0;  ///< [m]; 0: a half-space
+    double poissonRatio = 0.5;
+};
+
 /// States of the contact laws: all of these with each other, each at every place of the way in and
 /// out. All values within the laws' ranges, tip radii rising.
 struct ContactGrid {
     std::vector<double> tipRadii;          ///< [m]
     std::vector<double> moduli;            ///< E* [Pa]
     std::vector<double> adhesions;         ///< w on a half-space [J/m^2]; 0: none
-    std::vector<double> filmThicknesses;   ///< of films without adhesion [m]
+    std::vector<Film> films;               ///< without adhesion
     std::vector<double> leverStiffnesses;  ///< [N/m]; infinite: displacement control
     int places = 0;                        ///< of the tip, one way; >= 4
 

@@ -16,28 +16,33 @@ namespace asperity {
 namespace {
 
 /// A share of the work that one thread does.
-using Part = std::function<ExtremesFindings()>;
+using Part = std::function<ExtremesFindings(const CancelCheck&)>;
 
 void addContacts(std::vector<Part>& parts, const ContactGrid& grid) {
-    parts.emplace_back(refusedContacts);
+    parts.emplace_back([](const CancelCheck& /*check*/) { return refusedContacts(); });
     for (const FlatSample& sample : samplesOf(grid)) {
-        parts.emplace_back([&grid, sample] { return contactExtremes(grid, sample); });
+        parts.emplace_back([&grid, sample](const CancelCheck& check) {
+            return contactExtremes(grid, sample, check);
+        });
     }
 }
 
 void addTicks(std::vector<Part>& parts, const TickGrid& grid) {
     for (const double radius : grid.tipRadii) {
         for (const double roughness : grid.roughnesses) {
-            parts.emplace_back([&grid, place = RoughPlace{radius, roughness}] {
-                return tickExtremes(grid, place);
-            });
+            parts.emplace_back(
+                [&grid, place = RoughPlace{radius, roughness}](const CancelCheck& check) {
+                    return tickExtremes(grid, place, check);
+                });
         }
     }
 }
 
 void addHolds(std::vector<Part>& parts, const CouplingGrid& grid) {
     for (const HoldBench& bench : benchesOf(grid)) {
-        parts.emplace_back([&grid, bench] { return couplingExtremes(grid, bench); });
+        parts.emplace_back([&grid, bench](const CancelCheck& check) {
+            return couplingExtremes(grid, bench, check);
+        });
     }
 }
 
@@ -77,9 +82,9 @@ long ExtremesFindings::answers() const noexcept {
 ExtremesFindings studyExtremes(const ExtremesGrid& grid, Progress* progress) {
     const std::vector<Part> parts = partsOf(grid);
     std::vector<ExtremesFindings> found(parts.size());
-    shareOut(static_cast<int>(parts.size()), progress, [&](int index) {
+    shareOut(static_cast<int>(parts.size()), progress, [&](int index, const CancelCheck& check) {
         const auto i = static_cast<std::size_t>(index);
-        found[i] = parts[i]();
+        found[i] = parts[i](check);
     });
     ExtremesFindings all;
     for (ExtremesFindings& part : found) {

@@ -107,7 +107,8 @@ const char* refusalOf(const TickOutput& output) {
 
 class RoughPlaceStudy {
 public:
-    RoughPlaceStudy(const TickGrid& grid, const RoughPlace& place) : grid_(grid), place_(place) {
+    RoughPlaceStudy(const TickGrid& grid, const RoughPlace& place, const CancelCheck& check)
+        : grid_(grid), place_(place), check_(check) {
         for (const FootEffort effort : kEfforts) {
             findings_.regions.emplace_back(RegionPlace{.model = "tick",
                                                        .tier = effortName(effort),
@@ -123,6 +124,7 @@ public:
         Scene scene = built;
         findings_.states += grid_.ticks;
         for (std::size_t i = 0; i < kEfforts.size(); ++i) {
+            check_();
             scene.model.footSearch = kEfforts[i];
             const std::vector<TickOutput> outputs = ticksOf(scene, setting.depth, grid_.ticks);
             if (i == 0) {
@@ -166,6 +168,7 @@ private:
 
     const TickGrid& grid_;
     RoughPlace place_;
+    const CancelCheck& check_;
     ExtremesFindings findings_;
 };
 
@@ -185,8 +188,9 @@ std::vector<SampleMaterial> tickMaterials() {
              .hardness = 9.0_GPa}};
 }
 
-ExtremesFindings tickExtremes(const TickGrid& grid, const RoughPlace& place) {
-    RoughPlaceStudy study(grid, place);
+ExtremesFindings tickExtremes(const TickGrid& grid, const RoughPlace& place,
+                              const CancelCheck& check) {
+    RoughPlaceStudy study(grid, place, check);
     const HeightMap map = roughMap(place);
     for (const SampleMaterial& material : tickMaterials()) {
         for (const double stiffness : grid.leverStiffnesses) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/ShareOut.h"
 #include "core/fidelity/extremes/ExtremesStudy.h"
 #include "core/scene/SceneDescription.h"
 
@@ -18,6 +19,8 @@ struct RoughPlace {
 /// Runs of the whole tick with a scripted hand, with every effort of the foot search; the reference
 /// is the certified search where it proves its feet. The hand does not give way, so that neither
 /// the loop's rate nor the force gain changes a state: both are the scene's.
-[[nodiscard]] ExtremesFindings tickExtremes(const TickGrid& grid, const RoughPlace& place);
+/// @throw Cancelled
+[[nodiscard]] ExtremesFindings tickExtremes(const TickGrid& grid, const RoughPlace& place,
+                                            const CancelCheck& check);
 
 }  // namespace asperity

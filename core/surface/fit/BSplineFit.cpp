@@ -4,6 +4,7 @@
 #include "core/surface/fit/SeparableFit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace asperity {
@@ -19,6 +20,17 @@ PixelMask bottomRowFirst(PixelMask mask, int columns) {
                          mask.begin() + end - width);
     }
     return mask;
+}
+
+/// Whether control heights in single precision, each off by up to 2^-25 of the largest, would show
+/// in second derivatives: four such errors over a pitch squared.
+bool needsRests(const BSplineSurface::Grid& grid) {
+    constexpr double kRounding = 0x1p-25;
+    constexpr double kTolerated = 1e3;  // [1/m]: 1e-6 of the curvature of a tip of 1 nm
+    const auto [low, high] = std::ranges::minmax(grid.controlHeights);
+    const double largest = std::max(std::abs(low), std::abs(high));
+    const double pitch = std::min(grid.pitchX, grid.pitchY);
+    return 4.0 * kRounding * largest > kTolerated * pitch * pitch;
 }
 
 }  // namespace
@@ -42,8 +54,35 @@ BSplineSurface fitSurface(ScanMap map, const Smoothing& smoothing, Progress* pro
     return BSplineSurface(std::move(grid), &bounding);
 }
 
-BSplineSurface fitSurface(const HeightMap& map, const Smoothing& smoothing) {
-    return fitSurface(singlePrecision(map), smoothing);
+BSplineSurface fitSurface(HeightMap map, const Smoothing& smoothing, Progress* progress) {
+    map = withInvalidPixelsFilled(std::move(map));
+    reportTo(progress, 0.0);
+    const double datum = middleHeight(map);
+    for (double& height : map.heights) {
+        height -= datum;
+    }
+    const FineLineFit alongX(map.columns, smoothing.x);
+    const FineLineFit alongY(map.rows, smoothing.y);
+    ProgressPart fitting(progress, 0.0, 0.5);
+    const PixelVector<double> controls = separableFit(map, alongX, alongY, &fitting);
+    BSplineSurface::Grid grid{.columns = map.columns,
+                              .rows = map.rows,
+                              .pitchX = map.pitchX,
+                              .pitchY = map.pitchY,
+                              .datum = datum,
+                              .controlHeights = PixelVector<float>(controls.size()),
+                              .invalid = bottomRowFirst(std::move(map.invalid), map.columns)};
+    std::ranges::transform(controls, grid.controlHeights.begin(),
+                           [](double height) { return static_cast<float>(height); });
+    if (needsRests(grid)) {
+        grid.controlRests.resize(controls.size());
+        std::ranges::transform(controls, grid.controlHeights, grid.controlRests.begin(),
+                               [](double height, float stored) {
+                                   return static_cast<float>(height - static_cast<double>(stored));
+                               });
+    }
+    ProgressPart bounding(progress, 0.5, 1.0);
+    return BSplineSurface(std::move(grid), &bounding);
 }
 
 }  // namespace asperity

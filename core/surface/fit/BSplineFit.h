@@ -16,14 +16,17 @@ namespace asperity {
 /// Pixels whose height is not a number are filled first (see withInvalidPixelsFilled()); the map's
 /// mask is kept, so isMeasured() tells them. Linear time, two threads.
 ///
-/// Computed in single precision about the map's datum: a control height is off by a few times, at
-/// most 16 times, 2^-24 of the largest distance of a height from the datum.
+/// A ScanMap is computed in single precision about its datum: a control height is off by a few
+/// times, at most 16 times, 2^-24 of the largest distance of a height from the datum, and a second
+/// derivative by four times that over the pitch squared.
 /// @throw Error when the map is unusable, holds no height at all, or a width is not in
 ///        0..kWidestSmoothing; Cancelled
 [[nodiscard]] BSplineSurface fitSurface(ScanMap map, const Smoothing& smoothing = {},
                                         Progress* progress = nullptr);
 
-/// The same for a map in double precision.
-[[nodiscard]] BSplineSurface fitSurface(const HeightMap& map, const Smoothing& smoothing = {});
+/// The same in double precision, for maps that are not too large for it. Control heights are kept
+/// to 2^-48 where single precision would put second derivatives off by more than 1e3 1/m.
+[[nodiscard]] BSplineSurface fitSurface(HeightMap map, const Smoothing& smoothing = {},
+                                        Progress* progress = nullptr);
 
 }  // namespace asperity

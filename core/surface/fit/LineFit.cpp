@@ -94,11 +94,13 @@ void interpolate(Weights& table) {
     padQuadratic(table);
 }
 
-/// Pixels over which the spline's answer to one sample falls below any rounding.
-constexpr int kSplineDecay = 24;
+/// Pixels over which the spline's answer to one sample falls below any rounding: each takes it down
+/// to 2 - sqrt(3).
+constexpr int kSplineDecay = 30;
 
-/// Weights by distance from the middle row of a line so long that its ends do not matter.
-std::vector<double> kernelOf(const std::vector<double>& weights, int samples) {
+/// Weights by distance from the middle row of a line so long that its ends do not matter, without
+/// the farthest ones that add up to less than `neglected`.
+std::vector<double> kernelOf(const std::vector<double>& weights, int samples, double neglected) {
     const int middle = samples / 2;
     const double* row =
         weights.data() + static_cast<std::size_t>(middle + 1) * static_cast<std::size_t>(samples);
@@ -106,7 +108,7 @@ std::vector<double> kernelOf(const std::vector<double>& weights, int samples) {
     double rest = 0.0;
     while (kernel.size() > 1) {
         rest += 2.0 * std::abs(kernel.back());
-        if (rest > LineFit::kNeglected) {
+        if (rest > neglected) {
             break;
         }
         kernel.pop_back();
@@ -147,7 +149,8 @@ std::vector<double> lineFitWeights(int samples, double sigma) {
     return std::move(table).take();
 }
 
-LineFit::LineFit(int samples, double sigma) : samples_(samples) {
+template <class Height>
+BasicLineFit<Height>::BasicLineFit(int samples, double sigma) : samples_(samples) {
     // Long enough for a middle that no end reaches, nor the other end one end's borders.
     const int unit = static_cast<int>(halfGaussian(sigma).size()) + kSplineDecay;
     const int enough = 4 * unit + 1;
@@ -158,7 +161,7 @@ LineFit::LineFit(int samples, double sigma) : samples_(samples) {
         return;
     }
     const std::vector<double> weights = lineFitWeights(enough, sigma);
-    const std::vector<double> kernel = kernelOf(weights, enough);
+    const std::vector<double> kernel = kernelOf(weights, enough, kNeglected);
     kernel_.assign(kernel.begin() + 1, kernel.end());
     const auto row = [&](int index) {
         return weights.data() + static_cast<std::size_t>(index) * static_cast<std::size_t>(enough);
@@ -173,5 +176,8 @@ LineFit::LineFit(int samples, double sigma) : samples_(samples) {
         borderWeights_.insert(borderWeights_.end(), row(index), row(index) + span_);
     }
 }
+
+template class BasicLineFit<float>;
+template class BasicLineFit<double>;
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace asperity {
@@ -20,21 +21,23 @@ namespace asperity {
 ///
 /// Smoothing and spline are both convolutions away from the ends of a line, so one kernel does
 /// both; control heights near an end have weights of their own. Weights that add up to less than
-/// kNeglected are left out: below the rounding of a height in single precision.
-class LineFit {
+/// kNeglected are left out: below the rounding of a height.
+/// @tparam Height float or double, what heights are computed in
+template <class Height>
+class BasicLineFit {
 public:
-    static constexpr double kNeglected = 0x1p-26;
+    static constexpr double kNeglected = std::numeric_limits<Height>::epsilon() / 8.0;
 
     /// @param sigma [pixel]
     /// @throw Error when there is no sample or sigma is not in 0..kWidestSmoothing
-    LineFit(int samples, double sigma);
+    BasicLineFit(int samples, double sigma);
 
     [[nodiscard]] int samples() const { return samples_; }
     [[nodiscard]] int controls() const { return samples_ + 2; }
 
     /// Weights of the samples at distance 1, 2, .. on either side of the middle one; that one has
     /// what is missing from a sum of 1.
-    [[nodiscard]] const std::vector<float>& kernel() const { return kernel_; }
+    [[nodiscard]] const std::vector<Height>& kernel() const { return kernel_; }
     [[nodiscard]] int reach() const { return static_cast<int>(kernel_.size()); }
 
     /// How many control heights at the first end, the padding among them, do not follow the kernel.
@@ -53,8 +56,11 @@ private:
     int samples_;
     int border_ = 0;
     int span_ = 0;
-    std::vector<float> kernel_;
+    std::vector<Height> kernel_;
     std::vector<double> borderWeights_;  ///< border x span
 };
+
+using LineFit = BasicLineFit<float>;
+using FineLineFit = BasicLineFit<double>;
 
 }  // namespace asperity

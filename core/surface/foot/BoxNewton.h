@@ -38,6 +38,7 @@ struct BoxMinimum {
     Vector2 place = Vector2::Zero();  ///< world [m]
     LocalModel model;
     int iterations = 0;      ///< Newton steps
+    int evaluations = 0;     ///< of the objective
     bool converged = false;  ///< a local minimum: the gradient is rounding noise
     bool pushedOut = false;  ///< the minimum lies on the box's edge and would lie beyond it
 };
@@ -57,13 +58,13 @@ public:
         BoxMinimum state;
         state.place = box_.nearest(start);
         state.model = objective_(state.place);
-        int evaluations = 1;
-        while (evaluations < kMaxEvaluations) {
+        state.evaluations = 1;
+        while (state.evaluations < kMaxEvaluations) {
             const Free free = freeAxes(state);
-            bool moved = !atRest(state.model, free, 1.0) && step(state, free, evaluations);
+            bool moved = !atRest(state.model, free, 1.0) && step(state, free);
             // Also where rounding ends the steps a little before the gradient vanishes.
             if (!moved && atRest(state.model, free, kNoiseAllowance)) {
-                moved = escape(state, free, evaluations);
+                moved = escape(state, free);
             }
             if (!moved) {
                 break;
@@ -178,15 +179,16 @@ private:
     }
 
     /// Steps down by Newton's method, halving the step until the value falls.
-    bool step(BoxMinimum& state, const Free& free, int& evaluations) const {
+    bool step(BoxMinimum& state, const Free& free) const {
         Vector2 move = newtonStep(state, free);
-        for (int halving = 0; halving < kMaxHalvings && evaluations < kMaxEvaluations; ++halving) {
+        for (int halving = 0; halving < kMaxHalvings && state.evaluations < kMaxEvaluations;
+             ++halving) {
             const Vector2 place = box_.nearest(state.place + move);
             if (place == state.place) {
                 return false;
             }
             LocalModel model = objective_(place);
-            ++evaluations;
+            ++state.evaluations;
             if (isLower(state, free, place, model)) {
                 state.place = place;
                 state.model = model;
@@ -216,7 +218,7 @@ private:
     }
 
     /// At rest: true only when this is no minimum and a lower place was found beside it.
-    bool escape(BoxMinimum& state, const Free& free, int& evaluations) const {
+    bool escape(BoxMinimum& state, const Free& free) const {
         if (isConvex(state.model.hessian, free)) {
             return false;
         }
@@ -229,7 +231,7 @@ private:
         for (const double sign : {1.0, -1.0}) {
             const Vector2 place = box_.nearest(from.place + sign * escapeStep_ * direction);
             LocalModel model = objective_(place);
-            ++evaluations;
+            ++state.evaluations;
             if (model.value < state.model.value - 4.0 * from.model.valueNoise) {
                 state.place = place;
                 state.model = model;

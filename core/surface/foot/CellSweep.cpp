@@ -1,5 +1,7 @@
 #include "core/surface/foot/CellSweep.h"
 
+#include <limits>
+
 namespace asperity {
 
 bool CellSweep::settle(const WindowBlocks& blocks) noexcept {
@@ -23,12 +25,36 @@ bool CellSweep::isSettled(int row, int column) const noexcept {
     });
 }
 
-bool CellSweep::reaches(int level, int row, int column, double distance) const noexcept {
-    const BoxBounds bounds = surface_.bounds().at(level, row, column);
+double CellSweep::squaredDistance(int level, const CellIndex& block) const noexcept {
+    const BoxBounds bounds = surface_.bounds().at(level, block.row, block.column);
     const double away = std::max({query_.z() - bounds.highest, bounds.lowest - query_.z(), 0.0});
-    return blocksAlongX(surface_, level).squaredDistance(query_.x(), column) +
-               blocksAlongY(surface_, level).squaredDistance(query_.y(), row) + away * away <=
-           distance * distance;
+    return blocksAlongX(surface_, level).squaredDistance(query_.x(), block.column) +
+           blocksAlongY(surface_, level).squaredDistance(query_.y(), block.row) + away * away;
+}
+
+Vector2 CellSweep::likeliestPlace() const noexcept {
+    constexpr int kFactor = CellBounds::kFactor;
+    CellIndex nearest;
+    for (int level = surface_.bounds().levels() - 2; level >= 0; --level) {
+        const CellBounds::Level& parts = surface_.bounds().level(level);
+        const CellIndex first{.row = nearest.row * kFactor, .column = nearest.column * kFactor};
+        const CellIndex end{.row = std::min(first.row + kFactor, parts.rows),
+                            .column = std::min(first.column + kFactor, parts.columns)};
+        double least = std::numeric_limits<double>::infinity();
+        for (CellIndex part = first; part.row < end.row; ++part.row) {
+            for (part.column = first.column; part.column < end.column; ++part.column) {
+                const double squared = squaredDistance(level, part);
+                if (squared < least) {
+                    least = squared;
+                    nearest = part;
+                }
+            }
+        }
+    }
+    const BlockAxis x = blocksAlongX(surface_, 0);
+    const BlockAxis y = blocksAlongY(surface_, 0);
+    return {0.5 * (x.low(nearest.column) + x.high(nearest.column)),
+            0.5 * (y.low(nearest.row) + y.high(nearest.row))};
 }
 
 }  // namespace asperity

@@ -28,12 +28,20 @@ public:
 
     [[nodiscard]] const BoundsWindow& window() const noexcept { return window_; }
 
+    /// The middle of the cell that may come nearest to the query, judged by the bounds of the
+    /// blocks from the largest down: a good guess, no more [m].
+    [[nodiscard]] Vector2 likeliestPlace() const noexcept;
+
     /// Calls search.take(CellIndex) for each cell that is left. search.limit() is how far a foot
-    /// may lie by now [m]; search.mayLook() whether there is time to look at one more block.
+    /// may lie by now [m]; search.mayLook() whether there is time to look at one more block, and
+    /// search.hasGivenUp() whether there is none for anything.
     template <class Search>
     void visit(Search& search) const {
         for (int row = 0; row < window_.rows().count; ++row) {
             for (std::uint32_t blocks = window_.reaching(row); blocks != 0; blocks &= blocks - 1) {
+                if (search.hasGivenUp()) {
+                    return;
+                }
                 const int column = std::countr_zero(blocks);
                 if (!isSettled(row, column) && window_.reaches(row, column, search.limit())) {
                     visitBlock(search, window_.level(), window_.rows().first + row,
@@ -68,7 +76,11 @@ private:
         }
     }
 
-    [[nodiscard]] bool reaches(int level, int row, int column, double distance) const noexcept;
+    [[nodiscard]] bool reaches(int level, int row, int column, double distance) const noexcept {
+        return squaredDistance(level, {.row = row, .column = column}) <= distance * distance;
+    }
+    /// Of a block from the query, at least [m^2].
+    [[nodiscard]] double squaredDistance(int level, const CellIndex& block) const noexcept;
     [[nodiscard]] bool isSettled(int row, int column) const noexcept;
 
     const BSplineSurface& surface_;

@@ -18,6 +18,7 @@ public:
 
     [[nodiscard]] double limit() const { return search_.limit(); }
     [[nodiscard]] bool mayLook() { return search_.mayLook(); }
+    [[nodiscard]] bool hasGivenUp() { return search_.hasGivenUp(); }
 
     void take(const CellIndex& cell) {
         cells_.push_back(cell);
@@ -59,7 +60,11 @@ FootProof lookInto(const BSplineSurface& surface, const Vector3& query, const Fo
     CellsInBatches cells(surface, search);
     sweep.visit(cells);
     cells.lookIntoCells();
-    return search.isComplete() ? FootProof::Nearest : FootProof::ManyFeet;
+    if (search.isComplete()) {
+        return FootProof::Nearest;
+    }
+    search.settleForNearest(sweep.likeliestPlace());
+    return FootProof::ManyFeet;
 }
 
 }  // namespace

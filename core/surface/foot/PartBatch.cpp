@@ -211,13 +211,26 @@ ASPERITY_INLINE Double4 widened(const float* heights) {
     return Double4{heights[0], heights[1], heights[2], heights[3]};
 }
 
-/// Bezier points of four cells from the corners of their control heights.
-ASPERITY_WITH_AVX2 void bezierOfCells(const std::array<const float*, 4>& corners,
-                                      std::ptrdiff_t stride, PartBatch& batch) {
+/// The control heights of a surface with what single precision leaves of them.
+struct StoredControls {
+    const float* heights = nullptr;
+    const float* rests = nullptr;  ///< null: nothing
+    std::ptrdiff_t stride = 0;
+
+    [[nodiscard]] ASPERITY_INLINE Double4 fourAt(std::ptrdiff_t first) const {
+        const Double4 four = widened(heights + first);
+        return rests == nullptr ? four : four + widened(rests + first);
+    }
+};
+
+/// Bezier points of four cells from the indices of their first control heights.
+ASPERITY_WITH_AVX2 void bezierOfCells(const StoredControls& controls,
+                                      const std::array<std::ptrdiff_t, 4>& corners,
+                                      PartBatch& batch) {
     for (int i = 0; i < 4; ++i) {
         Double4 row[4];
         for (std::size_t lane = 0; lane < 4; ++lane) {
-            row[lane] = widened(corners[lane] + i * stride);
+            row[lane] = controls.fourAt(corners[lane] + i * controls.stride);
         }
         transpose(row);
         toBezier(row[0], row[1], row[2], row[3]);
@@ -337,12 +350,11 @@ void loadCells(const BSplineSurface::Grid& grid, std::span<const CellIndex> cell
     std::array<CellIndex, PartBatch::kLanes> all;
     all.fill(cells.front());
     std::ranges::copy(cells, all.begin());
-    std::array<const float*, PartBatch::kLanes> corners{};
+    std::array<std::ptrdiff_t, PartBatch::kLanes> corners{};
     for (std::size_t lane = 0; lane < all.size(); ++lane) {
         // The outermost are set below; until then any place of the grid will do.
         const bool inner = !isOutermost(grid, all[lane]);
-        corners[lane] =
-            grid.controlHeights.data() + (inner ? all[lane].row * stride + all[lane].column : 0);
+        corners[lane] = inner ? all[lane].row * stride + all[lane].column : 0;
     }
     const auto lanesOf = [&](int CellIndex::*index) {
         return Double4{all[0].*index + 0.0, all[1].*index + 0.0, all[2].*index + 0.0,
@@ -353,7 +365,8 @@ void loadCells(const BSplineSurface::Grid& grid, std::span<const CellIndex> cell
     batch.halfX = Double4{} + 0.5 * grid.pitchX;
     batch.halfY = Double4{} + 0.5 * grid.pitchY;
     if (grid.rows > 1 && grid.columns > 1) {
-        bezierOfCells(corners, stride, batch);
+        const float* rests = grid.controlRests.empty() ? nullptr : grid.controlRests.data();
+        bezierOfCells({grid.controlHeights.data(), rests, stride}, corners, batch);
     }
     for (std::size_t lane = 0; lane < all.size(); ++lane) {
         if (isOutermost(grid, all[lane])) {

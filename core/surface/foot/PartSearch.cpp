@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 
@@ -30,14 +31,40 @@ PartSearch::PartSearch(const BSplineSurface& surface, const Vector3& query, cons
     , objective_(surface, query)
     , rounding_(roundingOf(surface, query)) {}
 
-double PartSearch::nearest() const { return std::abs(feet_.all().front().distance); }
+double PartSearch::nearest() const {
+    return std::min(std::abs(feet_.all().front().distance), nearestPlace());
+}
 
-double PartSearch::limit() const noexcept { return reach_.limit(feet_.all().front()); }
+/// No foot that is nearest lies farther [m]. It may lie as near as the place, to any rounding.
+double PartSearch::nearestPlace() const {
+    constexpr double kRoom = 1.0 + 1e-6;
+    return nearestPlace_ ? kRoom * std::sqrt(2.0 * nearestPlace_->model.value)
+                         : std::numeric_limits<double>::infinity();
+}
+
+double PartSearch::limit() const noexcept { return reach_.limit(nearest()); }
+
+bool PartSearch::isComplete() const noexcept {
+    return complete_ && (std::abs(feet_.all().front().distance) <= nearestPlace() ||
+                         nearestPlace() > reach_.farthest);
+}
 
 bool PartSearch::mayLook() noexcept {
     ++looks_;
-    complete_ = complete_ && looks_ <= kMostParts;
-    return looks_ <= kMostParts;
+    return !hasGivenUp();
+}
+
+bool PartSearch::hasGivenUp() noexcept {
+    const bool givenUp = looks_ > kMostParts || evaluations_ >= kMostEvaluations;
+    complete_ = complete_ && !givenUp;
+    return givenUp;
+}
+
+BoxMinimum PartSearch::descend(const Box& box, const Vector2& start, double escapeStep) {
+    BoxMinimum minimum =
+        BoxNewton<HalfSquaredDistance>(objective_, box, escapeStep).minimise(start);
+    evaluations_ += minimum.evaluations;
+    return minimum;
 }
 
 void PartSearch::lookInto(const PartBatch& batch, unsigned lanes) noexcept {
@@ -58,7 +85,7 @@ unsigned PartSearch::unclearIn(const PartBatch& batch, unsigned lanes) {
              .limit = 0.5 * limit() * limit() * kNearEnough},
             facts);
     unsigned unclear = 0;
-    for (unsigned left = lanes & ~facts.far; left != 0; left &= left - 1) {
+    for (unsigned left = lanes & ~facts.far; left != 0 && !hasGivenUp(); left &= left - 1) {
         const Part part(batch, facts, std::countr_zero(left));
         lowerLimit(part);
         const Box box = boxOf(part, surface_);
@@ -85,11 +112,23 @@ void PartSearch::lowerLimit(const Part& part) {
     if (part.value >= kWorthwhile * 0.5 * nearest() * nearest()) {
         return;
     }
-    const BoxNewton<HalfSquaredDistance> newton(objective_, scanBox(surface_),
-                                                0.25 * pitch_.minCoeff());
-    const BoxMinimum minimum = newton.minimise(part.centre);
+    take(descend(scanBox(surface_), part.centre, 0.25 * pitch_.minCoeff()));
+}
+
+/// Between walls a descent creeps until its steps run out. Where it got to is no foot, but rules
+/// out what is farther, and spares the descents from all other parts that would end no nearer.
+void PartSearch::take(const BoxMinimum& minimum) {
     if (minimum.converged) {
         feet_.add(footOf(minimum, query_), sameMinimum(surface_));
+    } else if (!nearestPlace_ || minimum.model.value < nearestPlace_->model.value) {
+        nearestPlace_ = minimum;
+    }
+}
+
+void PartSearch::settleForNearest(const Vector2& start) noexcept {
+    take(descend(scanBox(surface_), start, 0.25 * pitch_.minCoeff()));
+    if (nearestPlace() < std::abs(feet_.all().front().distance)) {
+        feet_.add(footOf(*nearestPlace_, query_), 0.0);
     }
 }
 
@@ -101,8 +140,7 @@ bool PartSearch::holdsKnownFoot(const Part& part) const {
 
 /// Takes up the only minimum that a part can hold, if it does hold one.
 void PartSearch::findIn(const Part& part, const Box& box) {
-    const BoxNewton<HalfSquaredDistance> newton(objective_, box, 0.0);
-    const BoxMinimum minimum = newton.minimise(part.centre);
+    const BoxMinimum minimum = descend(box, part.centre, 0.0);
     if (!minimum.converged) {
         complete_ = false;
         return;

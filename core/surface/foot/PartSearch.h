@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace asperity {
 
@@ -19,7 +20,11 @@ struct FootReach {
 
     /// How far a foot may lie to matter [m].
     [[nodiscard]] double limit(const SurfaceFoot& nearest) const noexcept {
-        return std::min(farthest, std::abs(nearest.distance) + behindNearest);
+        return limit(std::abs(nearest.distance));
+    }
+    /// @param nearest distance of the nearest foot, at most [m]
+    [[nodiscard]] double limit(double nearest) const noexcept {
+        return std::min(farthest, nearest + behindNearest);
     }
 };
 
@@ -33,6 +38,9 @@ struct FootReach {
 /// no minimum in it, or one that is known or found. Allocation-free, bounded, never throws.
 class PartSearch {
 public:
+    /// Looks at the surface that its descents may take before it gives up, but for the last one's.
+    static constexpr int kMostEvaluations = 4096;
+
     /// @param feet holds at least one local foot; those found are added
     PartSearch(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,
                FootList& feet) noexcept;
@@ -41,14 +49,24 @@ public:
     [[nodiscard]] double limit() const noexcept;
     /// Counts one more look; whether there is still time for it.
     bool mayLook() noexcept;
+    /// Whether the search is over before all was looked at: it has done as much as one may.
+    [[nodiscard]] bool hasGivenUp() noexcept;
+    /// Looks at the surface that its descents took so far.
+    [[nodiscard]] int evaluations() const noexcept { return evaluations_; }
     /// Looks into the parts of a batch, a bit a lane.
     void lookInto(const PartBatch& batch, unsigned lanes) noexcept;
-    /// Whether no part was left undecided.
-    [[nodiscard]] bool isComplete() const noexcept { return complete_; }
+    /// Takes up the nearest place known as a foot, though it may be none, where it is nearer than
+    /// all feet: for a search that is not complete. `start` is one more place to descend from.
+    void settleForNearest(const Vector2& start) noexcept;
+    /// Whether no part was left undecided, and nothing is known to be nearer than the nearest foot.
+    [[nodiscard]] bool isComplete() const noexcept;
 
 private:
     [[nodiscard]] double nearest() const;
+    [[nodiscard]] double nearestPlace() const;
+    void take(const BoxMinimum& minimum);
     [[nodiscard]] unsigned unclearIn(const PartBatch& batch, unsigned lanes);
+    BoxMinimum descend(const Box& box, const Vector2& start, double escapeStep);
     void lowerLimit(const Part& part);
     [[nodiscard]] bool holdsKnownFoot(const Part& part) const;
     void findIn(const Part& part, const Box& box);
@@ -61,7 +79,11 @@ private:
     Vector2 pitch_;  ///< [m]
     HalfSquaredDistance objective_;
     SurfaceRounding rounding_;
+    /// Where the best of the descents that did not converge got to: no foot, but none that is
+    /// nearest lies farther.
+    std::optional<BoxMinimum> nearestPlace_;
     int looks_ = 0;
+    int evaluations_ = 0;
     bool complete_ = true;
 };
 

@@ -96,9 +96,10 @@ void FootprintSearch<Heights>::forEachPixel(const Tile& tile, const Visit& visit
 template <class Heights>
 template <class Work>
 void FootprintSearch<Heights>::forEachTile(Progress* progress, const Work& work) const {
-    shareOut(blockRows_, progress, [&](int row) {
+    shareOut(blockRows_, progress, [&](int row, const CancelCheck& check) {
         Tile tile{.row = row, .column = 0, .candidates = {}, .heights = {}};
         for (; tile.column < blockColumns_; ++tile.column) {
+            check();
             work(tile);
         }
     });

@@ -92,6 +92,15 @@ BasicTipReconstruction<AnyMap> reconstruction(AnyMap image, double tipRadius, Pr
     return {std::move(image), std::move(certain)};
 }
 
+template <class AnyMap>
+std::vector<std::uint8_t> certainOf(const AnyMap& image, double tipRadius, Progress* progress) {
+    requireUsable(image);
+    ProgressPart eroding(progress, 0.0, 0.5);
+    const auto surface = erosion(image, tipRadius, &eroding);
+    ProgressPart telling(progress, 0.5, 1.0);
+    return touched(image, surface, tipRadius, &telling);
+}
+
 }  // namespace
 
 HeightMap dilated(HeightMap surface, double tipRadius) {
@@ -115,13 +124,14 @@ ScanReconstruction reconstructed(ScanMap image, double tipRadius, Progress* prog
     return reconstruction(std::move(image), tipRadius, progress);
 }
 
+std::vector<std::uint8_t> certainPixels(const HeightMap& image, double tipRadius,
+                                        Progress* progress) {
+    return certainOf(image, tipRadius, progress);
+}
+
 std::vector<std::uint8_t> certainPixels(const ScanMap& image, double tipRadius,
                                         Progress* progress) {
-    requireUsable(image);
-    ProgressPart eroding(progress, 0.0, 0.5);
-    const PixelVector<float> surface = erosion(image, tipRadius, &eroding);
-    ProgressPart telling(progress, 0.5, 1.0);
-    return touched(image, surface, tipRadius, &telling);
+    return certainOf(image, tipRadius, progress);
 }
 
 }  // namespace asperity

@@ -55,6 +55,8 @@ using ScanReconstruction = BasicTipReconstruction<ScanMap>;
 
 /// The certainty map alone.
 /// @throw Error as dilated(); Cancelled
+[[nodiscard]] std::vector<std::uint8_t> certainPixels(const HeightMap& image, double tipRadius,
+                                                      Progress* progress = nullptr);
 [[nodiscard]] std::vector<std::uint8_t> certainPixels(const ScanMap& image, double tipRadius,
                                                       Progress* progress = nullptr);
 

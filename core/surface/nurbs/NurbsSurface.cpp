@@ -13,10 +13,7 @@ namespace asperity {
 namespace {
 
 /// Edges, as collapsed() counts them.
-constexpr int kLowU = 0;
-constexpr int kHighU = 1;
-constexpr int kLowV = 2;
-constexpr int kHighV = 3;
+enum Edge : int { kLowU, kHighU, kLowV, kHighV };
 
 constexpr double kSamePoint = 1e-13;  // of the surface's scale
 /// So near to a pole, in shares of its patch, the derivative around it is more rounding than value.

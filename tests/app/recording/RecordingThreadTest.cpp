@@ -1,10 +1,16 @@
 #include "app/RecordingThread.h"
 
+#include "app/RecordedRun.h"
 #include "core/Error.h"
 #include "tests/app/ProgramRun.h"
+#include "tests/support/FileSizeLimit.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
 
 namespace asperity {
 namespace {
@@ -82,26 +88,64 @@ TEST_F(OnItsOwnThread, ADiskThatDoesNotFollowEndsItInGoodOrder) {
     expectHolds(recording.ticks());
 }
 
-TEST_F(OnItsOwnThread, SaysWhatCannotBeWritten) {
+TEST_F(OnItsOwnThread, EndsAtOnceWhereTheDiskIsFullAndKeepsWhatWasWritten) {
     RecordingThread recording(run, loaded, {}, 0.0);
-    give(recording, 1000);
-    std::filesystem::create_directory(run / run_files::kLog);
+    const test::FileSizeLimit full(300'000);
+    const auto begin = std::chrono::steady_clock::now();
+    while (recording.end() == RecordingEnd::None && count < 100'000) {
+        give(recording, 100);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+    EXPECT_EQ(recording.end(), RecordingEnd::Failed);
     try {
         recording.finish();
-        FAIL() << "a table cannot take the place of a folder";
+        FAIL() << "not all was written";
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find(run_files::kLog), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("File too large"), std::string::npos);
     }
-    EXPECT_EQ(recording.end(), RecordingEnd::Failed);
+    const RecordedRun kept = readRun(run);
+    EXPECT_GT(kept.samples.size(), 200U);
+    EXPECT_LE(kept.samples.size(), kept.log.rows());
+    for (std::size_t i = 0; i < kept.samples.size(); ++i) {
+        ASSERT_EQ(kept.samples[i].time, static_cast<double>(i) * loaded.scene.timeStep());
+    }
 }
 
-TEST_F(OnItsOwnThread, LeavesNoTablesWhereItIsGivenUp) {
+TEST_F(OnItsOwnThread, HoldsOlderTicksWhileItGoesOn) {
+    RecordingThread recording(run, loaded, {}, 0.0);
+    give(recording, 1000);
+    EXPECT_EQ(stateOf(run), RunState::Recording);
+    std::size_t held = 0;
+    for (int i = 0; i < 100 && held < 900; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        held = readRun(run).samples.size();
+    }
+    EXPECT_GE(held, 900U);
+    recording.finish();
+    EXPECT_EQ(stateOf(run), RunState::Recording) << "until its files are closed";
+}
+
+TEST_F(OnItsOwnThread, KeepsWhatWasHandedOverWhereItIsGivenUp) {
     {
         RecordingThread recording(run, loaded, {}, 0.0);
         give(recording, 1000);
     }
-    EXPECT_FALSE(std::filesystem::exists(run / run_files::kInput));
+    EXPECT_EQ(stateOf(run), RunState::Unfinished);
+    EXPECT_GE(readRun(run).samples.size(), 890U);
     EXPECT_FALSE(std::filesystem::exists(run / run_files::kSummary));
+}
+
+TEST_F(OnItsOwnThread, WritesOverNoRun) {
+    std::filesystem::create_directory(run);
+    std::ofstream(run / run_files::kEnergy) << "earlier";
+    EXPECT_THROW(RecordingThread(run, loaded, {}, 0.0), Error);
+    EXPECT_EQ(test::contentOf(run / run_files::kEnergy), "earlier");
+    removeRun(run);
+    RecordingThread recording(run, loaded, {}, 0.0);
+    EXPECT_THROW(removeRun(run), Error) << "it goes on";
+    recording.finish();
+    EXPECT_TRUE(std::filesystem::exists(run / run_files::kManifest));
 }
 
 }  // namespace

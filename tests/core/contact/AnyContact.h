@@ -30,7 +30,8 @@ inline void showValue(const AnyContact& contact, std::ostream& stream) {
     stream << nameOf(contact.law) << ", ";
     asperity::showValue(contact.pair, stream);
     stream << ", sigma0 " << options.cohesiveStress << " Pa, film " << options.filmThickness
-           << " m, meniscus " << options.meniscus.surfaceTension << " N/m "
+           << " m (Poisson ratio " << options.film.poissonRatio << ", share " << options.film.share
+           << "), meniscus " << options.meniscus.surfaceTension << " N/m "
            << options.meniscus.contactAngle << " rad " << options.meniscus.range << " m, tier "
            << static_cast<int>(options.solver) << ", compliance " << contact.compliance << " m/N";
 }
@@ -77,6 +78,8 @@ inline AnyContact anyDryContact() {
     contact.compliance = anyLever(contact.pair);
     contact.options.filmThickness =
         contact.law == ContactLaw::HertzFilm ? *logUniform(1e-10, 1e-2) : 0.0;
+    contact.options.film = {.poissonRatio = *rc::gen::element(0.0, 0.3, 0.5),
+                            .share = *rc::gen::element(0.4, 1.0)};
     contact.options.solver = *rc::gen::element(SolverTier::Exact, SolverTier::Newton);
     if (*rc::gen::inRange(0, 2) == 0) {
         contact.options.cohesiveStress = contact.pair.workOfAdhesion / *logUniform(1e-12, 1e-7);

@@ -121,7 +121,8 @@ TEST(ContactLimits, SmallContactsOfASphereAreThoseOfTheParaboloid) {
     };
     for (const Twins twins : {Twins{ContactLaw::Sneddon, ContactLaw::Hertz},
                               Twins{ContactLaw::SphereJkr, ContactLaw::Jkr},
-                              Twins{ContactLaw::SphereMaugis, ContactLaw::Maugis}}) {
+                              Twins{ContactLaw::SphereMaugis, ContactLaw::Maugis},
+                              Twins{ContactLaw::SphereSplit, ContactLaw::Split}}) {
         SCOPED_TRACE(nameOf(twins.sphere));
         const double work = twins.sphere == ContactLaw::Sneddon ? 0.0 : 1e-3;
         for (const double radius : {1e-6, 1e-3}) {

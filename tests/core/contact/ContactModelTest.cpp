@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/contact/LawChoice.h"
 #include "core/contact/SurfaceDisplacement.h"
 #include "tests/core/contact/ContactCases.h"
 
@@ -34,17 +35,15 @@ TEST(SplitLaw, DividesAdhesionLikeTheReference) {
         SCOPED_TRACE(table.text(row, "material"));
         const ContactModel model = splitModel(table.text(row, "material"));
         ASSERT_NE(model.split(), nullptr);
-        const SplitLaw& law = model.split()->bonded();
-        const AdhesionSplit& split = law.split();
+        const AdhesionSplit& split = *model.split();
         expectClose(split.hamaker, table.number(row, "H_J"), 1e-13);
         expectClose(split.jointSeparation, table.number(row, "Ds_m"), 1e-14);
         expectClose(split.cohesiveWork, table.number(row, "wD"), 1e-14);
         expectClose(split.cohesiveStress, table.number(row, "s0_Pa"), 1e-13);
-        expectClose(law.lambda(), table.number(row, "lambda_D"), 1e-13);
+        expectClose(model.lambda(), table.number(row, "lambda_D"), 1e-13);
         expectClose(split.tailForce, table.number(row, "Fs_N"), 1e-13);
         expectClose(split.tailLift, table.number(row, "us_m"), 1e-13);
-        expectClose(model.split()->separate().tail().elasticInstability(),
-                    table.number(row, "Dstar_m"), 1e-13);
+        expectClose(model.tail()->elasticInstability(), table.number(row, "Dstar_m"), 1e-13);
         EXPECT_EQ(split.tailSnaps, table.number(row, "tail_fold") == 1.0);
     }
 }
@@ -54,9 +53,8 @@ TEST(SplitLaw, BreaksUnderDisplacementControlLikeTheReference) {
     for (std::size_t row = 0; row < table.rows(); ++row) {
         SCOPED_TRACE(table.text(row, "material"));
         const ContactModel model = splitModel(table.text(row, "material"));
-        const SplitLaw& law = model.split()->bonded();
         // The column holds the fold of the tail; a stiff tail ends at the joint before it.
-        const double jumpIn = law.split().tailSnaps
+        const double jumpIn = model.split()->tailSnaps
                                   ? table.number(row, "snap_delta_m")
                                   : -(table.number(row, "hs_m") + table.number(row, "us_m"));
         expectClose(model.jumpInApproach(0.0), jumpIn, 1e-12);
@@ -159,11 +157,76 @@ TEST(SplitLaw, HoldsToTheLastBeforeItSnapsInOrPullsOff) {
 TEST(SplitLaw, BecomesJkrForSoftLargeTips) {
     const ContactPair pair{10_um, 1333.0, 10.0};
     const ContactModel model(ContactLaw::Split, pair);
-    EXPECT_TRUE(model.split()->bonded().split().tailSnaps);
+    EXPECT_TRUE(model.split()->tailSnaps);
     const double units = std::numbers::pi * pair.workOfAdhesion * pair.tipRadius;
     const ContactState last =
         model.equilibrium(model.pullOffApproach(1e6) * (1.0 - 1e-14), 1e6, {ContactBranch::Bonded});
     expectClose(last.force, -1.5 * units, 1e-6);
+}
+
+constexpr std::array kPaperMaterials{"SiO2", "PS", "rubber"};
+
+/// Before contact nothing knows the shape of the tip beyond its radius.
+TEST(SphereSplitLaw, SnapsInWhereTheSplitLawDoes) {
+    for (const char* material : kPaperMaterials) {
+        const ContactModel split(ContactLaw::Split, paperPair(material));
+        const ContactModel sphere(ContactLaw::SphereSplit, paperPair(material));
+        for (const double stiffness : {0.5, 14.0, 200.0, kInfinity}) {
+            SCOPED_TRACE(std::string(material) + " on " + std::to_string(stiffness) + " N/m");
+            const double compliance = 1.0 / stiffness;
+            const double jumpIn = sphere.jumpInApproach(compliance);
+            EXPECT_EQ(jumpIn, split.jumpInApproach(compliance));
+            EXPECT_EQ(sphere.lastFar(compliance).force, split.lastFar(compliance).force);
+            const double after = jumpIn + (1e-14 * std::abs(jumpIn));
+            const ContactState landed = sphere.equilibrium(after, compliance, {});
+            const ContactState other = split.equilibrium(after, compliance, {});
+            EXPECT_TRUE(landed.jumped);
+            EXPECT_GT(landed.energyLost, 0.0);
+            EXPECT_EQ(landed.branch, ContactBranch::Bonded);
+            EXPECT_GE(landed.force, other.force * (1.0 + 0.02)) << "no larger jump";
+        }
+    }
+}
+
+/// What was lost: at 2 nm over rubber the tip is in contact, and 14 N/m snap in at -2.84 nm.
+TEST(SphereSplitLaw, RubberIsInContactAtTwoNanometres) {
+    const ContactPair rubber = paperPair("rubber");
+    const ContactModel model(chooseLaw({}, rubber).law, rubber);
+    const ContactState state = model.equilibrium(-2e-9, 0.0, {});
+    EXPECT_EQ(state.region(), TipRegion::Contact);
+    EXPECT_LT(state.force, -0.3e-9);
+    EXPECT_NEAR(model.jumpInApproach(1.0 / 14.0), -2.84e-9, 0.005e-9);
+}
+
+/// The zone begins where the tail ends, and has all of the adhesion where that is unstable.
+TEST(SphereSplitLaw, IsContinuousAtTheJointOrHasTheWholeZone) {
+    for (const char* material : kPaperMaterials) {
+        SCOPED_TRACE(material);
+        const ContactPair pair = paperPair(material);
+        const ContactModel model(ContactLaw::SphereSplit, pair);
+        const AdhesionSplit& split = *model.split();
+        const AttractiveTail& tail = *model.tail();
+        const SphereMaugisLaw zone({pair.tipRadius, pair.reducedModulus, split.cohesiveWork},
+                                   split.cohesiveStress);
+        EXPECT_EQ(split.tailSnaps, std::string(material) == "rubber");
+        const LawPoint first = zone.apart(0.0);
+        EXPECT_EQ(first.force, 0.0);
+        if (!split.tailSnaps) {
+            const double joint = split.jointSeparation;
+            expectClose(first.force + split.tailForce, tail.attraction().force(joint), 1e-14);
+            expectClose(first.indentation - split.tailLift, tail.indentation(joint), 1e-14);
+            EXPECT_EQ(split.tailEnergy, tail.energy(joint));
+        } else {
+            const ContactModel whole(ContactLaw::SphereMaugis, pair);
+            for (const double indentation : {-5e-9, 0.0, 5e-9}) {
+                const ContactState one =
+                    model.equilibrium(indentation, 0.0, {ContactBranch::Bonded});
+                expectClose(one.force,
+                            whole.equilibrium(indentation, 0.0, {ContactBranch::Bonded}).force,
+                            1e-9);
+            }
+        }
+    }
 }
 
 TEST(Hertz, HasTheReferenceForceWithoutAdhesion) {

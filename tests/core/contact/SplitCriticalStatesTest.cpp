@@ -20,7 +20,7 @@ constexpr double kFoldTolerance = 1e-9;  // of a state at a fold on a lever
 class BondedCurve {
 public:
     explicit BondedCurve(const ContactModel& model)
-        : split_(model.split()->bonded().split())
+        : split_(*model.split())
         , units_(maugisUnits(
               {model.pair().tipRadius, model.pair().reducedModulus, split_.cohesiveWork}))
         , law_(model.lambda()) {}
@@ -70,7 +70,7 @@ TEST(SplitCurve, IsTheReferenceStableOrNot) {
         const ContactModel model(ContactLaw::Split, paperPair(table.text(row, "material")));
         const double separation = table.number(row, "D_m");
         if (table.text(row, "region") == "tail") {
-            const AttractiveTail& tail = model.split()->separate().tail();
+            const AttractiveTail& tail = *model.tail();
             expectClose(tail.attraction().force(separation), table.number(row, "P_N"),
                         kSplitTolerance);
             expectClose(tail.indentation(separation), table.number(row, "delta_m"),
@@ -111,7 +111,7 @@ TEST_F(SplitCriticalStates, HaveTheReferenceRangesAndInstability) {
         expectClose(kContactSeparation, cell(row, "D0_m"), 1e-15);
         expectClose(kCohesiveRange, cell(row, "hs_m"), 1e-15);
         const ContactModel contact = model(row);
-        const AttractiveTail& tail = contact.split()->separate().tail();
+        const AttractiveTail& tail = *contact.tail();
         const double end = tail.elasticInstability();
         expectClose(tail.indentation(end), cell(row, "snap_delta_m"), kSplitTolerance);
         expectClose(tail.attraction().force(end), cell(row, "snap_P_N"), kSplitTolerance);
@@ -161,13 +161,13 @@ TEST_F(SplitOnALever, EndsItsTailWhereTheReferenceDoes) {
         SCOPED_TRACE(row);
         EXPECT_EQ(cell(row, "eps"), 0.1);
         const ContactModel contact = model(row);
-        const AttractiveTail& tail = contact.split()->separate().tail();
+        const AttractiveTail& tail = *contact.tail();
         const double compliance = 1.0 / cell(row, "k");
         const double end = tail.endSeparation(compliance);
         expectClose(end, cell(row, "Dj_m"), kFoldTolerance);
         expectClose(tail.attraction().force(end), cell(row, "in_P_N"), kFoldTolerance);
         expectClose(tail.approach(end, compliance), cell(row, "in_xb_m"), kSplitTolerance);
-        const double joint = contact.split()->bonded().split().jointSeparation;
+        const double joint = contact.split()->jointSeparation;
         EXPECT_EQ(end > joint * (1.0 + 1e-12), cell(row, "tail_fold") == 1.0);
     }
 }
@@ -208,7 +208,7 @@ TEST_F(SplitOnALever, SwingsToTheReferenceSeparationAfterPullOff) {
         const double compliance = 1.0 / cell(row, "k");
         const double beyond = contact.pullOffApproach(compliance) * (1.0 + 1e-14);
         const ContactState gone = contact.equilibrium(beyond, compliance, {ContactBranch::Bonded});
-        const AttractiveTail& tail = contact.split()->separate().tail();
+        const AttractiveTail& tail = *contact.tail();
         expectClose(tail.attraction().separationAt(gone.force), cell(row, "after_D_m"),
                     kSplitTolerance);
         expectClose(gone.force, cell(row, "after_P_N"), kSplitTolerance);

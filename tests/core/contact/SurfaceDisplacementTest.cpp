@@ -47,6 +47,21 @@ TEST(SurfaceDisplacement, ClosesTheGapInContact) {
     }
 }
 
+TEST(SurfaceDisplacement, ClosesTheGapUnderASphereWithATail) {
+    for (const char* material : {"SiO2", "PS", "rubber"}) {
+        const ContactModel model(ContactLaw::SphereSplit, paperPair(material));
+        const ContactState state = model.equilibrium(0.0, 0.0, {ContactBranch::Bonded});
+        ASSERT_GT(state.contactRadius, 0.0);
+        const double radius = 0.7 * state.contactRadius;
+        const double tip = model.pair().tipRadius;
+        const double height = radius * radius / (tip + std::sqrt((tip - radius) * (tip + radius)));
+        EXPECT_NEAR(height - state.indentation + surfaceDisplacement(model, state, radius), 0.0,
+                    1e-22);
+        EXPECT_NEAR(tailLift(model, state, 0.0), model.split()->tailLift,
+                    1e-14 * model.split()->tailLift);
+    }
+}
+
 /// At the edge of the cohesive zone the gap is its range.
 TEST(SurfaceDisplacement, OpensTheGapToTheCohesiveRange) {
     const ContactModel model(ContactLaw::Split, paperPair("rubber"));
@@ -54,7 +69,7 @@ TEST(SurfaceDisplacement, OpensTheGapToTheCohesiveRange) {
     const double radius = state.cohesiveRadius;
     const double gap = (radius * radius / (2.0 * model.pair().tipRadius)) - state.indentation +
                        surfaceDisplacement(model, state, radius);
-    const AdhesionSplit& split = model.split()->bonded().split();
+    const AdhesionSplit& split = *model.split();
     expectClose(gap, split.jointSeparation - kContactSeparation, 1e-9);
 }
 
@@ -62,7 +77,7 @@ TEST(SurfaceDisplacement, OpensTheGapToTheCohesiveRange) {
 TEST(SurfaceDisplacement, FallsOffAsThatOfAPointForce) {
     for (const char* material : {"SiO2", "PS"}) {
         const ContactModel model(ContactLaw::Split, paperPair(material));
-        const AdhesionSplit& split = model.split()->bonded().split();
+        const AdhesionSplit& split = *model.split();
         const double far = 3e-5;
         const double factor = pi * model.pair().reducedModulus * far;
         const ContactState bonded = model.equilibrium(1e-10, 0.0, {ContactBranch::Bonded});
@@ -72,8 +87,7 @@ TEST(SurfaceDisplacement, FallsOffAsThatOfAPointForce) {
         expectClose(factor * surfaceDisplacement(model, bonded, far),
                     bonded.force - split.tailForce + derjaguin, 1e-3);
         const ContactState before = model.equilibrium(-2e-9, 0.0, {ContactBranch::Far});
-        const double separation =
-            model.split()->separate().tail().attraction().separationAt(before.force);
+        const double separation = model.tail()->attraction().separationAt(before.force);
         expectClose(factor * surfaceDisplacement(model, before, far),
                     -split.hamaker * model.pair().tipRadius / (6.0 * separation * separation),
                     1e-3);
@@ -83,7 +97,7 @@ TEST(SurfaceDisplacement, FallsOffAsThatOfAPointForce) {
 TEST(SurfaceDisplacement, IsTheLiftUnderTheTipBeforeSnapIn) {
     const ContactModel model(ContactLaw::Split, paperPair("PS"));
     const ContactState state = model.equilibrium(-1e-9, 0.0, {ContactBranch::Far});
-    const AttractiveTail& tail = model.split()->separate().tail();
+    const AttractiveTail& tail = *model.tail();
     expectClose(surfaceDisplacement(model, state, 0.0),
                 -tail.lift(tail.attraction().separationAt(state.force)), 1e-13);
 }

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace asperity {
 namespace {
@@ -106,6 +108,63 @@ TEST(SceneNeeds, SaysWhatKeepsATermOutThatMatters) {
     EXPECT_EQ(needOf(needs, ModelTerm::Torsion).why.find("no contact law"), std::string::npos);
 }
 
+/// By terms of the force that the sample has and the full model has not.
+double errorOfMissing(const SceneNeeds& needs, const SceneDescription& description) {
+    double sum = 0.0;
+    for (const TermNeed& need : needs.terms) {
+        const bool missing = !has(needs.full, need.term) && isPossible(need.term, description);
+        sum += missing && !isOfSurface(need.term) ? need.effect * need.effect : 0.0;
+    }
+    return std::sqrt(sum);
+}
+
+TEST(SceneNeeds, TheErrorCountsWhatTheLawHasNoRoomFor) {
+    Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    const SceneNeeds needs = fitModel(scene);
+    ASSERT_TRUE(needs.measured);
+    ASSERT_EQ(needs.full.law.law, ContactLaw::Split);
+    EXPECT_GT(needs.lawError, 0.0);
+    EXPECT_DOUBLE_EQ(needs.lawError, errorOfMissing(needs, scene.description));
+    EXPECT_EQ(needs.lawMisses, std::vector{ModelTerm::SphereCorrection});
+    EXPECT_EQ(needs.wholeError, needs.forceError);
+    EXPECT_EQ(needs.totalError(), needs.wholeError + needs.lawError);
+}
+
+TEST(SceneNeeds, RubberOnHillsIsKnownNoBetterThanItsCurvature) {
+    SceneDescription description = test::plainScene();
+    SampleMaterial& material = description.sample.material;
+    material.elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5};
+    material.workOfAdhesion = 0.022;
+    description.truth.material = material;
+    Scene scene = buildScene(description, test::hillyMap());
+    const SceneNeeds needs = fitModel(scene);
+    EXPECT_EQ(scene.model.law.law, ContactLaw::SphereSplit);
+    EXPECT_TRUE(needOf(needs, ModelTerm::VanDerWaalsTail).on);
+    EXPECT_EQ(needs.lawMisses, std::vector{ModelTerm::SampleCurvature});
+    EXPECT_EQ(needs.lawError, needOf(needs, ModelTerm::SampleCurvature).effect);
+    EXPECT_GT(needs.lawError, needs.tolerance);
+}
+
+TEST(SceneNeeds, WhatTheSceneOverrulesIsAnErrorToo) {
+    const auto errorOf = [](const auto& overrule) {
+        SceneDescription description = test::plainScene();
+        overrule(description);
+        Scene scene = buildScene(description, test::hillyMap());
+        const SceneNeeds needs = fitModel(scene);
+        EXPECT_TRUE(needs.measured);
+        EXPECT_LE(needs.forceError, needs.tolerance) << "what is left out automatically";
+        return needs.totalError();
+    };
+    const double hertz = errorOf([](SceneDescription& d) { d.law = ContactLaw::Hertz; });
+    const double jkr = errorOf([](SceneDescription& d) { d.law = ContactLaw::Jkr; });
+    const double slippery = errorOf([](SceneDescription& d) { d.terms.friction = false; });
+    const double dry = errorOf([](SceneDescription& d) { d.terms.adhesion = false; });
+    for (const double error : {hertz, jkr, slippery, dry}) {
+        EXPECT_GT(error, 0.05);
+    }
+    EXPECT_GT(hertz, jkr);
+}
+
 TEST(SceneNeeds, WhereATickTakesTooLongAllStaysIn) {
     Scene scene = buildScene(test::plainScene(), test::hillyMap());
     const SceneNeeds needs = fitModel(scene, 0.0);
@@ -113,6 +172,7 @@ TEST(SceneNeeds, WhereATickTakesTooLongAllStaysIn) {
         EXPECT_EQ(need.on, has(needs.full, need.term)) << nameOf(need.term);
         EXPECT_EQ(need.why.find("not tried: a tick takes "), 0U) << need.why;
     }
+    EXPECT_FALSE(needs.measured);
     EXPECT_TRUE(scene.model.friction);
     EXPECT_TRUE(scene.model.torsion);
 }

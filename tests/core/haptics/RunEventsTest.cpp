@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+
 namespace asperity {
 namespace {
 
@@ -40,6 +42,53 @@ TEST(RunEvents, ARunWithoutContactHasNoJumps) {
     }
     EXPECT_FALSE(recorder.events().snapIn);
     EXPECT_FALSE(recorder.events().pullOff);
+}
+
+/// A tick in contact in which the signals have this normal force.
+TickSample pullOf(double time, double model, double estimate) {
+    TickSample sample = sampleOf(time, ContactBranch::Bonded, -0.5, model);
+    sample.output.model.normalForce = model;
+    sample.output.estimate.force = Vector3(0.0, 0.0, estimate);
+    sample.output.estimate.covariance = 0.01 * Matrix3::Identity();
+    return sample;
+}
+
+/// When signals and model last held the tip, of a contact that ends with the model's pull-off; -1
+/// when they never did.
+double lastHold(std::initializer_list<TickSample> contact) {
+    RunEventRecorder recorder;
+    recorder.take(pullOf(-3.0, -9.0, -9.0));  // of a contact before
+    recorder.take(sampleOf(-2.0, ContactBranch::Far, -3.0, 0.0));
+    double time = 0.0;
+    for (const TickSample& sample : contact) {
+        recorder.take(sample);
+        time = sample.time;
+    }
+    EXPECT_EQ(recorder.events().pullOff->time, -2.0);
+    recorder.take(sampleOf(time + 1.0, ContactBranch::Far, -3.0, 0.0));
+    EXPECT_EQ(recorder.events().beforePullOff->time, time);
+    return recorder.events().lastHold ? recorder.events().lastHold->time : -1.0;
+}
+
+TEST(RunEvents, LastHoldIsBeforeTheSignalsLetGo) {
+    EXPECT_EQ(lastHold({pullOf(1.0, 3.0, 3.1), pullOf(2.0, -5.0, -4.8), pullOf(3.0, -4.8, -4.4),
+                        pullOf(4.0, -4.7, 0.3), pullOf(5.0, -4.6, -0.2)}),
+              3.0);
+}
+
+TEST(RunEvents, LastHoldIsBeforeTheModelLetsGo) {
+    EXPECT_EQ(lastHold({pullOf(2.0, -5.0, -4.8), pullOf(3.0, -4.5, -4.9)}), 3.0);
+}
+
+TEST(RunEvents, LastHoldOfASampleThatIsAnotherIsWhereBothPullMost) {
+    EXPECT_EQ(lastHold({pullOf(1.0, -1.0, -0.3), pullOf(2.0, -5.0, -2.0), pullOf(3.0, -4.9, -1.9),
+                        pullOf(4.0, -4.8, -0.1)}),
+              2.0);
+}
+
+TEST(RunEvents, SignalsThatNeverPullHoldNothing) {
+    EXPECT_EQ(lastHold({pullOf(1.0, 2.0, 2.0), pullOf(2.0, -5.0, 0.5), pullOf(3.0, -4.9, 0.1)}),
+              -1.0);
 }
 
 TEST(RunEvents, CountsFlagsAndFaults) {

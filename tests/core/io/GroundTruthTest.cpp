@@ -1,7 +1,7 @@
 #include "core/Error.h"
 #include "core/io/DefaultChannel.h"
 #include "core/io/HeightMapFile.h"
-#include "core/io/HeightStatistics.h"
+#include "tests/core/io/MapStatistics.h"
 #include "tests/core/io/RealScans.h"
 #include "tests/support/ReferenceTable.h"
 
@@ -53,7 +53,7 @@ protected:
         const ScanChannel& channel =
             file.channels.at(static_cast<std::size_t>(table.number(row, "index")));
         const HeightMap& map = channel.map;
-        const HeightStatistics statistics = heightStatistics(map);
+        const HeightStatistics statistics = statisticsOf(map);
         range = table.number(row, "max") - table.number(row, "min");
         EXPECT_EQ(channel.name, table.text(row, "title"));
         EXPECT_EQ(channel.unit, trueUnit(GetParam(), channel.name, table.text(row, "unit")));
@@ -114,7 +114,7 @@ TEST_P(GroundTruth, DefaultChannelIsTheLabsChoice) {
         range = table.number(row, "max") - table.number(row, "min");
         EXPECT_EQ(channel.name, table.text(row, "primary_channel"));
         EXPECT_EQ(channel.unit, table.text(row, "height_unit"));
-        expectNear(heightStatistics(channel.map).rms, table.number(row, "rms_about_mean"), "rms");
+        expectNear(statisticsOf(channel.map).rms, table.number(row, "rms_about_mean"), "rms");
         return;
     }
     FAIL() << "not in the manifest";

@@ -1,7 +1,7 @@
 #include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
-#include "core/io/HeightStatistics.h"
 #include "tests/core/io/BumpyMap.h"
+#include "tests/core/io/MapStatistics.h"
 #include "tests/core/io/RealScans.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/ScratchFolder.h"
@@ -50,7 +50,7 @@ double worstDeviation(const HeightMap& ours, const HeightMap& theirs) {
     EXPECT_EQ(ours.columns, theirs.columns);
     EXPECT_EQ(ours.rows, theirs.rows);
     EXPECT_EQ(ours.invalid, theirs.invalid);
-    const HeightStatistics statistics = heightStatistics(theirs);
+    const HeightStatistics statistics = statisticsOf(theirs);
     const double range = statistics.highest - statistics.lowest;
     double worst = 0.0;
     for (std::size_t i = 0; i < std::min(ours.heights.size(), theirs.heights.size()); ++i) {

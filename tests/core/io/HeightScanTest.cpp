@@ -1,7 +1,7 @@
 #include "core/Error.h"
 #include "core/Units.h"
-#include "core/io/HeightMapFile.h"
 #include "core/io/HeightMapWriter.h"
+#include "core/io/ScanFile.h"
 #include "tests/core/io/BumpyMap.h"
 #include "tests/core/io/SyntheticScans.h"
 #include "tests/support/ScratchFolder.h"
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 namespace asperity::test {
 
@@ -120,14 +121,17 @@ TEST(HeightScan, TakesTheHeightsAboutTheFirstOfThem) {
     EXPECT_EQ(readHeightScan(folder.file("map.gwy"), "").map.datum, highMap().heights[1]);
 }
 
-TEST(HeightScan, HeightsBeyondSinglePrecisionStayOutOfReachOfAnyScene) {
+TEST(SceneScan, IsTheMapAsTheFileGivesItUnlessItIsLarge) {
     const ScratchFolder folder;
-    HeightMap map = bumpyMap(4, 4);
-    map.heights[5] = -1e300;
-    writeHeightMap(folder.file("map.gwy"), map, {.title = "Height"});
-    const HeightScan scan = readHeightScan(folder.file("map.gwy"), "");
-    EXPECT_EQ(scan.map.heights[5], std::numeric_limits<float>::lowest());
-    EXPECT_TRUE(scan.map.invalid.empty());
+    writeHeightMap(folder.file("map.gwy"), largeMap(), {.title = "Height"});
+    const SceneScan scan = readSceneScan(folder.file("map.gwy"), "");
+    const HeightChannel exact = readHeightChannel(folder.file("map.gwy"), "");
+    ASSERT_TRUE(std::holds_alternative<HeightMap>(scan.map));
+    EXPECT_EQ(std::get<HeightMap>(scan.map).at(300, 7), exact.channel.map.at(300, 7));
+    EXPECT_EQ(scan.channel, "Height");
+    EXPECT_EQ(scan.format, readHeightScan(folder.file("map.gwy"), "").format);
+    writeHeightMap(folder.file("large.gsf"), bumpyMap(2049, 2048), {.title = "Height"});
+    EXPECT_TRUE(std::holds_alternative<ScanMap>(readSceneScan(folder.file("large.gsf"), "").map));
 }
 
 TEST(HeightChannel, IsTheMapAsTheFileGivesIt) {

@@ -180,6 +180,19 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.governor, scene.governor);
 }
 
+TEST_F(SceneFile, NamesScansWhateverTheBytesOfTheirNames) {
+    SceneDescription scene = defaultScene();
+    for (const char* file : {"/scans/25 \xB5m 50%.gsf", "/scans/a\nb\x1b[31m\"\\.gsf",
+                             "/scans/25 µm.gsf", "/scans/file:/100%41.gsf"}) {
+        scene.sample.file = file;
+        const SceneDescription again = readScene(scratch.write("own.toml", sceneText(scene)));
+        EXPECT_EQ(again.sample.file, file);
+    }
+    EXPECT_EQ(readScene(scratch.write("uri.toml", "[sample]\nfile = \"file:///a/%B5.gsf\"\n"))
+                  .sample.file,
+              "/a/\xB5.gsf");
+}
+
 TEST_F(SceneFile, RefusesAnUnknownKeyByNameAndLine) {
     const std::string message = refusal("[sample]\nfile = \"map.gsf\"\nsmothing_px = 1.0\n");
     EXPECT_NE(message.find("scene.toml"), std::string::npos) << message;
@@ -192,6 +205,7 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
     const char* const sample = "[sample]\nfile = \"map.gsf\"\n";
     const std::pair<std::string, std::string> mistakes[] = {
         {"[sample]\n", "file"},
+        {"[sample]\nfile = \"file:///a%4.gsf\"\n", "two digits after each '%'"},
         {"sample = 1\n", "'sample' must be a section"},
         {std::string(sample) + "level = \"flat\"\n", "plane, rows, none"},
         {std::string(sample) + "smoothing_px = \"one\"\n", "a number"},
@@ -210,7 +224,7 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "[probe]\nlength_m = 0.0\n", "scene.toml"},
         {std::string(sample) + "[truth]\nnoise_seed = -1\n", "noise_seed"},
         {std::string(sample) + "[truth]\ntemperature_k = -1.0\n", "temperature_k"},
-        {std::string(sample) + "[physics]\nlaw = \"jkrs\"\n", "split, hertz"},
+        {std::string(sample) + "[physics]\nlaw = \"jkrs\"\n", "split, split_sphere, hertz"},
         {std::string(sample) + "[haptics]\nrate_hz = 1\n", "rate_hz"},
         {std::string(sample) + "[haptics]\ncoupling_stiffness_n_m = -1\n",
          "coupling_stiffness_n_m"},

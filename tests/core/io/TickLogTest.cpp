@@ -97,9 +97,9 @@ TEST(TickLog, ReadsInputsFromBeforeThereWasAGovernor) {
 }
 
 TEST(TickLog, RefusesADeadManSwitchThatIsNoButton) {
-    const test::ScratchFolder scratch;
-    const auto path = scratch.path() / "tick_input.csv";
     for (const int button : {-2, 32}) {
+        const test::ScratchFolder scratch;
+        const auto path = scratch.path() / "tick_input.csv";
         TickSample sample = sampleOf(0.0);
         sample.input.settings.governor.deadManButton = button;
         TickInputWriter writer(path);
@@ -179,6 +179,26 @@ TEST(TickLog, KeepsANanOfTheDeviceWhichIsAFault) {
     EXPECT_TRUE(std::isnan(read.hand.position.y()));
     EXPECT_EQ(read.hand.position.x(), sample.input.hand.position.x());
     EXPECT_EQ(read.hand.age, sample.input.hand.age);
+}
+
+TEST(TickLog, HoldsWhatWasFlushedAndReadsUpToTheLastWholeLine) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    TickInputWriter writer(path);
+    writer.take(sampleOf(0.0));
+    EXPECT_EQ(readTickInputs(path).size(), 0U);
+    writer.flush();
+    EXPECT_EQ(readTickInputs(path).size(), 1U);
+    writer.take(sampleOf(0.001));
+    writer.flush();
+    writer.sync();
+    for (const std::string& end :
+         {std::string("0.002,0.0"), std::string("0.002"), std::string("\0\0\0\n\0", 5)}) {
+        const std::string whole = test::contentOf(path);
+        std::ofstream(path, std::ios::binary) << whole << end;
+        EXPECT_EQ(readTickInputs(readUnfinishedCsv(path)).size(), 2U);
+        std::ofstream(path, std::ios::binary) << whole;
+    }
 }
 
 TEST(HandPathFile, ReadsPlacesAndRefusesTimeThatStandsStill) {

@@ -1,6 +1,7 @@
 #include "core/io/TickMemoryFile.h"
 
 #include "core/Error.h"
+#include "core/io/CsvTable.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +24,16 @@ TickMemory someMemory() {
     memory.control = PositionControl::Tip;
     memory.base = {0.1, 0.2, 0.3};
     memory.correction = {1e-10, 2e-10, -3e-10};
+    memory.innovation = {.normalDefect = -1.0 / 3.0,
+                         .frictionDefect = 17.0 / 3.0,
+                         .normalVariance = 0.1,
+                         .frictionVariance = 0.2 / 3.0,
+                         .bendingNoise = 1.1,
+                         .torsionNoise = 1.6 / 0.9,
+                         .age = 0.02 / 3.0,
+                         .contradicted = true,
+                         .frictionWrong = true,
+                         .noisy = true};
     memory.mapping = {.hand = {7.0, 8.0, 9.0}, .follows = true};
     memory.proxy = {.stretch = {1e-3 / 3.0, 0.0, -2e-3},
                     .load = {1e-9, -2e-9, 1e-8 / 7.0},
@@ -71,6 +82,7 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.control, written.control);
     EXPECT_EQ(read.base, written.base);
     EXPECT_EQ(read.correction, written.correction);
+    EXPECT_EQ(read.innovation, written.innovation);
     EXPECT_EQ(read.mapping.hand, written.mapping.hand);
     EXPECT_EQ(read.mapping.follows, written.mapping.follows);
     EXPECT_EQ(read.proxy.stretch, written.proxy.stretch);
@@ -96,6 +108,26 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.rearms, written.rearms);
 }
 
+/// Memories from before there was an innovation monitor start it afresh.
+TEST(TickMemoryFile, ReadsAMemoryWithoutInnovations) {
+    const test::ScratchFolder folder;
+    const std::filesystem::path file = folder.path() / "memory.csv";
+    writeTickMemory(file, someMemory());
+    const CsvTable table = readCsv(file);
+    std::string columns;
+    std::string row;
+    for (const std::string& column : table.columns()) {
+        if (!column.starts_with("innovation_")) {
+            columns += (columns.empty() ? "" : ",") + column;
+            row += (row.empty() ? "" : ",") + table.text(0, column);
+        }
+    }
+    std::ofstream(file) << columns << '\n' << row << '\n';
+    const TickMemory read = readTickMemory(file);
+    EXPECT_EQ(read.innovation, InnovationMemory{});
+    EXPECT_EQ(read.base, someMemory().base);
+}
+
 TEST(TickMemoryFile, RefusesWhatIsNoMemory) {
     const test::ScratchFolder folder;
     std::ofstream(folder.path() / "memory.csv") << "foot_x_m\n1\n2\n";
@@ -111,6 +143,10 @@ TEST(TickMemoryFile, RefusesValuesThatNoMemoryHas) {
     EXPECT_THROW((void)readTickMemory(file), InputError);
     memory = someMemory();
     memory.governor.share = 5.0;  // would give five times the force
+    writeTickMemory(file, memory);
+    EXPECT_THROW((void)readTickMemory(file), InputError);
+    memory = someMemory();
+    memory.innovation.normalVariance = -1.0;
     writeTickMemory(file, memory);
     EXPECT_THROW((void)readTickMemory(file), InputError);
     memory = someMemory();

@@ -60,7 +60,8 @@ ContactState onTheSphere(const Scene& scene, const TipState& state) {
 }
 
 TEST(HalfSpaceModel, AgreesWithTheContactLawOnAFlatSample) {
-    for (const ContactLaw law : {ContactLaw::Split, ContactLaw::Maugis, ContactLaw::SphereMaugis}) {
+    for (const ContactLaw law : {ContactLaw::Split, ContactLaw::Maugis, ContactLaw::SphereMaugis,
+                                 ContactLaw::SphereSplit}) {
         const Scene scene = sceneOn(test::flatMap(), law);
         const TipState state = pressed(scene, 0.3_nm);
         const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
@@ -145,6 +146,26 @@ TEST(HalfSpaceModel, GivesWayToTheClosedFormWhereItDoesNotHold) {
     const SurfacePatch shown = contactPatch(scene, deep, DeformationTier::HalfSpace, grid);
     const SurfacePatch closed = contactPatch(scene, deep, DeformationTier::ClosedForm, grid);
     EXPECT_EQ(shown.points, closed.points);
+}
+
+/// Dugdale's zone beside JKR: a radius of 2.20 nm for 2.76 nm, which it called valid.
+TEST(HalfSpaceModel, DoesNotAnswerForALawWhoseAdhesionHasNoCohesiveZone) {
+    for (const ContactLaw law : {ContactLaw::Jkr, ContactLaw::SphereJkr, ContactLaw::Dmt}) {
+        SCOPED_TRACE(nameOf(law));
+        const Scene scene = sceneOn(test::flatMap(), law);
+        const TipState state = pressed(scene, 0.1_nm);
+        const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
+        EXPECT_EQ(answer.verdict, HalfSpaceVerdict::NoZone);
+        EXPECT_EQ(answer.field, nullptr);
+        EXPECT_EQ(sentenceOf(answer), "half-space not valid (the contact law's adhesion has no "
+                                      "cohesive zone): closed form shown");
+        SceneDescription bare = scene.description;
+        bare.sample.material.workOfAdhesion = 0.0;
+        bare.truth.material = bare.sample.material;
+        const Scene hertzian = buildScene(bare, test::flatMap());
+        EXPECT_TRUE(HalfSpaceModel().solve(hertzian, pressed(hertzian, 0.3_nm)).valid())
+            << "without adhesion it is Hertz";
+    }
 }
 
 TEST(HalfSpaceModel, HasNothingToSayWithoutContact) {

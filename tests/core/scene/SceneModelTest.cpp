@@ -70,7 +70,9 @@ TEST(SceneModel, TermsOfTheLawChooseTheLaw) {
     EXPECT_EQ(lawOf({}), ContactLaw::Split);
     EXPECT_EQ(lawOf({.vanDerWaalsTail = false}), ContactLaw::Maugis);
     EXPECT_EQ(lawOf({.adhesion = false}), ContactLaw::Hertz);
-    EXPECT_EQ(lawOf({.sphereCorrection = true}), ContactLaw::SphereMaugis);
+    EXPECT_EQ(lawOf({.sphereCorrection = true}), ContactLaw::SphereSplit);
+    EXPECT_EQ(lawOf({.vanDerWaalsTail = false, .sphereCorrection = true}),
+              ContactLaw::SphereMaugis);
     EXPECT_EQ(lawOf({.adhesion = false, .sphereCorrection = true}), ContactLaw::Sneddon);
 }
 
@@ -98,6 +100,23 @@ TEST(SceneModel, ATermThatIsTakenOutIsOutAndComesBack) {
         EXPECT_FALSE(has(model, term)) << nameOf(term);
         EXPECT_TRUE(has(with(model, term), term)) << nameOf(term);
     }
+}
+
+/// The film's Poisson ratio is the sample's; a tip of the same stuff takes half of 1 / E*.
+TEST(SceneModel, AFilmIsAsElasticAsItsSample) {
+    SceneDescription description = test::plainScene();
+    description.law = ContactLaw::HertzFilm;
+    SampleMaterial& material = description.sample.material;
+    material.filmThickness = 20.0_nm;
+    material.elastic = {.youngsModulus = 1.0_GPa, .poissonRatio = 0.42};
+    description.truth.material = material;
+    description.truth.material.elastic.poissonRatio = 0.3;
+    description.tip.elastic = material.elastic;
+    const Scene scene = buildScene(description, test::flatMap());
+    const FilmElasticity believed = scene.belief.contact.film()->elasticity();
+    EXPECT_EQ(believed.poissonRatio, 0.42);
+    EXPECT_NEAR(believed.share, 0.5, 1e-15);
+    EXPECT_EQ(scene.truth.system.contact.film()->elasticity().poissonRatio, 0.3);
 }
 
 TEST(SceneModel, ASettledDescriptionSaysEveryTerm) {

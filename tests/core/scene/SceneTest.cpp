@@ -122,7 +122,7 @@ TEST(Scene, ChoosesTheContactLawAndSaysWhy) {
     description.sample.material.elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5};
     description.sample.material.workOfAdhesion = 0.022;
     const Scene rubber = buildScene(description, test::flatMap());
-    EXPECT_EQ(rubber.belief.contact.law(), ContactLaw::SphereMaugis);
+    EXPECT_EQ(rubber.belief.contact.law(), ContactLaw::SphereSplit);
     EXPECT_NE(rubber.model.law.why.find("2.5"), std::string::npos) << rubber.model.law.why;
     description.sample.material.workOfAdhesion = 0.0;
     EXPECT_EQ(buildScene(description, test::flatMap()).belief.contact.law(), ContactLaw::Hertz);

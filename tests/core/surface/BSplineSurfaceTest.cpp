@@ -216,7 +216,10 @@ TEST(BSplineSurface, HeightsFarFromZeroKeepTheDigitsOfTheirRange) {
     EXPECT_NEAR(high.at(7.3_nm, 11.1_nm).height, 1.0_um + low.at(7.3_nm, 11.1_nm).height,
                 2.0 * storageErrorOf(low).height);
     EXPECT_GE(high.heightScale(), 1.0_um);
-    EXPECT_EQ(high.control(2, 3), high.grid().datum + high.grid().controlHeights[3 * 11 + 4]);
+    constexpr std::size_t kControl = 3 * 11 + 4;
+    EXPECT_EQ(high.control(2, 3),
+              high.grid().datum + (static_cast<double>(high.grid().controlHeights[kControl]) +
+                                   static_cast<double>(high.grid().controlRests[kControl])));
 }
 
 TEST(BSplineFit, RefusesHeightsThatSinglePrecisionCannotHold) {

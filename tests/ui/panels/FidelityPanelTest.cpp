@@ -75,6 +75,16 @@ TEST_F(FidelityPanelTest, ShowsWhatEachTermIsWorth) {
     EXPECT_EQ(cell(0, 3), QStringLiteral("–")) << "not measured";
 }
 
+TEST_F(FidelityPanelTest, NamesTheErrorOfTheLaw) {
+    SceneNeeds measured = needs();
+    measured.measured = true;
+    measured.lawError = 0.052;
+    measured.lawMisses = {ModelTerm::SphereCorrection};
+    panel.showModel(measured, {}, {});
+    EXPECT_TRUE(textOf(panel, "fidelitySummary").contains(QStringLiteral("forces within 5.2 %")));
+    EXPECT_TRUE(textOf(panel, "fidelitySummary").contains(QStringLiteral("sphere correction")));
+}
+
 TEST(PercentText, HasTwoDigitsAndNoPowersOfTen) {
     EXPECT_EQ(percentText(0.0), QStringLiteral("0"));
     EXPECT_EQ(percentText(0.00123), QStringLiteral("0.12"));

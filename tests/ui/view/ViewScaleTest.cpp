@@ -89,7 +89,7 @@ TEST(ViewScale, IsThatOfTheContactWhereItIsWide) {
 
 TEST(ViewScale, OnTheExactSphereNoContactIsWiderThanTheTip) {
     const Scene scene = rubberScene(std::nullopt);
-    ASSERT_EQ(scene.belief.contact.law(), ContactLaw::SphereMaugis);
+    ASSERT_EQ(scene.belief.contact.law(), ContactLaw::SphereSplit);
     EXPECT_DOUBLE_EQ(viewScale(scene).patch, 2.5 * scene.belief.tipRadius());
 }
 

@@ -1,12 +1,20 @@
 #include "core/fidelity/extremes/ExtremesStudy.h"
 
+#include "core/ShareOut.h"
 #include "core/Units.h"
 #include "core/fidelity/extremes/ContactDefect.h"
+#include "core/fidelity/extremes/ContactExtremes.h"
+#include "core/fidelity/extremes/CouplingExtremes.h"
+#include "core/fidelity/extremes/TickExtremes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <functional>
 #include <limits>
+#include <thread>
 
 namespace asperity {
 namespace {
@@ -20,7 +28,7 @@ protected:
         const ExtremesGrid grid{.contact = {.tipRadii = {tipRadius},
                                             .moduli = {modulus},
                                             .adhesions = {adhesion},
-                                            .filmThicknesses = {10.0_nm},
+                                            .films = {{.thickness = 10.0_nm}},
                                             .leverStiffnesses = {14.0, kRigid},
                                             .places = 16}};
         const ExtremesFindings findings = studyExtremes(grid);
@@ -60,14 +68,16 @@ TEST_F(ExtremesStudy, NoLawIsFarOffWithoutAFlag) {
     const ExtremesGrid grid{.contact = {.tipRadii = {4.5_nm, 15.0_nm, 100.0_nm},
                                         .moduli = {2.0_GPa, 70.0_GPa},
                                         .adhesions = {0.05},
-                                        .filmThicknesses = {100.0_nm},
+                                        .films = {{.thickness = 100.0_nm}},
                                         .leverStiffnesses = {14.0, kRigid},
                                         .places = 24}};
     for (const ExtremesRegion& one : studyExtremes(grid).regions) {
-        if (one.place().model == "split" || one.place().model == "tick") {
-            continue;  // split is another law than the reference, and near jumps that shows
+        if (one.place().model.starts_with("split") || one.place().model == "tick") {
+            continue;  // a law with a tail is another than the reference: near jumps that shows
         }
-        EXPECT_LE(count(one, Verdict::Off), one.states() / 50) << one.place().model;
+        // On films the reference is a paraboloid, so that a sphere just below the flag misses 5 %.
+        const bool isFilm = one.place().sample == "film";
+        EXPECT_LE(count(one, Verdict::Off), one.states() / (isFilm ? 25 : 50)) << one.place().model;
         EXPECT_LT(one.unflagged().force.error, 0.07) << one.unflagged().force.where;
         EXPECT_LT(one.unflagged().jump.error, 0.05) << one.unflagged().jump.where;
     }
@@ -197,6 +207,69 @@ TEST_F(ExtremesStudy, GivesTheSameTwice) {
             EXPECT_EQ(one.force.where, other.force.where);
         }
     }
+}
+
+/// Cancelled when it has been asked that often.
+class CancelledLater : public Progress {
+public:
+    explicit CancelledLater(int questions) : left_(questions) {}
+    void report(double /*fraction*/) override {}
+    [[nodiscard]] bool isCancelled() const override { return left_-- <= 0; }
+
+private:
+    mutable int left_;
+};
+
+/// Whether the work asks, and ends, before it is through.
+bool endsEarly(const std::function<void(const CancelCheck&)>& work) {
+    constexpr int kQuestions = 3;
+    const CancelledLater progress(kQuestions);
+    std::atomic<bool> ended = false;
+    try {
+        work(CancelCheck(&progress, ended));
+    } catch (const Cancelled&) {
+        return true;
+    }
+    return false;
+}
+
+// A part takes up to half a minute.
+TEST_F(ExtremesStudy, EachPartEndsEarlyWhenCancelled) {
+    EXPECT_TRUE(endsEarly([](const CancelCheck& check) {
+        (void)contactExtremes({.tipRadii = {15.0_nm}, .leverStiffnesses = {14.0}, .places = 8},
+                              {.modulus = 2.0_GPa, .adhesion = 0.05}, check);
+    }));
+    EXPECT_TRUE(endsEarly([](const CancelCheck& check) {
+        (void)tickExtremes({.leverStiffnesses = {1.0, 14.0}, .depths = {0.1}, .ticks = 20},
+                           {.tipRadius = 15.0_nm, .roughness = 0.1}, check);
+    }));
+    const CouplingGrid grid{.leverStiffnesses = {14.0},
+                            .tickRates = {1000.0},
+                            .delays = {0.0},
+                            .positionGains = {1e-6},
+                            .forceGains = {1e8}};
+    const HoldBench bench = benchesOf(grid).front();
+    EXPECT_TRUE(
+        endsEarly([&](const CancelCheck& check) { (void)couplingExtremes(grid, bench, check); }));
+}
+
+/// Until when the work's other threads are waited for, and what they throw is passed on.
+TEST(ShareOut, EndsWhatOtherThreadsDoWhenItIsCancelled) {
+    class Never : public Progress {
+    public:
+        void report(double /*fraction*/) override {}
+        [[nodiscard]] bool isCancelled() const override { return cancelled; }
+        std::atomic<bool> cancelled = false;
+    } progress;
+    std::atomic<int> running = 0;
+    const auto untilCancelled = [&](int /*index*/, const CancelCheck& check) {
+        progress.cancelled = ++running > 1 || std::thread::hardware_concurrency() == 1;
+        for (;;) {
+            check();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    };
+    EXPECT_THROW(shareOut(2, &progress, untilCancelled), Cancelled);
 }
 
 TEST(ContactDefect, ReportsWhatNoStateMayHave) {

@@ -57,6 +57,9 @@ void expectReplays(const Scene& scene, const BlackBox& box) {
         ASSERT_EQ(again.forceState, lived.forceState);
         expectSameBits(again.handForce, lived.handForce);
         expectSameBits(again.model.force, lived.model.force);
+        expectSameBits(again.estimate.force, lived.estimate.force);
+        expectSameBits(again.estimate.covariance.diagonal(), lived.estimate.covariance.diagonal());
+        ASSERT_EQ(again.flags.bits(), lived.flags.bits());
     }
 }
 

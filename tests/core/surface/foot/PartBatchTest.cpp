@@ -25,6 +25,13 @@ std::vector<RoughMap> roughMaps() {
         {.name = "SingleRow", .columns = 20, .rows = 1, .range = 5.0_nm},
         {.name = "SingleColumn", .columns = 1, .rows = 20, .range = 5.0_nm},
         {.name = "TwoByTwo", .columns = 2, .rows = 2, .range = 5.0_nm},
+        {.name = "FinePixels",
+         .columns = 20,
+         .rows = 17,
+         .pitchX = 0.2_nm,
+         .pitchY = 0.3_nm,
+         .range = 9.0_nm,
+         .smoothing = 3.0},
     };
 }
 

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/FileDescriptor.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// What a command leaves in a folder.
+struct FolderContent {
+    std::vector<std::string> own;      ///< its files; the first one stands for the whole
+    std::vector<std::string> guarded;  ///< files of others that it must not write over unasked
+};
+
+/// The folder that a command writes its files into. They are collected in a hidden folder within it
+/// and come out together, by renaming, when all are complete: until then an earlier result stays as
+/// it is. Then all of its files go, and those that are no files of the command stay. The first of
+/// the own files goes first and comes last, so that a mixture is never taken for a result. Staying
+/// within the folder works where it is a mount point or a link, or its parent cannot be written.
+class OutputFolder {
+public:
+    /// Makes the folder where there is none; what killed commands left in it goes.
+    /// @param force guarded files may go
+    /// @throw Error where there are guarded files, or the folder cannot be written
+    OutputFolder(std::filesystem::path folder, FolderContent content, bool force = false);
+    /// Without commit() all is as before.
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+    /// Where to write the files.
+    [[nodiscard]] const std::filesystem::path& staging() const noexcept { return staging_; }
+    /// Puts the files in place. @throw Error
+    void commit();
+
+private:
+    void requireAllowed() const;
+    void makeStaging();
+    void remove(const std::filesystem::path& name) const;
+    void moveOut(const std::filesystem::path& name) const;
+
+    std::filesystem::path folder_;
+    FolderContent content_;
+    bool force_;
+    bool made_;  ///< the folder, by this
+    std::filesystem::path staging_;
+    FileDescriptor lock_{-1};
+};
+
+}  // namespace asperity

@@ -1,0 +1,26 @@
+// What the sanitizers are told at the start; the environment (ASAN_OPTIONS, ...) overrules it.
+extern "C" {
+
+// NOLINTBEGIN(bugprone-reserved-identifier): the names that the sanitizers call
+
+// A report must end the test that it comes from.
+const char* __ubsan_default_options() { return "print_stacktrace=1"; }
+
+// Leaks of libraries that we cannot mend.
+const char* __lsan_default_options() { return "print_suppressions=0"; }
+const char* __lsan_default_suppressions() {
+    return "leak:libdbus-1.so\n"
+           "leak:libGLX\n"
+           "leak:libgallium\n"
+           "leak:swrast_dri.so\n"
+           "leak:libLLVM\n"
+           "leak:libX11\n"
+           "leak:libxcb\n"
+           "leak:libfontconfig\n";
+}
+
+// Qt, VTK and the graphics drivers are not instrumented: what they do to each other is theirs.
+const char* __tsan_default_options() { return "ignore_noninstrumented_modules=1"; }
+
+// NOLINTEND(bugprone-reserved-identifier)
+}

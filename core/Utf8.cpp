@@ -1,0 +1,64 @@
+#include "core/Utf8.h"
+
+namespace asperity {
+
+namespace {
+
+/// What a lead byte promises.
+struct Lead {
+    std::size_t length = 0;  ///< of the sequence; 0: no sequence begins like this
+    char32_t bits = 0;       ///< those of the code point that it holds
+    char32_t minimum = 0;    ///< below it the form is overlong
+};
+
+Lead leadOf(unsigned char byte) {
+    if (byte < 0x80U) {
+        return {1, byte, 0};
+    }
+    if (byte >= 0xC2U && byte < 0xE0U) {
+        return {2, byte & 0x1FU, 0x80};
+    }
+    if (byte >= 0xE0U && byte < 0xF0U) {
+        return {3, byte & 0x0FU, 0x800};
+    }
+    if (byte >= 0xF0U && byte < 0xF5U) {
+        return {4, byte & 0x07U, 0x10000};
+    }
+    return {};
+}
+
+}  // namespace
+
+Utf8Character firstCharacter(std::string_view text) {
+    constexpr char32_t kLargest = 0x10FFFF;
+    const Lead lead = leadOf(static_cast<unsigned char>(text.front()));
+    if (lead.length == 0 || lead.length > text.size()) {
+        return {};
+    }
+    char32_t codePoint = lead.bits;
+    for (std::size_t i = 1; i < lead.length; ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if ((byte & 0xC0U) != 0x80U) {
+            return {};
+        }
+        codePoint = (codePoint << 6U) | (byte & 0x3FU);
+    }
+    const bool surrogate = codePoint >= 0xD800 && codePoint <= 0xDFFF;
+    if (codePoint < lead.minimum || codePoint > kLargest || surrogate) {
+        return {};
+    }
+    return {lead.length, codePoint};
+}
+
+bool isUtf8(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t length = firstCharacter(text).length;
+        if (length == 0) {
+            return false;
+        }
+        text.remove_prefix(length);
+    }
+    return true;
+}
+
+}  // namespace asperity

@@ -1,0 +1,43 @@
+#include "core/fidelity/ForceErrorText.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace asperity {
+
+namespace {
+
+/// Two digits without a power of ten; what is not zero is not shown as zero.
+std::string percent(double share) {
+    constexpr double kLeastShown = 1e-4;
+    const double shown = share > 0.0 ? 100.0 * std::max(share, kLeastShown) : 0.0;
+    char text[32];
+    std::snprintf(text, sizeof text, shown < 99.5 ? "%.2g %%" : "%.0f %%", shown);
+    return text;
+}
+
+/// The terms that the law error is of.
+std::string lawTerms(const SceneNeeds& needs) {
+    std::string names;
+    for (const ModelTerm term : needs.lawMisses) {
+        names += (names.empty() ? "" : ", ") + std::string(nameOf(term));
+    }
+    return names;
+}
+
+}  // namespace
+
+std::string forceErrorText(const SceneNeeds& needs) {
+    if (!needs.measured) {
+        return "error of the forces not measured";
+    }
+    std::string text = "forces within " + percent(needs.totalError());
+    if (needs.lawError > 0.0) {
+        text += ": " + percent(needs.wholeError) + " by what is left out, " +
+                percent(needs.lawError) + " by what no contact law has beside the rest (" +
+                lawTerms(needs) + ")";
+    }
+    return text;
+}
+
+}  // namespace asperity

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/scene/ModelTerm.h"
+#include "core/scene/SceneModel.h"
+
+#include <vector>
+
+namespace asperity {
+
+/// Every term that the law of the scene's materials has room for, whatever the scene overrules,
+/// solved afresh and with the certified search for contact points. @throw Error as usualModel()
+[[nodiscard]] SceneModel wholeModel(SceneDescription scene);
+
+/// Terms of the force that the sample has and the model has not.
+[[nodiscard]] std::vector<ModelTerm> missingTerms(const SceneModel& model,
+                                                  const SceneDescription& scene);
+
+}  // namespace asperity

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/probe/ForceDecoupling.h"
+#include "core/probe/Sliding.h"
+
+#include <cmath>
+
+/// What decoupling and innovation monitor share: the friction law as an observation with a standard
+/// deviation. Source: docs/physics.md 6.5.
+namespace asperity::decoupling {
+
+inline constexpr double kPlanarityDefect = 0.02;    // eta_p
+inline constexpr double kFrictionLawDefect = 0.3;   // eta_f
+inline constexpr double kSmallestFriction = 1e-12;  // S0 [N]
+
+/// Normal and sliding in the cantilever frame.
+struct ContactGeometry {
+    Vector3 normal = Vector3::UnitZ();
+    Sliding sliding;
+};
+
+[[nodiscard]] inline ContactGeometry geometryOf(const Cantilever& cantilever,
+                                                const DecouplingInput& in) noexcept {
+    const Vector3 normal = (cantilever.rotation() * in.normal).normalized();
+    return {normal, slidingOf(normal, cantilever.rotation() * in.velocity)};
+}
+
+/// tau A [N].
+[[nodiscard]] inline double adhesiveFriction(const DecouplingInput& in) noexcept {
+    return in.shearStrength * in.contactArea;
+}
+
+/// S of docs/physics.md 6.5 [N].
+[[nodiscard]] inline double frictionScale(const DecouplingInput& in) noexcept {
+    return (in.frictionCoefficient * std::abs(in.normalForceModel)) + adhesiveFriction(in) +
+           kSmallestFriction;
+}
+
+}  // namespace asperity::decoupling

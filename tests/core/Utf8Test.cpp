@@ -1,0 +1,27 @@
+#include "core/Utf8.h"
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+TEST(Utf8, TakesWhatTheStandardAllowsAndNothingElse) {
+    for (const char* text : {"", "plain", "µm", "\u07FF\u0800\uD7FF\uE000\uFFFF", "\U0010FFFF"}) {
+        EXPECT_TRUE(isUtf8(text)) << text;
+    }
+    // Latin-1; cut off; a lone continuation; overlong; a surrogate; beyond U+10FFFF.
+    for (const char* text : {"\xB5m", "cut \xE2\x82", "\x80", "\xC0\x80", "\xE0\x80\x80",
+                             "\xF0\x80\x80\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xFF"}) {
+        EXPECT_FALSE(isUtf8(text)) << text;
+    }
+}
+
+TEST(Utf8, TellsCodePointAndLength) {
+    EXPECT_EQ(firstCharacter("µm").codePoint, U'µ');
+    EXPECT_EQ(firstCharacter("µm").length, 2U);
+    EXPECT_EQ(firstCharacter("\U0001F52C").codePoint, U'\U0001F52C');
+    EXPECT_EQ(firstCharacter("\xB5m").length, 0U);
+}
+
+}  // namespace
+}  // namespace asperity

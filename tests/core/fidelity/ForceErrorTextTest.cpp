@@ -1,0 +1,26 @@
+#include "core/fidelity/ForceErrorText.h"
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+TEST(ForceErrorText, NamesWhatTheLawMisses) {
+    SceneNeeds needs{.measured = true, .wholeError = 0.002, .lawError = 0.052};
+    needs.lawMisses = {ModelTerm::SphereCorrection};
+    EXPECT_EQ(forceErrorText(needs), "forces within 5.4 %: 0.2 % by what is left out, 5.2 % by "
+                                     "what no contact law has beside the rest (sphere correction)");
+}
+
+TEST(ForceErrorText, SaysWhereNothingWasMeasured) {
+    EXPECT_EQ(forceErrorText({}), "error of the forces not measured");
+}
+
+TEST(ForceErrorText, DoesNotRoundAnErrorToNone) {
+    EXPECT_EQ(forceErrorText({.measured = true}), "forces within 0 %");
+    EXPECT_EQ(forceErrorText({.measured = true, .wholeError = 1e-7}), "forces within 0.01 %");
+    EXPECT_EQ(forceErrorText({.measured = true, .wholeError = 2.96}), "forces within 296 %");
+}
+
+}  // namespace
+}  // namespace asperity
