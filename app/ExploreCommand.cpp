@@ -175,17 +175,19 @@ void explore(const ExploreOptions& options) {
     const VirtualDisplay display;  // before anything is written: pictures need it at the end
     std::optional<Prepared> prepared(prepare(options));
     OutputFolder out(options.out, exploredRun(), options.force);
-    const FinishedRun run = finishedRun(*prepared, out.staging());
+    std::optional<FinishedRun> run;
+    out.collect(
+        [&](const std::filesystem::path& folder) { run.emplace(finishedRun(*prepared, folder)); });
     prepared.reset();  // drawing takes as much memory as a large scan
     try {
-        draw(run, out.staging());
+        out.collect([&](const std::filesystem::path& folder) { draw(*run, folder); });
     } catch (const Error&) {
         out.commit();  // what was measured is kept where it cannot be drawn
         throw;
     }
     out.commit();
-    tellOutcome(run.events);
-    std::cout << run.events.ticks << " ticks at " << run.tickRate << " Hz; results in "
+    tellOutcome(run->events);
+    std::cout << run->events.ticks << " ticks at " << run->tickRate << " Hz; results in "
               << printable(options.out) << "/\n";
 }
 

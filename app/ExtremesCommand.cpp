@@ -171,12 +171,14 @@ void extremes(const ExtremesOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     const ExtremesFindings findings = findingsOf(options.states);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    writeTable(out.staging() / "extremes.csv", findings.regions);
-    writeHolds(out.staging() / "coupling.csv", findings.holds);
-    writeShareMaps(out.staging() / "extremes.png", extremesMap(findings.regions),
-                   {.width = 2000, .height = 1060});
-    writeShareMaps(out.staging() / "coupling.png", couplingMap(findings.holds),
-                   {.width = 1400, .height = 900});
+    out.collect([&](const std::filesystem::path& folder) {
+        writeTable(folder / "extremes.csv", findings.regions);
+        writeHolds(folder / "coupling.csv", findings.holds);
+        writeShareMaps(folder / "extremes.png", extremesMap(findings.regions),
+                       {.width = 2000, .height = 1060});
+        writeShareMaps(folder / "coupling.png", couplingMap(findings.holds),
+                       {.width = 1400, .height = 900});
+    });
     out.commit();
     const std::vector<ExtremesRegion> sums = summedOverPlaces(findings.regions);
     printModels(sums);

@@ -4,6 +4,7 @@
 #include "core/Error.h"
 #include "core/GrowingFile.h"
 #include "core/Leftover.h"
+#include "core/PrintableText.h"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -91,6 +92,21 @@ void OutputFolder::moveOut(const std::filesystem::path& name) const {
     std::filesystem::rename(staging_ / name, folder_ / name, failure);
     if (failure) {
         throw Error((folder_ / name).string() + ": cannot be put in place: " + failure.message());
+    }
+}
+
+void OutputFolder::collect(
+    const std::function<void(const std::filesystem::path& folder)>& write) const {
+    try {
+        write(staging_);
+    } catch (const Error& error) {
+        const std::string hidden = printable(staging_.string());
+        std::string message = error.what();
+        const std::size_t at = message.find(hidden);
+        if (at == std::string::npos) {
+            throw;
+        }
+        throw Error(message.replace(at, hidden.size(), folder_.string()));
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/FileDescriptor.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,9 @@ public:
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
-    /// Where to write the files.
-    [[nodiscard]] const std::filesystem::path& staging() const noexcept { return staging_; }
+    /// Has the files written where they are collected; may be called again for more of them.
+    /// @throw what `write` throws; an Error names the folder, not where they are collected
+    void collect(const std::function<void(const std::filesystem::path& folder)>& write) const;
     /// Puts the files in place. @throw Error
     void commit();
 

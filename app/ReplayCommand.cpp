@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 namespace asperity {
@@ -112,10 +113,13 @@ void replay(const ReplayOptions& options) {
                          "the scan has changed since the run was recorded (its hash differs)");
     }
     OutputFolder out(target, replayedLogs(), options.force);
-    runAgain(loaded.scene, run, out.staging());
-    const CsvTable replayed = readCsv(out.staging() / run_files::kLog);
+    std::optional<CsvTable> replayed;
+    out.collect([&](const std::filesystem::path& collected) {
+        runAgain(loaded.scene, run, collected);
+        replayed.emplace(readCsv(collected / run_files::kLog));
+    });
     out.commit();
-    compare(run, replayed);
+    compare(run, *replayed);
     tellOutcome(run);
 }
 

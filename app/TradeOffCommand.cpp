@@ -153,12 +153,14 @@ void tradeOff(const TradeOffOptions& options) {
     ProgressLine line("measuring");
     ProgressPart running(&line, 0.0, 0.7);
     const TradeOff study = studyTradeOff(loaded.scene, {}, &running);
-    writeTradeOff(out.staging(), study);
-    writeNeeds(out.staging() / "needs.csv", loaded.needs);
     ProgressPart deforming(&line, 0.7, 1.0);
     const std::vector<DeformationResult> deformations =
         studyDeformation(loaded.scene, {}, &deforming);
-    writeDeformations(out.staging() / "deformation.csv", deformations);
+    out.collect([&](const std::filesystem::path& folder) {
+        writeTradeOff(folder, study);
+        writeNeeds(folder / "needs.csv", loaded.needs);
+        writeDeformations(folder / "deformation.csv", deformations);
+    });
     out.commit();
     printTicks(study, loaded.needs.tolerance);
     printFrames(study);

@@ -79,6 +79,15 @@ TEST_F(OutputFolders, StayAsTheyAreWhereACommandFails) {
     EXPECT_EQ(content(), before) << "the next command sweeps it";
 }
 
+TEST_F(OutputFolders, AreNamedAsGivenWhereTheDiskIsFull) {
+    const std::string call = "explore " + scene + " --duration 2 --out " + out.string();
+    const auto run = test::runProgram(call, "trap '' XFSZ; ulimit -f 200;");
+    EXPECT_EQ(run.exitCode, 1) << run.output;
+    const std::string sentence = (out / "force_log.csv").string() + ": cannot be written";
+    EXPECT_NE(run.output.find(sentence), std::string::npos) << run.output;
+    EXPECT_FALSE(fs::exists(out));
+}
+
 TEST_F(OutputFolders, WithARecordingAreRefusedWithoutForce) {
     expectEnds("loop " + scene + " --duration 2.5 --record " + out.string(), 0);
     const auto recording = content();
