@@ -1,5 +1,5 @@
-// Frames per second of the zoomed view with the haptic loop running: docs of the target in
-// shared/docs/performance.md, 8. Run it under a display: xvfb-run -a -s "-screen 0 1600x1000x24".
+// Frames per second of the zoomed view with the haptic loop running, camera still and moving,
+// beside four nearly empty QVTK widgets. Display: xvfb-run -a -s "-screen 0 1600x1000x24" PROGRAM.
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/ScriptedHand.h"
 #include "core/probe/SimulatedAfm.h"

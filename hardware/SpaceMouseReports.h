@@ -17,7 +17,7 @@ struct SpaceMouseState {
 
 /// What the device says once it has also sent `report` (its id first): translation and rotation in
 /// one report or, older, in two; buttons in another. A report that is not known, or that has not
-/// the length it must have, changes nothing. Source: ../shared/docs/devices.md 1: little-endian,
+/// the length it must have, changes nothing. Source: docs/device_protocols.md 1: little-endian,
 /// +-350, x right, y to the person, z down.
 [[nodiscard]] SpaceMouseState afterReport(const SpaceMouseState& before,
                                           std::span<const std::uint8_t> report) noexcept;

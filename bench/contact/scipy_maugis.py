@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The textbook solution of Maugis-Dugdale contact: two nested searches (docs/physics.md 2.1, 2.2).
+"""The textbook solution of Maugis-Dugdale contact: two nested searches (docs/theory.md 2.1, 2.2).
 
 scipy_maugis.py numpy|math  LAMBDA LOW INDENTATION  [LAMBDA LOW INDENTATION ...]
 

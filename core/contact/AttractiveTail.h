@@ -6,7 +6,7 @@ namespace asperity {
 
 /// Tip and sample before snap-in: van der Waals attraction across the separation D of the surfaces,
 /// and the lift of the elastic surface under it, to first order. Stable from far away down to one
-/// smallest separation. No allocation. Source: docs/physics.md 3.4, equation (3.2).
+/// smallest separation. No allocation. Source: docs/theory.md 3.4, equation (3.2).
 class AttractiveTail {
 public:
     /// @param attraction     between tip and sample

@@ -22,7 +22,7 @@
 namespace asperity {
 
 /// Range of the cohesive stress that is taken where a scene names none, h0 = D0 (sqrt(10) - 1) [m].
-/// Source: docs/physics.md 1, 3.4.
+/// Source: docs/theory.md 1, 3.4.
 inline constexpr double kCohesiveRange = 0.35677581392778259e-9;
 
 /// What a contact may have besides a law and a pair of materials.

@@ -7,7 +7,7 @@ namespace asperity {
 /// Adhesion of a stiff, small tip in Maugis' form: Hertz' profile under a constant attraction
 /// -2 pi w R from outside the contact, which has no range. Exact for a transition parameter of 0;
 /// pull-off within 1 % below 0.05.
-/// Source: Derjaguin, Muller, Toporov (1975); Maugis (1992); docs/physics.md 2.1, 2.9.
+/// Source: Derjaguin, Muller, Toporov (1975); Maugis (1992); docs/theory.md 2.1, 2.9.
 class DmtLaw {
 public:
     explicit DmtLaw(const ContactPair& pair) noexcept;

@@ -13,7 +13,7 @@ struct EffectiveRadius {
 /// Good to a few per cent unless `elongated`; without meaning unless it fits, which nothing does
 /// that is no number or a tip outside the laws' range: its radius is handed back.
 /// @param tipRadius R [m]  @param largest, smallest principal curvatures of the sample, > 0 for a
-///        bump [1/m]. Source: docs/physics.md 1.
+///        bump [1/m]. Source: docs/theory.md 1.
 [[nodiscard]] EffectiveRadius effectiveRadius(double tipRadius, double largest,
                                               double smallest) noexcept;
 

@@ -53,7 +53,7 @@ struct FilmRatios {
 ///
 /// Film and tip yield to a pressure wave of wave number k / t as (share L(k) + 1 - share) / E*, so
 /// that an elastic tip changes nothing but a factor of the kernel.
-/// Source: docs/physics.md 2.10.
+/// Source: docs/theory.md 2.10.
 class FilmEquation {
 public:
     /// @throw Error when the Poisson ratio is outside 0 .. 0.5 or the share outside 0 .. 1

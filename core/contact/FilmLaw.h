@@ -11,7 +11,7 @@ namespace asperity {
 
 /// Elastic contact of a paraboloid with a film bonded to a rigid base, without adhesion or friction
 /// under the tip: the exact solution up to a contact radius of FilmTable::largestRatio() film
-/// thicknesses, a power of it beyond. Source: docs/physics.md 2.10.
+/// thicknesses, a power of it beyond. Source: docs/theory.md 2.10.
 class FilmLaw {
 public:
     /// @param thickness of the film [m], > 0

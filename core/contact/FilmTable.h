@@ -28,7 +28,7 @@ inline constexpr double kWidestFilmContact = 2.0;
 /// Contacts with films of one Poisson ratio, tabulated from FilmEquation over the contact radius.
 /// The error is measured at build. Beyond the table every quantity goes on as a power of the
 /// contact radius, without a step in value or stiffness. Constant after construction; its use
-/// neither allocates nor throws. Source: docs/physics.md 2.10.
+/// neither allocates nor throws. Source: docs/theory.md 2.10.
 class FilmTable {
 public:
     /// @throw Error as FilmEquation

@@ -40,7 +40,7 @@ struct ForceCurvePlan {
 /// @throw Error where that is outside 0 .. 1e6 m/N
 [[nodiscard]] ForceCurvePlan curvePlan(const ContactModel& model, double compliance);
 
-/// The quasi-static curve of a law on a lever. Source: docs/physics.md 7.1.
+/// The quasi-static curve of a law on a lever. Source: docs/theory.md 7.1.
 /// @throw Error where the compliance or the plan is outside what a law can follow
 [[nodiscard]] ForceCurve forceCurve(const ContactModel& model, double compliance,
                                     const ForceCurvePlan& plan);

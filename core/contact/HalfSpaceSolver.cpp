@@ -15,7 +15,7 @@ namespace asperity {
 namespace {
 
 constexpr double kFarGap = 1.0;        // of what lies beyond the grid [m]
-constexpr double kLargeContact = 0.3;  // contact radius over tip radius; docs/physics.md 2.10
+constexpr double kLargeContact = 0.3;  // contact radius over tip radius; docs/theory.md 2.10
 constexpr double kFewestAcross = 8.0;  // pixels across contact and cohesive zone
 constexpr double kFewestInZone = 1.0;  // pixels from the contact's edge to the cohesive zone's
 

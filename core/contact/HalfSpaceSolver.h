@@ -21,7 +21,7 @@ struct HalfSpaceLimits {
 /// Dugdale's cohesive stress across small gaps. Where more than one state is stable, the one
 /// reached from the start is found. Only the part of the grid around the contact is iterated.
 /// Keeps transforms for reuse: one object a thread. Off the tick: allocates.
-/// Source: Polonsky, Keer (1999); Vollebregt, Zhao (2014); docs/physics.md 2, 4.
+/// Source: Polonsky, Keer (1999); Vollebregt, Zhao (2014); docs/theory.md 2, 4.
 class HalfSpaceSolver {
 public:
     explicit HalfSpaceSolver(HalfSpaceLimits limits = {});

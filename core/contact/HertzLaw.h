@@ -9,7 +9,7 @@ namespace asperity {
 
 /// Elastic contact of a paraboloid without adhesion: P = (4/3) E* sqrt(R) delta^(3/2), a^2 = R
 /// delta. Valid for contact radii below about 0.3 R. Source: Hertz (1882);
-/// docs/physics.md 2.1, 2.7.
+/// docs/theory.md 2.1, 2.7.
 class HertzLaw {
 public:
     explicit HertzLaw(const ContactPair& pair) noexcept;

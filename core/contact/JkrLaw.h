@@ -11,7 +11,7 @@ namespace asperity {
 /// Adhesion of a soft, large tip: attraction inside the contact only, with a neck at its edge.
 /// Exact for an infinite transition parameter; pull-off within 1 % above 3.2.
 /// The pair's work of adhesion must be > 0.
-/// Source: Johnson, Kendall, Roberts (1971); docs/physics.md 2.1, 2.9.
+/// Source: Johnson, Kendall, Roberts (1971); docs/theory.md 2.1, 2.9.
 class JkrLaw {
 public:
     explicit JkrLaw(const ContactPair& pair) noexcept;

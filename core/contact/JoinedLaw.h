@@ -68,7 +68,7 @@ private:
 
 /// A law for bonded bodies joined to one for separate ones, with the jumps between them at the
 /// folds for the present lever. `Bonded` is a class as LawPoint.h describes.
-/// Source: docs/physics.md 2.5, 3.4, 7.1.
+/// Source: docs/theory.md 2.5, 3.4, 7.1.
 template <class Separate, class Bonded>
 class JoinedLaw {
 public:

@@ -18,11 +18,11 @@ struct ContactPair {
 };
 
 /// E* of two bodies [Pa]; infinite where both are rigid, and 0, which no contact law takes, where
-/// one of them is no elastic body. Source: Hertz (1882); docs/physics.md 1.
+/// one of them is no elastic body. Source: Hertz (1882); docs/theory.md 1.
 [[nodiscard]] double reducedModulus(const Elastic& sample, const Elastic& tip) noexcept;
 
 /// The part of the common surface displacement that the sample takes, 0 .. 1 (the tip takes the
-/// rest; 0 where reducedModulus() is 0 or infinite). Source: docs/physics.md 4.3, rendering rule
+/// rest; 0 where reducedModulus() is 0 or infinite). Source: docs/theory.md 4.3, rendering rule
 /// (ii).
 [[nodiscard]] double sampleShare(const Elastic& sample, const Elastic& tip) noexcept;
 

@@ -30,7 +30,7 @@ Angle angleOf(double coordinate) noexcept {
     return {(pi / 2.0) - std::atan(coordinate), sine, coordinate * sine};
 }
 
-/// A(phi) and B(phi) of docs/physics.md 2.3: the two moments of the cohesive zone.
+/// A(phi) and B(phi) of docs/theory.md 2.3: the two moments of the cohesive zone.
 struct ZoneMoments {
     double geometric;  ///< A = sin(2 phi) / 2 - phi cos(2 phi)
     double elastic;    ///< B = phi sin(phi) - 2 sin^2(phi / 2)
@@ -149,7 +149,7 @@ double MaugisCurve::energy(const MaugisPoint& point) const noexcept {
 }
 
 /// pi lambda times the integral of gap(r) r over the cohesive zone: work still to be had from it.
-/// The displacement enters by its Abel transform (docs/physics.md 4.1), which integrates in closed
+/// The displacement enters by its Abel transform (docs/theory.md 4.1), which integrates in closed
 /// form.
 double MaugisCurve::cohesiveWork(const MaugisPoint& point) const noexcept {
     const double a = point.contactRadius;

@@ -28,7 +28,7 @@ struct Landmarks {
 
 /// Rational fits between the limits for small and large lambda, within 1e-3, 1e-4 and 4e-2.
 Landmarks landmarksOf(double lambda) noexcept {
-    constexpr double kLimit = 0.9379474570;  // lambda* of docs/physics.md 2.5
+    constexpr double kLimit = 0.9379474570;  // lambda* of docs/theory.md 2.5
     const double root = std::sqrt(lambda);
     const double t = root / (1.0 + root);
     const double load =

@@ -28,7 +28,7 @@ struct MaugisControl {
 
 /// Stable equilibria of the Maugis-Dugdale curve and the folds where they end. The stable branch
 /// runs from high load to one fold, with contact or without. Bounded, no allocation.
-/// Source: docs/physics.md 2.5, 2.7, 7.1.
+/// Source: docs/theory.md 2.5, 2.7, 7.1.
 class MaugisDugdale {
 public:
     explicit MaugisDugdale(double lambda) noexcept;

@@ -21,7 +21,7 @@ struct MaugisSolver {
 /// Maugis-Dugdale in SI: a cohesive zone of constant stress around the contact, and without contact
 /// across a gap. Exact from DMT to JKR; the surfaces attract each other within the range h0 = w /
 /// sigma0. Valid for contact radii below about 0.3 R.
-/// Source: Maugis (1992); Kim, McMeeking, Johnson (1998); docs/physics.md 2.3-2.7.
+/// Source: Maugis (1992); Kim, McMeeking, Johnson (1998); docs/theory.md 2.3-2.7.
 class MaugisLaw {
 public:
     /// The pair's work of adhesion must be > 0. Beyond a transition parameter of 1e7, where the

@@ -23,7 +23,7 @@ struct MaugisState {
 /// indentation is singular. The error is measured at build. Folds, states without contact, what
 /// lies outside the range and cells that did not come out accurate are left to the exact law, so
 /// that the bound holds everywhere. Constant after construction; its use neither allocates nor
-/// throws. Source: docs/physics.md 2.3-2.7.
+/// throws. Source: docs/theory.md 2.3-2.7.
 class MaugisTable {
 public:
     /// @throw Error when lambda is outside 1e-4 .. 1e4 or spans more than a factor of 5, or the

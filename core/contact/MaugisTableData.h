@@ -36,7 +36,7 @@ struct MaugisTableData {
     static constexpr double kNear = 0.25;  ///< up to such a root all columns are equally wide
     static constexpr std::int64_t kFirstColumn = kColumns.cellOf(kNear);
     /// Below this lambda first touch is stable in displacement control, above it there is a fold:
-    /// no row may straddle it. Source: docs/physics.md 2.5.
+    /// no row may straddle it. Source: docs/theory.md 2.5.
     static constexpr double kLambdaOfChange = 0.93794745698549567;
 
     double lambdaLow = 0.0;

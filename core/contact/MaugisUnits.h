@@ -5,7 +5,7 @@
 namespace asperity {
 
 /// Units of the dimensionless Maugis-Dugdale curve for one material pair and cohesive stress.
-/// Source: docs/physics.md 1.
+/// Source: docs/theory.md 1.
 struct MaugisUnits {
     double radius = 0.0;       ///< of contact and cohesive radius [m]
     double force = 0.0;        ///< pi w R [N]

@@ -4,7 +4,7 @@ namespace asperity {
 
 /// A water bridge between tip and sample: F = -4 pi R gamma cos(theta) (1 - D/d) at gaps D below d,
 /// its full pull while they are bonded. From the literature, not derived or verified here.
-/// Source: Israelachvili, as quoted in docs/physics.md 3.5.
+/// Source: Israelachvili, as quoted in docs/theory.md 3.5.
 struct Meniscus {
     double surfaceTension = 0.0;  ///< gamma [N/m]; 0: no meniscus
     double contactAngle = 0.0;    ///< theta [rad]

@@ -9,7 +9,7 @@ namespace asperity {
 
 /// A sphere on a half-space without adhesion: Hertz beyond the paraboloid, up to the equator.
 /// The work of adhesion of the pair is ignored. The four functions of LawPoint.h; real-time safe.
-/// Source: Sneddon (1965); docs/physics.md 4.4.
+/// Source: Sneddon (1965); docs/theory.md 4.4.
 class SneddonLaw {
 public:
     explicit SneddonLaw(const ContactPair& pair) noexcept : units_(pair) {}

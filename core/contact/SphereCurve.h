@@ -26,7 +26,7 @@ struct SphereState {
 /// The condition for the cohesive radius c at a contact radius a is free of cancellation with
 /// s = sqrt(c^2 - a^2), q = sqrt(1 - c^2), phi = atan(s / a), theta = atan(s / (a q)):
 /// A (s - a phi) + (phi - q theta) + (2 sigma0 / E*) (s phi - (c - a)) = pi/2 h0,
-/// in which every bracket is positive and rises with c. Source: docs/physics.md 4.4, 2.4.
+/// in which every bracket is positive and rises with c. Source: docs/theory.md 4.4, 2.4.
 class SphereCurve {
 public:
     /// @param cohesion 2 sigma0 / E*

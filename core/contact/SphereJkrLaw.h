@@ -9,7 +9,7 @@ namespace asperity {
 
 /// A sphere on a half-space with adhesion of no range, up to the equator: JKR beyond the
 /// paraboloid. The four functions of LawPoint.h; real-time safe.
-/// Source: Maugis (1995); docs/physics.md 4.4.
+/// Source: Maugis (1995); docs/theory.md 4.4.
 class SphereJkrLaw {
 public:
     explicit SphereJkrLaw(const ContactPair& pair) noexcept;

@@ -12,7 +12,7 @@ namespace asperity {
 ///
 /// A cohesive zone that would reach beyond the equator ends there (wrapsTip()): the stress then
 /// acts on all of the lower half of the sphere, and the states remain in equilibrium and
-/// continuous. Source: docs/physics.md 4.4, 2.4, 2.5.
+/// continuous. Source: docs/theory.md 4.4, 2.4, 2.5.
 class SphereMaugisLaw {
 public:
     /// @param cohesiveStress sigma0 [Pa], > 0 where the pair has adhesion

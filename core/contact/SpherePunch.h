@@ -7,7 +7,7 @@ namespace asperity {
 
 /// Contact of a half-space with a rigid sphere up to its equator, in units of the sphere's radius.
 /// `depth` runs from 0 (no contact) to infinity (the contact circle reaches the equator) and keeps
-/// full precision at both ends. Source: docs/physics.md 4.4.
+/// full precision at both ends. Source: docs/theory.md 4.4.
 struct SphereContact {
     double depth = 0.0;   ///< A = atanh(a)
     double radius = 0.0;  ///< a = tanh(A)
@@ -23,7 +23,7 @@ struct SphereContact {
 [[nodiscard]] double sphereForce(const SphereContact& contact) noexcept;
 
 /// Elastic energy of the surface pressed to the sphere within the contact radius at this
-/// indentation, in units of E* R^3: integral of g(t)^2 of docs/physics.md 4.1 over the contact.
+/// indentation, in units of E* R^3: integral of g(t)^2 of docs/theory.md 4.1 over the contact.
 [[nodiscard]] double sphereElasticEnergy(const SphereContact& contact, double indentation) noexcept;
 
 /// What brings the numbers of a unit sphere on a half-space of unit modulus to SI.

@@ -7,7 +7,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kTailFraction = 0.1;  // eps of docs/physics.md 3.4
+constexpr double kTailFraction = 0.1;  // eps of docs/theory.md 3.4
 
 double jointSeparation() noexcept { return kContactSeparation / std::sqrt(kTailFraction); }
 

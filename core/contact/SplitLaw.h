@@ -12,7 +12,7 @@
 namespace asperity {
 
 /// How the work of adhesion is divided between the van der Waals tail and the cohesive zone.
-/// Source: docs/physics.md 3.4.
+/// Source: docs/theory.md 3.4.
 struct AdhesionSplit {
     double hamaker = 0.0;          ///< Hamaker constant of the tail [J]
     double jointSeparation = 0.0;  ///< D_s: the tail acts beyond it, the cohesive zone within [m]
@@ -35,7 +35,7 @@ struct AdhesionSplit {
 /// what the tail does outside of it is a constant force and lift. Before it acts splitTail(). Force
 /// and indentation are continuous where a tail that does not snap ends at the joint, since every
 /// zone begins there with no force across its whole range.
-/// Source: docs/physics.md 3.4, equation (3.3).
+/// Source: docs/theory.md 3.4, equation (3.3).
 /// @tparam Zone a class as LawPoint.h describes, with a cohesive zone
 template <class Zone>
 class TailedLaw {

@@ -44,7 +44,7 @@ double zoneIntegral(double e, double k, const EdgeAngle& edge) noexcept {
     return e / 3.0 * sine * sine * sine * carlsonRd(e * edge.cosine * edge.cosine, toEdge, e);
 }
 
-/// The integral I of docs/physics.md 4.3 over the part of the cohesive zone a < t < c seen from r;
+/// The integral I of docs/theory.md 4.3 over the part of the cohesive zone a < t < c seen from r;
 /// in the complement of its angle all terms are positive.
 double cohesiveIntegral(double a, double c, double r) noexcept {
     if (c == a) {
@@ -93,7 +93,7 @@ double paraboloidTransform(double a, double r) noexcept {
 }
 
 /// Integral of t atanh(t) / sqrt(r^2 - t^2) over the contact with a unit sphere, r > a: J of
-/// docs/physics.md 4.4. Its closed form cancels for small contacts, where the integrand is smooth.
+/// docs/theory.md 4.4. Its closed form cancels for small contacts, where the integrand is smooth.
 double sphereTransform(const SphereContact& contact, double r) noexcept {
     constexpr double kSmall = 0.3;
     const double a = contact.radius;

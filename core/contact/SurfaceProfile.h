@@ -7,7 +7,7 @@ namespace asperity {
 /// Undeformed shape of the tip around its lowest point.
 enum class TipShape {
     Paraboloid,  ///< r^2 / 2R, of Hertz, DMT, JKR, Maugis and Dugdale
-    Sphere       ///< up to the equator, r = R, of the exact laws of docs/physics.md 4.4
+    Sphere       ///< up to the equator, r = R, of the exact laws of docs/theory.md 4.4
 };
 
 /// What the shape of the deformed surface depends on, for every contact law: an elastic contact,
@@ -30,7 +30,7 @@ inline constexpr double kFarAway = 1e3;
 
 /// Displacement of the surface at distance `radius` >= 0 from the axis, > 0 into the sample [m],
 /// sum of both bodies (sampleShare() divides it); 0 for a radius outside 0 .. kFarAway. Bounded, no
-/// allocation. Source: docs/physics.md 4.3, 4.4.
+/// allocation. Source: docs/theory.md 4.3, 4.4.
 [[nodiscard]] double surfaceDisplacement(const CohesiveContact& contact, double radius) noexcept;
 
 /// Distance between surface and tip at `radius` [m], 0 in contact. Of a sphere, up to its equator

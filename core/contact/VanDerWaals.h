@@ -4,11 +4,11 @@
 
 namespace asperity {
 
-/// Separation at which two solids are taken to touch, D0 [m]. Source: docs/physics.md 3.1.
+/// Separation at which two solids are taken to touch, D0 [m]. Source: docs/theory.md 3.1.
 inline constexpr double kContactSeparation = units::operator""_pm(165ULL);
 
 /// Non-retarded van der Waals attraction of a sphere and a half-space; separations below D0 count
-/// as D0. Source: Hamaker (1937); docs/physics.md 3.1.
+/// as D0. Source: Hamaker (1937); docs/theory.md 3.1.
 class VanDerWaals {
 public:
     /// @param hamaker Hamaker constant [J]  @param radius of the sphere [m], > 0
@@ -29,7 +29,7 @@ private:
 };
 
 /// Hamaker constant [J] of the cut-off attraction that takes the work of adhesion w [J/m^2] to part
-/// two half-spaces from D0, H = 12 pi w D0^2. Source: docs/physics.md 3.3.
+/// two half-spaces from D0, H = 12 pi w D0^2. Source: docs/theory.md 3.3.
 [[nodiscard]] double hamakerConstant(double workOfAdhesion) noexcept;
 
 }  // namespace asperity

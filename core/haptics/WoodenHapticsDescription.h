@@ -23,7 +23,7 @@ struct WoodenHapticsJoint {
 };
 
 /// One make of WoodenHaptics. Device frame: x to the person, y right, z up.
-/// Source: ../shared/docs/devices.md 2.
+/// Source: docs/device_protocols.md 2.
 struct WoodenHapticsDescription {
     std::array<WoodenHapticsJoint, 3> joints;  ///< a turns about z; b and c lift, both against z
     Vector3 origin = Vector3::Zero();  ///< of positions, from the foot of joint a; device frame [m]

@@ -28,11 +28,11 @@ struct CantileverGeometry {
 [[nodiscard]] double thicknessForStiffness(const CantileverGeometry& geometry,
                                            double stiffness) noexcept;
 
-/// St Venant torsion factor beta of a rectangle, J = beta w t^3. Source: docs/physics.md 5.1, T18.
+/// St Venant torsion factor beta of a rectangle, J = beta w t^3. Source: docs/theory.md 5.1, T18.
 [[nodiscard]] double torsionFactor(double thicknessOverWidth) noexcept;
 
 /// Compliance and lever sensitivities of a cantilever; a tip set back from the free end loads the
-/// beam there, and the rest of the beam stays straight. Source: docs/physics.md 5.1-5.4.
+/// beam there, and the rest of the beam stays straight. Source: docs/theory.md 5.1-5.4.
 class Cantilever {
 public:
     /// @throw Error naming the value that is far from that of any lever, or no number: lengths 1 nm

@@ -15,7 +15,7 @@ struct FlexuralMode {
     [[nodiscard]] double frequency() const noexcept;  ///< f_n [Hz]
 };
 
-/// Flexural mode `number`, 1: the fundamental. Source: docs/physics.md 7.3, T17; the slope from the
+/// Flexural mode `number`, 1: the fundamental. Source: docs/theory.md 7.3, T17; the slope from the
 /// mode shape cosh - cos - sigma (sinh - sin).
 /// @throw Error when the number is not 1 to 100 or the geometry is no beam
 [[nodiscard]] FlexuralMode flexuralMode(const CantileverGeometry& geometry, int number);

@@ -16,7 +16,7 @@ struct CantileverShape {
 
 /// Shape under a force on the tip (lab frame [N]) at `distance` from the clamp, 0 .. length [m].
 /// From the tip on the beam is straight.
-/// Source: docs/physics.md 5.3.
+/// Source: docs/theory.md 5.3.
 [[nodiscard]] CantileverShape cantileverShape(const Cantilever& cantilever, const Vector3& force,
                                               double distance) noexcept;
 

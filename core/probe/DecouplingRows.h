@@ -6,7 +6,7 @@
 #include <cmath>
 
 /// What decoupling and innovation monitor share: the friction law as an observation with a standard
-/// deviation. Source: docs/physics.md 6.5.
+/// deviation. Source: docs/theory.md 6.5.
 namespace asperity::decoupling {
 
 inline constexpr double kPlanarityDefect = 0.02;    // eta_p
@@ -30,7 +30,7 @@ struct ContactGeometry {
     return in.shearStrength * in.contactArea;
 }
 
-/// S of docs/physics.md 6.5 [N].
+/// S of docs/theory.md 6.5 [N].
 [[nodiscard]] inline double frictionScale(const DecouplingInput& in) noexcept {
     return (in.frictionCoefficient * std::abs(in.normalForceModel)) + adhesiveFriction(in) +
            kSmallestFriction;

@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// How the photodiode's volts belong to the lever's slopes. Source: docs/physics.md 5.2.
+/// How the photodiode's volts belong to the lever's slopes. Source: docs/theory.md 5.2.
 struct DetectorCalibration {
     /// Inverse optical lever sensitivity: deflection along the lever's normal per volt of the
     /// vertical signal, measured on a hard wall [m/V].

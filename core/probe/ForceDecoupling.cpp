@@ -65,7 +65,7 @@ double conditionOf(const ContactGeometry& geometry, double coupling) noexcept {
     return largest * largest / determinant;
 }
 
-/// The five scalar observations of docs/physics.md 6.5, each divided by its standard deviation.
+/// The five scalar observations of docs/theory.md 6.5, each divided by its standard deviation.
 struct WhitenedSystem {
     Eigen::Matrix<double, 5, 3> rows = Eigen::Matrix<double, 5, 3>::Zero();
     Eigen::Matrix<double, 5, 1> values = Eigen::Matrix<double, 5, 1>::Zero();

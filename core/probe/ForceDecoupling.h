@@ -30,7 +30,7 @@ enum class DecouplingTier : std::uint8_t {
     Estimator  ///< weighted least squares of all that is known
 };
 
-/// Which geometry the estimate met (docs/physics.md 6.3).
+/// Which geometry the estimate met (docs/theory.md 6.3).
 enum class DecouplingCase : std::uint8_t {
     Regular,       ///< planarity and signals determine the force
     NearSingular,  ///< condition > 100: planarity says little, model and friction law decide
@@ -39,7 +39,7 @@ enum class DecouplingCase : std::uint8_t {
                    ///< or the normal had no direction; force and covariance are zero
 };
 
-/// Whether the estimated force is one that the assumptions allow. Source: docs/physics.md 6.5 (e).
+/// Whether the estimated force is one that the assumptions allow. Source: docs/theory.md 6.5 (e).
 struct Plausibility {
     bool pushesAlong = false;  ///< T < 0 (by more than 1 pN): friction would drive the tip
     /// |T| > max(0, mu N + tau A) by three standard deviations of estimate and friction law
@@ -67,8 +67,8 @@ struct ForceEstimate {
 
 /// Force by weighted least squares of signals, planarity, friction law and contact model:
 /// continuous in every direction of motion and at rest. Where the contact model pulls so hard that
-/// mu N + tau A < 0, the friction law fades into T = 0 (docs/physics.md 8), over one standard
-/// deviation of N. No allocation. Source: docs/physics.md 6.5.
+/// mu N + tau A < 0, the friction law fades into T = 0 (docs/theory.md 8), over one standard
+/// deviation of N. No allocation. Source: docs/theory.md 6.5.
 [[nodiscard]] ForceEstimate estimateForce(const Cantilever& cantilever,
                                           const DecouplingInput& input) noexcept;
 

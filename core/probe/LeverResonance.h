@@ -19,7 +19,7 @@ struct OscillatorState {
 
 /// Moves an oscillator over one time step under a force and a base that are constant within it:
 /// exact and stable for every step, whether under-, critically or over-damped.
-/// Source: docs/physics.md 7.3.
+/// Source: docs/theory.md 7.3.
 class LeverResonance {
 public:
     /// @throw Error unless stiffness, frequency, quality factor and time step [s] are finite and

@@ -12,7 +12,7 @@ struct LeverSignals {
     double torsion = 0.0;  ///< theta [rad]
 };
 
-/// Signals that a force on the tip (lab frame [N]) causes. Source: docs/physics.md 5.2, 5.4.
+/// Signals that a force on the tip (lab frame [N]) causes. Source: docs/theory.md 5.2, 5.4.
 [[nodiscard]] LeverSignals leverSignals(const Cantilever& cantilever,
                                         const Vector3& force) noexcept;
 

@@ -16,7 +16,7 @@ struct PlanarForce {
 
 /// @param normal unit, out of the sample, lab frame
 /// @param velocity of the tip relative to the sample, lab frame [m/s]
-/// Source: docs/physics.md 6.3.
+/// Source: docs/theory.md 6.3.
 [[nodiscard]] PlanarForce planarForce(const Cantilever& cantilever, const LeverSignals& signals,
                                       const Vector3& normal, const Vector3& velocity) noexcept;
 

@@ -17,7 +17,7 @@ struct Sliding {
 };
 
 /// Sliding of a tip that moves with `velocity` [m/s] over a surface with unit `normal`, both in one
-/// frame. Source: docs/physics.md 6.2, 6.5.
+/// frame. Source: docs/theory.md 6.2, 6.5.
 [[nodiscard]] Sliding slidingOf(const Vector3& normal, const Vector3& velocity) noexcept;
 
 }  // namespace asperity

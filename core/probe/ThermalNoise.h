@@ -12,7 +12,7 @@ namespace asperity {
 /// The lever's free end shaken by heat: the Ornstein-Uhlenbeck process of a damped oscillator,
 /// sampled exactly at a fixed step, so that variance (equipartition, kB T / k) and correlation from
 /// one sample to the next are right whatever the step. In thermal equilibrium from the first
-/// sample. Source: docs/physics.md 7.3.
+/// sample. Source: docs/theory.md 7.3.
 class ThermalNoise {
 public:
     /// @param temperature [K], 0: the lever rests

@@ -232,7 +232,7 @@ private:
         const bool locks = along > 0.0 && withFriction <= 0.0;
         state_.locked |= locks;
         // The part mu N of friction is solved with N, as a change of the lever's compliance
-        // (1 / k_n of docs/physics.md 7.2); the rest, of the area, is that of the last sweep.
+        // (1 / k_n of docs/theory.md 7.2); the rest, of the area, is that of the last sweep.
         const bool slides = foot.memory.friction > 0.0 && !locks;
         const double ofLoad = slides ? system_.friction.coefficient * foot.contact.force : 0.0;
         // Approach of the undeflected tip towards the tangent plane of the present foot.

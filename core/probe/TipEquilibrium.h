@@ -56,7 +56,7 @@ struct TipState {
 /// over all feet, each with the effective radius of its place.
 /// A base beyond 500 m along an axis or at no number has the contact status ApproachOutOfRange,
 /// does not converge and leaves the memory as it is. Allocation-free, bounded, never throws.
-/// Source: docs/physics.md 1, 7.1-7.2.
+/// Source: docs/theory.md 1, 7.1-7.2.
 [[nodiscard]] TipState tipEquilibrium(const TouchedSurface& surface, const ProbeSystem& system,
                                       const BaseMotion& base, EquilibriumMemory& memory) noexcept;
 

@@ -12,7 +12,7 @@ namespace asperity {
 /// The elastic limit is the pressure in the middle at which yield begins, yieldPressure().
 /// A film is thin for laws on a half-space where it makes the contact 5 % stiffer, by the exact
 /// solution for the film's Poisson ratio (a/t = 0.042 for 0.5, 0.061 for 0); for `hertz_film` from
-/// a/t = 2 on, the end of the reference. Source: docs/physics.md 2.10, 4.4.
+/// a/t = 2 on, the end of the reference. Source: docs/theory.md 2.10, 4.4.
 [[nodiscard]] ValidityFlags contactValidity(const ContactModel& model, const ContactState& state,
                                             const SampleMaterial& material) noexcept;
 

@@ -50,7 +50,7 @@ struct HalfSpaceAnswer {
 /// is the contact law's; of a law that adheres without one (DMT, JKR) nothing is solved, since with
 /// any zone of finite range the half-space would answer for another law.
 /// One object a thread; off the tick: allocates, takes milliseconds.
-/// Source: docs/physics.md 2, 3.4, 4.
+/// Source: docs/theory.md 2, 3.4, 4.
 class HalfSpaceModel {
 public:
     static constexpr int kSamples = 128;  ///< pixels per side of a patch

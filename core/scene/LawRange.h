@@ -19,7 +19,7 @@ namespace asperity {
 /// - `md_sphere`, `split_sphere`: attraction up to the sphere's equator.
 ///
 /// The range of adhesion is that of the model, ContactModel::cohesiveRange().
-/// Source: docs/physics.md 2.4, 2.5, 2.9, 4.4.
+/// Source: docs/theory.md 2.4, 2.5, 2.9, 4.4.
 [[nodiscard]] bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexcept;
 
 }  // namespace asperity

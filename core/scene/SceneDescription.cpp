@@ -125,7 +125,7 @@ void checkShape(const ShapeDescription& shape) {
 
 SceneDescription defaultScene() {
     SceneDescription scene;
-    // The 14 N/m silicon lever of docs/physics.md 5.5.
+    // The 14 N/m silicon lever of docs/theory.md 5.5.
     scene.probe = {.youngsModulus = 169.0_GPa,
                    .poissonRatio = 0.27,
                    .length = 150.0_um,

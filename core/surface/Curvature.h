@@ -10,7 +10,7 @@ struct PrincipalCurvatures {
     double smallest = 0.0;
 };
 
-/// Source: docs/synthetic_surfaces.md (mean and Gaussian curvature of a height field).
+/// Source: docs/synthetic_surfaces.md 0 (mean and Gaussian curvature of a height field).
 [[nodiscard]] PrincipalCurvatures principalCurvatures(const HeightSample& sample) noexcept;
 
 }  // namespace asperity

@@ -10,7 +10,7 @@ namespace asperity {
 /// Of the encoders a, b, c.
 using EncoderCounts = std::array<std::int16_t, 3>;
 
-// Source of the laws: ../shared/docs/devices.md 2. Vectors are in the device frame.
+// Source of the laws: docs/device_protocols.md 2. Vectors are in the device frame.
 
 /// Angles A, B, C of the joints: a about z, 0 where the arm points to the person; b and c against
 /// the vertical, 0 where body b stands and body c hangs [rad].

@@ -23,7 +23,7 @@ struct WoodenHapticsReading {
     bool button = false;  ///< of Polhem's handle
 };
 
-/// Nothing when the report has not the length of this board's. Source: ../shared/docs/devices.md 2:
+/// Nothing when the report has not the length of this board's. Source: docs/device_protocols.md 2:
 /// little-endian, no report id; Polhem adds 10000 to the encoder d while its button is down.
 [[nodiscard]] std::optional<WoodenHapticsReading>
 readingOf(WoodenHapticsBoard board, std::span<const std::uint8_t> report) noexcept;

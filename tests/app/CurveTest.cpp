@@ -80,7 +80,7 @@ void expectJumps(const CsvTable& ours, const ReferenceTable& table, std::size_t 
     expectNear(ours, {*off + 1, "force_n"}, table, {row, "after_P_N"});
 }
 
-/// docs/physics.md 3.5 with all digits, on levers of 0.5, 14 and 200 N/m.
+/// docs/theory.md 3.5 with all digits, on levers of 0.5, 14 and 200 N/m.
 TEST_F(CurveCommand, HasTheJumpsOfTheReference) {
     const ReferenceTable table = test::referenceTable("T21_split_spring_critical.csv");
     std::set<std::string> levers;

@@ -21,7 +21,7 @@ inline constexpr std::array kVerdicts{Verdict::Exact,   Verdict::Valid,    Verdi
 /// Below what any force calibration tells [relative].
 inline constexpr double kExactWithin = 1e-3;
 /// As far as two adhesion laws of the same work and range differ [relative]: nothing finer has a
-/// physical meaning. Source: docs/physics.md 2.9.
+/// physical meaning. Source: docs/theory.md 2.9.
 inline constexpr double kValidWithin = 0.05;
 
 /// "exact", "valid", "off", "flagged", "unproven", "refused".

@@ -11,7 +11,7 @@ struct TipLoad {
     double adhesion = 0.0;   ///< by which the sample holds the tip back, at most, >= 0 [N]
 };
 
-/// Stiffness of springs in series [N/m]; docs/physics.md 7.1.
+/// Stiffness of springs in series [N/m]; docs/theory.md 7.1.
 [[nodiscard]] double inSeries(double first, double second) noexcept;
 
 /// Along the normal of a flat sample. With the tip under control the base makes up for the lever,

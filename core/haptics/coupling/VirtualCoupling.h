@@ -27,7 +27,7 @@ struct CouplingStep {
 /// load itself, without an error.
 ///
 /// Friction, too, is that of the proxy's velocity at the end of the step, against it and of size
-/// friction * |vp_t| / sqrt(|vp_t|^2 + v0^2) (docs/physics.md 6.2): that of the last tick would
+/// friction * |vp_t| / sqrt(|vp_t|^2 + v0^2) (docs/theory.md 6.2): that of the last tick would
 /// throw a proxy at rest to and fro.
 ///
 /// The hand's velocity is v = handMotion / T of the positions as they were sampled, with nothing

@@ -62,7 +62,7 @@ struct PatchGrid {
 /// nothing. ContactRadius leaves a step at the contact's rim, since the surface outside does not
 /// follow. ClosedForm moves each point by `displacement` against the contact normal, and so does
 /// HalfSpace, which where it is solved has a field of its own; the other tiers do not use it.
-/// Source: Vogl, Ma, Sitti (2005), section III; docs/physics.md 4.
+/// Source: Vogl, Ma, Sitti (2005), section III; docs/theory.md 4.
 /// @throw Error when the contact is not finite, a size is not positive, the grid has fewer than 2
 ///        or more than kMostPatchSamples samples a side, or ClosedForm is given no displacement
 [[nodiscard]] SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,

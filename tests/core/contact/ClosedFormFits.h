@@ -7,7 +7,7 @@ namespace asperity::test {
 
 /// Published closed-form approximations of the Maugis-Dugdale law in Maugis' units, for
 /// plausibility only. From the literature, not derived. Source: Carpick, Ogletree, Salmeron (1999);
-/// Pietrement, Troyon (2000); docs/physics.md 2.8.
+/// Pietrement, Troyon (2000); docs/theory.md 2.8.
 class ClosedFormFits {
 public:
     /// @param lambda transition parameter of Maugis-Dugdale

@@ -61,7 +61,7 @@ TEST_F(ClosedFormFitsTable, HasExactMaugisDugdaleBesideThem) {
     }
 }
 
-/// As far from the exact law as docs/physics.md 2.8 measures, and not much closer either.
+/// As far from the exact law as docs/theory.md 2.8 measures, and not much closer either.
 TEST_F(ClosedFormFitsTable, ShowsHowFarTheFitsAreOff) {
     double worstPullOff = 0.0;
     double worstRadius = 0.0;

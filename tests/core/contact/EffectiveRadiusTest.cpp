@@ -23,7 +23,7 @@ TEST(EffectiveRadius, OnASphereAddsTheCurvatures) {
     EXPECT_NEAR(effectiveRadius(kRadius, -1.0 / 30.0_nm, -1.0 / 30.0_nm).radius, 30.0_nm, 1e-21);
 }
 
-/// docs/physics.md 1: the geometric mean of the two, not the arithmetic one.
+/// docs/theory.md 1: the geometric mean of the two, not the arithmetic one.
 TEST(EffectiveRadius, OfTwoCurvaturesIsTheirGeometricMean) {
     const EffectiveRadius saddle = effectiveRadius(kRadius, 1.0 / 20.0_nm, -1.0 / 40.0_nm);
     const double first = 1.0 / kRadius + 1.0 / 20.0_nm;

@@ -37,7 +37,7 @@ TEST(MaugisUnits, OfThePapersMaterials) {
 }
 
 /// Tabor's parameter of a Lennard-Jones spacing z0, beside lambda = 1.157 of it where the cohesive
-/// stress is that potential's largest. Source: docs/physics.md 1.
+/// stress is that potential's largest. Source: docs/theory.md 1.
 TEST(MaugisUnits, FollowTaborsParameter) {
     const test::ReferenceTable table = test::referenceTable("T16_parameters.csv");
     for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -66,7 +66,7 @@ TEST(Material, SharesTheDisplacementByCompliance) {
     EXPECT_DOUBLE_EQ(sampleShare(silicon, silicon), 0.5);
     EXPECT_DOUBLE_EQ(sampleShare(rubber, rigid), 1.0);
     EXPECT_DOUBLE_EQ(reducedModulus(rubber, rigid), 1e6 / 0.75);
-    EXPECT_NEAR(sampleShare({70e9, 0.27}, silicon), 0.70, 0.01);  // docs/physics.md 4.3
+    EXPECT_NEAR(sampleShare({70e9, 0.27}, silicon), 0.70, 0.01);  // docs/theory.md 4.3
     EXPECT_DOUBLE_EQ(sampleShare(rubber, silicon) + sampleShare(silicon, rubber), 1.0);
 }
 

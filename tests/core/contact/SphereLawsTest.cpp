@@ -170,7 +170,7 @@ TEST(SphereJkrLaw, BecomesTheParaboloidForSmallContacts) {
     expectClose(jumpOff.indentation / units.indentation, -3.0 * std::pow(6.0, -2.0 / 3.0), 1e-7);
 }
 
-/// The difference falls with the square of the range, as in physics.md 2.5 with the paraboloid.
+/// The difference falls with the square of the range, as in docs/theory.md 2.5 with the paraboloid.
 TEST(SphereMaugisLaw, BecomesJkrForCohesionOfNoRange) {
     for (const double omega : {1e-6, 1e-2, 1.0}) {
         const ContactPair pair{1.0, 1.0, omega};
@@ -189,7 +189,7 @@ TEST(SphereMaugisLaw, BecomesJkrForCohesionOfNoRange) {
 }
 
 /// Folds of the cohesive law in units of the sphere, computed with 30 digits by minimising
-/// indentation + compliance * force over the contact radius of docs/physics.md 4.4.
+/// indentation + compliance * force over the contact radius of docs/theory.md 4.4.
 struct SphereFold {
     double cohesion;    ///< 2 sigma0 / E*
     double range;       ///< h0 / R

@@ -98,7 +98,7 @@ std::vector<CohesiveContact> sphereProfiles() {
     return profiles;
 }
 
-/// g(t) of docs/physics.md 4.1 over both parts of the contact.
+/// g(t) of docs/theory.md 4.1 over both parts of the contact.
 double abelDensity(const CohesiveContact& contact, double t) {
     if (t < contact.contactRadius) {
         return contact.indentation - (t * std::atanh(t / contact.tipRadius));
@@ -120,7 +120,7 @@ double gradedIntegral(const Function& function, double low, double high) {
     return sum;
 }
 
-/// u(r) of docs/physics.md 4.1 by numerical integration, t = r sin(psi).
+/// u(r) of docs/theory.md 4.1 by numerical integration, t = r sin(psi).
 double abelDisplacement(const CohesiveContact& contact, double r) {
     const auto integrand = [&](double psi) { return abelDensity(contact, r * std::sin(psi)); };
     const double edge = std::asin(std::min(1.0, contact.contactRadius / r));

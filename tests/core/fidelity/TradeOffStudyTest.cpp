@@ -53,7 +53,7 @@ TEST(TradeOffStudy, EveryTierHasACostAndTheReferencesOwnIsHardlyOff) {
 TEST(TradeOffStudy, HertzMissesTheAdhesionOfPolystyrene) {
     const TradeOff all = study(test::plainScene());
     const auto& hertz = result(all, {.law = ContactLaw::Hertz});
-    EXPECT_GT(hertz.forceErrorMax, 4.0_nN);  // the adhesive force before pull-off, physics.md 3.5
+    EXPECT_GT(hertz.forceErrorMax, 4.0_nN);  // force before pull-off, docs/theory.md 3.5
     EXPECT_LT(hertz.forceErrorMax, 8.0_nN);
 }
 

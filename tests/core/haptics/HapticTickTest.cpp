@@ -85,7 +85,7 @@ TEST(HapticTick, SnapsInAndPullsOffWithHysteresis) {
         (now == ContactBranch::Bonded ? snapInHeight : pullOffHeight) =
             samples[i].output.base.position.z();
     }
-    // docs/physics.md 3.5: polystyrene at 14 N/m snaps in at 0.450 nm and lets go at 0.718 nm.
+    // docs/theory.md 3.5: polystyrene at 14 N/m snaps in at 0.450 nm and lets go at 0.718 nm.
     EXPECT_NEAR(snapInHeight, 0.450_nm, 0.007_nm);  // one tick moves the base by 6 pm
     EXPECT_NEAR(pullOffHeight, 0.718_nm, 0.007_nm);
 }

@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-/// What the two lever signals tell of a force: Fy and Fz + kappa Fx (docs/physics.md 5.2).
+/// What the two lever signals tell of a force: Fy and Fz + kappa Fx (docs/theory.md 5.2).
 struct SensedForce {
     double lateral = 0.0;  ///< Fy [N]
     double bending = 0.0;  ///< Fz + kappa Fx [N]

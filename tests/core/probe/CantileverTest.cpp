@@ -159,7 +159,7 @@ TEST(Cantilever, IsAsStiffAsItsThicknessWasChosenFor) {
     expectRelative(Cantilever(geometry).stiffness(), 14.0, 1e-14);
 }
 
-/// Numbers of docs/physics.md 5.4 and its formula for the vertical stiffness of a tilted lever.
+/// Numbers of docs/theory.md 5.4 and its formula for the vertical stiffness of a tilted lever.
 TEST(Cantilever, StiffensWhenTilted) {
     CantileverGeometry geometry = referenceLever("G1_k14");
     const double tilt = 12.0 * pi / 180.0;

@@ -34,7 +34,7 @@ Vector3 heading(double degrees, double speed = 1e-6) {
     return speed * Vector3(std::cos(degrees * pi / 180.0), std::sin(degrees * pi / 180.0), 0.0);
 }
 
-/// Regular places, and every kind of singular one that docs/physics.md 6.3 names.
+/// Regular places, and every kind of singular one that docs/theory.md 6.3 names.
 std::vector<Place> places() {
     const Vector3 slope = Vector3(0.3, -0.2, 1.0).normalized();
     const Vector3 blind = Vector3(1.0, 0.0, -0.16).normalized();
@@ -100,7 +100,7 @@ DecouplingInput inputAt(const Place& place) {
 
 /// A world that departs from the estimator's assumptions by as much as the estimator takes them to
 /// be off: defects of planarity, friction law and contact model decide the force, and the signals
-/// come with noise. Lab frame; formulas of docs/physics.md 6.5, written once more.
+/// come with noise. Lab frame; formulas of docs/theory.md 6.5, written once more.
 class ImperfectWorld {
 public:
     ImperfectWorld(const Cantilever& lever, const DecouplingInput& input)

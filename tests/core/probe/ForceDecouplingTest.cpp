@@ -114,7 +114,7 @@ TEST(ForceDecoupling, HasTheReferenceGeometryAndPlanarForce) {
     EXPECT_EQ(categories.size(), 13U) << "every category of the table";
 }
 
-/// docs/physics.md 6.5 (b): with exact signals and exact planarity the soft estimate is the hard
+/// docs/theory.md 6.5 (b): with exact signals and exact planarity the soft estimate is the hard
 /// one, whatever friction law and model say.
 TEST(ForceDecoupling, BecomesThePlanarForceForExactSignals) {
     Situation situation = slidingSituation(Vector3(0.1, -0.2, 1.0), Vector3(2.0, 5.0, 0.0));
@@ -189,7 +189,7 @@ TEST(ForceDecoupling, NamesTheGeometryByTheReferenceCondition) {
     EXPECT_GT(singular, 15);
 }
 
-/// Measured in docs/physics.md 6.5: standard deviations in nN of a tip sliding at an angle to the
+/// Measured in docs/theory.md 6.5: standard deviations in nN of a tip sliding at an angle to the
 /// beam.
 TEST(ForceDecoupling, SaysHowLittleItKnowsWhenSlidingAlongTheBeam) {
     struct Expected {

@@ -62,7 +62,7 @@ TEST(TipEquilibrium, FrictionIsMuNOpposedToMotion) {
 }
 
 TEST(TipEquilibrium, SlidingTowardsTheClampSoftensTheLever) {
-    // docs/physics.md 7.2, flat: 1/k_n = (1/kz)(1 + (3h/2l) mu fx) with fx = -sgn(vx).
+    // docs/theory.md 7.2, flat: 1/k_n = (1/kz)(1 + (3h/2l) mu fx) with fx = -sgn(vx).
     SceneDescription description = test::plainScene();
     description.sample.material.workOfAdhesion = 0.0;
     description.sample.material.friction.coefficient = 0.3;

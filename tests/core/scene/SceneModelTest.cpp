@@ -40,7 +40,7 @@ TEST(SceneModel, WithoutTorsionTheLeverOnlyBendsAcross) {
     const CantileverGeometry& g = rigid.geometry();
     const double ratio = g.thickness / g.width;
     const Matrix3& left = rigid.complianceInCantileverFrame();
-    // docs/physics.md 5.1: of c_yy only (t/w)^2 / k_z stays.
+    // docs/theory.md 5.1: of c_yy only (t/w)^2 / k_z stays.
     EXPECT_NEAR(left(1, 1), ratio * ratio / whole.stiffness(), 1e-12 / whole.stiffness());
     EXPECT_LT(left(1, 1), 0.5 * whole.complianceInCantileverFrame()(1, 1));
     EXPECT_EQ(left(0, 0), whole.complianceInCantileverFrame()(0, 0));

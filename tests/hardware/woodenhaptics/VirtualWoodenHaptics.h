@@ -15,7 +15,7 @@ enum class MotorEvent : std::uint8_t {
 };
 
 /// A WoodenHaptics with a Teensy over umockdev, and its firmware: it answers each message with a
-/// reading, and cuts the motors after 0.5 s without one. Source: ../shared/docs/devices.md 2.
+/// reading, and cuts the motors after 0.5 s without one. Source: docs/device_protocols.md 2.
 class VirtualWoodenHaptics {
 public:
     /// Plugged in, its handle here. @param handle lab frame, from the workspace's origin [m]
