@@ -1,22 +1,23 @@
-#include "app/ContactCommand.h"
-#include "app/ConvertCommand.h"
-#include "app/CurveCommand.h"
-#include "app/DecoupleCommand.h"
-#include "app/DevicesCommand.h"
-#include "app/ExploreCommand.h"
-#include "app/ExtremesCommand.h"
-#include "app/InfoCommand.h"
-#include "app/LoopCommand.h"
-#include "app/ProjectCommand.h"
-#include "app/ReplayCommand.h"
-#include "app/StandardStreams.h"
-#include "app/TradeOffCommand.h"
-#include "app/WindowCommand.h"
+#include "app/commands/ContactCommand.h"
+#include "app/commands/ConvertCommand.h"
+#include "app/commands/CurveCommand.h"
+#include "app/commands/DecoupleCommand.h"
+#include "app/commands/DevicesCommand.h"
+#include "app/commands/ExploreCommand.h"
+#include "app/commands/ExtremesCommand.h"
+#include "app/commands/InfoCommand.h"
+#include "app/commands/LoopCommand.h"
+#include "app/commands/ProjectCommand.h"
+#include "app/commands/ReplayCommand.h"
+#include "app/commands/TradeOffCommand.h"
+#include "app/commands/WindowCommand.h"
+#include "app/program/StandardStreams.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/Version.h"
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -63,6 +64,8 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     asperity::openClosedStandardStreams();
+    // A file beyond the limit of the shell (ulimit -f) is then a full disk, not the end.
+    (void)std::signal(SIGXFSZ, SIG_IGN);
     try {
         const int status = run(argc, argv);
         std::cout.flush();

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
-"""Fails on an include that goes against the arrows of the architecture (docs/architecture.md)."""
+"""Fails on an include against the arrows of the architecture (docs/architecture.md), on a folder
+that no rule names, and on folders that include each other in a circle."""
 
+import collections
 import pathlib
 import re
 import sys
 
 TOP = pathlib.Path(__file__).resolve().parent.parent
 
-# layer -> layers that it may include, besides itself
+# layer -> layers that it may include, besides itself; a layer holds its sub-folders
 ALLOWED = {
     "core": set(),
     "core/realtime": {"core"},
@@ -15,52 +17,72 @@ ALLOWED = {
     "core/contact": {"core", "core/surface"},
     "core/probe": {"core", "core/surface", "core/contact"},
     "core/scene": {"core", "core/surface", "core/contact", "core/probe"},
-    "core/haptics": {"core", "core/surface", "core/contact", "core/probe", "core/scene",
-                     "core/realtime"},
 }
-ENGINE = set(ALLOWED)
-ALLOWED["core/experiment"] = ENGINE
-ALLOWED["core/fidelity"] = ENGINE
+SCENE = {"core", "core/surface", "core/contact", "core/probe", "core/scene"}
+ALLOWED["core/deformation"] = SCENE
+ALLOWED["core/haptics"] = SCENE | {"core/realtime"}
+ALLOWED["core/fidelity"] = SCENE | {"core/realtime", "core/deformation", "core/haptics"}
+ENGINE = ALLOWED["core/fidelity"] | {"core/fidelity"}
+ALLOWED["core/studies"] = ENGINE
+ALLOWED["core/io"] = {"core"}
+ALLOWED["core/io/tables"] = {"core", "core/io"}
+ALLOWED["core/io/heightmap"] = {"core", "core/io", "core/surface"}
+ALLOWED["core/io/fields"] = {"core", "core/io", "core/surface"}
+ALLOWED["core/io/scene"] = SCENE | {"core/haptics", "core/io", "core/io/tables"}
+ALLOWED["core/io/recording"] = SCENE | {"core/haptics", "core/io", "core/io/tables"}
 CORE = set(ALLOWED)
-ALLOWED["core/io"] = CORE
-ALLOWED["vtkplugins"] = CORE
-ALLOWED["hardware"] = CORE
-ALLOWED["ui"] = CORE | {"vtkplugins"}
-ALLOWED["app"] = CORE | {"core/io", "vtkplugins", "hardware", "ui"}
+ALLOWED["vtkplugins"] = ENGINE
+ALLOWED["hardware"] = ENGINE
+ALLOWED["ui"] = ENGINE | {"core/studies", "vtkplugins"}
+ALLOWED["app"] = CORE | {"vtkplugins", "hardware", "ui"}
+PRODUCT = set(ALLOWED)
+ALLOWED["bench"] = PRODUCT | {"tests", "tools"}
+ALLOWED["tools"] = PRODUCT
+ALLOWED["tests"] = PRODUCT | {"bench", "tools"}
+# The one file that starts the program: it includes what includes all others.
+ROOTS = {"app/main.cpp"}
 
-# system headers that belong to one place only
+# system headers that belong to some places only
 FOREIGN = {
-    re.compile(r"^(vtk|QVTK)"): {"vtkplugins", "ui"},
-    re.compile(r"^Q[A-Z]"): {"ui", "app"},
-    re.compile(r"^hidapi"): {"hardware"},
-    re.compile(r"^(Imf|OpenEXR|tiff|png|toml|nlohmann|openssl)"): {"core/io", "app"},
-    re.compile(r"^CLI/"): {"app"},
+    re.compile(r"^(vtk|QVTK)"): {"vtkplugins", "ui", "bench", "tests", "tools"},
+    re.compile(r"^Q[A-Z]"): {"ui", "app", "bench", "tests", "tools"},
+    re.compile(r"^hidapi"): {"hardware", "tests"},
+    re.compile(r"^(Imf|OpenEXR)"): {"core/io/heightmap", "core/io/fields", "bench", "tests"},
+    re.compile(r"^(tiff|png)"): {"core/io/heightmap", "app", "tests"},
+    re.compile(r"^toml"): {"core/io/scene", "app", "tests"},
+    re.compile(r"^openssl"): {"core/io"},
+    re.compile(r"^nlohmann"): {"app", "bench", "tests"},
+    re.compile(r"^CLI/"): {"app", "bench", "tests", "tools"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]')
 SOURCES = {".h", ".cpp", ".cxx"}
 
 
 def layer_of(path):
-    """The longest known layer that holds this path, e.g. core/surface."""
-    parts = path.split("/")
-    for depth in (2, 1):
-        name = "/".join(parts[:depth])
-        if len(parts) > depth and name in ALLOWED:
-            return name
-    return None
+    """The longest known layer that holds this path, e.g. core/io/heightmap."""
+    folder = path.rpartition("/")[0]
+    while folder and folder not in ALLOWED:
+        folder = folder.rpartition("/")[0]
+    # What lies below core must be named: core itself is what all may include.
+    return None if folder == "core" and path.count("/") > 1 else folder or None
+
+
+def includes_of(file):
+    """(line number, is quoted, target) of each include."""
+    for number, line in enumerate(file.read_text(errors="replace").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match.group(1) == '"', match.group(2)
 
 
 def violations(file):
-    own = layer_of(file.relative_to(TOP).as_posix())
+    name = file.relative_to(TOP).as_posix()
+    own = layer_of(name)
     if own is None:
-        yield f"{file.relative_to(TOP)}: no layer is known for this folder"
+        yield f"{name}: no layer is known for this folder"
         return
-    for number, line in enumerate(file.read_text().splitlines(), 1):
-        match = INCLUDE.match(line)
-        if not match:
-            continue
-        quoted, target = match.group(1) == '"', match.group(2)
-        where = f"{file.relative_to(TOP)}:{number}"
+    for number, quoted, target in includes_of(file):
+        where = f"{name}:{number}"
         other = layer_of(target) if quoted else None
         if other and other != own and other not in ALLOWED[own]:
             yield f"{where}: {own} must not include {other}"
@@ -70,10 +92,47 @@ def violations(file):
                     yield f"{where}: {target} belongs to {', '.join(sorted(places))}"
 
 
+def folder_graph(files):
+    """folder -> {folder that it includes: the first include that does}"""
+    graph = collections.defaultdict(dict)
+    for file in files:
+        name = file.relative_to(TOP).as_posix()
+        if name in ROOTS:
+            continue
+        own = name.rpartition("/")[0]
+        for number, quoted, target in includes_of(file):
+            other = target.rpartition("/")[0]
+            if quoted and other and other != own:
+                graph[own].setdefault(other, f"{name}:{number}")
+    return graph
+
+
+def circles(graph):
+    """One sentence for each pair of folders that reach each other, by their shortest way back."""
+    for start in sorted(graph):
+        way = {start: None}
+        queue = collections.deque([start])
+        while queue:
+            folder = queue.popleft()
+            for other in graph.get(folder, {}):
+                if other not in way:
+                    way[other] = folder
+                    queue.append(other)
+        for back in sorted(f for f in way if start in graph.get(f, {}) and f != start):
+            steps = [start]
+            folder = back
+            while folder:
+                steps.insert(1, folder)
+                folder = way[folder] if way[folder] != start else None
+            if start == min(steps):
+                yield (f"{graph[back][start]}: folders include each other in a circle: "
+                       f"{' -> '.join(steps)} -> {start}")
+
+
 def main():
-    files = [f for top in ("core", "vtkplugins", "hardware", "ui", "app")
+    files = [f for top in ("core", "vtkplugins", "hardware", "ui", "app", "bench", "tools", "tests")
              for f in sorted((TOP / top).rglob("*")) if f.suffix in SOURCES]
-    found = [line for f in files for line in violations(f)]
+    found = [line for f in files for line in violations(f)] + list(circles(folder_graph(files)))
     print("\n".join(found) if found else f"{len(files)} files keep to the layers")
     return 1 if found else 0
 

@@ -2,9 +2,9 @@
 // medians over interleaved sweeps; the truth is the reference table of 25 digits.
 #include "bench/contact/SciPyPeer.h"
 #include "core/Error.h"
-#include "core/contact/MaugisDugdale.h"
-#include "core/contact/MaugisTable.h"
-#include "core/io/CsvTable.h"
+#include "core/contact/maugis/MaugisDugdale.h"
+#include "core/contact/maugis/MaugisTable.h"
+#include "core/io/tables/CsvTable.h"
 
 #include <algorithm>
 #include <chrono>

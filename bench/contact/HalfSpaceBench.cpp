@@ -2,9 +2,9 @@
 // Times are of the processor, medians over places: one thread solves, and others may share the
 // machine. The limits they stand beside are a quarter of a frame of 25 Hz and what as many
 // convolutions of the whole grid would take alone.
-#include "core/contact/FieldConvolution.h"
-#include "core/contact/HalfSpaceSolver.h"
-#include "core/contact/LoveKernel.h"
+#include "core/contact/halfspace/FieldConvolution.h"
+#include "core/contact/halfspace/HalfSpaceSolver.h"
+#include "core/contact/halfspace/LoveKernel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include "bench/io/LoadAnswer.h"
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
-#include "core/io/HeightMapWriter.h"
-#include "core/io/ScanFile.h"
+#include "core/io/heightmap/HeightMapWriter.h"
+#include "core/io/heightmap/ScanFile.h"
 
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>

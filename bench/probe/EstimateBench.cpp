@@ -5,8 +5,8 @@
 #include "bench/probe/FalseAlarms.h"
 #include "core/fidelity/SceneNeeds.h"
 #include "core/haptics/VirtualRun.h"
-#include "core/io/ScanFile.h"
-#include "core/io/SceneFile.h"
+#include "core/io/heightmap/ScanFile.h"
+#include "core/io/scene/SceneFile.h"
 #include "core/probe/SimulatedAfm.h"
 
 #include <Eigen/Cholesky>

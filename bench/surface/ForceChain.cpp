@@ -2,7 +2,7 @@
 
 #include "bench/surface/OurQuery.h"
 #include "core/Units.h"
-#include "core/contact/ContactModel.h"
+#include "core/contact/laws/ContactModel.h"
 #include "core/probe/ForceDecoupling.h"
 #include "core/surface/foot/ClosestPoint.h"
 

@@ -5,7 +5,7 @@
 #include "bench/surface/OurQuery.h"
 #include "bench/surface/Peers.h"
 #include "core/Error.h"
-#include "core/io/HeightMapFile.h"
+#include "core/io/heightmap/HeightMapFile.h"
 #include "core/surface/Levelling.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "tools/samples/SampleScans.h"

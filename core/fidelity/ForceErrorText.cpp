@@ -31,7 +31,8 @@ std::string forceErrorText(const SceneNeeds& needs) {
     if (!needs.measured) {
         return "error of the forces not measured";
     }
-    std::string text = "forces within " + percent(needs.totalError());
+    std::string text =
+        "forces within " + percent(needs.totalError()) + " of their rms in 97 ticks of 100";
     if (needs.lawError > 0.0) {
         text += ": " + percent(needs.wholeError) + " by what is left out, " +
                 percent(needs.lawError) + " by what no contact law has beside the rest (" +

@@ -1,8 +1,8 @@
 #include "core/fidelity/SurfaceNeeds.h"
 
+#include "core/deformation/ContactPatch.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/fidelity/ModelRun.h"
-#include "core/scene/ContactPatch.h"
-#include "core/scene/HalfSpaceModel.h"
 
 #include <algorithm>
 #include <chrono>
@@ -80,7 +80,7 @@ SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states
         const PatchGrid grid{.halfWidth = kReach * state->contact.contactRadius,
                              .samples = kSamples};
         const auto patch = [&](DeformationTier tier) {
-            return timed(kRounds, [&] { return contactPatch(scene, *state, tier, grid); });
+            return timed(kRounds, [&] { return exactPatch(scene, *state, tier, grid); });
         };
         const double depth = std::abs(state->contact.indentation);
         const auto share = [depth](double distance) {

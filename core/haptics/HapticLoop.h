@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/haptics/HapticDevice.h"
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/Snapshot.h"
+#include "core/haptics/device/HapticDevice.h"
 #include "core/probe/AfmController.h"
 #include "core/realtime/PacedThread.h"
 #include "core/realtime/TripleBuffer.h"

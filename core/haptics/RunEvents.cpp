@@ -53,8 +53,8 @@ void RunEventRecorder::take(const TickSample& sample) {
     ++events_.ticks;
     takeJumps(sample);
     takeExtremes(sample);
-    for (unsigned i = 0; i < kValidityFlagCount; ++i) {
-        if (sample.output.flags.has(static_cast<Validity>(1U << i))) {
+    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+        if (sample.output.flags.has(kValidityTraits.at(i).flag)) {
             ++events_.flagged.at(i);
         }
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/haptics/HandPath.h"
-#include "core/haptics/HapticDevice.h"
+#include "core/haptics/device/HapticDevice.h"
 
 namespace asperity {
 

@@ -30,6 +30,15 @@ struct ContactGeometry {
     return in.shearStrength * in.contactArea;
 }
 
+/// Nobody knows a friction coefficient better than to this: a law of less is not certain of it.
+inline constexpr double kLeastFriction = 0.05;
+
+/// What the friction law may be off by beside its own 30 %, at any load [N].
+[[nodiscard]] inline double leastLawError(const DecouplingInput& in, double stated) noexcept {
+    const double least = kLeastFriction * std::abs(in.normalForceModel);
+    return least > stated ? std::sqrt((least * least) - (stated * stated)) : 0.0;
+}
+
 /// S of docs/theory.md 6.5 [N].
 [[nodiscard]] inline double frictionScale(const DecouplingInput& in) noexcept {
     return (in.frictionCoefficient * std::abs(in.normalForceModel)) + adhesiveFriction(in) +

@@ -213,7 +213,9 @@ InnovationVerdict monitorInnovation(const Cantilever& cantilever, const Innovati
     const double noise = std::max(memory.bendingNoise, memory.torsionNoise) - kNoiseScatter;
     return {.modelContradicted = memory.contradicted,
             .estimateInconsistent = memory.noisy || (memory.frictionWrong && slides),
-            .frictionLawError = geometry.sliding.certainty * frictionLawError(memory, unit, stated),
+            .frictionLawError =
+                geometry.sliding.certainty * std::max(frictionLawError(memory, unit, stated),
+                                                      decoupling::leastLawError(belief, stated)),
             .covarianceFactor = std::max(1.0, noise)};
 }
 

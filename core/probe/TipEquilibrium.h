@@ -2,8 +2,8 @@
 
 #include "core/Vector.h"
 #include "core/probe/ProbeSystem.h"
-#include "core/surface/TouchedSurface.h"
 #include "core/surface/foot/TipFeet.h"
+#include "core/surface/touched/TouchedSurface.h"
 
 #include <array>
 

@@ -1,8 +1,8 @@
 #include "core/scene/ContactValidity.h"
 
-#include "core/contact/LawChoice.h"
-#include "core/contact/SurfaceDisplacement.h"
-#include "core/contact/YieldOnset.h"
+#include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/contact/laws/LawChoice.h"
+#include "core/contact/laws/YieldOnset.h"
 #include "core/scene/LawRange.h"
 
 namespace asperity {

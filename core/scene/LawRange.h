@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/contact/ContactModel.h"
+#include "core/contact/laws/ContactModel.h"
 
 namespace asperity {
 

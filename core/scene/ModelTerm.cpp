@@ -6,10 +6,6 @@ namespace asperity {
 
 namespace {
 
-bool isAdhesive(ContactLaw law) {
-    return law != ContactLaw::Hertz && law != ContactLaw::Sneddon && law != ContactLaw::HertzFilm;
-}
-
 ContactLaw withoutAdhesion(ContactLaw law) {
     if (!isAdhesive(law)) {
         return law;
@@ -17,35 +13,10 @@ ContactLaw withoutAdhesion(ContactLaw law) {
     return isSphere(law) ? ContactLaw::Sneddon : ContactLaw::Hertz;
 }
 
-ContactLaw onParaboloid(ContactLaw law) {
-    switch (law) {
-    case ContactLaw::Sneddon:
-        return ContactLaw::Hertz;
-    case ContactLaw::SphereJkr:
-        return ContactLaw::Jkr;
-    case ContactLaw::SphereMaugis:
-        return ContactLaw::Maugis;
-    case ContactLaw::SphereSplit:
-        return ContactLaw::Split;
-    default:
-        return law;
-    }
-}
+ContactLaw onParaboloid(ContactLaw law) { return lawLike(law, false, hasTail(law)).value_or(law); }
 
 ContactLaw onSphere(ContactLaw law) {
-    switch (law) {
-    case ContactLaw::Hertz:
-    case ContactLaw::HertzFilm:
-        return ContactLaw::Sneddon;
-    case ContactLaw::Jkr:
-        return ContactLaw::SphereJkr;
-    case ContactLaw::Maugis:
-        return ContactLaw::SphereMaugis;
-    case ContactLaw::Split:
-        return ContactLaw::SphereSplit;
-    default:
-        return law;
-    }
+    return isFilm(law) ? ContactLaw::Sneddon : lawLike(law, true, hasTail(law)).value_or(law);
 }
 
 ContactLaw withTail(ContactLaw law) {
@@ -203,7 +174,7 @@ bool has(const SceneModel& model, ModelTerm term) noexcept {
     case ModelTerm::SphereCorrection:
         return isSphere(model.law.law);
     case ModelTerm::FilmBase:
-        return model.law.law == ContactLaw::HertzFilm;
+        return isFilm(model.law.law);
     case ModelTerm::SampleCurvature:
         return model.curvature && !isSphere(model.law.law);
     case ModelTerm::GlobalSearch:

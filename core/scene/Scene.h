@@ -9,9 +9,9 @@
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/HeightMap.h"
 #include "core/surface/Levelling.h"
-#include "core/surface/TouchedSurface.h"
 #include "core/surface/imaging/CertaintyMap.h"
 #include "core/surface/nurbs/NurbsSurface.h"
+#include "core/surface/touched/TouchedSurface.h"
 
 #include <optional>
 

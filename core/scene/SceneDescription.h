@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/contact/ContactModel.h"
 #include "core/contact/Material.h"
+#include "core/contact/laws/ContactModel.h"
 #include "core/probe/Cantilever.h"
 #include "core/probe/DetectorCalibration.h"
 #include "core/probe/ForceDecoupling.h"

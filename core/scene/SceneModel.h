@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/contact/LawChoice.h"
 #include "core/contact/SolverTier.h"
+#include "core/contact/laws/LawChoice.h"
 #include "core/probe/ForceDecoupling.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/scene/SceneDescription.h"

@@ -2,63 +2,26 @@
 
 namespace asperity {
 
-const char* validityName(Validity flag) noexcept {
-    switch (flag) {
-    case Validity::LargeContact:
-        return "large_contact";
-    case Validity::OutsideScan:
-        return "outside_scan";
-    case Validity::FilledPixel:
-        return "filled_pixel";
-    case Validity::FootNotFound:
-        return "foot_not_found";
-    case Validity::NotInEquilibrium:
-        return "not_in_equilibrium";
-    case Validity::FrictionLock:
-        return "friction_lock";
-    case Validity::ModelContradicted:
-        return "model_contradicted";
-    case Validity::CurvedSample:
-        return "curved_sample";
-    case Validity::SharpValley:
-        return "sharp_valley";
-    case Validity::SeveralFeet:
-        return "several_feet";
-    case Validity::TipNotHeld:
-        return "tip_not_held";
-    case Validity::ElasticLimit:
-        return "elastic_limit";
-    case Validity::ThinFilm:
-        return "thin_film";
-    case Validity::Implausible:
-        return "implausible_estimate";
-    case Validity::SnapInAhead:
-        return "snap_in_ahead";
-    case Validity::UncertainPixel:
-        return "uncertain_pixel";
-    case Validity::FeetUnproven:
-        return "feet_unproven";
-    case Validity::SingularGeometry:
-        return "singular_geometry";
-    case Validity::LawOutOfRange:
-        return "law_out_of_range";
-    case Validity::EstimateInconsistent:
-        return "estimate_inconsistent";
+namespace {
+
+constexpr bool isByBit() {
+    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+        if (static_cast<std::uint32_t>(kValidityTraits.at(i).flag) != 1U << i) {
+            return false;
+        }
     }
-    return "unknown";
+    return true;
 }
+static_assert(isByBit());
+
+}  // namespace
 
 std::string validityText(ValidityFlags flags) {
     std::string text;
-    for (int i = 0; i < kValidityFlagCount; ++i) {
-        const auto flag = static_cast<Validity>(1U << static_cast<unsigned>(i));
-        if (!flags.has(flag)) {
-            continue;
+    for (const ValidityTraits& one : kValidityTraits) {
+        if (flags.has(one.flag)) {
+            text += (text.empty() ? "" : "|") + std::string(one.key);
         }
-        if (!text.empty()) {
-            text += '|';
-        }
-        text += validityName(flag);
     }
     return text.empty() ? "-" : text;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -30,6 +32,68 @@ enum class Validity : std::uint32_t {
         1U << 19U,  ///< friction law or noise are not as stated: InnovationMonitor
 };
 
+/// What a flag means for a result.
+enum class Severity : std::uint8_t {
+    Notice,  ///< announces what comes; the result holds
+    Doubt,   ///< the result does not hold in full
+};
+
+/// All there is to say of a flag; what logs, panels, files and summaries show is made from this.
+struct ValidityTraits {
+    Validity flag;
+    const char* key;    ///< in logs and summaries
+    const char* words;  ///< for people
+    Severity severity;
+};
+
+/// By bit.
+inline constexpr std::array kValidityTraits{
+    ValidityTraits{Validity::LargeContact, "large_contact",
+                   "contact radius above 0.3 tip radii: beyond half-space theory", Severity::Doubt},
+    ValidityTraits{Validity::OutsideScan, "outside_scan", "tip outside the scan", Severity::Doubt},
+    ValidityTraits{Validity::FilledPixel, "filled_pixel",
+                   "the scan holds no data here: height filled in", Severity::Doubt},
+    ValidityTraits{Validity::FootNotFound, "foot_not_found",
+                   "closest point of the surface not found", Severity::Doubt},
+    ValidityTraits{Validity::NotInEquilibrium, "not_in_equilibrium",
+                   "no equilibrium of tip and cantilever found", Severity::Doubt},
+    ValidityTraits{Validity::FrictionLock, "friction_lock", "friction would lock the cantilever",
+                   Severity::Doubt},
+    ValidityTraits{Validity::ModelContradicted, "model_contradicted",
+                   "signals contradict the contact model by more than 3 sigma", Severity::Doubt},
+    ValidityTraits{Validity::SingularGeometry, "singular_geometry",
+                   "signals say little about one direction of the force", Severity::Doubt},
+    ValidityTraits{Validity::CurvedSample, "curved_sample",
+                   "surface curved so that one effective radius is a rough word for it",
+                   Severity::Doubt},
+    ValidityTraits{Validity::SharpValley, "sharp_valley",
+                   "valley as sharp as the tip: the contact law does not hold", Severity::Doubt},
+    ValidityTraits{Validity::SeveralFeet, "several_feet",
+                   "tip touches at several places: forces summed", Severity::Doubt},
+    ValidityTraits{Validity::TipNotHeld, "tip_not_held",
+                   "the cantilever cannot hold the tip where the hand wants it", Severity::Doubt},
+    ValidityTraits{Validity::ElasticLimit, "elastic_limit",
+                   "peak pressure exceeds onset of yield (about 0.6 hardness)", Severity::Doubt},
+    ValidityTraits{Validity::ThinFilm, "thin_film",
+                   "contact too wide for the film's thickness and the contact law",
+                   Severity::Doubt},
+    ValidityTraits{Validity::SnapInAhead, "snap_in_ahead", "the tip is about to snap in",
+                   Severity::Notice},
+    ValidityTraits{Validity::Implausible, "implausible_estimate",
+                   "estimated force breaks the friction law", Severity::Doubt},
+    ValidityTraits{Validity::UncertainPixel, "uncertain_pixel",
+                   "height uncertain: the imaging tip may not have touched here", Severity::Doubt},
+    ValidityTraits{Validity::FeetUnproven, "feet_unproven",
+                   "other places may be as near to the tip as those it is felt on",
+                   Severity::Doubt},
+    ValidityTraits{Validity::LawOutOfRange, "law_out_of_range",
+                   "adhesion beyond the reach of the law", Severity::Doubt},
+    ValidityTraits{Validity::EstimateInconsistent, "estimate_inconsistent",
+                   "signals contradict friction law or noise: error bars widened", Severity::Doubt},
+};
+
+inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();
+
 /// A set of validity flags.
 class ValidityFlags {
 public:
@@ -48,12 +112,7 @@ private:
     std::uint32_t bits_ = 0;
 };
 
-inline constexpr int kValidityFlagCount = 20;
-
-/// Name of one flag as logs and panels show it, e.g. "large_contact".
-[[nodiscard]] const char* validityName(Validity flag) noexcept;
-
-/// Names joined by '|', or "-" when none is set.
+/// Keys joined by '|', or "-" when none is set.
 [[nodiscard]] std::string validityText(ValidityFlags flags);
 
 }  // namespace asperity

@@ -2,8 +2,8 @@
 
 #include "core/Error.h"
 #include "core/Simd.h"
+#include "core/surface/CellBoundsBuilder.h"
 #include "core/surface/HeightMap.h"
-#include "core/surface/foot/CellBoundsBuilder.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 
 #include "core/Progress.h"
 #include "core/Vector.h"
+#include "core/surface/CellBounds.h"
 #include "core/surface/HeightSample.h"
 #include "core/surface/PixelVector.h"
-#include "core/surface/foot/CellBounds.h"
 
 namespace asperity {
 

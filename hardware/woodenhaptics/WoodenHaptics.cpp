@@ -1,7 +1,8 @@
 #include "hardware/woodenhaptics/WoodenHaptics.h"
 
 #include "core/realtime/PacedThread.h"
-#include "hardware/DrainReports.h"
+#include "hardware/hid/DrainReports.h"
+#include "hardware/woodenhaptics/WoodenHapticsDriver.h"
 
 #include <algorithm>
 #include <utility>
@@ -37,7 +38,7 @@ WoodenHaptics::WoodenHaptics(HidTransport& transport, WoodenHapticsDescription d
     : description_(std::move(description))
     , latest_{.time = monotonicSeconds()}
     , reading_(latest_)
-    , follower_(transport, kWoodenHapticsDriver) {
+    , follower_(transport, woodenHapticsDriver()) {
     const bool expected = follower_.hasDevice();
     follower_.start(
         [this](const FoundDevice& found, const std::stop_token& stop) { follow(found, stop); });

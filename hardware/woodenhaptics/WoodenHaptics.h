@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/haptics/HapticDevice.h"
-#include "core/haptics/WoodenHapticsDescription.h"
+#include "core/haptics/device/HapticDevice.h"
+#include "core/haptics/device/WoodenHapticsDescription.h"
 #include "core/realtime/TripleBuffer.h"
-#include "hardware/HidFollower.h"
+#include "hardware/hid/HidFollower.h"
 #include "hardware/woodenhaptics/RecentMaximum.h"
 #include "hardware/woodenhaptics/WoodenHapticsReports.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/haptics/WoodenHapticsDescription.h"
+#include "core/haptics/device/WoodenHapticsDescription.h"
 
 #include <array>
 #include <cstdint>

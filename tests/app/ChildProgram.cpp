@@ -16,7 +16,6 @@ constexpr long kKibibyte = 1024;  // the unit of ru_maxrss on Linux
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, SIG_DFL);
     std::signal(SIGHUP, SIG_DFL);
-    std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is a full disk, not an end
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);

@@ -1,5 +1,5 @@
 #include "core/Error.h"
-#include "core/io/CsvTable.h"
+#include "core/io/tables/CsvTable.h"
 
 #include <cstdint>
 

@@ -1,5 +1,5 @@
 #include "core/Error.h"
-#include "core/io/StoredRows.h"
+#include "core/io/heightmap/StoredRows.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,7 @@
 #include "hardware/DeviceRegistry.h"
 
+#include "hardware/spacemouse/SpaceMouseDriver.h"
+#include "hardware/woodenhaptics/WoodenHapticsDriver.h"
 #include "tests/hardware/FakeHid.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +68,7 @@ TEST(DeviceRegistry, SaysWhatASpaceMouseCanDo) {
     const std::vector<DeviceDescription> list = listDevices(hid);
     ASSERT_EQ(list.size(), 1U);
     EXPECT_EQ(list[0].name, "SpaceMouse Compact");
-    EXPECT_EQ(list[0].driver, kSpaceMouseDriver);
+    EXPECT_EQ(list[0].driver, spaceMouseDriver().name);
     EXPECT_EQ(list[0].path, "/dev/hidraw7");
     EXPECT_EQ(list[0].vendorId, 0x256f);
     EXPECT_EQ(list[0].productId, 0xc635);
@@ -88,7 +90,7 @@ TEST(DeviceRegistry, SaysWhatAWoodenHapticsCanDo) {
     FakeHid hid({teensyInfo()});
     const std::vector<DeviceDescription> list = listDevices(hid);
     ASSERT_EQ(list.size(), 1U);
-    EXPECT_EQ(list[0].driver, kWoodenHapticsDriver);
+    EXPECT_EQ(list[0].driver, woodenHapticsDriver().name);
     EXPECT_EQ(list[0].senses, (std::vector<std::string>{"x", "y", "z", "buttons"}));
     EXPECT_TRUE(list[0].rendersForce);
     EXPECT_TRUE(list[0].usable());
@@ -124,7 +126,7 @@ TEST(DeviceRegistry, NamesTheRulesFileWhenPermissionIsMissing) {
     ASSERT_EQ(list.size(), 1U);
     EXPECT_FALSE(list[0].usable());
     EXPECT_NE(list[0].obstacle.find("70-asperity-hid.rules"), std::string::npos);
-    EXPECT_EQ(list[0].driver, kSpaceMouseDriver);
+    EXPECT_EQ(list[0].driver, spaceMouseDriver().name);
 }
 
 /// The value that a rule asks of a key; empty: the rule does not ask for it.

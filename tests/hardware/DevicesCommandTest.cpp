@@ -1,4 +1,4 @@
-#include "app/DevicesCommand.h"
+#include "app/commands/DevicesCommand.h"
 
 #include "tests/hardware/VirtualSpaceMouse.h"
 

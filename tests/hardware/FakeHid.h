@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hardware/HidTransport.h"
+#include "hardware/hid/HidTransport.h"
 
 #include <condition_variable>
 #include <deque>

@@ -1,5 +1,5 @@
 #include "core/Error.h"
-#include "core/io/HeightMapWriter.h"
+#include "core/io/heightmap/HeightMapWriter.h"
 #include "tools/samples/SampleScans.h"
 
 #include <cstdlib>

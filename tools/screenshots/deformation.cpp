@@ -3,13 +3,13 @@
 /// and a scan beside what erosion makes of it.
 /// Usage: asperity_deformation_pictures OUT_FOLDER
 
-#include "app/ContactView.h"
-#include "app/DataFolder.h"
-#include "app/LoadedScene.h"
-#include "app/VirtualDisplay.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/program/DataFolder.h"
+#include "app/program/LoadedScene.h"
+#include "app/reports/ContactView.h"
 #include "core/Units.h"
 #include "core/haptics/RunEvents.h"
-#include "core/io/SceneFile.h"
+#include "core/io/scene/SceneFile.h"
 #include "core/probe/SimulatedAfm.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tools/screenshots/PictureTool.h"

@@ -2,11 +2,11 @@
 /// and saves what the window shows.
 /// Usage: asperity_device_picture SCENE_OR_SCAN WIDTH HEIGHT OUT.png
 
-#include "app/LiveWindow.h"
-#include "app/VirtualDisplay.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/session/LiveWindow.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"
-#include "ui/WindowMenus.h"
+#include "ui/window/WindowMenus.h"
 
 #include <QTimer>
 

@@ -1,12 +1,12 @@
 /// Opens the fidelity panel on a scene, measures, and saves what the panel shows.
 /// Usage: asperity_fidelity_picture SCENE_OR_SCAN OUT.png
 
-#include "app/LiveWindow.h"
-#include "app/VirtualDisplay.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/session/LiveWindow.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"
-#include "ui/WindowMenus.h"
 #include "ui/panels/FidelityPanel.h"
+#include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QPixmap>

@@ -2,8 +2,8 @@
 /// at the deepest indentation and shortly before pull-off.
 /// Usage: asperity_screenshots SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX
 
-#include "app/LiveWindow.h"
-#include "app/VirtualDisplay.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/session/LiveWindow.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"
 

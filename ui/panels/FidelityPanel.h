@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/fidelity/TradeOffStudy.h"
+#include "core/studies/TradeOffStudy.h"
 #include "ui/panels/TermTable.h"
 
 #include <QWidget>

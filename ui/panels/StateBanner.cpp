@@ -19,8 +19,6 @@ constexpr int kHeight = 32;        ///< [px]
 constexpr double kFlagHold = 0.5;  ///< how long a flag stays shown [s of physics time]
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-Validity flagNumber(int index) { return static_cast<Validity>(1U << static_cast<unsigned>(index)); }
-
 QString regionWords(TipRegion region) {
     switch (region) {
     case TipRegion::Far:
@@ -36,52 +34,6 @@ QString regionWords(TipRegion region) {
 bool actsFully(ForceState state) { return state == ForceState::On || state == ForceState::Limited; }
 
 }  // namespace
-
-QString validityWords(Validity flag) {
-    switch (flag) {
-    case Validity::LargeContact:
-        return QStringLiteral("contact radius above 0.3 tip radii: beyond half-space theory");
-    case Validity::OutsideScan:
-        return QStringLiteral("tip outside the scan");
-    case Validity::FilledPixel:
-        return QStringLiteral("the scan holds no data here: height filled in");
-    case Validity::UncertainPixel:
-        return QStringLiteral("height uncertain: the imaging tip may not have touched here");
-    case Validity::FeetUnproven:
-        return QStringLiteral("other places may be as near to the tip as those it is felt on");
-    case Validity::FootNotFound:
-        return QStringLiteral("closest point of the surface not found");
-    case Validity::NotInEquilibrium:
-        return QStringLiteral("no equilibrium of tip and cantilever found");
-    case Validity::FrictionLock:
-        return QStringLiteral("friction would lock the cantilever");
-    case Validity::ModelContradicted:
-        return QStringLiteral("signals contradict the contact model by more than 3 sigma");
-    case Validity::SingularGeometry:
-        return QStringLiteral("signals say little about one direction of the force");
-    case Validity::CurvedSample:
-        return QStringLiteral("surface curved so that one effective radius is a rough word for it");
-    case Validity::SharpValley:
-        return QStringLiteral("valley as sharp as the tip: the contact law does not hold");
-    case Validity::SeveralFeet:
-        return QStringLiteral("tip touches at several places: forces summed");
-    case Validity::TipNotHeld:
-        return QStringLiteral("the cantilever cannot hold the tip where the hand wants it");
-    case Validity::ElasticLimit:
-        return QStringLiteral("peak pressure exceeds onset of yield (about 0.6 hardness)");
-    case Validity::ThinFilm:
-        return QStringLiteral("contact too wide for the film's thickness and the contact law");
-    case Validity::LawOutOfRange:
-        return QStringLiteral("adhesion beyond the reach of the law");
-    case Validity::EstimateInconsistent:
-        return QStringLiteral("signals contradict friction law or noise: error bars widened");
-    case Validity::Implausible:
-        return QStringLiteral("estimated force breaks the friction law");
-    case Validity::SnapInAhead:
-        return QStringLiteral("the tip is about to snap in");
-    }
-    return {};
-}
 
 QString faultWords(Fault fault) {
     switch (fault) {
@@ -155,9 +107,9 @@ StateBanner::StateBanner(QWidget* parent)
 }
 
 void StateBanner::take(const TickSample& sample) noexcept {
-    for (int flag = 0; flag < kValidityFlagCount; ++flag) {
-        if (sample.output.flags.has(flagNumber(flag))) {
-            lastSeen_.at(static_cast<std::size_t>(flag)) = sample.time;
+    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+        if (sample.output.flags.has(kValidityTraits.at(i).flag)) {
+            lastSeen_.at(i) = sample.time;
         }
     }
 }
@@ -257,20 +209,19 @@ void StateBanner::showState() {
                            QColor(colour).darker(125).name()));
 }
 
-bool StateBanner::isShown(int flag) const {
-    const double age = latest_.sample.time - lastSeen_.at(static_cast<std::size_t>(flag));
-    // A warning of what is to come is void when it has come.
-    if (flagNumber(flag) == Validity::SnapInAhead) {
-        return latest_.sample.output.flags.has(Validity::SnapInAhead);
-    }
-    return latest_.sample.output.flags.has(flagNumber(flag)) || (age >= 0.0 && age < kFlagHold);
+bool StateBanner::isShown(std::size_t index) const {
+    const ValidityTraits& flag = kValidityTraits.at(index);
+    const double age = latest_.sample.time - lastSeen_.at(index);
+    // A notice of what is to come is void when it has come.
+    const bool lingers = flag.severity != Severity::Notice && age >= 0.0 && age < kFlagHold;
+    return lingers || latest_.sample.output.flags.has(flag.flag);
 }
 
 void StateBanner::showFlags() {
     QStringList words;
-    for (int flag = 0; flag < kValidityFlagCount; ++flag) {
-        if (isShown(flag)) {
-            words << validityWords(flagNumber(flag));
+    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+        if (isShown(i)) {
+            words << QString::fromLatin1(kValidityTraits.at(i).words);
         }
     }
     if (energyGiven_) {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/haptics/Snapshot.h"
-#include "core/scene/HalfSpaceModel.h"
 #include "core/scene/Validity.h"
 
 #include <QFrame>
@@ -13,8 +13,6 @@ class QPushButton;
 
 namespace asperity {
 
-/// What a validity flag means, for people.
-[[nodiscard]] QString validityWords(Validity flag);
 /// Why the forces were switched off, for people; empty when they were not.
 [[nodiscard]] QString faultWords(Fault fault);
 /// What becomes of the force at the hand, for people; empty when it acts as wanted or a fault says
@@ -55,7 +53,7 @@ private:
     void showFlags();
     [[nodiscard]] QString stateWords() const;
     [[nodiscard]] QRgb stateColour() const;
-    [[nodiscard]] bool isShown(int flag) const;
+    [[nodiscard]] bool isShown(std::size_t index) const;
 
     Snapshot latest_;
     bool hasRun_ = false;

@@ -1,9 +1,6 @@
 #include "ui/view/ContactShape.h"
 
 #include "core/SmoothStep.h"
-#include "core/contact/SurfaceDisplacement.h"
-#include "core/scene/ContactPatch.h"
-#include "core/scene/RimRounding.h"
 
 #include <Eigen/Geometry>
 
@@ -64,23 +61,6 @@ double roomAlong(double low, double middle, double high) {
     return isWhole ? 0.5 * (high - low) : std::min(middle - low, high - middle);
 }
 
-double sampleShareOf(const Scene& scene) {
-    const SceneDescription& description = scene.description;
-    return sharesDisplacement(scene.model.deformation)
-               ? sampleShare(description.sample.material.elastic, description.tip.elastic)
-               : 1.0;
-}
-
-RadialTable displacementTable(const Scene& scene, const TipState& state, const ScanWindow& area) {
-    const double reach = std::hypot(area.right - area.left, area.top - area.bottom);
-    const double rounding = rimRounding(state.contact, scene.belief.tipRadius());
-    const auto exact = [&, model = contactModelAt(scene, state)](double distance) {
-        return surfaceDisplacement(model, state.contact, distance);
-    };
-    return {[&](double distance) { return averagedOverRim(exact, distance, rounding); },
-            state.contact.contactRadius, reach};
-}
-
 }  // namespace
 
 bool isDrawable(const TipState& state) {
@@ -94,34 +74,13 @@ ContactShape::ContactShape(const Scene& scene, const TipState& state, const Scan
                            int samples, const HalfSpaceAnswer* halfSpace)
     : area_(area)
     , rest_(withoutScanEdges(area, scene.surface))
-    , contact_(tipContact(scene, state))
-    , share_(sampleShareOf(scene))
-    , table_(displacementTable(scene, state, area))
-    , field_(fieldFor(scene, halfSpace != nullptr && stillHolds(*halfSpace, state) ? halfSpace
-                                                                                   : nullptr)) {
+    , deformation_(scene, state, scene.model.deformation, halfSpace) {
     sample(scene.surface, samples);
 }
 
-DisplacementField ContactShape::fieldFor(const Scene& scene,
-                                         const HalfSpaceAnswer* halfSpace) const {
-    const DeformationTier tier = scene.model.deformation;
-    if (tier == DeformationTier::HalfSpace && halfSpace != nullptr) {
-        return halfSpaceField(contact_, halfSpace->field, share_);
-    }
-    if (sharesDisplacement(tier)) {
-        return closedFormField(contact_,
-                               [this](double distance) { return share_ * table_.at(distance); });
-    }
-    if (contact_.contactRadius == 0.0) {  // the other tiers move what the tip touches
-        return [](const Vector3&) -> Vector3 { return Vector3::Zero(); };
-    }
-    return tier == DeformationTier::FourPoint ? fourPointField(scene.surface, contact_)
-                                              : contactRadiusField(scene.surface, contact_);
-}
-
 void ContactShape::sample(const BSplineSurface& surface, int samples) {
-    const double middleX = std::clamp(contact_.foot.x(), area_.left, area_.right);
-    const double middleY = std::clamp(contact_.foot.y(), area_.bottom, area_.top);
+    const double middleX = std::clamp(contact().foot.x(), area_.left, area_.right);
+    const double middleY = std::clamp(contact().foot.y(), area_.bottom, area_.top);
     const std::vector<double> across = crowded(area_.left, middleX, area_.right, samples);
     const std::vector<double> up = crowded(area_.bottom, middleY, area_.top, samples);
     patch_.columns = samples;
@@ -139,7 +98,7 @@ void ContactShape::sample(const BSplineSurface& surface, int samples) {
             patch_.rest.push_back(rest);
             patch_.points.push_back(point);
             patch_.normals.push_back(height.normal());
-            displacements_.push_back((rest - point).dot(contact_.normal));
+            displacements_.push_back((rest - point).dot(contact().normal));
         }
     }
 }
@@ -152,7 +111,7 @@ double ContactShape::largestDisplacement() const {
 /// From the contact to where the surface must be at rest, along the shorter side; at most what the
 /// rectangle holds [m].
 double ContactShape::room() const {
-    const Vector3& foot = contact_.foot;
+    const Vector3& foot = contact().foot;
     const double x =
         roomAlong(rest_.left, std::clamp(foot.x(), area_.left, area_.right), rest_.right);
     const double y =
@@ -163,7 +122,7 @@ double ContactShape::room() const {
 /// 1 where the rectangle holds the contact, down to 0 where the contact fills it: without it the
 /// rim, which stands high on the tip, would leave spikes in the corners.
 double ContactShape::fade() const {
-    const double radius = contact_.contactRadius;
+    const double radius = contact().contactRadius;
     const double wanted = (kRoomForContact - 1.0) * radius;
     return wanted > 0.0 ? smoothStep((room() - radius) / wanted) : 1.0;
 }
@@ -177,13 +136,9 @@ double ContactShape::blend(double x, double y) const {
 
 Vector3 ContactShape::moved(const Vector3& rest) const {
     const double weight = blend(rest.x(), rest.y());
-    return weight > 0.0 ? Vector3(rest + weight * field_(rest)) : rest;
+    return weight > 0.0 ? Vector3(rest + weight * deformation_.field()(rest)) : rest;
 }
 
-double ContactShape::tipDisplacement(double distance) const {
-    return (1.0 - share_) * table_.at(distance);
-}
-
-Vector3 ContactShape::contactPoint() const { return moved(contact_.foot); }
+Vector3 ContactShape::contactPoint() const { return moved(contact().foot); }
 
 }  // namespace asperity

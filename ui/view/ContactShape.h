@@ -1,9 +1,7 @@
 #pragma once
 
-#include "core/scene/HalfSpaceModel.h"
-#include "core/scene/RadialTable.h"
+#include "core/deformation/ContactDeformation.h"
 #include "core/scene/Scene.h"
-#include "core/surface/deformation/DisplacementField.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 
@@ -11,10 +9,10 @@
 
 namespace asperity {
 
-/// The surface around the contact, as one tick of the model deforms it: sampled most finely at the
-/// contact, and at rest along the border of its rectangle, where it joins the surface around it.
-/// Sides on the scan's edge join nothing: there the surface moves as it does inside. World frame;
-/// derived afresh for every picture.
+/// The surface around the contact, as ContactDeformation has it for one tick of the model: sampled
+/// most finely at the contact, and at rest along the border of its rectangle, where it joins the
+/// surface around it. Sides on the scan's edge join nothing: there the surface moves as it does
+/// inside. World frame; derived afresh for every picture.
 class ContactShape {
 public:
     /// @param area    rectangle to sample
@@ -37,17 +35,17 @@ public:
     [[nodiscard]] Vector3 moved(const Vector3& rest) const;
     /// By how much the tip's own surface has moved into the tip, at this distance from the
     /// contact's axis [m].
-    [[nodiscard]] double tipDisplacement(double distance) const;
+    [[nodiscard]] double tipDisplacement(double distance) const {
+        return deformation_.tipDisplacement(distance);
+    }
 
     /// Unit vector out of the sample, along the contact's axis.
-    [[nodiscard]] const Vector3& outward() const { return contact_.normal; }
-    [[nodiscard]] const TipContact& contact() const { return contact_; }
+    [[nodiscard]] const Vector3& outward() const { return contact().normal; }
+    [[nodiscard]] const TipContact& contact() const { return deformation_.contact(); }
     /// Of the contact's axis with the deformed surface [m].
     [[nodiscard]] Vector3 contactPoint() const;
 
 private:
-    [[nodiscard]] DisplacementField fieldFor(const Scene& scene,
-                                             const HalfSpaceAnswer* halfSpace) const;
     void sample(const BSplineSurface& surface, int samples);
     [[nodiscard]] double room() const;
     [[nodiscard]] double fade() const;
@@ -55,10 +53,7 @@ private:
 
     ScanWindow area_;
     ScanWindow rest_;  ///< where the surface is at rest: area_, without end beyond the scan's edges
-    TipContact contact_;
-    double share_;       ///< of the sample in the displacement, the tip takes the rest
-    RadialTable table_;  ///< displacement of sample and tip together
-    DisplacementField field_;
+    ContactDeformation deformation_;
     SurfacePatch patch_;
     std::vector<double> displacements_;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/haptics/Snapshot.h"
-#include "core/scene/HalfSpaceModel.h"
 #include "core/scene/Scene.h"
 #include "ui/ColourScale.h"
 #include "ui/view/ContactLayer.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/haptics/LedHand.h"
 #include "core/haptics/bench/VirtualBench.h"
+#include "core/haptics/device/LedHand.h"
 
 namespace asperity {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/haptics/HapticDevice.h"
+#include "core/haptics/device/HapticDevice.h"
 
 #include <cstdint>
 #include <vector>

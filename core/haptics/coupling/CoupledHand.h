@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/haptics/DeviceSpecification.h"
 #include "core/haptics/coupling/CouplingDesign.h"
 #include "core/haptics/coupling/ScaleGuard.h"
+#include "core/haptics/device/DeviceSpecification.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/haptics/DeviceSpecification.h"
 #include "core/haptics/coupling/VirtualCoupling.h"
+#include "core/haptics/device/DeviceSpecification.h"
 
 namespace asperity {
 

@@ -19,6 +19,12 @@ namespace asperity {
 [[nodiscard]] DisplacementField closedFormField(const TipContact& contact,
                                                 RadialDisplacement displacement);
 
+/// What a tier moves the surface by; see deformedPatch().
+/// @throw Error where ClosedForm or HalfSpace is given no displacement
+[[nodiscard]] DisplacementField displacementField(const BSplineSurface& surface,
+                                                  const TipContact& contact, DeformationTier tier,
+                                                  const RadialDisplacement& displacement);
+
 /// The surface around the contact, refined to `spacing` along its slope, and wide enough that
 /// control points within the contact radius or beside the foot shape no point at its edge.
 [[nodiscard]] SplinePatch netAroundContact(const BSplineSurface& surface, const TipContact& contact,

@@ -49,21 +49,6 @@ SurfacePatch restPatch(const BSplineSurface& surface, const Vector2& centre,
     return patch;
 }
 
-DisplacementField fieldFor(const BSplineSurface& surface, const TipContact& contact,
-                           DeformationTier tier, const RadialDisplacement& displacement) {
-    if (sharesDisplacement(tier)) {
-        if (!displacement) {
-            throw Error("the closed form needs a displacement");
-        }
-        return closedFormField(contact, displacement);
-    }
-    if (contact.contactRadius == 0.0) {
-        return [](const Vector3&) -> Vector3 { return Vector3::Zero(); };
-    }
-    return tier == DeformationTier::FourPoint ? fourPointField(surface, contact)
-                                              : contactRadiusField(surface, contact);
-}
-
 /// Normals of the deformed points from their differences, one-sided at the patch's border.
 std::vector<Vector3> normalsOf(const SurfacePatch& patch) {
     std::vector<Vector3> normals;
@@ -86,11 +71,27 @@ std::vector<Vector3> normalsOf(const SurfacePatch& patch) {
 
 }  // namespace
 
+DisplacementField displacementField(const BSplineSurface& surface, const TipContact& contact,
+                                    DeformationTier tier, const RadialDisplacement& displacement) {
+    if (sharesDisplacement(tier)) {
+        if (!displacement) {
+            throw Error("the closed form needs a displacement");
+        }
+        return closedFormField(contact, displacement);
+    }
+    if (contact.contactRadius == 0.0) {
+        return [](const Vector3&) -> Vector3 { return Vector3::Zero(); };
+    }
+    return tier == DeformationTier::FourPoint ? fourPointField(surface, contact)
+                                              : contactRadiusField(surface, contact);
+}
+
 SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
                            const PatchGrid& grid, DeformationTier tier,
                            const RadialDisplacement& displacement) {
     requireUsable(contact, grid);
-    return deformedPatch(surface, contact, grid, fieldFor(surface, contact, tier, displacement));
+    return deformedPatch(surface, contact, grid,
+                         displacementField(surface, contact, tier, displacement));
 }
 
 SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,

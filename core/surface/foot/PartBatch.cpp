@@ -1,6 +1,6 @@
 #include "core/surface/foot/PartBatch.h"
 
-#include "core/surface/foot/BezierCell.h"
+#include "core/surface/BezierCell.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // Recordings whose process ends at a random time, from the command line and from the window: by
 // SIGKILL, by SIGHUP, and on a disk that gets full. ASPERITY_ENDS says how many of each (2).
 
-#include "app/RecordedRun.h"
-#include "app/RunFolder.h"
-#include "app/VirtualDisplay.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/recording/RecordedRun.h"
+#include "app/reports/RunFolder.h"
 #include "core/GrowingFile.h"
 #include "tests/app/ChildProgram.h"
 #include "tests/app/ProgramRun.h"

@@ -1,7 +1,7 @@
-#include "app/Recording.h"
+#include "app/recording/Recording.h"
 #include "core/Units.h"
 #include "core/haptics/HandPath.h"
-#include "core/io/SceneFile.h"
+#include "core/io/scene/SceneFile.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/core/haptics/governor/GuardedBench.h"
 #include "tests/support/ScratchFolder.h"
@@ -87,7 +87,7 @@ TEST(Recording, OfAMinuteWithTurnedKnobsAndAFaultReplaysToTheSameBits) {
     const LoadedScene loaded = loadScene(folder.write("scene.toml", sceneText(coupledScene())), {});
     LongSession session(loaded);
     session.step();  // a recording begins in the middle of a run
-    Recording recording(folder.path() / "run", loaded, session.memory(), 1e-3);
+    Recording recording({folder.path() / "run"}, loaded, session.memory(), 1e-3);
     long inContact = 0;
     std::map<ForceState, long> states;
     while (session.now() < kSession) {

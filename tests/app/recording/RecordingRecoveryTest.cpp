@@ -1,7 +1,7 @@
-#include "app/RecordingRecovery.h"
+#include "app/recording/RecordingRecovery.h"
 
-#include "app/RecordedRun.h"
-#include "app/Recording.h"
+#include "app/recording/RecordedRun.h"
+#include "app/recording/Recording.h"
 #include "core/Error.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ScratchFolder.h"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 class CutOff : public ::testing::Test {
 protected:
     void record(long ticks) {
-        recording = std::make_unique<Recording>(run, loaded, memory, 0.0);
+        recording = std::make_unique<Recording>(RecordingPlace{run}, loaded, memory, 0.0);
         TickInput input;
         input.timeStep = loaded.scene.timeStep();
         input.settings = loaded.scene.settings;

@@ -1,6 +1,6 @@
-#include "app/RecordingThread.h"
+#include "app/recording/RecordingThread.h"
 
-#include "app/RecordedRun.h"
+#include "app/recording/RecordedRun.h"
 #include "core/Error.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/FileSizeLimit.h"
@@ -49,7 +49,7 @@ protected:
 };
 
 TEST_F(OnItsOwnThread, EveryTickIsThereWhenItIsFinished) {
-    RecordingThread recording(run, loaded, {}, 0.0);
+    RecordingThread recording({run}, loaded, {}, 0.0);
     give(recording, 10'007);
     recording.finish();
     EXPECT_EQ(recording.end(), RecordingEnd::None);
@@ -59,13 +59,13 @@ TEST_F(OnItsOwnThread, EveryTickIsThereWhenItIsFinished) {
 }
 
 TEST_F(OnItsOwnThread, ARecordingOfNothingIsARecording) {
-    RecordingThread recording(run, loaded, {}, 0.0);
+    RecordingThread recording({run}, loaded, {}, 0.0);
     recording.finish();
     expectHolds(0);
 }
 
 TEST_F(OnItsOwnThread, EndsWhereTicksAreLost) {
-    RecordingThread recording(run, loaded, {}, 0.0);
+    RecordingThread recording({run}, loaded, {}, 0.0);
     give(recording, 1500);
     count += 20;
     give(recording, 1500);
@@ -76,7 +76,7 @@ TEST_F(OnItsOwnThread, EndsWhereTicksAreLost) {
 
 // A loop without any pause makes ticks a hundred times as fast as they can be written.
 TEST_F(OnItsOwnThread, ADiskThatDoesNotFollowEndsItInGoodOrder) {
-    RecordingThread recording(run, loaded, {}, 0.0);
+    RecordingThread recording({run}, loaded, {}, 0.0);
     while (recording.end() == RecordingEnd::None && count < 10'000'000) {
         give(recording, 1000);
     }
@@ -89,7 +89,7 @@ TEST_F(OnItsOwnThread, ADiskThatDoesNotFollowEndsItInGoodOrder) {
 }
 
 TEST_F(OnItsOwnThread, EndsAtOnceWhereTheDiskIsFullAndKeepsWhatWasWritten) {
-    RecordingThread recording(run, loaded, {}, 0.0);
+    RecordingThread recording({run}, loaded, {}, 0.0);
     const test::FileSizeLimit full(300'000);
     const auto begin = std::chrono::steady_clock::now();
     while (recording.end() == RecordingEnd::None && count < 100'000) {
@@ -113,7 +113,7 @@ TEST_F(OnItsOwnThread, EndsAtOnceWhereTheDiskIsFullAndKeepsWhatWasWritten) {
 }
 
 TEST_F(OnItsOwnThread, HoldsOlderTicksWhileItGoesOn) {
-    RecordingThread recording(run, loaded, {}, 0.0);
+    RecordingThread recording({run}, loaded, {}, 0.0);
     give(recording, 1000);
     EXPECT_EQ(stateOf(run), RunState::Recording);
     std::size_t held = 0;
@@ -128,7 +128,7 @@ TEST_F(OnItsOwnThread, HoldsOlderTicksWhileItGoesOn) {
 
 TEST_F(OnItsOwnThread, KeepsWhatWasHandedOverWhereItIsGivenUp) {
     {
-        RecordingThread recording(run, loaded, {}, 0.0);
+        RecordingThread recording({run}, loaded, {}, 0.0);
         give(recording, 1000);
     }
     EXPECT_EQ(stateOf(run), RunState::Unfinished);
@@ -139,13 +139,31 @@ TEST_F(OnItsOwnThread, KeepsWhatWasHandedOverWhereItIsGivenUp) {
 TEST_F(OnItsOwnThread, WritesOverNoRun) {
     std::filesystem::create_directory(run);
     std::ofstream(run / run_files::kEnergy) << "earlier";
-    EXPECT_THROW(RecordingThread(run, loaded, {}, 0.0), Error);
+    EXPECT_THROW(RecordingThread({run}, loaded, {}, 0.0), Error);
     EXPECT_EQ(test::contentOf(run / run_files::kEnergy), "earlier");
-    removeRun(run);
-    RecordingThread recording(run, loaded, {}, 0.0);
-    EXPECT_THROW(removeRun(run), Error) << "it goes on";
+    RecordingThread recording({.folder = run, .replace = true}, loaded, {}, 0.0);
+    EXPECT_NE(test::contentOf(run / run_files::kEnergy), "earlier");
+    EXPECT_THROW(RecordingThread({.folder = run, .replace = true}, loaded, {}, 0.0), Error)
+        << "it goes on";
     recording.finish();
     EXPECT_TRUE(std::filesystem::exists(run / run_files::kManifest));
+}
+
+TEST_F(OnItsOwnThread, BringsBackWhatItReplacesWhereItCannotBegin) {
+    std::filesystem::create_directory(run);
+    std::ofstream(run / run_files::kEnergy) << "earlier";
+    {
+        const test::FileSizeLimit full(100);
+        EXPECT_THROW(RecordingThread({.folder = run, .replace = true}, loaded, {}, 0.0), Error);
+    }
+    EXPECT_EQ(test::contentOf(run / run_files::kEnergy), "earlier");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(run), {}), 1);
+    const std::filesystem::path fresh = folder.path() / "fresh";
+    {
+        const test::FileSizeLimit full(100);
+        EXPECT_THROW(RecordingThread({fresh}, loaded, {}, 0.0), Error);
+    }
+    EXPECT_FALSE(std::filesystem::exists(fresh)) << "a full disk leaves no half of a recording";
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "app/ModelOverrules.h"
+#include "app/session/ModelOverrules.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/TestScenes.h"
-#include "ui/WindowMenus.h"
 #include "ui/panels/FidelityPanel.h"
 #include "ui/panels/TradeOffChart.h"
+#include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QComboBox>

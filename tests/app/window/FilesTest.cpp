@@ -1,11 +1,11 @@
-#include "app/Recording.h"
+#include "app/recording/Recording.h"
 #include "core/PathText.h"
-#include "core/io/CsvTable.h"
+#include "core/io/tables/CsvTable.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/TestScenes.h"
-#include "ui/WindowMenus.h"
+#include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QApplication>
@@ -147,7 +147,7 @@ TEST_F(Window, ARecordingOnAFullDiskEndsAtOnceWithTheReasonAndReplays) {
 TEST_F(Window, TellsOfARecordingThatWasCutOffAndRepeatsIt) {
     openFlatScene();
     const std::filesystem::path run = folder.path() / "recordings" / "earlier";
-    { const Recording cutOff(run, session.run()->loaded(), {}, 0.0); }
+    { const Recording cutOff({run}, session.run()->loaded(), {}, 0.0); }
     std::ofstream(run / run_files::kInput, std::ios::app) << "0.5,1\n1.5,1\n2.5,1\n3.5,1";
     std::ofstream(run / run_files::kLog, std::ios::app)
         << "0.5,50e-9,60e-9,3e-9" << std::string(21, ',') << "\n1.5,50e-9,60e-9,-3e-9"

@@ -1,5 +1,5 @@
-#include "app/LiveRun.h"
-#include "app/QuitOnSignal.h"
+#include "app/session/LiveRun.h"
+#include "app/session/QuitOnSignal.h"
 #include "core/Units.h"
 #include "tests/support/TestScenes.h"
 

@@ -1,7 +1,7 @@
 // What the Hand menu does: clutch, guides; and the edge of a device's workspace.
 
 #include "tests/app/window/WindowFixture.h"
-#include "ui/WindowMenus.h"
+#include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QMenu>

@@ -1,6 +1,6 @@
 #include "tests/app/window/WindowFixture.h"
-#include "ui/WindowMenus.h"
 #include "ui/view/ZoomView.h"
+#include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QComboBox>

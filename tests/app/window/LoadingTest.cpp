@@ -1,7 +1,7 @@
-#include "app/LoadedScene.h"
+#include "app/program/LoadedScene.h"
 #include "tests/app/window/WindowFixture.h"
-#include "ui/WindowMenus.h"
 #include "ui/panels/LoadingBar.h"
+#include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QMessageBox>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/Session.h"
+#include "app/session/Session.h"
 #include "tests/support/ScratchFolder.h"
-#include "ui/MainWindow.h"
+#include "ui/window/MainWindow.h"
 
 #include <QString>
 #include <QWidget>

@@ -8,8 +8,10 @@ namespace {
 TEST(ForceErrorText, NamesWhatTheLawMisses) {
     SceneNeeds needs{.measured = true, .wholeError = 0.002, .lawError = 0.052};
     needs.lawMisses = {ModelTerm::SphereCorrection};
-    EXPECT_EQ(forceErrorText(needs), "forces within 5.4 %: 0.2 % by what is left out, 5.2 % by "
-                                     "what no contact law has beside the rest (sphere correction)");
+    EXPECT_EQ(
+        forceErrorText(needs),
+        "forces within 5.4 % of their rms in 97 ticks of 100: 0.2 % by what is left out, 5.2 % by "
+        "what no contact law has beside the rest (sphere correction)");
 }
 
 TEST(ForceErrorText, SaysWhereNothingWasMeasured) {
@@ -17,9 +19,12 @@ TEST(ForceErrorText, SaysWhereNothingWasMeasured) {
 }
 
 TEST(ForceErrorText, DoesNotRoundAnErrorToNone) {
-    EXPECT_EQ(forceErrorText({.measured = true}), "forces within 0 %");
-    EXPECT_EQ(forceErrorText({.measured = true, .wholeError = 1e-7}), "forces within 0.01 %");
-    EXPECT_EQ(forceErrorText({.measured = true, .wholeError = 2.96}), "forces within 296 %");
+    EXPECT_EQ(forceErrorText({.measured = true}),
+              "forces within 0 % of their rms in 97 ticks of 100");
+    EXPECT_EQ(forceErrorText({.measured = true, .wholeError = 1e-7}),
+              "forces within 0.01 % of their rms in 97 ticks of 100");
+    EXPECT_EQ(forceErrorText({.measured = true, .wholeError = 2.96}),
+              "forces within 296 % of their rms in 97 ticks of 100");
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace asperity {
@@ -80,6 +82,34 @@ TEST(EstimateConsistency, FlagsAWrongFrictionLawAndWidensTheCovariance) {
         EXPECT_EQ(honesty.elsewhere, 0);
         EXPECT_LT(honesty.after, 1.2);
         EXPECT_GT(honesty.after, 0.1) << "so wide that it would hide any error";
+    }
+}
+
+/// Along the beam no signal tells friction. A belief without friction was certain of none to 0.3
+/// pN.
+TEST(EstimateConsistency, IsNotCertainOfALawThatNothingTests) {
+    for (const double believed : {0.0, 0.1, 0.3}) {
+        SceneDescription description = test::plainScene();
+        description.sample.material.friction = {.coefficient = believed};
+        description.truth.material.friction = {.coefficient = believed + 0.05};
+        const Scene scene = buildScene(description, test::flatMap());
+        SimulatedAfm afm(scene.surface, scene.truth);
+        const HandPath path{{0.0, {30.0_nm, 64.0_nm, 10.0_nm}},
+                            {1.0, {30.0_nm, 64.0_nm, -1.0_nm}},
+                            {3.0, {80.0_nm, 64.0_nm, -1.0_nm}}};
+        double farthest = 0.0;  // of the error, in standard deviations
+        long ticks = 0;
+        runVirtually(scene, path, afm, 3001, [&](const TickSample& sample) {
+            const ForceEstimate& estimate = sample.output.estimate;
+            if (sample.time > 1.2) {
+                const double sigma = std::sqrt(estimate.covariance(0, 0));
+                farthest = std::max(
+                    farthest, std::abs(estimate.force.x() - afm.trueState().force.x()) / sigma);
+                ++ticks;
+            }
+        });
+        EXPECT_GT(ticks, 1000);
+        EXPECT_LT(farthest, 3.0) << believed;
     }
 }
 

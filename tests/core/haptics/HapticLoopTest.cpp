@@ -1,8 +1,8 @@
 #include "core/haptics/HapticLoop.h"
 
 #include "core/Units.h"
-#include "core/haptics/PointerHand.h"
 #include "core/haptics/ScriptedHand.h"
+#include "core/haptics/device/PointerHand.h"
 #include "core/probe/SimulatedAfm.h"
 #include "tests/support/TestScenes.h"
 

@@ -1,7 +1,7 @@
 #include "core/io/FileBytes.h"
 
 #include "core/Error.h"
-#include "tests/core/io/Refusal.h"
+#include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>

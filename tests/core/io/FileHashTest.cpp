@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/io/FileBytes.h"
-#include "tests/core/io/RealScans.h"
+#include "tests/core/io/heightmap/RealScans.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "core/io/PhysicalUnit.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/PhysicalUnit.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
-#include "tests/core/contact/ContactCases.h"
+#include "tests/core/contact/laws/ContactCases.h"
 #include "tests/core/probe/ReferenceLever.h"
 
 #include <gtest/gtest.h>

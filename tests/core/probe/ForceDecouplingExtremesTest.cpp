@@ -1,6 +1,6 @@
 #include "core/Random.h"
 #include "core/Units.h"
-#include "tests/core/contact/ContactCases.h"
+#include "tests/core/contact/laws/ContactCases.h"
 #include "tests/core/probe/DecouplingSituations.h"
 #include "tests/support/AllocationCounter.h"
 

@@ -1,7 +1,7 @@
 #include "core/probe/LeverResonance.h"
 
 #include "core/Error.h"
-#include "tests/core/contact/ContactCases.h"
+#include "tests/core/contact/laws/ContactCases.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <Eigen/Eigenvalues>

@@ -17,13 +17,15 @@ TEST(Validity, NamesOnlyWhatIsSet) {
     EXPECT_FALSE(flags.has(Validity::FilledPixel));
 }
 
-TEST(Validity, EveryFlagHasItsOwnName) {
-    std::set<std::string> names;
-    for (unsigned i = 0; i < kValidityFlagCount; ++i) {
-        names.insert(validityName(static_cast<Validity>(1U << i)));
+TEST(Validity, EveryFlagHasItsOwnKeyAndWords) {
+    std::set<std::string> keys{""};
+    std::set<std::string> words{""};
+    for (const ValidityTraits& one : kValidityTraits) {
+        keys.insert(one.key);
+        words.insert(one.words);
     }
-    EXPECT_EQ(names.size(), static_cast<std::size_t>(kValidityFlagCount));
-    EXPECT_FALSE(names.contains("unknown"));
+    EXPECT_EQ(keys.size(), 1 + kValidityFlagCount);
+    EXPECT_EQ(words.size(), 1 + kValidityFlagCount);
 }
 
 }  // namespace

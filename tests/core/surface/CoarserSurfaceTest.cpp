@@ -1,4 +1,4 @@
-#include "core/surface/CoarserSurface.h"
+#include "core/surface/fit/CoarserSurface.h"
 
 #include "core/surface/HeightMap.h"
 #include "core/surface/fit/BSplineFit.h"

@@ -1,5 +1,5 @@
 #include "core/Error.h"
-#include "core/io/HeightMapFile.h"
+#include "core/io/heightmap/HeightMapFile.h"
 #include "core/surface/Levelling.h"
 #include "tests/support/ReferenceTable.h"
 

@@ -1,6 +1,6 @@
 #include "tools/samples/SampleScans.h"
 
-#include "core/io/HeightMapWriter.h"
+#include "core/io/heightmap/HeightMapWriter.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "tests/support/ReferenceTable.h"
 

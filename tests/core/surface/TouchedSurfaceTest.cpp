@@ -1,4 +1,4 @@
-#include "core/surface/TouchedSurface.h"
+#include "core/surface/touched/TouchedSurface.h"
 
 #include "core/Units.h"
 #include "core/surface/fit/BSplineFit.h"

@@ -1,6 +1,6 @@
 #include "tests/hardware/woodenhaptics/ArmPose.h"
 
-#include "core/io/WoodenHapticsFile.h"
+#include "core/io/scene/WoodenHapticsFile.h"
 
 #include <cmath>
 #include <filesystem>

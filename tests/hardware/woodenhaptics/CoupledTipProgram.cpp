@@ -1,7 +1,7 @@
 /// A program that holds a tip with the first WoodenHaptics that it finds, until SIGTERM ends it.
 /// Says "engaged" once the hand feels the tip.
 
-#include "hardware/HidapiTransport.h"
+#include "hardware/hid/HidapiTransport.h"
 #include "hardware/woodenhaptics/WoodenHaptics.h"
 #include "tests/hardware/Eventually.h"
 #include "tests/hardware/woodenhaptics/ArmPose.h"

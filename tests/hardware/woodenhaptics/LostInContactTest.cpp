@@ -1,4 +1,4 @@
-#include "hardware/HidapiTransport.h"
+#include "hardware/hid/HidapiTransport.h"
 #include "hardware/woodenhaptics/WoodenHaptics.h"
 #include "tests/hardware/Eventually.h"
 #include "tests/hardware/woodenhaptics/ArmPose.h"

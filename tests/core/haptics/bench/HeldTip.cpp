@@ -1,7 +1,7 @@
 #include "tests/core/haptics/bench/HeldTip.h"
 
 #include "core/Units.h"
-#include "core/io/SceneFile.h"
+#include "core/io/scene/SceneFile.h"
 #include "core/probe/SimulatedAfm.h"
 #include "tests/support/TestScenes.h"
 

@@ -42,7 +42,8 @@ void expectLatchedUntilTakenBack(GuardedBench& bench, Fault fault) {
     EXPECT_EQ(after.front().output.fault, Fault::None);
     EXPECT_EQ(after.front().output.forceState, ForceState::Engaging);
     EXPECT_EQ(after.back().output.forceState, ForceState::On);
-    bench.reachFor(-8e-3);  // a place that was not finite, and the return from it, count for nothing
+    bench.reachFor(
+        -8e-3);  // a place that was not finite, and the return from it, count for nothing
     EXPECT_GT(bench.run(0.8).back().output.handForce.norm(), kPressing);
 }
 

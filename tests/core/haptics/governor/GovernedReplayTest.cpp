@@ -1,5 +1,5 @@
-#include "core/io/TickLog.h"
-#include "core/io/TickMemoryFile.h"
+#include "core/io/recording/TickLog.h"
+#include "core/io/recording/TickMemoryFile.h"
 #include "tests/core/haptics/governor/GuardedBench.h"
 #include "tests/support/ScratchFolder.h"
 

@@ -4,8 +4,8 @@
 #include "core/Random.h"
 #include "core/Units.h"
 #include "core/surface/BSplineSurface.h"
+#include "core/surface/CellBounds.h"
 #include "core/surface/foot/BoundsWindow.h"
-#include "core/surface/foot/CellBounds.h"
 
 #include <gtest/gtest.h>
 

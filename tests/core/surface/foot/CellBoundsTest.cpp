@@ -1,4 +1,4 @@
-#include "core/surface/foot/CellBounds.h"
+#include "core/surface/CellBounds.h"
 
 #include "tests/core/surface/foot/RoughSurface.h"
 #include "tests/support/FloatingPointTraps.h"

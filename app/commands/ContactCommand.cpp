@@ -1,0 +1,169 @@
+#include "app/commands/ContactCommand.h"
+
+#include "app/commands/CaseFiles.h"
+#include "core/Version.h"
+#include "core/contact/laws/ContactModel.h"
+#include "core/contact/laws/LawChoice.h"
+#include "core/io/tables/CaseTable.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// One row of the table.
+struct ContactCase {
+    std::string model;
+    ContactPair pair;
+    double cohesiveStress = 0.0;  ///< [Pa]
+    double filmThickness = 0.0;   ///< [m]; 0: a half-space
+    double poissonRatio = kNaN;   ///< of the film
+    double indentation = 0.0;     ///< [m]
+    std::string branch;
+};
+
+/// What comes of it.
+struct ContactAnswer {
+    std::string status;
+    std::optional<ContactState> state = {};  ///< none where there is no answer
+    double lambda = kNaN;
+};
+
+/// The number in a column that a table need not have.
+double numberOr(const CsvTable& table, std::size_t row, const std::string& column,
+                double otherwise) {
+    return table.has(column) ? table.number(row, column) : otherwise;
+}
+
+ContactCase readCase(const CsvTable& table, std::size_t row) {
+    return {.model = table.text(row, "model"),
+            .pair = {.tipRadius = table.number(row, "radius_m"),
+                     .reducedModulus = table.number(row, "e_star_pa"),
+                     .workOfAdhesion = table.number(row, "work_of_adhesion_j_m2")},
+            .cohesiveStress = table.number(row, "sigma0_pa"),
+            .filmThickness = numberOr(table, row, "film_thickness_m", 0.0),
+            .poissonRatio = numberOr(table, row, "poisson_ratio", kNaN),
+            .indentation = table.number(row, "indentation_m"),
+            .branch = table.text(row, "branch")};
+}
+
+bool usesStress(ContactLaw law) {
+    return traitsOf(law).attraction == Attraction::Zone && !hasTail(law);
+}
+
+/// The law of a film needs one.
+ContactStatus filmStatus(ContactLaw law, const ContactCase& asked) {
+    if (law == ContactLaw::HertzFilm && asked.filmThickness == 0.0) {
+        return ContactStatus::FilmThicknessOutOfRange;
+    }
+    return checkFilm(asked.filmThickness, asked.poissonRatio);
+}
+
+std::string statusOf(const ContactModel& model, const ContactState& state) {
+    const double radius = model.pair().tipRadius;
+    const bool isSphereZone = isSphere(model.law()) && model.cohesiveStress() > 0.0;
+    if (isSphereZone && state.cohesiveRadius >= radius) {
+        return "cohesive_zone_at_equator";
+    }
+    // Of the two, what is wrong by more comes first.
+    if (state.contactRadius > model.widestFilmContact()) {
+        return "thin_film";
+    }
+    return isLargeContact(state.contactRadius, radius) ? "large_contact" : "ok";
+}
+
+ContactAnswer answerTo(const ContactCase& asked) {
+    const auto law = lawFromKey(asked.model);
+    if (!law) {
+        return {"unknown_model"};
+    }
+    if (asked.branch != "approach" && asked.branch != "retract") {
+        return {"unknown_branch"};
+    }
+    const double stress =
+        usesStress(*law) ? asked.cohesiveStress : asked.pair.workOfAdhesion / kCohesiveRange;
+    const ContactStatus pairStatus = checkPair(asked.pair, stress);
+    if (pairStatus != ContactStatus::Solved) {
+        return {nameOf(pairStatus)};
+    }
+    const ContactStatus sampleStatus = filmStatus(*law, asked);
+    if (sampleStatus != ContactStatus::Solved) {
+        return {nameOf(sampleStatus)};
+    }
+    const ContactModel model(*law, asked.pair,
+                             {.cohesiveStress = stress,
+                              .filmThickness = asked.filmThickness,
+                              .film = {.poissonRatio = asked.poissonRatio}});
+    const ContactMemory memory{
+        asked.branch == "approach" ? ContactBranch::Far : ContactBranch::Bonded, 0.0};
+    const ContactState state = model.equilibrium(asked.indentation, 0.0, memory);
+    if (!state.solved()) {
+        return {nameOf(state.status)};
+    }
+    return {statusOf(model, state), state, model.lambda()};
+}
+
+/// Numbers only where there is a state behind them.
+void write(CsvWriter& csv, const ContactAnswer& answer) {
+    const auto& state = answer.state;
+    csv.add(state ? state->force : kNaN)
+        .add(state ? state->contactRadius : kNaN)
+        .add(state ? state->cohesiveRadius : kNaN)
+        .add(answer.lambda)
+        .add(state ? regionName(state->region()) : "none")
+        .add(answer.status);
+}
+
+std::vector<std::string> commentsFor(const std::string& cases) {
+    return {
+        std::string("Asperity ") + kVersion + ": contact at given indentation; cases: " + cases,
+        "SI units, as each column's name ends; force > 0 is repulsive, indentation < 0 a gap",
+        "state: far, cohesive (zone without contact), contact; lambda: transition parameter, 0 "
+        "for laws without a cohesive zone",
+        "status: ok; large_contact (a/R above 0.3, evaluated formally); thin_film (beyond what the "
+        "law holds for, evaluated formally); cohesive_zone_at_equator; else why there is no "
+        "answer"};
+}
+
+void contact(const CaseFiles& files) {
+    requireWritableTable(files.out, {files.cases});
+    const CsvTable table =
+        readCases(files.cases, {"model", "radius_m", "e_star_pa", "work_of_adhesion_j_m2",
+                                "sigma0_pa", "indentation_m", "branch"});
+    std::vector<ContactCase> cases;  // all before the first is answered: a table is whole or not
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        cases.push_back(readCase(table, row));
+    }
+    const CaseAnswers answers{
+        .comments = commentsFor(files.cases),
+        .columns = {"force_n", "contact_radius_m", "cohesive_radius_m", "lambda", "state",
+                    "status"},
+        .add = [&](CsvWriter& csv, std::size_t row) { write(csv, answerTo(cases[row])); }};
+    writeTable(files.out, [&](std::ostream& out, Progress* progress) {
+        writeCases(out, table, answers, progress);
+    });
+}
+
+}  // namespace
+
+void addContactCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "contact", "Force, contact radius and state for each case of a table, held at its "
+                   "indentation");
+    command->footer(
+        "Columns of the cases: model (hertz dmt jkr md sneddon jkr_sphere md_sphere split "
+        "split_sphere hertz_film),\nradius_m, e_star_pa, work_of_adhesion_j_m2, sigma0_pa (of the "
+        "md models), indentation_m (< 0: a gap),\nbranch (approach, retract). Of a film on a "
+        "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5).");
+    const auto files = std::make_shared<CaseFiles>();
+    addCaseFiles(*command, *files);
+    command->callback([files] { contact(*files); });
+}
+
+}  // namespace asperity

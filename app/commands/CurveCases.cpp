@@ -1,0 +1,119 @@
+#include "app/commands/CurveCases.h"
+
+#include "app/commands/OptionChecks.h"
+#include "app/program/DataFolder.h"
+#include "core/Error.h"
+#include "core/contact/laws/LawChoice.h"
+#include "core/io/scene/SceneFile.h"
+#include "core/scene/Scene.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kSmallestStiffness = 1e-6;  // [N/m]
+constexpr double kLargestStiffness = 1e12;   // [N/m]
+
+/// A material by the path of its file or by its name in the data folder.
+SampleMaterial findMaterial(const std::string& given) {
+    if (std::filesystem::exists(given)) {
+        return readMaterialFile(given);
+    }
+    const std::filesystem::path known = dataFolder() / "materials" / (given + ".toml");
+    if (std::filesystem::exists(known)) {
+        return readMaterialFile(known);
+    }
+    std::string names;
+    for (const auto& file : dataFiles("materials")) {
+        names += (names.empty() ? "" : ", ") + file.stem().string();
+    }
+    throw InputError(given, "", "expected a material file or one of " + names);
+}
+
+std::vector<std::string> lawNames() {
+    std::vector<std::string> names{"auto"};
+    for (const ContactLaw law : kContactLaws) {
+        names.emplace_back(keyOf(law));
+    }
+    return names;
+}
+
+CurveCase caseOf(const SceneDescription& scene, const LawChoice& choice, double compliance) {
+    const SampleMaterial& material = scene.sample.material;
+    const ContactPair pair = contactPair(scene, material);
+    return {material, ContactModel(choice.law, pair, contactOptions(scene, material)), compliance,
+            choice.why};
+}
+
+/// The case of the scene's material, and another for comparison where the law is not the usual one.
+void addCases(const SceneDescription& scene, double compliance, std::vector<CurveCase>& cases) {
+    checkScene(scene);
+    const LawChoice choice = chooseLaw(scene.law, contactPair(scene, scene.sample.material),
+                                       scene.sample.material.filmThickness);
+    cases.push_back(caseOf(scene, choice, compliance));
+    if (!scene.law && choice.law == ContactLaw::SphereSplit) {
+        cases.push_back(caseOf(scene,
+                               {ContactLaw::Split, "for comparison: formally, as for a paraboloid"},
+                               compliance));
+    }
+}
+
+CLI::Validator within(double low, double high, const std::string& words) {
+    return {[low, high, words](const std::string& text) {
+                const double value = std::strtod(text.c_str(), nullptr);
+                return value >= low && value <= high ? std::string() : "expected " + words;
+            },
+            ""};
+}
+
+}  // namespace
+
+void addCurveRequest(CLI::App& command, CurveRequest& request) {
+    command.add_option("SCENE", request.scene, "scene.toml (default: the default scene)");
+    command
+        .add_option("--material", request.materials,
+                    "material file or the name of one in data/materials; may be given again")
+        ->allow_extra_args(false);
+    command.add_option("--law", request.law, "contact law (default: as the scene, auto)")
+        ->check(CLI::IsMember(lawNames()));
+    command.add_option("--radius", request.radius, "of the tip [m]")
+        ->check(finiteNumber())
+        ->check(within(kSmallestTipRadius, kLargestTipRadius, "1e-12 to 1 m"));
+    command.add_option("--stiffness", request.stiffness, "of the lever along the normal [N/m]")
+        ->check(finiteNumber())
+        ->check(within(kSmallestStiffness, kLargestStiffness, "1e-6 to 1e12 N/m"));
+}
+
+std::vector<CurveCase> curveCases(const CurveRequest& request) {
+    SceneDescription scene = request.scene.empty() ? defaultScene() : sceneFromInput(request.scene);
+    scene.tip.radius = request.radius > 0.0 ? request.radius : scene.tip.radius;
+    if (!request.law.empty()) {
+        scene.law = lawFromKey(request.law);  // none: "auto"
+    }
+    const double compliance = request.stiffness > 0.0 ? 1.0 / request.stiffness
+                                                      : Cantilever(scene.probe).compliance()(2, 2);
+    std::vector<SampleMaterial> materials;
+    for (const std::string& given : request.materials) {
+        materials.push_back(findMaterial(given));
+    }
+    if (materials.empty()) {
+        materials.push_back(scene.sample.material);
+    }
+    std::vector<CurveCase> cases;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        scene.sample.material = materials[i];
+        try {
+            addCases(scene, compliance, cases);
+        } catch (const Error& error) {
+            const std::string file =
+                request.materials.empty() ? request.scene : request.materials[i];
+            if (file.empty()) {
+                throw;  // no file's fault
+            }
+            throw InputError(file, "", error.what());
+        }
+    }
+    return cases;
+}
+
+}  // namespace asperity

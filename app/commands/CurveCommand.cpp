@@ -1,0 +1,176 @@
+#include "app/commands/CurveCommand.h"
+
+#include "app/commands/CaseFiles.h"
+#include "app/commands/CurveCases.h"
+#include "app/commands/OptionChecks.h"
+#include "app/commands/VirtualDisplay.h"
+#include "core/PrintableText.h"
+#include "core/Version.h"
+#include "core/contact/laws/ForceCurve.h"
+#include "core/contact/laws/LawChoice.h"
+#include "core/io/tables/CsvWriter.h"
+#include "core/scene/ContactValidity.h"
+#include "vtkplugins/pictures/Charts.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace asperity {
+
+namespace {
+
+struct CurveOptions {
+    CurveRequest request;
+    int points = 500;
+    std::string out;
+    std::string figure;
+};
+
+/// A case with what was found.
+struct CurveResult {
+    CurveCase asked;
+    ForceCurve curve;
+};
+
+CLI::Validator pngName() {
+    return {[](const std::string& text) {
+                return std::filesystem::path(text).extension() == ".png"
+                           ? std::string()
+                           : "expected the name of a .png file, not '" + text + "'";
+            },
+            ""};
+}
+
+/// "snap-in at -0.494 nm: -1.82 -> -7.92 nN, 1.2e-18 J lost".
+std::string jumpText(const char* name, const std::optional<TipJump>& jump) {
+    if (!jump) {
+        return std::string(name) + ": none, the force has no jump";
+    }
+    char text[200];
+    std::snprintf(text, sizeof text, "%s at base %.6g nm: force %.6g -> %.6g nN, %.4g J lost", name,
+                  jump->basePosition * 1e9, jump->before.force * 1e9, jump->after.force * 1e9,
+                  jump->after.energyLost);
+    return text;
+}
+
+std::vector<std::string> summary(const CurveResult& result) {
+    const CurveCase& asked = result.asked;
+    char parameters[200];
+    std::snprintf(parameters, sizeof parameters,
+                  "%s: R %.4g nm, E* %.6g GPa, w %.4g J/m^2, lever %.4g N/m along the normal",
+                  asked.material.name.c_str(), asked.model.pair().tipRadius * 1e9,
+                  asked.model.pair().reducedModulus * 1e-9, asked.model.pair().workOfAdhesion,
+                  1.0 / asked.compliance);
+    return {parameters, "  law " + std::string(keyOf(asked.model.law())) + " (" + asked.why + ")",
+            "  " + jumpText("snap-in", result.curve.snapIn),
+            "  " + jumpText("pull-off", result.curve.pullOff)};
+}
+
+void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
+              const std::vector<ForceCurvePoint>& points) {
+    for (const ForceCurvePoint& point : points) {
+        const ContactState& state = point.state;
+        csv.add(result.asked.material.name).add(keyOf(result.asked.model.law())).add(way);
+        csv.add(point.basePosition).add(state.indentation).add(state.force);
+        csv.add(state.force * result.asked.compliance).add(state.contactRadius);
+        csv.add(state.cohesiveRadius).add(regionName(state.region()));
+        csv.add(validityText(contactValidity(result.asked.model, state, result.asked.material)))
+            .endRow();
+    }
+}
+
+void writeCurves(std::ostream& out, const std::vector<CurveResult>& results, Progress* progress) {
+    std::vector<std::string> comments{std::string("Asperity ") + kVersion +
+                                          ": quasi-static approach and retract curves",
+                                      "base position > 0 towards the sample, 0 where tip and "
+                                      "sample would first touch; both sides "
+                                      "of a jump have the same base position"};
+    for (const CurveResult& result : results) {
+        const std::vector<std::string> lines = summary(result);
+        comments.insert(comments.end(), lines.begin(), lines.end());
+    }
+    const std::vector<std::string> columns{
+        "material",          "law",     "way",          "base_position_m",
+        "indentation_m",     "force_n", "deflection_m", "contact_radius_m",
+        "cohesive_radius_m", "state",   "flags"};
+    CsvWriter csv(out, comments, columns);
+    double done = 0.0;
+    for (const CurveResult& result : results) {
+        reportTo(progress, done++ / static_cast<double>(results.size()));
+        writeWay(csv, result, "approach", result.curve.approach);
+        writeWay(csv, result, "retract", result.curve.retract);
+    }
+    reportTo(progress, 1.0);
+    csv.close();
+}
+
+Curve lineOf(const char* label, const std::vector<ForceCurvePoint>& way, bool dashed) {
+    Curve line{.label = label, .dashed = dashed};
+    for (const ForceCurvePoint& point : way) {
+        line.x.push_back(point.basePosition);
+        line.y.push_back(point.state.force);
+    }
+    return line;
+}
+
+void drawFigure(const std::string& path, const std::vector<CurveResult>& results) {
+    std::vector<Chart> charts;
+    for (const CurveResult& result : results) {
+        std::string name = result.asked.material.name;
+        std::ranges::replace(name, '_', ' ');
+        charts.push_back({.title = name + ", " + nameOf(result.asked.model.law()),
+                          .xLabel = "base position towards the sample",
+                          .yLabel = "force on the tip",
+                          .curves = {lineOf("approach", result.curve.approach, true),
+                                     lineOf("retract", result.curve.retract, false)},
+                          .xUnit = "m",
+                          .yUnit = "N"});
+    }
+    const int columns = std::min<int>(3, static_cast<int>(charts.size()));
+    const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
+    writeCharts(path, charts, columns, {.width = 640 * columns, .height = 520 * rows});
+}
+
+void curve(const CurveOptions& options) {
+    std::vector<std::string> inputs = options.request.materials;
+    inputs.push_back(options.request.scene);
+    requireWritableTable(options.out, inputs);
+    std::optional<VirtualDisplay> display;  // before anything is written
+    if (!options.figure.empty()) {
+        display.emplace();
+    }
+    std::vector<CurveResult> results;
+    for (const CurveCase& asked : curveCases(options.request)) {
+        ForceCurvePlan plan = curvePlan(asked.model, asked.compliance);
+        plan.points = options.points;
+        results.push_back({asked, forceCurve(asked.model, asked.compliance, plan)});
+        for (const std::string& line : summary(results.back())) {
+            std::cerr << printable(line) << '\n';
+        }
+    }
+    writeTable(options.out,
+               [&](std::ostream& out, Progress* progress) { writeCurves(out, results, progress); });
+    if (!options.figure.empty()) {
+        drawFigure(options.figure, results);
+    }
+}
+
+}  // namespace
+
+void addCurveCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "curve", "Approach and retract curve of a tip on a lever, with snap-in and pull-off");
+    const auto options = std::make_shared<CurveOptions>();
+    addCurveRequest(*command, options->request);
+    command->add_option("--points", options->points, "along each way")
+        ->capture_default_str()
+        ->check(CLI::Range(2, 1000000));
+    addTableFile(*command, options->out);
+    command->add_option("--figure", options->figure, "picture to write (.png)")->check(pngName());
+    command->callback([options] { curve(*options); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,101 @@
+#include "app/commands/DevicesCommand.h"
+
+#include "app/program/JsonText.h"
+#include "core/PrintableText.h"
+#include "hardware/DeviceRegistry.h"
+#include "hardware/hid/HidapiTransport.h"
+
+#include <CLI/CLI.hpp>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace asperity {
+
+namespace {
+
+DeviceDescription mouseAndKeyboard() {
+    return {.name = "mouse and keyboard", .driver = "window", .senses = {"x", "y", "z", "buttons"}};
+}
+
+std::string hexadecimal(std::uint16_t id) {
+    std::ostringstream text;
+    text << std::hex << std::setw(4) << std::setfill('0') << id;
+    return text.str();
+}
+
+nlohmann::json textOrNull(const std::string& text) {
+    return text.empty() ? nlohmann::json() : nlohmann::json(text);
+}
+
+/// What a device does not have is null: the mouse has no path, an unknown device no driver.
+nlohmann::json deviceJson(const DeviceDescription& device) {
+    const bool hid = !device.path.empty();
+    return {{"name", device.name},
+            {"vendor_id", hid ? nlohmann::json(hexadecimal(device.vendorId)) : nlohmann::json()},
+            {"product_id", hid ? nlohmann::json(hexadecimal(device.productId)) : nlohmann::json()},
+            {"path", textOrNull(device.path)},
+            {"driver", textOrNull(device.driver)},
+            {"senses", device.senses},
+            {"renders_force", device.rendersForce},
+            {"usable", device.usable()},
+            {"obstacle", textOrNull(device.obstacle)}};
+}
+
+void printJson(const std::vector<DeviceDescription>& devices) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const DeviceDescription& device : devices) {
+        list.push_back(deviceJson(device));
+    }
+    const nlohmann::json report = {{"devices", list}};
+    std::cout << jsonText(report) << '\n';
+}
+
+void printDevice(const DeviceDescription& device) {
+    std::cout << printable(device.name);
+    if (!device.path.empty()) {
+        std::cout << ", " << hexadecimal(device.vendorId) << ':' << hexadecimal(device.productId)
+                  << ", " << printable(device.path);
+    }
+    std::cout << "\n  " << (device.usable() ? "usable" : "not usable: " + device.obstacle) << '\n';
+    if (device.driver.empty()) {
+        return;
+    }
+    std::cout << "  driver: " << device.driver << "\n  senses:";
+    for (const std::string& sense : device.senses) {
+        std::cout << ' ' << sense;
+    }
+    std::cout << "\n  renders force: " << (device.rendersForce ? "yes" : "no") << '\n';
+}
+
+void printForPeople(const std::vector<DeviceDescription>& devices) {
+    for (const DeviceDescription& device : devices) {
+        printDevice(device);
+    }
+    if (devices.size() == 1) {
+        std::cout << "No HID device is plugged in.\n";
+    }
+}
+
+}  // namespace
+
+void addDevicesCommand(CLI::App& program) {
+    auto json = std::make_shared<bool>(false);
+    CLI::App* command = program.add_subcommand(
+        "devices", "List what can lead the tip: mouse, keyboard and HID devices");
+    command->add_flag("--json", *json, "print JSON");
+    command->callback([json] {
+        HidapiTransport transport;
+        std::vector<DeviceDescription> devices = listDevices(transport);
+        devices.insert(devices.begin(), mouseAndKeyboard());
+        if (*json) {
+            printJson(devices);
+        } else {
+            printForPeople(devices);
+        }
+    });
+}
+
+}  // namespace asperity

@@ -1,0 +1,218 @@
+#include "app/commands/ExploreCommand.h"
+
+#include "app/commands/LevellingOption.h"
+#include "app/commands/OptionChecks.h"
+#include "app/commands/ProgressLine.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/program/CancelOnSignal.h"
+#include "app/program/LoadedScene.h"
+#include "app/reports/OutputFolder.h"
+#include "app/reports/RunCurves.h"
+#include "app/reports/RunFolder.h"
+#include "app/reports/RunPictures.h"
+#include "app/reports/RunSummary.h"
+#include "core/Error.h"
+#include "core/PrintableText.h"
+#include "core/haptics/HandPath.h"
+#include "core/haptics/RunEvents.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/io/scene/HandPathFile.h"
+#include "core/io/scene/SceneFile.h"
+#include "core/probe/SimulatedAfm.h"
+#include "core/scene/ModelTerm.h"
+
+#include <CLI/CLI.hpp>
+#include <bit>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kDefaultDuration = 10.0;    // [s]
+constexpr double kLongestDuration = 3600.0;  // [s]
+
+struct ExploreOptions {
+    std::string input;
+    std::string out;
+    std::string path = "approach";
+    double duration = 0.0;  // [s]; 0: the path's own
+    bool force = false;
+    SceneOverrides overrides;
+};
+
+struct PlannedRun {
+    HandPath hand;
+    double duration = 0.0;  // [s]
+};
+
+PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
+    PathPlan plan;
+    plan.duration = options.duration > 0.0 ? options.duration : kDefaultDuration;
+    if (options.path == "approach") {
+        return {approachPath(scene, plan), plan.duration};
+    }
+    if (options.path == "raster") {
+        return {rasterPath(scene, plan), plan.duration};
+    }
+    if (options.path == "scratch") {
+        return {scratchPath(scene, plan), plan.duration};
+    }
+    HandPath hand = readHandPath(options.path);
+    const double duration = options.duration > 0.0 ? options.duration : hand.back().time;
+    if (!(duration <= kLongestDuration)) {
+        throw InputError(options.path, "",
+                         "the path lasts longer than an hour; give a shorter --duration");
+    }
+    return {std::move(hand), duration};
+}
+
+/// Everything that is kept of a run while it goes on.
+struct RunKeeper {
+    RunRecorder recorder;
+    RunEventRecorder events;
+    RunCurves curves;
+
+    void take(const TickSample& sample) {
+        recorder.take(sample);
+        events.take(sample);
+        curves.take(sample);
+    }
+};
+
+void tellOutcome(const RunEvents& events) {
+    const auto flagged = [&events](Validity flag) {
+        return events.flagged.at(std::countr_zero(static_cast<std::uint32_t>(flag)));
+    };
+    if (const long large = flagged(Validity::LargeContact); large > 0) {
+        std::cerr << "note: contact radius above 0.3 tip radii in " << large << " of "
+                  << events.ticks << " ticks: beyond what half-space contact theory holds for\n";
+    }
+    if (const long curved = flagged(Validity::CurvedSample); curved > 0) {
+        std::cerr << "note: in " << curved << " of " << events.ticks
+                  << " ticks no single effective radius stands for the sample's curvature\n";
+    }
+    if (const long wrong = flagged(Validity::EstimateInconsistent); wrong > 0) {
+        std::cerr << "note: in " << wrong << " of " << events.ticks
+                  << " ticks the signals contradict the stated friction law or noise: the "
+                     "estimate's standard deviation was widened\n";
+    }
+    if (!events.snapIn) {
+        std::cerr << "note: the tip never snapped into contact\n";
+    }
+    if (events.faults > 0) {
+        std::cerr << "note: " << events.faults << " ticks with the force off after a fault\n";
+    }
+}
+
+/// What is left of a run when its scene is gone.
+struct FinishedRun {
+    RunEvents events;
+    RunCurves curves;
+    RunPictures pictures;
+    double tickRate = 0.0;  ///< [Hz]
+};
+
+/// @throw Cancelled
+void run(const Scene& scene, const PlannedRun& plan, AfmController& afm, RunKeeper& keeper) {
+    const long ticks = std::lround(plan.duration / scene.timeStep()) + 1;
+    constexpr long kReports = 50;
+    long done = 0;
+    ProgressLine line("running");
+    runVirtually(scene, plan.hand, afm, ticks, [&](const TickSample& sample) {
+        if (done % (ticks / kReports + 1) == 0) {
+            reportTo(&line, static_cast<double>(done) / static_cast<double>(ticks));
+        }
+        ++done;
+        keeper.take(sample);
+    });
+}
+
+/// A scene and what its hand is to do.
+struct Prepared {
+    LoadedScene loaded;
+    PlannedRun plan;
+};
+
+Prepared prepare(const ExploreOptions& options) {
+    LoadedScene loaded = loadSceneOnTerminal(options.input, options.overrides);
+    for (const std::string& note : loaded.notes) {
+        std::cerr << "note: " << printable(note) << '\n';
+    }
+    PlannedRun plan = planRun(loaded.scene, options);
+    return {std::move(loaded), std::move(plan)};
+}
+
+/// Runs, and leaves in the folder all but the pictures.
+FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& out) {
+    const auto& [loaded, plan] = prepared;
+    const Scene& scene = loaded.scene;
+    RunKeeper keeper{.recorder = RunRecorder(out), .events = {}, .curves = {}};
+    SimulatedAfm afm(scene.touched(), scene.truth);
+    run(scene, plan, afm, keeper);
+    keeper.recorder.close();
+
+    const RunEvents& events = keeper.events.events();
+    writeTextFile(out / run_files::kScene, sceneText(settled(scene.description, scene.model)));
+    writeTextFile(out / run_files::kSummary, runSummary(loaded, events));
+    return {.events = events,
+            .curves = std::move(keeper.curves),
+            .pictures = RunPictures(scene, events),
+            .tickRate = scene.description.tickRate};
+}
+
+/// @throw Cancelled
+void draw(const FinishedRun& run, const std::filesystem::path& folder) {
+    ProgressLine line("drawing");
+    run.pictures.write(folder, run.curves, &line);
+}
+
+void explore(const ExploreOptions& options) {
+    const CancelOnSignal cancel;   // between one piece of work and the next, too
+    const VirtualDisplay display;  // before anything is written: pictures need it at the end
+    std::optional<Prepared> prepared(prepare(options));
+    OutputFolder out(options.out, exploredRun(), options.force);
+    std::optional<FinishedRun> run;
+    out.collect(
+        [&](const std::filesystem::path& folder) { run.emplace(finishedRun(*prepared, folder)); });
+    prepared.reset();  // drawing takes as much memory as a large scan
+    try {
+        out.collect([&](const std::filesystem::path& folder) { draw(*run, folder); });
+    } catch (const Error&) {
+        out.commit();  // what was measured is kept where it cannot be drawn
+        throw;
+    }
+    out.commit();
+    tellOutcome(run->events);
+    std::cout << run->events.ticks << " ticks at " << run->tickRate << " Hz; results in "
+              << printable(options.out) << "/\n";
+}
+
+}  // namespace
+
+void addExploreCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "explore",
+        "Approach, indent, slide, retract by a scripted hand; pictures, fields, force log");
+    const auto options = std::make_shared<ExploreOptions>();
+    command->add_option("INPUT", options->input, "height map or scene.toml")->required();
+    addOutputFolder(*command, options->out, "folder for the results");
+    addForce(*command, options->force);
+    command
+        ->add_option("--path", options->path,
+                     "approach, raster, scratch, or a CSV file with time_s, x_m, y_m, z_m")
+        ->capture_default_str();
+    command
+        ->add_option("--duration", options->duration,
+                     "of the run [s]; default 10, or the length of the CSV path")
+        ->check(CLI::Range(1e-3, kLongestDuration))
+        ->check(finiteNumber());
+    command->add_option("--channel", options->overrides.channel, "channel of the height map");
+    addLevellingOption(*command, options->overrides.levelling, "default: as the scene says, plane");
+    command->callback([options] { explore(*options); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,229 @@
+#include "app/commands/LoopCommand.h"
+
+#include "app/commands/OptionChecks.h"
+#include "app/commands/ProgressLine.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/program/CancelOnSignal.h"
+#include "app/program/DataFolder.h"
+#include "app/recording/RecordingThread.h"
+#include "app/reports/AlternatingBlocks.h"
+#include "app/reports/LoopReport.h"
+#include "app/session/HandControl.h"
+#include "app/session/LiveWindow.h"
+#include "core/Error.h"
+#include "core/haptics/ScriptedHand.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPoll{20};
+constexpr double kOnePath = 10.0;  // approach, slide and retract [s]
+
+struct LoopOptions {
+    std::string input;
+    double rate = 0.0;       // [Hz]; 0: the scene's own
+    double duration = 10.0;  // [s]
+    std::string record;      // folder; empty: nothing is recorded
+    bool force = false;      // an earlier run in that folder may go
+    bool simulatedDevice = false;
+    bool window = false;
+    bool json = false;
+};
+
+LoadedScene loadForLoop(const LoopOptions& options) {
+    const std::filesystem::path input =
+        options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
+    if (input.empty()) {
+        throw Error("the data that comes with the program is not there: name a scan or a scene");
+    }
+    LoadedScene loaded = loadSceneOnTerminal(input, {});
+    if (options.rate > 0.0) {
+        loaded.scene.description.tickRate = options.rate;
+    }
+    return loaded;
+}
+
+/// The same approach again and again; the way back from its end leads high over the sample.
+HandPath repeatedApproach(const Scene& scene, double duration) {
+    const HandPath once = approachPath(scene, {.duration = kOnePath});
+    HandPath path = once;
+    while (path.back().time < duration) {
+        const HandPath back =
+            journey(scene, path.back().position, once.front().position.head<2>(), 1.0);
+        const double leave = path.back().time;
+        for (std::size_t i = 1; i < back.size(); ++i) {
+            path.push_back({leave + back[i].time, back[i].position});
+        }
+        const double begin = path.back().time + 0.1;
+        for (const PathPoint& point : once) {
+            path.push_back({begin + point.time, point.position});
+        }
+    }
+    return path;
+}
+
+/// A pair of blocks takes a little more than two seconds: the last one is waited for.
+bool isDone(const AlternatingBlocks& blocks, double begin, const LoopOptions& options) {
+    return monotonicSeconds() - begin >= options.duration &&
+           static_cast<double>(blocks.pairs()) >= std::floor(0.5 * options.duration);
+}
+
+void print(const LoopOptions& options, LiveRun& run, const AlternatingBlocks& blocks,
+           double writingTime, std::vector<ViewRate> views) {
+    const LoopReport report{.rate = run.scene().description.tickRate,
+                            .duration = options.duration,
+                            .statistics = run.loop().snapshot().statistics,
+                            .blocks = blocks,
+                            .fetchTime = run.fetchCost().perTick(),
+                            .writingTime = writingTime,
+                            .views = std::move(views)};
+    std::cout << (options.json ? loopReportJson(report) : loopReportText(report)) << '\n';
+}
+
+/// Before the work.
+void requireFreeFolder(const LoopOptions& options) {
+    if (!options.record.empty()) {
+        requireFreeForRun(options.record, options.force);
+    }
+}
+
+/// Null where none is asked for.
+std::unique_ptr<RecordingThread> startRecording(const LoopOptions& options, LiveRun& run) {
+    if (options.record.empty()) {
+        return nullptr;
+    }
+    run.fetch([](const TickSample&) {});  // what a device begins with is not of the recording
+    return std::make_unique<RecordingThread>(RecordingPlace{options.record, options.force},
+                                             run.loaded(), run.loop().memory(), run.hand().delay());
+}
+
+[[noreturn]] void failRecording(const std::string& folder, const std::string& reason) {
+    throw Error(folder + ": the recording has ended: " + reason +
+                "; what was written until then is kept, and can be replayed");
+}
+
+/// @return what it took to write a tick [s]
+double finish(RecordingThread& recording) {
+    try {
+        recording.finish();
+    } catch (const std::exception& error) {
+        failRecording(recording.folder().string(), error.what());
+    }
+    if (recording.end() != RecordingEnd::None) {
+        failRecording(recording.folder().string(), recording.end() == RecordingEnd::TicksLost
+                                                       ? "ticks were lost"
+                                                       : "the disk is slower than the loop");
+    }
+    return recording.timePerTick();
+}
+
+void runBare(const LoopOptions& options) {
+    requireFreeFolder(options);
+    LoadedScene loaded = loadForLoop(options);
+    const HandPath path = repeatedApproach(loaded.scene, options.duration);
+    LiveRun run(std::move(loaded), path.front().position);
+    HandControl device;
+    if (options.simulatedDevice) {
+        device.attach(run);
+        device.use(HandKind::SimulatedDevice);
+        device.leadAlong(path);
+    } else {
+        run.takeHand(
+            [&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
+    }
+    const CancelOnSignal cancel;
+    const std::unique_ptr<RecordingThread> recording = startRecording(options, run);
+    const auto hasEnded = [&recording] {
+        return recording && recording->end() != RecordingEnd::None;
+    };
+    AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
+    const auto fetch = [&] {
+        run.fetch([&recording](const TickSample& sample) {
+            if (recording) {
+                recording->take(sample);
+            }
+        });
+    };
+    const double begin = monotonicSeconds();
+    while (!isDone(blocks, begin, options) && !CancelOnSignal::hasArrived() && !hasEnded()) {
+        std::this_thread::sleep_for(kPoll);
+        device.advance(std::chrono::duration<double>(kPoll).count(), 0.0);
+        fetch();
+        blocks.poll();
+    }
+    blocks.finish();
+    fetch();
+    const double writingTime = recording ? finish(*recording) : 0.0;
+    print(options, run, blocks, writingTime, {});
+}
+
+void runInWindow(const LoopOptions& options) {
+    requireFreeFolder(options);
+    const VirtualDisplay display;
+    LiveWindow live;
+    Session& session = live.session();
+    session.use(loadForLoop(options));
+    LiveRun& run = *session.run();
+    live.window().lock();  // another scene would end the run that is measured
+    const HandPath path = repeatedApproach(run.scene(), options.duration);
+    options.simulatedDevice ? session.leadDevice(path) : session.follow(path);
+    if (!options.record.empty()) {
+        session.startRecording({options.record, options.force});
+    }
+    AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
+    const double begin = monotonicSeconds();
+    QTimer poll;
+    QObject::connect(&poll, &QTimer::timeout, [&] {
+        blocks.poll();
+        if (isDone(blocks, begin, options) || !session.recordingFailure().isEmpty()) {
+            live.window().close();
+        }
+    });
+    poll.start(kPoll);
+    live.exec();
+    blocks.finish();
+    session.finishRecording();
+    if (!session.recordingFailure().isEmpty()) {
+        failRecording(options.record, session.recordingFailure().toStdString());
+    }
+    print(options, run, blocks, session.writingTime(), session.viewRates());
+}
+
+}  // namespace
+
+void addLoopCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "loop", "Measure the real-time loop in wall time beside a bare loop in the same run");
+    const auto options = std::make_shared<LoopOptions>();
+    command->add_option("INPUT", options->input,
+                        "height map or scene.toml; default: the scene that comes with the program");
+    command->add_option("--rate", options->rate, "of the loop [Hz]; default: as the scene says")
+        ->check(CLI::Range(100.0, 20000.0))
+        ->check(finiteNumber());
+    command->add_option("--duration", options->duration, "of the measurement [s]")
+        ->capture_default_str()
+        ->check(CLI::Range(0.1, 3600.0))
+        ->check(finiteNumber());
+    command
+        ->add_option("--record", options->record,
+                     "folder: record every tick meanwhile, and say what that costs")
+        ->check(notEmpty());
+    addForce(*command, options->force);
+    command->add_flag("--simulated-device", options->simulatedDevice,
+                      "a person at the simulated haptic device leads the tip, not a script: with "
+                      "coupling, governor and edge");
+    command->add_flag("--window", options->window, "with the window open and every view drawn");
+    command->add_flag("--json", options->json, "as JSON");
+    command->callback([options] { options->window ? runInWindow(*options) : runBare(*options); });
+}
+
+}  // namespace asperity

@@ -1,0 +1,90 @@
+#include "app/commands/VirtualDisplay.h"
+
+#include "core/Error.h"
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <string>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kMissing =
+    "no display: DISPLAY is not set and Xvfb could not be started (Debian package xvfb)";
+
+/// Runs Xvfb in place of this (forked) process; it writes its display number to `reply` and ends
+/// with the program, however that ends.
+[[noreturn]] void becomeServer(int reply, pid_t program) {
+    setsid();  // Ctrl+C is for the program, which still draws while it ends
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != program) {
+        _exit(1);  // it ended before we asked to be told
+    }
+    const int null = open("/dev/null", O_RDWR | O_CLOEXEC);
+    dup2(null, STDOUT_FILENO);
+    dup2(null, STDERR_FILENO);
+    const std::string replyText = std::to_string(reply);
+    execlp("Xvfb", "Xvfb", "-displayfd", replyText.c_str(), "-screen", "0", "1600x1000x24",
+           "-nolisten", "tcp", "-noreset", nullptr);
+    _exit(1);
+}
+
+/// The display number that the server announces; empty when it ends without one.
+std::string readDisplayNumber(int from) {
+    std::string number;
+    std::array<char, 16> buffer{};
+    while (number.find('\n') == std::string::npos) {
+        const ssize_t count = read(from, buffer.data(), buffer.size());
+        if (count <= 0) {
+            return {};
+        }
+        number.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+    number.resize(number.find('\n'));
+    return number;
+}
+
+}  // namespace
+
+VirtualDisplay::VirtualDisplay() {
+    const char* display = std::getenv("DISPLAY");  // NOLINT(concurrency-mt-unsafe): at start
+    if (display != nullptr && *display != '\0') {
+        return;
+    }
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) {
+        throw Error(kMissing);
+    }
+    const pid_t program = getpid();
+    server_ = fork();
+    if (server_ == 0) {
+        becomeServer(ends[1], program);
+    }
+    close(ends[1]);
+    const std::string number = server_ > 0 ? readDisplayNumber(ends[0]) : "";
+    close(ends[0]);
+    if (number.empty()) {
+        if (server_ > 0) {
+            waitpid(server_, nullptr, 0);
+        }
+        throw Error(kMissing);
+    }
+    setenv("DISPLAY", (":" + number).c_str(), 1);  // NOLINT(concurrency-mt-unsafe): at start
+}
+
+VirtualDisplay::~VirtualDisplay() {
+    if (server_ <= 0) {
+        return;
+    }
+    kill(server_, SIGTERM);
+    waitpid(server_, nullptr, 0);
+    unsetenv("DISPLAY");  // NOLINT(concurrency-mt-unsafe): at the end
+}
+
+}  // namespace asperity

@@ -1,0 +1,94 @@
+#include "app/commands/WindowCommand.h"
+
+#include "app/commands/OptionChecks.h"
+#include "app/commands/ProgressLine.h"
+#include "app/program/DataFolder.h"
+#include "app/reports/RunFolder.h"
+#include "app/session/LiveWindow.h"
+#include "vtkplugins/pictures/Display.h"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <filesystem>
+#include <system_error>
+
+namespace asperity {
+
+namespace {
+
+/// A bare word that is no file is more likely a command with a slip than a scan.
+CLI::Validator noMistypedCommand() {
+    return {[](const std::string& text) {
+                std::error_code ignored;
+                const bool word = text.find_first_of("./") == std::string::npos;
+                return word && !std::filesystem::exists(text, ignored)
+                           ? text + " is neither a command nor a file"
+                           : std::string();
+            },
+            ""};
+}
+
+/// Records the first scene that is shown.
+void recordFromTheStart(Session& session, const RecordingPlace& place) {
+    auto* const once = new QObject(&session);
+    QObject::connect(&session, &Session::sceneShown, once, [&session, once, place] {
+        once->deleteLater();
+        session.startRecording(place);
+    });
+}
+
+/// Shows the window, and the file as soon as it is loaded. Where that fails the program ends as
+/// every command does; from then on the window stays, whatever a person opens in it.
+int execWith(LiveWindow& live, const std::filesystem::path& input) {
+    Session& session = live.session();
+    std::exception_ptr reason;
+    const auto quits = QObject::connect(&session, &Session::openFailed, [&session, &reason] {
+        reason = session.openError();
+        QApplication::quit();
+    });
+    const auto goOn = [quits] { QObject::disconnect(quits); };
+    QObject::connect(&session, &Session::sceneShown, goOn);
+    QObject::connect(&session, &Session::openCancelled, goOn);
+    session.open(input);
+    const int status = live.exec();
+    if (reason) {
+        std::rethrow_exception(reason);
+    }
+    return status;
+}
+
+}  // namespace
+
+std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
+    auto options = std::make_shared<WindowOptions>();
+    program
+        .add_option("INPUT", options->input,
+                    "height map or scene.toml to open in the window; without one, the scene that "
+                    "comes with the program")
+        ->check(noMistypedCommand());
+    program
+        .add_option("--record", options->record,
+                    "folder: record every tick of the scene from the first one on")
+        ->check(notEmpty());
+    addForce(program, options->force);
+    return options;
+}
+
+int openWindow(const WindowOptions& options) {
+    if (!options.input.empty() && !haveDisplay()) {
+        (void)loadSceneOnTerminal(options.input, {});  // what is wrong with the input comes first
+    }
+    if (!options.record.empty()) {
+        requireFreeForRun(options.record, options.force);
+    }
+    LiveWindow live;
+    live.session().recoverCutOff();
+    if (!options.record.empty()) {
+        recordFromTheStart(live.session(), {options.record, options.force});
+    }
+    const std::filesystem::path input =
+        options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
+    return input.empty() ? live.exec() : execWith(live, input);
+}
+
+}  // namespace asperity

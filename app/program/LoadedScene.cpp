@@ -1,0 +1,138 @@
+#include "app/program/LoadedScene.h"
+
+#include "core/Error.h"
+#include "core/fidelity/ForceErrorText.h"
+#include "core/io/heightmap/ScanFile.h"
+#include "core/io/scene/SceneFile.h"
+#include "core/scene/ImagingTip.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+#include <variant>
+
+namespace asperity {
+
+namespace {
+
+std::string levellingNote(const Scene& scene) {
+    switch (scene.description.sample.levelling) {
+    case Levelling::None:
+        return "levelling: none, heights as the file gives them";
+    case Levelling::Rows:
+        return "levelling: the median of each row and the mean removed";
+    case Levelling::Plane:
+        break;
+    }
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "levelling: plane with slopes %+.4g along x and %+.4g along y removed "
+                  "(--level none keeps it)",
+                  scene.removedPlane.slopeX, scene.removedPlane.slopeY);
+    return text;
+}
+
+std::string lawNote(const Scene& scene) {
+    std::string note = std::string("contact law: ") + keyOf(scene.model.law.law) + " (" +
+                       scene.model.law.why + ")";
+    if (const MaugisTable* table = scene.belief.contact.table()) {
+        char text[120];
+        std::snprintf(text, sizeof text, "; tabulated, error at most %.2g of the force or pi w R",
+                      table->errorBound());
+        note += text;
+    }
+    return note;
+}
+
+/// What the model leaves out, but for what its law has no room for: that is told with the law.
+std::string modelNote(const SceneNeeds& needs) {
+    std::string out;
+    for (const TermNeed& need : needs.terms) {
+        const auto& misses = needs.lawMisses;
+        if (!need.on && std::ranges::find(misses, need.term) == misses.end()) {
+            out += (out.empty() ? "" : ", ") + std::string(nameOf(need.term));
+        }
+    }
+    char tolerance[40];
+    std::snprintf(tolerance, sizeof tolerance, " (tolerance %.2g %%)", 100.0 * needs.tolerance);
+    return "model: " + forceErrorText(needs) + tolerance +
+           (out.empty() ? ", nothing left out" : "; left out: " + out);
+}
+
+LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
+    if (!overrides.channel.empty() || overrides.levelling || overrides.smoothingPixels) {
+        throw Error(
+            "a scene with a shape has no height map whose channel, levelling or smoothing to "
+            "choose");
+    }
+    return {.scene = buildScene(description),
+            .format = "shape",
+            .sha256 = "",
+            .notes = {"the sample is an exact shape, drawn by 256 x 256 heights"},
+            .needs = {}};
+}
+
+LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrides,
+                     Progress* progress) {
+    SampleDescription& sample = description.sample;
+    if (!overrides.channel.empty()) {
+        sample.channel = overrides.channel;
+    }
+    if (overrides.levelling) {
+        sample.levelling = *overrides.levelling;
+    }
+    if (overrides.smoothingPixels) {
+        sample.smoothingPixels = *overrides.smoothingPixels;
+        sample.smoothingLength = 0.0;
+    }
+    sample.file = std::filesystem::absolute(sample.file).lexically_normal().string();
+    ProgressPart reading(progress, 0.0, 0.2);
+    const ScanFile file(sample.file);
+    SceneScan scan = file.readSceneScan(sample.channel, &reading);
+    sample.channel = scan.channel;
+    ProgressPart hashing(progress, 0.2, 0.4);
+    std::string hash = file.sha256(&hashing);
+    ProgressPart building(progress, 0.4, 1.0);
+    const auto build = [&](auto map) { return buildScene(description, std::move(map), &building); };
+    LoadedScene loaded{.scene = std::visit(build, std::move(scan.map)),
+                       .format = std::move(scan.format),
+                       .sha256 = std::move(hash),
+                       .notes = std::move(scan.notes),
+                       .needs = {}};
+    loaded.notes.push_back(levellingNote(loaded.scene));
+    loaded.notes.push_back(imagingTipNote(loaded.scene));
+    return loaded;
+}
+
+}  // namespace
+
+LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
+                      Progress* progress) {
+    const SceneDescription description = sceneFromInput(input);
+    try {
+        LoadedScene loaded = description.sample.shape ? shapeScene(description, overrides)
+                                                      : mapScene(description, overrides, progress);
+        loaded.needs = fitModel(loaded.scene);
+        loaded.notes.push_back(lawNote(loaded.scene));
+        loaded.notes.push_back(modelNote(loaded.needs));
+        return loaded;
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error& error) {
+        throw InputError(input.string(), "", error.what());
+    }
+}
+
+LoadedScene withMaterial(LoadedScene loaded, const SampleMaterial& material) {
+    loaded.scene = withMaterial(std::move(loaded.scene), material);
+    loaded.needs = fitModel(loaded.scene);
+    return loaded;
+}
+
+LoadedScene withChoices(LoadedScene loaded, const SceneDescription& choices) {
+    loaded.scene.description = choices;
+    loaded.needs = fitModel(loaded.scene);
+    return loaded;
+}
+
+}  // namespace asperity

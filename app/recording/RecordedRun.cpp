@@ -1,0 +1,94 @@
+#include "app/recording/RecordedRun.h"
+
+#include "app/reports/RunFolder.h"
+#include "core/Error.h"
+#include "core/GrowingFile.h"
+#include "core/io/recording/TickLog.h"
+#include "core/io/recording/TickMemoryFile.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace asperity {
+
+namespace {
+
+/// The hash of the scan that the run was made on, from its summary.
+std::string summarizedHash(const std::filesystem::path& folder) {
+    const std::filesystem::path path = folder / run_files::kSummary;
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown)) {
+        throw InputError(folder.string(), "",
+                         "holds no run: there is neither recording.json nor summary.json");
+    }
+    std::ifstream file(path);
+    const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
+    const nlohmann::json::json_pointer pointer("/input/sha256");
+    if (summary.is_discarded() || !summary.contains(pointer) || !summary[pointer].is_string()) {
+        throw InputError(path.string(), "input.sha256", "expected the hash of the scan");
+    }
+    return summary[pointer].get<std::string>();
+}
+
+std::string recordedHash(const std::filesystem::path& folder) {
+    const std::optional<RecordingManifest> manifest = readManifest(folder);
+    return manifest ? manifest->sha256 : summarizedHash(folder);
+}
+
+/// What the first tick starts from: a recording may begin in the middle of a run.
+TickMemory startMemory(const std::filesystem::path& folder) {
+    const std::filesystem::path file = folder / run_files::kMemory;
+    return std::filesystem::exists(file) ? readTickMemory(file) : TickMemory{};
+}
+
+}  // namespace
+
+RunState stateOf(const std::filesystem::path& folder) {
+    if (isGrowing(folder / run_files::kInput)) {
+        return RunState::Recording;
+    }
+    const std::optional<RecordingManifest> manifest = readManifest(folder);
+    if (manifest && !manifest->complete) {
+        return RunState::Unfinished;
+    }
+    return manifest && manifest->recovered ? RunState::Recovered : RunState::Complete;
+}
+
+std::string sentenceOf(RunState state) {
+    switch (state) {
+    case RunState::Unfinished:
+    case RunState::Recovered:
+        return "the recording was cut off; it goes up to its last whole tick";
+    case RunState::Recording:
+        return "the recording is still being written; it goes up to its last whole tick so far";
+    case RunState::Complete:
+        break;
+    }
+    return {};
+}
+
+CsvTable readRunTable(const std::filesystem::path& file) {
+    return stateOf(file.parent_path()) == RunState::Complete ? readCsv(file)
+                                                             : readUnfinishedCsv(file);
+}
+
+// The log is flushed before the input: where both are cut off, the input is mostly the shorter one.
+RecordedRun readRun(const std::filesystem::path& folder) {
+    const RunState state = stateOf(folder);
+    const auto table = [&](const char* name) {
+        const std::filesystem::path file = folder / name;
+        return state == RunState::Complete ? readCsv(file) : readUnfinishedCsv(file);
+    };
+    RecordedRun run{.state = state,
+                    .sha256 = recordedHash(folder),
+                    .memory = startMemory(folder),
+                    .samples = readTickInputs(table(run_files::kInput)),
+                    .log = table(run_files::kLog)};
+    if (state != RunState::Complete) {
+        run.samples.resize(std::min(run.samples.size(), run.log.rows()));
+    }
+    return run;
+}
+
+}  // namespace asperity

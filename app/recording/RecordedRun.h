@@ -1,0 +1,42 @@
+#pragma once
+
+#include "app/recording/RecordingManifest.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/io/tables/CsvTable.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// How far the folder of a run has come.
+enum class RunState {
+    Complete,
+    Unfinished,  ///< a recording that was cut off: its tables may end in the middle of a line
+    Recovered,   ///< one that was cut off, and was ended at its last whole tick
+    Recording,   ///< a process is writing it
+};
+
+/// @return Complete for a folder without a manifest: `explore` leaves whole runs alone
+/// @throw InputError where the manifest is damaged
+[[nodiscard]] RunState stateOf(const std::filesystem::path& folder);
+/// For people; empty for a complete run.
+[[nodiscard]] std::string sentenceOf(RunState state);
+
+/// A run as its folder holds it; one that is not complete goes up to its last whole tick.
+struct RecordedRun {
+    RunState state = RunState::Complete;
+    std::string sha256;               ///< of the scan that it was made on
+    TickMemory memory;                ///< what its first tick starts from
+    std::vector<TickSample> samples;  ///< its inputs
+    CsvTable log;                     ///< what it did; may be longer, where it is not complete
+};
+
+/// @throw InputError
+[[nodiscard]] RecordedRun readRun(const std::filesystem::path& folder);
+
+/// One of its tables, up to the last whole line where the run is not complete. @throw InputError
+[[nodiscard]] CsvTable readRunTable(const std::filesystem::path& file);
+
+}  // namespace asperity

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "app/program/LoadedScene.h"
+#include "app/recording/EnergyLog.h"
+#include "app/reports/RunFolder.h"
+#include "core/haptics/HapticTick.h"
+#include "core/haptics/RunEvents.h"
+
+#include <filesystem>
+
+namespace asperity {
+
+/// Where a recording goes.
+struct RecordingPlace {
+    std::filesystem::path folder;
+    bool replace = false;  ///< an earlier run in it may go, once the recording has begun
+};
+
+/// A stretch of a live run written to a folder that `asperity replay` takes: memory, scene and
+/// manifest first, then the tables, which grow in their place. Whatever ends it, what was flushed
+/// replays; without finish() its manifest says that it is not complete.
+class Recording {
+public:
+    /// @param memory what its first tick starts from
+    /// @param delay  of the hand's device [s]
+    /// @throw Error when the folder cannot be made or written, or holds a run
+    Recording(const RecordingPlace& place, const LoadedScene& loaded, const TickMemory& memory,
+              double delay);
+
+    /// Every tick; from the first one that is missing on, none is taken. @throw Error
+    void take(const TickSample& sample);
+    /// Ticks were lost: what was taken ends before them.
+    [[nodiscard]] bool broken() const noexcept { return broken_; }
+    /// Hands all ticks so far to the system: a killed process loses none of them. @throw Error
+    void flush();
+    /// Waits until the disk holds what was flushed: a power cut loses none of it. @throw Error
+    void sync();
+    /// Writes what is left, and that it is complete. @throw Error
+    void finish();
+
+    [[nodiscard]] const std::filesystem::path& folder() const noexcept { return begin_.folder(); }
+    [[nodiscard]] long ticks() const noexcept { return events_.events().ticks; }
+
+private:
+    void writeScene(const Settings& start);
+
+    BeginningRun begin_;
+    const LoadedScene& loaded_;
+    RunRecorder recorder_;
+    RunEventRecorder events_;
+    EnergyLog energy_;
+    Settings start_;         ///< the knobs of the first tick, as in the scene's file
+    double lastTime_ = 0.0;  ///< [s]
+    bool broken_ = false;
+    bool startSynced_ = false;  ///< the disk holds what the first tick starts from
+};
+
+}  // namespace asperity

@@ -1,0 +1,53 @@
+#include "app/recording/RecordingManifest.h"
+
+#include "app/reports/RunFolder.h"
+#include "core/Error.h"
+#include "core/TemporaryFile.h"
+#include "core/Version.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kFormat = "asperity recording";
+constexpr int kFormatVersion = 1;
+
+}  // namespace
+
+void writeManifest(const std::filesystem::path& folder, const RecordingManifest& manifest) {
+    const nlohmann::ordered_json json{
+        {"format", kFormat},
+        {"format_version", kFormatVersion},
+        {"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
+        {"input", {{"sha256", manifest.sha256}}},
+        {"complete", manifest.complete},
+        {"recovered", manifest.recovered}};
+    constexpr int kIndent = 2;
+    OutputFile file(folder / run_files::kManifest);
+    file.stream() << json.dump(kIndent) << '\n';
+    manifest.complete ? file.commitToDisk() : file.commit();
+}
+
+std::optional<RecordingManifest> readManifest(const std::filesystem::path& folder) {
+    const std::filesystem::path path = folder / run_files::kManifest;
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown)) {
+        return std::nullopt;
+    }
+    std::ifstream file(path);
+    const auto json = nlohmann::json::parse(file, nullptr, false);
+    try {
+        if (json.at("format") == kFormat && json.at("format_version") == kFormatVersion) {
+            return RecordingManifest{.sha256 = json.at("input").at("sha256").get<std::string>(),
+                                     .complete = json.at("complete").get<bool>(),
+                                     .recovered = json.at("recovered").get<bool>()};
+        }
+    } catch (const nlohmann::json::exception&) {  // as of another version
+    }
+    throw InputError(path.string(), "", "expected the manifest of a recording, format version 1");
+}
+
+}  // namespace asperity

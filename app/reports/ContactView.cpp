@@ -1,0 +1,94 @@
+#include "app/reports/ContactView.h"
+
+#include "core/SiFormat.h"
+#include "core/deformation/ContactPatch.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPatchSamples = 241;
+
+/// Half the width of the zoomed view: the surface that visibly follows the tip.
+double zoomHalfWidth(const Scene& scene, const TickSample& sample) {
+    const double given = scene.description.zoomHalfWidth;
+    if (given > 0.0) {
+        return given;
+    }
+    return std::max(scene.belief.tipRadius(), 4.0 * sample.output.model.contact.contactRadius);
+}
+
+std::string captionOf(const Scene& scene, const TickSample& sample) {
+    const TickOutput& out = sample.output;
+    const ContactState& contact = out.model.contact;
+    std::string caption = "Indentation " + formatSi(contact.indentation, "m") +
+                          ", contact radius " + formatSi(contact.contactRadius, "m") +
+                          ", normal force " + formatSi(out.model.normalForce, "N") + " (model), " +
+                          formatSi(out.estimate.force.dot(out.model.normal), "N") +
+                          " (estimate). Tip of " + formatSi(scene.belief.tipRadius(), "m") +
+                          " radius on " + scene.description.sample.material.name + ".";
+    std::replace(caption.begin(), caption.end(), '_', ' ');
+    if (out.flags.has(Validity::LargeContact)) {
+        caption += " Contact radius above 0.3 tip radii: beyond what half-space theory holds for.";
+    }
+    if (out.flags.bits() != 0) {
+        caption += " Flags: " + validityText(out.flags) + ".";
+    }
+    return caption;
+}
+
+std::string capitalised(std::string sentence) {
+    sentence.front() = static_cast<char>(std::toupper(sentence.front()));
+    return sentence;
+}
+
+/// The deformation that is drawn, and what there is to say of it.
+struct DrawnContact {
+    ContactDeformation deformation;
+    std::string remark;
+};
+
+DrawnContact drawnContact(const Scene& scene, const TickSample& sample) {
+    const TipState& state = sample.output.model;
+    const DeformationTier tier = scene.model.deformation;
+    if (tier != DeformationTier::HalfSpace) {
+        return {.deformation = ContactDeformation(scene, state, tier), .remark = ""};
+    }
+    const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
+    return {.deformation = ContactDeformation(scene, state, tier, &answer),
+            .remark = " " + capitalised(sentenceOf(answer)) + "."};
+}
+
+}  // namespace
+
+PatchGrid zoomGrid(const Scene& scene, const TickSample& sample) {
+    return {.halfWidth = zoomHalfWidth(scene, sample), .samples = kPatchSamples};
+}
+
+SurfacePatch zoomPatch(const Scene& scene, const TickSample& sample) {
+    return drawnPatch(scene, drawnContact(scene, sample).deformation, zoomGrid(scene, sample));
+}
+
+DeformationView contactView(const Scene& scene, const TickSample& sample,
+                            const std::string& title) {
+    const TickOutput& out = sample.output;
+    const auto [deformation, remark] = drawnContact(scene, sample);
+    return {.title = title,
+            .caption = captionOf(scene, sample) + remark,
+            .patch = drawnPatch(scene, deformation, zoomGrid(scene, sample)),
+            .tipCentre = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
+            .tipRadius = scene.belief.tipRadius(),
+            .tipDisplacement =
+                [deformation = deformation](double distance) {
+                    return deformation.tipDisplacement(distance);
+                },
+            .contactPoint = displacedFoot(scene, out.model, scene.model.deformation),
+            .force = out.estimate.force,
+            .contactRadius = out.model.contact.contactRadius};
+}
+
+}  // namespace asperity

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/studies/extremes/HoldOutcome.h"
+#include "vtkplugins/pictures/ShareMaps.h"
+
+#include <vector>
+
+namespace asperity {
+
+/// What becomes of a hand with and without a coupling, over the loop's rate: by the delay and by
+/// the decade of the contact's stiffness at the hand.
+[[nodiscard]] ShareMapPage couplingMap(const std::vector<HoldOutcome>& holds);
+
+}  // namespace asperity

@@ -1,0 +1,141 @@
+#include "app/reports/OutputFolder.h"
+
+#include "app/reports/RunFolder.h"
+#include "core/Error.h"
+#include "core/GrowingFile.h"
+#include "core/Leftover.h"
+#include "core/PrintableText.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <system_error>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+bool isThere(const std::filesystem::path& path) {
+    std::error_code unknown;
+    return std::filesystem::exists(std::filesystem::symlink_status(path, unknown));
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(std::filesystem::path folder, FolderContent content, bool force)
+    : folder_(std::move(folder))
+    , content_(std::move(content))
+    , force_(force)
+    , made_(!isThere(folder_)) {
+    requireAllowed();
+    makeOutputFolder(folder_);
+    makeStaging();
+}
+
+OutputFolder::~OutputFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(staging_, ignored);
+    if (made_) {
+        std::filesystem::remove(folder_, ignored);  // only where it is empty
+    }
+}
+
+void OutputFolder::requireAllowed() const {
+    for (const std::string& name : content_.own) {
+        std::error_code unknown;
+        if (std::filesystem::is_directory(folder_ / name, unknown)) {
+            throw Error((folder_ / name).string() +
+                        ": cannot be written: it is there and a folder");
+        }
+    }
+    if (isGrowing(folder_ / run_files::kInput)) {
+        throw Error(folder_.string() + ": it is being recorded there");
+    }
+    const bool isOurs = isThere(folder_ / content_.own.front());
+    for (const std::string& name : content_.own) {
+        if (!force_ && !isOurs && isThere(folder_ / name)) {
+            throw Error((folder_ / name).string() +
+                        ": is not of an earlier run of this command; name another folder, or "
+                        "replace that file with --force");
+        }
+    }
+    for (const std::string& name : content_.guarded) {
+        if (!force_ && isThere(folder_ / name)) {
+            throw Error(folder_.string() + ": there is a recording or another run in it (" + name +
+                        "); name another folder, or replace that run with --force");
+        }
+    }
+}
+
+void OutputFolder::makeStaging() {
+    const std::string prefix = temporaryPrefix("results");
+    sweepLeftovers(folder_, prefix);
+    constexpr int kTries = 100;
+    for (int i = 0; i < kTries; ++i) {
+        staging_ = folder_ / temporaryName(prefix);
+        if (mkdir(staging_.c_str(), 0777) != 0 && errno != EEXIST) {
+            break;
+        }
+        lock_ =
+            FileDescriptor(open(staging_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+        if (lock_.isOpen() && holdTemporary(lock_, staging_)) {
+            return;
+        }
+    }
+    throw Error(folder_.string() +
+                ": cannot be written: " + std::generic_category().message(errno));
+}
+
+void OutputFolder::remove(const std::filesystem::path& name) const {
+    std::error_code failure;
+    std::filesystem::remove(folder_ / name, failure);
+    if (failure) {
+        throw Error((folder_ / name).string() +
+                    ": the earlier run's file cannot be removed: " + failure.message());
+    }
+}
+
+void OutputFolder::moveOut(const std::filesystem::path& name) const {
+    std::error_code failure;
+    std::filesystem::rename(staging_ / name, folder_ / name, failure);
+    if (failure) {
+        throw Error((folder_ / name).string() + ": cannot be put in place: " + failure.message());
+    }
+}
+
+void OutputFolder::collect(
+    const std::function<void(const std::filesystem::path& folder)>& write) const {
+    try {
+        write(staging_);
+    } catch (const Error& error) {
+        const std::string hidden = printable(staging_.string());
+        std::string message = error.what();
+        const std::size_t at = message.find(hidden);
+        if (at == std::string::npos) {
+            throw;
+        }
+        throw Error(message.replace(at, hidden.size(), folder_.string()));
+    }
+}
+
+void OutputFolder::commit() {
+    requireAllowed();
+    const std::string& whole = content_.own.front();
+    remove(whole);
+    for (const auto* names : {&content_.own, &content_.guarded}) {
+        for (const std::string& name : *names) {
+            if (!isThere(staging_ / name)) {
+                remove(name);
+            }
+        }
+    }
+    for (const auto& file : std::filesystem::directory_iterator(staging_)) {
+        if (file.path().filename() != whole) {
+            moveOut(file.path().filename());
+        }
+    }
+    moveOut(whole);
+    made_ = false;
+}
+
+}  // namespace asperity

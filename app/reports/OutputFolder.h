@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/FileDescriptor.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// What a command leaves in a folder.
+struct FolderContent {
+    /// Its files. The first stands for the whole and has a name that nobody else gives: without it,
+    /// files with the names of the rest are taken for somebody's.
+    std::vector<std::string> own;
+    std::vector<std::string> guarded;  ///< files of others that it must not write over unasked
+};
+
+/// The folder that a command writes its files into. They are collected in a hidden folder within it
+/// and come out together, by renaming, when all are complete: until then an earlier result stays as
+/// it is. Then all of its files go, and those that are no files of the command stay. The first of
+/// the own files goes first and comes last, so that a mixture is never taken for a result. Staying
+/// within the folder works where it is a mount point or a link, or its parent cannot be written.
+class OutputFolder {
+public:
+    /// Makes the folder where there is none; what killed commands left in it goes.
+    /// @param force guarded files may go
+    /// @throw Error where there are guarded files, or the folder cannot be written
+    OutputFolder(std::filesystem::path folder, FolderContent content, bool force = false);
+    /// Without commit() all is as before.
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+    /// Has the files written where they are collected; may be called again for more of them.
+    /// @throw what `write` throws; an Error names the folder, not where they are collected
+    void collect(const std::function<void(const std::filesystem::path& folder)>& write) const;
+    /// Puts the files in place. @throw Error
+    void commit();
+
+private:
+    void requireAllowed() const;
+    void makeStaging();
+    void remove(const std::filesystem::path& name) const;
+    void moveOut(const std::filesystem::path& name) const;
+
+    std::filesystem::path folder_;
+    FolderContent content_;
+    bool force_;
+    bool made_;  ///< the folder, by this
+    std::filesystem::path staging_;
+    FileDescriptor lock_{-1};
+};
+
+}  // namespace asperity

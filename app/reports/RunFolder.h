@@ -1,0 +1,93 @@
+#pragma once
+
+#include "app/reports/OutputFolder.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/io/recording/TickLog.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// Names of the files that a recorded run consists of.
+namespace run_files {
+inline constexpr const char* kScene = "scene.toml";
+inline constexpr const char* kInput = "tick_input.csv";
+inline constexpr const char* kMemory = "tick_memory.csv";  ///< absent: the run began afresh
+inline constexpr const char* kLog = "force_log.csv";
+inline constexpr const char* kEnergy = "energy_log.csv";    ///< of a hand with motors
+inline constexpr const char* kManifest = "recording.json";  ///< of what Record wrote
+inline constexpr const char* kSummary = "summary.json";
+inline constexpr const char* kDeformation = "deformation.png";
+inline constexpr const char* kDeformationFields = "deformation.exr";
+inline constexpr const char* kOverview = "overview.png";
+inline constexpr const char* kForces = "forces.png";
+}  // namespace run_files
+
+/// All of them: none of a new run stands beside one of an earlier run. The first has a name that
+/// nobody else gives.
+[[nodiscard]] const std::vector<std::string>& runFileNames();
+/// What `asperity explore` leaves: it replaces another such run, and no recording unasked.
+[[nodiscard]] FolderContent exploredRun();
+/// What `asperity replay` leaves: it replaces other logs of its own, and no run unasked.
+[[nodiscard]] FolderContent replayedLogs();
+
+/// Writes the two tables of a run tick by tick; they grow in their place.
+class RunRecorder {
+public:
+    /// @throw Error when a table is there or cannot be made
+    explicit RunRecorder(const std::filesystem::path& folder);
+
+    void take(const TickSample& sample);
+    /// Hands all ticks so far to the system. @throw Error
+    void flush();
+    /// Waits until the disk holds what was flushed. @throw Error
+    void sync() const;
+    /// Writes what is left. @throw Error
+    void close();
+
+private:
+    ForceLogWriter log_;
+    TickInputWriter input_;
+};
+
+/// Makes a folder for output where there is none. @throw Error
+void makeOutputFolder(const std::filesystem::path& folder);
+
+/// A recording is written into its folder from its first tick on, so the folder must not hold a run
+/// yet, but for one that may be replaced. Changes nothing.
+/// @throw Error where it does, or a recording goes on there
+void requireFreeForRun(const std::filesystem::path& folder, bool replace);
+
+/// The folder of a run that begins. What an earlier run left is set aside, in a hidden folder
+/// within it; without keep() all is as before: what the new run wrote goes, what was set aside
+/// comes back.
+class BeginningRun {
+public:
+    /// Makes the folder where there is none.
+    /// @param replace the files of an earlier run may go @throw Error as requireFreeForRun(), or
+    /// when the folder cannot be written
+    BeginningRun(std::filesystem::path folder, bool replace);
+    ~BeginningRun();
+    BeginningRun(const BeginningRun&) = delete;
+    BeginningRun& operator=(const BeginningRun&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& folder() const noexcept { return folder_; }
+    /// The new run is there: what was set aside goes.
+    void keep() noexcept;
+
+private:
+    void setAside();
+    void putBack() noexcept;
+
+    std::filesystem::path folder_;
+    bool made_;                    ///< the folder, by this
+    std::filesystem::path aside_;  ///< empty: nothing was there
+    bool kept_ = false;
+};
+
+/// Writes a small text file whole or not at all. @throw Error
+void writeTextFile(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace asperity

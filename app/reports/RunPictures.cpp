@@ -1,0 +1,73 @@
+#include "app/reports/RunPictures.h"
+
+#include "app/reports/ContactView.h"
+#include "app/reports/RunFolder.h"
+#include "core/deformation/ContactPatch.h"
+#include "core/io/fields/PatchExr.h"
+#include "core/surface/fit/CoarserSurface.h"
+
+#include <cstdio>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kOverviewPixels = 1024;  // twice as many as the overview draws
+
+std::string timeText(double time) {
+    char text[40];
+    std::snprintf(text, sizeof text, "t = %.3f s", time);
+    return text;
+}
+
+DeformationView viewOf(const Scene& scene, const TickSample& sample, const char* what) {
+    return contactView(scene, sample, std::string(what) + ", " + timeText(sample.time));
+}
+
+std::vector<DeformationView> deformationViews(const Scene& scene, const RunEvents& events) {
+    std::vector<DeformationView> views;
+    views.push_back(viewOf(scene, *events.deepest, "Largest indentation"));
+    if (events.lastHold) {
+        views.push_back(viewOf(scene, *events.lastHold, "Just before pull-off"));
+    }
+    return views;
+}
+
+/// Where the zoomed view is at this moment.
+ScanWindow zoomAt(const Scene& scene, const TickSample& moment) {
+    const Vector3& tip = moment.output.model.tip;
+    const double half = zoomGrid(scene, moment).halfWidth;
+    return {tip.x() - half, tip.x() + half, tip.y() - half, tip.y() + half};
+}
+
+}  // namespace
+
+RunPictures::RunPictures(const Scene& scene, const RunEvents& events)
+    : name_(sampleName(scene.description.sample))
+    , deepest_(*events.deepest)
+    , deformation_(deformationViews(scene, events))
+    , deepestPatch_(zoomPatch(scene, deepest_))
+    , surface_(coarserSurface(scene.surface, kOverviewPixels))
+    , zoom_(zoomAt(scene, deepest_)) {}
+
+void RunPictures::write(const std::filesystem::path& folder, const RunCurves& curves,
+                        Progress* progress) const {
+    reportTo(progress, 0.0);
+    writeDeformationPicture(folder / run_files::kDeformation, deformation_);
+    reportTo(progress, 0.4);
+    writePatchExr(folder / run_files::kDeformationFields, deepestPatch_);
+    reportTo(progress, 0.5);
+    writeOverviewPicture(
+        folder / run_files::kOverview,
+        {.title = name_,
+         .caption = "The tip at the largest indentation, " + timeText(deepest_.time) + ".",
+         .surface = surface_,
+         .tip = deepest_.output.model.tip,
+         .zoom = zoom_,
+         .path = curves.tipPath()});
+    reportTo(progress, 0.8);
+    curves.write(folder / run_files::kForces);
+    reportTo(progress, 1.0);
+}
+
+}  // namespace asperity

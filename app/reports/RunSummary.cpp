@@ -1,0 +1,147 @@
+#include "app/reports/RunSummary.h"
+
+#include "app/program/JsonText.h"
+#include "core/PathText.h"
+#include "core/Version.h"
+#include "core/deformation/HalfSpaceModel.h"
+#include "core/io/scene/SceneFile.h"
+#include "core/scene/ModelTerm.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <toml++/toml.h>
+
+namespace asperity {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json sceneJson(const SceneDescription& scene) {
+    std::ostringstream text;
+    text << toml::json_formatter(toml::parse(sceneText(scene)));
+    return Json::parse(text.str());
+}
+
+Json inputJson(const LoadedScene& loaded) {
+    const BSplineSurface& surface = loaded.scene.surface;
+    return {{"file", pathText(loaded.scene.description.sample.file)},
+            {"sha256", loaded.sha256},
+            {"format", loaded.format},
+            {"channel", loaded.scene.description.sample.channel},
+            {"columns", surface.grid().columns},
+            {"rows", surface.grid().rows},
+            {"size_x_m", surface.sizeX()},
+            {"size_y_m", surface.sizeY()},
+            {"removed_slope_x", loaded.scene.removedPlane.slopeX},
+            {"removed_slope_y", loaded.scene.removedPlane.slopeY},
+            {"notes", loaded.notes}};
+}
+
+Json termJson(const TermNeed& need) {
+    return {{"term", nameOf(need.term)},
+            {"on", need.on},
+            {"overruled", need.overruled},
+            {"why", need.why},
+            {"effect", need.effect}};
+}
+
+/// Times are not in it: a run's summary is the same on every machine.
+Json modelJson(const SceneNeeds& needs) {
+    Json terms = Json::array();
+    for (const TermNeed& need : needs.terms) {
+        terms.push_back(termJson(need));
+    }
+    Json model = {{"tolerance", needs.tolerance}, {"force_error", nullptr}, {"terms", terms}};
+    if (needs.measured) {
+        model["force_error"] = needs.totalError();
+        model["force_error_left_out"] = needs.wholeError;
+        model["force_error_law"] = needs.lawError;
+    }
+    return model;
+}
+
+Json vectorJson(const Vector3& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+Json stateJson(const TickSample& sample) {
+    const TickOutput& out = sample.output;
+    return {{"time_s", sample.time},
+            {"base_m", vectorJson(out.base.position)},
+            {"tip_m", vectorJson(out.tip)},
+            {"model_normal_force_n", out.model.contact.force},
+            {"model_force_n", vectorJson(out.model.force)},
+            {"estimated_force_n", vectorJson(out.estimate.force)},
+            {"indentation_m", out.model.contact.indentation},
+            {"contact_radius_m", out.model.contact.contactRadius},
+            {"state", regionName(out.region())},
+            {"flags", validityText(out.flags)}};
+}
+
+Json optionalState(const std::optional<TickSample>& sample) {
+    return sample ? stateJson(*sample) : Json(nullptr);
+}
+
+/// The half-space's view of a state; null where the scene does not ask for it.
+Json halfSpaceJson(const Scene& scene, const std::optional<TickSample>& sample) {
+    if (!sample || scene.model.deformation != DeformationTier::HalfSpace) {
+        return nullptr;
+    }
+    const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, sample->output.model);
+    return {{"valid", answer.valid()},
+            {"remark", sentenceOf(answer)},
+            {"normal_force_n", answer.force},
+            {"law_normal_force_n", sample->output.model.normalForce},
+            {"contact_radius_m", answer.contactRadius}};
+}
+
+/// A jump of the model between two states; null when there was none.
+Json jumpJson(const std::optional<TickSample>& before, const std::optional<TickSample>& after) {
+    if (!before || !after) {
+        return nullptr;
+    }
+    return {{"before", stateJson(*before)},
+            {"after", stateJson(*after)},
+            {"energy_lost_j", after->output.model.contact.energyLost}};
+}
+
+/// The last jump off, and when signals and model last held the tip both.
+Json pullOffJson(const RunEvents& events) {
+    Json json = jumpJson(events.beforePullOff, events.pullOff);
+    if (!json.is_null()) {
+        json["last_hold"] = optionalState(events.lastHold);
+    }
+    return json;
+}
+
+Json flagsJson(const RunEvents& events) {
+    Json flags = Json::object();
+    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+        flags[kValidityTraits.at(i).key] = events.flagged.at(i);
+    }
+    return flags;
+}
+
+}  // namespace
+
+std::string runSummary(const LoadedScene& loaded, const RunEvents& events) {
+    const Json summary{
+        {"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
+        {"input", inputJson(loaded)},
+        {"scene", sceneJson(settled(loaded.scene.description, loaded.scene.model))},
+        {"model", modelJson(loaded.needs)},
+        {"statistics",
+         {{"ticks", events.ticks},
+          {"tick_rate_hz", loaded.scene.description.tickRate},
+          {"largest_model_force_n", events.largestForce},
+          {"largest_estimated_force_n", events.largestEstimatedForce},
+          {"ticks_flagged", flagsJson(events)},
+          {"ticks_faulted", events.faults}}},
+        {"snap_in", jumpJson(events.beforeSnapIn, events.snapIn)},
+        {"pull_off", pullOffJson(events)},
+        {"largest_indentation", optionalState(events.deepest)},
+        {"largest_indentation_half_space", halfSpaceJson(loaded.scene, events.deepest)},
+        {"strongest_attraction", optionalState(events.strongestPull)}};
+    return jsonText(summary) + '\n';
+}
+
+}  // namespace asperity

@@ -1,0 +1,116 @@
+#include "app/session/LiveRun.h"
+
+#include "core/haptics/device/PointerHand.h"
+
+#include <utility>
+
+namespace asperity {
+
+Vector3 startPlace(const Scene& scene) {
+    return waitingPlace(scene, 0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
+}
+
+LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
+    : loaded_(std::move(loaded))
+    , coupling_(loaded_.scene)
+    , start_(start)
+    , settings_(loaded_.scene.settings)
+    , afm_(loaded_.scene.touched(), loaded_.scene.truth)
+    , hand_(std::make_unique<PointerHand>(start / settings_.positionGain))
+    , halfSpace_(loaded_.scene.model.deformation == DeformationTier::HalfSpace
+                     ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
+                     : nullptr)
+    , loop_(loaded_.scene, *hand_, afm_)
+    , blackBox_(loaded_.scene.timeStep())
+    , energy_(newEnergyWatch()) {}
+
+EnergyWatch LiveRun::newEnergyWatch() const { return {loaded_.scene.timeStep(), hand_->delay()}; }
+
+void LiveRun::fetch(const TickSink& sink) {
+    const double begin = processorSeconds();
+    loop_.drain([&](const TickSample& sample) {
+        blackBox_.take(sample);
+        energy_.take(sample);
+        sink(sample);
+        ++fetchCost_.ticks;
+    });
+    blackBox_.mark(loop_.snapshot());
+    fetchCost_.time += processorSeconds() - begin;
+}
+
+void LiveRun::apply(const Settings& settings) noexcept {
+    settings_ = settings;
+    loop_.setSettings(settings);
+}
+
+void LiveRun::setSettings(const Settings& settings) {
+    apply(coupling_.turned(settings, hand_->delay()));
+}
+
+Settings LiveRun::sensingSettings() const {
+    CouplingKeeper without = coupling_;
+    return without.release(settings_);
+}
+
+bool LiveRun::followDelay() {
+    const std::optional<Settings> changed = coupling_.follow(settings_, hand_->delay());
+    if (changed) {
+        apply(*changed);
+        energy_ = newEnergyWatch();
+    }
+    return changed.has_value();
+}
+
+void LiveRun::takeHand(const MakeHand& make) {
+    const bool running = loop_.running();
+    const CouplingKeeper coupling = coupling_;
+    const Settings settings = settings_;
+    loop_.stop();
+    try {
+        apply(coupling_.release(settings_));
+        seat(make());
+    } catch (...) {
+        coupling_ = coupling;
+        apply(settings);
+        if (running) {
+            loop_.start();
+        }
+        throw;
+    }
+    if (running) {
+        loop_.start();
+    }
+}
+
+/// A device is where it is, not where the base waits: before it leads, the first tick has to tell
+/// where that is.
+void LiveRun::seat(std::unique_ptr<HapticDevice> hand) {
+    const DeviceSpecification device = hand->specification();
+    const Settings settings = coupling_.takeOver(device, hand->delay(), settings_);
+    if (device.rendersForce() && loop_.snapshot().statistics.ticks == 0) {
+        loop_.step();
+    }
+    apply(settings);
+    loop_.setHand(*hand);
+    hand_ = std::move(hand);
+    energy_ = newEnergyWatch();
+}
+
+Vector3 LiveRun::handPosition() noexcept {
+    const Snapshot& latest = loop_.snapshot();
+    return latest.statistics.ticks > 0 ? latest.sample.input.hand.position
+                                       : Vector3(start_ / settings_.positionGain);
+}
+
+Vector3 LiveRun::basePosition() noexcept {
+    const Snapshot& latest = loop_.snapshot();
+    return latest.statistics.ticks > 0 ? latest.sample.output.base.position : start_;
+}
+
+LoadedScene LiveRun::release(std::unique_ptr<LiveRun> run) {
+    run->loop_.stop();
+    run->halfSpace_.reset();
+    return std::move(run->loaded_);
+}
+
+}  // namespace asperity

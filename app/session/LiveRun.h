@@ -1,0 +1,93 @@
+#pragma once
+
+#include "app/program/LoadedScene.h"
+#include "core/deformation/HalfSpaceWorker.h"
+#include "core/haptics/EnergyWatch.h"
+#include "core/haptics/HapticLoop.h"
+#include "core/haptics/blackbox/BlackBox.h"
+#include "core/haptics/coupling/CouplingKeeper.h"
+#include "core/probe/SimulatedAfm.h"
+
+#include <functional>
+#include <memory>
+
+namespace asperity {
+
+/// What it takes of a processor to fetch ticks from the loop into the black box and to who asks.
+struct FetchCost {
+    double time = 0.0;  ///< of all [s]
+    long ticks = 0;
+
+    [[nodiscard]] double perTick() const noexcept {
+        return ticks == 0 ? 0.0 : time / static_cast<double>(ticks);
+    }
+};
+
+/// A scene with its instrument, its hand and its loop: everything that lives and ends together.
+class LiveRun {
+public:
+    /// @param start where the base waits at first [m]
+    LiveRun(LoadedScene loaded, const Vector3& start);
+
+    [[nodiscard]] const LoadedScene& loaded() const noexcept { return loaded_; }
+    [[nodiscard]] const Scene& scene() const noexcept { return loaded_.scene; }
+    [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
+    /// Gives every tick since the last call to `sink`, in order, and to black box and energy watch.
+    void fetch(const TickSink& sink);
+    /// Of all calls of fetch() so far.
+    [[nodiscard]] const FetchCost& fetchCost() const noexcept { return fetchCost_; }
+    /// The last seconds, for when a fault comes.
+    [[nodiscard]] BlackBox& blackBox() noexcept { return blackBox_; }
+    /// Supervises a hand with motors.
+    [[nodiscard]] const EnergyWatch& energy() const noexcept { return energy_; }
+    /// What solves the half-space beside the loop; null where the scene does not ask for it.
+    [[nodiscard]] HalfSpaceWorker* halfSpace() noexcept { return halfSpace_.get(); }
+
+    /// The knobs as they are now; they begin as the scene says.
+    [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
+    /// @throw Error where the hand has motors and could not be held so; nothing has changed then
+    void setSettings(const Settings& settings);
+    /// The knobs with the gains that hands have which only sense.
+    [[nodiscard]] Settings sensingSettings() const;
+
+    using MakeHand = std::function<std::unique_ptr<HapticDevice>()>;
+    /// Another hand takes over; one with motors gets a coupling and a scale that hold, and when it
+    /// goes the earlier gains return. `make` is called while the loop rests, with the gains of
+    /// hands that only sense: what it reads of the present hand and base is exact.
+    /// @throw what `make` throws, or Error where no scale holds; the present hand stays then
+    void takeHand(const MakeHand& make);
+    [[nodiscard]] HapticDevice& hand() noexcept { return *hand_; }
+    /// What is known of a hand with motors.
+    [[nodiscard]] const CouplingKeeper& coupling() const noexcept { return coupling_; }
+    /// Once a frame: has the gains follow the hand's delay. @return whether knobs changed
+    bool followDelay();
+    /// Where the hand is, in its own frame [m].
+    [[nodiscard]] Vector3 handPosition() noexcept;
+    /// Where the base is [m].
+    [[nodiscard]] Vector3 basePosition() noexcept;
+
+    /// Ends the run and gives the scene back, for another material.
+    [[nodiscard]] static LoadedScene release(std::unique_ptr<LiveRun> run);
+
+private:
+    void apply(const Settings& settings) noexcept;
+    void seat(std::unique_ptr<HapticDevice> hand);
+    [[nodiscard]] EnergyWatch newEnergyWatch() const;
+
+    LoadedScene loaded_;
+    CouplingKeeper coupling_;
+    Vector3 start_;  ///< of the base [m]
+    Settings settings_;
+    SimulatedAfm afm_;
+    std::unique_ptr<HapticDevice> hand_;
+    std::unique_ptr<HalfSpaceWorker> halfSpace_;
+    HapticLoop loop_;
+    BlackBox blackBox_;
+    FetchCost fetchCost_;
+    EnergyWatch energy_;
+};
+
+/// In the middle of the scan, above the sample [m].
+[[nodiscard]] Vector3 startPlace(const Scene& scene);
+
+}  // namespace asperity

@@ -1,0 +1,49 @@
+#include "app/session/LiveWindow.h"
+
+#include "app/session/QuitOnSignal.h"
+#include "core/Error.h"
+#include "core/PrintableText.h"
+#include "ui/Theme.h"
+#include "vtkplugins/pictures/Display.h"
+#include "vtkplugins/pictures/DrawingMemory.h"
+
+#include <exception>
+#include <iostream>
+
+namespace asperity {
+
+namespace {
+
+char programName[] = "asperity";  // NOLINT: Qt wants it writable
+
+}  // namespace
+
+LiveWindow::Display::Display() {
+    if (!haveDisplay()) {
+        throw Error("no display to open the window on; `asperity explore` works without one");
+    }
+    requireDrawingMemory({});
+}
+
+bool LiveWindow::Application::notify(QObject* receiver, QEvent* event) {
+    try {
+        return QApplication::notify(receiver, event);
+    } catch (const std::exception& error) {
+        std::cerr << "asperity: " << printable(error.what()) << '\n';
+        exit(1);
+        return true;
+    }
+}
+
+LiveWindow::LiveWindow()
+    : arguments_{programName, nullptr}
+    , application_(argumentCount_, arguments_)
+    , session_((applyTheme(application_), window_)) {}
+
+int LiveWindow::exec() {
+    const QuitOnSignal quitOnSignal;
+    window_.show();
+    return QApplication::exec();
+}
+
+}  // namespace asperity

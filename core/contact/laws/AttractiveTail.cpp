@@ -1,0 +1,121 @@
+#include "core/contact/laws/AttractiveTail.h"
+
+#include "core/contact/laws/LawPoint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kMaxIterations = 100;
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// Integral of v^12 / (d + v^2)^2 over 0 .. 1, d > 0, by Gauss-Legendre; better than 1e-9.
+double liftWorkIntegral(double d) noexcept {
+    constexpr std::array<double, 5> kNodes{0.1488743389816312, 0.4333953941292472,
+                                           0.6794095682990244, 0.8650633666889845,
+                                           0.9739065285171717};
+    constexpr std::array<double, 5> kWeights{0.2955242247147529, 0.2692667193099963,
+                                             0.2190863625159820, 0.1494513491505806,
+                                             0.0666713443086881};
+    const auto integrand = [d](double v) {
+        const double square = v * v;
+        const double ratio = square * square * square / (d + square);
+        return ratio * ratio;
+    };
+    double sum = 0.0;
+    for (std::size_t i = 0; i < kNodes.size(); ++i) {
+        sum += 0.5 * kWeights[i] *
+               (integrand(0.5 * (1.0 + kNodes[i])) + integrand(0.5 * (1.0 - kNodes[i])));
+    }
+    return sum;
+}
+
+}  // namespace
+
+AttractiveTail::AttractiveTail(const VanDerWaals& attraction, double reducedModulus,
+                               double joint) noexcept
+    : attraction_(attraction)
+    , liftFactor_(attraction.hamaker() * std::sqrt(2.0 * attraction.radius()) /
+                  (16.0 * reducedModulus))
+    , joint_(joint)
+    , elasticInstability_(std::pow(2.5 * liftFactor_, 2.0 / 7.0)) {}
+
+double AttractiveTail::lift(double separation) const noexcept {
+    return liftFactor_ / (separation * separation * std::sqrt(separation));
+}
+
+double AttractiveTail::indentation(double separation) const noexcept {
+    return kContactSeparation - separation - lift(separation);
+}
+
+double AttractiveTail::stiffness(double separation) const noexcept {
+    return curveStiffness(attraction_.gradient(separation),
+                          (2.5 * lift(separation) / separation) - 1.0);
+}
+
+double AttractiveTail::approach(double separation, double compliance) const noexcept {
+    return indentation(separation) + (compliance * attraction_.force(separation));
+}
+
+/// The first part is the attraction of rigid bodies, the second its work on the lift.
+double AttractiveTail::energy(double separation) const noexcept {
+    const double radius = attraction_.radius();
+    const double ratio = separation / (2.0 * radius);
+    const double liftWork = 5.0 / 6.0 * attraction_.hamaker() * radius / (separation * separation) *
+                            lift(separation) * liftWorkIntegral(ratio);
+    return attraction_.energy(separation) + liftWork;
+}
+
+double AttractiveTail::softening(double separation, double compliance) const noexcept {
+    return (2.5 * lift(separation) / separation) + (compliance * attraction_.gradient(separation));
+}
+
+/// The softening falls as a power between -3 and -5 of the separation, so Newton's method on the
+/// logarithms converges from anywhere.
+double AttractiveTail::endSeparation(double compliance) const noexcept {
+    double d = std::max(joint_, elasticInstability_);
+    if (softening(d, compliance) <= 1.0) {
+        return d;
+    }
+    const double radius = attraction_.radius();
+    for (int i = 0; i < kMaxIterations; ++i) {
+        const double elastic = 2.5 * lift(d) / d;
+        const double lever = compliance * attraction_.gradient(d);
+        const double leverPower = (d / (d + radius)) - 3.0 - (3.0 * d / (d + (2.0 * radius)));
+        const double total = elastic + lever;
+        const double power = ((-3.5 * elastic) + (lever * leverPower)) / total;
+        const double next = d * std::pow(total, -1.0 / power);
+        const bool done = std::abs(next - d) <= 4.0 * kEpsilon * d;
+        d = next;
+        if (done) {
+            break;
+        }
+    }
+    return d;
+}
+
+/// The approach is a concave function of the separation, and without attraction the separation
+/// would be larger: Newton's method from there falls onto the root without passing it.
+double AttractiveTail::separationAt(double approach, double compliance, double end) const noexcept {
+    double d = std::max(end, kContactSeparation - approach);
+    for (int i = 0; i < kMaxIterations; ++i) {
+        const double miss = this->approach(d, compliance) - approach;
+        const double slope = softening(d, compliance) - 1.0;
+        if (!(slope < 0.0)) {
+            break;
+        }
+        const double next = std::max(end, d - (miss / slope));
+        if (!(next < d)) {
+            break;
+        }
+        d = next;
+    }
+    return d;
+}
+
+}  // namespace asperity

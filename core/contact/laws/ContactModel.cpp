@@ -1,0 +1,255 @@
+#include "core/contact/laws/ContactModel.h"
+
+#include "core/Error.h"
+#include "core/contact/Within.h"
+#include "core/contact/laws/OnAlternative.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+/// sigma0 of the range that is taken where a scene names none [Pa]; 0, without overflow, where the
+/// work of adhesion is none that a law takes.
+double defaultStress(const ContactPair& pair) {
+    return isWithin(pair.workOfAdhesion, 0.0, 1e3) ? pair.workOfAdhesion / kCohesiveRange : 0.0;
+}
+
+void checkMeniscus(const Meniscus& meniscus) {
+    const bool ranged = meniscus.range == 0.0 || isWithin(meniscus.range, 1e-12, 1e-6);
+    if (!ranged || !isWithin(meniscus.surfaceTension, 0.0, 10.0) ||
+        !isWithin(meniscus.contactAngle, 0.0, std::numbers::pi / 2.0)) {
+        throw Error("contact: a meniscus needs a surface tension of 0 to 10 N/m, a range of 0 or "
+                    "1e-12 to 1e-6 m and a contact angle of 0 to a right angle");
+    }
+}
+
+/// Null on a half-space.
+std::shared_ptr<const FilmTable> filmFor(ContactLaw law, const ContactOptions& options) {
+    const ContactStatus status = checkFilm(options.filmThickness, options.film.poissonRatio);
+    if (status != ContactStatus::Solved) {
+        throw Error(std::string("contact: ") + expectationOf(status));
+    }
+    if (options.filmThickness > 0.0) {
+        return sharedFilmTable(options.film);
+    }
+    if (isFilm(law)) {
+        throw Error("contact: the law hertz_film needs the film's thickness");
+    }
+    return nullptr;
+}
+
+/// A table for effective radii from a tenth to ten times the tip's, and, since the split law gives
+/// its zone more of the adhesion where the tail snaps, for both its shares. Contacts wider than two
+/// tip radii are left to the exact law.
+std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& pair,
+                                            const ContactOptions& options) {
+    const bool cohesive = traitsOf(law).table;
+    if (options.solver != SolverTier::Table || !cohesive ||
+        pair.workOfAdhesion < kSmallestAdhesion) {
+        return nullptr;
+    }
+    constexpr double kRadiusRange = 10.0;
+    constexpr double kShareRange = 0.93;  // of lambda, by less work of adhesion
+    const MaugisUnits units = maugisUnits(pair);
+    const double stress =
+        law == ContactLaw::Split ? pair.workOfAdhesion / kCohesiveRange : options.cohesiveStress;
+    const double lambda = transitionParameter(units, stress);
+    const double spread = std::cbrt(kRadiusRange);
+    const double low = lambda / spread * (law == ContactLaw::Split ? kShareRange : 1.0);
+    const double high = lambda * spread;
+    if (low < MaugisTableRange::kSmallestLambda || low > MaugisTableRange::kLargestLambda) {
+        return nullptr;
+    }
+    const double deepest =
+        std::min(MaugisTableRange::kDeepest, 2.0 * pair.tipRadius / units.indentation);
+    return std::make_shared<const MaugisTable>(MaugisTableRange{low, high, deepest});
+}
+
+}  // namespace
+
+ContactModel::ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options)
+    : ContactModel(checked(law, pair, options)) {}
+
+ContactModel::ContactModel(const Checked& given) noexcept
+    : given_(given), joined_(joinedLaw(given)) {}
+
+ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& pair,
+                                            ContactOptions options) {
+    if (options.cohesiveStress == 0.0) {
+        options.cohesiveStress = defaultStress(pair);
+    }
+    requirePair(pair, options.cohesiveStress);
+    checkMeniscus(options.meniscus);
+    return {law, pair, options, tableFor(law, pair, options), filmFor(law, options)};
+}
+
+ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
+    const ContactPair& pair = given.pair;
+    const auto sudden = [](const auto& bonded) {
+        return Joined(JoinedLaw(NoTail(bonded.onset()), bonded));
+    };
+    const auto tailed = [](const AttractiveTail& tail, const auto& bonded) {
+        return Joined(JoinedLaw(WithTail(tail), bonded));
+    };
+    if (isFilm(given.law)) {
+        return sudden(FilmLaw(pair, given.options.filmThickness, given.film));
+    }
+    const MaugisSolver solver{given.options.solver, given.table};
+    const bool adhesive = pair.workOfAdhesion >= kSmallestAdhesion;
+    if (given.law == ContactLaw::Sneddon || (isSphere(given.law) && !adhesive)) {
+        return sudden(SneddonLaw(pair));
+    }
+    if (!adhesive) {
+        return sudden(HertzLaw(pair));
+    }
+    const AttractiveTail tail = splitTail(pair);
+    switch (given.law) {
+    case ContactLaw::Dmt:
+        return sudden(DmtLaw(pair));
+    case ContactLaw::Jkr:
+        return sudden(JkrLaw(pair));
+    case ContactLaw::Maugis:
+        return sudden(MaugisLaw(pair, given.options.cohesiveStress, solver));
+    case ContactLaw::SphereJkr:
+        return sudden(SphereJkrLaw(pair));
+    case ContactLaw::SphereMaugis:
+        return sudden(SphereMaugisLaw(pair, given.options.cohesiveStress));
+    case ContactLaw::Split:
+        return tailed(tail, splitLaw(pair, tail, solver));
+    case ContactLaw::SphereSplit:
+        return tailed(tail, sphereSplitLaw(pair, tail));
+    default:
+        return sudden(HertzLaw(pair));
+    }
+}
+
+ContactModel ContactModel::withTipRadius(double tipRadius) const noexcept {
+    Checked given = given_;
+    if (!std::isnan(tipRadius)) {
+        given.pair.tipRadius = std::clamp(tipRadius, kSmallestTipRadius, kLargestTipRadius);
+    }
+    return ContactModel(given);
+}
+
+ContactState ContactModel::equilibrium(double approach, double compliance,
+                                       const ContactMemory& memory) const noexcept {
+    const ContactStatus status = checkRequest(approach, compliance);
+    if (status != ContactStatus::Solved) {
+        return {.coordinate = memory.coordinate, .branch = memory.branch, .status = status};
+    }
+    const double soft = nearestCompliance(compliance);
+    return given_.options.meniscus.present() ? wettedEquilibrium(approach, soft, memory)
+                                             : bare(approach, soft, memory);
+}
+
+ContactState ContactModel::bare(double approach, double compliance,
+                                const ContactMemory& memory) const noexcept {
+    return onAlternative(
+        [&](const auto& joined) { return joined.equilibrium(approach, compliance, memory); },
+        joined_);
+}
+
+double ContactModel::jumpInApproach(double compliance) const noexcept {
+    const double soft = nearestCompliance(compliance);
+    if (given_.options.meniscus.present()) {
+        return wettedEnd(soft).approach;
+    }
+    return onAlternative([&](const auto& joined) { return joined.jumpInApproach(soft); }, joined_);
+}
+
+double ContactModel::pullOffApproach(double compliance) const noexcept {
+    const double soft = nearestCompliance(compliance);
+    const Meniscus& meniscus = given_.options.meniscus;
+    const double pull = meniscus.present() ? meniscus.pull(given_.pair.tipRadius) : 0.0;
+    return onAlternative([&](const auto& joined) { return joined.pullOffApproach(soft); },
+                         joined_) -
+           (soft * pull);
+}
+
+ContactState ContactModel::lastFar(double compliance) const noexcept {
+    const double soft = nearestCompliance(compliance);
+    if (given_.options.meniscus.present()) {
+        return equilibrium(wettedEnd(soft).approach, soft, {});
+    }
+    return onAlternative([&](const auto& joined) { return joined.lastFar(soft); }, joined_);
+}
+
+ContactState ContactModel::lastBonded(double compliance) const noexcept {
+    const double soft = nearestCompliance(compliance);
+    const ContactState last =
+        onAlternative([&](const auto& joined) { return joined.lastBonded(soft); }, joined_);
+    return given_.options.meniscus.present() ? wetted(last) : last;
+}
+
+double ContactModel::widestFilmContact() const noexcept {
+    if (film() == nullptr) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return filmThickness() * (isFilm(law()) ? kWidestFilmContact : film()->halfSpaceLimit());
+}
+
+double ContactModel::cohesiveStress() const noexcept {
+    return onAlternative(
+        [](const auto& joined) {
+            if constexpr (requires { joined.bonded().cohesiveStress(); }) {
+                return joined.bonded().cohesiveStress();
+            } else {
+                return 0.0;
+            }
+        },
+        joined_);
+}
+
+double ContactModel::cohesiveRange() const noexcept {
+    const double work = given_.pair.workOfAdhesion;
+    if (work < kSmallestAdhesion) {
+        return 0.0;
+    }
+    const AdhesionSplit* shares = split();
+    return shares != nullptr ? shares->cohesiveWork / shares->cohesiveStress
+                             : work / given_.options.cohesiveStress;
+}
+
+const AttractiveTail* ContactModel::tail() const noexcept {
+    return onAlternative(
+        [](const auto& joined) -> const AttractiveTail* {
+            if constexpr (requires { joined.separate().tail(); }) {
+                return &joined.separate().tail();
+            } else {
+                return nullptr;
+            }
+        },
+        joined_);
+}
+
+const AdhesionSplit* ContactModel::split() const noexcept {
+    return onAlternative(
+        [](const auto& joined) -> const AdhesionSplit* {
+            if constexpr (requires { joined.bonded().split(); }) {
+                return &joined.bonded().split();
+            } else {
+                return nullptr;
+            }
+        },
+        joined_);
+}
+
+double ContactModel::lambda() const noexcept {
+    return onAlternative(
+        [](const auto& joined) {
+            if constexpr (requires { joined.bonded().lambda(); }) {
+                return joined.bonded().lambda();
+            } else {
+                return 0.0;
+            }
+        },
+        joined_);
+}
+
+}  // namespace asperity

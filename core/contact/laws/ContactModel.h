@@ -1,0 +1,149 @@
+#pragma once
+
+#include "core/contact/ContactState.h"
+#include "core/contact/Material.h"
+#include "core/contact/laws/ContactLaw.h"
+#include "core/contact/laws/DmtLaw.h"
+#include "core/contact/laws/FilmLaw.h"
+#include "core/contact/laws/HertzLaw.h"
+#include "core/contact/laws/JkrLaw.h"
+#include "core/contact/laws/JoinedLaw.h"
+#include "core/contact/laws/MaugisLaw.h"
+#include "core/contact/laws/Meniscus.h"
+#include "core/contact/laws/SneddonLaw.h"
+#include "core/contact/laws/SphereJkrLaw.h"
+#include "core/contact/laws/SphereMaugisLaw.h"
+#include "core/contact/laws/SplitLaw.h"
+
+#include <memory>
+#include <optional>
+#include <variant>
+
+namespace asperity {
+
+/// Range of the cohesive stress that is taken where a scene names none, h0 = D0 (sqrt(10) - 1) [m].
+/// Source: docs/theory.md 1, 3.4.
+inline constexpr double kCohesiveRange = 0.35677581392778259e-9;
+
+/// What a contact may have besides a law and a pair of materials.
+struct ContactOptions {
+    double cohesiveStress = 0.0;  ///< sigma0 of the Maugis laws [Pa]; 0: w / kCohesiveRange
+    double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space
+    FilmElasticity film;          ///< of that film; by default incompressible, under a rigid tip
+    Meniscus meniscus;            ///< by default none
+    SolverTier solver = SolverTier::Newton;
+};
+
+/// One contact law by name for one material pair, in SI units: constant after construction (about a
+/// microsecond; the first of a film some 40 ms, see sharedFilmTable()), no allocation, never throws
+/// after construction.
+class ContactModel {
+public:
+    /// @throw Error when a parameter is outside its range, see ContactStatus, or the film's law
+    ///        has no film
+    ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options = {});
+
+    /// The same law and materials under a tip of another effective radius [m], which counts as the
+    /// nearest end of its range where it lies outside, as its own where it is no number. A table
+    /// covers a tenth of the first radius to ten times that; beyond, the exact law answers.
+    [[nodiscard]] ContactModel withTipRadius(double tipRadius) const noexcept;
+
+    /// Stable equilibrium at `approach` = indentation + compliance x force [m], the approach of the
+    /// undeflected tip; `compliance` is the lever's along the normal [m/N] (0: displacement
+    /// control). `memory` is of the previous state: its branch is kept while it is stable.
+    [[nodiscard]] ContactState equilibrium(double approach, double compliance,
+                                           const ContactMemory& memory) const noexcept;
+
+    /// Approach of the undeflected tip at which it snaps in, [m]; 0 without adhesion. Here and
+    /// below a compliance outside its range counts as nearestCompliance().
+    [[nodiscard]] double jumpInApproach(double compliance) const noexcept;
+    /// Approach of the undeflected tip at which it pulls off [m]; 0 without adhesion.
+    [[nodiscard]] double pullOffApproach(double compliance) const noexcept;
+
+    /// The last stable state on the way in, before snap-in.
+    [[nodiscard]] ContactState lastFar(double compliance) const noexcept;
+    /// The last stable bonded state on the way out.
+    [[nodiscard]] ContactState lastBonded(double compliance) const noexcept;
+
+    [[nodiscard]] ContactLaw law() const noexcept { return given_.law; }
+    [[nodiscard]] const ContactPair& pair() const noexcept { return given_.pair; }
+    /// sigma0 as the law uses it [Pa]; 0 where it has no cohesive zone.
+    [[nodiscard]] double cohesiveStress() const noexcept;
+    /// Range h0 of the pair's attraction across a gap [m]: that of the law's cohesive zone, or,
+    /// where the law has none, that of the stress asked for; 0 without adhesion.
+    [[nodiscard]] double cohesiveRange() const noexcept;
+    /// Transition parameter of the cohesive zone; 0 where the law has none.
+    [[nodiscard]] double lambda() const noexcept;
+
+    /// The table that states come from; null where the tier or the law has none.
+    [[nodiscard]] const MaugisTable* table() const noexcept { return given_.table.get(); }
+
+    /// What a film of the sample does to a contact, whatever the law; null on a half-space.
+    [[nodiscard]] const FilmTable* film() const noexcept { return given_.film.get(); }
+    /// Contact radius beyond which the law does not hold on the sample's film [m]: where a law on a
+    /// half-space gives 1 / 1.05 of its force, where `hertz_film` is no longer held to a reference;
+    /// infinite on a half-space.
+    [[nodiscard]] double widestFilmContact() const noexcept;
+    /// Of the sample [m]; 0: a half-space.
+    [[nodiscard]] double filmThickness() const noexcept { return given_.options.filmThickness; }
+
+    /// The van der Waals tail of the split laws; null where the law has none.
+    [[nodiscard]] const AttractiveTail* tail() const noexcept;
+    /// What tail and cohesive zone of the split laws take; null where the law has no tail.
+    [[nodiscard]] const AdhesionSplit* split() const noexcept;
+
+private:
+    template <class Bonded>
+    using Sudden = JoinedLaw<NoTail, Bonded>;
+    template <class Bonded>
+    using Tailed = JoinedLaw<WithTail, Bonded>;
+    using Joined = std::variant<Sudden<HertzLaw>, Sudden<DmtLaw>, Sudden<JkrLaw>, Sudden<MaugisLaw>,
+                                Sudden<SneddonLaw>, Sudden<SphereJkrLaw>, Sudden<SphereMaugisLaw>,
+                                Sudden<FilmLaw>, Tailed<SplitLaw>, Tailed<SphereSplitLaw>>;
+
+    struct Checked {
+        ContactLaw law;
+        ContactPair pair;
+        ContactOptions options;
+        std::shared_ptr<const MaugisTable> table;
+        std::shared_ptr<const FilmTable> film;
+    };
+    explicit ContactModel(const Checked& given) noexcept;
+
+    [[nodiscard]] static Checked checked(ContactLaw law, const ContactPair& pair,
+                                         ContactOptions options);
+    [[nodiscard]] static Joined joinedLaw(const Checked& given) noexcept;
+
+    /// End of the branch of separate bodies under water.
+    struct WettedEnd {
+        double approach = 0.0;      ///< of the undeflected tip [m]
+        bool inWater = false;       ///< the bridge is there before that
+        double softApproach = 0.0;  ///< the same on the lever that the bridge softens [m]
+    };
+    /// Snap-in under water.
+    struct WettedJump {
+        bool forceDrops = false;
+        double released = 0.0;  ///< energy of bodies, meniscus and lever [J]
+    };
+
+    [[nodiscard]] ContactState bare(double approach, double compliance,
+                                    const ContactMemory& memory) const noexcept;
+    [[nodiscard]] ContactState wetted(ContactState state) const noexcept;
+    [[nodiscard]] ContactState wettedEquilibrium(double approach, double compliance,
+                                                 const ContactMemory& memory) const noexcept;
+    [[nodiscard]] ContactState wettedLanding(double approach, double compliance) const noexcept;
+    [[nodiscard]] WettedJump wettedJump(double compliance) const noexcept;
+    [[nodiscard]] ContactState wettedSnapIn(double approach, double compliance) const noexcept;
+    [[nodiscard]] ContactState wettedPullOff(ContactState state, double compliance) const noexcept;
+    [[nodiscard]] WettedEnd wettedEnd(double compliance) const noexcept;
+    [[nodiscard]] std::optional<ContactState> wettedFar(double approach,
+                                                        double compliance) const noexcept;
+    [[nodiscard]] ContactState wettedBonded(double approach, double compliance,
+                                            const ContactMemory& memory) const noexcept;
+    [[nodiscard]] double energy(const ContactState& wetted, double compliance) const noexcept;
+
+    Checked given_;
+    Joined joined_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/contact/laws/ContactModel.h"
+
+#include <optional>
+#include <vector>
+
+namespace asperity {
+
+/// One point of an approach or retract curve.
+struct ForceCurvePoint {
+    double basePosition = 0.0;  ///< x_b, of the lever's base towards the sample; 0: first touch [m]
+    ContactState state;
+};
+
+/// A jump of the tip while the base stands still.
+struct TipJump {
+    double basePosition = 0.0;  ///< [m]
+    ContactState before;
+    ContactState after;  ///< with the energy lost
+};
+
+/// What a lever shows as its base goes to the sample and back.
+struct ForceCurve {
+    std::vector<ForceCurvePoint> approach;
+    std::vector<ForceCurvePoint> retract;
+    std::optional<TipJump> snapIn;   ///< none: the force has no jump on the way in
+    std::optional<TipJump> pullOff;  ///< none: the force has no jump on the way out
+};
+
+/// Which part of it is followed.
+struct ForceCurvePlan {
+    double farthest = 0.0;  ///< base position where the curve begins and ends, < 0 [m]
+    double deepest = 0.0;   ///< where it turns, > 0 [m]
+    int points = 500;       ///< at least 2 along each way, besides the two sides of each jump
+};
+
+/// A plan that shows both jumps and a push as strong as the pull at pull-off.
+/// @param compliance of the lever along the surface's normal [m/N]
+/// @throw Error where that is outside 0 .. 1e6 m/N
+[[nodiscard]] ForceCurvePlan curvePlan(const ContactModel& model, double compliance);
+
+/// The quasi-static curve of a law on a lever. Source: docs/theory.md 7.1.
+/// @throw Error where the compliance or the plan is outside what a law can follow
+[[nodiscard]] ForceCurve forceCurve(const ContactModel& model, double compliance,
+                                    const ForceCurvePlan& plan);
+
+}  // namespace asperity

@@ -1,0 +1,180 @@
+#pragma once
+
+#include "core/contact/ContactState.h"
+#include "core/contact/laws/AttractiveTail.h"
+#include "core/contact/laws/LawPoint.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity {
+
+/// Separate bodies that do not attract each other until the bonded law begins to act.
+class NoTail {
+public:
+    explicit NoTail(double onset) noexcept : onset_(onset) {}
+
+    /// Largest approach at which the bodies stay separate [m].
+    [[nodiscard]] double endApproach(double /*compliance*/) const noexcept { return onset_; }
+    [[nodiscard]] ContactState state(double approach, double /*compliance*/) const noexcept {
+        return {.indentation = approach};
+    }
+    /// The state at endApproach().
+    [[nodiscard]] ContactState last(double /*compliance*/) const noexcept {
+        return {.indentation = onset_};
+    }
+    /// Work done on the bodies from infinite separation to this state [J].
+    [[nodiscard]] static double energy(const ContactState& /*state*/) noexcept { return 0.0; }
+
+private:
+    double onset_;
+};
+
+/// Energy of a bent lever [J].
+[[nodiscard]] inline double leverEnergy(double force, double compliance) noexcept {
+    return 0.5 * compliance * force * force;
+}
+
+/// Separate bodies that attract each other by van der Waals forces.
+class WithTail {
+public:
+    explicit WithTail(const AttractiveTail& tail) noexcept : tail_(tail) {}
+
+    [[nodiscard]] const AttractiveTail& tail() const noexcept { return tail_; }
+
+    [[nodiscard]] double endApproach(double compliance) const noexcept {
+        return tail_.approach(tail_.endSeparation(compliance), compliance);
+    }
+    [[nodiscard]] ContactState state(double approach, double compliance) const noexcept {
+        return stateAt(tail_.separationAt(approach, compliance, tail_.endSeparation(compliance)));
+    }
+    /// The state at endApproach(): near a fold the approach hardly tells it from its neighbours.
+    [[nodiscard]] ContactState last(double compliance) const noexcept {
+        return stateAt(tail_.endSeparation(compliance));
+    }
+    [[nodiscard]] double energy(const ContactState& state) const noexcept {
+        return tail_.energy(tail_.attraction().separationAt(state.force));
+    }
+
+private:
+    [[nodiscard]] ContactState stateAt(double separation) const noexcept {
+        return {.force = tail_.attraction().force(separation),
+                .indentation = tail_.indentation(separation),
+                .stiffness = tail_.stiffness(separation)};
+    }
+
+    AttractiveTail tail_;
+};
+
+/// A law for bonded bodies joined to one for separate ones, with the jumps between them at the
+/// folds for the present lever. `Bonded` is a class as LawPoint.h describes.
+/// Source: docs/theory.md 2.5, 3.4, 7.1.
+template <class Separate, class Bonded>
+class JoinedLaw {
+public:
+    JoinedLaw(Separate separate, Bonded bonded) noexcept
+        : separate_(std::move(separate)), bonded_(std::move(bonded)) {}
+
+    [[nodiscard]] const Separate& separate() const noexcept { return separate_; }
+    [[nodiscard]] const Bonded& bonded() const noexcept { return bonded_; }
+
+    /// As ContactModel::equilibrium().
+    [[nodiscard]] ContactState equilibrium(double approach, double compliance,
+                                           const ContactMemory& memory) const noexcept {
+        if (memory.branch == ContactBranch::Far) {
+            return approach > jumpInApproach(compliance) ? snapIn(approach, compliance)
+                                                         : separate_.state(approach, compliance);
+        }
+        const auto point = stable(approach, compliance, memory.coordinate);
+        return point ? stateOf(*point) : pullOff(approach, compliance);
+    }
+
+    /// Approach of the undeflected tip at which separate bodies snap in [m].
+    [[nodiscard]] double jumpInApproach(double compliance) const noexcept {
+        return separate_.endApproach(compliance);
+    }
+    /// Approach of the undeflected tip at which the bond breaks [m].
+    [[nodiscard]] double pullOffApproach(double compliance) const noexcept {
+        return approachOf(bonded_.fold(compliance), compliance);
+    }
+
+    /// Work done on the bodies from infinite separation to this state [J].
+    [[nodiscard]] double bodyEnergy(const ContactState& state) const noexcept {
+        if (state.branch == ContactBranch::Far) {
+            return separate_.energy(state);
+        }
+        return bonded_.energy({.force = state.force,
+                               .indentation = state.indentation,
+                               .contactRadius = state.contactRadius,
+                               .cohesiveRadius = state.cohesiveRadius,
+                               .stiffness = state.stiffness,
+                               .coordinate = state.coordinate});
+    }
+    /// The last stable state before snap-in on a lever of this compliance.
+    [[nodiscard]] ContactState lastFar(double compliance) const noexcept {
+        return separate_.last(compliance);
+    }
+    /// The last stable bonded state on a lever of this compliance.
+    [[nodiscard]] ContactState lastBonded(double compliance) const noexcept {
+        return stateOf(bonded_.fold(compliance));
+    }
+
+private:
+    [[nodiscard]] static double approachOf(const LawPoint& point, double compliance) noexcept {
+        return point.indentation + (compliance * point.force);
+    }
+
+    [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance,
+                                                 double coordinate) const noexcept {
+        if constexpr (requires { bonded_.stable(approach, compliance, coordinate); }) {
+            return bonded_.stable(approach, compliance, coordinate);
+        } else {
+            return bonded_.stable(approach, compliance);
+        }
+    }
+
+    /// The bonded state at an approach where one must exist; rounding may put it on the fold.
+    [[nodiscard]] LawPoint bondedAt(double approach, double compliance) const noexcept {
+        const auto point = bonded_.stable(approach, compliance);
+        return point ? *point : bonded_.fold(compliance);
+    }
+
+    [[nodiscard]] static ContactState stateOf(const LawPoint& point) noexcept {
+        return {.force = point.force,
+                .indentation = point.indentation,
+                .contactRadius = point.contactRadius,
+                .cohesiveRadius = point.cohesiveRadius,
+                .stiffness = point.stiffness,
+                .coordinate = point.coordinate,
+                .branch = ContactBranch::Bonded};
+    }
+
+    [[nodiscard]] ContactState snapIn(double approach, double compliance) const noexcept {
+        ContactState state = stateOf(bondedAt(approach, compliance));
+        const double end = jumpInApproach(compliance);
+        const ContactState before = separate_.last(compliance);
+        const ContactState landing = stateOf(bondedAt(end, compliance));
+        state.jumped = landing.force < before.force;
+        state.energyLost = std::max(0.0, energy(before, compliance) - energy(landing, compliance));
+        return state;
+    }
+
+    [[nodiscard]] ContactState pullOff(double approach, double compliance) const noexcept {
+        ContactState state = separate_.state(approach, compliance);
+        const LawPoint fold = bonded_.fold(compliance);
+        const ContactState last = stateOf(fold);
+        const ContactState landing = separate_.state(approachOf(fold, compliance), compliance);
+        state.jumped = last.force < landing.force;
+        state.energyLost = std::max(0.0, energy(last, compliance) - energy(landing, compliance));
+        return state;
+    }
+
+    [[nodiscard]] double energy(const ContactState& state, double compliance) const noexcept {
+        return bodyEnergy(state) + leverEnergy(state.force, compliance);
+    }
+
+    Separate separate_;
+    Bonded bonded_;
+};
+
+}  // namespace asperity

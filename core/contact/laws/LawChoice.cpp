@@ -1,0 +1,56 @@
+#include "core/contact/laws/LawChoice.h"
+
+#include "core/contact/laws/ContactModel.h"
+#include "core/contact/maugis/MaugisDugdale.h"
+#include "core/contact/maugis/MaugisUnits.h"
+
+#include <cstdio>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kLargeContact = 0.3;  // a/R beyond which the paraboloid errs by some 3 %
+
+/// Contact radius over tip radius without load, by Maugis-Dugdale on the paraboloid.
+double unloadedRatio(const ContactPair& pair) {
+    const MaugisUnits units = maugisUnits(pair);
+    const MaugisLaw law(pair, pair.workOfAdhesion / kCohesiveRange);
+    const auto point = MaugisDugdale(law.lambda()).stable(MaugisControl::load(), 0.0);
+    return point ? point->contactRadius * units.radius / pair.tipRadius : 0.0;
+}
+
+std::string sentence(double ratio, const char* rest) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "auto: contact radius over tip radius is %.2g without load, %s", ratio, rest);
+    return text;
+}
+
+}  // namespace
+
+bool isLargeContact(double contactRadius, double tipRadius) noexcept {
+    return contactRadius > kLargeContact * tipRadius;
+}
+
+LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair,
+                    double filmThickness) {
+    if (wanted) {
+        return {*wanted, "as asked for"};
+    }
+    requirePair(pair, pair.workOfAdhesion);  // any stress will do to look at the pair
+    if (pair.workOfAdhesion < kSmallestAdhesion) {
+        return filmThickness > 0.0 ? LawChoice{ContactLaw::HertzFilm, "auto: a film, no adhesion"}
+                                   : LawChoice{ContactLaw::Hertz, "auto: no adhesion"};
+    }
+    const double ratio = unloadedRatio(pair);
+    if (ratio > kLargeContact) {
+        return {ContactLaw::SphereSplit,
+                sentence(ratio, "above 0.3: the paraboloid does not hold, the exact sphere does")};
+    }
+    return {ContactLaw::Split,
+            sentence(ratio, "below 0.3: Maugis-Dugdale, exact from DMT to JKR, with its van der "
+                            "Waals tail before contact")};
+}
+
+}  // namespace asperity

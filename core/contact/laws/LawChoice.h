@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/contact/Material.h"
+#include "core/contact/laws/ContactLaw.h"
+
+#include <optional>
+#include <string>
+
+namespace asperity {
+
+/// Whether a contact is too wide for linear elasticity to be credible, above 0.3 of the tip's
+/// radius. Source: docs/theory.md 2.10.
+[[nodiscard]] bool isLargeContact(double contactRadius, double tipRadius) noexcept;
+
+/// A contact law and why it was taken.
+struct LawChoice {
+    ContactLaw law = ContactLaw::Split;
+    std::string why;  ///< one clause, for people
+};
+
+/// The law that was asked for, or where none was (`auto`): Maugis-Dugdale, which is exact from DMT
+/// to JKR, with its van der Waals tail; the same on the exact sphere where the contact is wider
+/// than 0.3 R already without load. Without adhesion Hertz, on a film that of the film. Source:
+/// docs/theory.md 2.9, 2.10, 4.4.
+/// @param filmThickness of the sample [m]; 0: a half-space
+/// @throw Error where none was asked for and the pair is outside the laws' range, see ContactStatus
+[[nodiscard]] LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair,
+                                  double filmThickness = 0.0);
+
+}  // namespace asperity

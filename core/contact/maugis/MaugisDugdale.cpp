@@ -1,0 +1,274 @@
+#include "core/contact/maugis/MaugisDugdale.h"
+
+#include "core/contact/Within.h"
+#include "core/contact/numerics/RisingSearch.h"
+#include "core/contact/numerics/RootSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Approximations of the coordinates of three states, from which the exact ones are searched.
+struct Landmarks {
+    double loadFold;          ///< smallest force
+    double displacementFold;  ///< smallest indentation; 0 where that state has no contact
+    double noForce;           ///< contact without force
+};
+
+/// Rational fits between the limits for small and large lambda, within 1e-3, 1e-4 and 4e-2.
+Landmarks landmarksOf(double lambda) noexcept {
+    constexpr double kLimit = 0.9379474570;  // lambda* of docs/theory.md 2.5
+    const double root = std::sqrt(lambda);
+    const double t = root / (1.0 + root);
+    const double load =
+        (1.85611 + (t * (-7.14419 + (t * (11.80781 + (t * (-7.80180 + (t * 3.12816)))))))) /
+        (1.0 + (t * (-4.85040 + (t * (10.27633 + (t * (-10.04824 + (t * 5.73558))))))));
+    const double r = std::min(kLimit / lambda, 1.0);
+    const double displacement =
+        (0.6057094 + (r * (-0.3530192 + (r * (-0.3815663 + (r * 0.2001644)))))) /
+        (1.0 + (r * (-1.5811170 + (r * (0.6165144 - (r * 0.0027015))))));
+    const double noForce = 1.12512 + (t * (-1.58859 + (t * 1.57031)));
+    return {load * lambda * root / (1.0 + root), displacement * lambda * (1.0 - r),
+            noForce * (root + lambda)};
+}
+
+/// Root near `guess` of a `function` that rises from below 0 at `low` to above 0 at `high`: secant
+/// steps within the shrinking bracket, and a search that cannot fail where they are not enough.
+template <typename Function>
+double rootNear(const Function& function, double guess, double low, double high) noexcept {
+    constexpr int kMaxIterations = 20;
+    constexpr double kFirstStep = 1e-3;  // relative
+    double previous = guess;
+    double fPrevious = function(previous);
+    double here = std::min((1.0 + kFirstStep) * guess, 0.5 * (guess + high));
+    for (int i = 0; i < kMaxIterations; ++i) {
+        const double fHere = function(here);
+        if (fHere == fPrevious) {
+            break;
+        }
+        (fHere < 0.0 ? low : high) = here;
+        const double trial = here - (fHere * (here - previous) / (fHere - fPrevious));
+        const double next = trial >= low && trial <= high ? trial : 0.5 * (low + high);
+        // What is left after a secant step is about the product of the two offsets it started from.
+        const double left = std::abs((next - here) * (next - previous)) / next;
+        if (left <= 0.01 * kEpsilon * next || std::abs(next - here) <= 2.0 * kEpsilon * next) {
+            return next;
+        }
+        previous = std::exchange(here, next);
+        fPrevious = fHere;
+    }
+    return rootBetween(function, low, high);
+}
+
+/// d coordinate / d phi = -1 / sin^2 = -(1 + coordinate^2), and the rates of a point are by -phi
+/// over cos(phi).
+double ratePerCoordinate(const MaugisPoint& point) noexcept {
+    return point.contactRadius /
+           (point.cohesiveRadius * (1.0 + (point.coordinate * point.coordinate)));
+}
+
+/// Indentation and force are each a power of the contact radius less the pull of the cohesion.
+Rise heldRise(const MaugisControl& control, const MaugisPoint& point) noexcept {
+    const double square = point.contactRadius * point.contactRadius;
+    const double cube = square * point.contactRadius;
+    const double size = (control.perIndentation * (square + std::abs(square - point.indentation))) +
+                        (control.perForce * (cube + std::abs(cube - point.force)));
+    return {control.held(point), control.heldRate(point) * ratePerCoordinate(point),
+            2.0 * kEpsilon * size};
+}
+
+/// Coordinates from which Newton's method may set out: nothing overflows between them.
+bool isStart(double coordinate) noexcept { return isWithin(coordinate, 1e-30, 1e18); }
+
+/// Newton's step; infinite where it would leave the branch.
+double newtonStep(const Rise& rise, double value, double coordinate) noexcept {
+    const double climb = value - rise.value;
+    const bool stays = rise.rate > 0.0 && std::abs(climb) <= coordinate * rise.rate;
+    return stays ? climb / rise.rate : kInfinity;
+}
+
+/// From the second of two states, `width` apart, to where the cubic through both and their rates
+/// takes the value.
+double inverseHermite(double width, const Rise& before, const Rise& rise, double value) noexcept {
+    const double span = rise.value - before.value;
+    const double t = (value - rise.value) / span;
+    const double chord = width / span;
+    const double slope = 1.0 / rise.rate;
+    const double bend = slope - chord;
+    const double twist = slope + (1.0 / before.rate) - (2.0 * chord);
+    return span * t * (slope + (t * (bend + ((1.0 + t) * twist))));
+}
+
+}  // namespace
+
+MaugisDugdale::MaugisDugdale(double lambda) noexcept
+    : curve_(lambda), touch_(curve_.noncontact(curve_.touchRadius())) {
+    const Landmarks near = landmarksOf(lambda);
+    const auto forceRate = [this](double x) { return curve_.contact(x).forceRate; };
+    loadFold_ = curve_.contact(rootNear(forceRate, near.loadFold, 0.0, near.noForce * 1.5));
+    lowestContact_ = curve_.contact(0.0);
+    if (touch_.indentationRate < 0.0) {
+        const auto indentationRate = [this](double x) { return curve_.contact(x).indentationRate; };
+        lowestContact_ = curve_.contact(
+            rootNear(indentationRate, near.displacementFold, 0.0, loadFold_.coordinate));
+    }
+}
+
+MaugisPoint MaugisDugdale::fold(const MaugisControl& control) const noexcept {
+    if (control.perIndentation == 0.0) {
+        return loadFold_;
+    }
+    if (control.heldRate(touch_) > 0.0) {
+        const double lift = 8.0 * curve_.lambda() / (3.0 * pi);
+        return curve_.noncontact(
+            control.perIndentation * lift /
+            (control.perIndentation - (pi * curve_.lambda() * control.perForce)));
+    }
+    if (control.perForce == 0.0) {
+        return lowestContact_;
+    }
+    // Between these ends the two parts of the rate have opposite signs: their balance over their
+    // sum runs from -1 to 1.
+    const auto balance = [&](double x) {
+        const MaugisPoint point = curve_.contact(x);
+        const double pull = control.perForce * std::abs(point.forceRate);
+        return (point.indentationRate - pull) / (std::abs(point.indentationRate) + pull);
+    };
+    const double low = lowestContact_.coordinate;
+    const double high = loadFold_.coordinate;
+    const double pull = control.perForce * std::abs(lowestContact_.forceRate);
+    const double part = pull / (pull + loadFold_.indentationRate);
+    return curve_.contact(rootNear(balance, low + (part * (high - low)), low, high));
+}
+
+std::optional<MaugisPoint> MaugisDugdale::stable(const MaugisControl& control,
+                                                 double value) const noexcept {
+    // Every fold lies at or below the one in load control, so above it none needs to be found.
+    if (value >= control.held(loadFold_)) {
+        return climb(control, value, loadFold_);
+    }
+    const MaugisPoint end = fold(control);
+    if (value < control.held(end)) {
+        return std::nullopt;
+    }
+    if (end.contactRadius > 0.0) {
+        return climb(control, value, end);
+    }
+    if (value <= control.held(touch_)) {
+        return stableNoncontact(control, value);
+    }
+    return climb(control, value, curve_.contact(0.0));
+}
+
+std::optional<MaugisPoint> MaugisDugdale::stable(const MaugisControl& control, double value,
+                                                 double start) const noexcept {
+    return isStart(start) ? stable(control, value, curve_.contact(start)) : stable(control, value);
+}
+
+std::optional<MaugisPoint> MaugisDugdale::stable(const MaugisControl& control, double value,
+                                                 const MaugisPoint& start) const noexcept {
+    std::optional<MaugisPoint> point;
+    if (isStart(start.coordinate)) {
+        point = follow(control, value, start);
+    }
+    if (!point) {
+        point = stable(control, value);
+    }
+    return point;
+}
+
+/// Steps of at most a factor of two along the branch with contact. Nothing is returned where they
+/// do not settle at once, or so near a fold that rounding could decide on the other side of it.
+/// `start` is not believed to be on this curve: at least one step is taken.
+std::optional<MaugisPoint> MaugisDugdale::follow(const MaugisControl& control, double value,
+                                                 const MaugisPoint& start) const noexcept {
+    constexpr int kMaxIterations = 6;
+    double previous = start.coordinate;
+    Rise before = heldRise(control, start);
+    double here = previous + newtonStep(before, value, previous);
+    for (int i = 0; i < kMaxIterations; ++i) {
+        if (!isWithin(here, 0.5 * previous, 2.0 * previous)) {
+            break;
+        }
+        const MaugisPoint point = curve_.contact(here);
+        const Rise rise = heldRise(control, point);
+        const double miss = std::abs(rise.value - value);
+        if (miss <= rise.rounding) {
+            return isSurelyStable(control, point) ? std::optional(point) : std::nullopt;
+        }
+        if (miss > here * rise.rate || rise.value == before.value) {
+            break;
+        }
+        const double step = inverseHermite(here - previous, before, rise, value);
+        previous = std::exchange(here, here + step);
+        before = rise;
+    }
+    return std::nullopt;
+}
+
+/// Any state in contact that rises is stable; one close to a fold only seems to rise or not.
+bool MaugisDugdale::isSurelyStable(const MaugisControl& control,
+                                   const MaugisPoint& point) const noexcept {
+    constexpr double kClear = 1e-3;  // of the held value's size, per relative change of coordinate
+    if (control.heldRate(touch_) > 0.0) {
+        return true;
+    }
+    const Rise rise = heldRise(control, point);
+    return rise.rate * point.coordinate > kClear * rise.rounding / (2.0 * kEpsilon);
+}
+
+MaugisPoint MaugisDugdale::climb(const MaugisControl& control, double value,
+                                 const MaugisPoint& from) const noexcept {
+    const double origin = control.held(from);
+    if (value <= origin) {
+        return from;
+    }
+    MaugisPoint point;
+    const auto heldAt = [&](double coordinate) {
+        point = curve_.contact(coordinate);
+        return heldRise(control, point);
+    };
+    const double guess = landmarksOf(curve_.lambda()).noForce;
+    const double found = RisingSearch(from.coordinate, origin, value).solve(heldAt, guess);
+    if (found != point.coordinate) {
+        point = curve_.contact(found);
+    }
+    return point;
+}
+
+/// The larger root of a quadratic in the cohesive radius.
+MaugisPoint MaugisDugdale::stableNoncontact(const MaugisControl& control,
+                                            double value) const noexcept {
+    const double lambda = curve_.lambda();
+    const double curvature = control.perIndentation - (pi * lambda * control.perForce);
+    const double slope = control.perIndentation * 8.0 * lambda / (3.0 * pi);
+    const double above = value + (control.perIndentation * curve_.range());
+    const double root = std::sqrt(std::max(0.0, (slope * slope) + (2.0 * curvature * above)));
+    return curve_.noncontact((slope + root) / curvature);
+}
+
+MaugisPoint MaugisDugdale::atContactRadius(double contactRadius) const noexcept {
+    const auto excess = [&](double x) { return curve_.contact(x).contactRadius - contactRadius; };
+    double low = landmarksOf(curve_.lambda()).noForce;
+    double high = low;
+    while (excess(low) > 0.0) {
+        low /= 4.0;
+    }
+    while (excess(high) < 0.0) {
+        high *= 4.0;
+    }
+    return curve_.contact(rootBetween(excess, low, high));
+}
+
+}  // namespace asperity

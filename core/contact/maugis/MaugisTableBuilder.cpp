@@ -1,0 +1,147 @@
+#include "core/contact/maugis/MaugisTableBuilder.h"
+
+#include "core/Error.h"
+#include "core/contact/Within.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+using Data = MaugisTableData;
+
+constexpr double kWanted = 2e-9;
+/// The error between the places where it is measured, and what a spring makes of it.
+constexpr double kSafety = 4.0;
+
+void check(const MaugisTableRange& range) {
+    using Range = MaugisTableRange;
+    if (!isWithin(range.lambdaLow, Range::kSmallestLambda, Range::kLargestLambda) ||
+        !isWithin(range.lambdaHigh, range.lambdaLow, Range::kLargestSpan * range.lambdaLow)) {
+        throw Error("Contact table: expected transition parameters from 1e-4 to 1e4, the largest "
+                    "at most 5 times the smallest");
+    }
+    if (!isWithin(range.largestIndentation, 0.0, Range::kDeepest)) {
+        throw Error("Contact table: expected a largest indentation from 0 to 1e6 units");
+    }
+}
+
+double rootAt(std::size_t column, double place) {
+    const auto cell = Data::kFirstColumn + static_cast<std::int64_t>(column);
+    return Data::kColumns.valueAt(cell, place) - Data::kNear;
+}
+
+double relativeError(double value, double exact) {
+    return std::abs(value - exact) / std::max(std::abs(exact), 1.0);
+}
+
+}  // namespace
+
+MaugisTableBuilder::MaugisTableBuilder(const MaugisTableRange& range)
+    : columnFit_(Data::kColumnTerms)
+    , rowFit_(range.lambdaLow == range.lambdaHigh ? 1 : Data::kRowTerms) {
+    check(range);
+    data_.lambdaLow = range.lambdaLow;
+    data_.lambdaHigh = range.lambdaHigh;
+    data_.rowTerms = rowFit_.nodes().size();
+    data_.firstRow = Data::kRows.cellOf(range.lambdaLow * (1.0 / Data::kLambdaOfChange));
+    const auto lastRow = Data::kRows.cellOf(range.lambdaHigh / Data::kLambdaOfChange);
+    data_.rows = static_cast<std::size_t>(lastRow - data_.firstRow) + 1;
+    constexpr double kLowestContact = -0.95;  // of any lambda
+    data_.largestRoot = std::sqrt(range.largestIndentation - kLowestContact);
+    const auto lastColumn = Data::kColumns.cellOf(Data::kNear + data_.largestRoot);
+    data_.columns = static_cast<std::size_t>(lastColumn - Data::kFirstColumn) + 1;
+    const std::size_t cells = data_.rows * data_.columns;
+    data_.coefficients.assign(cells * Data::kColumnTerms * data_.rowTerms * Data::kQuantities, 0.0);
+    data_.accurate.assign(cells, 0);
+}
+
+MaugisTableData MaugisTableBuilder::build() {
+    for (std::size_t row = 0; row < data_.rows; ++row) {
+        const bool one = data_.rowTerms == 1;
+        std::vector<Sample> nodes = samplesOf(row, rowFit_.nodes());
+        std::vector<Sample> between = one ? nodes : samplesOf(row, rowFit_.worstPlaces());
+        for (std::size_t column = 0; column < data_.columns; ++column) {
+            fit(row, column, nodes);
+            const double error = measure(row, column, between);
+            if (error <= kWanted / kSafety) {
+                data_.accurate[(row * data_.columns) + column] = 1;
+                data_.errorBound = std::max(data_.errorBound, kSafety * error);
+            }
+        }
+    }
+    return std::move(data_);
+}
+
+std::vector<MaugisTableBuilder::Sample>
+MaugisTableBuilder::samplesOf(std::size_t row, const std::vector<double>& places) const {
+    std::vector<Sample> samples;
+    for (const double place : places) {
+        const double lambda =
+            data_.rowTerms == 1
+                ? data_.lambdaLow
+                : Data::kLambdaOfChange *
+                      Data::kRows.valueAt(data_.firstRow + static_cast<std::int64_t>(row), place);
+        samples.push_back({place, MaugisDugdale(lambda)});
+    }
+    return samples;
+}
+
+/// The exact state, from the one solved before.
+Data::Quantities MaugisTableBuilder::solve(Sample& sample, double root, bool fold) const {
+    const MaugisPoint& lowest = sample.law.lowestContact();
+    const auto point = sample.law
+                           .stable(MaugisControl::displacement(),
+                                   lowest.indentation + (root * root), sample.coordinate)
+                           .value_or(lowest);
+    sample.coordinate = point.coordinate;
+    const double stiffness = point.forceRate / point.indentationRate;
+    return {point.force, point.contactRadius, point.cohesiveRadius,
+            fold ? stiffness * root : stiffness};
+}
+
+void MaugisTableBuilder::fit(std::size_t row, std::size_t column, std::vector<Sample>& samples) {
+    const std::size_t cell = (row * data_.columns) + column;
+    const std::size_t terms = data_.rowTerms;
+    double* coefficients =
+        data_.coefficients.data() + (cell * Data::kColumnTerms * terms * Data::kQuantities);
+    for (std::size_t k = 0; k < terms; ++k) {
+        for (std::size_t n = 0; n < Data::kColumnTerms; ++n) {
+            const Data::Quantities exact =
+                solve(samples[k], rootAt(column, columnFit_.nodes()[n]), data_.hasFold(row));
+            double* next = coefficients;
+            for (std::size_t j = 0; j < Data::kColumnTerms; ++j) {
+                for (std::size_t i = 0; i < terms; ++i) {
+                    const double weight = columnFit_.weight(j, n) * rowFit_.weight(i, k);
+                    for (const double quantity : exact) {
+                        *next++ += weight * quantity;
+                    }
+                }
+            }
+        }
+    }
+}
+
+double MaugisTableBuilder::measure(std::size_t row, std::size_t column,
+                                   std::vector<Sample>& samples) const {
+    constexpr double kClosest = 1e-3;  // next to a fold rounding spoils the exact solution
+    const std::size_t cell = (row * data_.columns) + column;
+    double worst = 0.0;
+    for (Sample& sample : samples) {
+        for (const double place : columnFit_.worstPlaces()) {
+            const double nearest =
+                column == 0 ? Data::kColumns.placeOf(Data::kNear + kClosest) : -1.0;
+            const double at = std::max(place, nearest);
+            const Data::Quantities exact = solve(sample, rootAt(column, at), data_.hasFold(row));
+            const Data::Quantities found = data_.evaluate(cell, at, sample.row);
+            for (std::size_t q = 0; q < Data::kQuantities; ++q) {
+                worst = std::max(worst, relativeError(found[q], exact[q]));
+            }
+        }
+    }
+    return worst;
+}
+
+}  // namespace asperity

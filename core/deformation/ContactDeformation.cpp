@@ -1,0 +1,68 @@
+#include "core/deformation/ContactDeformation.h"
+
+#include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/deformation/RimRounding.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+/// About where the displacement outside the contact has fallen to half of that at its rim.
+double scaleOf(const TipContact& contact) {
+    constexpr double kOfTheTip = 0.25;  // where there is no contact yet
+    return std::max(contact.contactRadius, kOfTheTip * contact.tipRadius);
+}
+
+/// Displacement of sample and tip together by the closed form.
+std::shared_ptr<const RadialTable> displacementTable(const Scene& scene, const TipState& state) {
+    const double rounding = rimRounding(state.contact, scene.belief.tipRadius());
+    const auto exact = [&state, model = contactModelAt(scene, state)](double distance) {
+        return surfaceDisplacement(model, state.contact, distance);
+    };
+    return std::make_shared<RadialTable>(
+        [&](double distance) { return averagedOverRim(exact, distance, rounding); },
+        state.contact.contactRadius, scaleOf(tipContact(scene, state)));
+}
+
+}  // namespace
+
+TipContact tipContact(const Scene& scene, const TipState& state) {
+    const double radius = scene.belief.tipRadius();
+    return {.foot = state.foot.point,
+            .normal = state.foot.normal,
+            .tipCentre = state.tip + Vector3(0.0, 0.0, radius),
+            .tipRadius = radius,
+            .contactRadius = state.contact.contactRadius,
+            .indentation = state.contact.indentation};
+}
+
+double shareOfSample(const Scene& scene, DeformationTier tier) {
+    const SceneDescription& description = scene.description;
+    return sharesDisplacement(tier)
+               ? sampleShare(description.sample.material.elastic, description.tip.elastic)
+               : 1.0;
+}
+
+ContactDeformation::ContactDeformation(const Scene& scene, const TipState& state,
+                                       DeformationTier tier, const HalfSpaceAnswer* halfSpace)
+    : contact_(tipContact(scene, state))
+    , share_(shareOfSample(scene, tier))
+    , closedForm_(displacementTable(scene, state))
+    , field_(
+          fieldFor(scene.surface, tier,
+                   halfSpace != nullptr && stillHolds(*halfSpace, state) ? halfSpace : nullptr)) {}
+
+DisplacementField ContactDeformation::fieldFor(const BSplineSurface& surface, DeformationTier tier,
+                                               const HalfSpaceAnswer* halfSpace) const {
+    if (tier == DeformationTier::HalfSpace && halfSpace != nullptr) {
+        return halfSpaceField(contact_, halfSpace->field, share_);
+    }
+    return displacementField(surface, contact_, tier,
+                             [share = share_, table = closedForm_](double distance) {
+                                 return share * table->at(distance);
+                             });
+}
+
+}  // namespace asperity

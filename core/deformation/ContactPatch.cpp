@@ -1,0 +1,40 @@
+#include "core/deformation/ContactPatch.h"
+
+#include "core/contact/displacement/SurfaceDisplacement.h"
+
+namespace asperity {
+
+SurfacePatch drawnPatch(const Scene& scene, const ContactDeformation& deformation,
+                        const PatchGrid& grid) {
+    return deformedPatch(scene.surface, deformation.contact(), grid, deformation.field());
+}
+
+SurfacePatch exactPatch(const Scene& scene, const TipState& state, DeformationTier tier,
+                        const PatchGrid& grid) {
+    if (tier == DeformationTier::HalfSpace) {
+        const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
+        if (answer.valid()) {
+            return halfSpacePatch(scene, answer, grid);
+        }
+    }
+    return deformedPatch(scene.surface, tipContact(scene, state), grid, tier,
+                         [&state, share = shareOfSample(scene, tier),
+                          model = contactModelAt(scene, state)](double distance) {
+                             return share * surfaceDisplacement(model, state.contact, distance);
+                         });
+}
+
+SurfacePatch halfSpacePatch(const Scene& scene, const HalfSpaceAnswer& answer,
+                            const PatchGrid& grid) {
+    const TipContact contact = tipContact(scene, answer.state);
+    const double share = shareOfSample(scene, DeformationTier::HalfSpace);
+    return deformedPatch(scene.surface, contact, grid,
+                         halfSpaceField(contact, answer.field, share));
+}
+
+Vector3 displacedFoot(const Scene& scene, const TipState& state, DeformationTier tier) {
+    return state.foot.point -
+           shareOfSample(scene, tier) * state.contact.indentation * state.foot.normal;
+}
+
+}  // namespace asperity

@@ -1,0 +1,170 @@
+#include "core/deformation/HalfSpaceModel.h"
+
+#include "core/SiFormat.h"
+#include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/deformation/HalfSpaceProblem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+// In radii of the law's contact with its cohesive zone: half the width of a new patch, and that of
+// one that may stay.
+constexpr double kRoom = 2.5;
+constexpr double kLeastRoom = 1.8;
+constexpr double kMostRoom = 4.0;
+constexpr double kWiden = 1.6;            // where the contact on real topography is wider
+constexpr double kWidestPatch = 2.0;      // half width in tip radii
+constexpr double kSeveralFeetRoom = 1.0;  // in tip radii: other feet may lie so far away
+
+/// Whether the law's adhesion has no range that a half-space could take for its own: JKR's has
+/// none, DMT's reaches everywhere.
+bool adheresWithoutZone(const ContactModel& model) {
+    const bool adhesive =
+        isAdhesive(model.law()) && traitsOf(model.law()).attraction != Attraction::Zone;
+    return adhesive && model.pair().workOfAdhesion >= kSmallestAdhesion;
+}
+
+HalfSpaceVerdict askable(const Scene& scene, const TipState& state) {
+    const ContactState& contact = state.contact;
+    if (contact.branch != ContactBranch::Bonded || !(contact.cohesiveRadius > 0.0)) {
+        return HalfSpaceVerdict::NotBonded;
+    }
+    if (isFilm(scene.belief.contact.law())) {
+        return HalfSpaceVerdict::Film;
+    }
+    return adheresWithoutZone(scene.belief.contact) ? HalfSpaceVerdict::NoZone
+                                                    : HalfSpaceVerdict::Valid;
+}
+
+HalfSpaceVerdict verdictOn(const HalfSpaceSolution& solution) {
+    switch (solution.status) {
+    case HalfSpaceStatus::Cancelled:
+        return HalfSpaceVerdict::Cancelled;
+    case HalfSpaceStatus::NotConverged:
+        return HalfSpaceVerdict::NotConverged;
+    case HalfSpaceStatus::Converged:
+        break;
+    }
+    if (solution.doubts.largeContact) {
+        return HalfSpaceVerdict::LargeContact;
+    }
+    if (solution.doubts.reachesBorder) {
+        return HalfSpaceVerdict::ReachesBorder;
+    }
+    if (solution.doubts.tooCoarse) {
+        return HalfSpaceVerdict::TooCoarse;
+    }
+    return solution.cohesiveRadius > 0.0 ? HalfSpaceVerdict::Valid : HalfSpaceVerdict::Separate;
+}
+
+std::shared_ptr<const HalfSpaceField> fieldOf(const Scene& scene, const TipState& state,
+                                              const HalfSpacePatch& patch,
+                                              std::vector<double> displacement) {
+    const ContactModel model = contactModelAt(scene, state);
+    auto pixel = displacement.begin();
+    patch.forEachDistance([&](double distance) {
+        *pixel -= tailLift(model, state.contact, distance);
+        ++pixel;
+    });
+    return std::make_shared<const HalfSpaceField>(displacement, patch.samples, patch.pitch());
+}
+
+const char* reasonOf(HalfSpaceVerdict verdict) {
+    switch (verdict) {
+    case HalfSpaceVerdict::Valid:
+        return "it is used";
+    case HalfSpaceVerdict::NotBonded:
+        return "the tip touches nothing";
+    case HalfSpaceVerdict::Film:
+        return "the sample is a film";
+    case HalfSpaceVerdict::NoZone:
+        return "the contact law's adhesion has no cohesive zone";
+    case HalfSpaceVerdict::LargeContact:
+        return "contact radius above 0.3 tip radii";
+    case HalfSpaceVerdict::ReachesBorder:
+        return "the contact reaches the patch's border";
+    case HalfSpaceVerdict::TooCoarse:
+        return "contact or cohesive zone too narrow for its grid";
+    case HalfSpaceVerdict::Separate:
+        return "no contact on the real topography";
+    case HalfSpaceVerdict::NotConverged:
+        return "it did not converge";
+    case HalfSpaceVerdict::Cancelled:
+        return "it was cancelled";
+    }
+    return "";
+}
+
+}  // namespace
+
+bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now) {
+    constexpr double kSameWidth = 0.1;
+    const ContactState& then = answer.state.contact;
+    const double width = then.cohesiveRadius;
+    return answer.valid() && now.contact.region() == then.region() &&
+           std::abs(now.contact.cohesiveRadius - width) < kSameWidth * width &&
+           (now.foot.point - answer.state.foot.point).norm() < width;
+}
+
+std::string sentenceOf(const HalfSpaceAnswer& answer) {
+    if (!answer.valid()) {
+        return std::string("half-space not valid (") + reasonOf(answer.verdict) +
+               "): closed form shown";
+    }
+    return "half-space: normal force " + formatSi(answer.force, "N") + ", the contact law " +
+           formatSi(answer.state.normalForce, "N");
+}
+
+HalfSpaceModel::HalfSpaceModel(int samples, HalfSpaceLimits limits)
+    : samples_(samples), solver_(limits) {}
+
+/// The patch before, where it still suits: only on the same pixels is its pressure a start.
+double HalfSpaceModel::halfWidthFor(const TipState& state, double tipRadius) const {
+    const double radius = state.contact.cohesiveRadius;
+    const double least = state.feet > 1 ? kSeveralFeetRoom * tipRadius : 0.0;
+    const double before = kept_ ? kept_->halfWidth : 0.0;
+    const bool suits = before >= std::max(least, kLeastRoom * radius) &&
+                       before <= std::max(least, kMostRoom * radius);
+    return suits ? before : std::min(std::max(least, kRoom * radius), kWidestPatch * tipRadius);
+}
+
+HalfSpaceAnswer HalfSpaceModel::solve(const Scene& scene, const TipState& state,
+                                      const std::stop_token& stop) {
+    HalfSpaceAnswer answer{.verdict = askable(scene, state), .state = state, .field = nullptr};
+    if (!answer.valid()) {
+        kept_.reset();
+        return answer;
+    }
+    const double tipRadius = scene.belief.tipRadius();
+    HalfSpacePatch patch{.samples = samples_, .halfWidth = halfWidthFor(state, tipRadius)};
+    HalfSpaceSolution solution;
+    for (;;) {
+        const bool warm = kept_ && kept_->halfWidth == patch.halfWidth;
+        solution =
+            solver_.solve(halfSpaceContact(scene, state, patch),
+                          warm ? kept_->traction : closedFormTraction(scene, state, patch), stop);
+        const bool wider =
+            solution.doubts.reachesBorder && kWiden * patch.halfWidth <= kWidestPatch * tipRadius;
+        if (!wider || solution.status == HalfSpaceStatus::Cancelled) {
+            break;
+        }
+        patch.halfWidth *= kWiden;
+    }
+    answer.verdict = verdictOn(solution);
+    answer.force = solution.force + forceBeyondZone(scene, state);
+    answer.contactRadius = solution.contactRadius;
+    answer.iterations = solution.iterations;
+    kept_.reset();
+    if (answer.valid()) {
+        answer.field = fieldOf(scene, state, patch, std::move(solution.displacement));
+        kept_ = Kept{.halfWidth = patch.halfWidth, .traction = std::move(solution.traction)};
+    }
+    return answer;
+}
+
+}  // namespace asperity

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "core/contact/halfspace/HalfSpaceSolver.h"
+#include "core/deformation/HalfSpaceField.h"
+#include "core/scene/Scene.h"
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace asperity {
+
+/// What is to be thought of an answer of the half-space.
+enum class HalfSpaceVerdict : std::uint8_t {
+    Valid,
+    NotBonded,      ///< the tip touches nothing: nothing to solve
+    Film,           ///< the sample is a film, not a half-space
+    NoZone,         ///< the contact law adheres without a cohesive zone (DMT, JKR)
+    LargeContact,   ///< contact radius over tip radius > 0.3
+    ReachesBorder,  ///< the contact is larger than the largest patch
+    TooCoarse,      ///< contact or cohesive zone a few pixels wide
+    Separate,       ///< on the real topography the tip has no contact where the law has one
+    NotConverged,
+    Cancelled,
+};
+
+/// The half-space's own view of one state of the tip.
+struct HalfSpaceAnswer {
+    HalfSpaceVerdict verdict = HalfSpaceVerdict::NotBonded;
+    TipState state;              ///< that was asked about
+    double force = 0.0;          ///< on the tip along the foot's normal, > 0 repulsive [N]
+    double contactRadius = 0.0;  ///< of the circle of the contact's area [m]
+    int iterations = 0;
+    std::shared_ptr<const HalfSpaceField> field;  ///< of both bodies together; null unless valid
+
+    [[nodiscard]] bool valid() const noexcept { return verdict == HalfSpaceVerdict::Valid; }
+};
+
+/// Whether a valid answer still shows what the surface does at a later state: as bonded, about as
+/// wide and about there.
+[[nodiscard]] bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now);
+
+/// For people, in one sentence: own force beside the law's, or why the answer is not used.
+[[nodiscard]] std::string sentenceOf(const HalfSpaceAnswer& answer);
+
+/// Solves for the deformed surface around the tip, on the scan's own topography in the tangent
+/// plane at the foot and with the exact sphere as tip, at the indentation of the tick's state. Each
+/// answer starts from the one before where that fits, else from the closed form. The cohesive zone
+/// is the contact law's; of a law that adheres without one (DMT, JKR) nothing is solved, since with
+/// any zone of finite range the half-space would answer for another law.
+/// One object a thread; off the tick: allocates, takes milliseconds.
+/// Source: docs/theory.md 2, 3.4, 4.
+class HalfSpaceModel {
+public:
+    static constexpr int kSamples = 128;  ///< pixels per side of a patch
+
+    /// @param samples per side of the patches
+    explicit HalfSpaceModel(int samples = kSamples, HalfSpaceLimits limits = {});
+
+    /// @param stop ends the search early
+    [[nodiscard]] HalfSpaceAnswer solve(const Scene& scene, const TipState& state,
+                                        const std::stop_token& stop = {});
+
+private:
+    /// A solution to start the next one from.
+    struct Kept {
+        double halfWidth = 0.0;  ///< of its patch [m]
+        SurfaceTraction traction;
+    };
+    [[nodiscard]] double halfWidthFor(const TipState& state, double tipRadius) const;
+
+    int samples_;
+    HalfSpaceSolver solver_;
+    std::optional<Kept> kept_;
+};
+
+}  // namespace asperity

@@ -1,9 +1,0 @@
-#include "core/haptics/HapticDevice.h"
-
-namespace asperity {
-
-void HapticDevice::setForce(const Vector3& /*force*/) noexcept {}
-
-void HapticDevice::calibrate() noexcept {}
-
-}  // namespace asperity

@@ -1,0 +1,9 @@
+#include "core/haptics/device/HapticDevice.h"
+
+namespace asperity {
+
+void HapticDevice::setForce(const Vector3& /*force*/) noexcept {}
+
+void HapticDevice::calibrate() noexcept {}
+
+}  // namespace asperity

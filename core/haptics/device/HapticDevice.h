@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/Vector.h"
+#include "core/haptics/device/DeviceSpecification.h"
+#include "core/scene/TickInput.h"
+
+namespace asperity {
+
+/// The hand as the loop sees it: a haptic device, a mouse, a script. Blocking input and output
+/// belong on a thread of the device's own; what is here never waits and never throws.
+class HapticDevice {
+public:
+    virtual ~HapticDevice() = default;
+
+    /// Constant while the device lives. Only one that says here what its motors render is ever
+    /// told a force, and by it the governor guards the hand.
+    [[nodiscard]] virtual DeviceSpecification specification() const noexcept = 0;
+
+    /// Where the hand is after one more time step [s]; the loop adds what the specification says.
+    /// Loop thread only.
+    virtual HandState advance(double timeStep) noexcept = 0;
+
+    /// The force that the hand shall feel [N]. Loop thread only. A device with motors lets go by
+    /// itself when it is not told a force for a while, for a program that crashed tells it none.
+    virtual void setForce(const Vector3& force) noexcept;
+
+    /// The handle is in the device's rest pose now: for devices whose encoders count from there.
+    /// Any thread; wait-free.
+    virtual void calibrate() noexcept;
+
+    /// How long it takes from a motion of the hand to the force that answers it, as measured so
+    /// far, without the hold of half a tick [s]. Any thread but the loop's.
+    [[nodiscard]] virtual double delay() const noexcept { return 0.0; }
+};
+
+/// A hand that only senses.
+inline constexpr DeviceSpecification kSensesOnly{};
+
+}  // namespace asperity

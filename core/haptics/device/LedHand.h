@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/haptics/device/HapticDevice.h"
+#include "core/realtime/TripleBuffer.h"
+
+namespace asperity {
+
+/// A hand that mouse and keyboard lead. They come some sixty times a second and in steps; it is led
+/// smoothly, critically damped, so that nothing ever jumps.
+class LedHand : public HapticDevice {
+public:
+    /// Where the hand shall go [m]. One thread, not the loop's; wait-free.
+    void moveTo(const Vector3& target) noexcept { target_.write(target); }
+
+    /// Where it is led to at first [m].
+    [[nodiscard]] const Vector3& start() const noexcept { return start_; }
+
+protected:
+    explicit LedHand(const Vector3& start);
+
+    /// Where it is led to after one more time step [s]. Loop thread only.
+    const Vector3& lead(double timeStep) noexcept;
+
+private:
+    Vector3 start_;  ///< [m]
+    TripleBuffer<Vector3> target_;
+    Vector3 position_;                    ///< [m]
+    Vector3 velocity_ = Vector3::Zero();  ///< [m/s]
+};
+
+}  // namespace asperity

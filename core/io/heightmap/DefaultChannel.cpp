@@ -1,0 +1,49 @@
+#include "core/io/heightmap/DefaultChannel.h"
+
+#include "core/io/TextValue.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <string_view>
+
+namespace asperity {
+
+namespace {
+
+bool containsAny(std::string_view text, std::initializer_list<std::string_view> words) {
+    return std::any_of(words.begin(), words.end(), [text](std::string_view word) {
+        return text.find(word) != std::string_view::npos;
+    });
+}
+
+/// Smaller is better.
+int rank(const ScanChannel& channel) {
+    if (!isTopography(channel)) {
+        return 3;
+    }
+    const std::string name = lowerCase(channel.name);
+    if (containsAny(name, {"sensor", "measured"})) {
+        return 0;
+    }
+    const bool piezo =
+        containsAny(name, {"height", "topograph"}) || name == "z" || name.starts_with("z ");
+    return piezo ? 1 : 2;
+}
+
+}  // namespace
+
+bool isTopography(const ScanChannel& channel) {
+    return channel.isHeight() &&
+           !containsAny(lowerCase(channel.name), {"deflection", "amplitude", "phase", "error",
+                                                  "friction", "deformation", "indentation"});
+}
+
+std::size_t suggestDefaultChannel(const std::vector<ScanChannel>& channels) {
+    const auto best = std::min_element(
+        channels.begin(), channels.end(),
+        [](const ScanChannel& a, const ScanChannel& b) { return rank(a) < rank(b); });
+    return best == channels.end() ? 0 : static_cast<std::size_t>(best - channels.begin());
+}
+
+}  // namespace asperity

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/io/heightmap/HeightMapFile.h"
+
+namespace asperity {
+
+/// Whether the channel shows the height of the sample: a length, and not a deflection, an amplitude
+/// or a phase, which some instruments give as lengths too.
+[[nodiscard]] bool isTopography(const ScanChannel& channel);
+
+/// Index of the channel that a lab user expects: the height sensor, else the piezo height, else the
+/// first other length; of equals, the vendor's first. 0 when no channel is a height.
+[[nodiscard]] std::size_t suggestDefaultChannel(const std::vector<ScanChannel>& channels);
+
+}  // namespace asperity

@@ -1,0 +1,141 @@
+#include "core/io/heightmap/HeightMapFile.h"
+
+#include "core/Error.h"
+#include "core/io/FileBytes.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/DefaultChannel.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/StoredRows.h"
+
+#include <algorithm>
+#include <array>
+
+namespace asperity {
+
+namespace {
+
+/// The most telling beginnings first.
+const std::array<const HeightMapFormat*, 3>& formats() {
+    static const std::array<const HeightMapFormat*, 3> kFormats = {
+        &kGwyFormat,
+        &kNanoscopeFormat,
+        &kGsfFormat,
+    };
+    return kFormats;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "" : ", ") + word;
+    }
+    return text;
+}
+
+std::string formatNames() {
+    std::vector<std::string> names;
+    for (const HeightMapFormat* format : formats()) {
+        names.emplace_back(format->name);
+    }
+    return joined(names);
+}
+
+std::string channelNames(const HeightMapFile& file) {
+    std::vector<std::string> names;
+    for (const ScanChannel& channel : file.channels) {
+        const std::string unit = channel.unit.empty() ? "no unit" : channel.unit;
+        names.push_back("'" + channel.name + "' (" + unit + ")");
+    }
+    return joined(names);
+}
+
+/// The first channel of this name; of several, one that is a height goes first.
+/// @param given in the encoding of a terminal or of the file
+const ScanChannel* findChannel(const HeightMapFile& file, const std::string& given) {
+    const std::string name = toUtf8(given);
+    const ScanChannel* found = nullptr;
+    for (const ScanChannel& channel : file.channels) {
+        if (channel.name != name) {
+            continue;
+        }
+        if (channel.isHeight()) {
+            return &channel;
+        }
+        if (found == nullptr) {
+            found = &channel;
+        }
+    }
+    return found;
+}
+
+const ScanChannel& defaultHeight(const HeightMapFile& file, const std::string& path) {
+    const ScanChannel& channel = file.channels.at(file.defaultChannel);
+    if (!isTopography(channel)) {
+        throw InputError(path, "", "no channel is a height map; there are " + channelNames(file));
+    }
+    return channel;
+}
+
+HeightMapFile readWhole(const ByteSource& bytes) {
+    HeightMapContents contents = contentsOf(bytes);
+    for (std::size_t i = 0; i < contents.stored.size(); ++i) {
+        contents.file.channels[i].map = readHeightMap(contents.stored[i], bytes);
+    }
+    return std::move(contents.file);
+}
+
+}  // namespace
+
+HeightMapContents contentsOf(const ByteSource& bytes) {
+    if (bytes.size() == 0) {
+        throw InputError(bytes.name(), "", "the file is empty");
+    }
+    const std::string start = bytes.start(kMarkBytes);
+    const auto& known = formats();
+    const auto format = std::find_if(known.begin(), known.end(), [&](const HeightMapFormat* each) {
+        return each->recognises(start);
+    });
+    if (format == known.end()) {
+        throw InputError(bytes.name(), "",
+                         "this is no height map that can be read; known are " + formatNames());
+    }
+    StoredScan scan = (*format)->read(bytes);
+    HeightMapContents contents;
+    contents.file.format = (*format)->name;
+    contents.file.notes = std::move(scan.notes);
+    for (const StoredChannel& stored : scan.channels) {
+        contents.file.channels.push_back(stored.channel);
+    }
+    contents.file.defaultChannel = suggestDefaultChannel(contents.file.channels);
+    contents.stored = std::move(scan.channels);
+    return contents;
+}
+
+HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file) {
+    return readWhole(MemoryBytes(bytes, file));
+}
+
+HeightMapFile readHeightMapFile(const std::filesystem::path& path) {
+    return readWhole(FileBytes(path));
+}
+
+const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesystem::path& path,
+                                 const std::string& name) {
+    const ScanChannel* channel =
+        name.empty() ? &defaultHeight(file, path.string()) : findChannel(file, name);
+    if (channel == nullptr) {
+        throw InputError(path.string(), "",
+                         "there is no channel '" + name + "'; there are " + channelNames(file));
+    }
+    const std::string place = "channel '" + channel->name + "'";
+    if (!channel->isHeight()) {
+        const std::string unit = channel->unit.empty() ? "no unit" : "the unit " + channel->unit;
+        throw InputError(path.string(), place, "it has " + unit + "; a height map is a length");
+    }
+    if (!channel->hasSize()) {
+        throw InputError(path.string(), place, "the file does not say how large the scan is");
+    }
+    return *channel;
+}
+
+}  // namespace asperity

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/io/ByteSource.h"
+#include "core/io/heightmap/HeightMapFile.h"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+/// Room for the stored bytes of a row, used again for the next one; each thread has its own.
+using RowRoom = std::vector<char>;
+
+/// An image that still lies in its source.
+struct StoredChannel {
+    ScanChannel channel;  ///< but for the heights and the mask of its map
+    double factor = 1.0;  ///< value in the channel's unit per stored number
+    /// Writes the stored numbers of a row, 0 at the top; what is not finite holds no data. Needs
+    /// the source; any threads. @throw InputError when the bytes are not there any more
+    std::function<void(int row, RowRoom& room, double* numbers)> readRow;
+};
+
+struct StoredScan {
+    std::vector<StoredChannel> channels;
+    std::vector<std::string> notes;
+};
+
+/// A file type that can be read. A further format is one source file that defines such a constant,
+/// its declaration below, and its line in the table of HeightMapFile.cpp.
+struct HeightMapFormat {
+    std::string_view name;  ///< for people
+    /// Whether the content is of this type, damaged or not. @param start its first kMarkBytes bytes
+    bool (*recognises)(std::string_view start);
+    /// Checks the whole content, but leaves the values where they are. @param bytes must outlive
+    /// the result
+    /// @throw InputError when anything is missing or does not fit together
+    StoredScan (*read)(const ByteSource& bytes);
+};
+
+/// Every type is known by as many bytes.
+constexpr std::size_t kMarkBytes = 64;
+
+extern const HeightMapFormat kGwyFormat;
+extern const HeightMapFormat kNanoscopeFormat;
+extern const HeightMapFormat kGsfFormat;
+
+/// What a content holds, without the heights.
+struct HeightMapContents {
+    HeightMapFile file;
+    std::vector<StoredChannel> stored;  ///< as many as the file has channels
+};
+
+/// @param bytes must outlive the result
+/// @throw InputError when its type is unknown, or anything is missing or does not fit together
+[[nodiscard]] HeightMapContents contentsOf(const ByteSource& bytes);
+
+/// readHeightMapFile for a content that is in memory already.
+/// @param file for messages
+/// @throw InputError as readHeightMapFile
+[[nodiscard]] HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file);
+
+}  // namespace asperity

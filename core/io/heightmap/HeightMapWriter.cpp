@@ -1,0 +1,117 @@
+#include "core/io/heightmap/HeightMapWriter.h"
+
+#include "core/Error.h"
+#include "core/TemporaryFile.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapEncoders.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+using Writer = void (*)(const std::filesystem::path&, const HeightRows&, const HeightMapMeta&,
+                        Progress*);
+
+struct Format {
+    const char* extension;
+    Writer write;
+};
+
+constexpr std::array<Format, 7> kFormats = {{{".gwy", writeGwy},
+                                             {".gsf", writeGsf},
+                                             {".exr", writeExr},
+                                             {".tiff", writeTiff},
+                                             {".tif", writeTiff},
+                                             {".png", writePng},
+                                             {".txt", writeText}}};
+
+Writer findWriter(const std::filesystem::path& path) {
+    const std::string extension = lowerCase(path.extension().string());
+    const auto* const found =
+        std::find_if(kFormats.begin(), kFormats.end(),
+                     [&](const Format& format) { return format.extension == extension; });
+    return found == kFormats.end() ? nullptr : found->write;
+}
+
+std::string knownExtensions() {
+    std::string text;
+    for (const std::string& extension : heightMapExtensions()) {
+        text += (text.empty() ? "" : " ") + extension;
+    }
+    return text;
+}
+
+}  // namespace
+
+const std::vector<std::string>& heightMapExtensions() {
+    static const std::vector<std::string> kExtensions = [] {
+        std::vector<std::string> extensions;
+        extensions.reserve(kFormats.size());
+        for (const Format& format : kFormats) {
+            extensions.emplace_back(format.extension);
+        }
+        return extensions;
+    }();
+    return kExtensions;
+}
+
+bool canWriteHeightMap(const std::filesystem::path& path) { return findWriter(path) != nullptr; }
+
+void writeHeightMap(const std::filesystem::path& path, const HeightRows& map,
+                    const HeightMapMeta& meta, Progress* progress) {
+    const Writer write = findWriter(path);
+    if (write == nullptr) {
+        throw Error(path.string() +
+                    ": no height map can be written with this extension; known are " +
+                    knownExtensions());
+    }
+    const TemporaryFile temporary(path);
+    try {
+        write(temporary.path(), map, meta, progress);
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw Error(path.string() + ": cannot be written: " + error.what());
+    }
+    temporary.commit();
+}
+
+void writeHeightMap(const std::filesystem::path& path, const HeightMap& map,
+                    const HeightMapMeta& meta) {
+    writeHeightMap(path, rowsOf(map), meta);
+}
+
+void finish(std::ofstream& stream) {
+    stream.close();
+    if (!stream) {
+        throw Error("writing stopped half-way (disk full?)");
+    }
+}
+
+HeightRange heightRange(const HeightRows& map, Progress* progress) {
+    HeightRange range{std::numeric_limits<double>::infinity(),
+                      -std::numeric_limits<double>::infinity(), 0};
+    bool isEmpty = true;
+    forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
+        for (const double height : heights) {
+            if (isFiniteHeight(height)) {
+                range.lowest = std::min(range.lowest, height);
+                range.highest = std::max(range.highest, height);
+                isEmpty = false;
+            } else {
+                ++range.missing;
+            }
+        }
+    });
+    if (isEmpty) {
+        range.lowest = range.highest = 0.0;
+    }
+    return range;
+}
+
+}  // namespace asperity

@@ -1,0 +1,75 @@
+#include "core/io/heightmap/ScanFile.h"
+
+#include "core/io/FileHash.h"
+#include "core/io/heightmap/ChannelRows.h"
+#include "core/io/heightmap/StoredRows.h"
+
+namespace asperity {
+
+ScanFile::ScanFile(const std::filesystem::path& path)
+    : bytes_(path), contents_(contentsOf(bytes_)) {}
+
+/// @param read (StoredChannel) -> Map
+template <class Map, class Read>
+BasicHeightScan<Map> ScanFile::readScan(const std::string& name, const Read& read) const {
+    const ScanChannel& channel = heightChannel(contents(), bytes_.name(), name);
+    return {.format = contents().format,
+            .channel = channel.name,
+            .map = read(storedOf(channel)),
+            .originX = channel.originX,
+            .originY = channel.originY,
+            .notes = contents().notes};
+}
+
+HeightScan ScanFile::readHeightScan(const std::string& name, Progress* progress) const {
+    return readScan<ScanMap>(
+        name, [&](const StoredChannel& stored) { return readScanMap(stored, bytes_, progress); });
+}
+
+SceneScan ScanFile::readSceneScan(const std::string& name, Progress* progress) const {
+    using Map = std::variant<HeightMap, ScanMap>;
+    return readScan<Map>(name, [&](const StoredChannel& stored) -> Map {
+        const HeightMap& empty = stored.channel.map;
+        if (empty.index(empty.rows, 0) > kLargeScan) {
+            return readScanMap(stored, bytes_, progress);
+        }
+        return readHeightMap(stored, bytes_, progress);
+    });
+}
+
+HeightChannel ScanFile::readHeightChannel(const std::string& name, Progress* progress) const {
+    const ScanChannel& channel = heightChannel(contents(), bytes_.name(), name);
+    HeightChannel result{.channel = channel, .notes = contents().notes};
+    result.channel.map = readHeightMap(storedOf(channel), bytes_, progress);
+    return result;
+}
+
+void ScanFile::forEachRow(
+    const ScanChannel& channel,
+    const std::function<void(int row, std::span<const double> values)>& visit) const {
+    forEachStoredRow(storedOf(channel), bytes_, nullptr,
+                     [&visit](int row, const std::vector<double>& values) { visit(row, values); });
+}
+
+std::string ScanFile::sha256(Progress* progress) const { return sha256Of(bytes_, progress); }
+
+const StoredChannel& ScanFile::storedOf(const ScanChannel& channel) const {
+    return contents_.stored[static_cast<std::size_t>(&channel - contents().channels.data())];
+}
+
+HeightScan readHeightScan(const std::filesystem::path& path, const std::string& name,
+                          Progress* progress) {
+    return ScanFile(path).readHeightScan(name, progress);
+}
+
+SceneScan readSceneScan(const std::filesystem::path& path, const std::string& name,
+                        Progress* progress) {
+    return ScanFile(path).readSceneScan(name, progress);
+}
+
+HeightChannel readHeightChannel(const std::filesystem::path& path, const std::string& name,
+                                Progress* progress) {
+    return ScanFile(path).readHeightChannel(name, progress);
+}
+
+}  // namespace asperity

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "core/Progress.h"
+#include "core/io/FileBytes.h"
+#include "core/io/heightmap/HeightMapFile.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace asperity {
+
+/// One height channel of a file on its way into a scene.
+template <class Map>
+struct BasicHeightScan {
+    std::string format;   ///< for people
+    std::string channel;  ///< its name
+    Map map;
+    double originX = 0.0;            ///< offset of the scan in the instrument's frame [m]
+    double originY = 0.0;            ///< [m]
+    std::vector<std::string> notes;  ///< of the whole file
+};
+using HeightScan = BasicHeightScan<ScanMap>;
+/// In double precision, so that the curvature of fine pixels is no rounding error; a large one in
+/// single precision, so that it fits into memory.
+using SceneScan = BasicHeightScan<std::variant<HeightMap, ScanMap>>;
+
+/// Scans of more pixels than this are large.
+inline constexpr std::size_t kLargeScan = std::size_t{1} << 22U;
+
+/// One height channel of a file, as exactly as the file gives it.
+struct HeightChannel {
+    ScanChannel channel;
+    std::vector<std::string> notes;  ///< of the whole file
+};
+
+/// A height-map file that stays open: what it holds is known, and its heights are read when they
+/// are asked for, a few rows at a time, all from the same content. A file that becomes shorter or
+/// is written to meanwhile is refused; one that is put in its place changes nothing.
+class ScanFile {
+public:
+    /// @throw InputError as readHeightMapFile()
+    explicit ScanFile(const std::filesystem::path& path);
+
+    /// All channels, without heights.
+    [[nodiscard]] const HeightMapFile& contents() const { return contents_.file; }
+    /// The named channel alone (empty: the default one), in single precision.
+    /// @throw InputError as readHeightMapFile() and heightChannel(); Cancelled
+    [[nodiscard]] HeightScan readHeightScan(const std::string& name,
+                                            Progress* progress = nullptr) const;
+    /// As readHeightScan(), in the precision that a scene of it is built in.
+    [[nodiscard]] SceneScan readSceneScan(const std::string& name,
+                                          Progress* progress = nullptr) const;
+    /// As readHeightScan(), in double precision.
+    [[nodiscard]] HeightChannel readHeightChannel(const std::string& name,
+                                                  Progress* progress = nullptr) const;
+    /// Calls visit(row, values) with each row of a channel of contents(), from the top, in the
+    /// channel's unit; what is not finite holds no data.
+    /// @throw InputError as readHeightMapFile()
+    void
+    forEachRow(const ScanChannel& channel,
+               const std::function<void(int row, std::span<const double> values)>& visit) const;
+    /// Of the content that the heights come from, 64 hexadecimal digits.
+    /// @throw InputError as readHeightMapFile(); Cancelled
+    [[nodiscard]] std::string sha256(Progress* progress = nullptr) const;
+
+private:
+    template <class Map, class Read>
+    [[nodiscard]] BasicHeightScan<Map> readScan(const std::string& name, const Read& read) const;
+    [[nodiscard]] const StoredChannel& storedOf(const ScanChannel& channel) const;
+
+    FileBytes bytes_;
+    HeightMapContents contents_;
+};
+
+/// ScanFile(path).readHeightScan(name, progress)
+[[nodiscard]] HeightScan readHeightScan(const std::filesystem::path& path, const std::string& name,
+                                        Progress* progress = nullptr);
+
+/// ScanFile(path).readSceneScan(name, progress)
+[[nodiscard]] SceneScan readSceneScan(const std::filesystem::path& path, const std::string& name,
+                                      Progress* progress = nullptr);
+
+/// ScanFile(path).readHeightChannel(name, progress)
+[[nodiscard]] HeightChannel readHeightChannel(const std::filesystem::path& path,
+                                              const std::string& name,
+                                              Progress* progress = nullptr);
+
+}  // namespace asperity

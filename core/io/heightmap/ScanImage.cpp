@@ -1,0 +1,91 @@
+#include "core/io/heightmap/ScanImage.h"
+
+#include "core/Error.h"
+#include "core/io/TextValue.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+constexpr long long kLargestSide = 65536;
+
+}  // namespace
+
+ImageSize checkedImageSize(long long columns, long long rows, const std::string& file,
+                           const std::string& place) {
+    const bool good = columns >= 1 && rows >= 1 && columns <= kLargestSide && rows <= kLargestSide;
+    if (!good) {
+        throw InputError(file, place,
+                         "found " + std::to_string(columns) + " x " + std::to_string(rows) +
+                             " pixels; 1 to " + std::to_string(kLargestSide) +
+                             " a side are expected");
+    }
+    return {static_cast<int>(columns), static_cast<int>(rows)};
+}
+
+double pixelPitch(double size, int pixels) {
+    const double pitch = size / pixels;
+    return std::isfinite(pitch) && pitch > 0.0 ? pitch : 0.0;
+}
+
+double finiteOrZero(double origin) { return std::isfinite(origin) ? origin : 0.0; }
+
+HeightMap emptyMap(ImageSize size, double sizeX, double sizeY) {
+    HeightMap map;
+    map.columns = size.columns;
+    map.rows = size.rows;
+    map.pitchX = pixelPitch(sizeX, size.columns);
+    map.pitchY = pixelPitch(sizeY, size.rows);
+    return map;
+}
+
+void invalidate(HeightMap& map, std::size_t pixel) {
+    if (map.invalid.empty()) {
+        map.invalid.resize(map.heights.size(), false);
+    }
+    map.invalid[pixel] = true;
+    map.heights[pixel] = std::numeric_limits<double>::quiet_NaN();
+}
+
+void invalidateNonFinite(HeightMap& map) {
+    for (std::size_t i = 0; i < map.heights.size(); ++i) {
+        if (!std::isfinite(map.heights[i])) {
+            invalidate(map, i);
+        }
+    }
+}
+
+std::size_t countInvalid(const HeightMap& map) {
+    return static_cast<std::size_t>(std::ranges::count(map.invalid, true));
+}
+
+void settleSize(ScanChannel& channel, std::vector<std::string>& notes) {
+    const bool positive = channel.map.pitchX > 0.0 && channel.map.pitchY > 0.0;
+    if (!positive) {
+        channel.map.pitchX = channel.map.pitchY = 0.0;
+        notes.push_back("'" + channel.name + "': the file gives no lateral size");
+    } else if (channel.lateralUnit.empty() && channel.isHeight()) {
+        channel.lateralUnit = "m";
+        notes.push_back("'" + channel.name + "': the lateral size has no unit; metres are assumed");
+    }
+}
+
+std::string directionFromName(std::string_view name) {
+    const std::string lower = lowerCase(name);
+    const auto says = [&lower](std::string_view word) {
+        return lower.find(word) != std::string::npos;
+    };
+    if (says("backward") || says("retrace")) {
+        return "backward";
+    }
+    if (says("forward") || says("trace")) {
+        return "forward";
+    }
+    return {};
+}
+
+}  // namespace asperity

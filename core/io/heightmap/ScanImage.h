@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/io/heightmap/HeightMapFile.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace asperity {
+
+/// What every reader does with the numbers that it found.
+
+/// Pixels of an image after the check that they are between 1 and 65536 a side.
+struct ImageSize {
+    int columns = 0;
+    int rows = 0;
+
+    [[nodiscard]] std::uint64_t pixels() const {
+        return static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
+    }
+};
+
+/// @param place of the numbers in the file, for the message
+/// @throw InputError when a side is not between 1 and 65536 pixels
+[[nodiscard]] ImageSize checkedImageSize(long long columns, long long rows, const std::string& file,
+                                         const std::string& place);
+
+/// Size of one pixel; 0 (unknown) unless the size is a positive finite number.
+[[nodiscard]] double pixelPitch(double size, int pixels);
+
+/// An origin that is no finite number is taken as 0.
+[[nodiscard]] double finiteOrZero(double origin);
+
+/// An image of this size and pitch whose values are still to come.
+[[nodiscard]] HeightMap emptyMap(ImageSize size, double sizeX, double sizeY);
+
+/// Marks a pixel as holding no data.
+void invalidate(HeightMap& map, std::size_t pixel);
+
+/// Marks what is NaN or infinite as holding no data.
+void invalidateNonFinite(HeightMap& map);
+
+[[nodiscard]] std::size_t countInvalid(const HeightMap& map);
+
+/// Adds notes on what the channel lacks. A height map that gives numbers for its size but no unit
+/// is taken as metres.
+void settleSize(ScanChannel& channel, std::vector<std::string>& notes);
+
+/// "forward" or "backward" when the channel's name says so, else empty.
+[[nodiscard]] std::string directionFromName(std::string_view name);
+
+}  // namespace asperity

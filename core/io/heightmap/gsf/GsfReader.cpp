@@ -1,0 +1,167 @@
+#include "core/Error.h"
+#include "core/io/ByteReader.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/ScanImage.h"
+
+// Gwyddion Simple Field: a text header, 1 to 4 NUL bytes, then float32 with the lowest byte first.
+// Source: Gwyddion user guide, "Gwyddion Simple Field files"; docs/formats.md 2.
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kFamily = "Gwyddion Simple Field ";
+constexpr std::string_view kMagic = "Gwyddion Simple Field 1.0\n";
+constexpr std::size_t kAlignment = 4;
+/// Gwyddion's own headers have some 200 bytes.
+constexpr std::size_t kLongestHeader = std::size_t{1} << 20U;
+
+using Fields = std::map<std::string, std::string>;
+
+class GsfReader {
+public:
+    explicit GsfReader(const ByteSource& bytes)
+        : bytes_(bytes), start_(bytes.start(kLongestHeader + kAlignment)) {}
+
+    StoredScan read() {
+        checkMagic();
+        const std::size_t headerEnd = start_.find('\0');
+        if (headerEnd >= kLongestHeader) {
+            fail("header", "no NUL byte ends it; the file is truncated or damaged");
+        }
+        parseHeader(std::string_view(start_).substr(kMagic.size(), headerEnd - kMagic.size()));
+        StoredScan result;
+        result.channels.push_back(channel(dataAfter(headerEnd)));
+        settleSize(result.channels.back().channel, result.notes);
+        return result;
+    }
+
+private:
+    void checkMagic() const {
+        if (start_.starts_with(kMagic)) {
+            return;
+        }
+        if (start_.starts_with("Gwyddion Simple Field 1.0\r")) {
+            fail("line 1", "it ends with CR LF: a transfer in text mode has damaged the file");
+        }
+        fail("line 1", "expected 'Gwyddion Simple Field 1.0'");
+    }
+
+    void parseHeader(std::string_view header) {
+        for (int line = 2; !header.empty(); ++line) {
+            const std::size_t end = std::min(header.find('\n'), header.size());
+            const std::string_view text = header.substr(0, end);
+            header.remove_prefix(std::min(end + 1, header.size()));
+            const std::size_t equals = text.find('=');
+            if (equals == std::string_view::npos) {
+                if (trimmed(text).empty()) {
+                    continue;
+                }
+                fail("line " + std::to_string(line), "expected 'name = value'");
+            }
+            fields_[toUtf8(trimmed(text.substr(0, equals)))] =
+                toUtf8(trimmed(text.substr(equals + 1)));
+        }
+    }
+
+    /// Where the samples begin: they are all that follows the padding, in exactly the number that
+    /// the header promises.
+    std::uint64_t dataAfter(std::size_t headerEnd) {
+        size_ = checkedImageSize(integer("XRes"), integer("YRes"), bytes_.name(), "XRes, YRes");
+        const std::size_t start = (headerEnd / kAlignment + 1) * kAlignment;
+        const std::string padding = start_.substr(headerEnd, start - headerEnd);
+        if (padding.find_first_not_of('\0') != std::string::npos) {
+            fail("byte " + std::to_string(headerEnd), "expected NUL bytes up to a multiple of 4");
+        }
+        const std::uint64_t held = bytes_.size() - std::min<std::uint64_t>(start, bytes_.size());
+        const std::uint64_t expected = size_.pixels() * sizeof(float);
+        if (held != expected) {
+            fail("byte " + std::to_string(start),
+                 "expected " + std::to_string(expected) + " bytes of data for " +
+                     std::to_string(size_.columns) + " x " + std::to_string(size_.rows) +
+                     " pixels, found " + std::to_string(held));
+        }
+        return start;
+    }
+
+    StoredChannel channel(std::uint64_t data) {
+        const PhysicalUnit lateral = parseUnit(takeText("XYUnits"));
+        const PhysicalUnit vertical = parseUnit(takeText("ZUnits"));
+        ScanChannel channel;
+        channel.name = takeText("Title");
+        if (channel.name.empty()) {
+            channel.name = "Untitled";
+        }
+        channel.unit = vertical.base;
+        channel.lateralUnit = lateral.base;
+        channel.direction = directionFromName(channel.name);
+        channel.map =
+            emptyMap(size_, number("XReal") * lateral.factor, number("YReal") * lateral.factor);
+        channel.originX = finiteOrZero(number("XOffset") * lateral.factor);
+        channel.originY = finiteOrZero(number("YOffset") * lateral.factor);
+        channel.metadata = fields_;
+        return {
+            .channel = channel,
+            .factor = vertical.factor,
+            .readRow = [&bytes = bytes_, data, columns = static_cast<std::size_t>(size_.columns)](
+                           int row, RowRoom& room, double* numbers) {
+                room.resize(columns * sizeof(float));
+                bytes.read(data + static_cast<std::uint64_t>(row) * room.size(), room);
+                for (std::size_t i = 0; i < columns; ++i) {
+                    numbers[i] = littleEndian<float>(room.data() + i * sizeof(float));
+                }
+            }};
+    }
+
+    /// Removes the field, so that what is left is metadata.
+    std::string takeText(const std::string& name) {
+        const auto field = fields_.find(name);
+        if (field == fields_.end()) {
+            return {};
+        }
+        std::string text = field->second;
+        fields_.erase(field);
+        return text;
+    }
+
+    long long integer(const std::string& name) {
+        const std::string text = takeText(name);
+        const std::optional<long long> value = parseInteger(text);
+        if (!value) {
+            fail(name, "expected a whole number, found '" + text + "'");
+        }
+        return *value;
+    }
+
+    /// 0 when the field is missing.
+    double number(const std::string& name) {
+        const std::string text = takeText(name);
+        if (text.empty()) {
+            return 0.0;
+        }
+        const std::optional<double> value = parseNumber(text);
+        if (!value) {
+            fail(name, "expected a number, found '" + text + "'");
+        }
+        return *value;
+    }
+
+    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
+        throw InputError(bytes_.name(), place, what);
+    }
+
+    const ByteSource& bytes_;
+    std::string start_;
+    Fields fields_;
+    ImageSize size_;
+};
+
+}  // namespace
+
+const HeightMapFormat kGsfFormat = {
+    "Gwyddion Simple Field .gsf", [](std::string_view start) { return start.starts_with(kFamily); },
+    [](const ByteSource& bytes) { return GsfReader(bytes).read(); }};
+
+}  // namespace asperity

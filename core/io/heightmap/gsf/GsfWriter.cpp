@@ -1,0 +1,48 @@
+#include "core/io/ByteReader.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapEncoders.h"
+
+#include <algorithm>
+#include <fstream>
+
+// Gwyddion Simple Field; see GsfReader.cpp.
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kAlignment = 4;
+
+std::string oneLine(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
+    return text;
+}
+
+std::string header(const HeightRows& map, const HeightMapMeta& meta) {
+    return "Gwyddion Simple Field 1.0\nXRes = " + std::to_string(map.columns) +
+           "\nYRes = " + std::to_string(map.rows) + "\nXReal = " + exactText(map.sizeX()) +
+           "\nYReal = " + exactText(map.sizeY()) + "\nXOffset = " + exactText(meta.originX) +
+           "\nYOffset = " + exactText(meta.originY) +
+           "\nXYUnits = m\nZUnits = m\nTitle = " + oneLine(meta.title) + "\n";
+}
+
+}  // namespace
+
+void writeGsf(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
+              Progress* progress) {
+    std::string bytes = header(map, meta);
+    bytes.append(kAlignment - bytes.size() % kAlignment, '\0');
+    std::ofstream stream(target, std::ios::binary);
+    stream << bytes;
+    forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
+        bytes.clear();
+        for (const double height : heights) {
+            appendLittleEndian(bytes, static_cast<float>(height));
+        }
+        stream << bytes;
+    });
+    finish(stream);
+}
+
+}  // namespace asperity

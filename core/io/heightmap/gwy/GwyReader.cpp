@@ -1,0 +1,287 @@
+#include "core/Error.h"
+#include "core/io/ByteReader.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/gwy/GwyObject.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+// Gwyddion's own files: one container whose keys are paths; /N/data is image N.
+// Source: Gwyddion user guide, "Gwyddion native file format"; docs/formats.md 1.
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kMagic = "GWYP";
+constexpr std::string_view kOldMagic = "GWYO";
+
+/// What the container holds about one image.
+struct ImageParts {
+    std::optional<GwyObject> data;
+    std::optional<GwyObject> mask;
+    std::optional<GwyObject> metadata;
+    std::string title;
+};
+
+/// A GwyDataField whose values are still bytes.
+struct DataField {
+    ImageSize size;
+    double sizeX = 0.0;  ///< in the lateral unit; 0: not given
+    double sizeY = 0.0;
+    double offsetX = 0.0;
+    double offsetY = 0.0;
+    PhysicalUnit lateralUnit;
+    PhysicalUnit unit;
+    ByteSpan values;  ///< doubles, top row first
+
+    void readRow(const ByteSource& source, int row, RowRoom& room, double* numbers) const {
+        const auto columns = static_cast<std::size_t>(size.columns);
+        room.resize(columns * sizeof(double));
+        source.read(values.place + static_cast<std::uint64_t>(row) * room.size(), room);
+        for (std::size_t i = 0; i < columns; ++i) {
+            numbers[i] = littleEndian<double>(room.data() + i * sizeof(double));
+        }
+    }
+};
+
+/// Of a mask's values.
+bool marks(double value) { return value > 0.0; }
+
+/// "/12/data/title" → 12 and "data/title"; empty for a key that belongs to no image.
+struct ImageKey {
+    long long image = 0;
+    std::string_view rest;
+};
+
+std::optional<ImageKey> parseKey(std::string_view key) {
+    if (!key.starts_with('/')) {
+        return std::nullopt;
+    }
+    const std::size_t slash = key.find('/', 1);
+    if (slash == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::optional<long long> image = parseInteger(key.substr(1, slash - 1));
+    if (!image || *image < 0) {
+        return std::nullopt;
+    }
+    return ImageKey{*image, key.substr(slash + 1)};
+}
+
+class GwyReader {
+public:
+    explicit GwyReader(const ByteSource& bytes) : bytes_(bytes), file_(bytes.name()) {}
+
+    StoredScan read() {
+        collectImages();
+        for (const auto& [number, parts] : images_) {
+            if (parts.data) {
+                addChannel(number, parts);
+            }
+        }
+        if (result_.channels.empty()) {
+            throw InputError(file_, "", "the file holds no image (no /0/data or similar)");
+        }
+        return std::move(result_);
+    }
+
+private:
+    void collectImages() {
+        if (bytes_.start(kOldMagic.size()) == kOldMagic) {
+            throw InputError(file_, "byte 0",
+                             "this is a file of Gwyddion 1; open and save it with Gwyddion 2");
+        }
+        ByteReader reader(bytes_);
+        (void)reader.take(kMagic.size(), "the file's mark");
+        const GwyObject container = takeGwyObject(reader);
+        if (container.className != "GwyContainer") {
+            throw InputError(file_, "byte 4", "expected an object of class GwyContainer");
+        }
+        if (!reader.atEnd()) {
+            result_.notes.push_back(std::to_string(reader.remaining()) +
+                                    " bytes after the end of the data are ignored");
+        }
+        GwyComponents components(container, bytes_);
+        while (const std::optional<GwyComponent> component = components.next()) {
+            store(*component);
+        }
+    }
+
+    void store(const GwyComponent& component) {
+        const std::optional<ImageKey> key = parseKey(component.name);
+        if (!key) {
+            return;
+        }
+        if (key->rest == "data") {
+            images_[key->image].data = field(component);
+        } else if (key->rest == "mask") {
+            images_[key->image].mask = field(component);
+        } else if (key->rest == "meta") {
+            images_[key->image].metadata = gwyObject(component, bytes_);
+        } else if (key->rest == "data/title") {
+            images_[key->image].title = gwyText(component, bytes_);
+        }
+    }
+
+    [[nodiscard]] GwyObject field(const GwyComponent& component) const {
+        GwyObject object = gwyObject(component, bytes_);
+        if (object.className != "GwyDataField") {
+            throw InputError(file_, place(object),
+                             "'" + toUtf8(component.name) + "' is no GwyDataField");
+        }
+        return object;
+    }
+
+    void addChannel(long long number, const ImageParts& parts) {
+        const DataField data = readField(*parts.data);
+        ScanChannel channel;
+        channel.name = parts.title.empty() ? "Image " + std::to_string(number) : parts.title;
+        channel.unit = data.unit.base;
+        channel.lateralUnit = data.lateralUnit.base;
+        channel.direction = directionFromName(channel.name);
+        channel.originX = finiteOrZero(data.offsetX * data.lateralUnit.factor);
+        channel.originY = finiteOrZero(data.offsetY * data.lateralUnit.factor);
+        channel.map = emptyMap(data.size, data.sizeX * data.lateralUnit.factor,
+                               data.sizeY * data.lateralUnit.factor);
+        std::optional<DataField> mask;
+        if (parts.mask) {
+            mask = maskOf(channel, *parts.mask);
+        }
+        if (parts.metadata) {
+            channel.metadata = readMetadata(*parts.metadata);
+        }
+        settleSize(channel, result_.notes);
+        result_.channels.push_back(
+            {.channel = std::move(channel),
+             .factor = data.unit.factor,
+             .readRow = [&bytes = bytes_, data, mask](int row, RowRoom& room, double* numbers) {
+                 data.readRow(bytes, row, room, numbers);
+                 if (mask) {
+                     removeMarked(bytes, *mask, row, room, numbers);
+                 }
+             }});
+    }
+
+    static void removeMarked(const ByteSource& bytes, const DataField& mask, int row, RowRoom& room,
+                             double* numbers) {
+        std::vector<double> values(static_cast<std::size_t>(mask.size.columns));
+        mask.readRow(bytes, row, room, values.data());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (marks(values[i])) {
+                numbers[i] = std::numeric_limits<double>::quiet_NaN();
+            }
+        }
+    }
+
+    /// Importers put void pixels into the mask and fill the data by interpolation.
+    DataField maskOf(const ScanChannel& channel, const GwyObject& object) {
+        DataField mask = readField(object);
+        if (mask.size.columns != channel.map.columns || mask.size.rows != channel.map.rows) {
+            throw InputError(file_, place(object),
+                             "the mask of '" + channel.name + "' has another size than its image");
+        }
+        std::ptrdiff_t marked = 0;
+        RowRoom room;
+        std::vector<double> values(static_cast<std::size_t>(mask.size.columns));
+        for (int row = 0; row < mask.size.rows; ++row) {
+            mask.readRow(bytes_, row, room, values.data());
+            marked += std::ranges::count_if(values, marks);
+        }
+        if (marked > 0) {
+            result_.notes.push_back("'" + channel.name + "': " + std::to_string(marked) +
+                                    " pixels marked by the file's mask are taken as invalid");
+        }
+        return mask;
+    }
+
+    [[nodiscard]] DataField readField(const GwyObject& object) const {
+        DataField field;
+        std::int32_t columns = 0;
+        std::int32_t rows = 0;
+        GwyComponents components(object, bytes_);
+        while (const std::optional<GwyComponent> part = components.next()) {
+            if (part->name == "xres") {
+                columns = gwyInteger(*part, bytes_);
+            }
+            if (part->name == "yres") {
+                rows = gwyInteger(*part, bytes_);
+            }
+            if (part->name == "xreal") {
+                field.sizeX = gwyNumber(*part, bytes_);
+            }
+            if (part->name == "yreal") {
+                field.sizeY = gwyNumber(*part, bytes_);
+            }
+            if (part->name == "xoff") {
+                field.offsetX = gwyNumber(*part, bytes_);
+            }
+            if (part->name == "yoff") {
+                field.offsetY = gwyNumber(*part, bytes_);
+            }
+            if (part->name == "si_unit_xy") {
+                field.lateralUnit = readUnit(*part);
+            }
+            if (part->name == "si_unit_z") {
+                field.unit = readUnit(*part);
+            }
+            if (part->name == "data") {
+                field.values = gwyNumbers(*part, bytes_);
+            }
+        }
+        field.size = checkedImageSize(columns, rows, file_, place(object));
+        if (field.values.count / sizeof(double) != field.size.pixels()) {
+            throw InputError(file_, place(object),
+                             std::to_string(columns) + " x " + std::to_string(rows) +
+                                 " pixels are promised, but there are " +
+                                 std::to_string(field.values.count / sizeof(double)));
+        }
+        return field;
+    }
+
+    [[nodiscard]] PhysicalUnit readUnit(const GwyComponent& component) const {
+        PhysicalUnit unit;
+        GwyComponents components(gwyObject(component, bytes_), bytes_);
+        while (const std::optional<GwyComponent> part = components.next()) {
+            if (part->name == "unitstr") {
+                unit = parseUnit(gwyText(*part, bytes_));
+            }
+        }
+        return unit;
+    }
+
+    [[nodiscard]] std::map<std::string, std::string> readMetadata(const GwyObject& object) const {
+        std::map<std::string, std::string> metadata;
+        GwyComponents components(object, bytes_);
+        while (const std::optional<GwyComponent> part = components.next()) {
+            if (part->type == 's') {
+                metadata[toUtf8(part->name)] = gwyText(*part, bytes_);
+            }
+        }
+        return metadata;
+    }
+
+    static std::string place(const GwyObject& object) {
+        return "byte " + std::to_string(object.components.place);
+    }
+
+    const ByteSource& bytes_;
+    const std::string& file_;
+    std::map<long long, ImageParts> images_;
+    StoredScan result_;
+};
+
+}  // namespace
+
+const HeightMapFormat kGwyFormat = {
+    "Gwyddion .gwy",
+    [](std::string_view start) {
+        return start.starts_with(kMagic) || start.starts_with(kOldMagic);
+    },
+    [](const ByteSource& bytes) { return GwyReader(bytes).read(); }};
+
+}  // namespace asperity

@@ -1,0 +1,165 @@
+#include "core/Error.h"
+#include "core/io/ByteReader.h"
+#include "core/io/heightmap/HeightMapEncoders.h"
+
+#include <fstream>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Gwyddion's own files; see GwyReader.cpp.
+
+namespace asperity {
+
+namespace {
+
+/// Serialised objects on their way into a file, nothing of which stays in memory. An object's size
+/// stands before what it holds, and is put there when the object ends.
+class GwyStream {
+public:
+    explicit GwyStream(std::ofstream& stream) : stream_(stream) {}
+
+    void begin(std::string_view className) {
+        text(className);
+        begins_.push_back(stream_.tellp());
+        put(std::uint32_t{0});
+    }
+    void begin(std::string_view name, std::string_view className) {
+        component(name, 'o');
+        begin(className);
+    }
+    /// Of what began last.
+    void end() {
+        const std::streampos here = stream_.tellp();
+        const auto size = here - begins_.back() - std::streamoff{sizeof(std::uint32_t)};
+        if (size > std::numeric_limits<std::uint32_t>::max()) {
+            throw Error("a .gwy file holds at most 4 GiB");
+        }
+        stream_.seekp(begins_.back());
+        put(static_cast<std::uint32_t>(size));
+        stream_.seekp(here);
+        begins_.pop_back();
+    }
+
+    void boolean(std::string_view name, bool value) {
+        component(name, 'b');
+        stream_ << (value ? '\1' : '\0');
+    }
+    void integer(std::string_view name, std::int32_t value) {
+        component(name, 'i');
+        put(value);
+    }
+    void number(std::string_view name, double value) {
+        component(name, 'd');
+        put(value);
+    }
+    void text(std::string_view name, std::string_view value) {
+        component(name, 's');
+        text(value);
+    }
+    /// valueOf(height) of each pixel.
+    template <class ValueOf>
+    void numbers(std::string_view name, const HeightRows& map, Progress* progress,
+                 const ValueOf& valueOf) {
+        component(name, 'D');
+        const auto count =
+            static_cast<std::uint64_t>(map.columns) * static_cast<std::uint64_t>(map.rows);
+        put(static_cast<std::uint32_t>(count));
+        std::string bytes;
+        forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
+            bytes.clear();
+            for (const double height : heights) {
+                appendLittleEndian(bytes, valueOf(height));
+            }
+            stream_ << bytes;
+        });
+    }
+
+private:
+    void component(std::string_view name, char type) {
+        text(name);
+        stream_ << type;
+    }
+    /// NUL ends a text, so what follows one is cut off.
+    void text(std::string_view text) { stream_ << text.substr(0, text.find('\0')) << '\0'; }
+    template <class Number>
+    void put(Number number) {
+        std::string bytes;
+        appendLittleEndian(bytes, number);
+        stream_ << bytes;
+    }
+
+    std::ofstream& stream_;
+    std::vector<std::streampos> begins_;  ///< places of the sizes of objects that have not ended
+};
+
+void writeMetre(GwyStream& stream, std::string_view name) {
+    stream.begin(name, "GwySIUnit");
+    stream.text("unitstr", "m");
+    stream.end();
+}
+
+/// What a field has before its values.
+void writeGeometry(GwyStream& stream, const HeightRows& map, const HeightMapMeta& meta) {
+    stream.integer("xres", map.columns);
+    stream.integer("yres", map.rows);
+    stream.number("xreal", map.sizeX());
+    stream.number("yreal", map.sizeY());
+    stream.number("xoff", meta.originX);
+    stream.number("yoff", meta.originY);
+    writeMetre(stream, "si_unit_xy");
+}
+
+/// The format forbids NaN: pixels without data hold the lowest height, and the mask marks them.
+void writeHeights(GwyStream& stream, const HeightRows& map, const HeightMapMeta& meta,
+                  double filling, Progress* progress) {
+    stream.begin("/0/data", "GwyDataField");
+    writeGeometry(stream, map, meta);
+    stream.numbers("data", map, progress,
+                   [filling](double height) { return isFiniteHeight(height) ? height : filling; });
+    writeMetre(stream, "si_unit_z");
+    stream.end();
+}
+
+void writeMask(GwyStream& stream, const HeightRows& map, const HeightMapMeta& meta,
+               Progress* progress) {
+    stream.begin("/0/mask", "GwyDataField");
+    writeGeometry(stream, map, meta);
+    stream.numbers("data", map, progress,
+                   [](double height) { return isFiniteHeight(height) ? 0.0 : 1.0; });
+    stream.end();
+}
+
+/// So large that nothing need be written to tell that it does not fit.
+void requireFits(const HeightRows& map) {
+    const double bytes = static_cast<double>(sizeof(double)) * map.columns * map.rows;
+    if (bytes > std::numeric_limits<std::uint32_t>::max()) {
+        throw Error("a .gwy file holds at most 4 GiB");
+    }
+}
+
+}  // namespace
+
+void writeGwy(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
+              Progress* progress) {
+    requireFits(map);
+    ProgressPart ranging(progress, 0.0, 0.1);
+    const HeightRange range = heightRange(map, &ranging);
+    std::ofstream file(target, std::ios::binary);
+    file << "GWYP";
+    GwyStream stream(file);
+    stream.begin("GwyContainer");
+    ProgressPart writing(progress, 0.1, range.missing > 0 ? 0.5 : 1.0);
+    writeHeights(stream, map, meta, range.lowest, &writing);
+    stream.text("/0/data/title", meta.title);
+    stream.boolean("/0/data/visible", true);
+    if (range.missing > 0) {
+        ProgressPart marking(progress, 0.5, 1.0);
+        writeMask(stream, map, meta, &marking);
+    }
+    stream.end();
+    finish(file);
+}
+
+}  // namespace asperity

@@ -1,0 +1,174 @@
+#include "core/Error.h"
+#include "core/io/ByteReader.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/nanoscope/NanoscopeHeader.h"
+#include "core/io/heightmap/nanoscope/NanoscopeImage.h"
+
+#include <utility>
+#include <vector>
+
+// Bruker (Veeco, Digital Instruments) NanoScope: a text header of sections, then the samples.
+// Source: docs/formats.md 3.
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kMagic = "\\*File list";
+constexpr std::string_view kTextMagic = "?*File list";
+constexpr std::string_view kForceMagic = "\\*Force file list";
+/// Instruments write up to 8; each carries a copy of the metadata.
+constexpr std::size_t kMostImages = 64;
+
+class NanoscopeReader {
+public:
+    explicit NanoscopeReader(const ByteSource& bytes)
+        : bytes_(bytes), file_(bytes.name()), start_(bytes.start(kLongestNanoscopeHeader)) {}
+
+    StoredScan read() {
+        refuseRelatives();
+        sections_ = readNanoscopeHeader(start_, file_);
+        headerEnd_ = nanoscopeHeaderSize(start_);
+        for (const NanoscopeSection& section : sections_) {
+            if (lowerCase(section.name) == "ciao image list") {
+                addChannel(section);
+            }
+        }
+        if (result_.channels.empty()) {
+            throw InputError(file_, "header", "it lists no image ('Ciao image list')");
+        }
+        return std::move(result_);
+    }
+
+private:
+    void refuseRelatives() const {
+        if (start_.starts_with(kForceMagic)) {
+            throw InputError(file_, "", "this NanoScope file holds force curves, no image");
+        }
+        if (start_.starts_with(kTextMagic)) {
+            throw InputError(file_, "",
+                             "this NanoScope file was exported as text; save it in binary form");
+        }
+    }
+
+    void addChannel(const NanoscopeSection& section) {
+        const std::string place = "image list " + std::to_string(result_.channels.size() + 1);
+        if (result_.channels.size() == kMostImages) {
+            throw InputError(file_, place,
+                             "at most " + std::to_string(kMostImages) + " images are expected");
+        }
+        const NanoscopeImage image(sections_, section, file_, place);
+        const NanoscopeLayout layout = image.layout();
+        const NanoscopeScale scale = image.scale();
+        ScanChannel channel;
+        channel.name = image.name();
+        channel.unit = scale.unit;
+        channel.lateralUnit = "m";
+        channel.direction = image.direction();
+        channel.originX = image.scanLength("X Offset");
+        channel.originY = image.scanLength("Y Offset");
+        channel.map = emptyMap(layout.size, layout.sizeX, layout.sizeY);
+        channel.metadata = metadata(section);
+        requireSamples(layout, place);
+        addNotes(image, channel, layout.sampleBytes);
+        result_.channels.push_back(
+            {.channel = std::move(channel),
+             .factor = scale.factor,
+             .readRow = [&bytes = bytes_, layout](int row, RowRoom& room, double* counts) {
+                 readRow(bytes, layout, row, room, counts);
+             }});
+    }
+
+    void requireSamples(const NanoscopeLayout& layout, const std::string& place) {
+        const std::uint64_t length =
+            layout.size.pixels() * static_cast<std::uint64_t>(layout.sampleBytes);
+        if (layout.offset > bytes_.size() || length > bytes_.size() - layout.offset) {
+            throw InputError(file_, place,
+                             "its data end at byte " + std::to_string(layout.offset + length) +
+                                 ", but the file has " + std::to_string(bytes_.size()) +
+                                 "; it is truncated");
+        }
+        if (layout.offset < headerEnd_) {
+            throw InputError(file_, place,
+                             "its data start at byte " + std::to_string(layout.offset) +
+                                 ", but the header ends at " + std::to_string(headerEnd_));
+        }
+        for (const auto& [start, end] : taken_) {
+            if (layout.offset < end && start < layout.offset + length) {
+                throw InputError(file_, place, "its data overlap those of another image");
+            }
+        }
+        taken_.emplace_back(layout.offset, layout.offset + length);
+    }
+
+    /// Counts of a row. The first stored row is the bottom of the image, whatever the scan's
+    /// direction was.
+    static void readRow(const ByteSource& bytes, const NanoscopeLayout& layout, int row,
+                        RowRoom& room, double* counts) {
+        const auto width = static_cast<std::size_t>(layout.sampleBytes);
+        const auto columns = static_cast<std::size_t>(layout.size.columns);
+        const auto fromBelow = static_cast<std::uint64_t>(layout.size.rows - 1 - row);
+        room.resize(columns * width);
+        bytes.read(layout.offset + fromBelow * room.size(), room);
+        for (std::size_t i = 0; i < columns; ++i) {
+            const char* stored = room.data() + i * width;
+            counts[i] = width == sizeof(std::int32_t) ? littleEndian<std::int32_t>(stored)
+                                                      : littleEndian<std::int16_t>(stored);
+        }
+    }
+
+    void addNotes(const NanoscopeImage& image, ScanChannel& channel, int sampleBytes) {
+        for (const std::string& note : image.notes()) {
+            result_.notes.push_back(note);
+        }
+        if (image.bytesPerPixel() != sampleBytes) {
+            result_.notes.push_back(
+                "'" + channel.name + "': the header says " + std::to_string(image.bytesPerPixel()) +
+                " bytes a sample, but this version stores " + std::to_string(sampleBytes));
+        }
+        settleSize(channel, result_.notes);
+    }
+
+    /// Everything but the other images; the image's own entries win.
+    [[nodiscard]] std::map<std::string, std::string> metadata(const NanoscopeSection& image) const {
+        std::map<std::string, std::string> metadata;
+        for (const NanoscopeSection& section : sections_) {
+            const bool other = lowerCase(section.name).ends_with("image list");
+            if (!other) {
+                insert(metadata, section);
+            }
+        }
+        insert(metadata, image);
+        return metadata;
+    }
+
+    static void insert(std::map<std::string, std::string>& metadata,
+                       const NanoscopeSection& section) {
+        for (const auto& [key, entry] : section.entries) {
+            metadata.insert_or_assign(entry.key, entry.value);
+        }
+    }
+
+    const ByteSource& bytes_;
+    const std::string& file_;
+    std::string start_;  ///< with the whole header
+    std::vector<NanoscopeSection> sections_;
+    /// First and past-the-last byte of each image so far.
+    std::size_t headerEnd_ = 0;
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> taken_;
+    StoredScan result_;
+};
+
+}  // namespace
+
+const HeightMapFormat kNanoscopeFormat = {
+    "Bruker NanoScope",
+    [](std::string_view start) {
+        return start.starts_with(kMagic) || start.starts_with(kTextMagic) ||
+               start.starts_with(kForceMagic);
+    },
+    [](const ByteSource& bytes) { return NanoscopeReader(bytes).read(); }};
+
+}  // namespace asperity

@@ -1,0 +1,147 @@
+#include "core/Error.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapEncoders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <png.h>
+#include <utility>
+
+// A 16-bit grey PNG whose text keys give the size and the heights of black and white, as Gwyddion
+// reads and writes them. Source: docs/formats.md 9.
+
+namespace asperity {
+
+namespace {
+
+constexpr double kWhite = 65535.0;
+constexpr int kBitDepth = 16;
+
+using TextKeys = std::vector<std::pair<std::string, std::string>>;
+
+TextKeys textKeys(const HeightRows& map, const HeightMapMeta& meta, const HeightRange& range) {
+    TextKeys keys = {{"Gwy::Title", meta.title},
+                     {"Gwy::XReal", exactText(map.sizeX())},
+                     {"Gwy::YReal", exactText(map.sizeY())},
+                     {"Gwy::XOffset", exactText(meta.originX)},
+                     {"Gwy::YOffset", exactText(meta.originY)},
+                     {"Gwy::XYUnit", "m"},
+                     {"Gwy::ZMin", exactText(range.lowest)},
+                     {"Gwy::ZMax", exactText(range.highest)},
+                     {"Gwy::ZUnit", "m"}};
+    if (range.missing > 0) {
+        keys.emplace_back("Comment", std::to_string(range.missing) +
+                                         " pixels without data are shown at the lowest height");
+    }
+    return keys;
+}
+
+/// tEXt is Latin-1; UTF-8 needs the newer iTXt.
+bool isAscii(const std::string& text) {
+    return std::all_of(text.begin(), text.end(),
+                       [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+/// Big-endian samples of a row.
+void encode(const std::vector<double>& heights, const HeightRange& range,
+            std::vector<png_byte>& bytes) {
+    const double span = range.highest - range.lowest;
+    bytes.clear();
+    for (const double height : heights) {
+        const bool shown = span > 0.0 && isFiniteHeight(height);
+        const double share = shown ? (height - range.lowest) / span : 0.0;
+        const auto grey = static_cast<unsigned>(std::lround(kWhite * share));
+        bytes.push_back(static_cast<png_byte>(grey >> 8U));
+        bytes.push_back(static_cast<png_byte>(grey & 0xFFU));
+    }
+}
+
+/// Thrown through libpng, which is built with unwind tables and holds nothing that would leak.
+[[noreturn]] void throwError(png_structp /*png*/, png_const_charp message) {
+    throw Error(std::string("the PNG library says: ") + message);
+}
+
+void ignoreWarning(png_structp /*png*/, png_const_charp /*message*/) {}
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { (void)std::fclose(file); }
+};
+using FileHandle = std::unique_ptr<std::FILE, CloseFile>;
+
+FileHandle openForWriting(const std::filesystem::path& target) {
+    FileHandle file(std::fopen(target.c_str(), "wb"));
+    if (!file) {
+        throw Error("the file cannot be opened");
+    }
+    return file;
+}
+
+/// libpng's two structures of a file being written.
+class PngFile {
+public:
+    explicit PngFile(const std::filesystem::path& target)
+        : file_(openForWriting(target))
+        , png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, throwError, ignoreWarning))
+        , info_(png_create_info_struct(png_)) {
+        if (info_ == nullptr) {
+            png_destroy_write_struct(&png_, nullptr);
+            throw Error("the PNG library cannot start");
+        }
+        png_init_io(png_, file_.get());
+    }
+    ~PngFile() { png_destroy_write_struct(&png_, &info_); }
+    PngFile(const PngFile&) = delete;
+    PngFile& operator=(const PngFile&) = delete;
+
+    void writeHeader(const HeightRows& map, const TextKeys& keys) {
+        png_set_IHDR(png_, info_, static_cast<png_uint_32>(map.columns),
+                     static_cast<png_uint_32>(map.rows), kBitDepth, PNG_COLOR_TYPE_GRAY,
+                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        for (const auto& [key, value] : keys) {
+            std::string keyCopy = key;
+            std::string valueCopy = value;
+            png_text text{};
+            text.compression =
+                isAscii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+            text.key = keyCopy.data();
+            text.text = valueCopy.data();
+            png_set_text(png_, info_, &text, 1);
+        }
+        png_write_info(png_, info_);
+    }
+
+    void writeRow(const std::vector<png_byte>& bytes) { png_write_row(png_, bytes.data()); }
+
+    void finish() {
+        png_write_end(png_, info_);
+        if (std::fflush(file_.get()) != 0) {
+            throw Error("writing stopped half-way (disk full?)");
+        }
+    }
+
+private:
+    FileHandle file_;
+    png_structp png_;
+    png_infop info_;
+};
+
+}  // namespace
+
+void writePng(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
+              Progress* progress) {
+    ProgressPart ranging(progress, 0.0, 0.1);
+    const HeightRange range = heightRange(map, &ranging);
+    PngFile file(target);
+    file.writeHeader(map, textKeys(map, meta, range));
+    std::vector<png_byte> bytes;
+    ProgressPart writing(progress, 0.1, 1.0);
+    forEachRow(map, &writing, [&](int, const std::vector<double>& heights) {
+        encode(heights, range, bytes);
+        file.writeRow(bytes);
+    });
+    file.finish();
+}
+
+}  // namespace asperity

@@ -1,0 +1,40 @@
+#include "core/io/scene/HandPathFile.h"
+
+#include "core/Error.h"
+
+#include <cmath>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+/// @param prefix of the columns of the place: "" or "base_"
+HandPath readPath(const CsvTable& table, const std::string& prefix) {
+    const std::string& path = table.file();
+    if (table.rows() == 0) {
+        throw InputError(path, "", "holds no row of a path");
+    }
+    HandPath hand(table.rows());
+    for (std::size_t row = 0; row < hand.size(); ++row) {
+        hand[row] = {table.number(row, "time_s"),
+                     {table.number(row, prefix + "x_m"), table.number(row, prefix + "y_m"),
+                      table.number(row, prefix + "z_m")}};
+        const std::string place = "line " + std::to_string(table.line(row));
+        if (!hand[row].position.allFinite() || !std::isfinite(hand[row].time)) {
+            throw InputError(path, place, "time and place must be finite numbers");
+        }
+        if (row > 0 ? hand[row].time <= hand[row - 1].time : hand[row].time < 0.0) {
+            throw InputError(path, place, "time_s must start at 0 or later and rise");
+        }
+    }
+    return hand;
+}
+
+}  // namespace
+
+HandPath readHandPath(const std::filesystem::path& path) { return readPath(readCsv(path), ""); }
+
+HandPath readRecordedPath(const CsvTable& forceLog) { return readPath(forceLog, "base_"); }
+
+}  // namespace asperity

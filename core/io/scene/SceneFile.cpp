@@ -1,0 +1,359 @@
+#include "core/io/scene/SceneFile.h"
+
+#include "core/Error.h"
+#include "core/PathText.h"
+#include "core/io/scene/HapticsKeys.h"
+#include "core/io/scene/NamedChoice.h"
+#include "core/io/scene/ProbeFile.h"
+#include "core/io/scene/TomlFile.h"
+#include "core/scene/ModelTerm.h"
+
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::array<NamedValue<Levelling>, 3> kLevellings{
+    {{"plane", Levelling::Plane}, {"rows", Levelling::Rows}, {"none", Levelling::None}}};
+constexpr std::array<NamedValue<DeformationTier>, 4> kDeformations{
+    {{"four_point", DeformationTier::FourPoint},
+     {"contact_radius", DeformationTier::ContactRadius},
+     {"closed_form", DeformationTier::ClosedForm},
+     {"half_space", DeformationTier::HalfSpace}}};
+
+constexpr std::array<NamedValue<SolverTier>, 3> kSolvers{
+    {{"exact", SolverTier::Exact}, {"newton", SolverTier::Newton}, {"table", SolverTier::Table}}};
+constexpr std::array<NamedValue<FootEffort>, 3> kEfforts{{{"local", FootEffort::Local},
+                                                          {"global", FootEffort::Global},
+                                                          {"certified", FootEffort::Certified}}};
+constexpr std::array<NamedValue<DecouplingTier>, 2> kDecouplings{
+    {{"planar", DecouplingTier::Planar}, {"estimator", DecouplingTier::Estimator}}};
+constexpr std::array<NamedValue<ShapeKind>, 3> kShapes{{{"sphere", ShapeKind::Sphere},
+                                                        {"cylinder", ShapeKind::Cylinder},
+                                                        {"plane", ShapeKind::Plane}}};
+constexpr std::array<NamedValue<bool>, 2> kSwitches{{{"on", true}, {"off", false}}};
+
+std::string lawText(const std::optional<ContactLaw>& law) { return law ? keyOf(*law) : kAutomatic; }
+
+std::optional<ContactLaw> readLaw(TomlSection& section,
+                                  const std::optional<ContactLaw>& otherwise) {
+    const std::string given = section.text("law", lawText(otherwise));
+    if (given == kAutomatic) {
+        return std::nullopt;
+    }
+    if (const auto law = lawFromKey(given)) {
+        return law;
+    }
+    std::string known = kAutomatic;
+    for (const ContactLaw law : kContactLaws) {
+        known += std::string(", ") + keyOf(law);
+    }
+    section.refuse("law", "one of " + known + ", not '" + given + "'");
+}
+
+SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwise) {
+    SampleMaterial material = otherwise;
+    material.name = section.text("name", otherwise.name);
+    material.elastic.youngsModulus =
+        section.number("youngs_modulus_pa", otherwise.elastic.youngsModulus);
+    material.elastic.poissonRatio = section.number("poisson_ratio", otherwise.elastic.poissonRatio);
+    material.workOfAdhesion = section.number("work_of_adhesion_j_m2", otherwise.workOfAdhesion);
+    material.friction.coefficient =
+        section.number("friction_coefficient", otherwise.friction.coefficient);
+    material.friction.shearStrength =
+        section.number("shear_strength_pa", otherwise.friction.shearStrength);
+    // Of another modulus, another hardness.
+    const bool another = section.has("youngs_modulus_pa");
+    material.hardness = section.number("hardness_pa", another ? 0.0 : otherwise.hardness);
+    material.filmThickness = section.number("film_thickness_m", otherwise.filmThickness);
+    return material;
+}
+
+/// A material by the key `material` (a file), with single keys of the section over it.
+SampleMaterial readMaterialOf(TomlSection& section, const SampleMaterial& otherwise) {
+    const std::filesystem::path file = section.path("material");
+    return readMaterial(section, file.empty() ? otherwise : readMaterialFile(file));
+}
+
+/// By pixels or by length.
+void readSmoothing(TomlSection& section, SampleDescription& sample) {
+    if (section.has("smoothing_m")) {
+        if (section.has("smoothing_px")) {
+            section.refuse("smoothing_m", "one of smoothing_px and smoothing_m, not both");
+        }
+        sample.smoothingLength = section.number("smoothing_m", 0.0);
+        if (!(sample.smoothingLength >= 0.0 && sample.smoothingLength <= 1.0)) {
+            section.refuse("smoothing_m", "a length from 0 to 1 m");
+        }
+        sample.smoothingPixels = 0.0;
+        return;
+    }
+    sample.smoothingPixels = section.number("smoothing_px", sample.smoothingPixels);
+    if (!(sample.smoothingPixels >= 0.0 && sample.smoothingPixels <= 100.0)) {
+        section.refuse("smoothing_px", "a number from 0 to 100");
+    }
+}
+
+/// A shape; keys that are not its own stay unread, and are refused with the unknown ones.
+ShapeDescription readShape(TomlSection& section) {
+    ShapeDescription shape;
+    shape.kind = choice(section, "shape", kShapes, shape.kind);
+    if (shape.kind == ShapeKind::Plane) {
+        shape.slope = section.number("shape_slope_rad", shape.slope);
+    } else {
+        shape.radius = section.number("shape_radius_m", shape.radius);
+    }
+    shape.size = section.number("shape_size_m", shape.radius);
+    return shape;
+}
+
+void readMapKeys(TomlSection& section, const SampleDescription& otherwise,
+                 SampleDescription& sample) {
+    sample.file = section.path("file").string();
+    if (sample.file.empty()) {
+        section.refuse("file", "the path of a height map, or 'shape' in its place");
+    }
+    sample.channel = section.text("channel", otherwise.channel);
+    sample.levelling = choice(section, "level", kLevellings, otherwise.levelling);
+    readSmoothing(section, sample);
+    sample.imagingTipRadius = section.number("imaging_tip_radius_m", otherwise.imagingTipRadius);
+    sample.erode = section.flag("erode", otherwise.erode);
+}
+
+SampleDescription readSample(TomlSection section, const SampleDescription& otherwise) {
+    SampleDescription sample = otherwise;
+    if (!section.has("shape")) {
+        readMapKeys(section, otherwise, sample);
+    } else if (section.has("file")) {
+        section.refuse("shape", "a shape or a height map ('file'), not both");
+    } else {
+        sample.shape = readShape(section);
+    }
+    sample.material = readMaterialOf(section, otherwise.material);
+    section.refuseUnknownKeys();
+    return sample;
+}
+
+TipDescription readTip(TomlSection section, const TipDescription& otherwise) {
+    TipDescription tip;
+    tip.radius = section.number("radius_m", otherwise.radius);
+    tip.elastic.youngsModulus =
+        section.number("youngs_modulus_pa", otherwise.elastic.youngsModulus);
+    tip.elastic.poissonRatio = section.number("poisson_ratio", otherwise.elastic.poissonRatio);
+    section.refuseUnknownKeys();
+    return tip;
+}
+
+void readProbeSection(TomlSection section, SceneDescription& scene) {
+    const std::filesystem::path file = section.path("file");
+    const ProbeDescription base =
+        file.empty() ? ProbeDescription{scene.probe, scene.detector} : readProbe(file);
+    const ProbeDescription probe = readProbeKeys(section, base);
+    scene.probe = probe.lever;
+    scene.detector = probe.detector;
+    scene.signalSigma = section.number("signal_noise_rad", scene.signalSigma);
+    section.refuseUnknownKeys();
+}
+
+TruthDescription readTruth(TomlSection section, const SceneDescription& scene) {
+    TruthDescription truth;
+    truth.material = readMaterialOf(section, scene.sample.material);
+    truth.stiffness = section.number("stiffness_n_m", Cantilever(scene.probe).stiffness());
+    truth.signalNoise = section.number("signal_noise_rad", scene.signalSigma);
+    truth.noiseSeed = section.count("noise_seed", truth.noiseSeed);
+    truth.temperature = section.number("temperature_k", truth.temperature);
+    section.refuseUnknownKeys();
+    return truth;
+}
+
+void readPhysics(TomlSection section, SceneDescription& scene) {
+    scene.law = readLaw(section, scene.law);
+    scene.cohesiveRange = section.number("cohesive_range_m", scene.cohesiveRange);
+    Meniscus& meniscus = scene.meniscus;
+    meniscus.surfaceTension = section.number("meniscus_tension_n_m", meniscus.surfaceTension);
+    meniscus.contactAngle = section.number("meniscus_angle_rad", meniscus.contactAngle);
+    meniscus.range = section.number("meniscus_range_m", meniscus.range);
+    section.refuseUnknownKeys();
+}
+
+void readFidelity(TomlSection section, SceneDescription& scene) {
+    scene.tolerance = section.number("tolerance", scene.tolerance);
+    scene.solver = choice(section, "contact_solver", kSolvers, scene.solver);
+    scene.decoupling = choice(section, "decoupling", kDecouplings, scene.decoupling);
+    scene.deformation = choiceOrNone(section, "deformation", kDeformations, scene.deformation);
+    scene.footSearch = choiceOrNone(section, "foot_search", kEfforts, scene.footSearch);
+    for (const ModelTerm term : kModelTerms) {
+        if (const auto member = choiceMember(term)) {
+            std::optional<bool>& value = scene.terms.*member;
+            value = choiceOrNone(section, keyOf(term), kSwitches, value);
+        }
+    }
+    section.refuseUnknownKeys();
+}
+
+void readRest(const toml::table& table, const std::filesystem::path& path,
+              SceneDescription& scene) {
+    readPhysics(TomlSection(table, path, "physics"), scene);
+    readFidelity(TomlSection(table, path, "fidelity"), scene);
+    readHaptics(TomlSection(table, path, "haptics"), scene);
+    TomlSection view(table, path, "view");
+    scene.zoomHalfWidth = view.number("zoom_half_width_m", scene.zoomHalfWidth);
+    view.refuseUnknownKeys();
+}
+
+void refuseUnknownSections(const toml::table& table, const std::filesystem::path& path) {
+    TomlSection root(table, path, "");
+    for (const char* name :
+         {"sample", "tip", "probe", "truth", "physics", "fidelity", "haptics", "view"}) {
+        root.allow(name);
+    }
+    root.refuseUnknownKeys();
+}
+
+/// Whether a file of another extension is a scene: a line of it opens the section [sample].
+bool hasSampleSection(const std::filesystem::path& path) {
+    constexpr std::streamsize kSearched = 1 << 16;
+    if (!std::filesystem::is_regular_file(path)) {
+        return false;
+    }
+    std::string start(kSearched, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), kSearched);
+    start.resize(static_cast<std::size_t>(file.gcount()));
+    return start.starts_with("[sample]") || start.find("\n[sample]") != std::string::npos;
+}
+
+toml::table materialTable(const SampleMaterial& material) {
+    return toml::table{{"name", material.name},
+                       {"youngs_modulus_pa", material.elastic.youngsModulus},
+                       {"poisson_ratio", material.elastic.poissonRatio},
+                       {"work_of_adhesion_j_m2", material.workOfAdhesion},
+                       {"friction_coefficient", material.friction.coefficient},
+                       {"shear_strength_pa", material.friction.shearStrength},
+                       {"hardness_pa", material.hardness},
+                       {"film_thickness_m", material.filmThickness}};
+}
+
+void insertShape(const ShapeDescription& shape, toml::table& table) {
+    table.insert("shape", nameOf(kShapes, shape.kind));
+    if (shape.kind == ShapeKind::Plane) {
+        table.insert("shape_slope_rad", shape.slope);
+    } else {
+        table.insert("shape_radius_m", shape.radius);
+    }
+    table.insert("shape_size_m", shape.size);
+}
+
+toml::table sampleTable(const SampleDescription& sample) {
+    toml::table table = materialTable(sample.material);
+    if (sample.shape) {
+        insertShape(*sample.shape, table);
+        return table;
+    }
+    table.insert("file", pathText(sample.file));
+    table.insert("channel", sample.channel);
+    table.insert("level", nameOf(kLevellings, sample.levelling));
+    if (sample.smoothingLength != 0.0) {
+        table.insert("smoothing_m", sample.smoothingLength);
+    } else {
+        table.insert("smoothing_px", sample.smoothingPixels);
+    }
+    table.insert("imaging_tip_radius_m", sample.imagingTipRadius);
+    table.insert("erode", sample.erode);
+    return table;
+}
+
+toml::table probeSectionTable(const SceneDescription& scene) {
+    toml::table table = probeTable({scene.probe, scene.detector});
+    table.insert("signal_noise_rad", scene.signalSigma);
+    return table;
+}
+
+toml::table fidelityTable(const SceneDescription& scene) {
+    toml::table table{{"tolerance", scene.tolerance},
+                      {"contact_solver", nameOf(kSolvers, scene.solver)},
+                      {"decoupling", nameOf(kDecouplings, scene.decoupling)},
+                      {"deformation", nameOf(kDeformations, scene.deformation)},
+                      {"foot_search", nameOf(kEfforts, scene.footSearch)}};
+    for (const ModelTerm term : kModelTerms) {
+        if (const auto member = choiceMember(term)) {
+            table.insert(keyOf(term), nameOf(kSwitches, scene.terms.*member));
+        }
+    }
+    return table;
+}
+
+toml::table truthTable(const TruthDescription& truth) {
+    toml::table table = materialTable(truth.material);
+    table.insert("stiffness_n_m", truth.stiffness);
+    table.insert("signal_noise_rad", truth.signalNoise);
+    table.insert("noise_seed", static_cast<std::int64_t>(truth.noiseSeed));
+    table.insert("temperature_k", truth.temperature);
+    return table;
+}
+
+}  // namespace
+
+SceneDescription readScene(const std::filesystem::path& path) {
+    const toml::table table = readToml(path);
+    refuseUnknownSections(table, path);
+    SceneDescription scene = defaultScene();
+    scene.sample = readSample(TomlSection(table, path, "sample"), scene.sample);
+    scene.tip = readTip(TomlSection(table, path, "tip"), scene.tip);
+    readProbeSection(TomlSection(table, path, "probe"), scene);
+    try {
+        scene.truth = readTruth(TomlSection(table, path, "truth"), scene);
+        readRest(table, path, scene);
+        checkScene(scene);
+    } catch (const InputError&) {
+        throw;
+    } catch (const Error& error) {
+        throw InputError(path.string(), "", error.what());
+    }
+    return scene;
+}
+
+SceneDescription sceneFromInput(const std::filesystem::path& path) {
+    if (path.extension() == ".toml" || hasSampleSection(path)) {
+        return readScene(path);
+    }
+    SceneDescription scene = defaultScene();
+    scene.sample.file = path.string();
+    return scene;
+}
+
+std::string sceneText(const SceneDescription& scene) {
+    const toml::table table{
+        {"sample", sampleTable(scene.sample)},
+        {"tip", toml::table{{"radius_m", scene.tip.radius},
+                            {"youngs_modulus_pa", scene.tip.elastic.youngsModulus},
+                            {"poisson_ratio", scene.tip.elastic.poissonRatio}}},
+        {"probe", probeSectionTable(scene)},
+        {"truth", truthTable(scene.truth)},
+        {"physics", toml::table{{"law", lawText(scene.law)},
+                                {"cohesive_range_m", scene.cohesiveRange},
+                                {"meniscus_tension_n_m", scene.meniscus.surfaceTension},
+                                {"meniscus_angle_rad", scene.meniscus.contactAngle},
+                                {"meniscus_range_m", scene.meniscus.range}}},
+        {"fidelity", fidelityTable(scene)},
+        {"haptics", hapticsTable(scene)},
+        {"view", toml::table{{"zoom_half_width_m", scene.zoomHalfWidth}}}};
+    std::ostringstream text;
+    text << table << '\n';
+    return text.str();
+}
+
+SampleMaterial readMaterialFile(const std::filesystem::path& path) {
+    const toml::table table = readToml(path);
+    TomlSection root(table, path, "");
+    SampleMaterial material = readMaterial(root, {});
+    root.refuseUnknownKeys();
+    return material;
+}
+
+}  // namespace asperity

@@ -1,0 +1,128 @@
+#include "core/io/scene/TomlFile.h"
+
+#include "core/Error.h"
+#include "core/PathText.h"
+
+#include <fstream>
+#include <optional>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+std::string lineOf(const toml::source_region& source) {
+    return "line " + std::to_string(source.begin.line);
+}
+
+}  // namespace
+
+toml::table readToml(const std::filesystem::path& path) {
+    if (!std::filesystem::is_regular_file(path)) {
+        throw InputError(path.string(), "", "no such file");
+    }
+    try {
+        return toml::parse_file(path.string());
+    } catch (const toml::parse_error& error) {
+        throw InputError(path.string(), lineOf(error.source()), std::string(error.description()));
+    }
+}
+
+TomlSection::TomlSection(const toml::table& root, std::filesystem::path file, std::string name)
+    : file_(std::move(file)), name_(std::move(name)) {
+    if (name_.empty()) {
+        table_ = &root;
+    } else if (const toml::node* node = root.get(name_)) {
+        table_ = node->as_table();
+        if (table_ == nullptr) {
+            throw InputError(file_.string(), lineOf(node->source()),
+                             "'" + name_ + "' must be a section, written [" + name_ + "]");
+        }
+    }
+}
+
+bool TomlSection::has(const std::string& key) const {
+    return table_ != nullptr && table_->contains(key);
+}
+
+double TomlSection::number(const std::string& key, double otherwise) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return otherwise;
+    }
+    if (!node->is_number()) {
+        refuse(key, "a number");
+    }
+    return *node->value<double>();
+}
+
+std::uint64_t TomlSection::count(const std::string& key, std::uint64_t otherwise) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return otherwise;
+    }
+    if (!node->is_integer() || *node->value<std::int64_t>() < 0) {
+        refuse(key, "a whole number, zero or more");
+    }
+    return static_cast<std::uint64_t>(*node->value<std::int64_t>());
+}
+
+bool TomlSection::flag(const std::string& key, bool otherwise) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return otherwise;
+    }
+    if (!node->is_boolean()) {
+        refuse(key, "true or false");
+    }
+    return *node->value<bool>();
+}
+
+std::string TomlSection::text(const std::string& key, const std::string& otherwise) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return otherwise;
+    }
+    if (!node->is_string()) {
+        refuse(key, "a text in quotes");
+    }
+    return *node->value<std::string>();
+}
+
+std::filesystem::path TomlSection::path(const std::string& key) {
+    const std::optional<std::filesystem::path> given = pathFromText(text(key, ""));
+    if (!given) {
+        refuse(key, "a path, or a file URI with two digits after each '%'");
+    }
+    return given->empty() ? *given : (file_.parent_path() / *given).lexically_normal();
+}
+
+void TomlSection::refuseUnknownKeys() const {
+    if (table_ == nullptr) {
+        return;
+    }
+    for (const auto& [key, node] : *table_) {
+        if (!known_.contains(std::string(key.str()))) {
+            throw InputError(file_.string(), lineOf(node.source()),
+                             "unknown key '" + std::string(key.str()) + "'" +
+                                 (name_.empty() ? "" : " in [" + name_ + "]"));
+        }
+    }
+}
+
+void TomlSection::refuse(const std::string& key, const std::string& expected) const {
+    throw InputError(file_.string(), place(key), "expected " + expected);
+}
+
+const toml::node* TomlSection::find(const std::string& key) {
+    known_.insert(key);
+    return table_ == nullptr ? nullptr : table_->get(key);
+}
+
+std::string TomlSection::place(const std::string& key) const {
+    const std::string name = (name_.empty() ? "" : "[" + name_ + "] ") + key;
+    const toml::node* node = table_ == nullptr ? nullptr : table_->get(key);
+    return node == nullptr ? name : lineOf(node->source()) + ", " + name;
+}
+
+}  // namespace asperity

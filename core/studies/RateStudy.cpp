@@ -1,0 +1,56 @@
+#include "core/studies/RateStudy.h"
+
+#include "core/fidelity/ModelRun.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kLowestRate = 250.0;  // [Hz]
+constexpr double kHighestRate = 8e3;   // [Hz]
+constexpr double kFinestRate = 16e3;   // [Hz]
+
+/// How a run goes, whatever its rate.
+struct Course {
+    HandPath path;
+    double duration = 0.0;  ///< [s]
+    const Progress* progress = nullptr;
+};
+
+ModelRun runAt(Scene& scene, const Course& course, double rate) {
+    scene.description.tickRate = rate;
+    scene.truth.timeStep = scene.timeStep();
+    const RecordedRun run = recordRun(scene, course.path, course.duration, course.progress);
+    return runModel(scene, {run}, course.progress);
+}
+
+/// Between ticks the last force stands.
+double holdError(const ModelRun& held, double rate, const ModelRun& finest) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < finest.states.size(); ++i) {
+        const auto tick = static_cast<std::size_t>(static_cast<double>(i) * rate / kFinestRate);
+        const TipState& state = held.states[std::min(tick, held.states.size() - 1)];
+        sum += (state.force - finest.states[i].force).squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(finest.states.size()));
+}
+
+}  // namespace
+
+std::vector<RateResult> studyRates(Scene& scene, double duration, const Progress* progress) {
+    const Course course{approachPath(scene, {.duration = duration}), duration, progress};
+    const ModelRun finest = runAt(scene, course, kFinestRate);
+    std::vector<RateResult> results;
+    for (double rate = kLowestRate; rate <= kHighestRate; rate *= 2.0) {
+        const ModelRun run = runAt(scene, course, rate);
+        results.push_back({.rate = rate,
+                           .load = rate * quantile(run.times, 0.5),
+                           .holdErrorRms = holdError(run, rate, finest)});
+    }
+    return results;
+}
+
+}  // namespace asperity

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/probe/TipEquilibrium.h"
+#include "core/scene/Scene.h"
+#include "core/studies/TradeOffStudy.h"
+
+#include <span>
+
+namespace asperity {
+
+/// Draws contacts of a run with every frame tier and compares each with a half-space of twice as
+/// many pixels a side, at those contacts where that holds. Where it holds at none, the closed form
+/// is the reference, and the half-space no tier. Fills in the frames and the surface's part of the
+/// reference.
+/// @param progress may be null  @throw Cancelled
+void studySurfaces(const Scene& scene, std::span<const TipState> states, const TradeOffPlan& plan,
+                   Progress* progress, TradeOff& result);
+
+}  // namespace asperity

@@ -1,0 +1,147 @@
+#include "core/studies/TickStudy.h"
+
+#include "core/contact/laws/LawChoice.h"
+#include "core/fidelity/TermPair.h"
+#include "core/fidelity/WholeModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kP99 = 0.99;
+
+double largestContactRatio(const ModelRun& run) {
+    double largest = 0.0;
+    for (const TipState& state : run.states) {
+        largest = std::max(largest, state.contactRatio);
+    }
+    return largest;
+}
+
+bool isCurved(const ModelRun& run) {
+    return std::ranges::any_of(run.states, [](const TipState& state) {
+        return state.contact.contactRadius > 0.0 && state.radiusIsRough;
+    });
+}
+
+double estimateError(const ModelRun& run, const std::vector<RecordedRun>& runs) {
+    double sum = 0.0;
+    std::size_t at = 0;
+    for (const RecordedRun& recorded : runs) {
+        for (const Vector3& force : recorded.trueForces) {
+            sum += (run.estimates[at++] - force).squaredNorm();
+        }
+    }
+    return std::sqrt(sum / static_cast<double>(at));
+}
+
+/// Half of what the medians of a tier's rounds differ by, as a share of the smallest.
+double spreadOf(const std::vector<double>& medians) {
+    const auto [least, most] = std::ranges::minmax(medians);
+    return least > 0.0 ? 0.5 * (most - least) / least : 0.0;
+}
+
+}  // namespace
+
+TickStudy::TickStudy(Scene& scene, const TradeOffPlan& plan, Progress* progress)
+    : scene_(scene), plan_(plan), progress_(progress), model_(wholeModel(scene.description)) {
+    const Vector2 other(0.31 * scene.surface.sizeX(), 0.62 * scene.surface.sizeY());
+    for (const HandPath& path : {approachPath(scene, {.duration = plan.duration}),
+                                 rasterPath(scene, {.duration = plan.duration, .place = other})}) {
+        runs_.push_back(recordRun(scene, path, plan.duration, progress));
+    }
+    chooseReference();
+}
+
+void TickStudy::chooseReference() {
+    const bool adhesive = isPossible(ModelTerm::Adhesion, scene_.description);
+    if (adhesive && isPossible(ModelTerm::FilmBase, scene_.description) &&
+        missedBy(ModelTerm::FilmBase) > missedBy(ModelTerm::Adhesion)) {
+        model_ = with(model_, ModelTerm::FilmBase);
+    }
+    reference_ = run(model_);
+    const SceneModel sphere = with(model_, ModelTerm::SphereCorrection);
+    if (!has(model_, ModelTerm::FilmBase) && isLargeContact(largestContactRatio(reference_), 1.0)) {
+        // That law takes the sample as flat: nothing to hold on to where it is not.
+        if (ModelRun exact = run(sphere); !isCurved(exact)) {
+            model_ = sphere;
+            reference_ = std::move(exact);
+        }
+    }
+}
+
+std::vector<TickResult> TickStudy::measured(const std::vector<TickTier>& tiers) {
+    std::vector<TickResult> results;
+    std::vector<std::vector<double>> times(tiers.size());
+    std::vector<std::vector<double>> medians(tiers.size());
+    for (int round = 0; round < plan_.rounds; ++round) {
+        for (std::size_t i = 0; i < tiers.size(); ++i) {
+            const ModelRun timed = run(modelWithTier(model_, tiers[i]));
+            times[i].insert(times[i].end(), timed.times.begin(), timed.times.end());
+            medians[i].push_back(quantile(timed.times, 0.5));
+            const auto done =
+                static_cast<double>(static_cast<std::size_t>(round) * tiers.size() + i);
+            reportTo(progress_, done / static_cast<double>(tiers.size() * (plan_.rounds + 1)));
+        }
+    }
+    for (std::size_t i = 0; i < tiers.size(); ++i) {
+        results.push_back(resultOf(tiers[i]));
+        results[i].median = quantile(times[i], 0.5);
+        results[i].p99 = quantile(times[i], kP99);
+        spreads_.push_back(spreadOf(medians[i]));
+    }
+    reportTo(progress_, 1.0);
+    return results;
+}
+
+double TickStudy::timeResolution() const {
+    constexpr double kFromRunToRun = 0.05;
+    return std::max(quantile(spreads_, 0.5), kFromRunToRun);
+}
+
+double TickStudy::missedBy(ModelTerm term) {
+    const TermPair models = pairOf(term, model_);
+    const ModelRun in = run(models.with);
+    return differenceOf(run(models.without), in).rms;
+}
+
+void TickStudy::describe(TradeOffReference& reference) {
+    reference.tick = tierOf(model_);
+    reference.tickMedian = quantile(reference_.times, 0.5);
+    reference.forceScale = forceScale(reference_);
+    reference.contactRatio = largestContactRatio(reference_);
+    double sum = 0.0;
+    for (const ModelTerm term : missingTerms(model_, scene_.description)) {
+        const double missed = missedBy(term);
+        sum += missed * missed;
+        char text[80];
+        std::snprintf(text, sizeof text, "%s%s %.2g nN",
+                      reference.forceDoubtBy.empty() ? "without " : ", ", nameOf(term),
+                      missed * 1e9);
+        reference.forceDoubtBy += text;
+    }
+    reference.forceDoubt = std::sqrt(sum);
+}
+
+ModelRun TickStudy::run(const SceneModel& model) {
+    setModel(scene_, model);
+    return runModel(scene_, runs_, progress_);
+}
+
+TickResult TickStudy::resultOf(const TickTier& tier) {
+    const ModelRun done = run(modelWithTier(model_, tier));
+    const ForceDifference difference = differenceOf(done, reference_);
+    return {.tier = tier,
+            .forceErrorRms = difference.rms,
+            .forceErrorMax = difference.largest,
+            .contactRadiusError = difference.contactRadius,
+            .footError = difference.foot,
+            .estimateErrorRms = estimateError(done, runs_)};
+}
+
+}  // namespace asperity

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/fidelity/ModelRun.h"
+#include "core/scene/ModelTerm.h"
+#include "core/studies/TradeOffStudy.h"
+
+#include <vector>
+
+namespace asperity {
+
+/// Measures ways for a tick on the same recorded inputs. The reference has every term that a law
+/// has room for, whatever the scene overrules: the law of its materials, afresh, with certified
+/// feet; the film's where its base matters more than adhesion; the exact sphere's where contacts
+/// are wider than 0.3 tip radii and the sample is about flat.
+class TickStudy {
+public:
+    /// @param scene    has its model changed
+    /// @param progress may be null  @throw Cancelled, there and in all that runs
+    TickStudy(Scene& scene, const TradeOffPlan& plan, Progress* progress);
+
+    [[nodiscard]] const SceneModel& model() const { return model_; }  ///< of the reference
+    [[nodiscard]] const ModelRun& reference() const { return reference_; }
+
+    /// The tiers, taking turns.
+    [[nodiscard]] std::vector<TickResult> measured(const std::vector<TickTier>& tiers);
+
+    /// Of the times measured so far, as a share: half of what the rounds of a tier differ by, and
+    /// no less than what the next run of the program differs by.
+    [[nodiscard]] double timeResolution() const;
+
+    /// Fills in what is known of the reference, and what it leaves out itself.
+    void describe(TradeOffReference& reference);
+
+private:
+    [[nodiscard]] ModelRun run(const SceneModel& model);
+    [[nodiscard]] TickResult resultOf(const TickTier& tier);
+    /// What a term moves the force by that the reference has no room for, root mean square [N].
+    [[nodiscard]] double missedBy(ModelTerm term);
+    void chooseReference();
+
+    Scene& scene_;
+    TradeOffPlan plan_;
+    Progress* progress_;
+    SceneModel model_;
+    std::vector<RecordedRun> runs_;
+    ModelRun reference_;
+    std::vector<double> spreads_;  ///< of each tier's rounds
+};
+
+}  // namespace asperity

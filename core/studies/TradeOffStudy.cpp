@@ -1,0 +1,75 @@
+#include "core/studies/TradeOffStudy.h"
+
+#include "core/studies/RateStudy.h"
+#include "core/studies/SurfaceStudy.h"
+#include "core/studies/TickStudy.h"
+
+#include <cstddef>
+
+namespace asperity {
+
+namespace {
+
+/// Gives a scene its model and rate back in the end.
+class SceneKept {
+public:
+    explicit SceneKept(Scene& scene)
+        : scene_(scene), model_(scene.model), tickRate_(scene.description.tickRate) {}
+    SceneKept(const SceneKept&) = delete;
+    SceneKept& operator=(const SceneKept&) = delete;
+    ~SceneKept() {
+        scene_.description.tickRate = tickRate_;
+        scene_.truth.timeStep = scene_.timeStep();
+        setModel(scene_, model_);
+    }
+
+    [[nodiscard]] const SceneModel& model() const { return model_; }
+
+private:
+    Scene& scene_;
+    SceneModel model_;
+    double tickRate_;
+};
+
+/// The scene's own way with both ways from signals to force.
+std::vector<TickTier> decouplingTiers(const SceneModel& model) {
+    TickTier planar = tierOf(model);
+    planar.decoupling = DecouplingTier::Planar;
+    TickTier estimating = planar;
+    estimating.decoupling = DecouplingTier::Estimator;
+    return {planar, estimating};
+}
+
+void measureTicks(TickStudy& study, std::vector<TickTier> tiers,
+                  const std::vector<TickTier>& decouplings, TradeOff& result) {
+    const auto count = static_cast<std::ptrdiff_t>(tiers.size());
+    tiers.insert(tiers.end(), decouplings.begin(), decouplings.end());
+    const std::vector<TickResult> all = study.measured(tiers);
+    result.ticks.assign(all.begin(), all.begin() + count);
+    result.decouplings.assign(all.begin() + count, all.end());
+    result.timeResolution = study.timeResolution();
+    study.describe(result.reference);
+    markFront(result.ticks, result.ofTicks());
+}
+
+}  // namespace
+
+TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan, Progress* progress) {
+    const SceneKept before(scene);
+    TradeOff result;
+    ProgressPart ticking(progress, 0.0, 0.8);
+    std::vector<TickTier> tiers = tickTiers(scene);
+    TickStudy ticks(scene, plan, &ticking);
+    tiers.push_back(tierOf(ticks.model()));
+    measureTicks(ticks, tiers, decouplingTiers(before.model()), result);
+    setModel(scene, ticks.model());
+    ProgressPart drawing(progress, 0.8, 0.95);
+    studySurfaces(scene, ticks.reference().states, plan, &drawing, result);
+    markFront(result.frames, result.ofFrames());
+    setModel(scene, before.model());
+    result.rates = studyRates(scene, plan.duration, progress);
+    reportTo(progress, 1.0);
+    return result;
+}
+
+}  // namespace asperity

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/Progress.h"
+#include "core/studies/extremes/ExtremesGrid.h"
+#include "core/studies/extremes/ExtremesRegion.h"
+#include "core/studies/extremes/HoldOutcome.h"
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// What a part of the study found.
+struct ExtremesFindings {
+    std::vector<ExtremesRegion> regions;
+    std::vector<HoldOutcome> holds;
+    long states = 0;   ///< of the grid, each once however many models are asked
+    long defects = 0;  ///< states that no answer may have: a value that is not finite, no balance
+    /// The first of them in each place of the grid, one sentence each, so that it can be repeated.
+    std::vector<std::string> examples;
+
+    /// Counts one more of them. @param sentence says what state it is and what is wrong
+    void addDefect(const std::string& sentence);
+
+    void add(ExtremesFindings&& other);
+    /// Answers of all models and tiers to the grid's states and to those out of range.
+    [[nodiscard]] long answers() const noexcept;
+};
+
+/// Evaluates every state of the grid on the virtual clock, on as many threads as there are cores;
+/// the same grid gives the same findings. @param progress may be null @throw Cancelled
+[[nodiscard]] ExtremesFindings studyExtremes(const ExtremesGrid& grid,
+                                             Progress* progress = nullptr);
+
+}  // namespace asperity

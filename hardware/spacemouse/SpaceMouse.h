@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/haptics/device/HapticDevice.h"
+#include "core/realtime/TripleBuffer.h"
+#include "hardware/hid/HidFollower.h"
+#include "hardware/spacemouse/SpaceMouseReports.h"
+
+#include <atomic>
+#include <string>
+
+namespace asperity {
+
+/// A hand led by a SpaceMouse: the knob's deflection is the hand's velocity. It senses only and
+/// renders no force. A thread of its own reads the device, and without one looks for it twice a
+/// second; meanwhile the hand rests and is not connected.
+class SpaceMouse final : public HapticDevice {
+public:
+    static constexpr double kDefaultSpeed = 20e-9;  ///< [m/s]
+
+    /// Takes the first SpaceMouse that can be opened; one that is there is connected at once.
+    /// @param transport must outlive the hand
+    /// @param start     where the hand is at first [m]
+    /// @param fullSpeed of the hand when the knob is pushed to its end [m/s]
+    SpaceMouse(HidTransport& transport, Vector3 start, double fullSpeed = kDefaultSpeed);
+    /// Puts the light out and joins the thread, in some hundredths of a second.
+    ~SpaceMouse() override;
+    SpaceMouse(const SpaceMouse&) = delete;
+    SpaceMouse& operator=(const SpaceMouse&) = delete;
+
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return kSensesOnly;
+    }
+    HandState advance(double timeStep) noexcept override;
+
+    /// The hand's speed at full deflection [m/s]. Any thread; wait-free.
+    void setSpeed(double fullSpeed) noexcept {
+        fullSpeed_.store(fullSpeed, std::memory_order_relaxed);
+    }
+
+    /// For people: which device it is, or why there is none. Any thread but the loop's.
+    [[nodiscard]] std::string status() const { return follower_.status(); }
+
+private:
+    struct Reading {
+        SpaceMouseState state;
+        bool connected = false;
+    };
+
+    void follow(HidConnection& device, const std::stop_token& stop);
+
+    Vector3 position_;  ///< of the hand; the loop thread's own [m]
+    std::atomic<double> fullSpeed_;
+    TripleBuffer<Reading> reading_;
+    HidFollower follower_;  ///< last: its thread uses all the others
+};
+
+}  // namespace asperity

@@ -1,0 +1,214 @@
+#include "core/io/tables/CsvTable.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace asperity {
+namespace {
+
+using test::ReferenceTable;
+
+constexpr double kTolerance = 1e-9;
+constexpr const char* kPaperMaterials =
+    "--material silicon_oxide --material polystyrene --material silicone_rubber ";
+
+std::string shippedName(const std::string& material) {
+    return material == "SiO2" ? "silicon_oxide"
+                              : (material == "PS" ? "polystyrene" : "silicone_rubber");
+}
+
+class CurveCommand : public ::testing::Test {
+protected:
+    /// The table of a run; what it says besides goes to `said`.
+    CsvTable tableOf(const std::string& arguments) {
+        const auto out = scratch.file("curve.csv");
+        const auto run = test::runProgram("curve " + arguments + " --out " + out.string());
+        EXPECT_EQ(run.exitCode, 0) << run.output;
+        said = run.output;
+        return readCsv(out);
+    }
+
+    test::ScratchFolder scratch;
+    std::string said;
+};
+
+/// The row before a jump of one way of a material: the next one has the same base position.
+std::optional<std::size_t> jumpOf(const CsvTable& table, const std::string& material,
+                                  const std::string& way) {
+    for (std::size_t row = 0; row + 1 < table.rows(); ++row) {
+        if (table.text(row, "material") == material && table.text(row, "way") == way &&
+            table.text(row + 1, "way") == way &&
+            table.text(row, "base_position_m") == table.text(row + 1, "base_position_m")) {
+            return row;
+        }
+    }
+    return std::nullopt;
+}
+
+void expectNear(const CsvTable& ours, const std::pair<std::size_t, const char*>& cell,
+                const ReferenceTable& theirs,
+                const std::pair<std::size_t, const char*>& reference) {
+    const double expected = theirs.number(reference.first, reference.second);
+    EXPECT_NEAR(ours.number(cell.first, cell.second), expected, kTolerance * std::abs(expected))
+        << reference.second;
+}
+
+void expectJumps(const CsvTable& ours, const ReferenceTable& table, std::size_t row) {
+    const std::string material = shippedName(table.text(row, "material"));
+    const auto in = jumpOf(ours, material, "approach");
+    const auto off = jumpOf(ours, material, "retract");
+    ASSERT_TRUE(in && off);
+    expectNear(ours, {*in, "base_position_m"}, table, {row, "in_xb_m"});
+    expectNear(ours, {*in, "force_n"}, table, {row, "in_P_N"});
+    expectNear(ours, {*in + 1, "force_n"}, table, {row, "land_P_N"});
+    expectNear(ours, {*in + 1, "indentation_m"}, table, {row, "land_delta_m"});
+    expectNear(ours, {*in + 1, "contact_radius_m"}, table, {row, "land_a_m"});
+    expectNear(ours, {*in + 1, "cohesive_radius_m"}, table, {row, "land_c_m"});
+    expectNear(ours, {*off, "base_position_m"}, table, {row, "off_xb_m"});
+    expectNear(ours, {*off, "force_n"}, table, {row, "off_P_N"});
+    expectNear(ours, {*off, "indentation_m"}, table, {row, "off_delta_m"});
+    expectNear(ours, {*off, "contact_radius_m"}, table, {row, "off_a_m"});
+    expectNear(ours, {*off, "cohesive_radius_m"}, table, {row, "off_c_m"});
+    expectNear(ours, {*off + 1, "force_n"}, table, {row, "after_P_N"});
+}
+
+/// docs/theory.md 3.5 with all digits, on levers of 0.5, 14 and 200 N/m.
+TEST_F(CurveCommand, HasTheJumpsOfTheReference) {
+    const ReferenceTable table = test::referenceTable("T21_split_spring_critical.csv");
+    std::set<std::string> levers;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        levers.insert(table.text(row, "k"));
+    }
+    for (const std::string& lever : levers) {
+        const CsvTable ours =
+            tableOf(kPaperMaterials + ("--law split --points 20 --stiffness " + lever));
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            if (table.text(row, "k") == lever) {
+                SCOPED_TRACE(table.text(row, "material") + " on " + lever + " N/m");
+                expectJumps(ours, table, row);
+            }
+        }
+    }
+}
+
+TEST_F(CurveCommand, TellsTheJumpsInAFewWords) {
+    (void)tableOf(std::string(kPaperMaterials) + "--stiffness 14");
+    for (const std::string part :
+         {"silicon_oxide: R 15 nm",
+          "law split (auto: ", "snap-in at base -0.493544 nm: force -1.82106 -> -7.92175 nN",
+          "pull-off at base -1.33901 nm: force -17.887",
+          "snap-in at base -0.449872 nm: force -0.600949 -> -4.90943 nN",
+          "silicone_rubber: R 15 nm",
+          "law split_sphere (auto: ", "law split (for comparison: formally",
+          "snap-in at base -2.84108 nm: force -0.0106637 -> -1.4"}) {
+        EXPECT_NE(said.find(part), std::string::npos) << part << "\nis not in\n" << said;
+    }
+}
+
+TEST_F(CurveCommand, KeepsTheTableApartFromWhatItSays) {
+    const auto run = test::runProgram("curve --points 10 2>/dev/null | cat");
+    const CsvTable table(run.output, "output");
+    EXPECT_GE(table.rows(), 20U);
+    EXPECT_EQ(table.text(0, "material"), "polystyrene");
+    EXPECT_EQ(run.output.rfind("# Asperity ", 0), 0U);
+}
+
+/// The base moves by what the tip moves and the lever bends.
+TEST_F(CurveCommand, FollowsEveryLawInBalanceWithTheLever) {
+    for (const std::string law : {"hertz", "dmt", "jkr", "md", "sneddon", "jkr_sphere", "md_sphere",
+                                  "split", "split_sphere", "auto"}) {
+        SCOPED_TRACE(law);
+        const CsvTable table = tableOf("--points 60 --stiffness 3 --law " + law);
+        ASSERT_GE(table.rows(), 120U);
+        for (std::size_t row = 0; row < table.rows(); ++row) {
+            EXPECT_EQ(table.text(row, "law"), law == "auto" ? "split" : law);
+            const double base = table.number(row, "base_position_m");
+            const double balance =
+                table.number(row, "indentation_m") + table.number(row, "force_n") / 3.0;
+            EXPECT_NEAR(balance, base, 1e-12 * std::abs(base) + 1e-21);
+        }
+        const bool adhesive = law != "hertz" && law != "sneddon";
+        EXPECT_EQ(jumpOf(table, "polystyrene", "approach").has_value(), adhesive);
+        EXPECT_EQ(jumpOf(table, "polystyrene", "retract").has_value(), adhesive);
+        EXPECT_EQ(said.find("none, the force has no jump") == std::string::npos, adhesive);
+    }
+}
+
+TEST_F(CurveCommand, TakesTipAndLeverOfAScene) {
+    const std::string content =
+        "[sample]\nfile = \"" +
+        (test::shippedScene("x").parent_path().parent_path() / "samples" / "steps.gsf").string() +
+        "\"\n"
+        "[tip]\nradius_m = 30e-9\n[physics]\nlaw = \"jkr\"\n";
+    const std::string scene = scratch.write("scene.toml", content).string();
+    const CsvTable asScene = tableOf(scene + " --points 5");
+    EXPECT_EQ(asScene.text(0, "law"), "jkr");
+    EXPECT_NE(said.find("R 30 nm"), std::string::npos) << said;
+    (void)tableOf(scene + " --points 5 --radius 20e-9 --law dmt");
+    EXPECT_NE(said.find("R 20 nm"), std::string::npos) << said;
+    EXPECT_NE(said.find("law dmt"), std::string::npos) << said;
+}
+
+TEST_F(CurveCommand, TakesAMaterialByNameOrFile) {
+    const auto file =
+        test::shippedScene("x").parent_path().parent_path() / "materials" / "polystyrene.toml";
+    EXPECT_EQ(tableOf("--points 5 --material polystyrene").text(3, "force_n"),
+              tableOf("--points 5 --material " + file.string()).text(3, "force_n"));
+    const auto unknown = test::runProgram("curve --material gold");
+    EXPECT_EQ(unknown.exitCode, 3) << unknown.output;
+    EXPECT_NE(unknown.output.find("silicone_rubber"), std::string::npos) << "names what it knows";
+}
+
+TEST_F(CurveCommand, NamesWrongOptions) {
+    for (const auto& [arguments, part] :
+         {std::pair<std::string, std::string>{"--law tabor", "--law"},
+          {"--stiffness 0", "--stiffness"},
+          {"--stiffness -1", "--stiffness"},
+          {"--stiffness nan", "--stiffness"},
+          {"--stiffness soft", "--stiffness"},
+          {"--radius 0", "--radius"},
+          {"--radius inf", "--radius"},
+          {"--points 1", "--points"},
+          {"--points 1e9", "--points"},
+          {"--out ''", "--out"},
+          {"--figure ''", "--figure"},
+          {"--figure a.doc", "--figure"},
+          {"--speed 3", "--speed"},
+          {"--stiffness 1e-9", "--stiffness"},
+          {"--radius 2", "--radius"}}) {
+        const auto run = test::runProgram("curve " + arguments);
+        EXPECT_EQ(run.exitCode, 2) << arguments << "\n" << run.output;
+        EXPECT_NE(run.output.find(part), std::string::npos) << run.output;
+    }
+}
+
+TEST_F(CurveCommand, SaysWhereItCannotReadOrWrite) {
+    const auto noise = scratch.write("noise.toml", "= no scene");
+    const auto run = test::runProgram("curve " + noise.string());
+    EXPECT_EQ(run.exitCode, 3) << run.output;
+    EXPECT_EQ(test::runProgram("curve /nonexistent.toml").exitCode, 3);
+    EXPECT_EQ(test::runProgram("curve --material " + noise.string()).exitCode, 3);
+    EXPECT_EQ(test::runProgram("curve --points 5 --out /proc/nothing.csv").exitCode, 1);
+    EXPECT_EQ(test::runProgram("curve --points 5 --figure /proc/a.png", "DISPLAY=").exitCode, 1);
+    EXPECT_EQ(test::runProgram("curve --law hertz_film").exitCode, 1);
+}
+
+TEST_F(CurveCommand, DrawsAFigureWithoutADisplay) {
+    const auto figure = scratch.file("curves.png");
+    const auto run = test::runProgram("curve --material polystyrene --figure " + figure.string() +
+                                          " --out " + scratch.file("a.csv").string(),
+                                      "DISPLAY=");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_GT(std::filesystem::file_size(figure), 5000U);
+}
+
+}  // namespace
+}  // namespace asperity

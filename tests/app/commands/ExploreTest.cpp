@@ -1,0 +1,162 @@
+#include "core/io/tables/CsvTable.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/Sanitized.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+namespace asperity {
+namespace {
+
+const char* const kResults[] = {"deformation.exr", "deformation.png", "force_log.csv",
+                                "forces.png",      "overview.png",    "scene.toml",
+                                "summary.json",    "tick_input.csv"};
+
+/// Every number of the log is finite and the ticks follow each other without a gap.
+void expectWholeLog(const std::filesystem::path& folder, std::size_t ticks, double rate) {
+    const CsvTable log = readCsv(folder / "force_log.csv");
+    ASSERT_EQ(log.rows(), ticks);
+    for (std::size_t row = 0; row < log.rows(); ++row) {
+        ASSERT_NEAR(log.number(row, "time_s") * rate, static_cast<double>(row), 1e-6);
+        for (const std::string& column : log.columns()) {
+            if (column == "state" || column == "flags") {
+                continue;
+            }
+            ASSERT_TRUE(std::isfinite(log.number(row, column))) << column << " in row " << row;
+        }
+    }
+}
+
+nlohmann::json summaryOf(const std::filesystem::path& folder) {
+    return nlohmann::json::parse(test::contentOf(folder / "summary.json"));
+}
+
+class Explore : public ::testing::TestWithParam<std::string> {
+protected:
+    static std::filesystem::path input() {
+        return GetParam() == "real scan" ? test::sharedData("afm/nanoscope/di-3_v9.01.di")
+                                         : test::shippedScene(GetParam());
+    }
+    test::ScratchFolder scratch;
+};
+
+TEST_P(Explore, LeavesPicturesFieldsLogAndSummary) {
+    if (GetParam() == "real scan") {
+        ASPERITY_NEEDS_SHARED_DATA();
+    }
+    const auto out = scratch.path() / "out";
+    const auto run =
+        test::runProgram("explore " + input().string() + " --duration 2 --out " + out.string());
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    for (const char* name : kResults) {
+        EXPECT_GT(std::filesystem::file_size(out / name), 500U) << name;
+    }
+    expectWholeLog(out, 2001, 1000.0);
+    const nlohmann::json summary = summaryOf(out);
+    EXPECT_EQ(summary["statistics"]["ticks"], 2001);
+    EXPECT_EQ(summary["statistics"]["ticks_faulted"], 0);
+    EXPECT_EQ(summary["input"]["sha256"].get<std::string>().size(), 64U);
+    ASSERT_TRUE(summary["snap_in"].is_object());
+    ASSERT_TRUE(summary["pull_off"].is_object());
+    EXPECT_GT(summary["largest_indentation"]["indentation_m"], 0.0);
+    EXPECT_LT(summary["strongest_attraction"]["model_normal_force_n"], 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Inputs, Explore,
+                         ::testing::Values("polystyrene", "silicon_oxide", "silicone_rubber",
+                                           "silicon", "real scan"),
+                         [](const auto& test) {
+                             return test.param == "real scan" ? std::string("RealScan")
+                                                              : test.param;
+                         });
+
+TEST(ExploreTwice, GivesTheSameBytes) {
+    const test::ScratchFolder scratch;
+    const std::string start =
+        "explore " + test::shippedScene("polystyrene").string() + " --duration 1 --out ";
+    const auto first = scratch.path() / "first";
+    const auto second = scratch.path() / "second";
+    ASSERT_EQ(test::runProgram(start + first.string()).exitCode, 0);
+    ASSERT_EQ(test::runProgram(start + second.string()).exitCode, 0);
+    for (const char* name : kResults) {
+        EXPECT_EQ(test::contentOf(first / name), test::contentOf(second / name)) << name;
+    }
+}
+
+TEST(ExplorePaths, RasterScratchAndFileRunToTheirEnd) {
+    const test::ScratchFolder scratch;
+    const auto file = scratch.write("path.csv", "time_s,x_m,y_m,z_m\n"
+                                                "0,2e-7,2e-7,1e-7\n0.4,2e-7,2.1e-7,9e-8\n");
+    const std::string scene = test::shippedScene("silicon_oxide").string();
+    const std::pair<std::string, std::size_t> paths[] = {
+        {"raster --duration 1", 1001}, {"scratch --duration 1", 1001}, {file.string(), 401}};
+    for (const auto& [path, ticks] : paths) {
+        const auto out = scratch.path() / "out";
+        std::ostringstream call;
+        call << "explore " << scene << " --path " << path << " --out " << out.string();
+        const auto run = test::runProgram(call.str());
+        ASSERT_EQ(run.exitCode, 0) << run.output;
+        expectWholeLog(out, ticks, 1000.0);
+    }
+}
+
+/// What the scene overrules and what its law misses is in the error: it said 0 %.
+TEST(ExploreModel, TellsTheWholeErrorOfItsForces) {
+    const test::ScratchFolder scratch;
+    const std::filesystem::path scene = scratch.file("hertz.toml");
+    std::ofstream(scene) << "[sample]\nfile = \"" << ASPERITY_DATA_DIR
+                         << "/samples/steps.gsf\"\n[physics]\nlaw = \"hertz\"\n";
+    const auto run = test::runProgram("explore " + scene.string() + " --out " +
+                                      scratch.file("out").string() + " --duration 0.2");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const nlohmann::json model = summaryOf(scratch.file("out"))["model"];
+    const double error = model["force_error"];
+    EXPECT_DOUBLE_EQ(error, model["force_error_left_out"].get<double>() +
+                                model["force_error_law"].get<double>());
+    for (const auto& term : model["terms"]) {
+        if (term["term"] == "adhesion") {
+            EXPECT_FALSE(term["on"]);
+            EXPECT_GT(error, 0.5 * term["effect"].get<double>());
+        }
+    }
+    EXPECT_NE(run.output.find("model: forces within "), std::string::npos);
+    EXPECT_EQ(run.output.find("of the whole"), std::string::npos);
+}
+
+TEST(ExploreLevelling, IsSaidAndCanBeSwitchedOff) {
+    const test::ScratchFolder scratch;
+    const std::string start = "explore " + test::shippedScene("polystyrene").string() +
+                              " --duration 0.1 --out " + scratch.file("out").string();
+    EXPECT_NE(test::runProgram(start).output.find("levelling: plane with slopes"),
+              std::string::npos);
+    EXPECT_NE(test::runProgram(start + " --level none").output.find("levelling: none"),
+              std::string::npos);
+}
+
+// Mesa's driver ended the program with a segmentation fault where it got no memory.
+TEST(ExploreMemory, TooLittleToDrawIsSaidAndTheRunIsKept) {
+    if (test::kSanitized) {
+        GTEST_SKIP() << "a sanitizer needs more address space than any limit leaves";
+    }
+    for (const char* limit : {"ulimit -v 400000;", "ulimit -v 700000;", "ulimit -v 900000;"}) {
+        const test::ScratchFolder scratch;
+        const std::filesystem::path out = scratch.file("out");
+        const auto run = test::runProgram("explore " + test::shippedScene("polystyrene").string() +
+                                              " --duration 0.1 --out " + out.string(),
+                                          limit);
+        EXPECT_EQ(run.exitCode, 1) << limit;
+        EXPECT_NE(run.output.find("Not enough memory to draw"), std::string::npos) << run.output;
+        expectWholeLog(out, 101, 1000.0);
+    }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,120 @@
+#include "core/Error.h"
+#include "core/io/FileBytes.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "tests/core/io/heightmap/RealScans.h"
+#include "tests/core/io/heightmap/SyntheticScans.h"
+#include "tests/support/ReferenceTable.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+// Real files cut off or with flipped bits: read whole or refused, nothing else.
+
+namespace asperity::test {
+
+namespace {
+
+class DamagedFile : public testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override {
+        ASPERITY_NEEDS_SHARED_DATA();
+        bytes = readFileBytes(sharedData("afm/" + GetParam()));
+    }
+
+    std::string bytes;
+};
+
+/// Where a cut may hit something: the first bytes, around every structural mark, and a spread.
+std::set<std::size_t> cuts(const std::string& bytes) {
+    std::set<std::size_t> places = {0, 1, 2, 3, 4, 5, 10, 16, 17, 18, 21, 22, 100, 1000};
+    for (const char* mark : {"\\*", "\\Data offset", "\x1A", "\n\\@2:Z scale", "Gwy", "xres",
+                             "yres", "data", "si_unit", "unitstr", "XRes", "ZUnits", "/0", "/1"}) {
+        std::size_t place = bytes.find(mark);
+        for (int count = 0; count < 20 && place != std::string::npos; ++count) {
+            places.insert({place, place + 1, place + 4, place + 9});
+            place = bytes.find(mark, place + 1);
+        }
+    }
+    const std::size_t header = bytes.find('\0');
+    for (std::size_t i = 0; i < 6; ++i) {
+        places.insert(header + i);
+        places.insert(bytes.size() - 1 - i);
+    }
+    for (std::size_t i = 1; i < 200; ++i) {
+        places.insert(bytes.size() * i / 200);
+    }
+    places.erase(places.lower_bound(bytes.size()), places.end());
+    return places;
+}
+
+void expectReadOrRefused(const std::string& bytes, const std::string& what) {
+    try {
+        const HeightMapFile file = readHeightMapBytes(bytes, "flipped");
+        for (const ScanChannel& channel : file.channels) {
+            const HeightMap& map = channel.map;
+            ASSERT_EQ(map.heights.size(), map.index(map.rows, 0)) << what;
+        }
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), testing::StartsWith("flipped: ")) << what;
+    }
+}
+
+}  // namespace
+
+TEST_P(DamagedFile, EveryTruncationIsRefusedByName) {
+    for (const std::size_t length : cuts(bytes)) {
+        try {
+            (void)readHeightMapBytes(std::string_view(bytes).substr(0, length), "cut.scan");
+            ADD_FAILURE() << "read although cut to " << length << " of " << bytes.size();
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), testing::StartsWith("cut.scan: "));
+        }
+    }
+}
+
+TEST_P(DamagedFile, FlippedBitsAreReadOrRefused) {
+    std::mt19937_64 random(20240229);
+    const std::size_t header = std::min<std::size_t>(bytes.size(), 48000);
+    for (int flip = 0; flip < 400; ++flip) {
+        std::string damaged = bytes;
+        // Most flips into the header: in the samples they only change a height.
+        const std::size_t reach = flip % 4 == 0 ? bytes.size() : header;
+        const std::size_t place = random() % reach;
+        const auto bit = static_cast<unsigned char>(1U << (random() % 8));
+        damaged[place] = static_cast<char>(static_cast<unsigned char>(damaged[place]) ^ bit);
+        expectReadOrRefused(damaged,
+                            "flip " + std::to_string(flip) + " at byte " + std::to_string(place));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(RealScans, DamagedFile, testing::ValuesIn(realScans()),
+                         [](const auto& scan) { return testName(scan.param); });
+
+TEST(DamagedFile, EveryBitOfSmallFilesMayFlip) {
+    for (const std::string& bytes :
+         {nanoscopeFile({}), gwyFile(gwyComponent("/0/data", smallGwyField()))}) {
+        for (std::size_t place = 0; place < bytes.size(); ++place) {
+            for (unsigned bit = 0; bit < 8; ++bit) {
+                std::string damaged = bytes;
+                damaged[place] =
+                    static_cast<char>(static_cast<unsigned char>(damaged[place]) ^ (1U << bit));
+                expectReadOrRefused(damaged, "byte " + std::to_string(place));
+            }
+        }
+    }
+}
+
+TEST(DamagedFile, EveryTruncationOfSmallFilesIsRefused) {
+    for (const std::string& bytes :
+         {nanoscopeFile({}), gwyFile(gwyComponent("/0/data", smallGwyField()))}) {
+        for (std::size_t length = 0; length < bytes.size(); ++length) {
+            EXPECT_THROW((void)readHeightMapBytes(bytes.substr(0, length), "cut"), InputError)
+                << length;
+        }
+    }
+}
+
+}  // namespace asperity::test

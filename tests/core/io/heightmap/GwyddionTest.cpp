@@ -1,0 +1,130 @@
+#include "core/io/heightmap/HeightMapFile.h"
+#include "core/io/heightmap/HeightMapWriter.h"
+#include "tests/core/io/heightmap/BumpyMap.h"
+#include "tests/core/io/heightmap/MapStatistics.h"
+#include "tests/core/io/heightmap/RealScans.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+// Every pixel of every real file against the program gwyddion, where it is installed.
+
+namespace asperity::test {
+
+namespace {
+
+bool haveGwyddion() {
+    const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
+    std::istringstream folders(path != nullptr ? path : "");
+    std::string folder;
+    while (std::getline(folders, folder, ':')) {
+        if (std::filesystem::exists(std::filesystem::path(folder) / "gwyddion")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+/// What Gwyddion makes of a file. Its settings go to the scratch folder.
+HeightMapFile throughGwyddion(const ScratchFolder& folder, const std::filesystem::path& path) {
+    const std::filesystem::path converted = folder.file("converted.gwy");
+    const std::string command = "HOME=" + quoted(folder.path()) +
+                                " timeout 60 gwyddion --convert-to-gwy=" + quoted(converted) + " " +
+                                quoted(path) + " >" + quoted(folder.file("log")) + " 2>&1";
+    // NOLINTNEXTLINE(concurrency-mt-unsafe,cert-env33-c): a test program with one thread
+    EXPECT_EQ(std::system(command.c_str()), 0) << contentOf(folder.file("log"));
+    return readHeightMapFile(converted);
+}
+
+/// Largest difference of two maps, in parts of the range; invalid pixels must agree.
+double worstDeviation(const HeightMap& ours, const HeightMap& theirs) {
+    EXPECT_EQ(ours.columns, theirs.columns);
+    EXPECT_EQ(ours.rows, theirs.rows);
+    EXPECT_EQ(ours.invalid, theirs.invalid);
+    const HeightStatistics statistics = statisticsOf(theirs);
+    const double range = statistics.highest - statistics.lowest;
+    double worst = 0.0;
+    for (std::size_t i = 0; i < std::min(ours.heights.size(), theirs.heights.size()); ++i) {
+        const double difference = std::abs(ours.heights[i] - theirs.heights[i]);
+        if (!std::isnan(difference)) {
+            worst = std::max(worst, difference / range);
+        }
+    }
+    return worst;
+}
+
+class Gwyddion : public testing::TestWithParam<std::string> {};
+
+}  // namespace
+
+TEST_P(Gwyddion, ReadsTheSamePixels) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    if (!haveGwyddion()) {
+        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+    }
+    const ScratchFolder folder;
+    const HeightMapFile ours = readHeightMapFile(sharedData("afm/" + GetParam()));
+    const HeightMapFile theirs = throughGwyddion(folder, sharedData("afm/" + GetParam()));
+    ASSERT_EQ(ours.channels.size(), theirs.channels.size());
+    for (std::size_t i = 0; i < ours.channels.size(); ++i) {
+        const ScanChannel& mine = ours.channels[i];
+        SCOPED_TRACE(mine.name);
+        EXPECT_EQ(mine.name, theirs.channels[i].name);
+        // Gwyddion calls the millivolts of this one channel volts; the numbers are the same.
+        const bool misnamed = GetParam() == "nanoscope/di-3_v9.01.di" && mine.unit == "mV";
+        EXPECT_EQ(misnamed ? "V" : mine.unit, theirs.channels[i].unit);
+        EXPECT_NEAR(mine.map.pitchX / theirs.channels[i].map.pitchX, 1.0, 1e-12);
+        EXPECT_NEAR(mine.map.pitchY / theirs.channels[i].map.pitchY, 1.0, 1e-12);
+        const double worst = worstDeviation(mine.map, theirs.channels[i].map);
+        EXPECT_LE(worst, 1e-12);
+        std::cout << GetParam() << " '" << mine.name << "': " << worst << " of the range\n";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(RealScans, Gwyddion, testing::ValuesIn(realScans()),
+                         [](const auto& scan) { return testName(scan.param); });
+
+TEST(Gwyddion, ReadsWhatWeWrite) {
+    if (!haveGwyddion()) {
+        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+    }
+    const HeightMap map = bumpyMap(17, 9);
+    const struct {
+        const char* name;
+        double tolerance;  ///< of the range
+    } formats[] = {{"map.gwy", 0.0}, {"map.gsf", 1e-7}, {"map.png", 0.6 / 65535.0}};
+    for (const auto& format : formats) {
+        SCOPED_TRACE(format.name);
+        const ScratchFolder folder;
+        writeHeightMap(folder.file(format.name), map, {.title = "Height"});
+        const HeightMapFile theirs = throughGwyddion(folder, folder.file(format.name));
+        ASSERT_EQ(theirs.channels.size(), 1U);
+        const ScanChannel& channel = theirs.channels[0];
+        EXPECT_EQ(channel.unit, "m");
+        EXPECT_NEAR(channel.map.sizeX() / map.sizeX(), 1.0, 1e-12);
+        EXPECT_NEAR(channel.map.sizeY() / map.sizeY(), 1.0, 1e-12);
+        EXPECT_LE(worstDeviation(map, channel.map), format.tolerance);
+    }
+}
+
+TEST(Gwyddion, SeesThePixelsWithoutDataAsMasked) {
+    if (!haveGwyddion()) {
+        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+    }
+    const ScratchFolder folder;
+    const HeightMap map = bumpyMapWithHoles(17, 9);
+    writeHeightMap(folder.file("map.gwy"), map, {});
+    EXPECT_EQ(worstDeviation(map, throughGwyddion(folder, folder.file("map.gwy")).channels[0].map),
+              0.0);
+}
+
+}  // namespace asperity::test

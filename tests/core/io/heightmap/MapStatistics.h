@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/io/heightmap/HeightStatistics.h"
+#include "core/surface/HeightMap.h"
+
+namespace asperity::test {
+
+/// Of a map whose pixels without data are NaN.
+inline HeightStatistics statisticsOf(const HeightMap& map) {
+    return heightStatistics([&map](const TakeRow& take) { take(map.heights); });
+}
+
+}  // namespace asperity::test

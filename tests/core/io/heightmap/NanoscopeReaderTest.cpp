@@ -1,0 +1,252 @@
+#include "core/Error.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "tests/core/io/heightmap/SyntheticScans.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/Refusal.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace asperity::test {
+
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+ScanChannel readOne(const NanoscopeText& text,
+                    const std::vector<std::int32_t>& counts = {1, 2, 3, 4, 5, 6}) {
+    return readHeightMapBytes(nanoscopeFile(text, counts), "scan.spm").channels.at(0);
+}
+
+std::string refusal(const NanoscopeText& text) {
+    return refusalOf([&] { (void)readOne(text); });
+}
+
+/// 2 V of full scale in 65536 counts, 100 nm/V.
+constexpr double kCount = 2.0 / 65536.0 * 100e-9;
+
+}  // namespace
+
+TEST(NanoscopeReader, FirstStoredRowIsTheBottomOfTheImage) {
+    const HeightMap map = readOne({}).map;
+    ASSERT_EQ(map.columns, 3);
+    ASSERT_EQ(map.rows, 2);
+    EXPECT_DOUBLE_EQ(map.at(0, 0), 4 * kCount);
+    EXPECT_DOUBLE_EQ(map.at(0, 2), 6 * kCount);
+    EXPECT_DOUBLE_EQ(map.at(1, 0), 1 * kCount);
+}
+
+TEST(NanoscopeReader, HeightIsTheHardValueTimesTheSensitivityNotTheNumberInParentheses) {
+    NanoscopeText text;
+    text.zScale = "V [Sens. ZsensSens] (99999 V/LSB) 500.0 mV";
+    EXPECT_DOUBLE_EQ(readOne(text).map.at(1, 0), 0.5 / 65536.0 * 100e-9);
+}
+
+TEST(NanoscopeReader, DivisorFollowsBytesPerPixelEvenWhereSamplesAreWider) {
+    NanoscopeText text;
+    text.version = "0x09700105";
+    text.dataLength = "24";
+    const auto counts = {100000, 2, 3, 4, 5, 6};
+    EXPECT_DOUBLE_EQ(readOne(text, counts).map.at(1, 0), 100000 * kCount);
+    text.bytesPerPixel = "4";
+    EXPECT_DOUBLE_EQ(readOne(text, counts).map.at(1, 0), 100000 * kCount / 65536.0);
+}
+
+TEST(NanoscopeReader, ChannelSaysWhatTheHeaderSays) {
+    const ScanChannel channel = readOne({});
+    EXPECT_EQ(channel.name, "ZSensor");
+    EXPECT_EQ(channel.unit, "m");
+    EXPECT_EQ(channel.direction, "backward");
+    EXPECT_DOUBLE_EQ(channel.originX, 7e-9);
+    EXPECT_DOUBLE_EQ(channel.map.sizeX(), 30e-9);
+    EXPECT_DOUBLE_EQ(channel.map.sizeY(), 20e-9);
+    EXPECT_EQ(channel.metadata.at("@2:Image Data"), "S [ZSensor] \"Height Sensor\"");
+}
+
+TEST(NanoscopeReader, SensitivityWithoutUnitKeepsTheHardUnit) {
+    NanoscopeText text;
+    text.scanList = "\\@Sens. Phase: V 2.000000 \r\n";
+    text.zScale = "V [Sens. Phase] (0.005 \xBA/LSB) 360.0 \xBA";
+    const ScanChannel channel = readOne(text);
+    EXPECT_EQ(channel.unit, "deg");
+    EXPECT_DOUBLE_EQ(channel.map.at(1, 0), 720.0 / 65536.0);
+}
+
+TEST(NanoscopeReader, MillivoltsStayMillivolts) {
+    NanoscopeText text;
+    text.scanList = "\\@Sens. Amplitude: V 1.000000 \r\n";
+    text.zScale = "V [Sens. Amplitude] (0.045 mV/LSB) 3000.0 mV";
+    const ScanChannel channel = readOne(text);
+    EXPECT_EQ(channel.unit, "mV");
+    EXPECT_DOUBLE_EQ(channel.map.at(1, 0), 3000.0 / 65536.0);
+}
+
+TEST(NanoscopeReader, UnknownSoftScaleIsNeverAHeight) {
+    NanoscopeText text;
+    text.zScale = "V [Sens. Lost] (0.1 V/LSB) 2.0 V";
+    EXPECT_EQ(readOne(text).unit, "V");
+}
+
+TEST(NanoscopeReader, MissingSoftScaleKeepsTheHardUnit) {
+    NanoscopeText text;
+    text.zScale = "V (0.1 nm/LSB) 65536.0 nm";
+    EXPECT_EQ(readOne(text).unit, "m");
+    EXPECT_DOUBLE_EQ(readOne(text).map.at(1, 0), 1e-9);
+}
+
+TEST(NanoscopeReader, SamplesCannotStartInsideTheHeader) {
+    NanoscopeText text;
+    text.dataOffset = "100";
+    EXPECT_THROW((void)readOne(text), InputError);
+}
+
+TEST(NanoscopeReader, ParenthesesMayNest) {
+    NanoscopeText text;
+    text.scanList = "\\@Sens. Log: V 1.000000 log(Pa)/log(Arb)\r\n";
+    text.zScale = "V [Sens. Log] (0.0004 log(Arb)/LSB) 2.0 log(Arb)";
+    EXPECT_EQ(readOne(text).unit, "log(Pa)");
+}
+
+TEST(NanoscopeReader, KeysDifferInCaseBetweenVersions) {
+    NanoscopeText text;
+    std::string bytes = nanoscopeFile(text);
+    const std::size_t place = bytes.rfind("Scan Size");
+    bytes.replace(place, 9, "sCAN sIZE");
+    EXPECT_DOUBLE_EQ(readHeightMapBytes(bytes, "scan").channels.at(0).map.sizeX(), 30e-9);
+}
+
+TEST(NanoscopeReader, MicrometresMayBeATildeOrALatinMicroSign) {
+    NanoscopeText text;
+    text.scanSize = "30 20 ~m";
+    EXPECT_DOUBLE_EQ(readOne(text).map.sizeY(), 20e-6);
+    text.scanSize = "30 20 \xB5m";
+    EXPECT_DOUBLE_EQ(readOne(text).map.sizeY(), 20e-6);
+}
+
+TEST(NanoscopeReader, SingleScanSizeFollowsTheAspectRatio) {
+    NanoscopeText text;
+    text.scanSize = "30 nm";
+    EXPECT_DOUBLE_EQ(readOne(text).map.sizeY(), 20e-9);
+    text.aspectRatio = "1:1";
+    EXPECT_DOUBLE_EQ(readOne(text).map.sizeY(), 30e-9);
+}
+
+TEST(NanoscopeReader, StatedHeightOfTheScanWinsOverAnOddAspectRatio) {
+    NanoscopeText text;
+    text.aspectRatio = "0.512";
+    const HeightMapFile file = readHeightMapBytes(nanoscopeFile(text), "scan");
+    EXPECT_DOUBLE_EQ(file.channels.at(0).map.sizeY(), 20e-9);
+    EXPECT_THAT(file.notes.at(0), HasSubstr("aspect ratio"));
+}
+
+TEST(NanoscopeReader, StoppedScanShowsItsStoredLinesOnlyAndSaysSo) {
+    NanoscopeText text;
+    text.lines = "8";
+    text.scanSize = "30 80 nm";
+    text.aspectRatio = "3:8";
+    const HeightMapFile file = readHeightMapBytes(nanoscopeFile(text), "scan");
+    EXPECT_EQ(file.channels.at(0).map.rows, 2);
+    EXPECT_DOUBLE_EQ(file.channels.at(0).map.sizeY(), 20e-9);
+    EXPECT_THAT(file.notes.at(0), HasSubstr("stopped after 2 of 8 lines"));
+}
+
+TEST(NanoscopeReader, EarlierLevellingIsNoted) {
+    NanoscopeText text;
+    text.extra = "\\Offline Planefit: Full\r\n";
+    EXPECT_THAT(readHeightMapBytes(nanoscopeFile(text), "scan").notes.at(0), HasSubstr("levelled"));
+}
+
+TEST(NanoscopeReader, ZeroScanSizeIsUnknownNotOneMetre) {
+    NanoscopeText text;
+    text.scanSize = "0 0 nm";
+    EXPECT_FALSE(readOne(text).hasSize());
+}
+
+TEST(NanoscopeReader, RefusesWhatDoesNotFitTogether) {
+    const auto with = [](auto NanoscopeText::*field, const char* value) {
+        NanoscopeText text;
+        text.*field = value;
+        return refusal(text);
+    };
+    EXPECT_THAT(with(&NanoscopeText::dataLength, "0"), HasSubstr("Data length"));
+    EXPECT_THAT(with(&NanoscopeText::dataLength, "13"), HasSubstr("do not fit 3 x 2"));
+    EXPECT_THAT(with(&NanoscopeText::dataLength, "24"), HasSubstr("do not fit 3 x 2"));
+    EXPECT_THAT(with(&NanoscopeText::samples, "0"), HasSubstr("0 x 2 pixels"));
+    EXPECT_THAT(with(&NanoscopeText::samples, "-3"), HasSubstr("-3 x 2 pixels"));
+    EXPECT_THAT(with(&NanoscopeText::samples, "4000000000"), HasSubstr("65536"));
+    EXPECT_THAT(with(&NanoscopeText::samples, "512 512"), HasSubstr("whole number"));
+    EXPECT_THAT(with(&NanoscopeText::bytesPerPixel, "3"), HasSubstr("Bytes/pixel"));
+    EXPECT_THAT(with(&NanoscopeText::scanSize, "wide"), HasSubstr("Scan size"));
+    EXPECT_THAT(with(&NanoscopeText::scanSize, "30 20 parsec"), HasSubstr("Scan size"));
+    EXPECT_THAT(with(&NanoscopeText::zScale, "V [Sens. ZsensSens (0.1) 2 V"), HasSubstr("Z scale"));
+    EXPECT_THAT(with(&NanoscopeText::zScale, "V [Sens. ZsensSens] (0.1) nan V"),
+                HasSubstr("Z scale"));
+    EXPECT_THAT(with(&NanoscopeText::zScale, "V [Sens. ZsensSens] (0.1) \xB2 V"),
+                HasSubstr("Z scale"));
+    EXPECT_THAT(with(&NanoscopeText::scanList, "\\@Sens. ZsensSens: V none\r\n"),
+                HasSubstr("ZsensSens"));
+}
+
+TEST(NanoscopeReader, RefusalNamesFilePlaceAndExpectation) {
+    NanoscopeText text;
+    text.dataLength = "13";
+    EXPECT_THAT(refusal(text), AllOf(HasSubstr("scan.spm: "), HasSubstr("image list 1: ")));
+}
+
+TEST(NanoscopeReader, RefusesImagesThatShareBytes) {
+    const auto withSecondImageAt = [](const char* offset) {
+        std::string bytes = nanoscopeFile({});
+        const std::size_t begin = bytes.find("\\*Ciao image list");
+        const std::size_t end = bytes.find("\\*File list end");
+        std::string list = bytes.substr(begin, end - begin);
+        list.replace(list.find("1200"), 4, offset);
+        bytes.insert(end, list);
+        bytes.erase(bytes.find('\x1A'), list.size());
+        return bytes + std::string(12, '\0');
+    };
+    EXPECT_EQ(readHeightMapBytes(withSecondImageAt("1212"), "scan").channels.size(), 2U);
+    EXPECT_THROW((void)readHeightMapBytes(withSecondImageAt("1200"), "scan"), InputError);
+    EXPECT_THROW((void)readHeightMapBytes(withSecondImageAt("1204"), "scan"), InputError);
+}
+
+TEST(NanoscopeReader, RefusesForceCurvesAndTextExports) {
+    for (const char* bytes : {"\\*Force file list\r\n", "?*File list\r\n"}) {
+        EXPECT_THROW((void)readHeightMapBytes(bytes, "scan"), InputError) << bytes;
+    }
+}
+
+TEST(NanoscopeReader, RefusesOldScalesAndSaysHowToGoOn) {
+    std::string bytes = nanoscopeFile({});
+    bytes.replace(bytes.find("@2:Z scale"), 10, "@9:Z scale");
+    try {
+        (void)readHeightMapBytes(bytes, "old.001");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("old.001"), HasSubstr("Gwyddion")));
+    }
+}
+
+TEST(NanoscopeReader, ExplainsDamagedLineEnds) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    try {
+        (void)readHeightMapFile(sharedData("afm/nanoscope/malformed_lf_line_endings.001"));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(),
+                    AllOf(HasSubstr("malformed_lf_line_endings.001"), HasSubstr("text mode")));
+    }
+}
+
+TEST(NanoscopeReader, RefusesATruncatedFile) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    try {
+        (void)readHeightMapFile(sharedData("afm/nanoscope/malformed_truncated.di"));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(),
+                    AllOf(HasSubstr("malformed_truncated.di"), HasSubstr("truncated")));
+    }
+}
+
+}  // namespace asperity::test

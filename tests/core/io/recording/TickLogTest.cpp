@@ -1,0 +1,221 @@
+#include "core/io/recording/TickLog.h"
+
+#include "core/Error.h"
+#include "core/io/scene/HandPathFile.h"
+#include "core/io/tables/CsvTable.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+
+namespace asperity {
+namespace {
+
+TickSample sampleOf(double time) {
+    TickSample sample;
+    sample.time = time;
+    sample.input.timeStep = 1.0 / 3.0e3;
+    sample.input.hand = {.position = {1.0 / 3.0, -2e-9 / 7.0, 5e-324},
+                         .buttons = 5,
+                         .maxForce = 8.5 / 3.0,
+                         .streams = true,
+                         .age = 1e-3 / 3.0};
+    sample.input.starts = 2;
+    sample.input.measurement = {{0.1 + 0.2, -1e-300}, 0.02};
+    sample.input.settings = {
+        .positionGain = 1e-6 / 3.0,
+        .forceGain = 1e8 / 7.0,
+        .correctionBandwidth = 20.0,
+        .coupling = {.stiffness = 1e3 / 3.0, .damping = 0.1 + 0.2, .proxyDamping = 3.0},
+        .governor = {.maxForce = 1.0 / 3.0,
+                     .engageTime = 0.7,
+                     .maxHandSpeed = 1.1,
+                     .deadManButton = 31},
+        .handTurn = {0.1 / 3.0, -0.2, 2.5},
+        .workspace = {.centre = {0.1, -0.2, 0.3},
+                      .radius = 0.1 / 3.0,
+                      .freeShare = 0.7,
+                      .stiffness = 2e2 / 3.0,
+                      .forceLimit = 1.7},
+        .clutched = true,
+        .clutchButton = 4,
+        .guide = {.kind = FixtureKind::Line,
+                  .point = {1e-9, 2e-9 / 3.0, -3e-9},
+                  .axis = Vector3(1.0, 2.0, -3.0).normalized(),
+                  .stiffness = 2e2 / 7.0,
+                  .damping = 0.1 + 0.2,
+                  .forceLimit = 1.1},
+        .forcesOn = false,
+        .rearms = 3};
+    sample.output.model.contact = {.force = -3e-9, .indentation = 1e-9, .contactRadius = 2e-9};
+    sample.output.model.contact.branch = ContactBranch::Bonded;
+    sample.output.estimate.covariance(1, 1) = 4e-18;
+    sample.output.flags.set(Validity::OutsideScan, true);
+    return sample;
+}
+
+TEST(TickLog, InputsReadBackToTheSameBits) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    const TickSample written = sampleOf(1.0 / 7.0);
+    TickInputWriter writer(path);
+    writer.take(written);
+    writer.take(sampleOf(0.5));
+    writer.close();
+    const std::vector<TickSample> read = readTickInputs(path);
+    ASSERT_EQ(read.size(), 2U);
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    EXPECT_EQ(bits(read[0].time), bits(written.time));
+    EXPECT_EQ(bits(read[0].input.timeStep), bits(written.input.timeStep));
+    EXPECT_EQ(read[0].input.hand.position, written.input.hand.position);
+    EXPECT_EQ(read[0].input.hand.buttons, 5U);
+    EXPECT_EQ(bits(read[0].input.measurement.signals.bending),
+              bits(written.input.measurement.signals.bending));
+    EXPECT_EQ(read[0].input.measurement.signals.torsion, -1e-300);
+    EXPECT_EQ(read[0].input.settings, written.input.settings);
+    EXPECT_EQ(bits(read[0].input.hand.maxForce), bits(written.input.hand.maxForce));
+    EXPECT_TRUE(read[0].input.hand.streams);
+    EXPECT_EQ(bits(read[0].input.hand.age), bits(written.input.hand.age));
+    EXPECT_EQ(read[0].input.starts, 2U);
+}
+
+TEST(TickLog, ReadsInputsFromBeforeThereWasAGovernor) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    std::ofstream(path) << "time_s,time_step_s,hand_x_m,hand_y_m,hand_z_m,buttons,connected,"
+                           "alpha_rad,theta_rad,age_s,position_gain,force_gain,correction_hz,"
+                           "tip_control,forces_on,rearms\n"
+                           "0,0.001,1,2,3,0,1,0,0,0,1,1,20,0,1,0\n";
+    const TickInput input = readTickInputs(path).at(0).input;
+    EXPECT_FALSE(input.hand.rendersForce());
+    EXPECT_EQ(input.settings, Settings{});
+}
+
+TEST(TickLog, RefusesADeadManSwitchThatIsNoButton) {
+    for (const int button : {-2, 32}) {
+        const test::ScratchFolder scratch;
+        const auto path = scratch.path() / "tick_input.csv";
+        TickSample sample = sampleOf(0.0);
+        sample.input.settings.governor.deadManButton = button;
+        TickInputWriter writer(path);
+        writer.take(sample);
+        writer.close();
+        EXPECT_THROW((void)readTickInputs(path), InputError) << button;
+    }
+}
+
+TEST(TickLog, ForceLogSaysGapStateAndFlagsInWords) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "force_log.csv";
+    ForceLogWriter writer(path);
+    writer.take(sampleOf(0.0));
+    writer.close();
+    const CsvTable table = readCsv(path);
+    EXPECT_EQ(table.number(0, "gap_m"), -1e-9);
+    EXPECT_EQ(table.number(0, "contact_radius_m"), 2e-9);
+    EXPECT_EQ(table.number(0, "est_sigma_fy_n"), 2e-9);
+    EXPECT_EQ(table.text(0, "state"), "contact");
+    EXPECT_EQ(table.text(0, "flags"), "outside_scan");
+}
+
+TEST(TickLog, RefusesDamagedInputsWithTheirLine) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    TickInputWriter writer(path);
+    writer.take(sampleOf(0.0));
+    writer.close();
+    std::ifstream in(path);
+    std::string text((std::istreambuf_iterator<char>(in)), {});
+    for (const char* bad : {"nan", "inf", "x"}) {
+        std::string damaged = text;
+        const std::size_t row = damaged.rfind('\n', damaged.size() - 2) + 1;
+        damaged.replace(row, damaged.find(',', row) - row, bad);
+        std::ofstream(path) << damaged;
+        EXPECT_THROW((void)readTickInputs(path), InputError) << bad;
+    }
+}
+
+TEST(TickLog, RefusesCellsThatStandForNothing) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    const std::string names =
+        "time_s,time_step_s,hand_x_m,hand_y_m,hand_z_m,buttons,connected,alpha_rad,theta_rad,age_s,"
+        "position_gain,force_gain,correction_hz,tip_control,forces_on,rearms,hand_max_force_n,"
+        "hand_streams,hand_age_s,starts,edge_stiffness_n_m\n";
+    const auto isRead = [&](const std::string& buttons, const std::string& connected,
+                            const std::string& starts, const std::string& edge) {
+        std::ofstream(path) << names << "0,0.001,1,2,3," << buttons << ',' << connected
+                            << ",0,0,0,1,1,20,0,1,0,5,1,0," << starts << ',' << edge << '\n';
+        try {
+            return readTickInputs(path).size() == 1;
+        } catch (const InputError&) {
+            return false;
+        }
+    };
+    EXPECT_TRUE(isRead("3", "1", "2", "200"));
+    for (const char* bad : {"-1", "1e20", "1.5"}) {
+        EXPECT_FALSE(isRead(bad, "1", "2", "200")) << bad;
+        EXPECT_FALSE(isRead("3", "1", bad, "200")) << bad;
+    }
+    EXPECT_FALSE(isRead("3", "7", "2", "200"));
+    EXPECT_FALSE(isRead("3", "1", "2", "-200"));
+}
+
+TEST(TickLog, KeepsANanOfTheDeviceWhichIsAFault) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    TickSample sample = sampleOf(0.0);
+    sample.input.hand.position.y() = std::numeric_limits<double>::quiet_NaN();
+    sample.input.hand.age = std::numeric_limits<double>::infinity();
+    TickInputWriter writer(path);
+    writer.take(sample);
+    writer.close();
+    const TickInput read = readTickInputs(path).front().input;
+    EXPECT_TRUE(std::isnan(read.hand.position.y()));
+    EXPECT_EQ(read.hand.position.x(), sample.input.hand.position.x());
+    EXPECT_EQ(read.hand.age, sample.input.hand.age);
+}
+
+TEST(TickLog, HoldsWhatWasFlushedAndReadsUpToTheLastWholeLine) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "tick_input.csv";
+    TickInputWriter writer(path);
+    writer.take(sampleOf(0.0));
+    EXPECT_EQ(readTickInputs(path).size(), 0U);
+    writer.flush();
+    EXPECT_EQ(readTickInputs(path).size(), 1U);
+    writer.take(sampleOf(0.001));
+    writer.flush();
+    writer.sync();
+    for (const std::string& end :
+         {std::string("0.002,0.0"), std::string("0.002"), std::string("\0\0\0\n\0", 5)}) {
+        const std::string whole = test::contentOf(path);
+        std::ofstream(path, std::ios::binary) << whole << end;
+        EXPECT_EQ(readTickInputs(readUnfinishedCsv(path)).size(), 2U);
+        std::ofstream(path, std::ios::binary) << whole;
+    }
+}
+
+TEST(HandPathFile, ReadsPlacesAndRefusesTimeThatStandsStill) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "path.csv";
+    std::ofstream(path) << "# a path\ntime_s,x_m,y_m,z_m\n0,1e-9,2e-9,3e-9\n1,0,0,-1e-9\n";
+    const HandPath hand = readHandPath(path);
+    ASSERT_EQ(hand.size(), 2U);
+    EXPECT_EQ(hand[1].position.z(), -1e-9);
+    for (const char* rows :
+         {"0,0,0,0\n0,1,1,1\n", "-1,0,0,0\n", "0,nan,0,0\n", "inf,0,0,0\n", ""}) {
+        std::ofstream(path) << "time_s,x_m,y_m,z_m\n" << rows;
+        EXPECT_THROW((void)readHandPath(path), InputError) << rows;
+    }
+    std::ofstream(path) << "time_s,x_m,y_m\n0,0,0\n";
+    EXPECT_THROW((void)readHandPath(path), InputError) << "z_m is missing";
+}
+
+}  // namespace
+}  // namespace asperity

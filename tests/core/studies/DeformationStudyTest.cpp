@@ -1,0 +1,63 @@
+#include "core/studies/DeformationStudy.h"
+
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace asperity {
+namespace {
+
+class DeformationStudy : public ::testing::Test {
+protected:
+    static const DeformationResult& result(const std::string& material, const std::string& surface,
+                                           DeformationTier tier) {
+        static const std::vector<DeformationResult> all = studyDeformation(
+            buildScene(test::plainScene(), test::hillyMap()), {.rounds = 1, .samples = 41});
+        return *std::find_if(all.begin(), all.end(), [&](const DeformationResult& r) {
+            return r.material == material && r.surface == surface && r.tier == tier;
+        });
+    }
+};
+
+TEST_F(DeformationStudy, ClosedFormIsExactOnAFlatSampleAndTheHalfSpaceNearlySo) {
+    for (const char* material : {"silicon oxide", "polystyrene"}) {
+        EXPECT_EQ(result(material, "flat", DeformationTier::ClosedForm).errorMax, 0.0);
+        const auto& solved = result(material, "flat", DeformationTier::HalfSpace);
+        EXPECT_LT(solved.errorMax, 0.02) << material;
+        EXPECT_GT(solved.errorMax, 0.0) << material;
+        EXPECT_NEAR(solved.ownForce, solved.lawForce, 0.05e-9) << material;
+        EXPECT_GT(result(material, "flat", DeformationTier::ContactRadius).errorMax, 0.1)
+            << "it leaves the surface outside of the contact where it was";
+    }
+}
+
+TEST_F(DeformationStudy, OnHillsTheHalfSpaceSeesWhatTheClosedFormAverages) {
+    const auto& closed = result("polystyrene", "scan", DeformationTier::ClosedForm);
+    const auto& solved = result("polystyrene", "scan", DeformationTier::HalfSpace);
+    ASSERT_TRUE(solved.compared);
+    EXPECT_LT(solved.errorMax, closed.errorMax);
+    EXPECT_LT(solved.errorMax, 0.03);
+}
+
+TEST_F(DeformationStudy, NoHalfSpaceHoldsForRubber) {
+    const auto& solved = result("silicone rubber", "flat", DeformationTier::HalfSpace);
+    EXPECT_GT(solved.contactRatio, 0.3);
+    EXPECT_EQ(solved.errorMax, 0.0) << "the closed form stands in";
+    EXPECT_NE(solved.remark.find("0.3 tip radii"), std::string::npos);
+    EXPECT_FALSE(result("silicone rubber", "scan", DeformationTier::HalfSpace).compared);
+}
+
+TEST_F(DeformationStudy, TakesItsOwnLawWhateverTheSceneSaysOfItsTerms) {
+    SceneDescription description = test::plainScene();
+    description.terms.adhesion = false;
+    const std::vector<DeformationResult> all =
+        studyDeformation(buildScene(description, test::flatMap()), {.rounds = 1, .samples = 9});
+    EXPECT_EQ(all.size(), 24U);
+}
+
+}  // namespace
+}  // namespace asperity

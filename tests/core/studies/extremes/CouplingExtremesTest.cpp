@@ -1,0 +1,107 @@
+#include "core/studies/extremes/CouplingExtremes.h"
+
+#include "core/Units.h"
+#include "core/haptics/coupling/CouplingDesign.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+namespace asperity {
+namespace {
+
+/// Hands at 1 mm : 1 nm and 1 N : 10 nN under a stiff lever.
+CouplingGrid gridOf(double tickRate, double delay, double forceGain = 1e8) {
+    return {.leverStiffnesses = {14.0},
+            .tickRates = {tickRate},
+            .delays = {delay},
+            .positionGains = {1e-6},
+            .forceGains = {forceGain}};
+}
+
+std::vector<HoldOutcome> holdsOf(const CouplingGrid& grid) {
+    const ExtremesFindings findings = studyExtremes({.coupling = grid});
+    EXPECT_EQ(findings.defects, 0);
+    EXPECT_EQ(static_cast<long>(findings.holds.size()), grid.holds());
+    return findings.holds;
+}
+
+long count(const std::vector<HoldOutcome>& holds, bool coupled, HoldVerdict verdict) {
+    return std::count_if(holds.begin(), holds.end(), [=](const HoldOutcome& hold) {
+        return hold.setting.coupled == coupled && hold.verdict == verdict;
+    });
+}
+
+TEST(CouplingExtremes, TheCouplingHoldsWhatADirectHandShakes) {
+    const std::vector<HoldOutcome> holds = holdsOf(gridOf(1000.0, 5.0_ms));
+    EXPECT_EQ(count(holds, true, HoldVerdict::Still), static_cast<long>(holds.size()) / 2);
+    EXPECT_GT(count(holds, false, HoldVerdict::Shakes), 0);
+}
+
+TEST(CouplingExtremes, ALoopTooSlowForAnyCouplingIsRefused) {
+    const std::vector<HoldOutcome> holds = holdsOf(gridOf(100.0, 5.0_ms));
+    EXPECT_EQ(count(holds, true, HoldVerdict::NoCoupling), static_cast<long>(holds.size()) / 2);
+    EXPECT_EQ(kindOf(holds.front().refusal),
+              "the haptic device holds no coupling stiffer than X N/m with a force that is X s "
+              "old; at least X N/m are needed: a shorter delay or a higher rate");
+}
+
+TEST(CouplingExtremes, AContactStifferThanTheProxyBearsIsRefusedButForSoftSamples) {
+    const CouplingGrid grid = gridOf(1000.0, 1.0_ms, 1e9);
+    const CouplingGains gains = designCoupling(
+        {.maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075}, {.delay = 1.0_ms});
+    for (const HoldOutcome& hold : holdsOf(grid)) {
+        if (hold.setting.coupled) {
+            EXPECT_EQ(hold.verdict == HoldVerdict::ScaleTooHigh,
+                      hold.contact > stiffestContact(gains, 1.0_ms))
+                << hold.setting.material;
+            EXPECT_LT(hold.contact, 14.0 * 1e9 * 1e-6 * 1.1);
+            EXPECT_LT(hold.felt, gains.stiffness);
+            EXPECT_EQ(hold.verdict == HoldVerdict::ScaleTooHigh,
+                      hold.setting.material != "silicone rubber");
+        }
+    }
+}
+
+TEST(CouplingExtremes, AnAdhesionStrongerThanTheMotorsIsRefusedWhateverTheStiffness) {
+    CouplingGrid grid = gridOf(1000.0, 1.0_ms, 1e10);
+    grid.leverStiffnesses = {0.2};
+    grid.positionGains = {1e-7};  // the contact is at most 200 N/m
+    for (const HoldOutcome& hold : holdsOf(grid)) {
+        EXPECT_EQ(hold.guardHolds, hold.setting.workOfAdhesion == 0.0) << hold.setting.material;
+        if (hold.setting.coupled) {
+            EXPECT_EQ(hold.verdict == HoldVerdict::ScaleTooHigh, !hold.guardHolds);
+        }
+    }
+}
+
+TEST(CouplingExtremes, AHandThatFeelsThePiconewtonsOfAStiffLeverFeelsTheDetectorsNoise) {
+    CouplingGrid grid = gridOf(1000.0, 1.0_ms, 1e10);
+    grid.positionGains = {1e-7};
+    const std::vector<HoldOutcome> holds = holdsOf(grid);
+    EXPECT_GT(count(holds, true, HoldVerdict::Noisy), 0);
+}
+
+TEST(CouplingExtremes, AStrideTakesEveryRateWithEveryDelayWithAndWithoutCoupling) {
+    CouplingGrid grid = ExtremesGrid::ofAbout(1.1e6).coupling;
+    grid.tickRates = {100.0, 250.0};
+    std::set<std::tuple<double, double, bool>> met;
+    for (const HoldOutcome& hold : holdsOf(grid)) {
+        met.emplace(hold.setting.tickRate, hold.setting.delay, hold.setting.coupled);
+    }
+    EXPECT_GT(grid.stride, 1);
+    EXPECT_EQ(met.size(), 2 * grid.tickRates.size() * grid.delays.size());
+}
+
+TEST(HoldOutcome, SentencesOfOneKindDifferInQuantitiesAlone) {
+    EXPECT_EQ(kindOf("the contact is 12.5 kN/m at the hand (6 kN/m)"),
+              "the contact is X N/m at the hand (X N/m)");
+    EXPECT_EQ(kindOf("a force that is 850 µs old, as of 1e-05 s"),
+              "a force that is X s old, as of X s");
+    EXPECT_EQ(kindOf("with 17.9 N, more than (850 mN)"), "with X N, more than (X N)");
+}
+
+}  // namespace
+}  // namespace asperity
