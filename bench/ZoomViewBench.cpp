@@ -2,7 +2,7 @@
 // beside four nearly empty QVTK widgets. Display: xvfb-run -a -s "-screen 0 1600x1000x24" PROGRAM.
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/ScriptedHand.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "ui/view/ZoomView.h"
 
@@ -171,7 +171,7 @@ void measureAll() {
 
     const Scene scene = benchScene();
     ScriptedHand hand(rasterPath(scene, {.duration = 60.0}), 1.0);
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, hand, afm);
     loop.start();
     ZoomView view;

@@ -38,6 +38,7 @@ ALLOWED["app"] = CORE | {"vtkplugins", "hardware", "ui"}
 PRODUCT = set(ALLOWED)
 ALLOWED["bench"] = PRODUCT | {"tests", "tools"}
 ALLOWED["tools"] = PRODUCT
+ALLOWED["examples"] = CORE
 ALLOWED["tests"] = PRODUCT | {"bench", "tools"}
 # The one file that starts the program: it includes what includes all others.
 ROOTS = {"app/main.cpp"}
@@ -130,7 +131,8 @@ def circles(graph):
 
 
 def main():
-    files = [f for top in ("core", "vtkplugins", "hardware", "ui", "app", "bench", "tools", "tests")
+    files = [f for top in ("core", "vtkplugins", "hardware", "ui", "app", "bench", "tools", "tests",
+                               "examples")
              for f in sorted((TOP / top).rglob("*")) if f.suffix in SOURCES]
     found = [line for f in files for line in violations(f)] + list(circles(folder_graph(files)))
     print("\n".join(found) if found else f"{len(files)} files keep to the layers")

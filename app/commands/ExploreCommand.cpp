@@ -18,8 +18,8 @@
 #include "core/haptics/VirtualRun.h"
 #include "core/io/scene/HandPathFile.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/probe/SimulatedAfm.h"
 #include "core/scene/ModelTerm.h"
+#include "core/scene/SceneTruth.h"
 
 #include <CLI/CLI.hpp>
 #include <bit>
@@ -151,7 +151,7 @@ FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& o
     const auto& [loaded, plan] = prepared;
     const Scene& scene = loaded.scene;
     RunKeeper keeper{.recorder = RunRecorder(out), .events = {}, .curves = {}};
-    SimulatedAfm afm(scene.touched(), scene.truth);
+    SimulatedAfm afm(scene.touched(), truthOf(scene));
     run(scene, plan, afm, keeper);
     keeper.recorder.close();
 

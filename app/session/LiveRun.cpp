@@ -1,6 +1,7 @@
 #include "app/session/LiveRun.h"
 
 #include "core/haptics/device/PointerHand.h"
+#include "core/scene/SceneTruth.h"
 
 #include <utility>
 
@@ -10,17 +11,21 @@ Vector3 startPlace(const Scene& scene) {
     return waitingPlace(scene, 0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
 }
 
-LiveRun::LiveRun(LoadedScene loaded, const Vector3& start)
+std::unique_ptr<AfmController> simulatedInstrument(const Scene& scene) {
+    return std::make_unique<SimulatedAfm>(scene.touched(), truthOf(scene));
+}
+
+LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument& makeInstrument)
     : loaded_(std::move(loaded))
     , coupling_(loaded_.scene)
     , start_(start)
     , settings_(loaded_.scene.settings)
-    , afm_(loaded_.scene.touched(), loaded_.scene.truth)
+    , instrument_(makeInstrument(loaded_.scene))
     , hand_(std::make_unique<PointerHand>(start / settings_.positionGain))
     , halfSpace_(loaded_.scene.model.deformation == DeformationTier::HalfSpace
                      ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
                      : nullptr)
-    , loop_(loaded_.scene, *hand_, afm_)
+    , loop_(loaded_.scene, *hand_, *instrument_)
     , blackBox_(loaded_.scene.timeStep())
     , energy_(newEnergyWatch()) {}
 

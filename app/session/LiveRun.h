@@ -6,7 +6,7 @@
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/blackbox/BlackBox.h"
 #include "core/haptics/coupling/CouplingKeeper.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/probe/AfmController.h"
 
 #include <functional>
 #include <memory>
@@ -23,11 +23,18 @@ struct FetchCost {
     }
 };
 
+/// An AFM that answers at once, as the scene's [truth] says.
+[[nodiscard]] std::unique_ptr<AfmController> simulatedInstrument(const Scene& scene);
+
 /// A scene with its instrument, its hand and its loop: everything that lives and ends together.
 class LiveRun {
 public:
+    /// The instrument of a run; the scene outlives it.
+    using MakeInstrument = std::function<std::unique_ptr<AfmController>(const Scene& scene)>;
+
     /// @param start where the base waits at first [m]
-    LiveRun(LoadedScene loaded, const Vector3& start);
+    LiveRun(LoadedScene loaded, const Vector3& start,
+            const MakeInstrument& makeInstrument = simulatedInstrument);
 
     [[nodiscard]] const LoadedScene& loaded() const noexcept { return loaded_; }
     [[nodiscard]] const Scene& scene() const noexcept { return loaded_.scene; }
@@ -78,7 +85,7 @@ private:
     CouplingKeeper coupling_;
     Vector3 start_;  ///< of the base [m]
     Settings settings_;
-    SimulatedAfm afm_;
+    std::unique_ptr<AfmController> instrument_;
     std::unique_ptr<HapticDevice> hand_;
     std::unique_ptr<HalfSpaceWorker> halfSpace_;
     HapticLoop loop_;

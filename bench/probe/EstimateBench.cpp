@@ -7,7 +7,7 @@
 #include "core/haptics/VirtualRun.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 
 #include <Eigen/Cholesky>
 
@@ -69,7 +69,7 @@ double chiSquare(const ForceEstimate& estimate, const Vector3& error) {
 }
 
 void runOnce(const Scene& scene, const PathPlan& plan, std::uint64_t seed, CaseResult& result) {
-    InstrumentTruth truth = scene.truth;
+    InstrumentTruth truth = truthOf(scene);
     truth.seed = seed;
     SimulatedAfm afm(scene.touched(), truth);
     bool seen = false;

@@ -1,7 +1,7 @@
 #include "core/fidelity/ModelRun.h"
 
 #include "core/haptics/VirtualRun.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 
 #include <algorithm>
 #include <chrono>
@@ -21,7 +21,7 @@ void throwIfCancelled(const Progress* progress) {
 
 RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration,
                       const Progress* progress) {
-    SimulatedAfm afm(scene.touched(), scene.truth);
+    SimulatedAfm afm(scene.touched(), truthOf(scene));
     RecordedRun run;
     const long ticks = std::lround(duration / scene.timeStep()) + 1;
     runVirtually(scene, path, afm, ticks, [&](const TickSample& sample) {

@@ -81,8 +81,9 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     input.hand = hand_->advance(timeStep);
     input.hand.maxForce = device_.maxForce;
     input.hand.streams = device_.streams;
-    input.measurement = afm_.exchange(commandBase(scene_, input, latest_.memory).base);
-    sample.output = tick(scene_, input, latest_.memory);
+    const BaseCommand command = commandBase(scene_, input, latest_.memory);
+    input.measurement = afm_.exchange(command.base);
+    sample.output = tick(scene_, input, command, latest_.memory);
     tellForce(sample.output.handForce);
 }
 

@@ -1,7 +1,7 @@
 #include "core/haptics/HapticTick.h"
 
+#include "core/haptics/TickValidity.h"
 #include "core/probe/PlanarForce.h"
-#include "core/scene/ContactValidity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,19 +14,19 @@ namespace {
 constexpr double kModelSpread = 0.2;    // share of N that the model may be off
 constexpr double kModelFloor = 0.1e-9;  // [N]
 constexpr double kContradictionSigmas = 3.0;
-constexpr double kSnapInMargin = 1e-9;       // [m]
-constexpr double kSnapInWatch = 20e-9;       // [m]: no tip snaps in across a wider gap
 constexpr double kHeldWithin = 1e-11;        // [m]: how near the commanded place the tip must be
 constexpr double kStall = 10e-3;             // [s]: a longer step counts as this
 constexpr double kUnsolvedAllowed = 0.0499;  // [s]: 50 ms, however the steps were rounded
-constexpr double kSliding = 0.5;             // weight of the slip direction from which it counts
 
 bool isSolved(const TipState& model) { return model.converged && !model.locked; }
 
 /// What is known of a tick, with N as the contact model has it.
-DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, const TickOutput& out) {
+/// @param staleness of the signals [rad]
+DecouplingInput decouplingInput(const Scene& scene, const TickInput& input, const TickOutput& out,
+                                const LeverSignals& staleness) {
     return {.signals = input.measurement.signals,
-            .sigma = scene.signalSigma,
+            .sigma = {.bending = std::hypot(scene.signalSigma.bending, staleness.bending),
+                      .torsion = std::hypot(scene.signalSigma.torsion, staleness.torsion)},
             .normal = out.model.normal,
             .velocity = out.base.velocity,
             .frictionCoefficient = scene.belief.friction.coefficient,
@@ -58,8 +58,7 @@ DecouplingInput weighed(const Scene& scene, const TipState& model, DecouplingInp
     const double expected = leverSignals(cantilever, model.force).bending / perForce;
     const double spread = known.normalForceSigma;
     const double surprise = measured - expected;
-    const double limit =
-        kContradictionSigmas * std::hypot(spread, scene.signalSigma.bending / perForce);
+    const double limit = kContradictionSigmas * std::hypot(spread, known.sigma.bending / perForce);
     const double doubt = surprise * surprise / (surprise * surprise + limit * limit);
     const double told = measured * model.normal.z();
     known.normalForceModel = model.normalForce + doubt * (told - model.normalForce);
@@ -77,52 +76,6 @@ ForceEstimate decoupled(const Scene& scene, const DecouplingInput& input, double
     return estimate;
 }
 
-/// Whether a separate tip is about to snap in on a lever as soft as this one.
-bool snapsSoon(const Scene& scene, const TipState& model) {
-    const ContactState& contact = model.contact;
-    if (contact.branch != ContactBranch::Far || contact.indentation < -kSnapInWatch) {
-        return false;
-    }
-    const double compliance =
-        model.foot.normal.dot(scene.belief.cantilever.compliance() * model.foot.normal);
-    const ContactModel law = contactModelAt(scene, model);
-    const double jumpIn = law.jumpInApproach(compliance);
-    const double now = contact.indentation + (compliance * contact.force);
-    return jumpIn - now < kSnapInMargin && law.pullOffApproach(compliance) < jumpIn;
-}
-
-ValidityFlags validity(const Scene& scene, const TickOutput& out,
-                       const InnovationVerdict& verdict) {
-    const Vector3& foot = out.model.foot.point;
-    ValidityFlags flags;
-    flags.set(Validity::LargeContact, isLargeContact(out.model.contactRatio, 1.0));
-    // A shape goes on beyond the window.
-    flags.set(Validity::OutsideScan,
-              !out.model.foot.insideScan || !scene.surface.contains(foot.x(), foot.y()));
-    flags.set(Validity::FilledPixel, !scene.surface.isMeasured(foot.x(), foot.y()));
-    flags.set(Validity::FootNotFound, !out.model.foot.converged);
-    flags.set(Validity::NotInEquilibrium, !out.model.converged || !out.model.contact.solved());
-    flags.set(Validity::FrictionLock, out.model.locked);
-    flags.set(Validity::ModelContradicted, verdict.modelContradicted);
-    flags.set(Validity::EstimateInconsistent, verdict.estimateInconsistent);
-    const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
-    flags.set(Validity::UncertainPixel, bonded && scene.certainty.isUncertain(foot.x(), foot.y()));
-    flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
-    flags.set(Validity::SharpValley, bonded && !out.model.fits);
-    flags.set(Validity::SeveralFeet, out.model.feet > 1);
-    flags.set(Validity::FeetUnproven, mayMissFeet(out.model.proof));
-    if (out.model.contact.contactRadius > 0.0) {
-        flags.add(contactValidity(contactModelAt(scene, out.model), out.model.contact,
-                                  scene.description.sample.material));
-    }
-    flags.set(Validity::SnapInAhead, snapsSoon(scene, out.model));
-    flags.set(Validity::Implausible, out.estimate.plausibility.excessFriction);
-    // At rest friction has no direction, and that the geometry is singular tells nothing.
-    flags.set(Validity::SingularGeometry, out.estimate.kind == DecouplingCase::NearSingular &&
-                                              out.model.slip.norm() > kSliding);
-    return flags;
-}
-
 /// First-order low-pass of (estimate - model): what the sensor knows better, without its noise.
 Vector3 slowCorrection(const TickInput& input, const TickOutput& out, const Vector3& previous) {
     const double cutoff = 2.0 * std::numbers::pi * input.settings.correctionBandwidth;
@@ -136,6 +89,12 @@ bool allFinite(const TickOutput& out) {
            out.estimate.kind != DecouplingCase::InvalidInput;
 }
 
+/// Whether age adds more to the signals' deviation than noise, or is too large for any word on it.
+bool isStale(const Scene& scene, const TickInput& input, const LeverSignals& staleness) {
+    return staleness.bending > scene.signalSigma.bending ||
+           staleness.torsion > scene.signalSigma.torsion || input.measurement.age > kOldSignals;
+}
+
 /// A stall of the loop is no failure of the solver's.
 double unsolvedFor(const TickInput& input, const TickOutput& out, double before) {
     return isSolved(out.model) ? 0.0 : before + std::min(input.timeStep, kStall);
@@ -147,6 +106,9 @@ Fault faultOf(const TickInput& input, const TickOutput& out, double unsolved) {
     }
     if (!input.hand.connected) {
         return Fault::DeviceLost;
+    }
+    if (!input.measurement.connected) {
+        return Fault::InstrumentLost;
     }
     // A script or a mouse is pushed by nothing when a force comes back.
     const bool isOver = input.hand.rendersForce() && unsolved >= kUnsolvedAllowed;
@@ -243,17 +205,20 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     return command;
 }
 
-TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) noexcept {
+TickOutput tick(const Scene& scene, const TickInput& input, const BaseCommand& command,
+                TickMemory& memory) noexcept {
     if (input.settings.rearms != memory.rearms) {
         memory.fault = Fault::None;
         memory.rearms = input.settings.rearms;
     }
     const TickMemory before = memory;
     TickOutput out;
-    const BaseCommand command = commandBase(scene, input, memory);
     out.base = command.base;
     out.model = tipEquilibrium(scene.felt(), scene.belief, out.base, memory.model);
-    DecouplingInput known = decouplingInput(scene, input, out);
+    const LeverSignals staleness =
+        stalenessOf(leverSignals(scene.belief.cantilever, out.model.force), input.measurement.age,
+                    input.timeStep, memory.signals);
+    DecouplingInput known = decouplingInput(scene, input, out, staleness);
     const InnovationVerdict verdict =
         innovationVerdict(scene, input, out, known, memory.innovation);
     known.frictionLawError = verdict.frictionLawError;
@@ -261,8 +226,9 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     out.tip = out.base.position + out.estimate.deflection;
     memory.correction = slowCorrection(input, out, memory.correction);
     out.handForce = wantedForce(input, out, command, memory.correction);
-    out.flags = validity(scene, out, verdict);
+    out.flags = tickValidity(scene, out, verdict);
     out.flags.set(Validity::TipNotHeld, !command.tipHeld);
+    out.flags.set(Validity::StaleSignals, isStale(scene, input, staleness));
     memory.base = out.base.position;
     memory.compensation = command.compensation;
     memory.control = input.settings.positionControl;
@@ -284,6 +250,10 @@ TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) 
     out.forceState = governed.state;
     out.fault = governed.fault;
     return out;
+}
+
+TickOutput tick(const Scene& scene, const TickInput& input, TickMemory& memory) noexcept {
+    return tick(scene, input, commandBase(scene, input, memory), memory);
 }
 
 }  // namespace asperity

@@ -5,6 +5,7 @@
 #include "core/haptics/governor/ForceGovernor.h"
 #include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/probe/InnovationMonitor.h"
+#include "core/probe/StaleSignals.h"
 #include "core/probe/TipEquilibrium.h"
 #include "core/scene/Scene.h"
 #include "core/scene/TickInput.h"
@@ -20,6 +21,7 @@ struct TickMemory {
     PositionControl control = PositionControl::Base;  ///< of the last tick
     Vector3 correction = Vector3::Zero();             ///< slow part of estimate minus model [N]
     InnovationMemory innovation;                      ///< what many ticks say of the estimate
+    SignalHistory signals;                            ///< by which late answers lose weight
     MappingMemory mapping;
     ProxyMemory proxy;
     GuideMemory guide;
@@ -50,8 +52,13 @@ struct BaseCommand {
                                       const TickMemory& memory) noexcept;
 
 /// One tick of the haptic loop: a pure function, so that a recorded run replays to the same bits.
-/// The measurement in `input` must answer the base that commandBase() gives for the same input.
 /// No allocation, no lock, no log, no exception.
+/// @param input   its measurement answers the command's base
+/// @param command what commandBase() gives for this input and memory
+[[nodiscard]] TickOutput tick(const Scene& scene, const TickInput& input,
+                              const BaseCommand& command, TickMemory& memory) noexcept;
+
+/// The same where the measurement is known beforehand, as in a recording.
 [[nodiscard]] TickOutput tick(const Scene& scene, const TickInput& input,
                               TickMemory& memory) noexcept;
 

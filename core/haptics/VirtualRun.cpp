@@ -11,8 +11,9 @@ void runVirtually(const Scene& scene, const HandPath& hand, AfmController& afm, 
     for (long i = 0; i < ticks; ++i) {
         sample.time = static_cast<double>(i) * scene.timeStep();
         sample.input.hand.position = positionAt(hand, sample.time) / scene.settings.positionGain;
-        sample.input.measurement = afm.exchange(commandBase(scene, sample.input, memory).base);
-        sample.output = tick(scene, sample.input, memory);
+        const BaseCommand command = commandBase(scene, sample.input, memory);
+        sample.input.measurement = afm.exchange(command.base);
+        sample.output = tick(scene, sample.input, command, memory);
         sink(sample);
     }
 }

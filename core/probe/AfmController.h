@@ -8,7 +8,8 @@ namespace asperity {
 /// What the instrument last measured.
 struct AfmMeasurement {
     LeverSignals signals;
-    double age = 0.0;  ///< since it was measured [s]
+    double age = 0.0;       ///< since it was measured [s]
+    bool connected = true;  ///< false: the instrument is lost, the signals mean nothing
 };
 
 /// The instrument as the rest of the program sees it: takes the newest target of the base and gives

@@ -45,23 +45,6 @@ Smoothing smoothingOf(const SampleDescription& sample, const Map& map) {
     return {.x = sample.smoothingPixels, .y = sample.smoothingPixels};
 }
 
-InstrumentTruth instrumentTruth(const SceneDescription& scene) {
-    CantileverGeometry probe = scene.probe;
-    probe.thickness = thicknessForStiffness(probe, scene.truth.stiffness);
-    const double noise = scene.truth.signalNoise;
-    const SampleMaterial& material = scene.truth.material;
-    const ContactPair pair = contactPair(scene, material);
-    return {
-        .system = {.contact = ContactModel(chooseLaw(scene.law, pair, material.filmThickness).law,
-                                           pair, contactOptions(scene, material)),
-                   .cantilever = Cantilever(probe),
-                   .friction = material.friction},
-        .noise = {.bending = noise, .torsion = noise},
-        .seed = scene.truth.noiseSeed,
-        .temperature = scene.truth.temperature,
-        .timeStep = 1.0 / scene.tickRate};
-}
-
 /// What is made of a map.
 struct Ground {
     PlaneFit removedPlane;
@@ -119,7 +102,6 @@ Scene assemble(const SceneDescription& description, Ground ground) {
             .shape = std::move(ground.shape),
             .model = model,
             .belief = believedSystem(description, model),
-            .truth = instrumentTruth(description),
             .signalSigma = {.bending = description.signalSigma, .torsion = description.signalSigma},
             .settings = {.positionGain = description.positionGain,
                          .forceGain = description.forceGain,

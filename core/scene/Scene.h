@@ -2,7 +2,7 @@
 
 #include "core/Progress.h"
 #include "core/probe/ProbeSystem.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/probe/TipEquilibrium.h"
 #include "core/scene/SceneDescription.h"
 #include "core/scene/SceneModel.h"
 #include "core/scene/Settings.h"
@@ -26,7 +26,6 @@ struct Scene {
     std::optional<NurbsSurface> shape;  ///< what the tip touches in place of `surface`
     SceneModel model;                   ///< what the belief reckons with
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
-    InstrumentTruth truth;     ///< what the simulated instrument is
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
     Settings settings;         ///< that a run starts with
 

@@ -16,6 +16,8 @@ const char* faultName(Fault fault) noexcept {
         return "velocity_trip";
     case Fault::SolverFailed:
         return "solver_failed";
+    case Fault::InstrumentLost:
+        return "instrument_lost";
     }
     return "unknown";
 }

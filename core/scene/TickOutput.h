@@ -13,11 +13,12 @@ namespace asperity {
 /// it back.
 enum class Fault : std::uint8_t {
     None,
-    NotFinite,     ///< a value of the input or of the result was NaN or infinite
-    DeviceLost,    ///< the hand's device was unplugged
-    DeviceSilent,  ///< a device that streams sent no report any more
-    VelocityTrip,  ///< the hand moved faster than a hand does while the force acted
-    SolverFailed,  ///< for a while no equilibrium of the tip was found
+    NotFinite,       ///< a value of the input or of the result was NaN or infinite
+    DeviceLost,      ///< the hand's device was unplugged
+    DeviceSilent,    ///< a device that streams sent no report any more
+    VelocityTrip,    ///< the hand moved faster than a hand does while the force acted
+    SolverFailed,    ///< for a while no equilibrium of the tip was found
+    InstrumentLost,  ///< the connection to the instrument broke
 };
 
 /// What becomes of the force on its way to the hand. A hand that only senses knows On, Off, Fault.

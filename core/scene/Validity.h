@@ -29,7 +29,8 @@ enum class Validity : std::uint32_t {
     FeetUnproven = 1U << 17U,    ///< other places may be as near to the tip as the feet found
     LawOutOfRange = 1U << 18U,   ///< the contact law leaves out what acts here, see LawRange
     EstimateInconsistent =
-        1U << 19U,  ///< friction law or noise are not as stated: InnovationMonitor
+        1U << 19U,             ///< friction law or noise are not as stated: InnovationMonitor
+    StaleSignals = 1U << 20U,  ///< measured so long ago that the lever may have bent since
 };
 
 /// What a flag means for a result.
@@ -90,6 +91,8 @@ inline constexpr std::array kValidityTraits{
                    "adhesion beyond the reach of the law", Severity::Doubt},
     ValidityTraits{Validity::EstimateInconsistent, "estimate_inconsistent",
                    "signals contradict friction law or noise: error bars widened", Severity::Doubt},
+    ValidityTraits{Validity::StaleSignals, "stale_signals",
+                   "the instrument answers late: its signals count less", Severity::Doubt},
 };
 
 inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();

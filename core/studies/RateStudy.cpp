@@ -22,7 +22,6 @@ struct Course {
 
 ModelRun runAt(Scene& scene, const Course& course, double rate) {
     scene.description.tickRate = rate;
-    scene.truth.timeStep = scene.timeStep();
     const RecordedRun run = recordRun(scene, course.path, course.duration, course.progress);
     return runModel(scene, {run}, course.progress);
 }

@@ -19,7 +19,6 @@ public:
     SceneKept& operator=(const SceneKept&) = delete;
     ~SceneKept() {
         scene_.description.tickRate = tickRate_;
-        scene_.truth.timeStep = scene_.timeStep();
         setModel(scene_, model_);
     }
 

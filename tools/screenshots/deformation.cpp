@@ -10,7 +10,7 @@
 #include "core/Units.h"
 #include "core/haptics/RunEvents.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tools/screenshots/PictureTool.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
@@ -84,7 +84,7 @@ SceneDescription sceneOf(const std::string& material) {
 /// The tip's way down to the sample, along it and away, by the scripted hand.
 RunEvents approached(const Scene& scene, const PathPlan& plan) {
     RunEventRecorder recorder;
-    SimulatedAfm afm(scene.touched(), scene.truth);
+    SimulatedAfm afm(scene.touched(), truthOf(scene));
     runVirtually(scene, approachPath(scene, plan), afm,
                  std::lround(plan.duration / scene.timeStep()) + 1,
                  [&recorder](const TickSample& sample) { recorder.take(sample); });

@@ -49,6 +49,8 @@ QString faultWords(Fault fault) {
         return QStringLiteral("the hand was too fast: forces are off");
     case Fault::SolverFailed:
         return QStringLiteral("no equilibrium of the tip was found: forces are off");
+    case Fault::InstrumentLost:
+        return QStringLiteral("the instrument is not there: forces are off");
     }
     return {};
 }

@@ -32,7 +32,7 @@ bool standsFor(double number) {
     } else if constexpr (std::is_same_v<Value, ContactBranch>) {
         return isWhole(number, 0.0, static_cast<double>(ContactBranch::Bonded));
     } else if constexpr (std::is_same_v<Value, Fault>) {
-        return isWhole(number, 0.0, static_cast<double>(Fault::SolverFailed));
+        return isWhole(number, 0.0, static_cast<double>(Fault::InstrumentLost));
     } else if constexpr (std::is_same_v<Value, std::size_t>) {
         return isWhole(number, 0.0, static_cast<double>(kMostFeet));
     } else if constexpr (std::is_same_v<Value, int>) {

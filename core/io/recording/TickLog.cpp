@@ -73,10 +73,10 @@ void readDevice(const CsvTable& table, std::size_t row, const std::filesystem::p
 }
 
 std::vector<std::string> inputColumns() {
-    std::vector<std::string> columns{"time_s",       "time_step_s", "hand_x_m",  "hand_y_m",
-                                     "hand_z_m",     "buttons",     "connected", "alpha_rad",
-                                     "theta_rad",    "age_s",       "starts",    "hand_max_force_n",
-                                     "hand_streams", "hand_age_s"};
+    std::vector<std::string> columns{
+        "time_s",  "time_step_s",      "hand_x_m",     "hand_y_m",   "hand_z_m",
+        "buttons", "connected",        "alpha_rad",    "theta_rad",  "age_s",
+        "starts",  "hand_max_force_n", "hand_streams", "hand_age_s", "instrument_connected"};
     const std::vector<std::string> knobs = settingsColumns();
     columns.insert(columns.end(), knobs.begin(), knobs.end());
     return columns;
@@ -127,7 +127,8 @@ void TickInputWriter::take(const TickSample& sample) {
         .add(static_cast<double>(input.starts))
         .add(input.hand.maxForce)
         .add(input.hand.streams ? 1.0 : 0.0)
-        .add(input.hand.age);
+        .add(input.hand.age)
+        .add(input.measurement.connected ? 1.0 : 0.0);
     addSettings(csv_, input.settings);
     csv_.endRow();
 }
@@ -153,7 +154,10 @@ std::vector<TickSample> readTickInputs(const CsvTable& table) {
         input.hand.position = {told("hand_x_m"), told("hand_y_m"), told("hand_z_m")};
         input.hand.buttons = valueOf<std::uint32_t>(table, row, "buttons", path);
         input.hand.connected = valueOf<bool>(table, row, "connected", path);
-        input.measurement = {{told("alpha_rad"), told("theta_rad")}, told("age_s")};
+        input.measurement = {.signals = {told("alpha_rad"), told("theta_rad")},
+                             .age = told("age_s"),
+                             .connected = !table.has("instrument_connected") ||
+                                          valueOf<bool>(table, row, "instrument_connected", path)};
         input.settings = readSettings(table, row);
         readDevice(table, row, path, input);
         if (row == 0 || input.settings != samples[row - 1].input.settings) {

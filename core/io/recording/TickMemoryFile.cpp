@@ -49,6 +49,11 @@ void visit(Memory& memory, const Visitor& number) {
     number("innovation_contradicted", memory.innovation.contradicted);
     number("innovation_friction_wrong", memory.innovation.frictionWrong);
     number("innovation_noisy", memory.innovation.noisy);
+    number("signals_bending_rad", memory.signals.expected.bending);
+    number("signals_torsion_rad", memory.signals.expected.torsion);
+    number("signals_bending_rate_rad_s", memory.signals.rate.bending);
+    number("signals_torsion_rate_rad_s", memory.signals.rate.torsion);
+    number("signals_started", memory.signals.started);
     vector("hand", memory.mapping.hand, "m");
     number("mapping_follows", memory.mapping.follows);
     vector("proxy_stretch", memory.proxy.stretch, "m");
@@ -84,8 +89,8 @@ void visit(Memory& memory, const Visitor& number) {
 
 /// Whether there are memories from before there was such a value.
 bool isLater(const std::string& name) {
-    constexpr std::array kLater{"proxy_",   "governor_",  "guide",
-                                "mapping_", "unsolved_s", "innovation_"};
+    constexpr std::array kLater{"proxy_",     "governor_",   "guide",   "mapping_",
+                                "unsolved_s", "innovation_", "signals_"};
     return std::any_of(kLater.begin(), kLater.end(),
                        [&name](const char* begin) { return name.starts_with(begin); });
 }

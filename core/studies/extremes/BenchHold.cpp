@@ -1,7 +1,7 @@
 #include "core/studies/extremes/BenchHold.h"
 
 #include "core/haptics/HapticTick.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ public:
         , check_(check)
         , bench_({.arm = armOf(hold.grip), .delay = hold.delay},
                  above(kStart, hold.scale.positionGain))
-        , afm_(scene.touched(), scene.truth) {
+        , afm_(scene.touched(), truthOf(scene)) {
         input_.settings = scene.settings;
         input_.settings.positionGain = hold.scale.positionGain;
         input_.settings.forceGain = hold.scale.forceGain;
@@ -103,8 +103,9 @@ private:
     void step(double height) {
         bench_.reachFor(above(height, input_.settings.positionGain));
         input_.hand = bench_.advance(input_.timeStep);
-        input_.measurement = afm_.exchange(commandBase(scene_, input_, memory_).base);
-        const TickOutput output = tick(scene_, input_, memory_);
+        const BaseCommand command = commandBase(scene_, input_, memory_);
+        input_.measurement = afm_.exchange(command.base);
+        const TickOutput output = tick(scene_, input_, command, memory_);
         bench_.setForce(output.handForce);
         finite_ = finite_ && output.fault == Fault::None;
     }

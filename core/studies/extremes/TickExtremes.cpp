@@ -4,6 +4,7 @@
 #include "core/contact/maugis/MaugisUnits.h"
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/VirtualRun.h"
+#include "core/scene/SceneTruth.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ std::vector<TickOutput> ticksOf(const Scene& scene, double depth, int ticks) {
                         .clearance = 0.2 * radius,
                         .indentation = depth * radius,
                         .slideLength = 2.0 * radius};
-    SimulatedAfm afm(scene.touched(), scene.truth);
+    SimulatedAfm afm(scene.touched(), truthOf(scene));
     std::vector<TickOutput> outputs;
     runVirtually(scene, approachPath(scene, plan), afm, ticks,
                  [&](const TickSample& sample) { outputs.push_back(sample.output); });

@@ -2,7 +2,7 @@
 #include "core/Error.h"
 #include "core/haptics/HandPath.h"
 #include "core/haptics/RunEvents.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ Paths filesBelow(const std::filesystem::path& folder) {
 /// As `asperity explore` runs it.
 RunEvents explored(const Scene& scene) {
     const PathPlan plan;
-    SimulatedAfm afm(scene.touched(), scene.truth);
+    SimulatedAfm afm(scene.touched(), truthOf(scene));
     RunEventRecorder recorder;
     runVirtually(scene, approachPath(scene, plan), afm,
                  std::lround(plan.duration / scene.timeStep()) + 1,

@@ -17,6 +17,18 @@
 
 namespace asperity::test {
 
+std::filesystem::path levelScan(ScratchFolder& folder, int side) {
+    const std::string count = std::to_string(side);
+    const std::string size = count + "e-9";
+    std::string bytes = "Gwyddion Simple Field 1.0\nXRes = " + count + "\nYRes = " + count +
+                        "\nXReal = " + size + "\nYReal = " + size +
+                        "\nXYUnits = m\nZUnits = m\nTitle = Height\n";
+    bytes.append(4 - bytes.size() % 4, '\0');
+    bytes.append(sizeof(float) * static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
+                 '\0');
+    return folder.write("level" + count + ".gsf", bytes);
+}
+
 bool Window::eventually(const std::function<bool()>& holds, int milliseconds) {
     return QTest::qWaitFor(holds, milliseconds);
 }

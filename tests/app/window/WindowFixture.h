@@ -14,6 +14,9 @@
 
 namespace asperity::test {
 
+/// A file of level heights, side x side pixels of 1 nm.
+[[nodiscard]] std::filesystem::path levelScan(ScratchFolder& folder, int side);
+
 /// The real window with its session, on a display. Tests act by mouse and key events, and read what
 /// the window shows.
 class Window : public ::testing::Test {

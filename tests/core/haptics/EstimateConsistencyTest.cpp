@@ -1,6 +1,6 @@
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <Eigen/Cholesky>
@@ -39,8 +39,9 @@ Honesty honestyOf(const Friction& friction) {
     const HandPath path = approachPath(scene, {.duration = 10.0, .indentation = 1.0_nm});
     Honesty honesty;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        scene.truth.seed = seed;
-        SimulatedAfm afm(scene.surface, scene.truth);
+        InstrumentTruth truth = truthOf(scene);
+        truth.seed = seed;
+        SimulatedAfm afm(scene.surface, truth);
         bool flagged = false;
         runVirtually(scene, path, afm, 10001, [&](const TickSample& sample) {
             const TickOutput& out = sample.output;
@@ -93,7 +94,7 @@ TEST(EstimateConsistency, IsNotCertainOfALawThatNothingTests) {
         description.sample.material.friction = {.coefficient = believed};
         description.truth.material.friction = {.coefficient = believed + 0.05};
         const Scene scene = buildScene(description, test::flatMap());
-        SimulatedAfm afm(scene.surface, scene.truth);
+        SimulatedAfm afm(scene.surface, truthOf(scene));
         const HandPath path{{0.0, {30.0_nm, 64.0_nm, 10.0_nm}},
                             {1.0, {30.0_nm, 64.0_nm, -1.0_nm}},
                             {3.0, {80.0_nm, 64.0_nm, -1.0_nm}}};
@@ -116,7 +117,7 @@ TEST(EstimateConsistency, IsNotCertainOfALawThatNothingTests) {
 /// A thousand seconds in free air: the test of one tick flashed twice a second.
 TEST(EstimateConsistency, FlashesNotOnceInFreeAir) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     const HandPath path{{0.0, {64.0_nm, 64.0_nm, 50.0_nm}}};
     long flagged = 0;
     runVirtually(scene, path, afm, 1'000'000, [&](const TickSample& sample) {
@@ -133,7 +134,7 @@ TEST(EstimateConsistency, ContradictsAModelThatStillAdheresAtOnce) {
     SceneDescription description = test::plainScene();
     description.truth.material.workOfAdhesion = 0.02;
     const Scene scene = buildScene(description, test::flatMap());
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     const HandPath path = approachPath(scene, {.duration = 10.0, .indentation = 1.0_nm});
     std::optional<double> alone;  // since when only the model is bonded
     std::optional<double> noticed;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/haptics/HapticTick.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 
 #include <cstdint>
 
@@ -18,7 +18,7 @@ inline constexpr CouplingGains kGains{.stiffness = 400.0, .damping = 3.0, .proxy
 class GuidedHand {
 public:
     explicit GuidedHand(const Scene& scene)
-        : settings(scene.settings), scene_(scene), afm_(scene.touched(), scene.truth) {}
+        : settings(scene.settings), scene_(scene), afm_(scene.touched(), truthOf(scene)) {}
 
     TickOutput moveTo(const Vector3& hand, int ticks = 1);
     /// At a speed that a hand has, in half of the ticks; then it stays.

@@ -3,7 +3,7 @@
 #include "core/Units.h"
 #include "core/haptics/ScriptedHand.h"
 #include "core/haptics/device/PointerHand.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ private:
 struct Bench {
     Scene scene = flatScene();
     FakeDevice hand{middleAbove(scene, -2.0_nm)};
-    SimulatedAfm afm{scene.surface, scene.truth};
+    SimulatedAfm afm{scene.surface, truthOf(scene)};
     HapticLoop loop{scene, hand, afm};
 };
 
@@ -80,7 +80,7 @@ TEST(HapticLoop, MakesTheSameTicksAsAVirtualRun) {
     const Scene scene = flatScene();
     const HandPath path{{0.0, middleAbove(scene, 3.0_nm)}, {0.2, middleAbove(scene, -2.0_nm)}};
     ScriptedHand hand(path, scene.settings.positionGain);
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, hand, afm);
     loop.start();
     waitForTicks(loop, 250);
@@ -185,7 +185,7 @@ TEST(HapticLoop, CountsSamplesThatNobodyFetched) {
     description.tickRate = 10000.0;
     const Scene scene = buildScene(description, test::flatMap());
     FakeDevice hand(middleAbove(scene, 1.0_nm));
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, hand, afm);
     loop.start();
     while (loop.snapshot().statistics.lostSamples == 0) {
@@ -231,7 +231,7 @@ private:
 TEST(HapticLoop, TakesOneLongStepOverWhatItMissed) {
     const Scene scene = flatScene();
     SlowHand hand(middleAbove(scene, 5.0_nm));
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, hand, afm);
     loop.start();
     waitForTicks(loop, 40);

@@ -2,7 +2,7 @@
 
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "core/surface/imaging/TipErosion.h"
 #include "tests/support/TestScenes.h"
 
@@ -22,7 +22,7 @@ std::vector<TickSample> approachAndRetract(const Scene& scene, double depth) {
     const HandPath path{{0.0, {x, y, ground + 4.0_nm}},
                         {1.0, {x, y, ground - depth}},
                         {2.0, {x, y, ground + 4.0_nm}}};
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     std::vector<TickSample> samples;
     runVirtually(scene, path, afm, 2001, [&](const TickSample& s) { samples.push_back(s); });
     return samples;
@@ -105,7 +105,7 @@ TEST(HapticTick, FeelsTheModelAtOnceAndTheEstimateSlowly) {
     description.truth.material.workOfAdhesion = 0.0;
     description.truth.material.elastic.youngsModulus *= 2.0;
     const Scene scene = buildScene(description, test::flatMap());
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     const Vector3 start(64.0_nm, 64.0_nm, 5.0_nm);
     const HandPath path{{0.0, start}, {0.1, {64.0_nm, 64.0_nm, -2.0_nm}}};
     std::vector<TickSample> samples;
@@ -275,7 +275,7 @@ TEST(HapticTick, FlagsPressureBeyondTheHardnessAndContactsTooWideForTheFilm) {
 
 /// Slides a tip under load and gives the last tick.
 TickOutput slid(const Scene& scene, const Vector3& direction) {
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     TickMemory memory;
     TickInput input;
     input.settings = scene.settings;

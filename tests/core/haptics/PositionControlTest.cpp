@@ -1,6 +1,6 @@
 #include "core/Units.h"
 #include "core/haptics/HapticTick.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 /// A hand, the tick and a simulated instrument, ticked one place of the hand at a time.
 class Bench {
 public:
-    explicit Bench(const Scene& scene) : scene_(scene), afm_(scene.surface, scene.truth) {
+    explicit Bench(const Scene& scene) : scene_(scene), afm_(scene.surface, truthOf(scene)) {
         input_.settings = scene.settings;
         input_.timeStep = scene.timeStep();
     }

@@ -3,7 +3,7 @@
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/ScriptedHand.h"
 #include "core/haptics/VirtualRun.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/AllocationCounter.h"
 #include "tests/support/TestScenes.h"
 
@@ -18,7 +18,7 @@ namespace {
 /// Runs the approach of a scene and watches every tick of it.
 void expectNoAllocation(const Scene& scene) {
     const HandPath path = approachPath(scene, {.duration = 2.0});
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     TickMemory memory;
     TickInput input;
     input.settings = scene.settings;
@@ -116,7 +116,7 @@ TEST(TickAllocation, NorDoSeveralFeet) {
 TEST(TickAllocation, TheRunningLoopAllocatesNothing) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
     ScriptedHand hand(approachPath(scene, {.duration = 0.5}), scene.settings.positionGain);
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, hand, afm);
     loop.start();
     while (loop.snapshot().statistics.ticks == 0) {

@@ -1,6 +1,6 @@
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +61,7 @@ protected:
         description.truth.material.friction.coefficient *= GetParam().friction;
         const Scene scene = buildScene(description, test::hillyMap());
         kappa = scene.belief.cantilever.couplingRatio();
-        SimulatedAfm afm(scene.surface, scene.truth);
+        SimulatedAfm afm(scene.surface, truthOf(scene));
         const HandPath path = approachPath(scene, {.duration = 10.0, .slideLength = 60.0_nm});
         runVirtually(scene, path, afm, 10000, [&](const TickSample& sample) {
             const TipState& truth = afm.trueState();

@@ -3,7 +3,7 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/probe/CantileverModes.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/core/probe/ReferenceLever.h"
 #include "tests/support/AllocationCounter.h"
 #include "tests/support/TestScenes.h"
@@ -111,7 +111,7 @@ TEST(ThermalNoise, RestsWithoutTemperatureAndRefusesANegativeOne) {
 class WarmAfm : public ::testing::Test {
 protected:
     SimulatedAfm afm(double temperature, std::uint64_t seed) {
-        InstrumentTruth truth = scene.truth;
+        InstrumentTruth truth = truthOf(scene);
         truth.noise = {};
         truth.temperature = temperature;
         truth.timeStep = scene.timeStep();
@@ -124,7 +124,7 @@ protected:
 };
 
 TEST_F(WarmAfm, ShakesTheBendingSignalByTheFundamentalMode) {
-    const FlexuralMode mode = flexuralMode(scene.truth.system.cantilever.geometry(), 1);
+    const FlexuralMode mode = flexuralMode(truthOf(scene).system.cantilever.geometry(), 1);
     SimulatedAfm warm = afm(300.0, 3);
     SimulatedAfm cold = afm(0.0, 3);
     const double still = cold.exchange(farAway).signals.bending;
@@ -142,12 +142,12 @@ TEST_F(WarmAfm, ShakesTheBendingSignalByTheFundamentalMode) {
 
 TEST_F(WarmAfm, IsAsWarmAndAsFastAsItsScene) {
     SceneDescription description = test::plainScene();
-    EXPECT_EQ(scene.truth.temperature, 0.0) << "cold unless asked";
+    EXPECT_EQ(truthOf(scene).temperature, 0.0) << "cold unless asked";
     description.truth.temperature = 77.0;
     description.tickRate = 4000.0;
     const Scene warm = buildScene(description, test::flatMap());
-    EXPECT_EQ(warm.truth.temperature, 77.0);
-    EXPECT_EQ(warm.truth.timeStep, warm.timeStep());
+    EXPECT_EQ(truthOf(warm).temperature, 77.0);
+    EXPECT_EQ(truthOf(warm).timeStep, warm.timeStep());
     description.truth.temperature = -1.0;
     EXPECT_THROW((void)buildScene(description, test::flatMap()), Error);
 }

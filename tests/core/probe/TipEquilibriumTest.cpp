@@ -1,7 +1,7 @@
 #include "core/probe/TipEquilibrium.h"
 
 #include "core/Units.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/StorageError.h"
 #include "tests/support/TestScenes.h"
 
@@ -308,15 +308,15 @@ TEST(SimulatedAfm, SignalsAreThoseOfTheTrueForcePlusSeededNoise) {
     const Scene noisy = buildScene(description, test::flatMap());
     const BaseMotion base{.position = {64.0_nm, 64.0_nm, -2.0_nm}};
 
-    SimulatedAfm exact(quiet.surface, quiet.truth);
+    SimulatedAfm exact(quiet.surface, truthOf(quiet));
     const AfmMeasurement clean = exact.exchange(base);
     const LeverSignals expected =
-        leverSignals(quiet.truth.system.cantilever, exact.trueState().force);
+        leverSignals(truthOf(quiet).system.cantilever, exact.trueState().force);
     EXPECT_EQ(clean.signals.bending, expected.bending);
     EXPECT_EQ(clean.age, 0.0);
 
-    SimulatedAfm first(noisy.surface, noisy.truth);
-    SimulatedAfm second(noisy.surface, noisy.truth);
+    SimulatedAfm first(noisy.surface, truthOf(noisy));
+    SimulatedAfm second(noisy.surface, truthOf(noisy));
     double sum = 0.0;
     double squares = 0.0;
     constexpr int kDraws = 4000;

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -116,7 +117,7 @@ TEST(SceneModel, AFilmIsAsElasticAsItsSample) {
     const FilmElasticity believed = scene.belief.contact.film()->elasticity();
     EXPECT_EQ(believed.poissonRatio, 0.42);
     EXPECT_NEAR(believed.share, 0.5, 1e-15);
-    EXPECT_EQ(scene.truth.system.contact.film()->elasticity().poissonRatio, 0.3);
+    EXPECT_EQ(truthOf(scene).system.contact.film()->elasticity().poissonRatio, 0.3);
 }
 
 TEST(SceneModel, ASettledDescriptionSaysEveryTerm) {

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/scene/SceneTruth.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "tests/support/TestScenes.h"
 
@@ -24,15 +25,15 @@ TEST(Scene, DefaultIsThePapersPolystyreneUnderA14NewtonPerMetreLever) {
 TEST(Scene, TruthIsWhatTheSceneSaysUnlessSaidOtherwise) {
     SceneDescription description = defaultScene();
     const Scene same = buildScene(description, test::hillyMap());
-    EXPECT_EQ(same.truth.system.contact.pair().reducedModulus,
+    EXPECT_EQ(truthOf(same).system.contact.pair().reducedModulus,
               same.belief.contact.pair().reducedModulus);
-    EXPECT_EQ(same.truth.system.cantilever.stiffness(), same.belief.cantilever.stiffness());
+    EXPECT_EQ(truthOf(same).system.cantilever.stiffness(), same.belief.cantilever.stiffness());
     description.truth.material.elastic.youngsModulus *= 2.0;
     description.truth.stiffness = 20.0;
     const Scene other = buildScene(description, test::hillyMap());
-    EXPECT_GT(other.truth.system.contact.pair().reducedModulus,
+    EXPECT_GT(truthOf(other).system.contact.pair().reducedModulus,
               1.9 * other.belief.contact.pair().reducedModulus);
-    EXPECT_NEAR(other.truth.system.cantilever.stiffness(), 20.0, 1e-12);
+    EXPECT_NEAR(truthOf(other).system.cantilever.stiffness(), 20.0, 1e-12);
     EXPECT_NEAR(other.belief.cantilever.stiffness(), 14.0, 1e-12);
 }
 

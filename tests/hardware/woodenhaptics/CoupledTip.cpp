@@ -1,6 +1,7 @@
 #include "tests/hardware/woodenhaptics/CoupledTip.h"
 
 #include "core/Units.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 namespace asperity::test {
@@ -23,7 +24,7 @@ Vector3 handleAt(double height) { return {64e-3, 64e-3, height}; }
 
 CoupledTip::CoupledTip(HapticDevice& hand)
     : scene_(coupledScene())
-    , afm_(scene_.touched(), scene_.truth)
+    , afm_(scene_.touched(), truthOf(scene_))
     , settings_(scene_.settings)
     , loop(scene_, hand, afm_) {}
 

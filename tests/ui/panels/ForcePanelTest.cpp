@@ -2,7 +2,7 @@
 
 #include "core/Units.h"
 #include "core/haptics/VirtualRun.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/panels/PanelSamples.h"
 
@@ -163,7 +163,7 @@ TEST(ForcePanel, ClearForgetsNumbersAndCurves) {
 
 TEST(ForcePanel, CurvesShowARunFromContactToPullOff) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     ForcePanel panel;
     double strongest = 0.0;
     double weakest = 0.0;

@@ -1,7 +1,7 @@
 #include "tests/ui/view/ViewMoments.h"
 
 #include "core/haptics/RunEvents.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace asperity::test {
 
 ViewMoments momentsOf(const Scene& scene) {
     const PathPlan plan{.duration = 4.0, .slideLength = 0.0};
-    SimulatedAfm afm(scene.surface, scene.truth);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
     RunEventRecorder recorder;
     std::optional<TickSample> first;
     runVirtually(scene, approachPath(scene, plan), afm, 4000, [&](const TickSample& sample) {

@@ -2,7 +2,7 @@
 
 #include "core/Units.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Vector3 above(double height) { return {64e-3, 64e-3, height}; }
 class CoupledTick {
 public:
     CoupledTick(const Scene& scene, const Hold& hold)
-        : scene_(scene), afm_(scene.touched(), scene.truth) {
+        : scene_(scene), afm_(scene.touched(), truthOf(scene)) {
         input_.settings = scene.settings;
         input_.settings.coupling = hold.coupling;
         input_.settings.guide = hold.guide;

@@ -1,6 +1,6 @@
 #include "core/Units.h"
 #include "core/haptics/HapticLoop.h"
-#include "core/probe/SimulatedAfm.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ protected:
 
     Scene scene = buildScene(test::plainScene(), test::flatMap());
     MotorDevice hand{Vector3(64.0_nm, 64.0_nm, -2.0_nm)};
-    SimulatedAfm afm{scene.surface, scene.truth};
+    SimulatedAfm afm{scene.surface, truthOf(scene)};
     std::unique_ptr<HapticLoop> loop;
 };
 

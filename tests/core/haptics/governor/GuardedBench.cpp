@@ -1,6 +1,7 @@
 #include "tests/core/haptics/governor/GuardedBench.h"
 
 #include "core/Units.h"
+#include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
 namespace asperity::test {
@@ -26,7 +27,7 @@ Scene coupledScene() {
 GuardedBench::GuardedBench() : GuardedBench(coupledScene(), above(kHigh)) {}
 
 GuardedBench::GuardedBench(const Scene& scene, const Vector3& start)
-    : scene_(scene), bench_({.arm = kNormalGrip}, start), afm_(scene_.touched(), scene_.truth) {
+    : scene_(scene), bench_({.arm = kNormalGrip}, start), afm_(scene_.touched(), truthOf(scene_)) {
     input.settings = scene_.settings;
     input.timeStep = scene_.timeStep();
 }

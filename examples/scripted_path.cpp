@@ -1,0 +1,54 @@
+// A tip that a script leads over a scene, as the model and the simulated AFM have it:
+// scripted_path SCENE.toml or SCAN
+#include "core/haptics/VirtualRun.h"
+#include "core/io/heightmap/ScanFile.h"
+#include "core/io/scene/SceneFile.h"
+#include "core/scene/SceneTruth.h"
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <utility>
+#include <variant>
+
+namespace {
+
+asperity::Scene sceneOf(const char* file) {
+    const asperity::SceneDescription description = asperity::sceneFromInput(file);
+    if (description.sample.shape) {
+        return buildScene(description);
+    }
+    auto scan =
+        asperity::ScanFile(description.sample.file).readSceneScan(description.sample.channel);
+    return std::visit([&](auto map) { return buildScene(description, std::move(map)); },
+                      std::move(scan.map));
+}
+
+void printForces(const char* file) {
+    using namespace asperity;
+    const Scene scene = sceneOf(file);
+    SimulatedAfm afm(scene.touched(), truthOf(scene));
+    const HandPath path = approachPath(scene, {.duration = 2.0, .slideLength = 20e-9});
+    const long ticks = std::lround(2.0 / scene.timeStep());
+    std::printf("time_s,base_z_m,model_n,estimate_n,flags\n");
+    runVirtually(scene, path, afm, ticks, [](const TickSample& sample) {
+        const TickOutput& out = sample.output;
+        std::printf("%.3f,%.4e,%.4e,%.4e,%s\n", sample.time, out.base.position.z(),
+                    out.model.force.z(), out.estimate.force.z(), validityText(out.flags).c_str());
+    });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: scripted_path SCENE.toml or SCAN\n");
+        return 2;
+    }
+    try {
+        printForces(argv[1]);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,63 @@
+#include "app/recording/RecordingThread.h"
+#include "app/session/LiveRun.h"
+#include "core/haptics/ScriptedHand.h"
+#include "core/scene/SceneTruth.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ScratchFolder.h"
+#include "tests/support/SlowAfm.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace asperity {
+namespace {
+
+/// The loop, its recording and the replay with an instrument that answers every 20 ms and is lost
+/// in the end.
+TEST(SlowInstrumentRun, IsRecordedAndReplaysToTheSameBits) {
+    const test::ScratchFolder folder;
+    LoadedScene loaded = loadScene(test::shippedScene("polystyrene"), {});
+    const HandPath path = approachPath(loaded.scene, {.duration = 1.5});
+    test::SlowAfm* instrument = nullptr;
+    LiveRun run(std::move(loaded), path.front().position, [&](const Scene& scene) {
+        auto slow = std::make_unique<test::SlowAfm>(scene.touched(), truthOf(scene), 20e-3);
+        instrument = slow.get();
+        return slow;
+    });
+    run.takeHand([&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
+    RecordingThread recording({folder.path() / "run"}, run.loaded(), run.loop().memory(), 0.0);
+    long stale = 0;
+    long lost = 0;
+    const auto fetchFor = [&](double seconds) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+        while (std::chrono::steady_clock::now() < end) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            run.fetch([&](const TickSample& sample) {
+                recording.take(sample);
+                stale += sample.output.flags.has(Validity::StaleSignals) ? 1 : 0;
+                lost += sample.output.fault == Fault::InstrumentLost ? 1 : 0;
+            });
+        }
+    };
+    run.loop().start();
+    fetchFor(1.6);
+    run.loop().stop();
+    instrument->lost = true;  // while nobody asks it
+    run.loop().start();
+    fetchFor(0.2);
+    run.loop().stop();
+    run.fetch([&](const TickSample& sample) { recording.take(sample); });
+    recording.finish();
+    EXPECT_GT(stale, 0);
+    EXPECT_GT(lost, 0);
+    const auto again = test::runProgram("replay " + (folder.path() / "run").string() + " --out " +
+                                        folder.file("again").string());
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_NE(again.output.find("bit-identical"), std::string::npos) << again.output;
+}
+
+}  // namespace
+}  // namespace asperity
