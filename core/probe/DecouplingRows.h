@@ -31,7 +31,7 @@ struct ContactGeometry {
 }
 
 /// Nobody knows a friction coefficient better than to this: a law of less is not certain of it.
-inline constexpr double kLeastFriction = 0.05;
+inline constexpr double kLeastFriction = 0.04;
 
 /// What the friction law may be off by beside its own 30 %, at any load [N].
 [[nodiscard]] inline double leastLawError(const DecouplingInput& in, double stated) noexcept {
