@@ -23,6 +23,9 @@ Recording::Recording(const RecordingPlace& place, const LoadedScene& loaded,
     writeScene(loaded.scene.settings);
     flush();
     writeManifest(folder(), {.sha256 = loaded.sha256});
+    if (place.replace) {
+        sync();  // the earlier run goes: a power cut must not take both
+    }
     begin_.keep();
 }
 

@@ -55,7 +55,7 @@ void OutputFolder::requireAllowed() const {
     for (const std::string& name : content_.own) {
         if (!force_ && !isOurs && isThere(folder_ / name)) {
             throw Error((folder_ / name).string() +
-                        ": is not of an earlier run of this command; name another folder, or "
+                        ": is not of a whole earlier run of this command; name another folder, or "
                         "replace that file with --force");
         }
     }

@@ -62,7 +62,7 @@ void requireFreeForRun(const std::filesystem::path& folder, bool replace);
 
 /// The folder of a run that begins. What an earlier run left is set aside, in a hidden folder
 /// within it; without keep() all is as before: what the new run wrote goes, what was set aside
-/// comes back.
+/// comes back. Killed in these milliseconds, a process leaves it in the hidden folder.
 class BeginningRun {
 public:
     /// Makes the folder where there is none.

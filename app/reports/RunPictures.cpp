@@ -2,7 +2,6 @@
 
 #include "app/reports/ContactView.h"
 #include "app/reports/RunFolder.h"
-#include "core/deformation/ContactPatch.h"
 #include "core/io/fields/PatchExr.h"
 #include "core/surface/fit/CoarserSurface.h"
 

@@ -49,7 +49,7 @@ ContactDeformation::ContactDeformation(const Scene& scene, const TipState& state
                                        DeformationTier tier, const HalfSpaceAnswer* halfSpace)
     : contact_(tipContact(scene, state))
     , share_(shareOfSample(scene, tier))
-    , closedForm_(displacementTable(scene, state))
+    , closedForm_(sharesDisplacement(tier) ? displacementTable(scene, state) : nullptr)
     , field_(
           fieldFor(scene.surface, tier,
                    halfSpace != nullptr && stillHolds(*halfSpace, state) ? halfSpace : nullptr)) {}

@@ -6,6 +6,8 @@
 #include "core/surface/deformation/DisplacementField.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 
+#include <memory>
+
 namespace asperity {
 
 /// How one state of the believed model deforms sample and tip: what the window draws, what pictures
@@ -25,7 +27,7 @@ public:
     /// By how much the tip's own surface has moved into the tip, at this distance from the
     /// contact's axis [m].
     [[nodiscard]] double tipDisplacement(double distance) const {
-        return (1.0 - share_) * closedForm_->at(distance);
+        return closedForm_ != nullptr ? (1.0 - share_) * closedForm_->at(distance) : 0.0;
     }
 
 private:
@@ -34,8 +36,8 @@ private:
 
     TipContact contact_;
     double share_;  ///< of the sample in the displacement, the tip takes the rest
-    std::shared_ptr<const RadialTable>
-        closedForm_;  ///< of sample and tip together; the field's too
+    /// Of sample and tip together; the field's too. Null for tiers that move the sample alone.
+    std::shared_ptr<const RadialTable> closedForm_;
     DisplacementField field_;
 };
 

@@ -215,16 +215,24 @@ TickOutput tick(const Scene& scene, const TickInput& input, const BaseCommand& c
     TickOutput out;
     out.base = command.base;
     out.model = tipEquilibrium(scene.felt(), scene.belief, out.base, memory.model);
-    const LeverSignals staleness =
-        stalenessOf(leverSignals(scene.belief.cantilever, out.model.force), input.measurement.age,
-                    input.timeStep, memory.signals);
+    // Of an instrument that is lost nothing is taken; until it is back the model stands alone.
+    const bool answers = input.measurement.connected;
+    const LeverSignals expected = leverSignals(scene.belief.cantilever, out.model.force);
+    const LeverSignals staleness = stalenessOf(expected, answers ? input.measurement.age : 0.0,
+                                               input.timeStep, memory.signals);
     DecouplingInput known = decouplingInput(scene, input, out, staleness);
+    if (!answers) {
+        known.signals = expected;
+    }
     const InnovationVerdict verdict =
-        innovationVerdict(scene, input, out, known, memory.innovation);
+        answers ? innovationVerdict(scene, input, out, known, memory.innovation)
+                : InnovationVerdict{};
     known.frictionLawError = verdict.frictionLawError;
     out.estimate = decoupled(scene, weighed(scene, out.model, known), verdict.covarianceFactor);
     out.tip = out.base.position + out.estimate.deflection;
-    memory.correction = slowCorrection(input, out, memory.correction);
+    if (answers) {
+        memory.correction = slowCorrection(input, out, memory.correction);
+    }
     out.handForce = wantedForce(input, out, command, memory.correction);
     out.flags = tickValidity(scene, out, verdict);
     out.flags.set(Validity::TipNotHeld, !command.tipHeld);

@@ -1,6 +1,5 @@
 #include "core/probe/StaleSignals.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -9,14 +8,13 @@ LeverSignals stalenessOf(const LeverSignals& expected, double age, double timeSt
                          SignalHistory& memory) noexcept {
     const double kept = age > 0.0 ? std::exp(-timeStep / age) : 0.0;
     const LeverSignals last = memory.started ? memory.expected : expected;
-    const auto fastest = [&](double now, double before, double rate) {
-        return std::max(std::abs(now - before) / timeStep, kept * rate);
-    };
     memory = {.expected = expected,
-              .rate = {.bending = fastest(expected.bending, last.bending, memory.rate.bending),
-                       .torsion = fastest(expected.torsion, last.torsion, memory.rate.torsion)},
+              .change = {.bending = kept * memory.change.bending +
+                                    std::abs(expected.bending - last.bending),
+                         .torsion = kept * memory.change.torsion +
+                                    std::abs(expected.torsion - last.torsion)},
               .started = true};
-    return {.bending = memory.rate.bending * age, .torsion = memory.rate.torsion * age};
+    return age > 0.0 ? memory.change : LeverSignals{};
 }
 
 }  // namespace asperity

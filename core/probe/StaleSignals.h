@@ -4,15 +4,15 @@
 
 namespace asperity {
 
-/// How fast the model says that the signals change.
+/// How much the model says that the signals change.
 struct SignalHistory {
     LeverSignals expected;  ///< in the last tick [rad]
-    LeverSignals rate;      ///< fastest over about the age of the signals [rad/s]
+    LeverSignals change;    ///< over about the age of the signals, all ways added up [rad]
     bool started = false;
 };
 
-/// By how much the signals may differ from those of now, because they were measured `age` ago: the
-/// fastest change that the model expected meanwhile, over that time. 0 for signals of now. [rad]
+/// By how much the signals may differ from those of now, because they were measured `age` ago: all
+/// that the model expected to change meanwhile. 0 for signals of now. [rad]
 /// @param expected what the model expects of the signals now [rad]
 [[nodiscard]] LeverSignals stalenessOf(const LeverSignals& expected, double age, double timeStep,
                                        SignalHistory& memory) noexcept;

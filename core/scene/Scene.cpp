@@ -1,6 +1,7 @@
 #include "core/scene/Scene.h"
 
 #include "core/Error.h"
+#include "core/scene/SceneTruth.h"
 #include "core/scene/ShapeSample.h"
 #include "core/surface/InvalidPixels.h"
 #include "core/surface/fit/BSplineFit.h"
@@ -94,6 +95,7 @@ Ground groundOf(const SampleDescription& sample, Map map, Progress* progress) {
 }
 
 Scene assemble(const SceneDescription& description, Ground ground) {
+    (void)truthOf(description);  // a truth that is none is refused here, not by who runs the scene
     const SceneModel model = usualModel(description);
     return {.description = description,
             .removedPlane = ground.removedPlane,

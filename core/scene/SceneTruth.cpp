@@ -4,8 +4,7 @@
 
 namespace asperity {
 
-InstrumentTruth truthOf(const Scene& scene) {
-    const SceneDescription& description = scene.description;
+InstrumentTruth truthOf(const SceneDescription& description) {
     const TruthDescription& truth = description.truth;
     CantileverGeometry probe = description.probe;
     probe.thickness = thicknessForStiffness(probe, truth.stiffness);
@@ -19,7 +18,7 @@ InstrumentTruth truthOf(const Scene& scene) {
         .noise = {.bending = truth.signalNoise, .torsion = truth.signalNoise},
         .seed = truth.noiseSeed,
         .temperature = truth.temperature,
-        .timeStep = scene.timeStep()};
+        .timeStep = 1.0 / description.tickRate};
 }
 
 }  // namespace asperity

@@ -7,6 +7,10 @@ namespace asperity {
 
 /// What the simulated instrument of a scene is: what its description says is true, whatever the
 /// model believes.
-[[nodiscard]] InstrumentTruth truthOf(const Scene& scene);
+/// @throw Error where no such instrument can be; buildScene() has looked
+[[nodiscard]] InstrumentTruth truthOf(const SceneDescription& description);
+[[nodiscard]] inline InstrumentTruth truthOf(const Scene& scene) {
+    return truthOf(scene.description);
+}
 
 }  // namespace asperity

@@ -2,6 +2,8 @@
 
 #include "core/probe/SimulatedAfm.h"
 
+#include <limits>
+
 namespace asperity::test {
 
 /// An instrument that takes its time: it measures one thing after another, and each answer comes
@@ -22,8 +24,11 @@ public:
             elapsed_ = 0.0;
             begun_ = true;
         }
-        answer_.connected = !lost;
-        return answer_;
+        constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+        return lost ? AfmMeasurement{.signals = {kNothing, kNothing},
+                                     .age = kNothing,
+                                     .connected = false}
+                    : answer_;
     }
 
     bool lost = false;

@@ -51,8 +51,8 @@ void visit(Memory& memory, const Visitor& number) {
     number("innovation_noisy", memory.innovation.noisy);
     number("signals_bending_rad", memory.signals.expected.bending);
     number("signals_torsion_rad", memory.signals.expected.torsion);
-    number("signals_bending_rate_rad_s", memory.signals.rate.bending);
-    number("signals_torsion_rate_rad_s", memory.signals.rate.torsion);
+    number("signals_bending_change_rad", memory.signals.change.bending);
+    number("signals_torsion_change_rad", memory.signals.change.torsion);
     number("signals_started", memory.signals.started);
     vector("hand", memory.mapping.hand, "m");
     number("mapping_follows", memory.mapping.follows);

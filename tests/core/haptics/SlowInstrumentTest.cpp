@@ -69,6 +69,8 @@ TEST_F(SlowInstrument, IsAFaultOnceItIsLost) {
     const TickOutput lost = step();
     EXPECT_EQ(lost.fault, Fault::InstrumentLost);
     EXPECT_EQ(lost.handForce, Vector3::Zero());
+    EXPECT_TRUE(lost.base.position.allFinite());
+    EXPECT_TRUE(memory.correction.allFinite());
     slow.lost = false;
     EXPECT_EQ(step().fault, Fault::InstrumentLost) << "latched";
     ++input.settings.rearms;

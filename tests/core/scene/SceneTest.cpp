@@ -86,6 +86,7 @@ TEST(Scene, RefusesEachValueOutsideItsRange) {
         [](SceneDescription& s) { s.truth.material.friction.shearStrength = INFINITY; },
         [](SceneDescription& s) { s.truth.stiffness = 0.0; },
         [](SceneDescription& s) { s.truth.signalNoise = -1.0; },
+        [](SceneDescription& s) { s.truth.material.workOfAdhesion = 2000.0; },
         [](SceneDescription& s) { s.tip.radius = 0.0; },
         [](SceneDescription& s) { s.tip.elastic.youngsModulus = -1.0; },
         [](SceneDescription& s) { s.tip.elastic.poissonRatio = 0.7; },
