@@ -7,6 +7,7 @@
 #include "app/program/DataFolder.h"
 #include "app/recording/RecordingThread.h"
 #include "app/reports/AlternatingBlocks.h"
+#include "app/reports/BeginningRun.h"
 #include "app/reports/LoopReport.h"
 #include "app/session/HandControl.h"
 #include "app/session/LiveWindow.h"

@@ -3,7 +3,7 @@
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/program/DataFolder.h"
-#include "app/reports/RunFolder.h"
+#include "app/reports/BeginningRun.h"
 #include "app/session/LiveWindow.h"
 #include "vtkplugins/pictures/Display.h"
 

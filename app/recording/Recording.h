@@ -2,6 +2,7 @@
 
 #include "app/program/LoadedScene.h"
 #include "app/recording/EnergyLog.h"
+#include "app/reports/BeginningRun.h"
 #include "app/reports/RunFolder.h"
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/RunEvents.h"

@@ -13,31 +13,18 @@
 
 namespace asperity {
 
-namespace {
-
-bool isThere(const std::filesystem::path& path) {
-    std::error_code unknown;
-    return std::filesystem::exists(std::filesystem::symlink_status(path, unknown));
-}
-
-}  // namespace
-
 OutputFolder::OutputFolder(std::filesystem::path folder, FolderContent content, bool force)
-    : folder_(std::move(folder))
+    : claim_(std::move(folder))
+    , folder_(claim_.path())
     , content_(std::move(content))
-    , force_(force)
-    , made_(!isThere(folder_)) {
+    , force_(force) {
     requireAllowed();
-    makeOutputFolder(folder_);
     makeStaging();
 }
 
 OutputFolder::~OutputFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(staging_, ignored);
-    if (made_) {
-        std::filesystem::remove(folder_, ignored);  // only where it is empty
-    }
 }
 
 void OutputFolder::requireAllowed() const {
@@ -135,7 +122,7 @@ void OutputFolder::commit() {
         }
     }
     moveOut(whole);
-    made_ = false;
+    claim_.keep();
 }
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/reports/ClaimedFolder.h"
 #include "core/FileDescriptor.h"
 
 #include <filesystem>
@@ -45,10 +46,10 @@ private:
     void remove(const std::filesystem::path& name) const;
     void moveOut(const std::filesystem::path& name) const;
 
-    std::filesystem::path folder_;
+    ClaimedFolder claim_;
+    const std::filesystem::path& folder_;
     FolderContent content_;
     bool force_;
-    bool made_;  ///< the folder, by this
     std::filesystem::path staging_;
     FileDescriptor lock_{-1};
 };
