@@ -78,6 +78,9 @@ RecordedRun readRun(const std::filesystem::path& folder) {
     const RunState state = stateOf(folder);
     const auto table = [&](const char* name) {
         const std::filesystem::path file = folder / name;
+        if (state != RunState::Complete && std::filesystem::is_empty(file)) {
+            throw InputError(file.string(), "", "the recording was cut off before its first tick");
+        }
         return state == RunState::Complete ? readCsv(file) : readUnfinishedCsv(file);
     };
     RecordedRun run{.state = state,

@@ -68,6 +68,16 @@ TEST_F(CutOff, ReplaysUpToItsLastWholeTickAndSaysSo) {
     EXPECT_NE(replayed("199").find("cut off"), std::string::npos);
 }
 
+/// After a power cut a file may be there with nothing in it.
+TEST_F(CutOff, SaysSoWhereATableIsEmpty) {
+    cutOff(200);
+    fs::resize_file(run / run_files::kLog, 0);
+    const auto replay = test::runProgram("replay " + run.string());
+    EXPECT_EQ(replay.exitCode, 3) << replay.output;
+    EXPECT_NE(replay.output.find("cut off before its first tick"), std::string::npos)
+        << replay.output;
+}
+
 TEST_F(CutOff, IsEndedAtTheLastTickThatAllTablesHold) {
     cutOff(200);
     shorten(run_files::kLog, 5000);
