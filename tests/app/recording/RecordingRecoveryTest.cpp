@@ -72,7 +72,8 @@ TEST_F(CutOff, ReplaysUpToItsLastWholeTickAndSaysSo) {
 TEST_F(CutOff, SaysSoWhereATableIsEmpty) {
     cutOff(200);
     fs::resize_file(run / run_files::kLog, 0);
-    const auto replay = test::runProgram("replay " + run.string());
+    const auto replay =
+        test::runProgram("replay " + run.string() + " --out " + folder.file("again").string());
     EXPECT_EQ(replay.exitCode, 3) << replay.output;
     EXPECT_NE(replay.output.find("cut off before its first tick"), std::string::npos)
         << replay.output;
