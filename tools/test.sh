@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Asperity and runs its tests.
-# Usage: tools/test.sh [PRESET]   all tests of one preset but those labelled long: release (default),
-#                                 dev, asan, tsan, or of one gate: release-gate, asan-gate, tsan-gate
+# Usage: tools/test.sh [PRESET]   all tests of one preset but those labelled long: release-gate
+#                                 (default: release with precompiled headers), release, dev, asan,
+#                                 tsan, or of one sanitizer gate: asan-gate, tsan-gate
 #        tools/test.sh gates      the three gates in one run: the release tests; readers, tick and
 #                                 window with AddressSanitizer and UBSan, and a minute of each
 #                                 fuzzer; loop, recording and devices with ThreadSanitizer
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-wanted=${1:-release}
+wanted=${1:-release-gate}
 
 # The tests that draw need a display; a virtual one gives the same pictures everywhere.
 with_display() {
