@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/contact/Material.h"
 #include "core/contact/laws/ContactModel.h"
 #include "core/probe/Cantilever.h"
@@ -31,6 +32,12 @@ struct SampleMaterial {
 
 /// Shapes that a sample can have without error, in place of a height map.
 enum class ShapeKind : std::uint8_t { Sphere, Cylinder, Plane };
+
+template <>
+inline constexpr auto
+    kEnumTable<ShapeKind> = std::to_array<EnumRow<ShapeKind>>({{ShapeKind::Sphere, "sphere"},
+                                                               {ShapeKind::Cylinder, "cylinder"},
+                                                               {ShapeKind::Plane, "plane"}});
 
 /// A shape as the sample; see shapeSurface() for where it lies.
 struct ShapeDescription {

@@ -105,7 +105,7 @@ void ForceLogWriter::take(const TickSample& sample) {
         .add(sample.input.measurement.signals.torsion)
         .add(-out.model.contact.indentation)
         .add(out.model.contact.contactRadius)
-        .add(out.fault == Fault::None ? regionName(out.region()) : faultName(out.fault))
+        .add(out.fault == Fault::None ? keyOf(out.region()) : keyOf(out.fault))
         .add(validityText(out.flags))
         .endRow();
 }

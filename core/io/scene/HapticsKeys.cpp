@@ -2,20 +2,12 @@
 
 #include "core/io/scene/NamedChoice.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
 namespace asperity {
 
 namespace {
-
-constexpr std::array<NamedValue<PositionControl>, 2> kPositionControls{
-    {{"base", PositionControl::Base}, {"tip", PositionControl::Tip}}};
-constexpr std::array<NamedValue<FixtureKind>, 4> kFixtures{{{"none", FixtureKind::None},
-                                                            {"plane", FixtureKind::Plane},
-                                                            {"line", FixtureKind::Line},
-                                                            {"point", FixtureKind::Point}}};
 
 constexpr const char* kDeadManKey = "dead_man_button";
 constexpr const char* kClutchKey = "clutch_button";
@@ -50,7 +42,7 @@ Vector3 readAxis(TomlSection& section, const Vector3& otherwise) {
 }
 
 VirtualFixture readGuide(TomlSection& section, const VirtualFixture& otherwise) {
-    return {.kind = choice(section, "guide", kFixtures, otherwise.kind),
+    return {.kind = choice(section, "guide", otherwise.kind),
             .point = {section.number("guide_x_m", otherwise.point.x()),
                       section.number("guide_y_m", otherwise.point.y()),
                       section.number("guide_z_m", otherwise.point.z())},
@@ -62,7 +54,7 @@ VirtualFixture readGuide(TomlSection& section, const VirtualFixture& otherwise) 
 }
 
 void insertGuide(toml::table& table, const VirtualFixture& guide) {
-    table.insert("guide", nameOf(kFixtures, guide.kind));
+    table.insert("guide", keyOf(guide.kind));
     table.insert("guide_x_m", guide.point.x());
     table.insert("guide_y_m", guide.point.y());
     table.insert("guide_z_m", guide.point.z());
@@ -82,8 +74,7 @@ void readHaptics(TomlSection section, SceneDescription& scene) {
     scene.positionGain = section.number("position_gain", scene.positionGain);
     scene.forceGain = section.number("force_gain", scene.forceGain);
     scene.correctionBandwidth = section.number("correction_hz", scene.correctionBandwidth);
-    scene.positionControl =
-        choice(section, "position_control", kPositionControls, scene.positionControl);
+    scene.positionControl = choice(section, "position_control", scene.positionControl);
     CouplingGains& coupling = scene.coupling;
     coupling.stiffness = section.number("coupling_stiffness_n_m", coupling.stiffness);
     coupling.damping = section.number("coupling_damping_n_s_m", coupling.damping);
@@ -99,7 +90,7 @@ toml::table hapticsTable(const SceneDescription& scene) {
                       {"position_gain", scene.positionGain},
                       {"force_gain", scene.forceGain},
                       {"correction_hz", scene.correctionBandwidth},
-                      {"position_control", nameOf(kPositionControls, scene.positionControl)},
+                      {"position_control", keyOf(scene.positionControl)},
                       {"coupling_stiffness_n_m", scene.coupling.stiffness},
                       {"coupling_damping_n_s_m", scene.coupling.damping},
                       {"proxy_damping_n_s_m", scene.coupling.proxyDamping},

@@ -53,7 +53,7 @@ TEST(TickAllocation, NorDoesAnyLawSolverOrControl) {
     description.truth.material = description.sample.material;
     description.positionControl = PositionControl::Tip;
     description.solver = SolverTier::Table;
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(keyOf(law));
         description.law = law;
         expectNoAllocation(buildScene(description, test::hillyMap()));

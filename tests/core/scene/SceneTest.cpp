@@ -133,7 +133,7 @@ TEST(Scene, ChoosesTheContactLawAndSaysWhy) {
 }
 
 TEST(Scene, EveryLawBalancesTheTipOnHills) {
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(keyOf(law));
         SceneDescription description = test::plainScene();
         description.law = law;
