@@ -3,11 +3,11 @@
 #include "core/Error.h"
 #include "core/Version.h"
 #include "core/io/recording/ColumnList.h"
-#include "core/io/recording/SceneSettings.h"
-#include "core/io/recording/SettingsColumns.h"
 #include "core/io/recording/StoredValue.h"
+#include "core/scene/SettingFields.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -47,6 +47,7 @@ void listLog(const TickSample& sample, const Cell& cell) {
 /// What a cell of tick_input.csv holds.
 enum class Holds {
     Stored,    ///< what stands for a value of its type
+    Endless,   ///< the same, or infinity
     Finite,    ///< a finite number
     Positive,  ///< a finite number above 0
     Told,      ///< any number: what device and instrument said may be NaN, a fault that replays
@@ -57,7 +58,7 @@ struct InputColumn : ColumnName {
     bool later = false;  ///< recordings from before there was such a column read as before
 };
 
-/// The columns of tick_input.csv before those of the knobs.
+/// The columns of tick_input.csv.
 template <class Sample, class Cell>
 void listInput(Sample& sample, const Cell& cell) {
     auto& input = sample.input;
@@ -77,13 +78,20 @@ void listInput(Sample& sample, const Cell& cell) {
     cell(InputColumn{{"hand_streams"}, Holds::Stored, true}, input.hand.streams);
     cell(InputColumn{{"hand_age_s"}, Holds::Told, true}, input.hand.age);
     cell(InputColumn{{"instrument_connected"}, Holds::Stored, true}, input.measurement.connected);
+    listSettings(input.settings, [&cell](const SettingField& field, auto& value) {
+        const Holds holds = std::isinf(field.limits.high) ? Holds::Endless : Holds::Stored;
+        cell(InputColumn{{field.column}, holds, field.later}, value);
+    });
 }
 
 /// What a number must be that it is not; null where it is.
 template <class Value>
 const char* objection(Holds holds, double number) {
-    if (holds == Holds::Stored) {
-        return stored::standsFor<Value>(number) ? nullptr : "a number as Asperity writes it";
+    if (holds == Holds::Stored || holds == Holds::Endless) {
+        const bool isEnd =
+            holds == Holds::Endless && number == std::numeric_limits<double>::infinity();
+        return isEnd || stored::standsFor<Value>(number) ? nullptr
+                                                         : "a number as Asperity writes it";
     }
     if (holds != Holds::Told && !std::isfinite(number)) {
         return "a finite number";
@@ -97,6 +105,11 @@ const char* objection(Holds holds, double number) {
 
 /// A knob may have what a scene may say of it.
 void requireInRange(const Settings& settings, const CsvTable& table, std::size_t row) {
+    listSettings(settings, [&](const SettingField& field, const auto& value) {
+        if (field.key == nullptr && !field.limits.hold(static_cast<double>(value))) {
+            refuse(table, row, std::string(field.column) + " must " + field.limits.words);
+        }
+    });
     try {
         checkSettings(settings);
     } catch (const Error& error) {
@@ -117,16 +130,6 @@ void readInput(const CsvTable& table, std::size_t row, TickSample& sample) {
         }
         value = static_cast<Value>(number);
     });
-    sample.input.settings = readSettings(table, row);
-}
-
-std::vector<std::string> inputColumns() {
-    const TickSample any;
-    std::vector<std::string> columns =
-        columnNames([&any](const auto& cell) { listInput(any, cell); });
-    const std::vector<std::string> knobs = settingsColumns();
-    columns.insert(columns.end(), knobs.begin(), knobs.end());
-    return columns;
 }
 
 }  // namespace
@@ -143,11 +146,10 @@ void ForceLogWriter::take(const TickSample& sample) {
 TickInputWriter::TickInputWriter(const std::filesystem::path& path)
     : csv_(GrowingFile(path),
            comments("all that the run depended on besides scene.toml, one row a tick"),
-           inputColumns()) {}
+           columnNames([any = TickSample()](const auto& cell) { listInput(any, cell); })) {}
 
 void TickInputWriter::take(const TickSample& sample) {
     addCells(csv_, [&sample](const auto& cell) { listInput(sample, cell); });
-    addSettings(csv_, sample.input.settings);
     csv_.endRow();
 }
 
