@@ -19,7 +19,7 @@ void printClosestPoints(const char* file) {
         const Vector3 place(x, y, surface.at(x, y).height + 10e-9);
         const SurfaceFoot foot = closestPoint(surface, place, {});
         std::printf("%.6e,%.6e,%.6e,%.4e,%.4f,%s\n", foot.point.x(), foot.point.y(), foot.point.z(),
-                    foot.distance, foot.normal.z(), proofName(foot.proof));
+                    foot.distance, foot.normal.z(), keyOf(foot.proof));
     }
 }
 

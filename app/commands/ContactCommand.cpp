@@ -79,7 +79,7 @@ std::string statusOf(const ContactModel& model, const ContactState& state) {
 }
 
 ContactAnswer answerTo(const ContactCase& asked) {
-    const auto law = lawFromKey(asked.model);
+    const auto law = fromKey<ContactLaw>(asked.model);
     if (!law) {
         return {"unknown_model"};
     }
@@ -90,11 +90,11 @@ ContactAnswer answerTo(const ContactCase& asked) {
         usesStress(*law) ? asked.cohesiveStress : asked.pair.workOfAdhesion / kCohesiveRange;
     const ContactStatus pairStatus = checkPair(asked.pair, stress);
     if (pairStatus != ContactStatus::Solved) {
-        return {nameOf(pairStatus)};
+        return {keyOf(pairStatus)};
     }
     const ContactStatus sampleStatus = filmStatus(*law, asked);
     if (sampleStatus != ContactStatus::Solved) {
-        return {nameOf(sampleStatus)};
+        return {keyOf(sampleStatus)};
     }
     const ContactModel model(*law, asked.pair,
                              {.cohesiveStress = stress,
@@ -104,7 +104,7 @@ ContactAnswer answerTo(const ContactCase& asked) {
         asked.branch == "approach" ? ContactBranch::Far : ContactBranch::Bonded, 0.0};
     const ContactState state = model.equilibrium(asked.indentation, 0.0, memory);
     if (!state.solved()) {
-        return {nameOf(state.status)};
+        return {keyOf(state.status)};
     }
     return {statusOf(model, state), state, model.lambda()};
 }
@@ -116,7 +116,7 @@ void write(CsvWriter& csv, const ContactAnswer& answer) {
         .add(state ? state->contactRadius : kNaN)
         .add(state ? state->cohesiveRadius : kNaN)
         .add(answer.lambda)
-        .add(state ? regionName(state->region()) : "none")
+        .add(state ? keyOf(state->region()) : "none")
         .add(answer.status);
 }
 

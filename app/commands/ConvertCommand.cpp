@@ -7,6 +7,7 @@
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
+#include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/surface/Levelling.h"
@@ -53,16 +54,32 @@ void refuseToOverwriteInput(const ConvertOptions& options) {
     }
 }
 
+template <class Words>
+std::string joined(const Words& words) {
+    std::string text;
+    for (const auto& word : words) {
+        text += (text.empty() ? "" : " ") + std::string(word);
+    }
+    return text;
+}
+
+/// The formats that can be written, each by the first of its extensions.
+std::string writtenFormats() {
+    std::vector<std::string_view> first;
+    for (const HeightMapFormat* format : kHeightMapFormats) {
+        if (format->write != nullptr) {
+            first.push_back(format->extensions.front());
+        }
+    }
+    return joined(first) + " " + joined(vtkExtensions());
+}
+
 /// Before long work is done for it. @param option that names the file
 void requireWritableMap(const std::string& option, const std::string& file) {
     if (!canWriteHeightMap(file) && !canWriteHeightMapWithVtk(file)) {
-        std::string known;
-        for (const std::string& extension : heightMapExtensions()) {
-            known += extension + " ";
-        }
         throw CLI::ValidationError(
             option, file + ": no height map can be written with this extension; known are " +
-                        known + ".vti .vtp .stl");
+                        joined(heightMapExtensions()) + " " + joined(vtkExtensions()));
     }
     requireWritable(file);
 }
@@ -187,8 +204,7 @@ void convert(const ConvertOptions& options) {
 void addConvertCommand(CLI::App& program) {
     auto options = std::make_shared<ConvertOptions>();
     CLI::App* command = program.add_subcommand(
-        "convert", "Write one height map of a file in another format: .gwy .gsf .exr .tiff .png "
-                   ".txt .vti .vtp .stl");
+        "convert", "Write one height map of a file in another format: " + writtenFormats());
     command->add_option("IN", options->input, "height-map file")->required();
     command->add_option("OUT", options->output, "file to write; its extension names the format")
         ->required();

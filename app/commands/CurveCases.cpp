@@ -32,7 +32,7 @@ SampleMaterial findMaterial(const std::string& given) {
 
 std::vector<std::string> lawNames() {
     std::vector<std::string> names{"auto"};
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         names.emplace_back(keyOf(law));
     }
     return names;
@@ -88,7 +88,7 @@ std::vector<CurveCase> curveCases(const CurveRequest& request) {
     SceneDescription scene = request.scene.empty() ? defaultScene() : sceneFromInput(request.scene);
     scene.tip.radius = request.radius > 0.0 ? request.radius : scene.tip.radius;
     if (!request.law.empty()) {
-        scene.law = lawFromKey(request.law);  // none: "auto"
+        scene.law = fromKey<ContactLaw>(request.law);  // none: "auto"
     }
     const double compliance = request.stiffness > 0.0 ? 1.0 / request.stiffness
                                                       : Cantilever(scene.probe).compliance()(2, 2);

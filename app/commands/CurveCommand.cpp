@@ -76,7 +76,7 @@ void writeWay(CsvWriter& csv, const CurveResult& result, const char* way,
         csv.add(result.asked.material.name).add(keyOf(result.asked.model.law())).add(way);
         csv.add(point.basePosition).add(state.indentation).add(state.force);
         csv.add(state.force * result.asked.compliance).add(state.contactRadius);
-        csv.add(state.cohesiveRadius).add(regionName(state.region()));
+        csv.add(state.cohesiveRadius).add(keyOf(state.region()));
         csv.add(validityText(contactValidity(result.asked.model, state, result.asked.material)))
             .endRow();
     }

@@ -66,7 +66,7 @@ void writeTable(const std::filesystem::path& path, const std::vector<ExtremesReg
         csv.add(place.model).add(place.tier).add(place.sample);
         csv.add(place.tipRadius).add(place.modulus).add(place.roughness);
         csv.add(static_cast<double>(region.states()));
-        for (const Verdict verdict : kVerdicts) {
+        for (const Verdict verdict : kValues<Verdict>) {
             csv.add(static_cast<double>(region.tally(verdict).states));
         }
         const VerdictTally worst = region.unflagged();
@@ -103,7 +103,7 @@ void printModels(const std::vector<ExtremesRegion>& sums) {
         const RegionPlace& place = sum.place();
         std::printf("%-11s %-9s %-12s %8ld", place.model.c_str(), place.tier.c_str(),
                     place.sample.c_str(), sum.states());
-        for (const Verdict verdict : kVerdicts) {
+        for (const Verdict verdict : kValues<Verdict>) {
             std::printf(" %*s", verdict < Verdict::Flagged ? 6 : 8,
                         percent(sum.tally(verdict).states, sum.states()).c_str());
         }
@@ -140,7 +140,7 @@ void printVerdicts(const std::vector<ExtremesRegion>& sums, const ExtremesFindin
                    double seconds) {
     std::printf("\n%ld states in %.3g s; %ld answers of models to them:", findings.states, seconds,
                 findings.answers());
-    for (const Verdict verdict : kVerdicts) {
+    for (const Verdict verdict : kValues<Verdict>) {
         long count = 0;
         for (const ExtremesRegion& sum : sums) {
             count += sum.tally(verdict).states;

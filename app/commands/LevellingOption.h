@@ -3,7 +3,7 @@
 #include "core/surface/Levelling.h"
 
 #include <CLI/CLI.hpp>
-#include <map>
+#include <set>
 #include <string>
 
 namespace asperity {
@@ -11,13 +11,16 @@ namespace asperity {
 /// An option that takes the name of a way of levelling.
 template <class Target>
 void addLevellingOption(CLI::App& command, Target& levelling, const std::string& whenAbsent) {
-    static const std::map<std::string, Levelling> kNames = {
-        {"none", Levelling::None}, {"plane", Levelling::Plane}, {"rows", Levelling::Rows}};
+    std::set<std::string> keys;
+    for (const Levelling one : kValues<Levelling>) {
+        keys.insert(keyOf(one));
+    }
     command
         .add_option_function<std::string>(
-            "--level", [&levelling](const std::string& name) { levelling = kNames.at(name); },
+            "--level",
+            [&levelling](const std::string& key) { levelling = *fromKey<Levelling>(key); },
             "levelling: none, plane (least squares) or rows (median of each); " + whenAbsent)
-        ->check(CLI::IsMember({"none", "plane", "rows"}));
+        ->check(CLI::IsMember(keys));
 }
 
 }  // namespace asperity

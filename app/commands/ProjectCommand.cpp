@@ -107,7 +107,7 @@ void write(CsvWriter& csv, const Projection& projection) {
         .add(projection.v)
         .add(static_cast<double>(foot.iterations))
         .add(word(foot.certified()))
-        .add(proofName(foot.proof))
+        .add(keyOf(foot.proof))
         .add(word(foot.insideScan))
         .add(word(projection.measured))
         .add(foot.curvatures.largest)

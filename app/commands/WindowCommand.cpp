@@ -5,6 +5,7 @@
 #include "app/program/DataFolder.h"
 #include "app/reports/BeginningRun.h"
 #include "app/session/LiveWindow.h"
+#include "core/io/heightmap/HeightMapFile.h"
 #include "vtkplugins/pictures/Display.h"
 
 #include <CLI/CLI.hpp>
@@ -57,6 +58,14 @@ int execWith(LiveWindow& live, const std::filesystem::path& input) {
     return status;
 }
 
+QStringList scanFiles() {
+    QStringList patterns;
+    for (const std::string& extension : readableExtensions()) {
+        patterns << QStringLiteral("*") + QString::fromStdString(extension);
+    }
+    return patterns;
+}
+
 }  // namespace
 
 std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
@@ -82,6 +91,7 @@ int openWindow(const WindowOptions& options) {
         requireFreeForRun(options.record, options.force);
     }
     LiveWindow live;
+    live.window().setScanFiles(scanFiles());
     live.session().recoverCutOff();
     if (!options.record.empty()) {
         recordFromTheStart(live.session(), {options.record, options.force});

@@ -1,13 +1,25 @@
 #include "app/recording/EnergyLog.h"
 
 #include "core/Version.h"
+#include "core/io/recording/ColumnList.h"
 
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace asperity {
+
+namespace {
+
+/// The columns of energy_log.csv.
+template <class Cell>
+void listEnergy(double time, const PassivityObserver& observer, const Cell& cell) {
+    cell({"time_s"}, time);
+    cell({"energy_j"}, observer.energy());
+    cell({"spring_j"}, observer.spring());
+}
+
+}  // namespace
 
 EnergyLog::EnergyLog(std::filesystem::path path, double timeStep, double delay)
     : path_(std::move(path)), watch_(timeStep, delay) {}
@@ -18,6 +30,7 @@ void EnergyLog::take(const TickSample& sample) {
     if (observer == nullptr) {
         return;
     }
+    const auto list = [&](const auto& cell) { listEnergy(sample.time, *observer, cell); };
     if (!csv_) {
         csv_.emplace(
             GrowingFile(path_),
@@ -26,9 +39,10 @@ void EnergyLog::take(const TickSample& sample) {
                 "energy_j: that the hand has lost to the coupling beyond what its spring stores, "
                 "less what leaked away; below -0.01 the hand is given energy that nobody put in",
                 "spring_j: stored by the coupling's spring for the force that acts at the handle"},
-            std::vector<std::string>{"time_s", "energy_j", "spring_j"});
+            columnNames(list));
     }
-    csv_->row(std::array{sample.time, observer->energy(), observer->spring()});
+    addCells(*csv_, list);
+    csv_->endRow();
 }
 
 void EnergyLog::flush() {

@@ -3,7 +3,6 @@
 #include "app/recording/RecordingManifest.h"
 #include "app/reports/RunSummary.h"
 #include "core/GrowingFile.h"
-#include "core/io/recording/SceneSettings.h"
 #include "core/io/recording/TickMemoryFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/ModelTerm.h"
@@ -31,9 +30,9 @@ Recording::Recording(const RecordingPlace& place, const LoadedScene& loaded,
 
 void Recording::writeScene(const Settings& start) {
     start_ = start;
-    writeTextFile(
-        folder() / run_files::kScene,
-        sceneText(withSettings(settled(loaded_.scene.description, loaded_.scene.model), start)));
+    SceneDescription scene = settled(loaded_.scene.description, loaded_.scene.model);
+    scene.settings = start;
+    writeTextFile(folder() / run_files::kScene, sceneText(scene));
 }
 
 void Recording::take(const TickSample& sample) {

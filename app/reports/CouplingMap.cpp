@@ -66,7 +66,8 @@ ShareMap mapOf(const std::vector<HoldOutcome>& holds, bool coupled, const RowCho
                  .yLabel = row.label,
                  .columns = namesOf(columns, "Hz"),
                  .rows = namesOf(rows, row.unit)};
-    map.cells.assign(rows.size() * columns.size(), std::vector<double>(kHoldVerdicts.size(), 0.0));
+    map.cells.assign(rows.size() * columns.size(),
+                     std::vector<double>(kValues<HoldVerdict>.size(), 0.0));
     for (const HoldOutcome& hold : holds) {
         if (hold.setting.coupled == coupled) {
             auto& cell = map.cells[rows.at(row.of(hold)) * columns.size() +

@@ -13,8 +13,8 @@ namespace {
 
 /// Hands with and without a coupling.
 struct HoldCounts {
-    std::array<long, kHoldVerdicts.size()> coupled{};
-    std::array<long, kHoldVerdicts.size()> direct{};
+    std::array<long, kValues<HoldVerdict>.size()> coupled{};
+    std::array<long, kValues<HoldVerdict>.size()> direct{};
 
     void count(const HoldOutcome& hold) {
         ++(hold.setting.coupled ? coupled : direct)[static_cast<std::size_t>(hold.verdict)];

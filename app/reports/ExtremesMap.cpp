@@ -62,7 +62,8 @@ ShareMap mapOf(const std::vector<ExtremesRegion>& regions, const MapChoice& choi
     for (const double row : rows) {
         map.rows.push_back(choice.rowName(row));
     }
-    map.cells.assign(rows.size() * columns.size(), std::vector<double>(kVerdicts.size(), 0.0));
+    map.cells.assign(rows.size() * columns.size(),
+                     std::vector<double>(kValues<Verdict>.size(), 0.0));
     for (const ExtremesRegion& region : regions) {
         const RegionPlace& place = region.place();
         if (!choice.has(place)) {
@@ -70,8 +71,8 @@ ShareMap mapOf(const std::vector<ExtremesRegion>& regions, const MapChoice& choi
         }
         auto& cell = map.cells[indexOf(rows, place.*choice.row) * columns.size() +
                                indexOf(columns, place.tipRadius)];
-        for (std::size_t i = 0; i < kVerdicts.size(); ++i) {
-            cell[i] += static_cast<double>(region.tally(kVerdicts[i]).states);
+        for (std::size_t i = 0; i < kValues<Verdict>.size(); ++i) {
+            cell[i] += static_cast<double>(region.tally(kValues<Verdict>[i]).states);
         }
     }
     return map;
@@ -111,7 +112,7 @@ ShareMapPage extremesMap(const std::vector<ExtremesRegion>& regions) {
                                "the sphere, Hertz on a film and the tick are their own reference",
                       .keys = keys(),
                       .mapsPerRow = kMapsPerRow};
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         page.maps.push_back(lawMap(regions, law));
     }
     page.maps.push_back(tickMap(regions));

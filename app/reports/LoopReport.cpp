@@ -43,7 +43,7 @@ std::string loopReportJson(const LoopReport& report) {
     nlohmann::ordered_json json{{"version", kVersion},
                                 {"rate_hz", report.rate},
                                 {"duration_s", report.duration},
-                                {"scheduling", policyName(report.statistics.policy)},
+                                {"scheduling", keyOf(report.statistics.policy)},
                                 {"ticks", report.statistics.ticks},
                                 {"overruns", report.statistics.overruns},
                                 {"tick_time", quantilesJson(blocks.own().tick)},
@@ -68,7 +68,7 @@ std::string loopReportText(const LoopReport& report) {
     const AlternatingBlocks& blocks = report.blocks;
     std::ostringstream text;
     text << report.statistics.ticks << " ticks at " << report.rate << " Hz, scheduling "
-         << policyName(report.statistics.policy)
+         << keyOf(report.statistics.policy)
          << (report.statistics.policy == SchedulingPolicy::Ordinary
                  ? " (SCHED_FIFO is not permitted to this user)"
                  : "")

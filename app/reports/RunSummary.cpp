@@ -73,7 +73,7 @@ Json stateJson(const TickSample& sample) {
             {"estimated_force_n", vectorJson(out.estimate.force)},
             {"indentation_m", out.model.contact.indentation},
             {"contact_radius_m", out.model.contact.contactRadius},
-            {"state", regionName(out.region())},
+            {"state", keyOf(out.region())},
             {"flags", validityText(out.flags)}};
 }
 

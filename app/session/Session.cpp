@@ -89,10 +89,7 @@ void Session::connectControls() {
     connect(&controls, &ControlBar::materialChosen, this, &Session::chooseMaterial);
     connect(&controls, &ControlBar::handChosen, this, &Session::chooseHand);
     connect(&controls, &ControlBar::pathChosen, this, &Session::choosePath);
-    connect(&controls, &ControlBar::forceGainChosen, this, [this](double gain) {
-        changeSettings([gain](Settings& settings) { settings.forceGain = gain; });
-    });
-    connect(&controls, &ControlBar::positionGainChosen, this, &Session::choosePositionGain);
+    connect(&controls, &ControlBar::knobTurned, this, &Session::turnKnob);
     connect(&controls, &ControlBar::recordingChosen, this, &Session::record);
     connect(&window_.banner(), &StateBanner::rearmRequested, this, &Session::takeBackFault);
 }

@@ -121,7 +121,7 @@ private:
     void chooseGuide(FixtureKind kind);
     /// Turns the axes of a device with the view, where that is wanted.
     void turnHand(double seconds);
-    void choosePositionGain(double gain);
+    void turnKnob(const QString& column, double value);
     using ReadPath = std::function<HandPath(const std::filesystem::path&)>;
     bool followFile(const QString& file, const ReadPath& read);
     void repeatRecording(const std::filesystem::path& forceLog);

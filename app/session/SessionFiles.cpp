@@ -204,7 +204,7 @@ void Session::finishLastSeconds() {
             tr("the last %1 ticks are saved in %2").arg(written.ticks).arg(folder);
         window_.tell(written.fault == Fault::None
                          ? saved
-                         : tr("Fault %1: %2").arg(faultName(written.fault), saved));
+                         : tr("Fault %1: %2").arg(keyOf(written.fault), saved));
         Q_EMIT lastSecondsSaved(folder);
     } catch (const std::exception& error) {
         window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));

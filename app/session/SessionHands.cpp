@@ -8,6 +8,7 @@
 #include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/io/scene/HandPathFile.h"
 #include "core/scene/SceneModel.h"
+#include "core/scene/SettingFields.h"
 #include "ui/HeldKeys.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/OverviewPanel.h"
@@ -73,7 +74,7 @@ void Session::chooseGuide(FixtureKind kind) {
     }
     const TickSample sample = run_->loop().snapshot().sample;
     changeSettings([&](Settings& settings) {
-        settings.guide = run_->scene().description.guide;
+        settings.guide = run_->scene().description.settings.guide;
         settings.guide.kind = kind;
         settings.guide.axis = Vector3::UnitZ();
         settings.guide.point = settings.positionControl == PositionControl::Tip
@@ -98,13 +99,13 @@ void Session::turnHand(double seconds) {
     }
 }
 
-void Session::choosePositionGain(double gain) {
-    if (hand_.kind() == HandKind::Script) {
-        window_.controls().setPositionGain(run_->settings().positionGain);
+void Session::turnKnob(const QString& column, double value) {
+    if (column == QLatin1String("position_gain") && hand_.kind() == HandKind::Script) {
+        window_.controls().setKnobs(run_->settings());
         window_.tell(tr("A path is in places of the scan: the position gain waits for a hand"));
         return;
     }
-    changeSettings([gain](Settings& settings) { settings.positionGain = gain; });
+    changeSettings([&](Settings& settings) { setSetting(settings, column.toStdString(), value); });
 }
 
 void Session::chooseHand(int index) {
@@ -129,8 +130,7 @@ void Session::showHand() {
     ControlBar& controls = window_.controls();
     controls.setHand(static_cast<int>(hand_.kind()));
     controls.setForcesOn(settings.forcesOn);
-    controls.setForceGain(settings.forceGain);
-    controls.setPositionGain(settings.positionGain);
+    controls.setKnobs(settings);
     WindowMenus& menus = window_.menus();
     menus.tipControl->setChecked(settings.positionControl == PositionControl::Tip);
     menus.clutch->setChecked(settings.clutched);

@@ -31,7 +31,7 @@ const MethodResult* find(const WorkResult& work, const std::string& name) {
 
 void printSpeed(const WorkResult& work, const SpeedTarget& target) {
     const MethodResult* peer = find(work, target.peer);
-    const MethodResult* ours = find(work, std::string("Asperity, ") + effortName(target.ours));
+    const MethodResult* ours = find(work, std::string("Asperity, ") + keyOf(target.ours));
     if (peer == nullptr || ours == nullptr) {
         return;
     }
@@ -39,7 +39,7 @@ void printSpeed(const WorkResult& work, const SpeedTarget& target) {
     const TimeSummary own{.median = ours->median, .p99 = ours->p99};
     std::printf("  %s of %s over %s: x %.2f (target >= %g)\n",
                 target.time == &TimeSummary::median ? "median" : "p99", target.peer,
-                effortName(target.ours), theirs.*target.time / own.*target.time, target.atLeast);
+                keyOf(target.ours), theirs.*target.time / own.*target.time, target.atLeast);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ public:
         : surface_(surface), effort_(effort) {}
 
     [[nodiscard]] std::string name() const override {
-        return std::string("Asperity, ") + effortName(effort_);
+        return std::string("Asperity, ") + keyOf(effort_);
     }
 
     void start(const Vector2& foot) override {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/contact/ContactStatus.h"
 
 #include <cstdint>
@@ -19,8 +20,11 @@ enum class TipRegion : std::uint8_t {
     Contact,   ///< touching over a circle, or just in its middle
 };
 
-/// "far", "cohesive" or "contact".
-[[nodiscard]] const char* regionName(TipRegion region) noexcept;
+template <>
+inline constexpr auto kEnumTable<TipRegion> = std::to_array<EnumRow<TipRegion>>(
+    {{TipRegion::Far, "far"},
+     {TipRegion::Cohesive, "cohesive", "cohesive (bonded across a gap)"},
+     {TipRegion::Contact, "contact", "in contact"}});
 
 /// What one equilibrium hands to the next.
 struct ContactMemory {

@@ -20,54 +20,6 @@ bool stressIsUsable(double work, double stress) noexcept {
 
 }  // namespace
 
-const char* nameOf(ContactStatus status) noexcept {
-    switch (status) {
-    case ContactStatus::Solved:
-        return "ok";
-    case ContactStatus::TipRadiusOutOfRange:
-        return "tip_radius_out_of_range";
-    case ContactStatus::ModulusOutOfRange:
-        return "modulus_out_of_range";
-    case ContactStatus::AdhesionOutOfRange:
-        return "adhesion_out_of_range";
-    case ContactStatus::StressOutOfRange:
-        return "cohesive_stress_out_of_range";
-    case ContactStatus::FilmThicknessOutOfRange:
-        return "film_thickness_out_of_range";
-    case ContactStatus::PoissonRatioOutOfRange:
-        return "poisson_ratio_out_of_range";
-    case ContactStatus::ApproachOutOfRange:
-        return "approach_out_of_range";
-    case ContactStatus::ComplianceOutOfRange:
-        return "compliance_out_of_range";
-    }
-    return "unknown";
-}
-
-const char* expectationOf(ContactStatus status) noexcept {
-    switch (status) {
-    case ContactStatus::Solved:
-        return "nothing is wrong";
-    case ContactStatus::TipRadiusOutOfRange:
-        return "the tip radius must lie between 1e-12 and 1 m";
-    case ContactStatus::ModulusOutOfRange:
-        return "the reduced modulus must lie between 0.1 and 1e15 Pa";
-    case ContactStatus::AdhesionOutOfRange:
-        return "the work of adhesion must lie between 0 and 1000 J/m^2";
-    case ContactStatus::StressOutOfRange:
-        return "the range of the cohesive stress, w / sigma0, must lie between 1e-15 and 1 m";
-    case ContactStatus::FilmThicknessOutOfRange:
-        return "the film's thickness must lie between 1e-12 and 1 m";
-    case ContactStatus::PoissonRatioOutOfRange:
-        return "the film's Poisson ratio must lie between 0 and 0.5";
-    case ContactStatus::ApproachOutOfRange:
-        return "the approach of tip or lever base must lie within 1000 m of first touch";
-    case ContactStatus::ComplianceOutOfRange:
-        return "the lever's compliance must lie between 0 and 1e6 m/N";
-    }
-    return "unknown";
-}
-
 ContactStatus checkPair(const ContactPair& pair, double cohesiveStress) noexcept {
     if (!isWithin(pair.tipRadius, kSmallestTipRadius, kLargestTipRadius)) {
         return ContactStatus::TipRadiusOutOfRange;
@@ -96,7 +48,7 @@ ContactStatus checkFilm(double thickness, double poissonRatio) noexcept {
 void requirePair(const ContactPair& pair, double cohesiveStress) {
     const ContactStatus status = checkPair(pair, cohesiveStress);
     if (status != ContactStatus::Solved) {
-        throw Error(std::string("contact: ") + expectationOf(status));
+        throw Error(std::string("contact: ") + nameOf(status));
     }
 }
 

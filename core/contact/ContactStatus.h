@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/contact/Material.h"
 
 #include <cstdint>
@@ -20,11 +21,26 @@ enum class ContactStatus : std::uint8_t {
     ComplianceOutOfRange,     ///< not within 0 .. 1e6 m/N
 };
 
-/// "ok", "tip_radius_out_of_range", ...
-[[nodiscard]] const char* nameOf(ContactStatus status) noexcept;
-
-/// What would have been right, for people: "the tip radius must lie between 1e-12 and 1 m".
-[[nodiscard]] const char* expectationOf(ContactStatus status) noexcept;
+/// For people: what would have been right.
+template <>
+inline constexpr auto kEnumTable<ContactStatus> = std::to_array<EnumRow<ContactStatus>>(
+    {{ContactStatus::Solved, "ok", "nothing is wrong"},
+     {ContactStatus::TipRadiusOutOfRange, "tip_radius_out_of_range",
+      "the tip radius must lie between 1e-12 and 1 m"},
+     {ContactStatus::ModulusOutOfRange, "modulus_out_of_range",
+      "the reduced modulus must lie between 0.1 and 1e15 Pa"},
+     {ContactStatus::AdhesionOutOfRange, "adhesion_out_of_range",
+      "the work of adhesion must lie between 0 and 1000 J/m^2"},
+     {ContactStatus::StressOutOfRange, "cohesive_stress_out_of_range",
+      "the range of the cohesive stress, w / sigma0, must lie between 1e-15 and 1 m"},
+     {ContactStatus::FilmThicknessOutOfRange, "film_thickness_out_of_range",
+      "the film's thickness must lie between 1e-12 and 1 m"},
+     {ContactStatus::PoissonRatioOutOfRange, "poisson_ratio_out_of_range",
+      "the film's Poisson ratio must lie between 0 and 0.5"},
+     {ContactStatus::ApproachOutOfRange, "approach_out_of_range",
+      "the approach of tip or lever base must lie within 1000 m of first touch"},
+     {ContactStatus::ComplianceOutOfRange, "compliance_out_of_range",
+      "the lever's compliance must lie between 0 and 1e6 m/N"}});
 
 inline constexpr double kSmallestTipRadius = 1e-12;  ///< [m]
 inline constexpr double kLargestTipRadius = 1.0;     ///< [m]

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/EnumTable.h"
+
 #include <cstdint>
 
 namespace asperity {
@@ -11,5 +13,9 @@ enum class SolverTier : std::uint8_t {
     Newton,  ///< by Newton's method from the previous state
     Table,   ///< from a table over transition parameter and indentation
 };
+
+template <>
+inline constexpr auto kEnumTable<SolverTier> = std::to_array<EnumRow<SolverTier>>(
+    {{SolverTier::Exact, "exact"}, {SolverTier::Newton, "newton"}, {SolverTier::Table, "table"}});
 
 }  // namespace asperity

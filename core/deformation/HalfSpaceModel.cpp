@@ -74,32 +74,6 @@ std::shared_ptr<const HalfSpaceField> fieldOf(const Scene& scene, const TipState
     return std::make_shared<const HalfSpaceField>(displacement, patch.samples, patch.pitch());
 }
 
-const char* reasonOf(HalfSpaceVerdict verdict) {
-    switch (verdict) {
-    case HalfSpaceVerdict::Valid:
-        return "it is used";
-    case HalfSpaceVerdict::NotBonded:
-        return "the tip touches nothing";
-    case HalfSpaceVerdict::Film:
-        return "the sample is a film";
-    case HalfSpaceVerdict::NoZone:
-        return "the contact law's adhesion has no cohesive zone";
-    case HalfSpaceVerdict::LargeContact:
-        return "contact radius above 0.3 tip radii";
-    case HalfSpaceVerdict::ReachesBorder:
-        return "the contact reaches the patch's border";
-    case HalfSpaceVerdict::TooCoarse:
-        return "contact or cohesive zone too narrow for its grid";
-    case HalfSpaceVerdict::Separate:
-        return "no contact on the real topography";
-    case HalfSpaceVerdict::NotConverged:
-        return "it did not converge";
-    case HalfSpaceVerdict::Cancelled:
-        return "it was cancelled";
-    }
-    return "";
-}
-
 }  // namespace
 
 bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now) {
@@ -113,7 +87,7 @@ bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now) {
 
 std::string sentenceOf(const HalfSpaceAnswer& answer) {
     if (!answer.valid()) {
-        return std::string("half-space not valid (") + reasonOf(answer.verdict) +
+        return std::string("half-space not valid (") + nameOf(answer.verdict) +
                "): closed form shown";
     }
     return "half-space: normal force " + formatSi(answer.force, "N") + ", the contact law " +

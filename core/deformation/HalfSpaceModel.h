@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/contact/halfspace/HalfSpaceSolver.h"
 #include "core/deformation/HalfSpaceField.h"
 #include "core/scene/Scene.h"
@@ -24,6 +25,20 @@ enum class HalfSpaceVerdict : std::uint8_t {
     NotConverged,
     Cancelled,
 };
+
+/// For people: why an answer is used or not.
+template <>
+inline constexpr auto kEnumTable<HalfSpaceVerdict> = std::to_array<NamedRow<HalfSpaceVerdict>>(
+    {{HalfSpaceVerdict::Valid, "it is used"},
+     {HalfSpaceVerdict::NotBonded, "the tip touches nothing"},
+     {HalfSpaceVerdict::Film, "the sample is a film"},
+     {HalfSpaceVerdict::NoZone, "the contact law's adhesion has no cohesive zone"},
+     {HalfSpaceVerdict::LargeContact, "contact radius above 0.3 tip radii"},
+     {HalfSpaceVerdict::ReachesBorder, "the contact reaches the patch's border"},
+     {HalfSpaceVerdict::TooCoarse, "contact or cohesive zone too narrow for its grid"},
+     {HalfSpaceVerdict::Separate, "no contact on the real topography"},
+     {HalfSpaceVerdict::NotConverged, "it did not converge"},
+     {HalfSpaceVerdict::Cancelled, "it was cancelled"}});
 
 /// The half-space's own view of one state of the tip.
 struct HalfSpaceAnswer {

@@ -56,25 +56,11 @@ void addOnce(std::vector<TickTier>& tiers, const TickTier& tier) {
 
 }  // namespace
 
-const char* nameOf(DeformationTier deformation) noexcept {
-    switch (deformation) {
-    case DeformationTier::FourPoint:
-        return "four points";
-    case DeformationTier::ContactRadius:
-        return "contact radius";
-    case DeformationTier::ClosedForm:
-        return "closed form";
-    case DeformationTier::HalfSpace:
-        return "half-space";
-    }
-    return "unknown";
-}
-
 std::string TickTier::name() const {
     std::string text = nameOf(law);
     text += solver == SolverTier::Table ? ", table" : "";
     text += solver == SolverTier::Exact ? ", afresh" : "";
-    text += std::string(", ") + effortName(footSearch) + " feet";
+    text += std::string(", ") + keyOf(footSearch) + " feet";
     text += decoupling == DecouplingTier::Planar ? ", planar" : "";
     const char* before = ", without ";
     for (const auto& [term, member] : kTermsOfTier) {

@@ -32,9 +32,6 @@ struct FrameTier {
     [[nodiscard]] std::string name() const;
 };
 
-/// For people: "contact radius", "closed form".
-[[nodiscard]] const char* nameOf(DeformationTier deformation) noexcept;
-
 /// The ways for a tick of this scene to reckon with a force: each law that its sample allows, with
 /// each solver but the one afresh and each search for feet, and all other terms; then the scene's
 /// own way, and the same with all other terms but one.

@@ -156,24 +156,10 @@ Plausibility plausibilityOf(const DecouplingInput& in, const ContactGeometry& ge
     return plausibility;
 }
 
-const char* nameOf(DecouplingCase kind) noexcept {
-    switch (kind) {
-    case DecouplingCase::Regular:
-        return "regular";
-    case DecouplingCase::NearSingular:
-        return "near_singular";
-    case DecouplingCase::NoSliding:
-        return "no_sliding";
-    case DecouplingCase::InvalidInput:
-        break;
-    }
-    return "invalid_input";
-}
-
 }  // namespace
 
 std::string caseText(const ForceEstimate& estimate) {
-    std::string text = nameOf(estimate.kind);
+    std::string text = keyOf(estimate.kind);
     text += estimate.plausibility.pushesAlong ? "|pushes_along" : "";
     text += estimate.plausibility.excessFriction ? "|excess_friction" : "";
     text += estimate.plausibility.contradictsModel ? "|contradicts_model" : "";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/Vector.h"
 #include "core/probe/Cantilever.h"
 #include "core/probe/OpticalLever.h"
@@ -30,6 +31,10 @@ enum class DecouplingTier : std::uint8_t {
     Estimator  ///< weighted least squares of all that is known
 };
 
+template <>
+inline constexpr auto kEnumTable<DecouplingTier> = std::to_array<EnumRow<DecouplingTier>>(
+    {{DecouplingTier::Planar, "planar"}, {DecouplingTier::Estimator, "estimator"}});
+
 /// Which geometry the estimate met (docs/theory.md 6.3).
 enum class DecouplingCase : std::uint8_t {
     Regular,       ///< planarity and signals determine the force
@@ -38,6 +43,13 @@ enum class DecouplingCase : std::uint8_t {
     InvalidInput,  ///< an input was not finite, beyond 1e12 in SI, negative where it must not be,
                    ///< or the normal had no direction; force and covariance are zero
 };
+
+template <>
+inline constexpr auto kEnumTable<DecouplingCase> =
+    std::to_array<EnumRow<DecouplingCase>>({{DecouplingCase::Regular, "regular"},
+                                            {DecouplingCase::NearSingular, "near_singular"},
+                                            {DecouplingCase::NoSliding, "no_sliding"},
+                                            {DecouplingCase::InvalidInput, "invalid_input"}});
 
 /// Whether the estimated force is one that the assumptions allow. Source: docs/theory.md 6.5 (e).
 struct Plausibility {

@@ -48,10 +48,6 @@ void waitUntil(double time, double spin) {
 
 }  // namespace
 
-const char* policyName(SchedulingPolicy policy) noexcept {
-    return policy == SchedulingPolicy::Realtime ? "real-time" : "ordinary";
-}
-
 double monotonicSeconds() noexcept { return secondsOf(CLOCK_MONOTONIC); }
 
 double processorSeconds() noexcept { return secondsOf(CLOCK_THREAD_CPUTIME_ID); }

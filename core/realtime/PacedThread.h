@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/EnumTable.h"
+
 #include <atomic>
 #include <functional>
 #include <thread>
@@ -12,8 +14,9 @@ enum class SchedulingPolicy : int {
     Ordinary,  ///< not allowed to be real-time: shares the processor with everything else
 };
 
-/// "real-time" or "ordinary".
-[[nodiscard]] const char* policyName(SchedulingPolicy policy) noexcept;
+template <>
+inline constexpr auto kEnumTable<SchedulingPolicy> = std::to_array<EnumRow<SchedulingPolicy>>(
+    {{SchedulingPolicy::Realtime, "real-time"}, {SchedulingPolicy::Ordinary, "ordinary"}});
 
 /// One period of a paced thread as its body sees it.
 struct Beat {

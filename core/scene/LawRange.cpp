@@ -48,25 +48,19 @@ bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexc
     if (pair.workOfAdhesion < kSmallestAdhesion || state.force > kAdhesionOutweighed * unit) {
         return false;
     }
-    switch (model.law()) {
-    case ContactLaw::Hertz:
-    case ContactLaw::Sneddon:
-    case ContactLaw::HertzFilm:
+    const LawTraits& law = traitsOf(model.law());
+    switch (law.attraction) {
+    case Attraction::None:
         return true;
-    case ContactLaw::Dmt:
+    case Attraction::Outside:
         return lambdaOf(model) > kLargestDmt || isWithinRange(model, state) ||
                reachesTooFar(model, unloadedReach(model));
-    case ContactLaw::Jkr:
+    case Attraction::Inside:
         return lambdaOf(model) < kSmallestJkr || isWithinRange(model, state) ||
-               reachesTooFar(model, reachOf(model, state));
-    case ContactLaw::SphereJkr:
-        return lambdaOf(model) < kSmallestJkr || isWithinRange(model, state);
-    case ContactLaw::Maugis:
-    case ContactLaw::Split:
-        return reachesTooFar(model, reachOf(model, state));
-    case ContactLaw::SphereMaugis:
-    case ContactLaw::SphereSplit:
-        return state.cohesiveRadius >= pair.tipRadius;
+               (!law.sphere && reachesTooFar(model, reachOf(model, state)));
+    case Attraction::Zone:
+        return law.sphere ? state.cohesiveRadius >= pair.tipRadius
+                          : reachesTooFar(model, reachOf(model, state));
     }
     return false;
 }

@@ -43,61 +43,6 @@ bool SceneModel::*switchOf(ModelTerm term) {
 
 }  // namespace
 
-const char* nameOf(ModelTerm term) noexcept {
-    switch (term) {
-    case ModelTerm::Adhesion:
-        return "adhesion";
-    case ModelTerm::VanDerWaalsTail:
-        return "van der Waals tail";
-    case ModelTerm::SphereCorrection:
-        return "sphere correction";
-    case ModelTerm::FilmBase:
-        return "film's base";
-    case ModelTerm::SampleCurvature:
-        return "sample curvature";
-    case ModelTerm::Friction:
-        return "friction";
-    case ModelTerm::Torsion:
-        return "lever torsion";
-    case ModelTerm::MountTilt:
-        return "mount tilt";
-    case ModelTerm::GlobalSearch:
-        return "global search";
-    case ModelTerm::OutsideDisplacement:
-        return "outside displacement";
-    case ModelTerm::HalfSpaceSolve:
-        return "half-space solve";
-    }
-    return "unknown";
-}
-
-const char* keyOf(ModelTerm term) noexcept {
-    switch (term) {
-    case ModelTerm::Adhesion:
-        return "adhesion";
-    case ModelTerm::VanDerWaalsTail:
-        return "van_der_waals_tail";
-    case ModelTerm::SphereCorrection:
-        return "sphere_correction";
-    case ModelTerm::FilmBase:
-        return "film_base";
-    case ModelTerm::SampleCurvature:
-        return "curvature";
-    case ModelTerm::Friction:
-        return "friction";
-    case ModelTerm::Torsion:
-        return "torsion";
-    case ModelTerm::MountTilt:
-        return "mount_tilt";
-    case ModelTerm::GlobalSearch:
-        return "foot_search";
-    case ModelTerm::OutsideDisplacement:
-    case ModelTerm::HalfSpaceSolve:
-        return "deformation";
-    }
-    return "unknown";
-}
-
 bool isOfLaw(ModelTerm term) noexcept {
     return term == ModelTerm::Adhesion || term == ModelTerm::VanDerWaalsTail ||
            term == ModelTerm::SphereCorrection || term == ModelTerm::FilmBase;

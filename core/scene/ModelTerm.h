@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/scene/SceneModel.h"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -23,18 +23,22 @@ enum class ModelTerm : std::uint8_t {
     HalfSpaceSolve,       ///< on the real topography, in place of the closed form
 };
 
-inline constexpr std::array kModelTerms{ModelTerm::Adhesion,         ModelTerm::VanDerWaalsTail,
-                                        ModelTerm::SphereCorrection, ModelTerm::FilmBase,
-                                        ModelTerm::SampleCurvature,  ModelTerm::Friction,
-                                        ModelTerm::Torsion,          ModelTerm::MountTilt,
-                                        ModelTerm::GlobalSearch,     ModelTerm::OutsideDisplacement,
-                                        ModelTerm::HalfSpaceSolve};
+/// Keys are those of scene files, which say one thing of the two last.
+template <>
+inline constexpr auto kEnumTable<ModelTerm> = std::to_array<EnumRow<ModelTerm>>(
+    {{ModelTerm::Adhesion, "adhesion"},
+     {ModelTerm::VanDerWaalsTail, "van_der_waals_tail", "van der Waals tail"},
+     {ModelTerm::SphereCorrection, "sphere_correction", "sphere correction"},
+     {ModelTerm::FilmBase, "film_base", "film's base"},
+     {ModelTerm::SampleCurvature, "curvature", "sample curvature"},
+     {ModelTerm::Friction, "friction"},
+     {ModelTerm::Torsion, "torsion", "lever torsion"},
+     {ModelTerm::MountTilt, "mount_tilt", "mount tilt"},
+     {ModelTerm::GlobalSearch, "foot_search", "global search"},
+     {ModelTerm::OutsideDisplacement, "deformation", "outside displacement"},
+     {ModelTerm::HalfSpaceSolve, "deformation", "half-space solve"}});
 
-/// For people: "van der Waals tail".
-[[nodiscard]] const char* nameOf(ModelTerm term) noexcept;
-
-/// As scene files call it: "van_der_waals_tail".
-[[nodiscard]] const char* keyOf(ModelTerm term) noexcept;
+inline constexpr auto kModelTerms = kValues<ModelTerm>;
 
 /// Whether the contact law has it or not.
 [[nodiscard]] bool isOfLaw(ModelTerm term) noexcept;

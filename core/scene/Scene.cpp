@@ -105,15 +105,7 @@ Scene assemble(const SceneDescription& description, Ground ground) {
             .model = model,
             .belief = believedSystem(description, model),
             .signalSigma = {.bending = description.signalSigma, .torsion = description.signalSigma},
-            .settings = {.positionGain = description.positionGain,
-                         .forceGain = description.forceGain,
-                         .correctionBandwidth = description.correctionBandwidth,
-                         .positionControl = description.positionControl,
-                         .coupling = description.coupling,
-                         .governor = description.governor,
-                         .clutchButton = description.clutchButton,
-                         .guide = description.guide,
-                         .forcesOn = true}};
+            .settings = description.settings};
 }
 
 template <class Map>

@@ -5,6 +5,7 @@
 #include "core/SiFormat.h"
 #include "core/Units.h"
 #include "core/contact/Within.h"
+#include "core/scene/SettingFields.h"
 #include "core/scene/TermChecks.h"
 
 #include <cmath>
@@ -52,43 +53,6 @@ void check(const Meniscus& meniscus) {
             "[physics]: meniscus_range_m must be 0 or lie between 1e-12 and 1e-6");
     require((meniscus.surfaceTension > 0.0) == (meniscus.range > 0.0),
             "[physics]: a meniscus needs both meniscus_tension_n_m and meniscus_range_m");
-}
-
-void check(const CouplingGains& coupling) {
-    constexpr double kMost = 1e6;  // of stiffness and damping
-    require(isWithin(coupling.stiffness, 0.0, kMost),
-            "[haptics]: coupling_stiffness_n_m must lie between 0 (no coupling) and 1e6");
-    require(isWithin(coupling.damping, 0.0, kMost),
-            "[haptics]: coupling_damping_n_s_m must lie between 0 and 1e6");
-    require(isWithin(coupling.proxyDamping, 0.0, kMost),
-            "[haptics]: proxy_damping_n_s_m must lie between 0 and 1e6");
-    require(!coupling.couples() || coupling.proxyDamping > 0.0,
-            "[haptics]: a coupling needs proxy_damping_n_s_m above 0: its proxy has no mass");
-}
-
-void check(const GovernorLimits& governor) {
-    require(isWithin(governor.maxForce, 1e-3, 50.0),
-            "[haptics]: max_force_n must lie between 1e-3 and 50");
-    require(isWithin(governor.engageTime, 0.5, 2.0),
-            "[haptics]: engage_s must lie between 0.5 and 2");
-    require(isWithin(governor.maxHandSpeed, 0.01, 10.0),
-            "[haptics]: max_hand_speed_m_s must lie between 0.01 and 10");
-}
-
-void check(const VirtualFixture& guide) {
-    constexpr double kMost = 1e4;    // of stiffness and damping
-    constexpr double kFarthest = 1;  // [m]
-    require(guide.point.cwiseAbs().maxCoeff() <= kFarthest,
-            "[haptics]: guide_x_m, guide_y_m and guide_z_m must lie between -1 and 1");
-    require(isWithin(guide.axis.norm(), 1.0 - 1e-9, 1.0 + 1e-9),
-            "[haptics]: guide_axis_x, guide_axis_y and guide_axis_z must give a direction");
-    require(isWithin(guide.stiffness, 0.0, kMost),
-            "[haptics]: guide_stiffness_n_m must lie between 0 and 1e4");
-    require(isWithin(guide.damping, 0.0, kMost),
-            "[haptics]: guide_damping_n_s_m must lie between 0 and 1e4");
-    require(isWithin(guide.forceLimit, 0.0, 50.0),
-            "[haptics]: guide_force_limit_n must lie between 0 and 50");
-    require(guide.captureDistance > 0.0, "[haptics]: guide_capture_m must be above 0");
 }
 
 void check(const SampleDescription& sample) {
@@ -198,15 +162,7 @@ void checkScene(const SceneDescription& scene) {
     checkTerms(scene);
     require(scene.tickRate >= 100.0 && scene.tickRate <= 20000.0,
             "[haptics]: rate_hz must lie between 100 and 20000");
-    require(scene.positionGain > 0.0 && std::isfinite(scene.positionGain),
-            "[haptics]: position_gain must be a positive number");
-    require(scene.forceGain >= 0.0 && std::isfinite(scene.forceGain),
-            "[haptics]: force_gain must be zero or a positive number");
-    require(scene.correctionBandwidth >= 0.0 && std::isfinite(scene.correctionBandwidth),
-            "[haptics]: correction_hz must be zero or a positive number");
-    check(scene.coupling);
-    check(scene.governor);
-    check(scene.guide);
+    checkSettings(scene.settings);
     require(scene.zoomHalfWidth >= 0.0 && std::isfinite(scene.zoomHalfWidth),
             "[view]: zoom_half_width_m must be zero or a positive number of metres");
 }

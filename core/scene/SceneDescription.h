@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/contact/Material.h"
 #include "core/contact/laws/ContactModel.h"
 #include "core/probe/Cantilever.h"
@@ -31,6 +32,12 @@ struct SampleMaterial {
 
 /// Shapes that a sample can have without error, in place of a height map.
 enum class ShapeKind : std::uint8_t { Sphere, Cylinder, Plane };
+
+template <>
+inline constexpr auto
+    kEnumTable<ShapeKind> = std::to_array<EnumRow<ShapeKind>>({{ShapeKind::Sphere, "sphere"},
+                                                               {ShapeKind::Cylinder, "cylinder"},
+                                                               {ShapeKind::Plane, "plane"}});
 
 /// A shape as the sample; see shapeSurface() for where it lies.
 struct ShapeDescription {
@@ -97,19 +104,11 @@ struct SceneDescription {
     std::optional<FootEffort> footSearch;        ///< none: as the scene requires
     std::optional<DeformationTier> deformation;  ///< none: as the scene requires
     TermChoices terms;
-    double tolerance = 0.05;    ///< by which terms left out may change forces and the surface
-    double tickRate = 1000.0;   ///< [Hz]
-    double positionGain = 1.0;  ///< base displacement per hand displacement
-    double forceGain = 1.0;     ///< force at the hand per force at the tip
-    PositionControl positionControl = PositionControl::Base;
-    double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
-    CouplingGains coupling;
-    GovernorLimits governor;
-    int clutchButton = kNoButton;  ///< while it is held, the hand moves and commands nothing
-    VirtualFixture guide{.stiffness = 200.0,
-                         .damping = 0.5,
-                         .forceLimit = 1.0,
-                         .captureDistance = 50e-9};  ///< lengths of the world
+    double tolerance = 0.05;   ///< by which terms left out may change forces and the surface
+    double tickRate = 1000.0;  ///< [Hz]
+    /// That a run starts with; scene files say those that have a key, see listSettings().
+    Settings settings{
+        .guide = {.stiffness = 200.0, .damping = 0.5, .forceLimit = 1.0, .captureDistance = 50e-9}};
     double zoomHalfWidth = 0.0;  ///< of the zoomed view [m]; 0: chosen from the contact
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/Vector.h"
 #include "core/scene/CouplingGains.h"
 #include "core/scene/GovernorLimits.h"
@@ -15,6 +16,10 @@ enum class PositionControl : std::uint8_t {
     Base,  ///< the cantilever's base; the tip stays behind by the lever's deflection
     Tip,   ///< the tip: the base goes ahead by the deflection that the model expects
 };
+
+template <>
+inline constexpr auto kEnumTable<PositionControl> = std::to_array<EnumRow<PositionControl>>(
+    {{PositionControl::Base, "base"}, {PositionControl::Tip, "tip"}});
 
 /// Knobs that may change from one tick to the next.
 struct Settings {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/Vector.h"
 #include "core/probe/ForceDecoupling.h"
 #include "core/probe/TipEquilibrium.h"
@@ -21,6 +22,17 @@ enum class Fault : std::uint8_t {
     InstrumentLost,  ///< the connection to the instrument broke
 };
 
+template <>
+inline constexpr auto kEnumTable<Fault> = std::to_array<EnumRow<Fault>>(
+    {{Fault::None, "none", ""},
+     {Fault::NotFinite, "not_finite", "a value was not a number: forces are off"},
+     {Fault::DeviceLost, "device_lost", "the hand's device is not there: forces are off"},
+     {Fault::DeviceSilent, "device_silent",
+      "the hand's device sends nothing any more: forces are off"},
+     {Fault::VelocityTrip, "velocity_trip", "the hand was too fast: forces are off"},
+     {Fault::SolverFailed, "solver_failed", "no equilibrium of the tip was found: forces are off"},
+     {Fault::InstrumentLost, "instrument_lost", "the instrument is not there: forces are off"}});
+
 /// What becomes of the force on its way to the hand. A hand that only senses knows On, Off, Fault.
 enum class ForceState : std::uint8_t {
     Off,       ///< a person switched it off
@@ -33,6 +45,19 @@ enum class ForceState : std::uint8_t {
     Fading,   ///< the device has been silent for a moment
     Fault,    ///< off, see TickOutput::fault
 };
+
+/// For people; empty where it acts as wanted or a fault says why it does not.
+template <>
+inline constexpr auto kEnumTable<ForceState> = std::to_array<NamedRow<ForceState>>(
+    {{ForceState::Off, "forces off (Esc)"},
+     {ForceState::Released, "forces off: hold the dead-man switch"},
+     {ForceState::Clutched, "clutch: the hand moves, the tip stays"},
+     {ForceState::Waiting, "forces wait until the tip feels little"},
+     {ForceState::Engaging, "forces come on"},
+     {ForceState::On, ""},
+     {ForceState::Limited, "force at its limit"},
+     {ForceState::Fading, "forces fade: the hand's device is silent"},
+     {ForceState::Fault, ""}});
 
 /// What one tick makes; lab frame.
 struct TickOutput {
@@ -47,8 +72,4 @@ struct TickOutput {
 
     [[nodiscard]] TipRegion region() const noexcept { return model.contact.region(); }
 };
-
-/// "none" or the reason, e.g. "not_finite".
-[[nodiscard]] const char* faultName(Fault fault) noexcept;
-
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/Vector.h"
 
 #include <cstdint>
@@ -14,6 +15,13 @@ enum class FixtureKind : std::uint8_t {
     Line,   ///< through `point`, along `axis`: free motion along it
     Point,  ///< `point` itself
 };
+
+template <>
+inline constexpr auto
+    kEnumTable<FixtureKind> = std::to_array<EnumRow<FixtureKind>>({{FixtureKind::None, "none"},
+                                                                   {FixtureKind::Plane, "plane"},
+                                                                   {FixtureKind::Line, "line"},
+                                                                   {FixtureKind::Point, "point"}});
 
 /// A guide that helps a hand to hold a target. Forces are those at the hand; lengths are those of
 /// the world in Settings, and for guide() those of the hand, see atHandScale().

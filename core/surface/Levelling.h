@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/surface/HeightMap.h"
 
 #include <cstdint>
@@ -11,6 +12,10 @@ enum class Levelling : std::uint8_t {
     Plane,  ///< least-squares plane removed
     Rows,   ///< median of each row removed, then the mean of all
 };
+
+template <>
+inline constexpr auto kEnumTable<Levelling> = std::to_array<EnumRow<Levelling>>(
+    {{Levelling::Plane, "plane"}, {Levelling::Rows, "rows"}, {Levelling::None, "none"}});
 
 /// The least-squares plane through the valid pixels of a map.
 struct PlaneFit {

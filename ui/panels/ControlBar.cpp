@@ -1,5 +1,6 @@
 #include "ui/panels/ControlBar.h"
 
+#include "core/scene/SettingFields.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/ControlIcons.h"
@@ -49,10 +50,7 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(
     material_ = addCombo("material", QStringLiteral("Material"));
     hand_ = addCombo("hand", QStringLiteral("Hand"));
     path_ = addCombo("path", QStringLiteral("Path"));
-    forceGain_ = addGain("forceGain", QStringLiteral("Force gain"), 1e-3, 1e12);
-    forceGain_->setToolTip(QStringLiteral("Force at the hand per force at the tip"));
-    positionGain_ = addGain("positionGain", QStringLiteral("Position gain"), 1e-12, 1e3);
-    positionGain_->setToolTip(QStringLiteral("Way of the tip per way of the hand"));
+    addKnobs();
     row_->addStretch(0);
     addSeparator();
     record_ = addButton("record", QStringLiteral("Recording"));
@@ -95,14 +93,31 @@ QComboBox* ControlBar::addCombo(const char* objectName, const QString& caption) 
     return combo;
 }
 
-GainSpinBox* ControlBar::addGain(const char* objectName, const QString& caption, double low,
-                                 double high) {
-    auto* box = new GainSpinBox(low, high, this);
-    box->setObjectName(QString::fromUtf8(objectName));
+void ControlBar::addKnobs() {
+    std::map<int, SettingField> shown;
+    const Settings any;
+    listSettings(any, [&shown](const SettingField& field, const auto& /*value*/) {
+        if (field.knob.place > 0) {
+            shown.emplace(field.knob.place, field);
+        }
+    });
+    for (const auto& [place, field] : shown) {
+        addKnob(field);
+    }
+}
+
+void ControlBar::addKnob(const SettingField& field) {
+    auto* box = new GainSpinBox(field.knob.low, field.knob.high, this);
+    box->setObjectName(QString::fromUtf8(field.knob.name));
+    box->setToolTip(QString::fromUtf8(field.knob.toolTip));
     box->setFixedSize(96, kControlHeight);
     guardFromWheel(*box);
-    addWithCaption(caption, {box}, 0);
-    return box;
+    addWithCaption(QString::fromUtf8(field.knob.caption), {box}, 0);
+    knobs_[field.column] = box;
+    connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+            [this, name = QString::fromUtf8(field.column)](double value) {
+                Q_EMIT knobTurned(name, value);
+            });
 }
 
 void ControlBar::addWithCaption(const QString& caption, const QList<QWidget*>& widgets,
@@ -148,9 +163,6 @@ void ControlBar::connectPerson() {
     connect(hand_, qOverload<int>(&QComboBox::activated), this, &ControlBar::handChosen);
     connect(path_, qOverload<int>(&QComboBox::activated), this, &ControlBar::pathChosen);
     connect(pathFile_, &QToolButton::clicked, this, &ControlBar::pathFileRequested);
-    const auto changed = qOverload<double>(&QDoubleSpinBox::valueChanged);
-    connect(forceGain_, changed, this, &ControlBar::forceGainChosen);
-    connect(positionGain_, changed, this, &ControlBar::positionGainChosen);
 }
 
 void ControlBar::setMaterials(const QStringList& names) { setNames(*material_, names); }
@@ -177,9 +189,13 @@ void ControlBar::setForcesOn(bool on) {
     forces_->setText(on ? QStringLiteral("Forces are on") : QStringLiteral("Forces are off"));
 }
 
-void ControlBar::setForceGain(double gain) { setQuietly(*forceGain_, gain); }
-
-void ControlBar::setPositionGain(double gain) { setQuietly(*positionGain_, gain); }
+void ControlBar::setKnobs(const Settings& settings) {
+    listSettings(settings, [this](const SettingField& field, const auto& value) {
+        if (const auto knob = knobs_.find(field.column); knob != knobs_.end()) {
+            setQuietly(*knob->second, static_cast<double>(value));
+        }
+    });
+}
 
 void ControlBar::setRecording(bool recording) {
     record_->setChecked(recording);

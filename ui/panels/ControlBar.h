@@ -3,6 +3,9 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <map>
+#include <string>
+
 class QComboBox;
 class QHBoxLayout;
 class QPushButton;
@@ -11,6 +14,8 @@ class QToolButton;
 namespace asperity {
 
 class GainSpinBox;
+struct SettingField;
+struct Settings;
 
 /// The knobs above the views. Setters show a state and emit nothing; signals tell what the person
 /// changed.
@@ -30,8 +35,7 @@ public:
     void setPath(int index);
     void setRunning(bool running);
     void setForcesOn(bool on);
-    void setForceGain(double gain);     ///< force at the hand per force at the tip
-    void setPositionGain(double gain);  ///< base displacement per hand displacement
+    void setKnobs(const Settings& settings);
     void setRecording(bool recording);
 
 Q_SIGNALS:
@@ -41,14 +45,15 @@ Q_SIGNALS:
     void handChosen(int index);
     void pathChosen(int index);
     void pathFileRequested();  ///< a path shall be read from a file
-    void forceGainChosen(double gain);
-    void positionGainChosen(double gain);
+    /// @param column of the knob, see listSettings()
+    void knobTurned(const QString& column, double value);
     void recordingChosen(bool recording);
 
 private:
     QPushButton* addButton(const char* objectName, const QString& widest);
     QComboBox* addCombo(const char* objectName, const QString& caption);
-    GainSpinBox* addGain(const char* objectName, const QString& caption, double low, double high);
+    void addKnobs();
+    void addKnob(const SettingField& field);
     void addWithCaption(const QString& caption, const QList<QWidget*>& widgets, int stretch);
     void addSeparator();
     void connectPerson();
@@ -60,8 +65,7 @@ private:
     QComboBox* hand_;
     QComboBox* path_;
     QToolButton* pathFile_;
-    GainSpinBox* forceGain_;
-    GainSpinBox* positionGain_;
+    std::map<std::string, GainSpinBox*> knobs_;  ///< by column
     QPushButton* record_;
 };
 

@@ -19,64 +19,14 @@ constexpr int kHeight = 32;        ///< [px]
 constexpr double kFlagHold = 0.5;  ///< how long a flag stays shown [s of physics time]
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-QString regionWords(TipRegion region) {
-    switch (region) {
-    case TipRegion::Far:
-        return QStringLiteral("far");
-    case TipRegion::Cohesive:
-        return QStringLiteral("cohesive (bonded across a gap)");
-    case TipRegion::Contact:
-        return QStringLiteral("in contact");
-    }
-    return {};
+template <class Value>
+QString wordsOf(Value value) {
+    return QString::fromUtf8(nameOf(value));
 }
 
 bool actsFully(ForceState state) { return state == ForceState::On || state == ForceState::Limited; }
 
 }  // namespace
-
-QString faultWords(Fault fault) {
-    switch (fault) {
-    case Fault::None:
-        return {};
-    case Fault::NotFinite:
-        return QStringLiteral("a value was not a number: forces are off");
-    case Fault::DeviceLost:
-        return QStringLiteral("the hand's device is not there: forces are off");
-    case Fault::DeviceSilent:
-        return QStringLiteral("the hand's device sends nothing any more: forces are off");
-    case Fault::VelocityTrip:
-        return QStringLiteral("the hand was too fast: forces are off");
-    case Fault::SolverFailed:
-        return QStringLiteral("no equilibrium of the tip was found: forces are off");
-    case Fault::InstrumentLost:
-        return QStringLiteral("the instrument is not there: forces are off");
-    }
-    return {};
-}
-
-QString forceWords(ForceState state) {
-    switch (state) {
-    case ForceState::Off:
-        return QStringLiteral("forces off (Esc)");
-    case ForceState::Released:
-        return QStringLiteral("forces off: hold the dead-man switch");
-    case ForceState::Clutched:
-        return QStringLiteral("clutch: the hand moves, the tip stays");
-    case ForceState::Waiting:
-        return QStringLiteral("forces wait until the tip feels little");
-    case ForceState::Engaging:
-        return QStringLiteral("forces come on");
-    case ForceState::Limited:
-        return QStringLiteral("force at its limit");
-    case ForceState::Fading:
-        return QStringLiteral("forces fade: the hand's device is silent");
-    case ForceState::On:
-    case ForceState::Fault:
-        return {};
-    }
-    return {};
-}
 
 StateBanner::StateBanner(QWidget* parent)
     : QFrame(parent)
@@ -150,7 +100,7 @@ void StateBanner::clear() {
 QString StateBanner::stateWords() const {
     const TickOutput& output = latest_.sample.output;
     if (output.fault != Fault::None) {
-        return QStringLiteral("fault: ") + faultWords(output.fault);
+        return QStringLiteral("fault: ") + wordsOf(output.fault);
     }
     if (!hasRun_) {
         return paused_ ? QStringLiteral("paused") : QStringLiteral("not started");
@@ -159,14 +109,14 @@ QString StateBanner::stateWords() const {
     if (paused_) {
         words << QStringLiteral("paused");
     }
-    if (const QString force = forceWords(output.forceState); !force.isEmpty()) {
+    if (const QString force = wordsOf(output.forceState); !force.isEmpty()) {
         words << force;
     }
     const TickInput& input = latest_.sample.input;
     if (!edgeForce(input.settings.workspace, input.hand.position).isZero(0.0)) {
         words << QStringLiteral("edge of the workspace: clutch (C)");
     }
-    words << regionWords(output.region());
+    words << wordsOf(output.region());
     if (!halfSpace_.isEmpty()) {
         words << halfSpace_;
     }

@@ -13,12 +13,6 @@ class QPushButton;
 
 namespace asperity {
 
-/// Why the forces were switched off, for people; empty when they were not.
-[[nodiscard]] QString faultWords(Fault fault);
-/// What becomes of the force at the hand, for people; empty when it acts as wanted or a fault says
-/// why it does not.
-[[nodiscard]] QString forceWords(ForceState state);
-
 /// One line that always says in words and colour where the tip is, whether forces act, what went
 /// wrong, and what a result does not hold for. Its height never changes.
 class StateBanner : public QFrame {

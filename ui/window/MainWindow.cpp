@@ -227,7 +227,7 @@ void MainWindow::complain(const QString& message) {
 void MainWindow::chooseScan() {
     const QString file = QFileDialog::getOpenFileName(
         this, tr("Open a scan or a scene"), {},
-        tr("Scans and scenes (*.toml *.gwy *.gsf *.spm *.di *.0* *.1* *.2* *.3*);;All files (*)"));
+        tr("Scans and scenes (*.toml %1);;All files (*)").arg(scanFiles_.join(QLatin1Char(' '))));
     if (!file.isEmpty()) {
         Q_EMIT openRequested(file);
     }

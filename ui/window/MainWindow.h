@@ -3,6 +3,7 @@
 #include "core/scene/Scene.h"
 
 #include <QMainWindow>
+#include <QStringList>
 
 class QStackedLayout;
 
@@ -39,6 +40,8 @@ public:
     [[nodiscard]] FidelityPanel& fidelity() { return *fidelity_; }
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
 
+    /// Which files the dialog that opens a scan shows first, beside scenes: "*.gwy".
+    void setScanFiles(const QStringList& patterns) { scanFiles_ = patterns; }
     /// Gives all panels a scene; null: none. The scene outlives its use here.
     void showScene(const Scene* scene, const QString& title);
     /// Says in place of the hint that a file is being loaded; empty: nothing is.
@@ -80,6 +83,7 @@ private:
     void explainControls();
     void explainProgram();
 
+    QStringList scanFiles_;
     WindowMenus* menus_;
     ControlBar* controls_;
     StateBanner* banner_;

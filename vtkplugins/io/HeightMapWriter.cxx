@@ -18,6 +18,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string>
 
@@ -100,16 +101,33 @@ std::string lowerCase(std::string text) {
 
 using FileWriter = void (*)(const std::filesystem::path&, const HeightRows&, Progress*);
 
+struct Format {
+    const char* extension;
+    FileWriter write;
+};
+constexpr std::array kFormats{Format{".vti", writeVti}, Format{".vtp", writeVtp},
+                              Format{".stl", writeStl}};
+
 /// Null when no format has the path's extension.
 FileWriter writerFor(const std::filesystem::path& path) {
     const std::string extension = lowerCase(path.extension().string());
-    return extension == ".vti"   ? writeVti
-           : extension == ".vtp" ? writeVtp
-           : extension == ".stl" ? writeStl
-                                 : nullptr;
+    for (const Format& format : kFormats) {
+        if (extension == format.extension) {
+            return format.write;
+        }
+    }
+    return nullptr;
 }
 
 }  // namespace
+
+std::vector<std::string> vtkExtensions() {
+    std::vector<std::string> extensions;
+    for (const Format& format : kFormats) {
+        extensions.emplace_back(format.extension);
+    }
+    return extensions;
+}
 
 bool canWriteHeightMapWithVtk(const std::filesystem::path& path) {
     return writerFor(path) != nullptr;

@@ -3,8 +3,13 @@
 #include "core/surface/HeightRows.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace asperity {
+
+/// Extensions that writeHeightMapWithVtk() knows, in lower case with their dot.
+[[nodiscard]] std::vector<std::string> vtkExtensions();
 
 /// Whether writeHeightMapWithVtk() knows the path's extension.
 [[nodiscard]] bool canWriteHeightMapWithVtk(const std::filesystem::path& path);

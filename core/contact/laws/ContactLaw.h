@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
+#include "core/EnumTable.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 
 namespace asperity {
 
@@ -32,7 +32,7 @@ enum class Attraction : std::uint8_t {
 
 /// All there is to say of a law; scene files, tables, reports and choices go by this.
 struct LawTraits {
-    ContactLaw law;
+    ContactLaw value;
     const char* key;   ///< in scenes and tables
     const char* name;  ///< for people
     Attraction attraction = Attraction::None;
@@ -43,56 +43,46 @@ struct LawTraits {
 };
 
 /// In the order of ContactLaw.
-inline constexpr std::array kLawTraits{
-    LawTraits{.law = ContactLaw::Hertz, .key = "hertz", .name = "Hertz"},
-    LawTraits{
-        .law = ContactLaw::Dmt, .key = "dmt", .name = "DMT", .attraction = Attraction::Outside},
-    LawTraits{
-        .law = ContactLaw::Jkr, .key = "jkr", .name = "JKR", .attraction = Attraction::Inside},
-    LawTraits{.law = ContactLaw::Maugis,
-              .key = "md",
-              .name = "Maugis-Dugdale",
-              .attraction = Attraction::Zone,
-              .table = true},
-    LawTraits{
-        .law = ContactLaw::Sneddon, .key = "sneddon", .name = "Sneddon's sphere", .sphere = true},
-    LawTraits{.law = ContactLaw::SphereJkr,
-              .key = "jkr_sphere",
-              .name = "JKR on the exact sphere",
-              .attraction = Attraction::Inside,
-              .sphere = true},
-    LawTraits{.law = ContactLaw::SphereMaugis,
-              .key = "md_sphere",
-              .name = "Maugis-Dugdale on the exact sphere",
-              .attraction = Attraction::Zone,
-              .sphere = true},
-    LawTraits{.law = ContactLaw::Split,
-              .key = "split",
-              .name = "Maugis-Dugdale with tail",
-              .attraction = Attraction::Zone,
-              .tail = true,
-              .table = true},
-    LawTraits{.law = ContactLaw::SphereSplit,
-              .key = "split_sphere",
-              .name = "Maugis-Dugdale with tail on the exact sphere",
-              .attraction = Attraction::Zone,
-              .sphere = true,
-              .tail = true},
-    LawTraits{.law = ContactLaw::HertzFilm,
-              .key = "hertz_film",
-              .name = "Hertz on a film",
-              .film = true}};
-
-inline constexpr auto kContactLaws = [] {
-    std::array<ContactLaw, kLawTraits.size()> laws{};
-    for (std::size_t i = 0; i < laws.size(); ++i) {
-        laws[i] = kLawTraits[i].law;
-    }
-    return laws;
-}();
+template <>
+inline constexpr auto kEnumTable<ContactLaw> = std::to_array<LawTraits>(
+    {{.value = ContactLaw::Hertz, .key = "hertz", .name = "Hertz"},
+     {.value = ContactLaw::Dmt, .key = "dmt", .name = "DMT", .attraction = Attraction::Outside},
+     {.value = ContactLaw::Jkr, .key = "jkr", .name = "JKR", .attraction = Attraction::Inside},
+     {.value = ContactLaw::Maugis,
+      .key = "md",
+      .name = "Maugis-Dugdale",
+      .attraction = Attraction::Zone,
+      .table = true},
+     {.value = ContactLaw::Sneddon, .key = "sneddon", .name = "Sneddon's sphere", .sphere = true},
+     {.value = ContactLaw::SphereJkr,
+      .key = "jkr_sphere",
+      .name = "JKR on the exact sphere",
+      .attraction = Attraction::Inside,
+      .sphere = true},
+     {.value = ContactLaw::SphereMaugis,
+      .key = "md_sphere",
+      .name = "Maugis-Dugdale on the exact sphere",
+      .attraction = Attraction::Zone,
+      .sphere = true},
+     {.value = ContactLaw::Split,
+      .key = "split",
+      .name = "Maugis-Dugdale with tail",
+      .attraction = Attraction::Zone,
+      .tail = true,
+      .table = true},
+     {.value = ContactLaw::SphereSplit,
+      .key = "split_sphere",
+      .name = "Maugis-Dugdale with tail on the exact sphere",
+      .attraction = Attraction::Zone,
+      .sphere = true,
+      .tail = true},
+     {.value = ContactLaw::HertzFilm,
+      .key = "hertz_film",
+      .name = "Hertz on a film",
+      .film = true}});
 
 [[nodiscard]] constexpr const LawTraits& traitsOf(ContactLaw law) noexcept {
-    return kLawTraits[static_cast<std::size_t>(law)];
+    return kEnumTable<ContactLaw>[static_cast<std::size_t>(law)];
 }
 
 [[nodiscard]] constexpr bool isSphere(ContactLaw law) noexcept { return traitsOf(law).sphere; }
@@ -104,14 +94,6 @@ inline constexpr auto kContactLaws = [] {
 [[nodiscard]] constexpr bool isJkr(ContactLaw law) noexcept {
     return traitsOf(law).attraction == Attraction::Inside;
 }
-
-/// As scenes and tables call it: "hertz", "md_sphere".
-[[nodiscard]] constexpr const char* keyOf(ContactLaw law) noexcept { return traitsOf(law).key; }
-/// For people: "Hertz", "Maugis-Dugdale on the exact sphere".
-[[nodiscard]] constexpr const char* nameOf(ContactLaw law) noexcept { return traitsOf(law).name; }
-
-/// The law of that key; none where it is no law's.
-[[nodiscard]] std::optional<ContactLaw> lawFromKey(std::string_view key) noexcept;
 
 /// The law that differs from this one by these two traits alone; none where there is no such law.
 [[nodiscard]] std::optional<ContactLaw> lawLike(ContactLaw law, bool sphere, bool tail) noexcept;

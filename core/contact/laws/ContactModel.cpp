@@ -33,7 +33,7 @@ void checkMeniscus(const Meniscus& meniscus) {
 std::shared_ptr<const FilmTable> filmFor(ContactLaw law, const ContactOptions& options) {
     const ContactStatus status = checkFilm(options.filmThickness, options.film.poissonRatio);
     if (status != ContactStatus::Solved) {
-        throw Error(std::string("contact: ") + expectationOf(status));
+        throw Error(std::string("contact: ") + nameOf(status));
     }
     if (options.filmThickness > 0.0) {
         return sharedFilmTable(options.film);

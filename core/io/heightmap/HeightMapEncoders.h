@@ -1,30 +1,13 @@
 #pragma once
 
-#include "core/io/heightmap/HeightMapWriter.h"
+#include "core/surface/HeightRows.h"
 
-#include <filesystem>
+#include <cstddef>
 #include <iosfwd>
-#include <string>
+
+// What the writers of single formats share.
 
 namespace asperity {
-
-/// The writers of single formats. Each takes a usable map and writes straight to `target`, which
-/// the caller puts in place afterwards. Heights are NaN where there are no data. A further format
-/// is one source file, its line here and its line in the table of HeightMapWriter.cpp.
-/// @throw Error; Cancelled
-
-void writeGsf(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
-              Progress* progress);
-void writeGwy(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
-              Progress* progress);
-void writeText(const std::filesystem::path& target, const HeightRows& map,
-               const HeightMapMeta& meta, Progress* progress);
-void writeExr(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
-              Progress* progress);
-void writeTiff(const std::filesystem::path& target, const HeightRows& map,
-               const HeightMapMeta& meta, Progress* progress);
-void writePng(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
-              Progress* progress);
 
 /// Closes a stream. @throw Error when not all could be written
 void finish(std::ofstream& stream);

@@ -8,21 +8,10 @@
 #include "core/io/heightmap/StoredRows.h"
 
 #include <algorithm>
-#include <array>
 
 namespace asperity {
 
 namespace {
-
-/// The most telling beginnings first.
-const std::array<const HeightMapFormat*, 3>& formats() {
-    static const std::array<const HeightMapFormat*, 3> kFormats = {
-        &kGwyFormat,
-        &kNanoscopeFormat,
-        &kGsfFormat,
-    };
-    return kFormats;
-}
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
@@ -34,8 +23,10 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string formatNames() {
     std::vector<std::string> names;
-    for (const HeightMapFormat* format : formats()) {
-        names.emplace_back(format->name);
+    for (const HeightMapFormat* format : kHeightMapFormats) {
+        if (format->read != nullptr) {
+            names.emplace_back(format->name);
+        }
     }
     return joined(names);
 }
@@ -91,11 +82,11 @@ HeightMapContents contentsOf(const ByteSource& bytes) {
         throw InputError(bytes.name(), "", "the file is empty");
     }
     const std::string start = bytes.start(kMarkBytes);
-    const auto& known = formats();
-    const auto format = std::find_if(known.begin(), known.end(), [&](const HeightMapFormat* each) {
-        return each->recognises(start);
-    });
-    if (format == known.end()) {
+    const auto* const format =
+        std::ranges::find_if(kHeightMapFormats, [&](const HeightMapFormat* each) {
+            return each->read != nullptr && each->recognises(start);
+        });
+    if (format == kHeightMapFormats.end()) {
         throw InputError(bytes.name(), "",
                          "this is no height map that can be read; known are " + formatNames());
     }
@@ -109,6 +100,17 @@ HeightMapContents contentsOf(const ByteSource& bytes) {
     contents.file.defaultChannel = suggestDefaultChannel(contents.file.channels);
     contents.stored = std::move(scan.channels);
     return contents;
+}
+
+std::vector<std::string> readableExtensions() {
+    std::vector<std::string> extensions;
+    for (const HeightMapFormat* format : kHeightMapFormats) {
+        if (format->read != nullptr) {
+            extensions.insert(extensions.end(), format->extensions.begin(),
+                              format->extensions.end());
+        }
+    }
+    return extensions;
 }
 
 HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file) {

@@ -35,6 +35,9 @@ struct HeightMapFile {
     std::vector<std::string> notes;  ///< what the reader had to decide, one sentence each
 };
 
+/// Extensions that files which can be read usually have: ".gwy"; `*` in them stands for any text.
+[[nodiscard]] std::vector<std::string> readableExtensions();
+
 /// Reads any supported file; the type is found by content, never by extension.
 /// @throw InputError when the file cannot be read whole, changes meanwhile, is of an unknown type,
 ///        or holds a value that no instrument measures (a height beyond 1 km)

@@ -2,8 +2,11 @@
 
 #include "core/io/ByteSource.h"
 #include "core/io/heightmap/HeightMapFile.h"
+#include "core/io/heightmap/HeightMapWriter.h"
 
+#include <array>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,16 +30,24 @@ struct StoredScan {
     std::vector<std::string> notes;
 };
 
-/// A file type that can be read. A further format is one source file that defines such a constant,
-/// its declaration below, and its line in the table of HeightMapFile.cpp.
+/// A file type: who reads it, who writes it. A further format is a folder of its own that defines
+/// such a constant, and its lines at the end of this table.
 struct HeightMapFormat {
     std::string_view name;  ///< for people
-    /// Whether the content is of this type, damaged or not. @param start its first kMarkBytes bytes
+    /// That its files usually have, in lower case with their dot; `*` stands for any text. Writing
+    /// goes by them, reading does not.
+    std::span<const std::string_view> extensions;
+    /// Whether the content is of this type, damaged or not; null: it is not read.
+    /// @param start its first kMarkBytes bytes
     bool (*recognises)(std::string_view start);
     /// Checks the whole content, but leaves the values where they are. @param bytes must outlive
     /// the result
     /// @throw InputError when anything is missing or does not fit together
     StoredScan (*read)(const ByteSource& bytes);
+    /// Writes a usable map straight to `target`, which the caller puts in place afterwards; null:
+    /// it is not written. Heights are NaN where there are no data. @throw Error; Cancelled
+    void (*write)(const std::filesystem::path& target, const HeightRows& map,
+                  const HeightMapMeta& meta, Progress* progress);
 };
 
 /// Every type is known by as many bytes.
@@ -45,6 +56,15 @@ constexpr std::size_t kMarkBytes = 64;
 extern const HeightMapFormat kGwyFormat;
 extern const HeightMapFormat kNanoscopeFormat;
 extern const HeightMapFormat kGsfFormat;
+extern const HeightMapFormat kExrFormat;
+extern const HeightMapFormat kTiffFormat;
+extern const HeightMapFormat kPngFormat;
+extern const HeightMapFormat kTextFormat;
+
+/// The most telling beginnings first.
+inline constexpr std::array kHeightMapFormats{&kGwyFormat, &kNanoscopeFormat, &kGsfFormat,
+                                              &kExrFormat, &kTiffFormat,      &kPngFormat,
+                                              &kTextFormat};
 
 /// What a content holds, without the heights.
 struct HeightMapContents {

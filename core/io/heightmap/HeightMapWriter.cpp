@@ -4,9 +4,9 @@
 #include "core/TemporaryFile.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapEncoders.h"
+#include "core/io/heightmap/HeightMapFormat.h"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <limits>
 
@@ -14,28 +14,15 @@ namespace asperity {
 
 namespace {
 
-using Writer = void (*)(const std::filesystem::path&, const HeightRows&, const HeightMapMeta&,
-                        Progress*);
-
-struct Format {
-    const char* extension;
-    Writer write;
-};
-
-constexpr std::array<Format, 7> kFormats = {{{".gwy", writeGwy},
-                                             {".gsf", writeGsf},
-                                             {".exr", writeExr},
-                                             {".tiff", writeTiff},
-                                             {".tif", writeTiff},
-                                             {".png", writePng},
-                                             {".txt", writeText}}};
-
-Writer findWriter(const std::filesystem::path& path) {
+/// Null when no format that is written has the path's extension.
+const HeightMapFormat* findFormat(const std::filesystem::path& path) {
     const std::string extension = lowerCase(path.extension().string());
-    const auto* const found =
-        std::find_if(kFormats.begin(), kFormats.end(),
-                     [&](const Format& format) { return format.extension == extension; });
-    return found == kFormats.end() ? nullptr : found->write;
+    for (const HeightMapFormat* format : kHeightMapFormats) {
+        if (format->write != nullptr && std::ranges::count(format->extensions, extension) > 0) {
+            return format;
+        }
+    }
+    return nullptr;
 }
 
 std::string knownExtensions() {
@@ -51,28 +38,30 @@ std::string knownExtensions() {
 const std::vector<std::string>& heightMapExtensions() {
     static const std::vector<std::string> kExtensions = [] {
         std::vector<std::string> extensions;
-        extensions.reserve(kFormats.size());
-        for (const Format& format : kFormats) {
-            extensions.emplace_back(format.extension);
+        for (const HeightMapFormat* format : kHeightMapFormats) {
+            if (format->write != nullptr) {
+                extensions.insert(extensions.end(), format->extensions.begin(),
+                                  format->extensions.end());
+            }
         }
         return extensions;
     }();
     return kExtensions;
 }
 
-bool canWriteHeightMap(const std::filesystem::path& path) { return findWriter(path) != nullptr; }
+bool canWriteHeightMap(const std::filesystem::path& path) { return findFormat(path) != nullptr; }
 
 void writeHeightMap(const std::filesystem::path& path, const HeightRows& map,
                     const HeightMapMeta& meta, Progress* progress) {
-    const Writer write = findWriter(path);
-    if (write == nullptr) {
+    const HeightMapFormat* const format = findFormat(path);
+    if (format == nullptr) {
         throw Error(path.string() +
                     ": no height map can be written with this extension; known are " +
                     knownExtensions());
     }
     const TemporaryFile temporary(path);
     try {
-        write(temporary.path(), map, meta, progress);
+        format->write(temporary.path(), map, meta, progress);
     } catch (const Cancelled&) {
         throw;
     } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include "core/scene/Settings.h"
 #include "core/scene/TickOutput.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -25,14 +26,11 @@ bool standsFor(double number) {
         return std::isfinite(number);
     } else if constexpr (std::is_same_v<Value, bool>) {
         return isWhole(number, 0.0, 1.0);
-    } else if constexpr (std::is_same_v<Value, PositionControl>) {
-        return isWhole(number, 0.0, static_cast<double>(PositionControl::Tip));
-    } else if constexpr (std::is_same_v<Value, FixtureKind>) {
-        return isWhole(number, 0.0, static_cast<double>(FixtureKind::Point));
     } else if constexpr (std::is_same_v<Value, ContactBranch>) {
         return isWhole(number, 0.0, static_cast<double>(ContactBranch::Bonded));
-    } else if constexpr (std::is_same_v<Value, Fault>) {
-        return isWhole(number, 0.0, static_cast<double>(Fault::InstrumentLost));
+    } else if constexpr (HasEnumTable<Value>) {
+        return std::ranges::any_of(
+            kValues<Value>, [number](Value value) { return number == static_cast<double>(value); });
     } else if constexpr (std::is_same_v<Value, std::size_t>) {
         return isWhole(number, 0.0, static_cast<double>(kMostFeet));
     } else if constexpr (std::is_same_v<Value, int>) {

@@ -2,13 +2,14 @@
 
 #include "core/Error.h"
 #include "core/Version.h"
-#include "core/io/recording/SceneSettings.h"
-#include "core/io/recording/SettingsColumns.h"
+#include "core/io/recording/ColumnList.h"
 #include "core/io/recording/StoredValue.h"
-#include "core/io/tables/CsvTable.h"
+#include "core/scene/SettingFields.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
+#include <type_traits>
 
 namespace asperity {
 
@@ -20,116 +21,135 @@ std::vector<std::string> comments(const char* what) {
             "the sample"};
 }
 
-CsvWriter& add(CsvWriter& csv, const Vector3& vector) {
-    return csv.add(vector.x()).add(vector.y()).add(vector.z());
-}
-
 Vector3 standardDeviation(const Matrix3& covariance) {
     return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
-/// A cell that must be finite.
-double finite(const CsvTable& table, std::size_t row, const std::string& column,
-              const std::filesystem::path& path) {
-    const double value = table.number(row, column);
-    if (!std::isfinite(value)) {
-        throw InputError(path.string(), "line " + std::to_string(table.line(row)),
-                         column + " must be a finite number");
-    }
-    return value;
+/// The columns of force_log.csv.
+template <class Cell>
+void listLog(const TickSample& sample, const Cell& cell) {
+    const TickOutput& out = sample.output;
+    cell({"time_s"}, sample.time);
+    listVector(cell, "base_", out.base.position, "_m");
+    listVector(cell, "tip_", out.tip, "_m");
+    listVector(cell, "est_f", out.estimate.force, "_n");
+    listVector(cell, "est_sigma_f", standardDeviation(out.estimate.covariance), "_n");
+    listVector(cell, "model_f", out.model.force, "_n");
+    listVector(cell, "hand_f", out.handForce, "_n");
+    cell({"alpha_rad"}, sample.input.measurement.signals.bending);
+    cell({"theta_rad"}, sample.input.measurement.signals.torsion);
+    cell({"gap_m"}, -out.model.contact.indentation);
+    cell({"contact_radius_m"}, out.model.contact.contactRadius);
+    cell({"state"}, out.fault == Fault::None ? keyOf(out.region()) : keyOf(out.fault));
+    cell({"flags"}, validityText(out.flags));
 }
 
-/// A cell that must stand for a value of this type.
-template <typename Value>
-Value valueOf(const CsvTable& table, std::size_t row, const std::string& column,
-              const std::filesystem::path& path) {
-    const double value = table.number(row, column);
-    if (!stored::standsFor<Value>(value)) {
-        throw InputError(path.string(), "line " + std::to_string(table.line(row)),
-                         column + " must be a number as Asperity writes it");
+/// What a cell of tick_input.csv holds.
+enum class Holds {
+    Stored,    ///< what stands for a value of its type
+    Endless,   ///< the same, or infinity
+    Finite,    ///< a finite number
+    Positive,  ///< a finite number above 0
+    Told,      ///< any number: what device and instrument said may be NaN, a fault that replays
+};
+
+struct InputColumn : ColumnName {
+    Holds holds = Holds::Stored;
+    bool later = false;  ///< recordings from before there was such a column read as before
+};
+
+/// The columns of tick_input.csv.
+template <class Sample, class Cell>
+void listInput(Sample& sample, const Cell& cell) {
+    auto& input = sample.input;
+    const auto told = [&cell](const ColumnName& name, auto& value) {
+        cell(InputColumn{name, Holds::Told}, value);
+    };
+    cell(InputColumn{{"time_s"}, Holds::Finite}, sample.time);
+    cell(InputColumn{{"time_step_s"}, Holds::Positive}, input.timeStep);
+    listVector(told, "hand_", input.hand.position, "_m");
+    cell(InputColumn{{"buttons"}}, input.hand.buttons);
+    cell(InputColumn{{"connected"}}, input.hand.connected);
+    told({"alpha_rad"}, input.measurement.signals.bending);
+    told({"theta_rad"}, input.measurement.signals.torsion);
+    told({"age_s"}, input.measurement.age);
+    cell(InputColumn{{"starts"}, Holds::Stored, true}, input.starts);
+    cell(InputColumn{{"hand_max_force_n"}, Holds::Finite, true}, input.hand.maxForce);
+    cell(InputColumn{{"hand_streams"}, Holds::Stored, true}, input.hand.streams);
+    cell(InputColumn{{"hand_age_s"}, Holds::Told, true}, input.hand.age);
+    cell(InputColumn{{"instrument_connected"}, Holds::Stored, true}, input.measurement.connected);
+    listSettings(input.settings, [&cell](const SettingField& field, auto& value) {
+        const Holds holds = std::isinf(field.limits.high) ? Holds::Endless : Holds::Stored;
+        cell(InputColumn{{field.column}, holds, field.later}, value);
+    });
+}
+
+/// What a number must be that it is not; null where it is.
+template <class Value>
+const char* objection(Holds holds, double number) {
+    if (holds == Holds::Stored || holds == Holds::Endless) {
+        const bool isEnd =
+            holds == Holds::Endless && number == std::numeric_limits<double>::infinity();
+        return isEnd || stored::standsFor<Value>(number) ? nullptr
+                                                         : "a number as Asperity writes it";
     }
-    return static_cast<Value>(value);
+    if (holds != Holds::Told && !std::isfinite(number)) {
+        return "a finite number";
+    }
+    return holds == Holds::Positive && !(number > 0.0) ? "positive" : nullptr;
+}
+
+[[noreturn]] void refuse(const CsvTable& table, std::size_t row, const std::string& what) {
+    throw InputError(table.file(), "line " + std::to_string(table.line(row)), what);
 }
 
 /// A knob may have what a scene may say of it.
-void requireInRange(const Settings& settings, const std::filesystem::path& path, std::size_t line) {
+void requireInRange(const Settings& settings, const CsvTable& table, std::size_t row) {
+    listSettings(settings, [&](const SettingField& field, const auto& value) {
+        if (field.key == nullptr && !field.limits.hold(static_cast<double>(value))) {
+            refuse(table, row, std::string(field.column) + " must " + field.limits.words);
+        }
+    });
     try {
         checkSettings(settings);
     } catch (const Error& error) {
-        throw InputError(path.string(), "line " + std::to_string(line),
-                         std::string("as in a scene, ") + error.what());
+        refuse(table, row, std::string("as in a scene, ") + error.what());
     }
 }
 
-/// What the device is. Recordings from before there was a governor say nothing of it.
-void readDevice(const CsvTable& table, std::size_t row, const std::filesystem::path& path,
-                TickInput& input) {
-    if (table.has("hand_max_force_n")) {
-        input.hand.maxForce = finite(table, row, "hand_max_force_n", path);
-        input.hand.streams = valueOf<bool>(table, row, "hand_streams", path);
-        input.hand.age = table.number(row, "hand_age_s");
-        input.starts = valueOf<std::uint32_t>(table, row, "starts", path);
-    }
-}
-
-std::vector<std::string> inputColumns() {
-    std::vector<std::string> columns{
-        "time_s",  "time_step_s",      "hand_x_m",     "hand_y_m",   "hand_z_m",
-        "buttons", "connected",        "alpha_rad",    "theta_rad",  "age_s",
-        "starts",  "hand_max_force_n", "hand_streams", "hand_age_s", "instrument_connected"};
-    const std::vector<std::string> knobs = settingsColumns();
-    columns.insert(columns.end(), knobs.begin(), knobs.end());
-    return columns;
+void readInput(const CsvTable& table, std::size_t row, TickSample& sample) {
+    listInput(sample, [&](const InputColumn& column, auto& value) {
+        using Value = std::decay_t<decltype(value)>;
+        const std::string name = column.text();
+        if (column.later && !table.has(name)) {
+            return;
+        }
+        const double number = table.number(row, name);
+        if (const char* const wanted = objection<Value>(column.holds, number)) {
+            refuse(table, row, name + " must be " + wanted);
+        }
+        value = static_cast<Value>(number);
+    });
 }
 
 }  // namespace
 
 ForceLogWriter::ForceLogWriter(const std::filesystem::path& path)
     : csv_(GrowingFile(path), comments("what the run did, one row a tick"),
-           {"time_s",         "base_x_m",       "base_y_m",         "base_z_m",   "tip_x_m",
-            "tip_y_m",        "tip_z_m",        "est_fx_n",         "est_fy_n",   "est_fz_n",
-            "est_sigma_fx_n", "est_sigma_fy_n", "est_sigma_fz_n",   "model_fx_n", "model_fy_n",
-            "model_fz_n",     "hand_fx_n",      "hand_fy_n",        "hand_fz_n",  "alpha_rad",
-            "theta_rad",      "gap_m",          "contact_radius_m", "state",      "flags"}) {}
+           columnNames([](const auto& cell) { listLog({}, cell); })) {}
 
 void ForceLogWriter::take(const TickSample& sample) {
-    const TickOutput& out = sample.output;
-    csv_.add(sample.time);
-    add(csv_, out.base.position);
-    add(csv_, out.tip);
-    add(csv_, out.estimate.force);
-    add(csv_, standardDeviation(out.estimate.covariance));
-    add(csv_, out.model.force);
-    add(csv_, out.handForce);
-    csv_.add(sample.input.measurement.signals.bending)
-        .add(sample.input.measurement.signals.torsion)
-        .add(-out.model.contact.indentation)
-        .add(out.model.contact.contactRadius)
-        .add(out.fault == Fault::None ? regionName(out.region()) : faultName(out.fault))
-        .add(validityText(out.flags))
-        .endRow();
+    addCells(csv_, [&sample](const auto& cell) { listLog(sample, cell); });
+    csv_.endRow();
 }
 
 TickInputWriter::TickInputWriter(const std::filesystem::path& path)
     : csv_(GrowingFile(path),
            comments("all that the run depended on besides scene.toml, one row a tick"),
-           inputColumns()) {}
+           columnNames([any = TickSample()](const auto& cell) { listInput(any, cell); })) {}
 
 void TickInputWriter::take(const TickSample& sample) {
-    const TickInput& input = sample.input;
-    csv_.add(sample.time).add(input.timeStep);
-    add(csv_, input.hand.position);
-    csv_.add(static_cast<double>(input.hand.buttons))
-        .add(input.hand.connected ? 1.0 : 0.0)
-        .add(input.measurement.signals.bending)
-        .add(input.measurement.signals.torsion)
-        .add(input.measurement.age)
-        .add(static_cast<double>(input.starts))
-        .add(input.hand.maxForce)
-        .add(input.hand.streams ? 1.0 : 0.0)
-        .add(input.hand.age)
-        .add(input.measurement.connected ? 1.0 : 0.0);
-    addSettings(csv_, input.settings);
+    addCells(csv_, [&sample](const auto& cell) { listInput(sample, cell); });
     csv_.endRow();
 }
 
@@ -138,30 +158,12 @@ std::vector<TickSample> readTickInputs(const std::filesystem::path& path) {
 }
 
 std::vector<TickSample> readTickInputs(const CsvTable& table) {
-    const std::filesystem::path path = table.file();
     std::vector<TickSample> samples(table.rows());
     for (std::size_t row = 0; row < samples.size(); ++row) {
-        const auto cell = [&](const char* column) { return finite(table, row, column, path); };
-        samples[row].time = cell("time_s");
-        TickInput& input = samples[row].input;
-        input.timeStep = cell("time_step_s");
-        if (!(input.timeStep > 0.0)) {
-            throw InputError(path.string(), "line " + std::to_string(table.line(row)),
-                             "time_step_s must be positive");
-        }
-        // What device and instrument said may be NaN: that is a fault, and replays as one.
-        const auto told = [&](const char* column) { return table.number(row, column); };
-        input.hand.position = {told("hand_x_m"), told("hand_y_m"), told("hand_z_m")};
-        input.hand.buttons = valueOf<std::uint32_t>(table, row, "buttons", path);
-        input.hand.connected = valueOf<bool>(table, row, "connected", path);
-        input.measurement = {.signals = {told("alpha_rad"), told("theta_rad")},
-                             .age = told("age_s"),
-                             .connected = !table.has("instrument_connected") ||
-                                          valueOf<bool>(table, row, "instrument_connected", path)};
-        input.settings = readSettings(table, row);
-        readDevice(table, row, path, input);
-        if (row == 0 || input.settings != samples[row - 1].input.settings) {
-            requireInRange(input.settings, path, table.line(row));
+        readInput(table, row, samples[row]);
+        const Settings& settings = samples[row].input.settings;
+        if (row == 0 || settings != samples[row - 1].input.settings) {
+            requireInRange(settings, table, row);
         }
     }
     return samples;

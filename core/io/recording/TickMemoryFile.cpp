@@ -2,9 +2,9 @@
 
 #include "core/Error.h"
 #include "core/Version.h"
+#include "core/io/recording/ColumnList.h"
 #include "core/io/recording/StoredValue.h"
 #include "core/io/tables/CsvTable.h"
-#include "core/io/tables/CsvWriter.h"
 
 #include <algorithm>
 #include <array>
@@ -15,76 +15,71 @@ namespace asperity {
 
 namespace {
 
-/// Calls `number(name, value)` for every value of the memory: the one list of its columns.
-template <typename Memory, typename Visitor>
-void visit(Memory& memory, const Visitor& number) {
-    const auto vector = [&number](const std::string& name, auto& value, const char* unit) {
-        number(name + "_x_" + unit, value.x());
-        number(name + "_y_" + unit, value.y());
-        number(name + "_z_" + unit, value.z());
-    };
-    number("feet", memory.model.footCount);
+/// The columns of tick_memory.csv.
+template <class Memory, class Cell>
+void listMemory(Memory& memory, const Cell& cell) {
+    cell({"feet"}, memory.model.footCount);
     for (std::size_t i = 0; i < memory.model.feet.size(); ++i) {
         const std::string foot = "foot" + std::to_string(i);
         auto& kept = memory.model.feet[i];
-        number(foot + "_x_m", kept.guess.x);
-        number(foot + "_y_m", kept.guess.y);
-        number(foot + "_valid", kept.guess.valid);
-        number(foot + "_branch", kept.contact.branch);
-        number(foot + "_coordinate", kept.contact.coordinate);
-        number(foot + "_friction_n", kept.friction);
+        cell({foot, "_x_m"}, kept.guess.x);
+        cell({foot, "_y_m"}, kept.guess.y);
+        cell({foot, "_valid"}, kept.guess.valid);
+        cell({foot, "_branch"}, kept.contact.branch);
+        cell({foot, "_coordinate"}, kept.contact.coordinate);
+        cell({foot, "_friction_n"}, kept.friction);
     }
-    vector("deflection", memory.model.deflection, "m");
-    vector("compensation", memory.compensation, "m");
-    number("control", memory.control);
-    vector("base", memory.base, "m");
-    vector("correction", memory.correction, "n");
-    number("innovation_normal_defect", memory.innovation.normalDefect);
-    number("innovation_friction_defect", memory.innovation.frictionDefect);
-    number("innovation_normal_variance", memory.innovation.normalVariance);
-    number("innovation_friction_variance", memory.innovation.frictionVariance);
-    number("innovation_bending_noise", memory.innovation.bendingNoise);
-    number("innovation_torsion_noise", memory.innovation.torsionNoise);
-    number("innovation_age_s", memory.innovation.age);
-    number("innovation_contradicted", memory.innovation.contradicted);
-    number("innovation_friction_wrong", memory.innovation.frictionWrong);
-    number("innovation_noisy", memory.innovation.noisy);
-    number("signals_bending_rad", memory.signals.expected.bending);
-    number("signals_torsion_rad", memory.signals.expected.torsion);
-    number("signals_bending_change_rad", memory.signals.change.bending);
-    number("signals_torsion_change_rad", memory.signals.change.torsion);
-    number("signals_started", memory.signals.started);
-    vector("hand", memory.mapping.hand, "m");
-    number("mapping_follows", memory.mapping.follows);
-    vector("proxy_stretch", memory.proxy.stretch, "m");
-    vector("proxy_load", memory.proxy.load, "n");
-    vector("proxy_normal", memory.proxy.normal, "1");
-    number("proxy_friction_n", memory.proxy.friction);
-    number("proxy_stiffness_n_m", memory.proxy.gains.stiffness);
-    number("proxy_coupling_damping_n_s_m", memory.proxy.gains.damping);
-    number("proxy_damping_n_s_m", memory.proxy.gains.proxyDamping);
-    number("proxy_force_gain", memory.proxy.forceGain);
-    number("guide", memory.guide.fixture.kind);
-    vector("guide_point", memory.guide.fixture.point, "m");
-    vector("guide_axis", memory.guide.fixture.axis, "1");
-    number("guide_stiffness_n_m", memory.guide.fixture.stiffness);
-    number("guide_damping_n_s_m", memory.guide.fixture.damping);
-    number("guide_force_limit_n", memory.guide.fixture.forceLimit);
-    number("guide_capture_m", memory.guide.fixture.captureDistance);
-    number("guide_position_gain", memory.guide.positionGain);
-    number("guide_share", memory.guide.share);
-    vector("guide_velocity", memory.guide.velocity, "m_s");
-    number("governor_share", memory.governor.share);
-    number("governor_edge_share", memory.governor.edgeShare);
-    number("governor_starts", memory.governor.starts);
-    vector("governor_from", memory.governor.speed.from, "m");
-    number("governor_time_s", memory.governor.speed.time);
-    number("governor_started", memory.governor.speed.started);
-    number("governor_speed_m_s", memory.governor.speed.speed);
-    number("unsolved_s", memory.unsolved);
-    number("started", memory.started);
-    number("fault", memory.fault);
-    number("rearms", memory.rearms);
+    listVector(cell, "deflection_", memory.model.deflection, "_m");
+    listVector(cell, "compensation_", memory.compensation, "_m");
+    cell({"control"}, memory.control);
+    listVector(cell, "base_", memory.base, "_m");
+    listVector(cell, "correction_", memory.correction, "_n");
+    cell({"innovation_normal_defect"}, memory.innovation.normalDefect);
+    cell({"innovation_friction_defect"}, memory.innovation.frictionDefect);
+    cell({"innovation_normal_variance"}, memory.innovation.normalVariance);
+    cell({"innovation_friction_variance"}, memory.innovation.frictionVariance);
+    cell({"innovation_bending_noise"}, memory.innovation.bendingNoise);
+    cell({"innovation_torsion_noise"}, memory.innovation.torsionNoise);
+    cell({"innovation_age_s"}, memory.innovation.age);
+    cell({"innovation_contradicted"}, memory.innovation.contradicted);
+    cell({"innovation_friction_wrong"}, memory.innovation.frictionWrong);
+    cell({"innovation_noisy"}, memory.innovation.noisy);
+    cell({"signals_bending_rad"}, memory.signals.expected.bending);
+    cell({"signals_torsion_rad"}, memory.signals.expected.torsion);
+    cell({"signals_bending_change_rad"}, memory.signals.change.bending);
+    cell({"signals_torsion_change_rad"}, memory.signals.change.torsion);
+    cell({"signals_started"}, memory.signals.started);
+    listVector(cell, "hand_", memory.mapping.hand, "_m");
+    cell({"mapping_follows"}, memory.mapping.follows);
+    listVector(cell, "proxy_stretch_", memory.proxy.stretch, "_m");
+    listVector(cell, "proxy_load_", memory.proxy.load, "_n");
+    listVector(cell, "proxy_normal_", memory.proxy.normal, "_1");
+    cell({"proxy_friction_n"}, memory.proxy.friction);
+    cell({"proxy_stiffness_n_m"}, memory.proxy.gains.stiffness);
+    cell({"proxy_coupling_damping_n_s_m"}, memory.proxy.gains.damping);
+    cell({"proxy_damping_n_s_m"}, memory.proxy.gains.proxyDamping);
+    cell({"proxy_force_gain"}, memory.proxy.forceGain);
+    cell({"guide"}, memory.guide.fixture.kind);
+    listVector(cell, "guide_point_", memory.guide.fixture.point, "_m");
+    listVector(cell, "guide_axis_", memory.guide.fixture.axis, "_1");
+    cell({"guide_stiffness_n_m"}, memory.guide.fixture.stiffness);
+    cell({"guide_damping_n_s_m"}, memory.guide.fixture.damping);
+    cell({"guide_force_limit_n"}, memory.guide.fixture.forceLimit);
+    cell({"guide_capture_m"}, memory.guide.fixture.captureDistance);
+    cell({"guide_position_gain"}, memory.guide.positionGain);
+    cell({"guide_share"}, memory.guide.share);
+    listVector(cell, "guide_velocity_", memory.guide.velocity, "_m_s");
+    cell({"governor_share"}, memory.governor.share);
+    cell({"governor_edge_share"}, memory.governor.edgeShare);
+    cell({"governor_starts"}, memory.governor.starts);
+    listVector(cell, "governor_from_", memory.governor.speed.from, "_m");
+    cell({"governor_time_s"}, memory.governor.speed.time);
+    cell({"governor_started"}, memory.governor.speed.started);
+    cell({"governor_speed_m_s"}, memory.governor.speed.speed);
+    cell({"unsolved_s"}, memory.unsolved);
+    cell({"started"}, memory.started);
+    cell({"fault"}, memory.fault);
+    cell({"rearms"}, memory.rearms);
 }
 
 /// Whether there are memories from before there was such a value.
@@ -98,14 +93,12 @@ bool isLater(const std::string& name) {
 }  // namespace
 
 void writeTickMemory(const std::filesystem::path& path, const TickMemory& memory) {
-    std::vector<std::string> columns;
-    visit(memory, [&columns](const std::string& name, const auto&) { columns.push_back(name); });
+    const auto list = [&memory](const auto& cell) { listMemory(memory, cell); };
     CsvWriter csv(path,
                   {std::string("Asperity ") + kVersion + ": what the first tick starts from",
                    "SI units, as each column's name ends; lab frame"},
-                  columns);
-    visit(memory,
-          [&csv](const std::string&, const auto& value) { csv.add(static_cast<double>(value)); });
+                  columnNames(list));
+    addCells(csv, list);
     csv.endRow();
     csv.close();
 }
@@ -117,7 +110,8 @@ TickMemory readTickMemory(const std::filesystem::path& path) {
     }
     TickMemory memory;
     memory.mapping.follows = true;  // there was no clutch
-    visit(memory, [&](const std::string& name, auto& value) {
+    listMemory(memory, [&](const ColumnName& column, auto& value) {
+        const std::string name = column.text();
         if (isLater(name) && !table.has(name)) {
             return;
         }

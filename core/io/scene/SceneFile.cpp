@@ -8,7 +8,6 @@
 #include "core/io/scene/TomlFile.h"
 #include "core/scene/ModelTerm.h"
 
-#include <array>
 #include <fstream>
 #include <sstream>
 #include <string_view>
@@ -17,44 +16,6 @@
 namespace asperity {
 
 namespace {
-
-constexpr std::array<NamedValue<Levelling>, 3> kLevellings{
-    {{"plane", Levelling::Plane}, {"rows", Levelling::Rows}, {"none", Levelling::None}}};
-constexpr std::array<NamedValue<DeformationTier>, 4> kDeformations{
-    {{"four_point", DeformationTier::FourPoint},
-     {"contact_radius", DeformationTier::ContactRadius},
-     {"closed_form", DeformationTier::ClosedForm},
-     {"half_space", DeformationTier::HalfSpace}}};
-
-constexpr std::array<NamedValue<SolverTier>, 3> kSolvers{
-    {{"exact", SolverTier::Exact}, {"newton", SolverTier::Newton}, {"table", SolverTier::Table}}};
-constexpr std::array<NamedValue<FootEffort>, 3> kEfforts{{{"local", FootEffort::Local},
-                                                          {"global", FootEffort::Global},
-                                                          {"certified", FootEffort::Certified}}};
-constexpr std::array<NamedValue<DecouplingTier>, 2> kDecouplings{
-    {{"planar", DecouplingTier::Planar}, {"estimator", DecouplingTier::Estimator}}};
-constexpr std::array<NamedValue<ShapeKind>, 3> kShapes{{{"sphere", ShapeKind::Sphere},
-                                                        {"cylinder", ShapeKind::Cylinder},
-                                                        {"plane", ShapeKind::Plane}}};
-constexpr std::array<NamedValue<bool>, 2> kSwitches{{{"on", true}, {"off", false}}};
-
-std::string lawText(const std::optional<ContactLaw>& law) { return law ? keyOf(*law) : kAutomatic; }
-
-std::optional<ContactLaw> readLaw(TomlSection& section,
-                                  const std::optional<ContactLaw>& otherwise) {
-    const std::string given = section.text("law", lawText(otherwise));
-    if (given == kAutomatic) {
-        return std::nullopt;
-    }
-    if (const auto law = lawFromKey(given)) {
-        return law;
-    }
-    std::string known = kAutomatic;
-    for (const ContactLaw law : kContactLaws) {
-        known += std::string(", ") + keyOf(law);
-    }
-    section.refuse("law", "one of " + known + ", not '" + given + "'");
-}
 
 SampleMaterial readMaterial(TomlSection& section, const SampleMaterial& otherwise) {
     SampleMaterial material = otherwise;
@@ -102,7 +63,7 @@ void readSmoothing(TomlSection& section, SampleDescription& sample) {
 /// A shape; keys that are not its own stay unread, and are refused with the unknown ones.
 ShapeDescription readShape(TomlSection& section) {
     ShapeDescription shape;
-    shape.kind = choice(section, "shape", kShapes, shape.kind);
+    shape.kind = choice(section, "shape", shape.kind);
     if (shape.kind == ShapeKind::Plane) {
         shape.slope = section.number("shape_slope_rad", shape.slope);
     } else {
@@ -119,7 +80,7 @@ void readMapKeys(TomlSection& section, const SampleDescription& otherwise,
         section.refuse("file", "the path of a height map, or 'shape' in its place");
     }
     sample.channel = section.text("channel", otherwise.channel);
-    sample.levelling = choice(section, "level", kLevellings, otherwise.levelling);
+    sample.levelling = choice(section, "level", otherwise.levelling);
     readSmoothing(section, sample);
     sample.imagingTipRadius = section.number("imaging_tip_radius_m", otherwise.imagingTipRadius);
     sample.erode = section.flag("erode", otherwise.erode);
@@ -172,7 +133,7 @@ TruthDescription readTruth(TomlSection section, const SceneDescription& scene) {
 }
 
 void readPhysics(TomlSection section, SceneDescription& scene) {
-    scene.law = readLaw(section, scene.law);
+    scene.law = choiceOrNone(section, "law", scene.law);
     scene.cohesiveRange = section.number("cohesive_range_m", scene.cohesiveRange);
     Meniscus& meniscus = scene.meniscus;
     meniscus.surfaceTension = section.number("meniscus_tension_n_m", meniscus.surfaceTension);
@@ -183,14 +144,14 @@ void readPhysics(TomlSection section, SceneDescription& scene) {
 
 void readFidelity(TomlSection section, SceneDescription& scene) {
     scene.tolerance = section.number("tolerance", scene.tolerance);
-    scene.solver = choice(section, "contact_solver", kSolvers, scene.solver);
-    scene.decoupling = choice(section, "decoupling", kDecouplings, scene.decoupling);
-    scene.deformation = choiceOrNone(section, "deformation", kDeformations, scene.deformation);
-    scene.footSearch = choiceOrNone(section, "foot_search", kEfforts, scene.footSearch);
+    scene.solver = choice(section, "contact_solver", scene.solver);
+    scene.decoupling = choice(section, "decoupling", scene.decoupling);
+    scene.deformation = choiceOrNone(section, "deformation", scene.deformation);
+    scene.footSearch = choiceOrNone(section, "foot_search", scene.footSearch);
     for (const ModelTerm term : kModelTerms) {
         if (const auto member = choiceMember(term)) {
             std::optional<bool>& value = scene.terms.*member;
-            value = choiceOrNone(section, keyOf(term), kSwitches, value);
+            value = choiceOrNone(section, keyOf(term), value);
         }
     }
     section.refuseUnknownKeys();
@@ -240,7 +201,7 @@ toml::table materialTable(const SampleMaterial& material) {
 }
 
 void insertShape(const ShapeDescription& shape, toml::table& table) {
-    table.insert("shape", nameOf(kShapes, shape.kind));
+    table.insert("shape", keyOf(shape.kind));
     if (shape.kind == ShapeKind::Plane) {
         table.insert("shape_slope_rad", shape.slope);
     } else {
@@ -257,7 +218,7 @@ toml::table sampleTable(const SampleDescription& sample) {
     }
     table.insert("file", pathText(sample.file));
     table.insert("channel", sample.channel);
-    table.insert("level", nameOf(kLevellings, sample.levelling));
+    table.insert("level", keyOf(sample.levelling));
     if (sample.smoothingLength != 0.0) {
         table.insert("smoothing_m", sample.smoothingLength);
     } else {
@@ -276,13 +237,13 @@ toml::table probeSectionTable(const SceneDescription& scene) {
 
 toml::table fidelityTable(const SceneDescription& scene) {
     toml::table table{{"tolerance", scene.tolerance},
-                      {"contact_solver", nameOf(kSolvers, scene.solver)},
-                      {"decoupling", nameOf(kDecouplings, scene.decoupling)},
-                      {"deformation", nameOf(kDeformations, scene.deformation)},
-                      {"foot_search", nameOf(kEfforts, scene.footSearch)}};
+                      {"contact_solver", keyOf(scene.solver)},
+                      {"decoupling", keyOf(scene.decoupling)},
+                      {"deformation", keyOf(scene.deformation)},
+                      {"foot_search", keyOf(scene.footSearch)}};
     for (const ModelTerm term : kModelTerms) {
         if (const auto member = choiceMember(term)) {
-            table.insert(keyOf(term), nameOf(kSwitches, scene.terms.*member));
+            table.insert(keyOf(term), keyOf(scene.terms.*member));
         }
     }
     return table;
@@ -335,7 +296,7 @@ std::string sceneText(const SceneDescription& scene) {
                             {"poisson_ratio", scene.tip.elastic.poissonRatio}}},
         {"probe", probeSectionTable(scene)},
         {"truth", truthTable(scene.truth)},
-        {"physics", toml::table{{"law", lawText(scene.law)},
+        {"physics", toml::table{{"law", keyOf(scene.law)},
                                 {"cohesive_range_m", scene.cohesiveRange},
                                 {"meniscus_tension_n_m", scene.meniscus.surfaceTension},
                                 {"meniscus_angle_rad", scene.meniscus.contactAngle},

@@ -14,7 +14,7 @@ bool hasTiers(ContactLaw law) { return traitsOf(law).table; }
 
 std::vector<LawTier> lawTiers() {
     std::vector<LawTier> all;
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         all.push_back({law, SolverTier::Exact});
         if (hasTiers(law)) {
             all.push_back({law, SolverTier::Newton});
@@ -25,18 +25,7 @@ std::vector<LawTier> lawTiers() {
 }
 
 const char* tierName(const LawTier& lawTier) noexcept {
-    if (!hasTiers(lawTier.law)) {
-        return "-";
-    }
-    switch (lawTier.tier) {
-    case SolverTier::Exact:
-        return "exact";
-    case SolverTier::Newton:
-        return "newton";
-    case SolverTier::Table:
-        return "table";
-    }
-    return "unknown";
+    return hasTiers(lawTier.law) ? keyOf(lawTier.tier) : "-";
 }
 
 std::string describe(const LawTier& lawTier, const ContactSetting& setting, double approach) {
@@ -62,8 +51,6 @@ ContactCandidate candidate(const LawTier& lawTier, const ContactSetting& setting
     }
 }
 
-std::string refusalOf(ContactStatus status) {
-    return std::string("contact: ") + expectationOf(status);
-}
+std::string refusalOf(ContactStatus status) { return std::string("contact: ") + nameOf(status); }
 
 }  // namespace asperity

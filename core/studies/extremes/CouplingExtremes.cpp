@@ -149,7 +149,7 @@ std::vector<HoldSetting> settingsOf(const CouplingGrid& grid) {
     for (const double delay : grid.delays) {
         for (const double positionGain : grid.positionGains) {
             for (const double forceGain : grid.forceGains) {
-                for (const Grip grip : kGrips) {
+                for (const Grip grip : kValues<Grip>) {
                     settings.push_back(
                         {.delay = delay, .scale = {positionGain, forceGain}, .grip = grip});
                 }

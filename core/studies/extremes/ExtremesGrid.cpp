@@ -49,7 +49,7 @@ long TickGrid::runs() const noexcept {
 
 long CouplingGrid::settings() const noexcept {
     return product({holdMaterials().size(), leverStiffnesses.size(), tickRates.size(),
-                    delays.size(), positionGains.size(), forceGains.size(), kGrips.size()});
+                    delays.size(), positionGains.size(), forceGains.size(), kValues<Grip>.size()});
 }
 
 long CouplingGrid::holds() const noexcept { return 2 * ((settings() + stride - 1) / stride); }

@@ -119,7 +119,7 @@ private:
     void countFlags(ValidityFlags flags);
 
     RegionPlace place_;
-    std::array<VerdictTally, kVerdicts.size()> tallies_;
+    std::array<VerdictTally, kValues<Verdict>.size()> tallies_;
     std::array<long, kValidityFlagCount> flags_{};
     std::map<std::string, long> refusals_;
     WorstError solver_;

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/haptics/coupling/ScaleGuard.h"
 
-#include <array>
 #include <cstdint>
 #include <string>
 
@@ -11,7 +11,10 @@ namespace asperity {
 /// How the handle is held once the tip has been tapped on the sample.
 enum class Grip : std::uint8_t { None, Light, Normal };
 
-inline constexpr std::array kGrips{Grip::None, Grip::Light, Grip::Normal};
+template <>
+inline constexpr auto kEnumTable<Grip> = std::to_array<EnumRow<Grip>>({{Grip::None, "none"},
+                                                                       {Grip::Light, "light"},
+                                                                       {Grip::Normal, "normal"}});
 
 /// What becomes of a hand at a device that holds a tip on a sample, best first.
 enum class HoldVerdict : std::uint8_t {
@@ -23,15 +26,14 @@ enum class HoldVerdict : std::uint8_t {
     NotFinite,     ///< a defect
 };
 
-inline constexpr std::array kHoldVerdicts{HoldVerdict::Still,      HoldVerdict::Noisy,
-                                          HoldVerdict::NoCoupling, HoldVerdict::ScaleTooHigh,
-                                          HoldVerdict::Shakes,     HoldVerdict::NotFinite};
-
-/// "none", "light", "normal".
-[[nodiscard]] const char* nameOf(Grip grip) noexcept;
-
-/// "still", "noisy", "no coupling", "scale too high", "shakes", "not finite".
-[[nodiscard]] const char* nameOf(HoldVerdict verdict) noexcept;
+template <>
+inline constexpr auto kEnumTable<HoldVerdict> =
+    std::to_array<EnumRow<HoldVerdict>>({{HoldVerdict::Still, "still"},
+                                         {HoldVerdict::Noisy, "noisy"},
+                                         {HoldVerdict::NoCoupling, "no coupling"},
+                                         {HoldVerdict::ScaleTooHigh, "scale too high"},
+                                         {HoldVerdict::Shakes, "shakes"},
+                                         {HoldVerdict::NotFinite, "not finite"}});
 
 /// One person at one device on one sample.
 struct HoldSetting {

@@ -45,7 +45,7 @@ std::vector<Request> requestsOf(ContactLaw law) {
 
 ExtremesFindings refusedContacts() {
     ExtremesFindings findings;
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         const LawTier lawTier{law, SolverTier::Exact};  // no solver is asked
         ExtremesRegion region({.model = keyOf(law), .tier = "-", .sample = "out of range"});
         for (const auto& [setting, approach] : requestsOf(law)) {

@@ -111,7 +111,7 @@ public:
         : grid_(grid), place_(place), check_(check) {
         for (const FootEffort effort : kEfforts) {
             findings_.regions.emplace_back(RegionPlace{.model = "tick",
-                                                       .tier = effortName(effort),
+                                                       .tier = keyOf(effort),
                                                        .sample = "rough",
                                                        .tipRadius = place.tipRadius,
                                                        .roughness = place.roughness});
@@ -132,7 +132,7 @@ public:
             }
             for (std::size_t tick = 0; tick < outputs.size(); ++tick) {
                 const auto sayWhere = [&] {
-                    return describe(place_, setting, effortName(kEfforts[i]), tick);
+                    return describe(place_, setting, keyOf(kEfforts[i]), tick);
                 };
                 judge(findings_.regions[i], outputs[tick], reference[tick], pull, sayWhere);
             }

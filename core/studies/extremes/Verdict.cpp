@@ -5,24 +5,6 @@
 
 namespace asperity {
 
-const char* nameOf(Verdict verdict) noexcept {
-    switch (verdict) {
-    case Verdict::Exact:
-        return "exact";
-    case Verdict::Valid:
-        return "valid";
-    case Verdict::Off:
-        return "off";
-    case Verdict::Flagged:
-        return "flagged";
-    case Verdict::Unproven:
-        return "unproven";
-    case Verdict::Refused:
-        return "refused";
-    }
-    return "unknown";
-}
-
 Verdict verdictOnError(double error) noexcept {
     if (error <= kExactWithin) {
         return Verdict::Exact;

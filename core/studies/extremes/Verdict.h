@@ -1,6 +1,7 @@
 #pragma once
 
-#include <array>
+#include "core/EnumTable.h"
+
 #include <cstdint>
 
 namespace asperity {
@@ -15,17 +16,20 @@ enum class Verdict : std::uint8_t {
     Refused,   ///< no answer, but a reason
 };
 
-inline constexpr std::array kVerdicts{Verdict::Exact,   Verdict::Valid,    Verdict::Off,
-                                      Verdict::Flagged, Verdict::Unproven, Verdict::Refused};
+template <>
+inline constexpr auto
+    kEnumTable<Verdict> = std::to_array<EnumRow<Verdict>>({{Verdict::Exact, "exact"},
+                                                           {Verdict::Valid, "valid"},
+                                                           {Verdict::Off, "off"},
+                                                           {Verdict::Flagged, "flagged"},
+                                                           {Verdict::Unproven, "unproven"},
+                                                           {Verdict::Refused, "refused"}});
 
 /// Below what any force calibration tells [relative].
 inline constexpr double kExactWithin = 1e-3;
 /// As far as two adhesion laws of the same work and range differ [relative]: nothing finer has a
 /// physical meaning. Source: docs/theory.md 2.9.
 inline constexpr double kValidWithin = 0.05;
-
-/// "exact", "valid", "off", "flagged", "unproven", "refused".
-[[nodiscard]] const char* nameOf(Verdict verdict) noexcept;
 
 /// The verdict on a solved state without flags whose reference holds. @param error relative to the
 /// reference

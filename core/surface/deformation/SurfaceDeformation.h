@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/Vector.h"
 #include "core/surface/BSplineSurface.h"
 
@@ -32,6 +33,13 @@ enum class DeformationTier : std::uint8_t {
     ClosedForm,     ///< every point by the contact model's displacement, also outside the contact
     HalfSpace,      ///< every point by boundary elements on the real topography around the foot
 };
+
+template <>
+inline constexpr auto kEnumTable<DeformationTier> = std::to_array<EnumRow<DeformationTier>>(
+    {{DeformationTier::FourPoint, "four_point", "four points"},
+     {DeformationTier::ContactRadius, "contact_radius", "contact radius"},
+     {DeformationTier::ClosedForm, "closed_form", "closed form"},
+     {DeformationTier::HalfSpace, "half_space", "half-space"}});
 
 /// Where tip and surface meet; world frame.
 struct TipContact {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/Vector.h"
 #include "core/surface/Curvature.h"
 
@@ -31,11 +32,20 @@ enum class FootEffort : std::uint8_t {
     Certified  ///< until no other place can be nearer
 };
 
-/// Name of an effort as files and panels show it, e.g. "certified".
-[[nodiscard]] const char* effortName(FootEffort effort) noexcept;
+template <>
+inline constexpr auto kEnumTable<FootProof> =
+    std::to_array<EnumRow<FootProof>>({{FootProof::NotSought, "not_sought"},
+                                       {FootProof::Likely, "likely"},
+                                       {FootProof::Nearest, "nearest"},
+                                       {FootProof::OutOfReach, "out_of_reach"},
+                                       {FootProof::ManyFeet, "many_feet"},
+                                       {FootProof::NotConverged, "not_converged"}});
 
-/// Name of a proof as files and panels show it, e.g. "nearest".
-[[nodiscard]] const char* proofName(FootProof proof) noexcept;
+template <>
+inline constexpr auto kEnumTable<FootEffort> =
+    std::to_array<EnumRow<FootEffort>>({{FootEffort::Local, "local"},
+                                        {FootEffort::Global, "global"},
+                                        {FootEffort::Certified, "certified"}});
 
 /// Whether a search left it open that there are other feet than those it found.
 [[nodiscard]] inline bool mayMissFeet(FootProof proof) noexcept {

@@ -18,9 +18,9 @@ constexpr double kSession = 60.0;  // [s]
 /// The scene that ships with the program, led by a coupled hand: 1 mm is 1 nm, 1 N is 10 nN.
 SceneDescription coupledScene() {
     SceneDescription scene = readScene(test::shippedScene("polystyrene"));
-    scene.positionGain = 1.0_nm / 1e-3;
-    scene.forceGain = 1.0 / 10.0_nN;
-    scene.coupling = {.stiffness = 600.0, .damping = 2.9, .proxyDamping = 3.0};
+    scene.settings.positionGain = 1.0_nm / 1e-3;
+    scene.settings.forceGain = 1.0 / 10.0_nN;
+    scene.settings.coupling = {.stiffness = 600.0, .damping = 2.9, .proxyDamping = 3.0};
     return scene;
 }
 

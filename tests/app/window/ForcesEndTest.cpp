@@ -21,8 +21,8 @@ const Vector3 kHeld(64.0_nm, 64.0_nm, -2.0_nm);
 /// So little force that it comes on at once.
 SceneDescription feebleScene() {
     SceneDescription scene = plainScene();
-    scene.positionGain = kPositionGain;
-    scene.forceGain = 1e6;
+    scene.settings.positionGain = kPositionGain;
+    scene.settings.forceGain = 1e6;
     return scene;
 }
 

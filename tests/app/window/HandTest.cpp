@@ -144,7 +144,7 @@ TEST_F(Window, APathIsFollowedInPlacesOfTheScanWhateverTheGain) {
     const Vector3 end(70e-9, 50e-9, 12e-9);
     session.follow({{0.0, {40e-9, 50e-9, 9e-9}}, {0.5, end}});
     EXPECT_TRUE(eventually([&] { return (session.run()->basePosition() - end).norm() < 1e-15; }));
-    Q_EMIT window.controls().positionGainChosen(4.0);
+    Q_EMIT window.controls().knobTurned(QStringLiteral("position_gain"), 4.0);
     EXPECT_EQ(session.run()->settings().positionGain, 0.5) << "a path is no hand";
 }
 

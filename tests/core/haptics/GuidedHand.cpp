@@ -11,9 +11,9 @@ Scene coupledScene(const CouplingGains& gains, const HeightMap& map) {
     description.sample.material.workOfAdhesion = 0.2;
     description.truth.material = description.sample.material;
     description.truth.signalNoise = 0.0;
-    description.positionGain = 1e-6;
-    description.forceGain = 1e8;
-    description.coupling = gains;
+    description.settings.positionGain = 1e-6;
+    description.settings.forceGain = 1e8;
+    description.settings.coupling = gains;
     return buildScene(description, map);
 }
 

@@ -217,7 +217,7 @@ TEST(HapticTick, FlagsFeetThatNobodyProved) {
         TickMemory memory;
         const TickOutput out = tick(scene, inputAt({15.0_nm, 20.0_nm, 25.1_nm}), memory);
         EXPECT_EQ(out.flags.has(Validity::FeetUnproven), effort != FootEffort::Certified)
-            << effortName(effort);
+            << keyOf(effort);
         const Scene level = buildScene(description, test::flatMap());
         TickMemory above;
         EXPECT_FALSE(tick(level, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), above)

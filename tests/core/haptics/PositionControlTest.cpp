@@ -37,7 +37,7 @@ private:
 
 SceneDescription described(PositionControl control) {
     SceneDescription description = test::plainScene();
-    description.positionControl = control;
+    description.settings.positionControl = control;
     return description;
 }
 

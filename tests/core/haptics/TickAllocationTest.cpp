@@ -51,9 +51,9 @@ TEST(TickAllocation, NorDoesAnyLawSolverOrControl) {
     SceneDescription description = test::plainScene();
     description.sample.material.filmThickness = 100.0_nm;
     description.truth.material = description.sample.material;
-    description.positionControl = PositionControl::Tip;
+    description.settings.positionControl = PositionControl::Tip;
     description.solver = SolverTier::Table;
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(keyOf(law));
         description.law = law;
         expectNoAllocation(buildScene(description, test::hillyMap()));
@@ -66,14 +66,14 @@ TEST(TickAllocation, NorDoesAnyLawSolverOrControl) {
 
 TEST(TickAllocation, NorDoesACoupling) {
     SceneDescription description = test::plainScene();
-    description.coupling = {.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
+    description.settings.coupling = {.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
     expectNoAllocation(buildScene(description, test::hillyMap()));
 }
 
 TEST(TickAllocation, NorDoesAGovernorWhateverBecomesOfTheForce) {
     SceneDescription description = test::plainScene();
-    description.coupling = {.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
-    description.governor.deadManButton = 0;
+    description.settings.coupling = {.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
+    description.settings.governor.deadManButton = 0;
     const Scene scene = buildScene(description, test::flatMap());
     TickMemory memory;
     TickInput input;

@@ -103,9 +103,9 @@ TEST(Scene, RefusesEachValueOutsideItsRange) {
         [](SceneDescription& s) { s.cohesiveRange = 0.0; },
         [](SceneDescription& s) { s.sample.material.hardness = -1.0; },
         [](SceneDescription& s) { s.sample.material.filmThickness = -1.0_nm; },
-        [](SceneDescription& s) { s.positionGain = 0.0; },
-        [nan](SceneDescription& s) { s.forceGain = nan; },
-        [](SceneDescription& s) { s.correctionBandwidth = -1.0; },
+        [](SceneDescription& s) { s.settings.positionGain = 0.0; },
+        [nan](SceneDescription& s) { s.settings.forceGain = nan; },
+        [](SceneDescription& s) { s.settings.correctionBandwidth = -1.0; },
         [](SceneDescription& s) { s.zoomHalfWidth = -1.0; },
         [](SceneDescription& s) { s.sample.smoothingPixels = -1.0; },
     };
@@ -133,7 +133,7 @@ TEST(Scene, ChoosesTheContactLawAndSaysWhy) {
 }
 
 TEST(Scene, EveryLawBalancesTheTipOnHills) {
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(keyOf(law));
         SceneDescription description = test::plainScene();
         description.law = law;

@@ -10,9 +10,9 @@ namespace {
 
 Scene coupledScene() {
     SceneDescription description = plainScene();
-    description.positionGain = 1.0_nm / 1e-3;
-    description.forceGain = 1.0 / 10.0_nN;
-    description.coupling = {.stiffness = 600.0, .damping = 2.9, .proxyDamping = 3.0};
+    description.settings.positionGain = 1.0_nm / 1e-3;
+    description.settings.forceGain = 1.0 / 10.0_nN;
+    description.settings.coupling = {.stiffness = 600.0, .damping = 2.9, .proxyDamping = 3.0};
     Scene scene = buildScene(description, flatMap());
     scene.settings.governor.engageTime = 10e-3;  // shorter than a person may have it
     return scene;

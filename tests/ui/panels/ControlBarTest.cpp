@@ -1,5 +1,6 @@
 #include "ui/panels/ControlBar.h"
 
+#include "core/scene/Settings.h"
 #include "tests/ui/panels/PanelSamples.h"
 #include "ui/panels/GainSpinBox.h"
 
@@ -49,8 +50,7 @@ TEST_F(ControlBarTest, WhatAProgramSetsEmitsNothing) {
     const QSignalSpy material(&bar, &ControlBar::materialChosen);
     const QSignalSpy hand(&bar, &ControlBar::handChosen);
     const QSignalSpy path(&bar, &ControlBar::pathChosen);
-    const QSignalSpy forceGain(&bar, &ControlBar::forceGainChosen);
-    const QSignalSpy positionGain(&bar, &ControlBar::positionGainChosen);
+    const QSignalSpy knob(&bar, &ControlBar::knobTurned);
     const QSignalSpy recording(&bar, &ControlBar::recordingChosen);
     bar.setMaterials({QStringLiteral("a"), QStringLiteral("b")});
     bar.setRunning(true);
@@ -58,11 +58,9 @@ TEST_F(ControlBarTest, WhatAProgramSetsEmitsNothing) {
     bar.setMaterial(1);
     bar.setHand(1);
     bar.setPath(1);
-    bar.setForceGain(1e8);
-    bar.setPositionGain(2e-6);
+    bar.setKnobs({.positionGain = 2e-6, .forceGain = 1e8});
     bar.setRecording(true);
-    for (const QSignalSpy* spy :
-         {&running, &forces, &material, &hand, &path, &forceGain, &positionGain, &recording}) {
+    for (const QSignalSpy* spy : {&running, &forces, &material, &hand, &path, &knob, &recording}) {
         EXPECT_EQ(spy->count(), 0);
     }
     EXPECT_EQ(child<QPushButton>("startPause").text(), QStringLiteral("Pause"));
@@ -117,17 +115,18 @@ TEST_F(ControlBarTest, AChoiceWithTheKeyboardIsThePersons) {
 }
 
 TEST_F(ControlBarTest, GainsStepLikeOneTwoFive) {
-    bar.setForceGain(1e8);
-    QSignalSpy chosen(&bar, &ControlBar::forceGainChosen);
+    bar.setKnobs({.forceGain = 1e8});
+    QSignalSpy turned(&bar, &ControlBar::knobTurned);
     auto& box = child<GainSpinBox>("forceGain");
     for (int i = 0; i < 4; ++i) {
         QTest::keyClick(&box, Qt::Key_Up);
     }
-    ASSERT_EQ(chosen.count(), 4);
-    EXPECT_DOUBLE_EQ(chosen[0][0].toDouble(), 2e8);
-    EXPECT_DOUBLE_EQ(chosen[1][0].toDouble(), 5e8);
-    EXPECT_DOUBLE_EQ(chosen[2][0].toDouble(), 1e9);
-    EXPECT_DOUBLE_EQ(chosen[3][0].toDouble(), 2e9);
+    ASSERT_EQ(turned.count(), 4);
+    EXPECT_EQ(turned[0][0].toString(), QStringLiteral("force_gain"));
+    EXPECT_DOUBLE_EQ(turned[0][1].toDouble(), 2e8);
+    EXPECT_DOUBLE_EQ(turned[1][1].toDouble(), 5e8);
+    EXPECT_DOUBLE_EQ(turned[2][1].toDouble(), 1e9);
+    EXPECT_DOUBLE_EQ(turned[3][1].toDouble(), 2e9);
     for (int i = 0; i < 5; ++i) {
         QTest::keyClick(&box, Qt::Key_Down);
     }
@@ -151,27 +150,28 @@ TEST_F(ControlBarTest, BetweenTheStepsTheNextStepComes) {
 }
 
 TEST_F(ControlBarTest, AGainCanBeTyped) {
-    QSignalSpy chosen(&bar, &ControlBar::positionGainChosen);
+    QSignalSpy turned(&bar, &ControlBar::knobTurned);
     auto& box = child<GainSpinBox>("positionGain");
     box.selectAll();
     QTest::keyClicks(&box, QStringLiteral("3.5e-5"));
-    EXPECT_EQ(chosen.count(), 0) << "not before it is whole";
+    EXPECT_EQ(turned.count(), 0) << "not before it is whole";
     QTest::keyClick(&box, Qt::Key_Return);
-    ASSERT_EQ(chosen.count(), 1);
-    EXPECT_DOUBLE_EQ(chosen[0][0].toDouble(), 3.5e-5);
+    ASSERT_EQ(turned.count(), 1);
+    EXPECT_EQ(turned[0][0].toString(), QStringLiteral("position_gain"));
+    EXPECT_DOUBLE_EQ(turned[0][1].toDouble(), 3.5e-5);
     EXPECT_EQ(box.text(), QStringLiteral("3.5e-5"));
     box.selectAll();
     QTest::keyClicks(&box, QStringLiteral("oops"));
     QTest::keyClick(&box, Qt::Key_Return);
     EXPECT_DOUBLE_EQ(box.value(), 3.5e-5);
-    EXPECT_EQ(chosen.count(), 1);
+    EXPECT_EQ(turned.count(), 1);
 }
 
 TEST_F(ControlBarTest, TheWheelChangesOnlyWhatHasTheFocus) {
     bar.setMaterial(1);
-    bar.setForceGain(1e8);
+    bar.setKnobs({.forceGain = 1e8});
     const QSignalSpy material(&bar, &ControlBar::materialChosen);
-    const QSignalSpy gain(&bar, &ControlBar::forceGainChosen);
+    const QSignalSpy gain(&bar, &ControlBar::knobTurned);
     auto& combo = child<QComboBox>("material");
     auto& box = child<GainSpinBox>("forceGain");
     bar.show();

@@ -4,6 +4,7 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/gsf/GsfWriter.h"
 
 // Gwyddion Simple Field: a text header, 1 to 4 NUL bytes, then float32 with the lowest byte first.
 // Source: Gwyddion user guide, "Gwyddion Simple Field files"; docs/formats.md 2.
@@ -158,10 +159,15 @@ private:
     ImageSize size_;
 };
 
+constexpr std::array<std::string_view, 1> kExtensions{".gsf"};
+
 }  // namespace
 
 const HeightMapFormat kGsfFormat = {
-    "Gwyddion Simple Field .gsf", [](std::string_view start) { return start.starts_with(kFamily); },
-    [](const ByteSource& bytes) { return GsfReader(bytes).read(); }};
+    .name = "Gwyddion Simple Field .gsf",
+    .extensions = kExtensions,
+    .recognises = [](std::string_view start) { return start.starts_with(kFamily); },
+    .read = [](const ByteSource& bytes) { return GsfReader(bytes).read(); },
+    .write = writeGsf};
 
 }  // namespace asperity

@@ -1,3 +1,5 @@
+#include "core/io/heightmap/gsf/GsfWriter.h"
+
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapEncoders.h"

@@ -5,6 +5,7 @@
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/gwy/GwyObject.h"
+#include "core/io/heightmap/gwy/GwyWriter.h"
 
 #include <algorithm>
 #include <limits>
@@ -275,13 +276,18 @@ private:
     StoredScan result_;
 };
 
+constexpr std::array<std::string_view, 1> kExtensions{".gwy"};
+
 }  // namespace
 
 const HeightMapFormat kGwyFormat = {
-    "Gwyddion .gwy",
-    [](std::string_view start) {
-        return start.starts_with(kMagic) || start.starts_with(kOldMagic);
-    },
-    [](const ByteSource& bytes) { return GwyReader(bytes).read(); }};
+    .name = "Gwyddion .gwy",
+    .extensions = kExtensions,
+    .recognises =
+        [](std::string_view start) {
+            return start.starts_with(kMagic) || start.starts_with(kOldMagic);
+        },
+    .read = [](const ByteSource& bytes) { return GwyReader(bytes).read(); },
+    .write = writeGwy};
 
 }  // namespace asperity

@@ -1,3 +1,5 @@
+#include "core/io/heightmap/gwy/GwyWriter.h"
+
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
 #include "core/io/heightmap/HeightMapEncoders.h"

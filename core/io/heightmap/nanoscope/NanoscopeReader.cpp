@@ -161,14 +161,18 @@ private:
     StoredScan result_;
 };
 
+constexpr std::array<std::string_view, 6> kExtensions{".spm", ".di", ".0*", ".1*", ".2*", ".3*"};
+
 }  // namespace
 
 const HeightMapFormat kNanoscopeFormat = {
-    "Bruker NanoScope",
-    [](std::string_view start) {
-        return start.starts_with(kMagic) || start.starts_with(kTextMagic) ||
-               start.starts_with(kForceMagic);
-    },
-    [](const ByteSource& bytes) { return NanoscopeReader(bytes).read(); }};
+    .name = "Bruker NanoScope",
+    .extensions = kExtensions,
+    .recognises =
+        [](std::string_view start) {
+            return start.starts_with(kMagic) || start.starts_with(kTextMagic) ||
+                   start.starts_with(kForceMagic);
+        },
+    .read = [](const ByteSource& bytes) { return NanoscopeReader(bytes).read(); }};
 
 }  // namespace asperity

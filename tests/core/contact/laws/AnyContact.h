@@ -73,7 +73,7 @@ inline double anyLever(const ContactPair& pair) {
 /// Any law; without water, by the exact solver or by Newton's method.
 inline AnyContact anyDryContact() {
     AnyContact contact;
-    contact.law = *rc::gen::elementOf(kContactLaws);
+    contact.law = *rc::gen::elementOf(kValues<ContactLaw>);
     contact.pair = extremePair();
     contact.compliance = anyLever(contact.pair);
     contact.options.filmThickness =

@@ -52,7 +52,7 @@ TEST(ContactLimits, WithoutAdhesionEveryLawIsHertzOrSneddon) {
 
 /// Continuously so: with ever less adhesion the force comes ever closer.
 TEST(ContactLimits, LittleAdhesionAddsLittle) {
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(nameOf(law));
         const ContactOptions options{.filmThickness = law == ContactLaw::HertzFilm ? 1e-6 : 0.0};
         const ContactModel none(law, {15e-9, 1e9, 0.0}, options);
@@ -174,7 +174,7 @@ TEST(ContactLimits, AMeniscusWithoutTensionIsNone) {
 
 /// And one of almost none almost so, but for approaches where it decides between two branches.
 TEST(ContactLimits, AMeniscusOfLittleTensionAddsItsPull) {
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(nameOf(law));
         ContactOptions options{.filmThickness = law == ContactLaw::HertzFilm ? 1e-6 : 0.0};
         const ContactPair pair{15e-9, 1e9, 0.05};

@@ -8,7 +8,7 @@ namespace asperity {
 namespace {
 
 TEST(LawChoice, TakesWhatWasAskedFor) {
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         EXPECT_EQ(chooseLaw(law, test::paperPair("rubber")).law, law);
     }
 }

@@ -15,7 +15,7 @@ constexpr double kChatters = 0.02e-3;  // of the proxy, what the handle's mass l
 
 /// As a scene has it by itself, with the target pressed into the sample by one nanometre.
 VirtualFixture guideTo(FixtureKind kind) {
-    VirtualFixture guide = defaultScene().guide;
+    VirtualFixture guide = defaultScene().settings.guide;
     guide.kind = kind;
     guide.point = {64.0_nm, 64.0_nm, -1.0_nm};
     return guide;

@@ -56,8 +56,8 @@ Scene hapticScene(const std::string& material, const HeightMap& map, double tick
         readMaterialFile(std::string(ASPERITY_DATA_DIR) + "/materials/" + material + ".toml");
     description.truth.material = description.sample.material;
     description.tickRate = tickRate;
-    description.positionGain = 1.0_nm / 1e-3;
-    description.forceGain = magnified / 10.0_nN;
+    description.settings.positionGain = 1.0_nm / 1e-3;
+    description.settings.forceGain = magnified / 10.0_nN;
     return buildScene(description, map);
 }
 

@@ -61,8 +61,8 @@ TEST(CouplingKeeper, MotorsAreNeverWithoutACouplingAndGetTheStandardScale) {
 
 TEST(CouplingKeeper, TheScenesScaleCountsWhereItHolds) {
     const Scene scene = sceneOf([](SceneDescription& description) {
-        description.positionGain = 2e-7;
-        description.forceGain = 3e8;
+        description.settings.positionGain = 2e-7;
+        description.settings.forceGain = 3e8;
     });
     CouplingKeeper keeper(scene);
     const Settings knobs = keeper.takeOver(kPhantom, 1.0_ms, scene.settings);
@@ -72,8 +72,8 @@ TEST(CouplingKeeper, TheScenesScaleCountsWhereItHolds) {
 
 TEST(CouplingKeeper, AScaleOfTheSceneThatIsTooStiffGivesWayToTheStandardOne) {
     const Scene scene = sceneOf([](SceneDescription& description) {
-        description.positionGain = 1e-5;
-        description.forceGain = 4e8;  // 14 N/m are 56 kN/m
+        description.settings.positionGain = 1e-5;
+        description.settings.forceGain = 4e8;  // 14 N/m are 56 kN/m
     });
     CouplingKeeper keeper(scene);
     EXPECT_EQ(keeper.takeOver(kPhantom, 1.0_ms, scene.settings).positionGain, 1e-6);
@@ -152,7 +152,7 @@ TEST(CouplingKeeper, AGuideIsJudgedBesideTheContact) {
     const Scene scene = plain();
     CouplingKeeper keeper(scene);
     Settings knobs = keeper.takeOver(kPhantom, 1.0_ms, scene.settings);
-    knobs.guide = scene.description.guide;
+    knobs.guide = scene.description.settings.guide;
     knobs.guide.kind = FixtureKind::Point;
     knobs = keeper.turned(knobs, 1.0_ms);
     knobs.guide.damping = 5.0;  // more than the proxy's

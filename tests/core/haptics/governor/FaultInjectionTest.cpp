@@ -188,8 +188,8 @@ TEST(FaultInjection, EscTakesTheForceInTheNextTickAndItComesOnByAndBy) {
 }
 
 TEST(FaultInjection, EveryFaultHasANameOfItsOwn) {
-    EXPECT_EQ(std::string(faultName(Fault::DeviceSilent)), "device_silent");
-    EXPECT_EQ(std::string(faultName(Fault::VelocityTrip)), "velocity_trip");
+    EXPECT_EQ(std::string(keyOf(Fault::DeviceSilent)), "device_silent");
+    EXPECT_EQ(std::string(keyOf(Fault::VelocityTrip)), "velocity_trip");
 }
 
 }  // namespace

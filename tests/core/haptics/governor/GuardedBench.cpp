@@ -16,9 +16,9 @@ Vector3 above(double height) { return {64e-3, 64e-3, height}; }
 
 Scene coupledScene() {
     SceneDescription description = plainScene();
-    description.positionGain = 1.0_nm / 1e-3;
-    description.forceGain = 1.0 / 10.0_nN;
-    description.coupling = {.stiffness = 600.0, .damping = 2.9, .proxyDamping = 3.0};
+    description.settings.positionGain = 1.0_nm / 1e-3;
+    description.settings.forceGain = 1.0 / 10.0_nN;
+    description.settings.coupling = {.stiffness = 600.0, .damping = 2.9, .proxyDamping = 3.0};
     return buildScene(description, flatMap());
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/io/heightmap/DefaultChannel.h"
+#include "core/io/heightmap/HeightMapWriter.h"
 #include "tests/core/io/heightmap/BumpyMap.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
@@ -14,6 +15,7 @@ namespace asperity::test {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::string refusal(const std::filesystem::path& path) {
@@ -48,6 +50,13 @@ TEST(HeightMapFile, UnknownTypeNamesTheSupportedOnes) {
     EXPECT_THAT(
         refusal(folder.write("scan.gwy", "not a scan")),
         AllOf(HasSubstr("scan.gwy"), HasSubstr("NanoScope"), HasSubstr(".gwy"), HasSubstr(".gsf")));
+}
+
+TEST(HeightMapFile, FormatsAreListedByTheirUsualExtensions) {
+    EXPECT_THAT(readableExtensions(),
+                ElementsAre(".gwy", ".spm", ".di", ".0*", ".1*", ".2*", ".3*", ".gsf"));
+    EXPECT_THAT(heightMapExtensions(),
+                ElementsAre(".gwy", ".gsf", ".exr", ".tiff", ".tif", ".png", ".txt"));
 }
 
 TEST(HeightMapFile, TypeIsFoundByContentNotByExtension) {

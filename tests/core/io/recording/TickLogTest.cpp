@@ -84,6 +84,37 @@ TEST(TickLog, InputsReadBackToTheSameBits) {
     EXPECT_EQ(read[0].input.starts, 2U);
 }
 
+/// Other programs read these tables by name.
+TEST(TickLog, ColumnsKeepNamesAndOrder) {
+    const test::ScratchFolder scratch;
+    const auto columnsOf = [&]<class Writer>(const char* name) {
+        const auto path = scratch.path() / name;
+        Writer(path).close();
+        const CsvTable table = readCsv(path);
+        std::string joined;
+        for (const std::string& column : table.columns()) {
+            joined += (joined.empty() ? "" : ",") + column;
+        }
+        return joined;
+    };
+    EXPECT_EQ(columnsOf.operator()<ForceLogWriter>("force_log.csv"),
+              "time_s,base_x_m,base_y_m,base_z_m,tip_x_m,tip_y_m,tip_z_m,est_fx_n,est_fy_n,"
+              "est_fz_n,est_sigma_fx_n,est_sigma_fy_n,est_sigma_fz_n,model_fx_n,model_fy_n,"
+              "model_fz_n,hand_fx_n,hand_fy_n,hand_fz_n,alpha_rad,theta_rad,gap_m,"
+              "contact_radius_m,state,flags");
+    EXPECT_EQ(columnsOf.operator()<TickInputWriter>("tick_input.csv"),
+              "time_s,time_step_s,hand_x_m,hand_y_m,hand_z_m,buttons,connected,alpha_rad,"
+              "theta_rad,age_s,starts,hand_max_force_n,hand_streams,hand_age_s,"
+              "instrument_connected,position_gain,force_gain,correction_hz,tip_control,forces_on,"
+              "rearms,coupling_stiffness_n_m,coupling_damping_n_s_m,proxy_damping_n_s_m,"
+              "max_force_n,engage_s,max_hand_speed_m_s,dead_man_button,clutched,clutch_button,"
+              "hand_turn_x_rad,hand_turn_y_rad,hand_turn_z_rad,workspace_x_m,workspace_y_m,"
+              "workspace_z_m,workspace_radius_m,workspace_free_share,edge_stiffness_n_m,"
+              "edge_force_limit_n,guide,guide_x_m,guide_y_m,guide_z_m,guide_axis_x,guide_axis_y,"
+              "guide_axis_z,guide_stiffness_n_m,guide_damping_n_s_m,guide_force_limit_n,"
+              "guide_capture_m");
+}
+
 TEST(TickLog, ReadsInputsFromBeforeThereWasAGovernor) {
     const test::ScratchFolder scratch;
     const auto path = scratch.path() / "tick_input.csv";

@@ -143,22 +143,22 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.terms.mountTilt = false;
     scene.terms.torsion = true;
     scene.tolerance = 0.125;
-    scene.coupling = {.stiffness = 1e3 / 3.0, .damping = 2.5, .proxyDamping = 3.0};
-    scene.governor = {
+    scene.settings.coupling = {.stiffness = 1e3 / 3.0, .damping = 2.5, .proxyDamping = 3.0};
+    scene.settings.governor = {
         .maxForce = 10.0 / 3.0, .engageTime = 0.7, .maxHandSpeed = 1.1, .deadManButton = 3};
-    scene.clutchButton = 1;
-    scene.guide = {.kind = FixtureKind::Line,
-                   .point = {1e-9 / 3.0, 2e-9, -3e-9},
-                   .axis = Vector3(1.0, 2.0, 3.0).normalized(),
-                   .stiffness = 300.0,
-                   .damping = 0.3,
-                   .forceLimit = 2.0,
-                   .captureDistance = 30e-9 / 7.0};
+    scene.settings.clutchButton = 1;
+    scene.settings.guide = {.kind = FixtureKind::Line,
+                            .point = {1e-9 / 3.0, 2e-9, -3e-9},
+                            .axis = Vector3(1.0, 2.0, 3.0).normalized(),
+                            .stiffness = 300.0,
+                            .damping = 0.3,
+                            .forceLimit = 2.0,
+                            .captureDistance = 30e-9 / 7.0};
     const std::string text = sceneText(scene);
     const SceneDescription again = readScene(write("again.toml", text));
     EXPECT_EQ(sceneText(again), text);
-    EXPECT_EQ(again.clutchButton, 1);
-    EXPECT_EQ(again.guide, scene.guide);
+    EXPECT_EQ(again.settings.clutchButton, 1);
+    EXPECT_EQ(again.settings.guide, scene.settings.guide);
     EXPECT_EQ(again.sample.channel, scene.sample.channel);
     EXPECT_EQ(again.sample.material.elastic.youngsModulus,
               scene.sample.material.elastic.youngsModulus);
@@ -176,8 +176,8 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.terms.torsion, scene.terms.torsion);
     EXPECT_FALSE(again.terms.friction) << "left to the program";
     EXPECT_EQ(again.tolerance, scene.tolerance);
-    EXPECT_EQ(again.coupling, scene.coupling);
-    EXPECT_EQ(again.governor, scene.governor);
+    EXPECT_EQ(again.settings.coupling, scene.settings.coupling);
+    EXPECT_EQ(again.settings.governor, scene.settings.governor);
 }
 
 TEST_F(SceneFile, NamesScansWhateverTheBytesOfTheirNames) {

@@ -114,7 +114,7 @@ TEST_F(ExtremesStudy, ALargeContactAndAThinFilmAreFlagged) {
 
 TEST_F(ExtremesStudy, EveryParameterOutOfRangeIsRefusedWithASentence) {
     const auto all = at(100.0_nm, 2.0_GPa, 0.05);
-    for (const ContactLaw law : kContactLaws) {
+    for (const ContactLaw law : kValues<ContactLaw>) {
         const ExtremesRegion& refused = region(all, law, "out of range");
         EXPECT_EQ(count(refused, Verdict::Refused), refused.states()) << keyOf(law);
         EXPECT_TRUE(
@@ -203,7 +203,7 @@ TEST_F(ExtremesStudy, GivesTheSameTwice) {
     const ExtremesFindings again = studyExtremes(grid);
     ASSERT_EQ(first.regions.size(), again.regions.size());
     for (std::size_t i = 0; i < first.regions.size(); ++i) {
-        for (const Verdict verdict : kVerdicts) {
+        for (const Verdict verdict : kValues<Verdict>) {
             const VerdictTally& one = first.regions[i].tally(verdict);
             const VerdictTally& other = again.regions[i].tally(verdict);
             EXPECT_EQ(one.states, other.states);

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/io/tables/CsvWriter.h"
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+// A table of a recording has one list of its columns: a function that calls `cell(name, value)` for
+// each, in their order. Names, cells and what is read back are made from it.
+
+namespace asperity {
+
+/// A column's name in parts, which are put together only where names count.
+struct ColumnName {
+    std::string_view front;
+    std::string_view axis = "";
+    std::string_view back = "";
+
+    [[nodiscard]] std::string text() const { return std::string(front).append(axis).append(back); }
+};
+
+/// The three columns of a vector.
+template <class Vector, class Cell>
+void listVector(const Cell& cell, std::string_view front, Vector&& vector, std::string_view back) {
+    cell({front, "x", back}, vector.x());
+    cell({front, "y", back}, vector.y());
+    cell({front, "z", back}, vector.z());
+}
+
+/// @param list calls what it is given as `cell`
+template <class List>
+[[nodiscard]] std::vector<std::string> columnNames(const List& list) {
+    std::vector<std::string> names;
+    list([&names](const ColumnName& name, const auto& /*value*/) { names.push_back(name.text()); });
+    return names;
+}
+
+/// The next cells of a row: text as it is, all else as a number. @param list as in columnNames()
+template <class List>
+void addCells(CsvWriter& csv, const List& list) {
+    list([&csv](const ColumnName& /*name*/, const auto& value) {
+        if constexpr (std::is_convertible_v<decltype(value), std::string_view>) {
+            csv.add(std::string_view(value));
+        } else {
+            csv.add(static_cast<double>(value));
+        }
+    });
+}
+
+}  // namespace asperity
