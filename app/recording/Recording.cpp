@@ -6,7 +6,7 @@
 #include "core/io/recording/SceneSettings.h"
 #include "core/io/recording/TickMemoryFile.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/scene/ModelTerm.h"
+#include "core/scene/BelievedModel.h"
 
 #include <utility>
 

@@ -2,6 +2,7 @@
 
 #include "core/Vector.h"
 #include "core/probe/Cantilever.h"
+#include "core/probe/DecouplingTier.h"
 #include "core/probe/OpticalLever.h"
 
 #include <cstdint>
@@ -22,12 +23,6 @@ struct DecouplingInput {
     double normalForceSigma = 0.0;       ///< its standard deviation [N], > 0
     /// Standard deviation of the friction law beside its 30 % [N]: what InnovationMonitor found
     double frictionLawError = 0.0;
-};
-
-/// How the signals become a force.
-enum class DecouplingTier : std::uint8_t {
-    Planar,    ///< nothing assumed but that the force lies in the plane of normal and motion
-    Estimator  ///< weighted least squares of all that is known
 };
 
 /// Which geometry the estimate met (docs/theory.md 6.3).

@@ -172,7 +172,7 @@ TruthDescription readTruth(TomlSection section, const SceneDescription& scene) {
 }
 
 void readPhysics(TomlSection section, SceneDescription& scene) {
-    scene.law = readLaw(section, scene.law);
+    scene.choices.law = readLaw(section, scene.choices.law);
     scene.cohesiveRange = section.number("cohesive_range_m", scene.cohesiveRange);
     Meniscus& meniscus = scene.meniscus;
     meniscus.surfaceTension = section.number("meniscus_tension_n_m", meniscus.surfaceTension);
@@ -183,14 +183,15 @@ void readPhysics(TomlSection section, SceneDescription& scene) {
 
 void readFidelity(TomlSection section, SceneDescription& scene) {
     scene.tolerance = section.number("tolerance", scene.tolerance);
-    scene.solver = choice(section, "contact_solver", kSolvers, scene.solver);
-    scene.decoupling = choice(section, "decoupling", kDecouplings, scene.decoupling);
-    scene.deformation = choiceOrNone(section, "deformation", kDeformations, scene.deformation);
-    scene.footSearch = choiceOrNone(section, "foot_search", kEfforts, scene.footSearch);
-    for (const ModelTerm term : kModelTerms) {
-        if (const auto member = choiceMember(term)) {
-            std::optional<bool>& value = scene.terms.*member;
-            value = choiceOrNone(section, keyOf(term), kSwitches, value);
+    ModelChoices& model = scene.choices;
+    model.solver = choice(section, "contact_solver", kSolvers, model.solver);
+    model.decoupling = choice(section, "decoupling", kDecouplings, model.decoupling);
+    model.deformation = choiceOrNone(section, "deformation", kDeformations, model.deformation);
+    model.footSearch = choiceOrNone(section, "foot_search", kEfforts, model.footSearch);
+    for (const ModelTermTraits& term : kModelTermTraits) {
+        if (term.choice != nullptr) {
+            std::optional<bool>& value = model.*term.choice;
+            value = choiceOrNone(section, term.key, kSwitches, value);
         }
     }
     section.refuseUnknownKeys();
@@ -275,14 +276,15 @@ toml::table probeSectionTable(const SceneDescription& scene) {
 }
 
 toml::table fidelityTable(const SceneDescription& scene) {
+    const ModelChoices& model = scene.choices;
     toml::table table{{"tolerance", scene.tolerance},
-                      {"contact_solver", nameOf(kSolvers, scene.solver)},
-                      {"decoupling", nameOf(kDecouplings, scene.decoupling)},
-                      {"deformation", nameOf(kDeformations, scene.deformation)},
-                      {"foot_search", nameOf(kEfforts, scene.footSearch)}};
-    for (const ModelTerm term : kModelTerms) {
-        if (const auto member = choiceMember(term)) {
-            table.insert(keyOf(term), nameOf(kSwitches, scene.terms.*member));
+                      {"contact_solver", nameOf(kSolvers, model.solver)},
+                      {"decoupling", nameOf(kDecouplings, model.decoupling)},
+                      {"deformation", nameOf(kDeformations, model.deformation)},
+                      {"foot_search", nameOf(kEfforts, model.footSearch)}};
+    for (const ModelTermTraits& term : kModelTermTraits) {
+        if (term.choice != nullptr) {
+            table.insert(term.key, nameOf(kSwitches, model.*term.choice));
         }
     }
     return table;
@@ -335,7 +337,7 @@ std::string sceneText(const SceneDescription& scene) {
                             {"poisson_ratio", scene.tip.elastic.poissonRatio}}},
         {"probe", probeSectionTable(scene)},
         {"truth", truthTable(scene.truth)},
-        {"physics", toml::table{{"law", lawText(scene.law)},
+        {"physics", toml::table{{"law", lawText(scene.choices.law)},
                                 {"cohesive_range_m", scene.cohesiveRange},
                                 {"meniscus_tension_n_m", scene.meniscus.surfaceTension},
                                 {"meniscus_angle_rad", scene.meniscus.contactAngle},

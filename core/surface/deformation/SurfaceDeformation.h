@@ -1,14 +1,15 @@
 #pragma once
 
 #include "core/Vector.h"
-#include "core/surface/BSplineSurface.h"
+#include "core/surface/deformation/DeformationTier.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace asperity {
+
+class BSplineSurface;
 
 /// A piece of the surface around the contact, sampled finely: where it lies at rest and where the
 /// tip has moved it. Grids are row-major, bottom row (smallest y) first; world frame [m].
@@ -23,14 +24,6 @@ struct SurfacePatch {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                static_cast<std::size_t>(column);
     }
-};
-
-/// How the surface around the contact is moved.
-enum class DeformationTier : std::uint8_t {
-    FourPoint,      ///< the four control points around the foot, by the indentation: cheap
-    ContactRadius,  ///< control points within the contact radius onto the tip: the paper's choice
-    ClosedForm,     ///< every point by the contact model's displacement, also outside the contact
-    HalfSpace,      ///< every point by boundary elements on the real topography around the foot
 };
 
 /// Where tip and surface meet; world frame.
@@ -72,12 +65,6 @@ struct PatchGrid {
 /// The patch around the contact, each point moved by a field. @throw Error as above
 [[nodiscard]] SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
                                          const PatchGrid& grid, const DisplacementField& field);
-
-/// Whether the tier shares the displacement between sample and tip; the others move the sample
-/// alone.
-[[nodiscard]] constexpr bool sharesDisplacement(DeformationTier tier) noexcept {
-    return tier == DeformationTier::ClosedForm || tier == DeformationTier::HalfSpace;
-}
 
 inline constexpr int kMostPatchSamples = 2048;
 
