@@ -48,10 +48,10 @@ CurveCase caseOf(const SceneDescription& scene, const LawChoice& choice, double 
 /// The case of the scene's material, and another for comparison where the law is not the usual one.
 void addCases(const SceneDescription& scene, double compliance, std::vector<CurveCase>& cases) {
     checkScene(scene);
-    const LawChoice choice = chooseLaw(scene.law, contactPair(scene, scene.sample.material),
+    const LawChoice choice = chooseLaw(scene.choices.law, contactPair(scene, scene.sample.material),
                                        scene.sample.material.filmThickness);
     cases.push_back(caseOf(scene, choice, compliance));
-    if (!scene.law && choice.law == ContactLaw::SphereSplit) {
+    if (!scene.choices.law && choice.law == ContactLaw::SphereSplit) {
         cases.push_back(caseOf(scene,
                                {ContactLaw::Split, "for comparison: formally, as for a paraboloid"},
                                compliance));
@@ -88,7 +88,7 @@ std::vector<CurveCase> curveCases(const CurveRequest& request) {
     SceneDescription scene = request.scene.empty() ? defaultScene() : sceneFromInput(request.scene);
     scene.tip.radius = request.radius > 0.0 ? request.radius : scene.tip.radius;
     if (!request.law.empty()) {
-        scene.law = fromKey<ContactLaw>(request.law);  // none: "auto"
+        scene.choices.law = fromKey<ContactLaw>(request.law);  // none: "auto"
     }
     const double compliance = request.stiffness > 0.0 ? 1.0 / request.stiffness
                                                       : Cantilever(scene.probe).compliance()(2, 2);

@@ -18,7 +18,7 @@
 #include "core/haptics/VirtualRun.h"
 #include "core/io/scene/HandPathFile.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/scene/ModelTerm.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/SceneTruth.h"
 
 #include <CLI/CLI.hpp>

@@ -1,9 +1,11 @@
 #include "app/program/LoadedScene.h"
 
 #include "core/Error.h"
+#include "core/contact/maugis/MaugisTable.h"
 #include "core/fidelity/ForceErrorText.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/scene/SceneFile.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/ImagingTip.h"
 
 #include <algorithm>
@@ -33,8 +35,8 @@ std::string levellingNote(const Scene& scene) {
 }
 
 std::string lawNote(const Scene& scene) {
-    std::string note = std::string("contact law: ") + keyOf(scene.model.law.law) + " (" +
-                       scene.model.law.why + ")";
+    std::string note = std::string("contact law: ") + keyOf(scene.model.law) + " (" +
+                       usualLaw(scene.description).why + ")";
     if (const MaugisTable* table = scene.belief.contact.table()) {
         char text[120];
         std::snprintf(text, sizeof text, "; tabulated, error at most %.2g of the force or pi w R",

@@ -5,7 +5,7 @@
 #include "core/GrowingFile.h"
 #include "core/io/recording/TickMemoryFile.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/scene/ModelTerm.h"
+#include "core/scene/BelievedModel.h"
 
 #include <utility>
 

@@ -5,7 +5,7 @@
 #include "core/Version.h"
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/scene/ModelTerm.h"
+#include "core/scene/BelievedModel.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>

@@ -20,14 +20,14 @@ void writeTicks(const std::filesystem::path& path, const TradeOff& study) {
     const TradeOffReference& reference = study.reference;
     CsvWriter csv(path,
                   {title("cost and error of each way for the tick; times are of this machine"),
-                   "errors on the same inputs against " + reference.tick.name(),
+                   "errors on the same inputs against " + nameOf(reference.tick),
                    "estimates against the true force inside the simulated instrument"},
                   {"tier", "tick_p50_s", "tick_p99_s", "force_error_rms_n", "force_error_max_n",
                    "contact_radius_error_max_m", "foot_error_max_m", "estimate_error_rms_n",
                    "on_front"});
     for (const auto* part : {&study.ticks, &study.decouplings}) {
         for (const TickResult& result : *part) {
-            csv.add(result.tier.name()).add(result.median).add(result.p99);
+            csv.add(nameOf(result.tier)).add(result.median).add(result.p99);
             csv.add(result.forceErrorRms).add(result.forceErrorMax).add(result.contactRadiusError);
             csv.add(result.footError).add(result.estimateErrorRms);
             csv.add(part == &study.ticks && result.onFront ? 1.0 : 0.0);
@@ -41,10 +41,10 @@ void writeFrames(const std::filesystem::path& path, const TradeOff& study) {
     CsvWriter csv(
         path,
         {title("cost and error of each way to draw the contact; times are of this machine"),
-         "displacements against " + study.reference.frame.name()},
+         "displacements against " + nameOf(study.reference.frame)},
         {"tier", "patch_p50_s", "surface_error_rms_m", "surface_error_max_m", "on_front"});
     for (const FrameResult& result : study.frames) {
-        csv.add(result.tier.name()).add(result.median).add(result.surfaceErrorRms);
+        csv.add(nameOf(result.tier)).add(result.median).add(result.surfaceErrorRms);
         csv.add(result.surfaceErrorMax).add(result.onFront ? 1.0 : 0.0);
         csv.endRow();
     }
@@ -62,9 +62,9 @@ void writeCompositions(const std::filesystem::path& path, const TradeOff& study)
     double number = 0.0;
     for (const Composition& whole : bestCompositions(study)) {
         csv.add(++number)
-            .add(study.ticks[whole.tick].tier.name())
+            .add(nameOf(study.ticks[whole.tick].tier))
             .add(study.rates[whole.rate].rate);
-        csv.add(study.frames[whole.frame].tier.name()).add(whole.load).add(whole.error);
+        csv.add(nameOf(study.frames[whole.frame].tier)).add(whole.load).add(whole.error);
         csv.endRow();
     }
     csv.close();
@@ -93,7 +93,7 @@ Chart chartOf(const std::string& chartTitle, const std::vector<Result>& results,
         curve.x.push_back(result.costAndError().cost);
         curve.y.push_back(std::max(result.costAndError().error, floor));
         if (result.onFront) {
-            curve.pointLabels.push_back(result.tier.name());
+            curve.pointLabels.push_back(nameOf(result.tier));
         }
     }
     return {

@@ -104,7 +104,7 @@ private:
     void rebuild(const std::function<LoadedScene(LoadedScene)>& change);
     void chooseMaterial(int index);
     void chooseModel(const SceneDescription& choices);
-    void pickTier(const TickTier& tier);
+    void pickTier(const ForceModelOptions& tier);
     void measureFidelity();
     /// Makes sure that a hand with motors could hold the tip of this. @throw Error
     void requireHolding(const SceneDescription& scene) const;

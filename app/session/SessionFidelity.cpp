@@ -1,9 +1,10 @@
 // What a session makes of the fidelity panel: terms overruled, a way for the tick picked, a study.
 
 #include "app/session/FidelityStudy.h"
-#include "app/session/ModelOverrules.h"
 #include "app/session/Session.h"
 #include "core/Error.h"
+#include "core/scene/BelievedModel.h"
+#include "core/scene/ModelChoices.h"
 #include "ui/panels/FidelityPanel.h"
 #include "ui/window/MainWindow.h"
 
@@ -12,15 +13,6 @@
 namespace asperity {
 
 namespace {
-
-ModelChoices choicesOf(const SceneDescription& scene) {
-    ModelChoices choices;
-    for (std::size_t i = 0; i < kModelTerms.size(); ++i) {
-        choices.terms.at(i) = choiceOf(kModelTerms.at(i), scene);
-    }
-    choices.lawIsGiven = scene.law.has_value();
-    return choices;
-}
 
 /// @throw Error where no model can be made of the choices
 void requireModel(const SceneDescription& scene) {
@@ -37,17 +29,23 @@ void Session::connectFidelity() {
             chooseModel(choose(run_->scene().description));
         }
     };
-    connect(
-        &panel, &FidelityPanel::termChosen, this, [change](ModelTerm term, std::optional<bool> on) {
-            change([&](SceneDescription scene) { return withChoice(std::move(scene), term, on); });
+    const auto choose = [change](const std::function<ModelChoices(const ModelChoices&)>& choice) {
+        change([&choice](SceneDescription scene) {
+            scene.choices = choice(scene.choices);
+            return scene;
         });
+    };
+    connect(&panel, &FidelityPanel::termChosen, this,
+            [choose](ModelTerm term, std::optional<bool> on) {
+                choose([&](const ModelChoices& now) { return withChoice(now, term, on); });
+            });
     connect(&panel, &FidelityPanel::toleranceChosen, this, [change](double share) {
         change([share](SceneDescription scene) {
             scene.tolerance = share;
             return scene;
         });
     });
-    connect(&panel, &FidelityPanel::automaticRequested, this, [change] { change(allAutomatic); });
+    connect(&panel, &FidelityPanel::automaticRequested, this, [choose] { choose(allAutomatic); });
     connect(&panel, &FidelityPanel::tierPicked, this, &Session::pickTier);
     connect(&panel, &FidelityPanel::measureRequested, this, &Session::measureFidelity);
     connect(&panel, &FidelityPanel::stopRequested, this, [this] { study_.cancel(); });
@@ -79,10 +77,12 @@ void Session::chooseModel(const SceneDescription& choices) {
 }
 
 /// The chart stays: it is of the same scene, whatever its tick.
-void Session::pickTier(const TickTier& tier) {
+void Session::pickTier(const ForceModelOptions& tier) {
     if (run_) {
         const std::optional<TradeOff> study = window_.fidelity().tradeOff();
-        chooseModel(withTier(run_->scene().description, tier));
+        SceneDescription scene = run_->scene().description;
+        scene.choices = withForce(scene.choices, tier);
+        chooseModel(scene);
         window_.fidelity().showTradeOff(study);
     }
 }
@@ -105,8 +105,7 @@ void Session::showFidelity() {
     const Scene& scene = run_->scene();
     study_.cancel();
     window_.fidelity().showTradeOff(std::nullopt);
-    window_.fidelity().showModel(run_->loaded().needs, choicesOf(scene.description),
-                                 tierOf(scene.model));
+    window_.fidelity().showModel(run_->loaded().needs, scene.description.choices);
 }
 
 }  // namespace asperity

@@ -7,7 +7,7 @@
 #include "core/SiFormat.h"
 #include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/io/scene/HandPathFile.h"
-#include "core/scene/SceneModel.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/SettingFields.h"
 #include "ui/HeldKeys.h"
 #include "ui/panels/ControlBar.h"

@@ -1,6 +1,7 @@
 #include "core/deformation/HalfSpaceProblem.h"
 
 #include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/contact/laws/SplitLaw.h"
 #include "core/surface/TangentFrame.h"
 
 #include <algorithm>

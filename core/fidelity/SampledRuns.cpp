@@ -1,6 +1,6 @@
 #include "core/fidelity/SampledRuns.h"
 
-#include "core/fidelity/FidelityTier.h"
+#include "core/scene/BelievedModel.h"
 
 #include <algorithm>
 #include <numeric>
@@ -39,7 +39,7 @@ double forceShare(const ModelRun& run, const ModelRun& reference) {
 }
 
 SampledRuns::SampledRuns(Scene& scene, double longestTick) : scene_(scene) {
-    const SceneModel reference = scene.model;
+    const ForceModelOptions reference = scene.model;
     setModel(scene, usualModel(scene.description));  // the runs are the same whatever the reference
     const double duration = kTicksAPath * scene.timeStep();
     const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
@@ -60,15 +60,16 @@ SampledRuns::SampledRuns(Scene& scene, double longestTick) : scene_(scene) {
     refer(reference);
 }
 
-double SampledRuns::error(const SceneModel& model) {
+double SampledRuns::error(const ForceModelOptions& model) {
     last_ = runWith(model);
     return forceShare(last_, reference_);
 }
 
-ModelDifference SampledRuns::between(const SceneModel& with, const SceneModel& without) {
+ModelDifference SampledRuns::between(const ForceModelOptions& with,
+                                     const ForceModelOptions& without) {
     const ModelRun less = runWith(without);
     const bool isQuick = sumOf(less.times) < kQuickRuns;
-    const bool isKnown = !isQuick && tierOf(with) == tierOf(referred_);
+    const bool isKnown = !isQuick && ofForce(with) == ofForce(referred_);
     ModelDifference difference{.with = isKnown ? reference_ : runWith(with)};
     difference.effect = forceShare(less, difference.with);
     difference.time = quantile(difference.with.times, 0.5) - quantile(less.times, 0.5);
@@ -80,13 +81,13 @@ ModelDifference SampledRuns::between(const SceneModel& with, const SceneModel& w
     return difference;
 }
 
-void SampledRuns::refer(const SceneModel& model) {
+void SampledRuns::refer(const ForceModelOptions& model) {
     referred_ = model;
     reference_ = runWith(model);
     last_ = reference_;
 }
 
-ModelRun SampledRuns::runWith(const SceneModel& model) const {
+ModelRun SampledRuns::runWith(const ForceModelOptions& model) const {
     setModel(scene_, model);
     return runModel(scene_, runs_);
 }

@@ -32,13 +32,14 @@ public:
     [[nodiscard]] bool isSlow() const noexcept { return slow_; }
 
     /// By how much the force differs from the reference, see forceShare(). Sets the scene's model.
-    [[nodiscard]] double error(const SceneModel& model);
+    [[nodiscard]] double error(const ForceModelOptions& model);
 
     /// The same between two models; times are taken in turns. The scene has the model `with` then.
-    [[nodiscard]] ModelDifference between(const SceneModel& with, const SceneModel& without);
+    [[nodiscard]] ModelDifference between(const ForceModelOptions& with,
+                                          const ForceModelOptions& without);
 
     /// Makes another model the reference. Sets the scene's model.
-    void refer(const SceneModel& model);
+    void refer(const ForceModelOptions& model);
 
     /// Median of a tick in the last run [s].
     [[nodiscard]] double tickTime() const { return quantile(last_.times, 0.5); }
@@ -47,11 +48,11 @@ public:
     [[nodiscard]] const ModelRun& reference() const noexcept { return reference_; }
 
 private:
-    [[nodiscard]] ModelRun runWith(const SceneModel& model) const;
+    [[nodiscard]] ModelRun runWith(const ForceModelOptions& model) const;
 
     Scene& scene_;
     std::vector<RecordedRun> runs_;
-    SceneModel referred_;  ///< of the reference
+    ForceModelOptions referred_;  ///< of the reference
     ModelRun reference_;
     ModelRun last_;
     bool slow_ = false;

@@ -1,11 +1,11 @@
 #include "core/fidelity/SceneNeeds.h"
 
-#include "core/fidelity/FidelityTier.h"
 #include "core/fidelity/SampledRuns.h"
 #include "core/fidelity/SurfaceNeeds.h"
 #include "core/fidelity/TermFacts.h"
 #include "core/fidelity/TermPair.h"
 #include "core/fidelity/WholeModel.h"
+#include "core/scene/BelievedModel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,12 +27,12 @@ bool tipFitsEverywhere(const Scene& scene) {
 }
 
 /// The model with every term that the description does not settle.
-SceneModel fullModel(const SceneDescription& scene) {
-    SceneModel model = usualModel(scene);
+ForceModelOptions fullModel(const SceneDescription& scene) {
+    ForceModelOptions model = usualModel(scene);
     for (const ModelTerm term :
          {ModelTerm::SampleCurvature, ModelTerm::Friction, ModelTerm::Torsion, ModelTerm::MountTilt,
           ModelTerm::GlobalSearch}) {
-        if (!isSettled(term, scene)) {
+        if (!isSettled(term, scene.choices)) {
             model = with(model, term);
         }
     }
@@ -85,14 +85,14 @@ private:
         need.why = factOf(need.term, scene_, difference.with);
     }
 
-    [[nodiscard]] double effectOf(ModelTerm term, const SceneModel& model) {
+    [[nodiscard]] double effectOf(ModelTerm term, const ForceModelOptions& model) {
         const TermPair models = pairOf(term, model);
         return runs_.between(models.with, models.without).effect;
     }
 
     [[nodiscard]] bool saysLaw() const {
         return std::ranges::any_of(kModelTerms, [&](ModelTerm term) {
-            return isOfLaw(term) && isSettled(term, scene_.description);
+            return isOfLaw(term) && isSettled(term, scene_.description.choices);
         });
     }
 
@@ -105,12 +105,12 @@ private:
         runs_.refer(needs_.full);
     }
 
-    [[nodiscard]] SceneModel withBestLaw(const SceneModel& model) {
+    [[nodiscard]] ForceModelOptions withBestLaw(const ForceModelOptions& model) {
         const bool isWide = has(model, ModelTerm::SphereCorrection);  // without load already
         return isWide ? model : withLawThatLeavesOutLeast(model);
     }
 
-    [[nodiscard]] SceneModel withLawThatLeavesOutLeast(const SceneModel& model) {
+    [[nodiscard]] ForceModelOptions withLawThatLeavesOutLeast(const ForceModelOptions& model) {
         std::vector<std::pair<ModelTerm, double>> effects;
         for (const ModelTerm term : kModelTerms) {
             if ((isOfLaw(term) || term == ModelTerm::SampleCurvature) &&
@@ -118,19 +118,19 @@ private:
                 effects.emplace_back(term, effectOf(term, model));
             }
         }
-        const auto leftOutBy = [&effects](const SceneModel& candidate) {
+        const auto leftOutBy = [&effects](const ForceModelOptions& candidate) {
             double most = 0.0;
             for (const auto& [term, effect] : effects) {
                 most = std::max(most, has(candidate, term) ? 0.0 : effect);
             }
             return most;
         };
-        SceneModel best = model;
+        ForceModelOptions best = model;
         if (leftOutBy(best) <= needs_.tolerance) {
             return best;
         }
         for (const ModelTerm term : {ModelTerm::SphereCorrection, ModelTerm::FilmBase}) {
-            const SceneModel other = with(model, term);
+            const ForceModelOptions other = with(model, term);
             if (isPossible(term, scene_.description) && leftOutBy(other) < leftOutBy(best)) {
                 best = other;
             }
@@ -146,7 +146,7 @@ private:
         for (bool changed = true; changed;) {
             changed = false;
             for (const ModelTerm term : free_) {
-                const SceneModel less = without(needs_.model, term);
+                const ForceModelOptions less = without(needs_.model, term);
                 if (has(needs_.model, term) && runs_.error(less) <= needs_.tolerance) {
                     needs_.model = less;
                     changed = true;
@@ -156,8 +156,8 @@ private:
     }
 
     /// The model that has all, whatever the scene says; where it says nothing the full one.
-    [[nodiscard]] SceneModel theWhole() {
-        SceneModel whole = wholeModel(scene_.description);
+    [[nodiscard]] ForceModelOptions theWhole() {
+        ForceModelOptions whole = wholeModel(scene_.description);
         whole.solver = needs_.full.solver;  // they agree to nine digits
         whole.decoupling = needs_.full.decoupling;
         if (saysLaw()) {
@@ -168,8 +168,8 @@ private:
     }
 
     void measureError() {
-        const SceneModel whole = theWhole();
-        const bool isFull = tierOf(whole) == tierOf(needs_.full);
+        const ForceModelOptions whole = theWhole();
+        const bool isFull = ofForce(whole) == ofForce(needs_.full);
         needs_.wholeError = isFull ? needs_.forceError : runs_.between(whole, needs_.model).effect;
         double sum = 0.0;
         for (const ModelTerm term : missingTerms(whole, scene_.description)) {
@@ -192,7 +192,7 @@ private:
 /// Decides about the terms of the picture.
 void decideSurface(const SceneDescription& description, const SurfaceNeeds& surface,
                    SceneNeeds& needs) {
-    if (description.deformation) {
+    if (description.choices.deformation) {
         return;
     }
     if (surface.halfSpaceHolds && surface.halfSpace > needs.tolerance) {
@@ -265,7 +265,7 @@ SceneNeeds fitModel(Scene& scene, double longestTick) {
     needs.tolerance = scene.description.tolerance;
     for (const ModelTerm term : kModelTerms) {
         needs.terms.push_back(
-            {.term = term, .overruled = isSettled(term, scene.description), .why = ""});
+            {.term = term, .overruled = isSettled(term, scene.description.choices), .why = ""});
     }
     setModel(scene, needs.full);
     needs.model = needs.full;

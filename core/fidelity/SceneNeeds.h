@@ -24,8 +24,8 @@ struct TermNeed {
 /// What a scene requires of its model.
 struct SceneNeeds {
     std::vector<TermNeed> terms;  ///< in the order of kModelTerms
-    SceneModel full;              ///< with every term that can be in
-    SceneModel model;             ///< with those that matter
+    ForceModelOptions full;       ///< with every term that can be in
+    ForceModelOptions model;      ///< with those that matter
     double tolerance = 0.0;       ///< of forces and of indentations, as a share
     double forceError = 0.0;      ///< of `model` against `full`, as TermNeed::effect
     bool measured = false;        ///< whether the next three are known

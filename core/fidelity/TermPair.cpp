@@ -4,11 +4,11 @@
 
 namespace asperity {
 
-TermPair pairOf(ModelTerm term, SceneModel model) {
+TermPair pairOf(ModelTerm term, ForceModelOptions model) {
     for (const ModelTerm other : kModelTerms) {
         model = exclude(term, other) ? without(std::move(model), other) : model;
     }
-    const SceneModel in = with(model, term);
+    const ForceModelOptions in = with(model, term);
     return {in, without(in, term)};
 }
 

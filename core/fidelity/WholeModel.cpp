@@ -1,16 +1,18 @@
 #include "core/fidelity/WholeModel.h"
 
+#include "core/scene/BelievedModel.h"
+
 namespace asperity {
 
-SceneModel wholeModel(SceneDescription scene) {
-    scene.law.reset();
-    scene.terms = {};
-    scene.solver = SolverTier::Exact;
-    scene.footSearch = FootEffort::Certified;
+ForceModelOptions wholeModel(SceneDescription scene) {
+    scene.choices = {.solver = SolverTier::Exact,
+                     .footSearch = FootEffort::Certified,
+                     .decoupling = scene.choices.decoupling,
+                     .deformation = scene.choices.deformation};
     return usualModel(scene);
 }
 
-std::vector<ModelTerm> missingTerms(const SceneModel& model, const SceneDescription& scene) {
+std::vector<ModelTerm> missingTerms(const ForceModelOptions& model, const SceneDescription& scene) {
     std::vector<ModelTerm> missing;
     for (const ModelTerm term : kModelTerms) {
         if (!isOfSurface(term) && !has(model, term) && isPossible(term, scene)) {

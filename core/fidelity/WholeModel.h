@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/ModelTerm.h"
-#include "core/scene/SceneModel.h"
+#include "core/scene/SceneDescription.h"
 
 #include <vector>
 
@@ -9,10 +9,10 @@ namespace asperity {
 
 /// Every term that the law of the scene's materials has room for, whatever the scene overrules,
 /// solved afresh and with the certified search for contact points. @throw Error as usualModel()
-[[nodiscard]] SceneModel wholeModel(SceneDescription scene);
+[[nodiscard]] ForceModelOptions wholeModel(SceneDescription scene);
 
 /// Terms of the force that the sample has and the model has not.
-[[nodiscard]] std::vector<ModelTerm> missingTerms(const SceneModel& model,
+[[nodiscard]] std::vector<ModelTerm> missingTerms(const ForceModelOptions& model,
                                                   const SceneDescription& scene);
 
 }  // namespace asperity

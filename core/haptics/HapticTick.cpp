@@ -169,6 +169,46 @@ bool holdsTip(const Scene& scene, const BaseMotion& tip, const Vector3& compensa
            (state.tip - tip.position).norm() <= kHeldWithin;
 }
 
+/// Estimate, wanted force and flags, from the model and the signals.
+void judgeSignals(const Scene& scene, const TickInput& input, const BaseCommand& command,
+                  TickOutput& out, TickMemory& memory) noexcept {
+    // Of an instrument that is lost nothing is taken; until it is back the model stands alone.
+    const bool answers = input.measurement.connected;
+    const LeverSignals expected = leverSignals(scene.belief.cantilever, out.model.force);
+    const LeverSignals staleness = stalenessOf(expected, answers ? input.measurement.age : 0.0,
+                                               input.timeStep, memory.signals);
+    DecouplingInput known = decouplingInput(scene, input, out, staleness);
+    if (!answers) {
+        known.signals = expected;
+    }
+    const InnovationVerdict verdict =
+        answers ? innovationVerdict(scene, input, out, known, memory.innovation)
+                : InnovationVerdict{};
+    known.frictionLawError = verdict.frictionLawError;
+    out.estimate = decoupled(scene, weighed(scene, out.model, known), verdict.covarianceFactor);
+    out.tip = out.base.position + out.estimate.deflection;
+    if (answers) {
+        memory.correction = slowCorrection(input, out, memory.correction);
+    }
+    out.handForce = wantedForce(input, out, command, memory.correction);
+    out.flags = tickValidity(scene, out, verdict);
+    out.flags.set(Validity::TipNotHeld, !command.tipHeld);
+    out.flags.set(Validity::StaleSignals, isStale(scene, input, staleness));
+}
+
+/// What the next tick starts from, but for governor and fault.
+void remember(const TickInput& input, const BaseCommand& command, const TickOutput& out,
+              TickMemory& memory) noexcept {
+    memory.base = out.base.position;
+    memory.compensation = command.compensation;
+    memory.control = input.settings.positionControl;
+    memory.mapping = command.hand.memory;
+    memory.guide = guideAfter(input, command.guide, command.proxy.coupling.motion);
+    memory.proxy = proxyAfter(input, command.proxy, out.model, memory.model, memory.correction);
+    memory.started = true;
+    memory.unsolved = unsolvedFor(input, out, memory.unsolved);
+}
+
 }  // namespace
 
 BaseCommand commandBase(const Scene& scene, const TickInput& input,
@@ -215,36 +255,8 @@ TickOutput tick(const Scene& scene, const TickInput& input, const BaseCommand& c
     TickOutput out;
     out.base = command.base;
     out.model = tipEquilibrium(scene.felt(), scene.belief, out.base, memory.model);
-    // Of an instrument that is lost nothing is taken; until it is back the model stands alone.
-    const bool answers = input.measurement.connected;
-    const LeverSignals expected = leverSignals(scene.belief.cantilever, out.model.force);
-    const LeverSignals staleness = stalenessOf(expected, answers ? input.measurement.age : 0.0,
-                                               input.timeStep, memory.signals);
-    DecouplingInput known = decouplingInput(scene, input, out, staleness);
-    if (!answers) {
-        known.signals = expected;
-    }
-    const InnovationVerdict verdict =
-        answers ? innovationVerdict(scene, input, out, known, memory.innovation)
-                : InnovationVerdict{};
-    known.frictionLawError = verdict.frictionLawError;
-    out.estimate = decoupled(scene, weighed(scene, out.model, known), verdict.covarianceFactor);
-    out.tip = out.base.position + out.estimate.deflection;
-    if (answers) {
-        memory.correction = slowCorrection(input, out, memory.correction);
-    }
-    out.handForce = wantedForce(input, out, command, memory.correction);
-    out.flags = tickValidity(scene, out, verdict);
-    out.flags.set(Validity::TipNotHeld, !command.tipHeld);
-    out.flags.set(Validity::StaleSignals, isStale(scene, input, staleness));
-    memory.base = out.base.position;
-    memory.compensation = command.compensation;
-    memory.control = input.settings.positionControl;
-    memory.mapping = command.hand.memory;
-    memory.guide = guideAfter(input, command.guide, command.proxy.coupling.motion);
-    memory.proxy = proxyAfter(input, command.proxy, out.model, memory.model, memory.correction);
-    memory.started = true;
-    memory.unsolved = unsolvedFor(input, out, memory.unsolved);
+    judgeSignals(scene, input, command, out, memory);
+    remember(input, command, out, memory);
     const Fault found = faultOf(input, out, memory.unsolved);
     if (found == Fault::NotFinite) {
         memory = before;  // nothing non-finite may live on into the next tick

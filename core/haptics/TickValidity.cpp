@@ -1,5 +1,6 @@
 #include "core/haptics/TickValidity.h"
 
+#include "core/contact/laws/LawChoice.h"
 #include "core/scene/ContactValidity.h"
 
 namespace asperity {

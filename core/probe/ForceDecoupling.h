@@ -3,6 +3,7 @@
 #include "core/EnumTable.h"
 #include "core/Vector.h"
 #include "core/probe/Cantilever.h"
+#include "core/probe/DecouplingTier.h"
 #include "core/probe/OpticalLever.h"
 
 #include <cstdint>
@@ -24,16 +25,6 @@ struct DecouplingInput {
     /// Standard deviation of the friction law beside its 30 % [N]: what InnovationMonitor found
     double frictionLawError = 0.0;
 };
-
-/// How the signals become a force.
-enum class DecouplingTier : std::uint8_t {
-    Planar,    ///< nothing assumed but that the force lies in the plane of normal and motion
-    Estimator  ///< weighted least squares of all that is known
-};
-
-template <>
-inline constexpr auto kEnumTable<DecouplingTier> = std::to_array<EnumRow<DecouplingTier>>(
-    {{DecouplingTier::Planar, "planar"}, {DecouplingTier::Estimator, "estimator"}});
 
 /// Which geometry the estimate met (docs/theory.md 6.3).
 enum class DecouplingCase : std::uint8_t {

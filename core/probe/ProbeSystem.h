@@ -2,16 +2,9 @@
 
 #include "core/contact/laws/ContactModel.h"
 #include "core/probe/Cantilever.h"
+#include "core/probe/Friction.h"
 
 namespace asperity {
-
-/// Friction of tip on sample, T = mu N + tau A, never negative. Source: docs/theory.md 8.
-struct Friction {
-    double coefficient = 0.0;    ///< mu
-    double shearStrength = 0.0;  ///< tau [Pa]
-
-    bool operator==(const Friction&) const = default;
-};
 
 /// Tip, lever and sample material taken together: what decides the force at a given base position.
 /// A scene has two of them: what is true (inside the simulated instrument) and what we believe.

@@ -3,7 +3,9 @@
 #include "core/Random.h"
 #include "core/probe/AfmController.h"
 #include "core/probe/CantileverModes.h"
+#include "core/probe/ProbeSystem.h"
 #include "core/probe/ThermalNoise.h"
+#include "core/surface/touched/TouchedSurface.h"
 
 #include <cstdint>
 

@@ -2,7 +2,10 @@
 
 #include "core/contact/EffectiveRadius.h"
 #include "core/contact/Within.h"
+#include "core/probe/ProbeSystem.h"
 #include "core/probe/Sliding.h"
+#include "core/surface/foot/TipFeet.h"
+#include "core/surface/touched/TouchedSurface.h"
 
 #include <Eigen/LU>
 

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "core/Vector.h"
-#include "core/probe/ProbeSystem.h"
-#include "core/surface/foot/TipFeet.h"
-#include "core/surface/touched/TouchedSurface.h"
+#include "core/contact/ContactState.h"
+#include "core/surface/foot/FootTracker.h"
 
 #include <array>
+#include <cstddef>
 
 namespace asperity {
+
+class TouchedSurface;
+struct ProbeSystem;
 
 /// Where the cantilever's base is and how it moves. The base position is given as the place that
 /// the tip's apex takes when the lever is not deflected; lab frame.

@@ -1,5 +1,7 @@
 #include "core/scene/LawRange.h"
 
+#include "core/contact/maugis/MaugisUnits.h"
+
 #include <cmath>
 
 namespace asperity {

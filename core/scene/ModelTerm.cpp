@@ -1,6 +1,7 @@
 #include "core/scene/ModelTerm.h"
 
 #include "core/contact/ContactStatus.h"
+#include "core/scene/SceneDescription.h"
 
 namespace asperity {
 
@@ -27,66 +28,7 @@ ContactLaw withoutTail(ContactLaw law) {
     return isSphere(law) ? ContactLaw::SphereMaugis : ContactLaw::Maugis;
 }
 
-/// Of the terms that a model says yes or no to.
-bool SceneModel::*switchOf(ModelTerm term) {
-    switch (term) {
-    case ModelTerm::SampleCurvature:
-        return &SceneModel::curvature;
-    case ModelTerm::Friction:
-        return &SceneModel::friction;
-    case ModelTerm::Torsion:
-        return &SceneModel::torsion;
-    default:
-        return &SceneModel::mountTilt;
-    }
-}
-
 }  // namespace
-
-bool isOfLaw(ModelTerm term) noexcept {
-    return term == ModelTerm::Adhesion || term == ModelTerm::VanDerWaalsTail ||
-           term == ModelTerm::SphereCorrection || term == ModelTerm::FilmBase;
-}
-
-bool isOfSurface(ModelTerm term) noexcept {
-    return term == ModelTerm::OutsideDisplacement || term == ModelTerm::HalfSpaceSolve;
-}
-
-std::optional<bool> TermChoices::*choiceMember(ModelTerm term) noexcept {
-    switch (term) {
-    case ModelTerm::Adhesion:
-        return &TermChoices::adhesion;
-    case ModelTerm::VanDerWaalsTail:
-        return &TermChoices::vanDerWaalsTail;
-    case ModelTerm::SphereCorrection:
-        return &TermChoices::sphereCorrection;
-    case ModelTerm::FilmBase:
-        return &TermChoices::filmBase;
-    case ModelTerm::SampleCurvature:
-        return &TermChoices::curvature;
-    case ModelTerm::Friction:
-        return &TermChoices::friction;
-    case ModelTerm::Torsion:
-        return &TermChoices::torsion;
-    case ModelTerm::MountTilt:
-        return &TermChoices::mountTilt;
-    case ModelTerm::GlobalSearch:
-    case ModelTerm::OutsideDisplacement:
-    case ModelTerm::HalfSpaceSolve:
-        break;
-    }
-    return nullptr;
-}
-
-bool isSettled(ModelTerm term, const SceneDescription& scene) noexcept {
-    if (isOfLaw(term) && scene.law) {
-        return true;
-    }
-    if (const auto member = choiceMember(term)) {
-        return (scene.terms.*member).has_value();
-    }
-    return isOfSurface(term) ? scene.deformation.has_value() : scene.footSearch.has_value();
-}
 
 bool exclude(ModelTerm a, ModelTerm b) noexcept {
     const auto are = [a, b](ModelTerm one, ModelTerm other) {
@@ -110,18 +52,18 @@ bool isPossible(ModelTerm term, const SceneDescription& scene) noexcept {
     }
 }
 
-bool has(const SceneModel& model, ModelTerm term) noexcept {
+bool has(const ForceModelOptions& model, ModelTerm term) noexcept {
     switch (term) {
     case ModelTerm::Adhesion:
-        return isAdhesive(model.law.law);
+        return isAdhesive(model.law);
     case ModelTerm::VanDerWaalsTail:
-        return hasTail(model.law.law);
+        return hasTail(model.law);
     case ModelTerm::SphereCorrection:
-        return isSphere(model.law.law);
+        return isSphere(model.law);
     case ModelTerm::FilmBase:
-        return isFilm(model.law.law);
+        return isFilm(model.law);
     case ModelTerm::SampleCurvature:
-        return model.curvature && !isSphere(model.law.law);
+        return model.curvature && !isSphere(model.law);
     case ModelTerm::GlobalSearch:
         return model.footSearch != FootEffort::Local;
     case ModelTerm::OutsideDisplacement:
@@ -129,26 +71,26 @@ bool has(const SceneModel& model, ModelTerm term) noexcept {
     case ModelTerm::HalfSpaceSolve:
         return model.deformation == DeformationTier::HalfSpace;
     default:
-        return model.*switchOf(term);
+        return model.*traitsOf(term).option;
     }
 }
 
-SceneModel without(SceneModel model, ModelTerm term) {
+ForceModelOptions without(ForceModelOptions model, ModelTerm term) noexcept {
     if (!has(model, term)) {
         return model;
     }
     switch (term) {
     case ModelTerm::Adhesion:
-        model.law.law = withoutAdhesion(model.law.law);
+        model.law = withoutAdhesion(model.law);
         break;
     case ModelTerm::VanDerWaalsTail:
-        model.law.law = withoutTail(model.law.law);
+        model.law = withoutTail(model.law);
         break;
     case ModelTerm::SphereCorrection:
-        model.law.law = onParaboloid(model.law.law);
+        model.law = onParaboloid(model.law);
         break;
     case ModelTerm::FilmBase:
-        model.law.law = ContactLaw::Hertz;
+        model.law = ContactLaw::Hertz;
         break;
     case ModelTerm::GlobalSearch:
         model.footSearch = FootEffort::Local;
@@ -160,25 +102,25 @@ SceneModel without(SceneModel model, ModelTerm term) {
         model.deformation = DeformationTier::ClosedForm;
         break;
     default:
-        model.*switchOf(term) = false;
+        model.*traitsOf(term).option = false;
     }
     return model;
 }
 
-SceneModel with(SceneModel model, ModelTerm term) {
+ForceModelOptions with(ForceModelOptions model, ModelTerm term) noexcept {
     if (has(model, term)) {
         return model;
     }
     switch (term) {
     case ModelTerm::Adhesion:
     case ModelTerm::VanDerWaalsTail:
-        model.law.law = withTail(model.law.law);
+        model.law = withTail(model.law);
         break;
     case ModelTerm::SphereCorrection:
-        model.law.law = onSphere(model.law.law);
+        model.law = onSphere(model.law);
         break;
     case ModelTerm::FilmBase:
-        model.law.law = ContactLaw::HertzFilm;
+        model.law = ContactLaw::HertzFilm;
         break;
     case ModelTerm::GlobalSearch:
         model.footSearch = FootEffort::Certified;
@@ -190,28 +132,9 @@ SceneModel with(SceneModel model, ModelTerm term) {
         model.deformation = DeformationTier::HalfSpace;
         break;
     default:
-        model.*switchOf(term) = true;
+        model.*traitsOf(term).option = true;
     }
     return model;
-}
-
-SceneDescription settled(SceneDescription scene, const SceneModel& model) {
-    TermChoices& terms = scene.terms;
-    if (!scene.law) {
-        terms.adhesion = has(model, ModelTerm::Adhesion);
-        terms.vanDerWaalsTail = has(model, ModelTerm::VanDerWaalsTail);
-        terms.sphereCorrection = has(model, ModelTerm::SphereCorrection);
-        terms.filmBase = has(model, ModelTerm::FilmBase);
-    }
-    terms.curvature = has(model, ModelTerm::SampleCurvature);
-    terms.friction = model.friction;
-    terms.torsion = model.torsion;
-    terms.mountTilt = model.mountTilt;
-    scene.footSearch = model.footSearch;
-    scene.deformation = model.deformation;
-    scene.solver = model.solver;
-    scene.decoupling = model.decoupling;
-    return scene;
 }
 
 }  // namespace asperity

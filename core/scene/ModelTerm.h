@@ -1,12 +1,16 @@
 #pragma once
 
 #include "core/EnumTable.h"
-#include "core/scene/SceneModel.h"
+#include "core/scene/ForceModelOptions.h"
+#include "core/scene/ModelChoices.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
 namespace asperity {
+
+struct SceneDescription;
 
 /// What the model of a scene may leave out.
 enum class ModelTerm : std::uint8_t {
@@ -23,34 +27,56 @@ enum class ModelTerm : std::uint8_t {
     HalfSpaceSolve,       ///< on the real topography, in place of the closed form
 };
 
-/// Keys are those of scene files, which say one thing of the two last.
+/// All there is to say of a term: what a scene file and a panel call it, and where it is written.
+struct ModelTermTraits {
+    ModelTerm value;
+    const char* key;   ///< in scene files, which say one thing of the two last
+    const char* name;  ///< for people
+    /// What a scene says of it; null where it is a matter of foot search or deformation.
+    std::optional<bool> ModelChoices::*choice = nullptr;
+    /// What a model has of it; null where it follows from law, foot search or deformation.
+    bool ForceModelOptions::*option = nullptr;
+};
+
 template <>
-inline constexpr auto kEnumTable<ModelTerm> = std::to_array<EnumRow<ModelTerm>>(
-    {{ModelTerm::Adhesion, "adhesion"},
-     {ModelTerm::VanDerWaalsTail, "van_der_waals_tail", "van der Waals tail"},
-     {ModelTerm::SphereCorrection, "sphere_correction", "sphere correction"},
-     {ModelTerm::FilmBase, "film_base", "film's base"},
-     {ModelTerm::SampleCurvature, "curvature", "sample curvature"},
-     {ModelTerm::Friction, "friction"},
-     {ModelTerm::Torsion, "torsion", "lever torsion"},
-     {ModelTerm::MountTilt, "mount_tilt", "mount tilt"},
+inline constexpr auto kEnumTable<ModelTerm> = std::to_array<ModelTermTraits>(
+    {{ModelTerm::Adhesion, "adhesion", "adhesion", &ModelChoices::adhesion},
+     {ModelTerm::VanDerWaalsTail, "van_der_waals_tail", "van der Waals tail",
+      &ModelChoices::vanDerWaalsTail},
+     {ModelTerm::SphereCorrection, "sphere_correction", "sphere correction",
+      &ModelChoices::sphereCorrection},
+     {ModelTerm::FilmBase, "film_base", "film's base", &ModelChoices::filmBase},
+     {ModelTerm::SampleCurvature, "curvature", "sample curvature", &ModelChoices::curvature,
+      &ForceModelOptions::curvature},
+     {ModelTerm::Friction, "friction", "friction", &ModelChoices::friction,
+      &ForceModelOptions::friction},
+     {ModelTerm::Torsion, "torsion", "lever torsion", &ModelChoices::torsion,
+      &ForceModelOptions::torsion},
+     {ModelTerm::MountTilt, "mount_tilt", "mount tilt", &ModelChoices::mountTilt,
+      &ForceModelOptions::mountTilt},
      {ModelTerm::GlobalSearch, "foot_search", "global search"},
      {ModelTerm::OutsideDisplacement, "deformation", "outside displacement"},
      {ModelTerm::HalfSpaceSolve, "deformation", "half-space solve"}});
 
 inline constexpr auto kModelTerms = kValues<ModelTerm>;
 
+/// Terms that a model simply has or has not, whatever its law.
+inline constexpr std::array kSwitchedTerms{ModelTerm::Friction, ModelTerm::Torsion,
+                                           ModelTerm::MountTilt, ModelTerm::SampleCurvature};
+
+[[nodiscard]] constexpr const ModelTermTraits& traitsOf(ModelTerm term) noexcept {
+    return *rowOf(term);
+}
+
 /// Whether the contact law has it or not.
-[[nodiscard]] bool isOfLaw(ModelTerm term) noexcept;
+[[nodiscard]] constexpr bool isOfLaw(ModelTerm term) noexcept {
+    return traitsOf(term).choice != nullptr && traitsOf(term).option == nullptr;
+}
 
 /// Whether the term is about the picture, not about the force.
-[[nodiscard]] bool isOfSurface(ModelTerm term) noexcept;
-
-/// Where a description says it; null for terms that are a matter of its foot search or deformation.
-[[nodiscard]] std::optional<bool> TermChoices::*choiceMember(ModelTerm term) noexcept;
-
-/// Whether the description itself says if the term is in.
-[[nodiscard]] bool isSettled(ModelTerm term, const SceneDescription& scene) noexcept;
+[[nodiscard]] constexpr bool isOfSurface(ModelTerm term) noexcept {
+    return term == ModelTerm::OutsideDisplacement || term == ModelTerm::HalfSpaceSolve;
+}
 
 /// Whether no contact law has both: the exact sphere's takes the sample as flat, the film's neither
 /// adheres nor is it of the exact sphere.
@@ -59,16 +85,12 @@ inline constexpr auto kModelTerms = kValues<ModelTerm>;
 /// Whether the sample has what the term is about: adhesion, a film.
 [[nodiscard]] bool isPossible(ModelTerm term, const SceneDescription& scene) noexcept;
 
-[[nodiscard]] bool has(const SceneModel& model, ModelTerm term) noexcept;
+[[nodiscard]] bool has(const ForceModelOptions& model, ModelTerm term) noexcept;
 
 /// The model less the term, as cheap as that makes it; the same where it is not in.
-[[nodiscard]] SceneModel without(SceneModel model, ModelTerm term);
+[[nodiscard]] ForceModelOptions without(ForceModelOptions model, ModelTerm term) noexcept;
 
 /// The model with the term added, in place of those that exclude it, see exclude().
-[[nodiscard]] SceneModel with(SceneModel model, ModelTerm term);
-
-/// The description with all that it leaves open as this model has it, so that it gives the same one
-/// again.
-[[nodiscard]] SceneDescription settled(SceneDescription scene, const SceneModel& model);
+[[nodiscard]] ForceModelOptions with(ForceModelOptions model, ModelTerm term) noexcept;
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #include "core/scene/Scene.h"
 
 #include "core/Error.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/SceneTruth.h"
 #include "core/scene/ShapeSample.h"
 #include "core/surface/InvalidPixels.h"
@@ -96,7 +97,7 @@ Ground groundOf(const SampleDescription& sample, Map map, Progress* progress) {
 
 Scene assemble(const SceneDescription& description, Ground ground) {
     (void)truthOf(description);  // a truth that is none is refused here, not by who runs the scene
-    const SceneModel model = usualModel(description);
+    const ForceModelOptions model = usualModel(description);
     return {.description = description,
             .removedPlane = ground.removedPlane,
             .surface = std::move(ground.surface),
@@ -150,7 +151,7 @@ Scene withMaterial(Scene scene, const SampleMaterial& material) {
                                   std::move(scene.certainty), std::move(scene.shape)});
 }
 
-void setModel(Scene& scene, const SceneModel& model) {
+void setModel(Scene& scene, const ForceModelOptions& model) {
     scene.belief = believedSystem(scene.description, model);
     scene.model = model;
 }

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "core/Progress.h"
+#include "core/probe/OpticalLever.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/TipEquilibrium.h"
+#include "core/scene/ForceModelOptions.h"
 #include "core/scene/SceneDescription.h"
-#include "core/scene/SceneModel.h"
 #include "core/scene/Settings.h"
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/HeightMap.h"
@@ -24,7 +25,7 @@ struct Scene {
     BSplineSurface surface;             ///< as it is drawn, and touched unless it is a shape
     CertaintyMap certainty;             ///< of the surface, where its imaging tip is known
     std::optional<NurbsSurface> shape;  ///< what the tip touches in place of `surface`
-    SceneModel model;                   ///< what the belief reckons with
+    ForceModelOptions model;            ///< what the belief reckons with
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
     Settings settings;         ///< that a run starts with
@@ -61,6 +62,6 @@ struct Scene {
 [[nodiscard]] Scene withMaterial(Scene scene, const SampleMaterial& material);
 
 /// Gives the scene another model. @throw Error as believedSystem()
-void setModel(Scene& scene, const SceneModel& model);
+void setModel(Scene& scene, const ForceModelOptions& model);
 
 }  // namespace asperity

@@ -134,7 +134,7 @@ ContactOptions contactOptions(const SceneDescription& scene, const SampleMateria
             .film = {.poissonRatio = material.elastic.poissonRatio,
                      .share = sampleShare(material.elastic, scene.tip.elastic)},
             .meniscus = scene.meniscus,
-            .solver = scene.solver};
+            .solver = scene.choices.solver};
 }
 
 void checkScene(const SceneDescription& scene) {

@@ -2,15 +2,13 @@
 
 #include "core/EnumTable.h"
 #include "core/contact/Material.h"
-#include "core/contact/laws/ContactModel.h"
+#include "core/contact/laws/ContactOptions.h"
 #include "core/probe/Cantilever.h"
 #include "core/probe/DetectorCalibration.h"
-#include "core/probe/ForceDecoupling.h"
-#include "core/probe/ProbeSystem.h"
+#include "core/probe/Friction.h"
+#include "core/scene/ModelChoices.h"
 #include "core/scene/Settings.h"
 #include "core/surface/Levelling.h"
-#include "core/surface/deformation/SurfaceDeformation.h"
-#include "core/surface/foot/SurfaceFoot.h"
 
 #include <cstdint>
 #include <optional>
@@ -76,18 +74,6 @@ struct TruthDescription {
     double temperature = 0.0;  ///< that shakes the lever [K]; 0: no thermal noise
 };
 
-/// Which terms the model of a scene has; none: those that the scene requires.
-struct TermChoices {
-    std::optional<bool> adhesion;
-    std::optional<bool> vanDerWaalsTail;
-    std::optional<bool> sphereCorrection;  ///< the exact sphere in place of its paraboloid
-    std::optional<bool> filmBase;          ///< under the sample, where that is a film
-    std::optional<bool> curvature;         ///< of the sample at the foot
-    std::optional<bool> friction;
-    std::optional<bool> torsion;    ///< of the lever
-    std::optional<bool> mountTilt;  ///< of the lever
-};
-
 /// Everything that a scene file says, with defaults filled in; units SI.
 struct SceneDescription {
     SampleDescription sample;
@@ -96,14 +82,9 @@ struct SceneDescription {
     DetectorCalibration detector;
     double signalSigma = 1e-7;  ///< what the estimator takes each signal's noise to be [rad]
     TruthDescription truth;
-    std::optional<ContactLaw> law;          ///< none: chosen, see chooseLaw()
     double cohesiveRange = kCohesiveRange;  ///< h0 of the Maugis laws [m]
     Meniscus meniscus;
-    SolverTier solver = SolverTier::Newton;
-    DecouplingTier decoupling = DecouplingTier::Estimator;
-    std::optional<FootEffort> footSearch;        ///< none: as the scene requires
-    std::optional<DeformationTier> deformation;  ///< none: as the scene requires
-    TermChoices terms;
+    ModelChoices choices;
     double tolerance = 0.05;   ///< by which terms left out may change forces and the surface
     double tickRate = 1000.0;  ///< [Hz]
     /// That a run starts with; scene files say those that have a key, see listSettings().

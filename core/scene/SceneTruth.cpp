@@ -10,7 +10,7 @@ InstrumentTruth truthOf(const SceneDescription& description) {
     probe.thickness = thicknessForStiffness(probe, truth.stiffness);
     const SampleMaterial& material = truth.material;
     const ContactPair pair = contactPair(description, material);
-    const LawChoice choice = chooseLaw(description.law, pair, material.filmThickness);
+    const LawChoice choice = chooseLaw(description.choices.law, pair, material.filmThickness);
     return {
         .system = {.contact = ContactModel(choice.law, pair, contactOptions(description, material)),
                    .cantilever = Cantilever(probe),

@@ -9,9 +9,10 @@ namespace asperity {
 
 namespace {
 
+/// Of foot search and deformation every choice can be.
 std::optional<bool> choice(const SceneDescription& scene, ModelTerm term) {
-    const auto member = choiceMember(term);
-    return member ? scene.terms.*member : std::nullopt;
+    const auto member = traitsOf(term).choice;
+    return member != nullptr ? scene.choices.*member : std::nullopt;
 }
 
 [[noreturn]] void refuse(ModelTerm term, const std::string& reason) {
@@ -38,13 +39,14 @@ void checkOn(const SceneDescription& scene, ModelTerm term) {
 void checkTerms(const SceneDescription& scene) {
     for (const ModelTerm term : kModelTerms) {
         const std::optional<bool> on = choice(scene, term);
-        if (on && isOfLaw(term) && scene.law) {
+        if (on && isOfLaw(term) && scene.choices.law) {
             throw Error(std::string("[fidelity]: ") + keyOf(term) +
-                        " is the matter of [physics] law, which is " + keyOf(*scene.law) +
+                        " is the matter of [physics] law, which is " + keyOf(*scene.choices.law) +
                         "; leave out one of them");
         }
-        if (on == true && term == ModelTerm::SampleCurvature && scene.law && isSphere(*scene.law)) {
-            refuse(term, std::string("[physics] law is ") + keyOf(*scene.law) +
+        if (on == true && term == ModelTerm::SampleCurvature && scene.choices.law &&
+            isSphere(*scene.choices.law)) {
+            refuse(term, std::string("[physics] law is ") + keyOf(*scene.choices.law) +
                              ", which takes the sample as flat");
         }
         if (on == true) {

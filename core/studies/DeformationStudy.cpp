@@ -41,8 +41,12 @@ HeightMap flatMap() {
 
 /// Both surfaces with the material and the law of the exact sphere.
 Scene sceneOf(Scene scene, const SampleMaterial& material) {
-    scene.description.law = ContactLaw::SphereMaugis;
-    scene.description.terms = {};  // a law settles its terms
+    const ModelChoices& said = scene.description.choices;
+    scene.description.choices = {.law = ContactLaw::SphereMaugis,  // it settles its terms
+                                 .solver = said.solver,
+                                 .footSearch = said.footSearch,
+                                 .decoupling = said.decoupling,
+                                 .deformation = said.deformation};
     return withMaterial(std::move(scene), material);
 }
 

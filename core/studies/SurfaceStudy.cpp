@@ -137,7 +137,7 @@ void doubt(const Scene& scene, const SolvedContacts& reference, TradeOffReferenc
     const SolvedContacts coarser =
         solvedContacts(scene, reference.states, HalfSpaceModel::kSamples);
     if (coarser.states.size() != reference.states.size()) {
-        result.surfaceDoubtBy = "the half-space of half as many pixels a side does not hold";
+        result.surfaceDoubtBy = SurfaceDoubt::CoarserFails;
         return;
     }
     SurfaceError error;
@@ -145,7 +145,7 @@ void doubt(const Scene& scene, const SolvedContacts& reference, TradeOffReferenc
         error.add(coarser.patches[i], reference.patches[i]);
     }
     result.surfaceDoubt = error.rms();
-    result.surfaceDoubtBy = "the half-space of half as many pixels a side against it";
+    result.surfaceDoubtBy = SurfaceDoubt::ByCoarser;
 }
 
 double rmsIndentation(const std::vector<TipState>& states) {
@@ -169,7 +169,7 @@ void studySurfaces(const Scene& scene, std::span<const TipState> states, const T
         doubt(scene, reference, result.reference);
     } else {
         reference = closedForms(scene, contacts);
-        result.reference.surfaceDoubtBy = "no half-space holds here, and nothing finer is known";
+        result.reference.surfaceDoubtBy = SurfaceDoubt::NothingFiner;
     }
     result.reference.halfSpaceForce = reference.forceError;
     result.reference.contacts = static_cast<int>(reference.states.size());

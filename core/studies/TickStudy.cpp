@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace asperity {
@@ -65,7 +64,7 @@ void TickStudy::chooseReference() {
         model_ = with(model_, ModelTerm::FilmBase);
     }
     reference_ = run(model_);
-    const SceneModel sphere = with(model_, ModelTerm::SphereCorrection);
+    const ForceModelOptions sphere = with(model_, ModelTerm::SphereCorrection);
     if (!has(model_, ModelTerm::FilmBase) && isLargeContact(largestContactRatio(reference_), 1.0)) {
         // That law takes the sample as flat: nothing to hold on to where it is not.
         if (ModelRun exact = run(sphere); !isCurved(exact)) {
@@ -75,13 +74,13 @@ void TickStudy::chooseReference() {
     }
 }
 
-std::vector<TickResult> TickStudy::measured(const std::vector<TickTier>& tiers) {
+std::vector<TickResult> TickStudy::measured(const std::vector<ForceModelOptions>& tiers) {
     std::vector<TickResult> results;
     std::vector<std::vector<double>> times(tiers.size());
     std::vector<std::vector<double>> medians(tiers.size());
     for (int round = 0; round < plan_.rounds; ++round) {
         for (std::size_t i = 0; i < tiers.size(); ++i) {
-            const ModelRun timed = run(modelWithTier(model_, tiers[i]));
+            const ModelRun timed = run(tiers[i]);
             times[i].insert(times[i].end(), timed.times.begin(), timed.times.end());
             medians[i].push_back(quantile(timed.times, 0.5));
             const auto done =
@@ -111,30 +110,25 @@ double TickStudy::missedBy(ModelTerm term) {
 }
 
 void TickStudy::describe(TradeOffReference& reference) {
-    reference.tick = tierOf(model_);
+    reference.tick = ofForce(model_);
     reference.tickMedian = quantile(reference_.times, 0.5);
     reference.forceScale = forceScale(reference_);
     reference.contactRatio = largestContactRatio(reference_);
     double sum = 0.0;
     for (const ModelTerm term : missingTerms(model_, scene_.description)) {
-        const double missed = missedBy(term);
-        sum += missed * missed;
-        char text[80];
-        std::snprintf(text, sizeof text, "%s%s %.2g nN",
-                      reference.forceDoubtBy.empty() ? "without " : ", ", nameOf(term),
-                      missed * 1e9);
-        reference.forceDoubtBy += text;
+        reference.missed.push_back({.term = term, .force = missedBy(term)});
+        sum += reference.missed.back().force * reference.missed.back().force;
     }
     reference.forceDoubt = std::sqrt(sum);
 }
 
-ModelRun TickStudy::run(const SceneModel& model) {
+ModelRun TickStudy::run(const ForceModelOptions& model) {
     setModel(scene_, model);
     return runModel(scene_, runs_, progress_);
 }
 
-TickResult TickStudy::resultOf(const TickTier& tier) {
-    const ModelRun done = run(modelWithTier(model_, tier));
+TickResult TickStudy::resultOf(const ForceModelOptions& tier) {
+    const ModelRun done = run(tier);
     const ForceDifference difference = differenceOf(done, reference_);
     return {.tier = tier,
             .forceErrorRms = difference.rms,

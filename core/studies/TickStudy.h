@@ -18,11 +18,11 @@ public:
     /// @param progress may be null  @throw Cancelled, there and in all that runs
     TickStudy(Scene& scene, const TradeOffPlan& plan, Progress* progress);
 
-    [[nodiscard]] const SceneModel& model() const { return model_; }  ///< of the reference
+    [[nodiscard]] const ForceModelOptions& model() const { return model_; }  ///< of the reference
     [[nodiscard]] const ModelRun& reference() const { return reference_; }
 
     /// The tiers, taking turns.
-    [[nodiscard]] std::vector<TickResult> measured(const std::vector<TickTier>& tiers);
+    [[nodiscard]] std::vector<TickResult> measured(const std::vector<ForceModelOptions>& tiers);
 
     /// Of the times measured so far, as a share: half of what the rounds of a tier differ by, and
     /// no less than what the next run of the program differs by.
@@ -32,8 +32,8 @@ public:
     void describe(TradeOffReference& reference);
 
 private:
-    [[nodiscard]] ModelRun run(const SceneModel& model);
-    [[nodiscard]] TickResult resultOf(const TickTier& tier);
+    [[nodiscard]] ModelRun run(const ForceModelOptions& model);
+    [[nodiscard]] TickResult resultOf(const ForceModelOptions& tier);
     /// What a term moves the force by that the reference has no room for, root mean square [N].
     [[nodiscard]] double missedBy(ModelTerm term);
     void chooseReference();
@@ -41,7 +41,7 @@ private:
     Scene& scene_;
     TradeOffPlan plan_;
     Progress* progress_;
-    SceneModel model_;
+    ForceModelOptions model_;
     std::vector<RecordedRun> runs_;
     ModelRun reference_;
     std::vector<double> spreads_;  ///< of each tier's rounds

@@ -22,25 +22,25 @@ public:
         setModel(scene_, model_);
     }
 
-    [[nodiscard]] const SceneModel& model() const { return model_; }
+    [[nodiscard]] const ForceModelOptions& model() const { return model_; }
 
 private:
     Scene& scene_;
-    SceneModel model_;
+    ForceModelOptions model_;
     double tickRate_;
 };
 
 /// The scene's own way with both ways from signals to force.
-std::vector<TickTier> decouplingTiers(const SceneModel& model) {
-    TickTier planar = tierOf(model);
+std::vector<ForceModelOptions> decouplingTiers(const ForceModelOptions& model) {
+    ForceModelOptions planar = ofForce(model);
     planar.decoupling = DecouplingTier::Planar;
-    TickTier estimating = planar;
+    ForceModelOptions estimating = planar;
     estimating.decoupling = DecouplingTier::Estimator;
     return {planar, estimating};
 }
 
-void measureTicks(TickStudy& study, std::vector<TickTier> tiers,
-                  const std::vector<TickTier>& decouplings, TradeOff& result) {
+void measureTicks(TickStudy& study, std::vector<ForceModelOptions> tiers,
+                  const std::vector<ForceModelOptions>& decouplings, TradeOff& result) {
     const auto count = static_cast<std::ptrdiff_t>(tiers.size());
     tiers.insert(tiers.end(), decouplings.begin(), decouplings.end());
     const std::vector<TickResult> all = study.measured(tiers);
@@ -57,9 +57,9 @@ TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan, Progress* progres
     const SceneKept before(scene);
     TradeOff result;
     ProgressPart ticking(progress, 0.0, 0.8);
-    std::vector<TickTier> tiers = tickTiers(scene);
+    std::vector<ForceModelOptions> tiers = tickTiers(scene);
     TickStudy ticks(scene, plan, &ticking);
-    tiers.push_back(tierOf(ticks.model()));
+    tiers.push_back(ofForce(ticks.model()));
     measureTicks(ticks, tiers, decouplingTiers(before.model()), result);
     setModel(scene, ticks.model());
     ProgressPart drawing(progress, 0.8, 0.95);

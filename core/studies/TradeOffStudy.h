@@ -1,18 +1,19 @@
 #pragma once
 
 #include "core/Progress.h"
-#include "core/fidelity/FidelityTier.h"
+#include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
 #include "core/studies/Pareto.h"
+#include "core/studies/TradeOffTiers.h"
 
-#include <string>
+#include <cstdint>
 #include <vector>
 
 namespace asperity {
 
 /// What one way for the tick costs and how far it is from the reference on the same inputs.
 struct TickResult {
-    TickTier tier;
+    ForceModelOptions tier;
     double median = 0.0;              ///< of one tick [s]
     double p99 = 0.0;                 ///< [s]
     double forceErrorRms = 0.0;       ///< of the model force's vector over the runs [N]
@@ -43,20 +44,33 @@ struct RateResult {
     double holdErrorRms = 0.0;  ///< of the held force against ticks without end [N]
 };
 
+/// A term that the reference's law has no room for, and what it moves the force by.
+struct MissedTerm {
+    ModelTerm term = ModelTerm::Adhesion;
+    double force = 0.0;  ///< root mean square [N]
+};
+
+/// How it is known how far the reference's surface may be off.
+enum class SurfaceDoubt : std::uint8_t {
+    ByCoarser,     ///< by a half-space of half as many pixels a side
+    CoarserFails,  ///< not at all: that one does not hold
+    NothingFiner,  ///< not at all: no half-space holds, and nothing finer is known
+};
+
 /// The reference, and how far it may be off itself, by a finer one.
 struct TradeOffReference {
-    TickTier tick;
+    ForceModelOptions tick;
     FrameTier frame;
-    double tickMedian = 0.0;     ///< [s]
-    double forceScale = 0.0;     ///< root mean square of its force over the runs [N]
-    double contactRatio = 0.0;   ///< largest contact radius over tip radius
-    int contacts = 0;            ///< at which pictures are compared: those where it holds
-    int contactsAsked = 0;       ///< of so many
-    double indentation = 0.0;    ///< root mean square over these contacts [m]
-    double forceDoubt = 0.0;     ///< root mean square [N]
-    double surfaceDoubt = 0.0;   ///< root mean square [m]
-    std::string forceDoubtBy;    ///< the terms that its law has no room for; empty: none
-    std::string surfaceDoubtBy;  ///< what was compared
+    double tickMedian = 0.0;         ///< [s]
+    double forceScale = 0.0;         ///< root mean square of its force over the runs [N]
+    double contactRatio = 0.0;       ///< largest contact radius over tip radius
+    int contacts = 0;                ///< at which pictures are compared: those where it holds
+    int contactsAsked = 0;           ///< of so many
+    double indentation = 0.0;        ///< root mean square over these contacts [m]
+    double forceDoubt = 0.0;         ///< root mean square [N]
+    double surfaceDoubt = 0.0;       ///< root mean square [m]
+    std::vector<MissedTerm> missed;  ///< forceDoubt, by term
+    SurfaceDoubt surfaceDoubtBy = SurfaceDoubt::NothingFiner;
     /// Of the normal force against the half-space's own, at the contacts where that holds, root
     /// mean square [N].
     double halfSpaceForce = 0.0;

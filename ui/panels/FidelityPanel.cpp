@@ -29,7 +29,7 @@ public:
 };
 
 /// Whether both reckon with the same force; a chart shows no other ways to decouple.
-bool isSameTick(TickTier a, const TickTier& b) {
+bool isSameTick(ForceModelOptions a, const ForceModelOptions& b) {
     a.decoupling = b.decoupling;
     return a == b;
 }
@@ -39,7 +39,7 @@ TradeOffPoints pointsOf(const TradeOff& study) {
     for (const TickResult& result : study.ticks) {
         shown.points.push_back({.time = result.median,
                                 .error = result.forceErrorRms,
-                                .name = QString::fromStdString(result.tier.name()),
+                                .name = QString::fromStdString(nameOf(result.tier)),
                                 .onFront = result.onFront});
     }
     return shown;
@@ -135,13 +135,12 @@ void FidelityPanel::connectPerson() {
         }
     });
     connect(chart_, &TradeOffChart::picked, this, [this](int index) {
-        const TickTier tier = study_->ticks.at(static_cast<std::size_t>(index)).tier;
+        const ForceModelOptions tier = study_->ticks.at(static_cast<std::size_t>(index)).tier;
         Q_EMIT tierPicked(tier);
     });
 }
 
-void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choices,
-                              const TickTier& now) {
+void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choices) {
     terms_->show(needs, choices);
     const QSignalBlocker blocker(tolerance_);
     tolerance_->setValue(100.0 * needs.tolerance);
@@ -149,7 +148,7 @@ void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choic
                           .arg(QString::fromStdString(forceErrorText(needs)))
                           .arg(1e6 * needs.modelTick, 0, 'f', 2)
                           .arg(1e6 * needs.fullTick, 0, 'f', 2));
-    now_ = now;
+    now_ = ofForce(needs.model);
     showCurrent();
 }
 
@@ -188,7 +187,7 @@ void FidelityPanel::showCurrent() {
 /// What the numbers in the chart stand for, and the ring.
 QString FidelityPanel::keyText() const {
     QString text = tr("<p><span style='color:%1'><b>◯</b></span> now: %2</p>")
-                       .arg(QColor(theme::kOrange).name(), QString::fromStdString(now_.name()));
+                       .arg(QColor(theme::kOrange).name(), QString::fromStdString(nameOf(now_)));
     if (!study_) {
         return text;
     }

@@ -24,8 +24,7 @@ class FidelityPanel : public QWidget {
 public:
     explicit FidelityPanel(QWidget* parent = nullptr);
 
-    /// @param now the way that ticks go at present
-    void showModel(const SceneNeeds& needs, const ModelChoices& choices, const TickTier& now);
+    void showModel(const SceneNeeds& needs, const ModelChoices& choices);
     /// None: the chart is empty.
     void showTradeOff(const std::optional<TradeOff>& study);
     [[nodiscard]] const std::optional<TradeOff>& tradeOff() const { return study_; }
@@ -36,7 +35,7 @@ Q_SIGNALS:
     /// @param on none: as the scene requires
     void termChosen(asperity::ModelTerm term, std::optional<bool> on);
     void toleranceChosen(double share);  ///< of forces and of indentations
-    void tierPicked(const asperity::TickTier& tier);
+    void tierPicked(const asperity::ForceModelOptions& tier);
     void automaticRequested();  ///< nothing shall be overruled
     void measureRequested();
     void stopRequested();  ///< of the study under way
@@ -56,7 +55,7 @@ private:
     QLabel* key_;
     QPushButton* measure_;
     std::optional<TradeOff> study_;
-    TickTier now_;
+    ForceModelOptions now_;  ///< of ticks at present
     std::optional<double> measuring_;
 };
 

@@ -113,10 +113,10 @@ void TermTable::showNeed(int row, const TermNeed& need) {
 void TermTable::showChoice(int row, const ModelChoices& choices) {
     const auto index = static_cast<std::size_t>(row);
     QComboBox& combo = *choices_.at(index);
-    lawIsGiven_ = choices.lawIsGiven;
+    lawIsGiven_ = choices.law.has_value();
     const bool byLaw = lawIsGiven_ && isOfLaw(kModelTerms.at(index));
     combo.setItemText(Auto, byLaw ? tr("as the law says") : tr("auto"));
-    combo.setCurrentIndex(itemOf(choices.terms.at(index)));
+    combo.setCurrentIndex(itemOf(asperity::choiceOf(kModelTerms.at(index), choices)));
     combo.setEnabled(true);
 }
 

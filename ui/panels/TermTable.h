@@ -11,12 +11,6 @@ class QComboBox;
 
 namespace asperity {
 
-/// What the scene says of its model; none: as the scene requires.
-struct ModelChoices {
-    std::array<std::optional<bool>, kModelTerms.size()> terms;  ///< in the order of kModelTerms
-    bool lawIsGiven = false;  ///< it says whether the terms of the law are in
-};
-
 /// The terms of the model, one a row: whether it is in, what it is worth and why. The person may
 /// overrule each.
 class TermTable : public QTableWidget {

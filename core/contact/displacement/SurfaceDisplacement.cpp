@@ -1,6 +1,8 @@
 #include "core/contact/displacement/SurfaceDisplacement.h"
 
 #include "core/contact/Within.h"
+#include "core/contact/laws/AttractiveTail.h"
+#include "core/contact/laws/SplitLaw.h"
 #include "core/contact/numerics/EllipticIntegrals.h"
 
 #include <algorithm>

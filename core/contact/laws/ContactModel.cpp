@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/contact/Within.h"
-#include "core/contact/laws/OnAlternative.h"
+#include "core/contact/laws/JoinedLaws.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,8 +76,9 @@ std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& p
 ContactModel::ContactModel(ContactLaw law, const ContactPair& pair, const ContactOptions& options)
     : ContactModel(checked(law, pair, options)) {}
 
-ContactModel::ContactModel(const Checked& given) noexcept
-    : given_(given), joined_(joinedLaw(given)) {}
+ContactModel::ContactModel(const Checked& given) noexcept : given_(given) {
+    new (joined_.data()) Joined(joinedLaw(given));
+}
 
 ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& pair,
                                             ContactOptions options) {
@@ -92,15 +93,15 @@ ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& p
 ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
     const ContactPair& pair = given.pair;
     const auto sudden = [](const auto& bonded) {
-        return Joined(JoinedLaw(NoTail(bonded.onset()), bonded));
+        return Joined{JoinedLaw(NoTail(bonded.onset()), bonded)};
     };
     const auto tailed = [](const AttractiveTail& tail, const auto& bonded) {
-        return Joined(JoinedLaw(WithTail(tail), bonded));
+        return Joined{JoinedLaw(WithTail(tail), bonded)};
     };
     if (isFilm(given.law)) {
-        return sudden(FilmLaw(pair, given.options.filmThickness, given.film));
+        return sudden(FilmLaw(pair, given.options.filmThickness, *given.film));
     }
-    const MaugisSolver solver{given.options.solver, given.table};
+    const MaugisSolver solver{given.options.solver, given.table.get()};
     const bool adhesive = pair.workOfAdhesion >= kSmallestAdhesion;
     if (given.law == ContactLaw::Sneddon || (isSphere(given.law) && !adhesive)) {
         return sudden(SneddonLaw(pair));
@@ -150,9 +151,8 @@ ContactState ContactModel::equilibrium(double approach, double compliance,
 
 ContactState ContactModel::bare(double approach, double compliance,
                                 const ContactMemory& memory) const noexcept {
-    return onAlternative(
-        [&](const auto& joined) { return joined.equilibrium(approach, compliance, memory); },
-        joined_);
+    return onJoined(
+        [&](const auto& joined) { return joined.equilibrium(approach, compliance, memory); });
 }
 
 double ContactModel::jumpInApproach(double compliance) const noexcept {
@@ -160,15 +160,14 @@ double ContactModel::jumpInApproach(double compliance) const noexcept {
     if (given_.options.meniscus.present()) {
         return wettedEnd(soft).approach;
     }
-    return onAlternative([&](const auto& joined) { return joined.jumpInApproach(soft); }, joined_);
+    return onJoined([&](const auto& joined) { return joined.jumpInApproach(soft); });
 }
 
 double ContactModel::pullOffApproach(double compliance) const noexcept {
     const double soft = nearestCompliance(compliance);
     const Meniscus& meniscus = given_.options.meniscus;
     const double pull = meniscus.present() ? meniscus.pull(given_.pair.tipRadius) : 0.0;
-    return onAlternative([&](const auto& joined) { return joined.pullOffApproach(soft); },
-                         joined_) -
+    return onJoined([&](const auto& joined) { return joined.pullOffApproach(soft); }) -
            (soft * pull);
 }
 
@@ -177,13 +176,12 @@ ContactState ContactModel::lastFar(double compliance) const noexcept {
     if (given_.options.meniscus.present()) {
         return equilibrium(wettedEnd(soft).approach, soft, {});
     }
-    return onAlternative([&](const auto& joined) { return joined.lastFar(soft); }, joined_);
+    return onJoined([&](const auto& joined) { return joined.lastFar(soft); });
 }
 
 ContactState ContactModel::lastBonded(double compliance) const noexcept {
     const double soft = nearestCompliance(compliance);
-    const ContactState last =
-        onAlternative([&](const auto& joined) { return joined.lastBonded(soft); }, joined_);
+    const ContactState last = onJoined([&](const auto& joined) { return joined.lastBonded(soft); });
     return given_.options.meniscus.present() ? wetted(last) : last;
 }
 
@@ -195,15 +193,13 @@ double ContactModel::widestFilmContact() const noexcept {
 }
 
 double ContactModel::cohesiveStress() const noexcept {
-    return onAlternative(
-        [](const auto& joined) {
-            if constexpr (requires { joined.bonded().cohesiveStress(); }) {
-                return joined.bonded().cohesiveStress();
-            } else {
-                return 0.0;
-            }
-        },
-        joined_);
+    return onJoined([](const auto& joined) {
+        if constexpr (requires { joined.bonded().cohesiveStress(); }) {
+            return joined.bonded().cohesiveStress();
+        } else {
+            return 0.0;
+        }
+    });
 }
 
 double ContactModel::cohesiveRange() const noexcept {
@@ -217,39 +213,33 @@ double ContactModel::cohesiveRange() const noexcept {
 }
 
 const AttractiveTail* ContactModel::tail() const noexcept {
-    return onAlternative(
-        [](const auto& joined) -> const AttractiveTail* {
-            if constexpr (requires { joined.separate().tail(); }) {
-                return &joined.separate().tail();
-            } else {
-                return nullptr;
-            }
-        },
-        joined_);
+    return onJoined([](const auto& joined) -> const AttractiveTail* {
+        if constexpr (requires { joined.separate().tail(); }) {
+            return &joined.separate().tail();
+        } else {
+            return nullptr;
+        }
+    });
 }
 
 const AdhesionSplit* ContactModel::split() const noexcept {
-    return onAlternative(
-        [](const auto& joined) -> const AdhesionSplit* {
-            if constexpr (requires { joined.bonded().split(); }) {
-                return &joined.bonded().split();
-            } else {
-                return nullptr;
-            }
-        },
-        joined_);
+    return onJoined([](const auto& joined) -> const AdhesionSplit* {
+        if constexpr (requires { joined.bonded().split(); }) {
+            return &joined.bonded().split();
+        } else {
+            return nullptr;
+        }
+    });
 }
 
 double ContactModel::lambda() const noexcept {
-    return onAlternative(
-        [](const auto& joined) {
-            if constexpr (requires { joined.bonded().lambda(); }) {
-                return joined.bonded().lambda();
-            } else {
-                return 0.0;
-            }
-        },
-        joined_);
+    return onJoined([](const auto& joined) {
+        if constexpr (requires { joined.bonded().lambda(); }) {
+            return joined.bonded().lambda();
+        } else {
+            return 0.0;
+        }
+    });
 }
 
 }  // namespace asperity

@@ -3,36 +3,19 @@
 #include "core/contact/ContactState.h"
 #include "core/contact/Material.h"
 #include "core/contact/laws/ContactLaw.h"
-#include "core/contact/laws/DmtLaw.h"
-#include "core/contact/laws/FilmLaw.h"
-#include "core/contact/laws/HertzLaw.h"
-#include "core/contact/laws/JkrLaw.h"
-#include "core/contact/laws/JoinedLaw.h"
-#include "core/contact/laws/MaugisLaw.h"
-#include "core/contact/laws/Meniscus.h"
-#include "core/contact/laws/SneddonLaw.h"
-#include "core/contact/laws/SphereJkrLaw.h"
-#include "core/contact/laws/SphereMaugisLaw.h"
-#include "core/contact/laws/SplitLaw.h"
+#include "core/contact/laws/ContactOptions.h"
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
-#include <variant>
 
 namespace asperity {
 
-/// Range of the cohesive stress that is taken where a scene names none, h0 = D0 (sqrt(10) - 1) [m].
-/// Source: docs/theory.md 1, 3.4.
-inline constexpr double kCohesiveRange = 0.35677581392778259e-9;
-
-/// What a contact may have besides a law and a pair of materials.
-struct ContactOptions {
-    double cohesiveStress = 0.0;  ///< sigma0 of the Maugis laws [Pa]; 0: w / kCohesiveRange
-    double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space
-    FilmElasticity film;          ///< of that film; by default incompressible, under a rigid tip
-    Meniscus meniscus;            ///< by default none
-    SolverTier solver = SolverTier::Newton;
-};
+class AttractiveTail;
+class FilmTable;
+class MaugisTable;
+struct AdhesionSplit;
 
 /// One contact law by name for one material pair, in SI units: constant after construction (about a
 /// microsecond; the first of a film some 40 ms, see sharedFilmTable()), no allocation, never throws
@@ -93,14 +76,6 @@ public:
     [[nodiscard]] const AdhesionSplit* split() const noexcept;
 
 private:
-    template <class Bonded>
-    using Sudden = JoinedLaw<NoTail, Bonded>;
-    template <class Bonded>
-    using Tailed = JoinedLaw<WithTail, Bonded>;
-    using Joined = std::variant<Sudden<HertzLaw>, Sudden<DmtLaw>, Sudden<JkrLaw>, Sudden<MaugisLaw>,
-                                Sudden<SneddonLaw>, Sudden<SphereJkrLaw>, Sudden<SphereMaugisLaw>,
-                                Sudden<FilmLaw>, Tailed<SplitLaw>, Tailed<SphereSplitLaw>>;
-
     struct Checked {
         ContactLaw law;
         ContactPair pair;
@@ -112,7 +87,13 @@ private:
 
     [[nodiscard]] static Checked checked(ContactLaw law, const ContactPair& pair,
                                          ContactOptions options);
+    /// The law joined to its tail, see JoinedLaws.h: this header does not know the laws.
+    struct Joined;
     [[nodiscard]] static Joined joinedLaw(const Checked& given) noexcept;
+    [[nodiscard]] const Joined& joined() const noexcept;
+    /// Calls a visitor with the JoinedLaw.
+    template <class Visitor>
+    auto onJoined(const Visitor& visitor) const noexcept;
 
     /// End of the branch of separate bodies under water.
     struct WettedEnd {
@@ -142,8 +123,10 @@ private:
                                             const ContactMemory& memory) const noexcept;
     [[nodiscard]] double energy(const ContactState& wetted, double compliance) const noexcept;
 
+    static constexpr std::size_t kJoinedSize = 384;  ///< [bytes]
+
     Checked given_;
-    Joined joined_;
+    alignas(double) std::array<std::byte, kJoinedSize> joined_;
 };
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/contact/laws/FilmElasticity.h"
 #include "core/contact/numerics/GradedCells.h"
 
 #include <array>
@@ -8,16 +9,6 @@
 #include <vector>
 
 namespace asperity {
-
-/// Elasticity of a film on a rigid base under a tip.
-struct FilmElasticity {
-    double poissonRatio = 0.5;  ///< of the film, 0 .. 0.5
-    /// The film's part of the compliance 1 / E* that both bodies would have as half-spaces, 0 .. 1;
-    /// the tip, an elastic half-space, has the rest. 1: a rigid tip.
-    double share = 1.0;
-
-    bool operator==(const FilmElasticity&) const = default;
-};
 
 /// Number of terms of the profile of a film contact.
 inline constexpr std::size_t kFilmProfileTerms = 10;

@@ -1,15 +1,12 @@
 #include "core/contact/laws/FilmLaw.h"
 
-#include <utility>
-
 namespace asperity {
 
-FilmLaw::FilmLaw(const ContactPair& pair, double thickness,
-                 std::shared_ptr<const FilmTable> table) noexcept
+FilmLaw::FilmLaw(const ContactPair& pair, double thickness, const FilmTable& table) noexcept
     : thickness_(thickness)
     , indentationUnit_(thickness * (thickness / pair.tipRadius))
     , stiffnessUnit_(pair.reducedModulus * thickness)
-    , table_(std::move(table)) {}
+    , table_(&table) {}
 
 LawPoint FilmLaw::fold(double /*compliance*/) const noexcept { return {}; }
 

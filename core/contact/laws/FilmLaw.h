@@ -4,7 +4,6 @@
 #include "core/contact/laws/FilmTable.h"
 #include "core/contact/laws/LawPoint.h"
 
-#include <memory>
 #include <optional>
 
 namespace asperity {
@@ -15,9 +14,8 @@ namespace asperity {
 class FilmLaw {
 public:
     /// @param thickness of the film [m], > 0
-    /// @param table     of the film's Poisson ratio
-    FilmLaw(const ContactPair& pair, double thickness,
-            std::shared_ptr<const FilmTable> table) noexcept;
+    /// @param table     of the film's Poisson ratio; must outlive the law
+    FilmLaw(const ContactPair& pair, double thickness, const FilmTable& table) noexcept;
 
     // As LawPoint.h has it; the branch ends where the bodies part.
     [[nodiscard]] LawPoint fold(double compliance) const noexcept;
@@ -29,7 +27,7 @@ private:
     double thickness_;        ///< [m]
     double indentationUnit_;  ///< t^2 / R [m]
     double stiffnessUnit_;    ///< E* t [N/m]
-    std::shared_ptr<const FilmTable> table_;
+    const FilmTable* table_;
 };
 
 }  // namespace asperity

@@ -1,6 +1,8 @@
 #include "core/contact/laws/LawChoice.h"
 
-#include "core/contact/laws/ContactModel.h"
+#include "core/contact/ContactStatus.h"
+#include "core/contact/laws/ContactOptions.h"
+#include "core/contact/laws/MaugisLaw.h"
 #include "core/contact/maugis/MaugisDugdale.h"
 #include "core/contact/maugis/MaugisUnits.h"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace asperity {
 
@@ -20,7 +19,7 @@ MaugisLaw::MaugisLaw(const ContactPair& pair, double cohesiveStress, MaugisSolve
     : units_(maugisUnits(pair))
     , cohesiveStress_(creditedStress(units_, cohesiveStress))
     , curve_(transitionParameter(units_, cohesiveStress_))
-    , solver_(std::move(solver)) {}
+    , solver_(solver) {}
 
 double MaugisLaw::range() const noexcept { return curve_.curve().range() * units_.indentation; }
 
@@ -52,7 +51,7 @@ std::optional<LawPoint> MaugisLaw::stable(double approach, double compliance,
                                           double coordinate) const noexcept {
     const MaugisControl held = control(compliance);
     const double value = approach / units_.indentation;
-    if (solver_.tier == SolverTier::Table && solver_.table) {
+    if (solver_.tier == SolverTier::Table && solver_.table != nullptr) {
         const auto state = solver_.table->stable(curve_, held.perForce, value, coordinate);
         return state ? std::optional(inSi(*state)) : std::nullopt;
     }

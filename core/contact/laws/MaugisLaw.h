@@ -7,7 +7,6 @@
 #include "core/contact/maugis/MaugisTable.h"
 #include "core/contact/maugis/MaugisUnits.h"
 
-#include <memory>
 #include <optional>
 
 namespace asperity {
@@ -15,7 +14,7 @@ namespace asperity {
 /// How the states of MaugisLaw along a way are found.
 struct MaugisSolver {
     SolverTier tier = SolverTier::Exact;
-    std::shared_ptr<const MaugisTable> table = {};  ///< null: none covers the law
+    const MaugisTable* table = nullptr;  ///< must outlive the law; null: none covers it
 };
 
 /// Maugis-Dugdale in SI: a cohesive zone of constant stress around the contact, and without contact

@@ -1,7 +1,6 @@
 #include "core/contact/laws/SplitLaw.h"
 
 #include <cmath>
-#include <utility>
 
 namespace asperity {
 
@@ -42,7 +41,7 @@ AdhesionSplit adhesionSplit(const ContactPair& pair, const AttractiveTail& tail)
 SplitLaw splitLaw(const ContactPair& pair, const AttractiveTail& tail,
                   MaugisSolver solver) noexcept {
     const AdhesionSplit split = adhesionSplit(pair, tail);
-    return {split, MaugisLaw(pairOfZone(pair, split), split.cohesiveStress, std::move(solver))};
+    return {split, MaugisLaw(pairOfZone(pair, split), split.cohesiveStress, solver)};
 }
 
 SphereSplitLaw sphereSplitLaw(const ContactPair& pair, const AttractiveTail& tail) noexcept {

@@ -2,8 +2,7 @@
 // the bodies are bonded and a straight line of the gap before, so that each equilibrium is one of
 // the bare law on a lever that is moved, or moved and softened.
 
-#include "core/contact/laws/ContactModel.h"
-#include "core/contact/laws/OnAlternative.h"
+#include "core/contact/laws/JoinedLaws.h"
 
 #include <algorithm>
 
@@ -34,8 +33,7 @@ ContactState ContactModel::wetted(ContactState state) const noexcept {
 ContactModel::WettedEnd ContactModel::wettedEnd(double compliance) const noexcept {
     const Meniscus& meniscus = given_.options.meniscus;
     const auto jumpIn = [this](double soft) {
-        return onAlternative([&](const auto& joined) { return joined.jumpInApproach(soft); },
-                             joined_);
+        return onJoined([&](const auto& joined) { return joined.jumpInApproach(soft); });
     };
     const double dry = jumpIn(compliance);
     if (bare(dry, compliance, {}).indentation <= -meniscus.range) {
@@ -84,7 +82,7 @@ double ContactModel::energy(const ContactState& wetted, double compliance) const
     const bool bonded = wetted.branch == ContactBranch::Bonded;
     ContactState dry = wetted;
     dry.force -= bonded ? -meniscus.pull(radius) : meniscus.force(radius, wetted.indentation);
-    return onAlternative([&](const auto& joined) { return joined.bodyEnergy(dry); }, joined_) +
+    return onJoined([&](const auto& joined) { return joined.bodyEnergy(dry); }) +
            meniscus.energy(radius, wetted.indentation, bonded) +
            leverEnergy(wetted.force, compliance);
 }

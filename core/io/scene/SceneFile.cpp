@@ -133,7 +133,7 @@ TruthDescription readTruth(TomlSection section, const SceneDescription& scene) {
 }
 
 void readPhysics(TomlSection section, SceneDescription& scene) {
-    scene.law = choiceOrNone(section, "law", scene.law);
+    scene.choices.law = choiceOrNone(section, "law", scene.choices.law);
     scene.cohesiveRange = section.number("cohesive_range_m", scene.cohesiveRange);
     Meniscus& meniscus = scene.meniscus;
     meniscus.surfaceTension = section.number("meniscus_tension_n_m", meniscus.surfaceTension);
@@ -144,14 +144,15 @@ void readPhysics(TomlSection section, SceneDescription& scene) {
 
 void readFidelity(TomlSection section, SceneDescription& scene) {
     scene.tolerance = section.number("tolerance", scene.tolerance);
-    scene.solver = choice(section, "contact_solver", scene.solver);
-    scene.decoupling = choice(section, "decoupling", scene.decoupling);
-    scene.deformation = choiceOrNone(section, "deformation", scene.deformation);
-    scene.footSearch = choiceOrNone(section, "foot_search", scene.footSearch);
-    for (const ModelTerm term : kModelTerms) {
-        if (const auto member = choiceMember(term)) {
-            std::optional<bool>& value = scene.terms.*member;
-            value = choiceOrNone(section, keyOf(term), value);
+    ModelChoices& model = scene.choices;
+    model.solver = choice(section, "contact_solver", model.solver);
+    model.decoupling = choice(section, "decoupling", model.decoupling);
+    model.deformation = choiceOrNone(section, "deformation", model.deformation);
+    model.footSearch = choiceOrNone(section, "foot_search", model.footSearch);
+    for (const ModelTermTraits& term : kEnumTable<ModelTerm>) {
+        if (term.choice != nullptr) {
+            std::optional<bool>& value = model.*term.choice;
+            value = choiceOrNone(section, term.key, value);
         }
     }
     section.refuseUnknownKeys();
@@ -236,14 +237,15 @@ toml::table probeSectionTable(const SceneDescription& scene) {
 }
 
 toml::table fidelityTable(const SceneDescription& scene) {
+    const ModelChoices& model = scene.choices;
     toml::table table{{"tolerance", scene.tolerance},
-                      {"contact_solver", keyOf(scene.solver)},
-                      {"decoupling", keyOf(scene.decoupling)},
-                      {"deformation", keyOf(scene.deformation)},
-                      {"foot_search", keyOf(scene.footSearch)}};
-    for (const ModelTerm term : kModelTerms) {
-        if (const auto member = choiceMember(term)) {
-            table.insert(keyOf(term), keyOf(scene.terms.*member));
+                      {"contact_solver", keyOf(model.solver)},
+                      {"decoupling", keyOf(model.decoupling)},
+                      {"deformation", keyOf(model.deformation)},
+                      {"foot_search", keyOf(model.footSearch)}};
+    for (const ModelTermTraits& term : kEnumTable<ModelTerm>) {
+        if (term.choice != nullptr) {
+            table.insert(term.key, keyOf(model.*term.choice));
         }
     }
     return table;
@@ -296,7 +298,7 @@ std::string sceneText(const SceneDescription& scene) {
                             {"poisson_ratio", scene.tip.elastic.poissonRatio}}},
         {"probe", probeSectionTable(scene)},
         {"truth", truthTable(scene.truth)},
-        {"physics", toml::table{{"law", keyOf(scene.law)},
+        {"physics", toml::table{{"law", keyOf(scene.choices.law)},
                                 {"cohesive_range_m", scene.cohesiveRange},
                                 {"meniscus_tension_n_m", scene.meniscus.surfaceTension},
                                 {"meniscus_angle_rad", scene.meniscus.contactAngle},

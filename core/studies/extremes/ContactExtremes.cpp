@@ -1,5 +1,6 @@
 #include "core/studies/extremes/ContactExtremes.h"
 
+#include "core/contact/maugis/MaugisTable.h"
 #include "core/scene/ContactValidity.h"
 #include "core/studies/extremes/ContactDefect.h"
 #include "core/studies/extremes/ContactErrors.h"

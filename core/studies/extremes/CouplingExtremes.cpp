@@ -34,7 +34,7 @@ Scene sceneOf(const HoldBench& bench, double signalNoise) {
     scene.truth.stiffness = bench.leverStiffness;
     scene.probe.thickness = thicknessForStiffness(scene.probe, bench.leverStiffness);
     scene.tickRate = bench.tickRate;
-    scene.law = ContactLaw::Split;
+    scene.choices.law = ContactLaw::Split;
     return buildScene(
         scene, flatMap({.columns = kPixels, .rows = kPixels, .sizeX = kSize, .sizeY = kSize}));
 }

@@ -58,7 +58,4 @@ struct HoldOutcome {
     std::string refusal;      ///< the program's sentence; empty where there is none
 };
 
-/// A sentence with X for every quantity, so that refusals of one kind can be counted.
-[[nodiscard]] std::string kindOf(const std::string& sentence);
-
 }  // namespace asperity

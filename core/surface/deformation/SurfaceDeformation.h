@@ -2,14 +2,15 @@
 
 #include "core/EnumTable.h"
 #include "core/Vector.h"
-#include "core/surface/BSplineSurface.h"
+#include "core/surface/deformation/DeformationTier.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <vector>
 
 namespace asperity {
+
+class BSplineSurface;
 
 /// A piece of the surface around the contact, sampled finely: where it lies at rest and where the
 /// tip has moved it. Grids are row-major, bottom row (smallest y) first; world frame [m].
@@ -25,21 +26,6 @@ struct SurfacePatch {
                static_cast<std::size_t>(column);
     }
 };
-
-/// How the surface around the contact is moved.
-enum class DeformationTier : std::uint8_t {
-    FourPoint,      ///< the four control points around the foot, by the indentation: cheap
-    ContactRadius,  ///< control points within the contact radius onto the tip: the paper's choice
-    ClosedForm,     ///< every point by the contact model's displacement, also outside the contact
-    HalfSpace,      ///< every point by boundary elements on the real topography around the foot
-};
-
-template <>
-inline constexpr auto kEnumTable<DeformationTier> = std::to_array<EnumRow<DeformationTier>>(
-    {{DeformationTier::FourPoint, "four_point", "four points"},
-     {DeformationTier::ContactRadius, "contact_radius", "contact radius"},
-     {DeformationTier::ClosedForm, "closed_form", "closed form"},
-     {DeformationTier::HalfSpace, "half_space", "half-space"}});
 
 /// Where tip and surface meet; world frame.
 struct TipContact {
@@ -80,12 +66,6 @@ struct PatchGrid {
 /// The patch around the contact, each point moved by a field. @throw Error as above
 [[nodiscard]] SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
                                          const PatchGrid& grid, const DisplacementField& field);
-
-/// Whether the tier shares the displacement between sample and tip; the others move the sample
-/// alone.
-[[nodiscard]] constexpr bool sharesDisplacement(DeformationTier tier) noexcept {
-    return tier == DeformationTier::ClosedForm || tier == DeformationTier::HalfSpace;
-}
 
 inline constexpr int kMostPatchSamples = 2048;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/surface/BSplineSurface.h"
+#include "core/surface/foot/Box.h"
 
 #include <algorithm>
 #include <array>
@@ -21,17 +22,6 @@ struct LocalModel {
     Vector2 gradientNoise = Vector2::Zero();  ///< rounding error of `gradient`
     Matrix2 hessian = Matrix2::Zero();
     Matrix2 convex = Matrix2::Zero();  ///< positive definite stand-in where `hessian` is not
-};
-
-/// The rectangle of places that may be searched, world [m].
-struct Box {
-    Vector2 low = Vector2::Zero();
-    Vector2 high = Vector2::Zero();
-
-    [[nodiscard]] Vector2 nearest(const Vector2& place) const {
-        return place.cwiseMax(low).cwiseMin(high);
-    }
-    [[nodiscard]] bool holds(const Vector2& place) const { return place == nearest(place); }
 };
 
 struct BoxMinimum {

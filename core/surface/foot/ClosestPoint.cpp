@@ -1,5 +1,6 @@
 #include "core/surface/foot/ClosestPoint.h"
 
+#include "core/surface/foot/FootList.h"
 #include "core/surface/foot/FootSearch.h"
 #include "core/surface/foot/LocalFoot.h"
 

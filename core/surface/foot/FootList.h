@@ -8,9 +8,6 @@
 
 namespace asperity {
 
-/// More places than these do not touch a sphere at once on any real scan.
-inline constexpr std::size_t kMostFeet = 4;
-
 /// More minima of the distance than these are not kept apart: several may stand so near to each
 /// other that they are one foot.
 inline constexpr std::size_t kMostMinima = 12;

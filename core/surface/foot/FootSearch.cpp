@@ -1,6 +1,9 @@
 #include "core/surface/foot/FootSearch.h"
 
+#include "core/surface/BSplineSurface.h"
 #include "core/surface/foot/CellSweep.h"
+#include "core/surface/foot/FootList.h"
+#include "core/surface/foot/PartSearch.h"
 
 #include <algorithm>
 #include <boost/container/static_vector.hpp>

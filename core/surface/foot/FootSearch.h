@@ -1,10 +1,13 @@
 #pragma once
 
-#include "core/surface/BSplineSurface.h"
-#include "core/surface/foot/FootList.h"
-#include "core/surface/foot/PartSearch.h"
+#include "core/Vector.h"
+#include "core/surface/foot/Box.h"
+#include "core/surface/foot/FootReach.h"
 
 namespace asperity {
+
+class BSplineSurface;
+class FootList;
 
 /// Looks everywhere for feet of `query`: local minima of its distance from the surface within
 /// `reach`, and adds them to `feet`, which holds at least one local foot already.

@@ -1,7 +1,10 @@
 #include "core/surface/foot/FootTracker.h"
 
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/foot/FootList.h"
 #include "core/surface/foot/LocalFoot.h"
 #include "core/surface/foot/NearestSample.h"
+#include "core/surface/foot/PartSearch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,31 +2,14 @@
 
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/foot/FootList.h"
+#include "core/surface/foot/FootReach.h"
 #include "core/surface/foot/LocalFoot.h"
 #include "core/surface/foot/Part.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 
 namespace asperity {
-
-/// Which feet a search is for: those no farther than `farthest`, nor farther than the nearest by
-/// more than `behindNearest`.
-struct FootReach {
-    double farthest = std::numeric_limits<double>::infinity();  ///< [m]
-    double behindNearest = 0.0;                                 ///< [m]
-
-    /// How far a foot may lie to matter [m].
-    [[nodiscard]] double limit(const SurfaceFoot& nearest) const noexcept {
-        return limit(std::abs(nearest.distance));
-    }
-    /// @param nearest distance of the nearest foot, at most [m]
-    [[nodiscard]] double limit(double nearest) const noexcept {
-        return std::min(farthest, nearest + behindNearest);
-    }
-};
 
 /// Two minima found from different starts are one when they stand nearer to each other [m].
 [[nodiscard]] inline double sameMinimum(const BSplineSurface& surface) noexcept {

@@ -4,6 +4,7 @@
 #include "core/Vector.h"
 #include "core/surface/Curvature.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace asperity {
@@ -52,6 +53,9 @@ inline constexpr auto kEnumTable<FootEffort> =
     return proof == FootProof::NotSought || proof == FootProof::Likely ||
            proof == FootProof::ManyFeet;
 }
+
+/// More places than these do not touch a sphere at once on any real scan.
+inline constexpr std::size_t kMostFeet = 4;
 
 /// Two distances nearer to each other than this are the same [relative].
 inline constexpr double kSameDistance = 1e-9;

@@ -1,6 +1,8 @@
 #include "core/surface/touched/TouchedSurface.h"
 
+#include "core/surface/BSplineSurface.h"
 #include "core/surface/foot/LocalFoot.h"
+#include "core/surface/foot/TipFeet.h"
 #include "core/surface/nurbs/NurbsFoot.h"
 
 #include <algorithm>

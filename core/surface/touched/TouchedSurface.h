@@ -1,13 +1,17 @@
 #pragma once
 
-#include "core/surface/BSplineSurface.h"
-#include "core/surface/foot/TipFeet.h"
-#include "core/surface/nurbs/NurbsSurface.h"
+#include "core/surface/foot/SurfaceFoot.h"
 
 #include <span>
 #include <variant>
 
 namespace asperity {
+
+class BSplineSurface;
+class FootTracker;
+class NurbsSurface;
+struct TipFeet;
+struct TipSphere;
 
 /// What a tip touches, a height field or a NURBS surface, and how hard its feet are looked for
 /// there. A view: the surface must outlive it.

@@ -1,4 +1,4 @@
-#include "app/session/ModelOverrules.h"
+#include "core/scene/ModelTerm.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/TestScenes.h"
 #include "ui/panels/FidelityPanel.h"
@@ -30,40 +30,6 @@ TradeOff twoWays() {
                     .forceErrorRms = 1e-10,
                     .onFront = true}};
     return study;
-}
-
-TEST(ModelOverrules, WhatIsChosenOfATermIsWhatTheSceneSays) {
-    for (const ModelTerm term : kModelTerms) {
-        for (const std::optional<bool> on : {std::optional(true), std::optional(false), {}}) {
-            const SceneDescription scene = withChoice(plainScene(), term, on);
-            EXPECT_EQ(choiceOf(term, scene), on) << nameOf(term);
-            EXPECT_EQ(isSettled(term, scene), on.has_value()) << nameOf(term);
-        }
-    }
-}
-
-TEST(ModelOverrules, AChoiceFreesWhatContradictsIt) {
-    SceneDescription scene = plainScene();
-    scene.law = ContactLaw::Jkr;
-    scene = withChoice(scene, ModelTerm::VanDerWaalsTail, true);
-    EXPECT_FALSE(scene.law.has_value());
-    scene = withChoice(scene, ModelTerm::SphereCorrection, true);
-    EXPECT_TRUE(scene.terms.vanDerWaalsTail.has_value()) << "split_sphere has both";
-    scene = withChoice(scene, ModelTerm::Adhesion, false);
-    EXPECT_FALSE(scene.terms.vanDerWaalsTail.has_value());
-    scene = withChoice(scene, ModelTerm::VanDerWaalsTail, true);
-    EXPECT_FALSE(scene.terms.adhesion.has_value());
-    EXPECT_NO_THROW(checkScene(scene));
-}
-
-TEST(ModelOverrules, AHalfSpaceSharesItsDisplacementAlready) {
-    SceneDescription scene = withChoice(plainScene(), ModelTerm::HalfSpaceSolve, true);
-    scene = withChoice(scene, ModelTerm::OutsideDisplacement, true);
-    EXPECT_EQ(scene.deformation, DeformationTier::HalfSpace);
-    scene = withChoice(scene, ModelTerm::OutsideDisplacement, false);
-    EXPECT_EQ(scene.deformation, DeformationTier::ContactRadius);
-    scene = withChoice(scene, ModelTerm::HalfSpaceSolve, false);
-    EXPECT_EQ(scene.deformation, DeformationTier::ContactRadius);
 }
 
 class Fidelity : public Window {
@@ -108,39 +74,39 @@ TEST_F(Fidelity, ATermOverruledIsOutAndTheRunGoesOn) {
     EXPECT_TRUE(scene().model.friction);
     choose(ModelTerm::Friction, QStringLiteral("off"));
     EXPECT_FALSE(scene().model.friction);
-    EXPECT_EQ(scene().description.terms.friction, false);
+    EXPECT_EQ(scene().description.choices.friction, false);
     EXPECT_EQ(choiceOf(ModelTerm::Friction)->currentText(), QStringLiteral("off"));
     EXPECT_EQ(session.run()->settings().forceGain, 250.0);
     EXPECT_TRUE(goesOn());
     EXPECT_NEAR(session.run()->basePosition().x(), x, 1e-12);
     choose(ModelTerm::Friction, QStringLiteral("auto"));
-    EXPECT_FALSE(scene().description.terms.friction.has_value());
+    EXPECT_FALSE(scene().description.choices.friction.has_value());
 }
 
 TEST_F(Fidelity, FeetAndDeformationAreChosenByTheirTerms) {
     choose(ModelTerm::GlobalSearch, QStringLiteral("off"));
-    EXPECT_EQ(scene().description.footSearch, FootEffort::Local);
+    EXPECT_EQ(scene().description.choices.footSearch, FootEffort::Local);
     choose(ModelTerm::OutsideDisplacement, QStringLiteral("off"));
     EXPECT_EQ(scene().model.deformation, DeformationTier::ContactRadius);
     EXPECT_EQ(choiceOf(ModelTerm::HalfSpaceSolve)->currentText(), QStringLiteral("off"))
         << "one choice for both";
     choose(ModelTerm::HalfSpaceSolve, QStringLiteral("auto"));
-    EXPECT_FALSE(scene().description.deformation.has_value());
+    EXPECT_FALSE(scene().description.choices.deformation.has_value());
     EXPECT_TRUE(goesOn());
 }
 
 TEST_F(Fidelity, AWayForTheTickIsPickedInTheChartAndTakenBack) {
     panel().showTradeOff(twoWays());
     pick(1);
-    EXPECT_EQ(tierOf(scene().model), twoWays().ticks[1].tier);
+    EXPECT_EQ(ofForce(scene().model), twoWays().ticks[1].tier);
     EXPECT_TRUE(goesOn());
     EXPECT_EQ(panel().findChild<TradeOffChart*>()->current(), 1);
     EXPECT_EQ(choiceOf(ModelTerm::Adhesion)->currentText(), QStringLiteral("as the law says"));
     pick(0);
-    EXPECT_EQ(scene().model.law.law, ContactLaw::Hertz);
+    EXPECT_EQ(scene().model.law, ContactLaw::Hertz);
     QTest::mouseClick(child<QPushButton>("allAutomatic"), Qt::LeftButton);
-    EXPECT_FALSE(scene().description.law.has_value());
-    EXPECT_FALSE(scene().description.terms.torsion.has_value());
+    EXPECT_FALSE(scene().description.choices.law.has_value());
+    EXPECT_FALSE(scene().description.choices.torsion.has_value());
     EXPECT_EQ(choiceOf(ModelTerm::Adhesion)->currentText(), QStringLiteral("auto"));
     EXPECT_TRUE(goesOn());
 }
@@ -148,9 +114,9 @@ TEST_F(Fidelity, AWayForTheTickIsPickedInTheChartAndTakenBack) {
 TEST_F(Fidelity, ATermOfTheLawFreesAPickedLaw) {
     panel().showTradeOff(twoWays());
     pick(0);
-    ASSERT_EQ(scene().model.law.law, ContactLaw::Hertz);
+    ASSERT_EQ(scene().model.law, ContactLaw::Hertz);
     choose(ModelTerm::Adhesion, QStringLiteral("on"));
-    EXPECT_FALSE(scene().description.law.has_value());
+    EXPECT_FALSE(scene().description.choices.law.has_value());
     EXPECT_TRUE(has(scene().model, ModelTerm::Adhesion));
     EXPECT_TRUE(goesOn());
 }
@@ -163,7 +129,7 @@ TEST_F(Fidelity, AModelThatCannotBeIsRefusedAndTheSceneStays) {
     pick(1);
     EXPECT_EQ(session.run(), run);
     EXPECT_NE(window.findChild<QWidget*>("qt_msgbox_label"), nullptr);
-    EXPECT_FALSE(scene().description.law.has_value());
+    EXPECT_FALSE(scene().description.choices.law.has_value());
 }
 
 TEST_F(Fidelity, MeasuresBesideTheRun) {

@@ -28,7 +28,7 @@ TEST(ContactDeformation, FollowsEveryContactLawFromFarToDeep) {
     for (const ContactLaw law : {ContactLaw::Hertz, ContactLaw::Jkr, ContactLaw::Maugis,
                                  ContactLaw::Split, ContactLaw::SphereMaugis}) {
         SceneDescription description = test::plainScene();
-        description.law = law;
+        description.choices.law = law;
         const Scene scene = buildScene(description, test::flatMap());
         EquilibriumMemory memory;
         for (const double height : {2.0_nm, 0.2_nm, -1.0_nm, -2.0_nm, 0.5_nm}) {

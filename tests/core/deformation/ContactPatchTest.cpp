@@ -39,7 +39,7 @@ TEST_F(ContactPatchOnAFlatSample, ClosedFormPushesTheSampleByItsShareOfTheIndent
 /// The scene of a material of T08 under the law whose profiles it holds.
 Scene sceneOfMaterial(const std::string& material) {
     SceneDescription description = test::plainScene();
-    description.law = ContactLaw::Maugis;
+    description.choices.law = ContactLaw::Maugis;
     if (material == "SiO2") {
         description.sample.material.elastic = {.youngsModulus = 70.0_GPa, .poissonRatio = 0.27};
         description.sample.material.workOfAdhesion = 0.2;

@@ -37,8 +37,8 @@ TipState pressed(const Scene& scene, double indentation, Vector2 place = {64.0_n
 
 Scene sceneOn(const HeightMap& map, ContactLaw law = ContactLaw::Split) {
     SceneDescription description = test::plainScene();
-    description.law = law;
-    description.deformation = DeformationTier::HalfSpace;
+    description.choices.law = law;
+    description.choices.deformation = DeformationTier::HalfSpace;
     return buildScene(description, map);
 }
 
@@ -101,8 +101,8 @@ TEST(HalfSpaceModel, IsTheSameOnAnInclinedPlane) {
 TEST(HalfSpaceModel, PutsRealTopographyOntoTheTip) {
     SceneDescription description = test::plainScene();
     description.tip.elastic.youngsModulus = 1e15;
-    description.law = ContactLaw::Split;
-    description.deformation = DeformationTier::HalfSpace;
+    description.choices.law = ContactLaw::Split;
+    description.choices.deformation = DeformationTier::HalfSpace;
     const Scene scene = buildScene(description, test::hillyMap());
     const TipState state = pressed(scene, 0.25_nm, {20.0_nm, 18.0_nm});
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);

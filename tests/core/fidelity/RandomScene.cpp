@@ -42,13 +42,13 @@ void addRarities(SceneDescription& description, Random& random) {
             .radius = logUniform(random, 90.0_nm, 500.0_nm)};
     }
     if (random.uniform() < 0.2) {
-        description.terms.friction = random.uniform() < 0.5;
+        description.choices.friction = random.uniform() < 0.5;
     }
     if (random.uniform() < 0.1) {
-        description.terms.adhesion = false;
+        description.choices.adhesion = false;
     }
     if (random.uniform() < 0.1) {
-        description.footSearch = FootEffort::Global;
+        description.choices.footSearch = FootEffort::Global;
     }
 }
 

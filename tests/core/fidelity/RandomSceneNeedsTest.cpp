@@ -1,5 +1,6 @@
 #include "core/fidelity/SampledRuns.h"
 #include "core/fidelity/SceneNeeds.h"
+#include "core/scene/BelievedModel.h"
 #include "tests/core/fidelity/RandomScene.h"
 
 #include <gtest/gtest.h>
@@ -112,10 +113,10 @@ TEST(RandomScenes, TheSettledDescriptionGivesTheSameModelAgain) {
     for (int i = 0; i < 20; ++i) {
         Scene scene = test::randomScene(random);
         (void)fitModel(scene);
-        const SceneModel found = scene.model;
+        const ForceModelOptions found = scene.model;
         scene.description = settled(scene.description, found);
         (void)fitModel(scene);
-        EXPECT_EQ(scene.model.law.law, found.law.law);
+        EXPECT_EQ(scene.model.law, found.law);
         for (const ModelTerm term : kModelTerms) {
             EXPECT_EQ(has(scene.model, term), has(found, term)) << nameOf(term);
         }

@@ -42,14 +42,14 @@ TEST(SceneNeeds, ATipThatDoesNotFitItsHollowsLooksEverywhere) {
 
 TEST(SceneNeeds, WhatTheSceneSaysStays) {
     SceneDescription description = test::plainScene();
-    description.law = ContactLaw::Hertz;
-    description.deformation = DeformationTier::FourPoint;
-    description.footSearch = FootEffort::Global;
-    description.terms.torsion = true;
-    description.terms.friction = false;
+    description.choices.law = ContactLaw::Hertz;
+    description.choices.deformation = DeformationTier::FourPoint;
+    description.choices.footSearch = FootEffort::Global;
+    description.choices.torsion = true;
+    description.choices.friction = false;
     Scene scene = buildScene(description, test::hillyMap());
     const SceneNeeds needs = fitModel(scene);
-    EXPECT_EQ(scene.model.law.law, ContactLaw::Hertz);
+    EXPECT_EQ(scene.model.law, ContactLaw::Hertz);
     EXPECT_EQ(scene.model.deformation, DeformationTier::FourPoint);
     EXPECT_EQ(scene.model.footSearch, FootEffort::Global);
     EXPECT_TRUE(scene.model.torsion);
@@ -63,7 +63,7 @@ TEST(SceneNeeds, WhatIsOverruledIsWeighedAllTheSame) {
     Scene free = buildScene(test::plainScene(), map);
     const SceneNeeds whole = fitModel(free);
     SceneDescription description = test::plainScene();
-    description.terms = {.adhesion = false, .friction = false};
+    description.choices = {.adhesion = false, .friction = false};
     Scene scene = buildScene(description, map);
     const SceneNeeds needs = fitModel(scene);
     for (const ModelTerm term : {ModelTerm::Adhesion, ModelTerm::Friction}) {
@@ -86,7 +86,7 @@ TEST(SceneNeeds, AThinFilmNeedsItsBaseAndAThickOneDoesNot) {
         description.truth.material = material;
         Scene scene = buildScene(description, test::flatMap());
         (void)fitModel(scene);
-        return scene.model.law.law;
+        return scene.model.law;
     };
     EXPECT_EQ(film(5.0_nm, 0.0), ContactLaw::HertzFilm);
     EXPECT_EQ(film(10.0_um, 0.0), ContactLaw::Hertz);
@@ -99,7 +99,7 @@ TEST(SceneNeeds, SaysWhatKeepsATermOutThatMatters) {
     description.sample.material.filmThickness = 3.0_nm;
     Scene scene = buildScene(description, test::flatMap());
     const SceneNeeds needs = fitModel(scene);
-    ASSERT_EQ(scene.model.law.law, ContactLaw::HertzFilm);
+    ASSERT_EQ(scene.model.law, ContactLaw::HertzFilm);
     const TermNeed& adhesion = needOf(needs, ModelTerm::Adhesion);
     EXPECT_FALSE(adhesion.on);
     EXPECT_GT(adhesion.effect, needs.tolerance);
@@ -122,7 +122,7 @@ TEST(SceneNeeds, TheErrorCountsWhatTheLawHasNoRoomFor) {
     Scene scene = buildScene(test::plainScene(), test::hillyMap());
     const SceneNeeds needs = fitModel(scene);
     ASSERT_TRUE(needs.measured);
-    ASSERT_EQ(needs.full.law.law, ContactLaw::Split);
+    ASSERT_EQ(needs.full.law, ContactLaw::Split);
     EXPECT_GT(needs.lawError, 0.0);
     EXPECT_DOUBLE_EQ(needs.lawError, errorOfMissing(needs, scene.description));
     EXPECT_EQ(needs.lawMisses, std::vector{ModelTerm::SphereCorrection});
@@ -138,7 +138,7 @@ TEST(SceneNeeds, RubberOnHillsIsKnownNoBetterThanItsCurvature) {
     description.truth.material = material;
     Scene scene = buildScene(description, test::hillyMap());
     const SceneNeeds needs = fitModel(scene);
-    EXPECT_EQ(scene.model.law.law, ContactLaw::SphereSplit);
+    EXPECT_EQ(scene.model.law, ContactLaw::SphereSplit);
     EXPECT_TRUE(needOf(needs, ModelTerm::VanDerWaalsTail).on);
     EXPECT_EQ(needs.lawMisses, std::vector{ModelTerm::SampleCurvature});
     EXPECT_EQ(needs.lawError, needOf(needs, ModelTerm::SampleCurvature).effect);
@@ -155,10 +155,10 @@ TEST(SceneNeeds, WhatTheSceneOverrulesIsAnErrorToo) {
         EXPECT_LE(needs.forceError, needs.tolerance) << "what is left out automatically";
         return needs.totalError();
     };
-    const double hertz = errorOf([](SceneDescription& d) { d.law = ContactLaw::Hertz; });
-    const double jkr = errorOf([](SceneDescription& d) { d.law = ContactLaw::Jkr; });
-    const double slippery = errorOf([](SceneDescription& d) { d.terms.friction = false; });
-    const double dry = errorOf([](SceneDescription& d) { d.terms.adhesion = false; });
+    const double hertz = errorOf([](SceneDescription& d) { d.choices.law = ContactLaw::Hertz; });
+    const double jkr = errorOf([](SceneDescription& d) { d.choices.law = ContactLaw::Jkr; });
+    const double slippery = errorOf([](SceneDescription& d) { d.choices.friction = false; });
+    const double dry = errorOf([](SceneDescription& d) { d.choices.adhesion = false; });
     for (const double error : {hertz, jkr, slippery, dry}) {
         EXPECT_GT(error, 0.05);
     }

@@ -212,7 +212,7 @@ TEST(HapticTick, FlagsAPitOfTheTipsOwnShape) {
 TEST(HapticTick, FlagsFeetThatNobodyProved) {
     SceneDescription description = test::plainScene();
     for (const FootEffort effort : {FootEffort::Local, FootEffort::Global, FootEffort::Certified}) {
-        description.footSearch = effort;
+        description.choices.footSearch = effort;
         const Scene scene = buildScene(description, test::ridgedMap(25.0_nm));
         TickMemory memory;
         const TickOutput out = tick(scene, inputAt({15.0_nm, 20.0_nm, 25.1_nm}), memory);
@@ -229,7 +229,7 @@ TEST(HapticTick, FlagsFeetThatNobodyProved) {
 TEST(HapticTick, APlanarForceIsThatOfTheEstimatorWhereTheSignalsTell) {
     SceneDescription description = test::plainScene();
     const Scene estimating = buildScene(description, test::flatMap());
-    description.decoupling = DecouplingTier::Planar;
+    description.choices.decoupling = DecouplingTier::Planar;
     const Scene planar = buildScene(description, test::flatMap());
     TickMemory one;
     TickMemory other;

@@ -52,13 +52,13 @@ TEST(TickAllocation, NorDoesAnyLawSolverOrControl) {
     description.sample.material.filmThickness = 100.0_nm;
     description.truth.material = description.sample.material;
     description.settings.positionControl = PositionControl::Tip;
-    description.solver = SolverTier::Table;
+    description.choices.solver = SolverTier::Table;
     for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(keyOf(law));
-        description.law = law;
+        description.choices.law = law;
         expectNoAllocation(buildScene(description, test::hillyMap()));
     }
-    description.law = ContactLaw::Split;
+    description.choices.law = ContactLaw::Split;
     description.truth.temperature = 300.0;
     description.meniscus = {.surfaceTension = 0.072, .contactAngle = 0.0, .range = 1.0_nm};
     expectNoAllocation(buildScene(description, test::hillyMap()));

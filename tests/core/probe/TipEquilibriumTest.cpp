@@ -114,7 +114,7 @@ TEST(TipEquilibrium, AHillIsMetWithItsEffectiveRadius) {
 TEST(TipEquilibrium, AnExactSphereTakesAHillAsFlatAndSaysSo) {
     for (const bool onHill : {true, false}) {
         SceneDescription description = test::plainScene();
-        description.law = ContactLaw::SphereMaugis;
+        description.choices.law = ContactLaw::SphereMaugis;
         const Scene scene = buildScene(description, onHill ? test::hillyMap() : test::flatMap());
         EquilibriumMemory memory;
         const BaseMotion base{.position = {15.0_nm, 15.0_nm, onHill ? 4.0_nm : -2.0_nm}};

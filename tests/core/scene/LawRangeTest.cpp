@@ -1,6 +1,7 @@
 #include "core/scene/LawRange.h"
 
 #include "core/Units.h"
+#include "core/contact/maugis/MaugisUnits.h"
 #include "core/scene/ContactValidity.h"
 
 #include <gtest/gtest.h>

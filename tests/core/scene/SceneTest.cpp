@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/SceneTruth.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "tests/support/TestScenes.h"
@@ -120,15 +121,16 @@ TEST(Scene, RefusesEachValueOutsideItsRange) {
 
 TEST(Scene, ChoosesTheContactLawAndSaysWhy) {
     SceneDescription description = test::plainScene();
-    EXPECT_EQ(buildScene(description, test::flatMap()).model.law.law, ContactLaw::Split);
+    EXPECT_EQ(buildScene(description, test::flatMap()).model.law, ContactLaw::Split);
     description.sample.material.elastic = {.youngsModulus = 1.0_MPa, .poissonRatio = 0.5};
     description.sample.material.workOfAdhesion = 0.022;
     const Scene rubber = buildScene(description, test::flatMap());
     EXPECT_EQ(rubber.belief.contact.law(), ContactLaw::SphereSplit);
-    EXPECT_NE(rubber.model.law.why.find("2.5"), std::string::npos) << rubber.model.law.why;
+    const std::string why = usualLaw(rubber.description).why;
+    EXPECT_NE(why.find("2.5"), std::string::npos) << why;
     description.sample.material.workOfAdhesion = 0.0;
     EXPECT_EQ(buildScene(description, test::flatMap()).belief.contact.law(), ContactLaw::Hertz);
-    description.law = ContactLaw::Jkr;
+    description.choices.law = ContactLaw::Jkr;
     EXPECT_EQ(buildScene(description, test::flatMap()).belief.contact.law(), ContactLaw::Jkr);
 }
 
@@ -136,7 +138,7 @@ TEST(Scene, EveryLawBalancesTheTipOnHills) {
     for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(keyOf(law));
         SceneDescription description = test::plainScene();
-        description.law = law;
+        description.choices.law = law;
         description.sample.material.filmThickness = 100.0_nm;
         description.truth.material = description.sample.material;
         const Scene scene = buildScene(description, test::hillyMap());

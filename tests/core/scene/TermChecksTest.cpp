@@ -21,9 +21,9 @@ std::string refusalOf(const SceneDescription& scene) {
     return "";
 }
 
-SceneDescription sceneWith(const TermChoices& terms) {
+SceneDescription sceneWith(const ModelChoices& terms) {
     SceneDescription scene = test::plainScene();
-    scene.terms = terms;
+    scene.choices = terms;
     return scene;
 }
 
@@ -58,15 +58,15 @@ TEST(TermChecks, WhatTheSampleHasNotIsRefused) {
 
 TEST(TermChecks, ALawAndItsTermsAreNotBothSaid) {
     SceneDescription scene = sceneWith({.adhesion = false});
-    scene.law = ContactLaw::Jkr;
+    scene.choices.law = ContactLaw::Jkr;
     EXPECT_EQ(refusalOf(scene),
               "[fidelity]: adhesion is the matter of [physics] law, which is jkr; leave out one of "
               "them");
-    scene.terms = {.friction = false};
+    scene.choices = {.law = ContactLaw::Jkr, .friction = false};
     EXPECT_EQ(refusalOf(scene), "");
-    scene.terms = {.curvature = true};
+    scene.choices = {.law = ContactLaw::Jkr, .curvature = true};
     EXPECT_EQ(refusalOf(scene), "");
-    scene.law = ContactLaw::SphereMaugis;
+    scene.choices.law = ContactLaw::SphereMaugis;
     EXPECT_EQ(refusalOf(scene),
               "[fidelity]: curvature cannot be on: [physics] law is md_sphere, which takes the "
               "sample as flat");

@@ -53,7 +53,7 @@ TEST_F(DeformationStudy, NoHalfSpaceHoldsForRubber) {
 
 TEST_F(DeformationStudy, TakesItsOwnLawWhateverTheSceneSaysOfItsTerms) {
     SceneDescription description = test::plainScene();
-    description.terms.adhesion = false;
+    description.choices.adhesion = false;
     const std::vector<DeformationResult> all =
         studyDeformation(buildScene(description, test::flatMap()), {.rounds = 1, .samples = 9});
     EXPECT_EQ(all.size(), 24U);

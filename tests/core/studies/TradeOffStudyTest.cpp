@@ -1,6 +1,7 @@
 #include "core/studies/TradeOffStudy.h"
 
 #include "core/Units.h"
+#include "core/scene/BelievedModel.h"
 #include "core/studies/Composition.h"
 #include "tests/support/TestScenes.h"
 
@@ -25,7 +26,7 @@ SceneDescription stiffScene() {
     return description;
 }
 
-const TickResult& result(const TradeOff& all, const TickTier& tier) {
+const TickResult& result(const TradeOff& all, const ForceModelOptions& tier) {
     return *std::ranges::find(all.ticks, tier, &TickResult::tier);
 }
 
@@ -33,6 +34,10 @@ const FrameResult& result(const TradeOff& all, DeformationTier deformation, int 
     return *std::ranges::find_if(all.frames, [=](const FrameResult& r) {
         return r.tier.deformation == deformation && r.tier.samples == samples;
     });
+}
+
+bool misses(const TradeOffReference& reference, ModelTerm term) {
+    return std::ranges::find(reference.missed, term, &MissedTerm::term) != reference.missed.end();
 }
 
 TEST(TradeOffStudy, EveryTierHasACostAndTheReferencesOwnIsHardlyOff) {
@@ -130,8 +135,8 @@ TEST(TradeOffStudy, AFasterRateHoldsTheForceBetter) {
 
 TEST(TradeOffStudy, WhatTheSceneOverrulesIsHeldAgainstTheWhole) {
     SceneDescription description = stiffScene();
-    description.law = ContactLaw::Hertz;
-    description.terms.friction = false;
+    description.choices.law = ContactLaw::Hertz;
+    description.choices.friction = false;
     const TradeOff all = study(description, test::hillyMap());
     EXPECT_EQ(all.reference.tick.law, ContactLaw::Split);
     EXPECT_TRUE(all.reference.tick.friction);
@@ -148,12 +153,12 @@ TEST(TradeOffStudy, AnAdhesiveFilmIsHeldAgainstWhatMattersMore) {
     description.truth.material = description.sample.material;
     const TradeOff thick = study(description);
     EXPECT_EQ(thick.reference.tick.law, ContactLaw::Split) << "stiff, so it adheres more";
-    EXPECT_NE(thick.reference.forceDoubtBy.find("film's base"), std::string::npos);
+    EXPECT_TRUE(misses(thick.reference, ModelTerm::FilmBase));
     description.sample.material.filmThickness = 3.0_nm;
     description.truth.material = description.sample.material;
     const TradeOff thin = study(description);
     EXPECT_EQ(thin.reference.tick.law, ContactLaw::HertzFilm);
-    EXPECT_NE(thin.reference.forceDoubtBy.find("adhesion"), std::string::npos);
+    EXPECT_TRUE(misses(thin.reference, ModelTerm::Adhesion));
     EXPECT_GT(thin.reference.forceDoubt, 0.0);
 }
 
@@ -196,13 +201,13 @@ private:
 
 TEST(TradeOffStudy, CanBeStoppedAndLeavesTheSceneAsItWasThenToo) {
     Scene scene = buildScene(stiffScene(), test::flatMap());
-    const TickTier before = tierOf(scene.model);
+    const ForceModelOptions before = ofForce(scene.model);
     for (const double fraction : {0.3, 0.85, 0.93}) {
         StopAt progress(fraction);
         EXPECT_THROW(
             (void)studyTradeOff(scene, {.duration = 0.1, .rounds = 1, .patches = 1}, &progress),
             Cancelled);
-        EXPECT_EQ(tierOf(scene.model), before);
+        EXPECT_EQ(ofForce(scene.model), before);
     }
     StopAt never(2.0);
     (void)studyTradeOff(scene, {.duration = 0.1, .rounds = 1, .patches = 1}, &never);
@@ -213,7 +218,7 @@ TEST(TradeOffStudy, LeavesTheSceneAsItWas) {
     Scene scene = buildScene(test::plainScene(), test::flatMap());
     const double rate = scene.description.tickRate;
     (void)studyTradeOff(scene, {.duration = 0.1, .rounds = 1, .patches = 1});
-    EXPECT_EQ(tierOf(scene.model), tierOf(usualModel(scene.description)));
+    EXPECT_EQ(ofForce(scene.model), ofForce(usualModel(scene.description)));
     EXPECT_EQ(scene.description.tickRate, rate);
 }
 

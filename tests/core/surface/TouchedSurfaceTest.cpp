@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/surface/fit/BSplineFit.h"
+#include "core/surface/foot/TipFeet.h"
 #include "core/surface/nurbs/NurbsShapes.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 

@@ -44,10 +44,16 @@ SceneNeeds needs() {
     return needs;
 }
 
+SceneNeeds needsUnder(ContactLaw law) {
+    SceneNeeds all = needs();
+    all.model.law = law;
+    return all;
+}
+
 class FidelityPanelTest : public ::testing::Test {
 protected:
     void SetUp() override {
-        panel.showModel(needs(), {}, {.law = ContactLaw::Maugis});
+        panel.showModel(needsUnder(ContactLaw::Maugis), {});
         panel.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
     }
@@ -80,7 +86,7 @@ TEST_F(FidelityPanelTest, NamesTheErrorOfTheLaw) {
     measured.measured = true;
     measured.lawError = 0.052;
     measured.lawMisses = {ModelTerm::SphereCorrection};
-    panel.showModel(measured, {}, {});
+    panel.showModel(measured, {});
     EXPECT_TRUE(textOf(panel, "fidelitySummary").contains(QStringLiteral("forces within 5.2 %")));
     EXPECT_TRUE(textOf(panel, "fidelitySummary").contains(QStringLiteral("sphere correction")));
 }
@@ -125,11 +131,11 @@ TEST_F(FidelityPanelTest, WhatAProgramSetsIsShownAndNotTold) {
     QObject::connect(&panel, &FidelityPanel::termChosen, &panel, [&told] { told = true; });
     const QSignalSpy tolerance(&panel, &FidelityPanel::toleranceChosen);
     ModelChoices choices;
-    choices.terms[0] = true;
-    choices.terms[5] = false;
+    choices.adhesion = true;
+    choices.friction = false;
     SceneNeeds changed = needs();
     changed.tolerance = 0.1;
-    panel.showModel(changed, choices, {});
+    panel.showModel(changed, choices);
     EXPECT_EQ(choiceOf(ModelTerm::Adhesion).currentText(), QStringLiteral("on"));
     EXPECT_EQ(choiceOf(ModelTerm::Friction).currentText(), QStringLiteral("off"));
     EXPECT_EQ(choiceOf(ModelTerm::Torsion).currentText(), QStringLiteral("auto"));
@@ -142,8 +148,8 @@ TEST_F(FidelityPanelTest, AGivenLawSaysItsTermsUntilAPersonDoes) {
     int told = 0;
     QObject::connect(&panel, &FidelityPanel::termChosen, &panel, [&told] { ++told; });
     ModelChoices choices;
-    choices.lawIsGiven = true;
-    panel.showModel(needs(), choices, {});
+    choices.law = ContactLaw::Jkr;
+    panel.showModel(needs(), choices);
     for (const ModelTerm term : {ModelTerm::Adhesion, ModelTerm::VanDerWaalsTail,
                                  ModelTerm::SphereCorrection, ModelTerm::FilmBase}) {
         EXPECT_EQ(choiceOf(term).currentText(), QStringLiteral("as the law says"));
@@ -153,7 +159,7 @@ TEST_F(FidelityPanelTest, AGivenLawSaysItsTermsUntilAPersonDoes) {
     EXPECT_EQ(told, 0) << "that is what the law says already";
     QTest::keyClick(&choiceOf(ModelTerm::Adhesion), Qt::Key_Down);
     EXPECT_EQ(told, 1);
-    panel.showModel(needs(), {}, {});
+    panel.showModel(needs(), {});
     EXPECT_EQ(choiceOf(ModelTerm::Adhesion).currentText(), QStringLiteral("auto"));
 }
 
@@ -171,9 +177,9 @@ TEST_F(FidelityPanelTest, TheToleranceIsToldAsAShare) {
 TEST_F(FidelityPanelTest, AClickPicksTheNearestPoint) {
     panel.showTradeOff(study());
     panel.grab();
-    std::vector<TickTier> picked;
+    std::vector<ForceModelOptions> picked;
     QObject::connect(&panel, &FidelityPanel::tierPicked, &panel,
-                     [&picked](const TickTier& tier) { picked.push_back(tier); });
+                     [&picked](const ForceModelOptions& tier) { picked.push_back(tier); });
     QTest::mouseClick(&chart().canvas(), Qt::LeftButton, {}, chart().placeOf(1) + QPoint(3, -3));
     ASSERT_EQ(picked.size(), 1U);
     EXPECT_EQ(picked[0].law, ContactLaw::Jkr);
@@ -189,9 +195,9 @@ TEST_F(FidelityPanelTest, TheFrontIsNumberedAndThePresentTickRinged) {
     EXPECT_TRUE(key().contains(QStringLiteral("2.00 µs, 1 nN (10 % of the force)")));
     EXPECT_TRUE(key().contains(QStringLiteral("3.50 µs, below 0.001 % of the force")));
     EXPECT_FALSE(key().contains(QStringLiteral("JKR"))) << "another is cheaper and nearer";
-    panel.showModel(needs(), {}, {.law = ContactLaw::Jkr});
+    panel.showModel(needsUnder(ContactLaw::Jkr), {});
     EXPECT_EQ(chart().current(), 1);
-    panel.showModel(needs(), {}, {.law = ContactLaw::Sneddon});
+    panel.showModel(needsUnder(ContactLaw::Sneddon), {});
     EXPECT_EQ(chart().current(), -1) << "it was not measured";
 }
 

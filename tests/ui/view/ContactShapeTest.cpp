@@ -28,7 +28,7 @@ class ContactShapeOnHills : public ::testing::TestWithParam<DeformationTier> {
 protected:
     static Scene sceneOf(DeformationTier tier) {
         SceneDescription description = test::plainScene();
-        description.deformation = tier;
+        description.choices.deformation = tier;
         return buildScene(description, test::hillyMap());
     }
 };
@@ -53,7 +53,7 @@ TEST_P(ContactShapeOnHills, DeformsTheSurfaceAsPicturesAndFilesDo) {
 
 TEST(ContactShape, ShowsTheHalfSpaceWhereItStillHoldsAndElseTheClosedForm) {
     SceneDescription description = test::plainScene();
-    description.deformation = DeformationTier::HalfSpace;
+    description.choices.deformation = DeformationTier::HalfSpace;
     const Scene scene = buildScene(description, test::hillyMap());
     const TipState state = test::momentsOf(scene).neck.sample.output.model;
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);

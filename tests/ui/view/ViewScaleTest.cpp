@@ -23,7 +23,7 @@ Scene rubberScene(std::optional<ContactLaw> law = ContactLaw::Split) {
     SceneDescription description = test::plainScene();
     description.sample.material.elastic = {.youngsModulus = 1e6, .poissonRatio = 0.5};
     description.sample.material.workOfAdhesion = 0.022;
-    description.law = law;
+    description.choices.law = law;
     return buildScene(description, map);
 }
 

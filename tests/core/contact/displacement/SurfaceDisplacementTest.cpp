@@ -1,5 +1,6 @@
 #include "core/contact/displacement/SurfaceDisplacement.h"
 
+#include "core/contact/laws/SplitLaw.h"
 #include "core/contact/numerics/EllipticIntegrals.h"
 #include "tests/core/contact/laws/ContactCases.h"
 

@@ -4,6 +4,7 @@
 #include "core/Units.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
 #include "core/contact/laws/LawChoice.h"
+#include "core/contact/laws/SplitLaw.h"
 #include "tests/core/contact/laws/ContactCases.h"
 
 #include <gtest/gtest.h>

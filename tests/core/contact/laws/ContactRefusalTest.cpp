@@ -4,6 +4,7 @@
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/ForceCurve.h"
 #include "core/contact/laws/LawChoice.h"
+#include "core/contact/maugis/MaugisTable.h"
 #include "tests/core/contact/laws/ContactCases.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include "core/Error.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
 #include "core/contact/laws/ContactModel.h"
+#include "core/contact/laws/FilmTable.h"
 #include "core/contact/numerics/GaussLegendre.h"
 #include "tests/support/AllocationCounter.h"
 #include "tests/support/ReferenceTable.h"

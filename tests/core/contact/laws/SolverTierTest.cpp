@@ -1,4 +1,6 @@
 #include "core/contact/laws/ContactModel.h"
+#include "core/contact/maugis/MaugisTable.h"
+#include "core/contact/maugis/MaugisUnits.h"
 #include "tests/core/contact/laws/AnyContact.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include "core/haptics/coupling/CoupledHand.h"
 
 #include "core/Units.h"
+#include "core/scene/BelievedModel.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>

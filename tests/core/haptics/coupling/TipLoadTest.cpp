@@ -1,6 +1,7 @@
 #include "core/haptics/coupling/TipLoad.h"
 
 #include "core/Units.h"
+#include "core/scene/BelievedModel.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ namespace {
 
 SceneDescription sceneWith(ContactLaw law) {
     SceneDescription scene = test::plainScene();
-    scene.law = law;
+    scene.choices.law = law;
     return scene;
 }
 

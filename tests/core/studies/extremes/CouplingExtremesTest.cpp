@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 #include <set>
 #include <tuple>
 
@@ -43,9 +44,11 @@ TEST(CouplingExtremes, TheCouplingHoldsWhatADirectHandShakes) {
 TEST(CouplingExtremes, ALoopTooSlowForAnyCouplingIsRefused) {
     const std::vector<HoldOutcome> holds = holdsOf(gridOf(100.0, 5.0_ms));
     EXPECT_EQ(count(holds, true, HoldVerdict::NoCoupling), static_cast<long>(holds.size()) / 2);
-    EXPECT_EQ(kindOf(holds.front().refusal),
-              "the haptic device holds no coupling stiffer than X N/m with a force that is X s "
-              "old; at least X N/m are needed: a shorter delay or a higher rate");
+    const std::regex sentence(
+        "the haptic device holds no coupling stiffer than \\S+ \\S*N/m with a "
+        "force that is \\S+ \\S*s old; at least \\S+ \\S*N/m are needed: a "
+        "shorter delay or a higher rate");
+    EXPECT_TRUE(std::regex_match(holds.front().refusal, sentence)) << holds.front().refusal;
 }
 
 TEST(CouplingExtremes, AContactStifferThanTheProxyBearsIsRefusedButForSoftSamples) {
@@ -93,14 +96,6 @@ TEST(CouplingExtremes, AStrideTakesEveryRateWithEveryDelayWithAndWithoutCoupling
     }
     EXPECT_GT(grid.stride, 1);
     EXPECT_EQ(met.size(), 2 * grid.tickRates.size() * grid.delays.size());
-}
-
-TEST(HoldOutcome, SentencesOfOneKindDifferInQuantitiesAlone) {
-    EXPECT_EQ(kindOf("the contact is 12.5 kN/m at the hand (6 kN/m)"),
-              "the contact is X N/m at the hand (X N/m)");
-    EXPECT_EQ(kindOf("a force that is 850 µs old, as of 1e-05 s"),
-              "a force that is X s old, as of X s");
-    EXPECT_EQ(kindOf("with 17.9 N, more than (850 mN)"), "with X N, more than (X N)");
 }
 
 }  // namespace

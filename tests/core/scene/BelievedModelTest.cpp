@@ -1,6 +1,7 @@
-#include "core/scene/SceneModel.h"
+#include "core/scene/BelievedModel.h"
 
 #include "core/Units.h"
+#include "core/contact/laws/FilmTable.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
 #include "core/scene/SceneTruth.h"
@@ -25,17 +26,17 @@ ProbeSystem less(ModelTerm term) {
     return believedSystem(description, without(usualModel(description), term));
 }
 
-TEST(SceneModel, WithoutFrictionThereIsNone) {
+TEST(BelievedModel, WithoutFrictionThereIsNone) {
     EXPECT_EQ(less(ModelTerm::Friction).friction, Friction{});
     EXPECT_EQ(less(ModelTerm::Torsion).friction, tiltedScene().sample.material.friction);
 }
 
-TEST(SceneModel, WithoutTiltTheLeverIsLevel) {
+TEST(BelievedModel, WithoutTiltTheLeverIsLevel) {
     EXPECT_EQ(less(ModelTerm::MountTilt).cantilever.geometry().mountTilt, 0.0);
     EXPECT_EQ(less(ModelTerm::Friction).cantilever.geometry().mountTilt, 0.2);
 }
 
-TEST(SceneModel, WithoutTorsionTheLeverOnlyBendsAcross) {
+TEST(BelievedModel, WithoutTorsionTheLeverOnlyBendsAcross) {
     const Cantilever whole(tiltedScene().probe);
     const Cantilever rigid = less(ModelTerm::Torsion).cantilever;
     const CantileverGeometry& g = rigid.geometry();
@@ -51,7 +52,7 @@ TEST(SceneModel, WithoutTorsionTheLeverOnlyBendsAcross) {
         rigid.compliance().isApprox(rigid.rotation().transpose() * left * rigid.rotation(), 1e-14));
 }
 
-TEST(SceneModel, WithoutCurvatureEveryFootIsFlat) {
+TEST(BelievedModel, WithoutCurvatureEveryFootIsFlat) {
     Scene scene = buildScene(test::plainScene(), test::ridgedMap(5.0_nm));
     const auto radiusOnTheCrest = [&] {
         return heldTip(scene.felt(), scene.belief, {.position = {15.0_nm, 60.0_nm, 5.0_nm}}, {})
@@ -62,11 +63,11 @@ TEST(SceneModel, WithoutCurvatureEveryFootIsFlat) {
     EXPECT_EQ(radiusOnTheCrest(), scene.belief.tipRadius());
 }
 
-TEST(SceneModel, TermsOfTheLawChooseTheLaw) {
-    const auto lawOf = [](const TermChoices& terms) {
+TEST(BelievedModel, TermsOfTheLawChooseTheLaw) {
+    const auto lawOf = [](const ModelChoices& terms) {
         SceneDescription description = test::plainScene();
-        description.terms = terms;
-        return usualModel(description).law.law;
+        description.choices = terms;
+        return usualModel(description).law;
     };
     EXPECT_EQ(lawOf({}), ContactLaw::Split);
     EXPECT_EQ(lawOf({.vanDerWaalsTail = false}), ContactLaw::Maugis);
@@ -77,25 +78,25 @@ TEST(SceneModel, TermsOfTheLawChooseTheLaw) {
     EXPECT_EQ(lawOf({.adhesion = false, .sphereCorrection = true}), ContactLaw::Sneddon);
 }
 
-TEST(SceneModel, AFilmWithoutAdhesionHasItsBase) {
+TEST(BelievedModel, AFilmWithoutAdhesionHasItsBase) {
     SceneDescription description = test::plainScene();
     description.sample.material.filmThickness = 20.0_nm;
-    EXPECT_EQ(usualModel(description).law.law, ContactLaw::Split) << "no law has both";
-    description.terms.filmBase = true;
-    EXPECT_EQ(usualModel(description).law.law, ContactLaw::HertzFilm);
-    description.terms = {};
+    EXPECT_EQ(usualModel(description).law, ContactLaw::Split) << "no law has both";
+    description.choices.filmBase = true;
+    EXPECT_EQ(usualModel(description).law, ContactLaw::HertzFilm);
+    description.choices = {};
     description.sample.material.workOfAdhesion = 0.0;
-    EXPECT_EQ(usualModel(description).law.law, ContactLaw::HertzFilm);
-    description.terms.filmBase = false;
-    EXPECT_EQ(usualModel(description).law.law, ContactLaw::Hertz);
-    description.terms = {.sphereCorrection = true};
-    EXPECT_EQ(usualModel(description).law.law, ContactLaw::Sneddon);
+    EXPECT_EQ(usualModel(description).law, ContactLaw::HertzFilm);
+    description.choices.filmBase = false;
+    EXPECT_EQ(usualModel(description).law, ContactLaw::Hertz);
+    description.choices = {.sphereCorrection = true};
+    EXPECT_EQ(usualModel(description).law, ContactLaw::Sneddon);
 }
 
-TEST(SceneModel, ATermThatIsTakenOutIsOutAndComesBack) {
-    const SceneModel usual = usualModel(tiltedScene());
+TEST(BelievedModel, ATermThatIsTakenOutIsOutAndComesBack) {
+    const ForceModelOptions usual = usualModel(tiltedScene());
     for (const ModelTerm term : kModelTerms) {
-        SceneModel model = with(usual, term);
+        ForceModelOptions model = with(usual, term);
         EXPECT_TRUE(has(model, term)) << nameOf(term);
         model = without(model, term);
         EXPECT_FALSE(has(model, term)) << nameOf(term);
@@ -104,9 +105,9 @@ TEST(SceneModel, ATermThatIsTakenOutIsOutAndComesBack) {
 }
 
 /// The film's Poisson ratio is the sample's; a tip of the same stuff takes half of 1 / E*.
-TEST(SceneModel, AFilmIsAsElasticAsItsSample) {
+TEST(BelievedModel, AFilmIsAsElasticAsItsSample) {
     SceneDescription description = test::plainScene();
-    description.law = ContactLaw::HertzFilm;
+    description.choices.law = ContactLaw::HertzFilm;
     SampleMaterial& material = description.sample.material;
     material.filmThickness = 20.0_nm;
     material.elastic = {.youngsModulus = 1.0_GPa, .poissonRatio = 0.42};
@@ -120,26 +121,26 @@ TEST(SceneModel, AFilmIsAsElasticAsItsSample) {
     EXPECT_EQ(truthOf(scene).system.contact.film()->elasticity().poissonRatio, 0.3);
 }
 
-TEST(SceneModel, ASettledDescriptionSaysEveryTerm) {
+TEST(BelievedModel, ASettledDescriptionSaysEveryTerm) {
     const SceneDescription open = tiltedScene();
     for (const ModelTerm term : kModelTerms) {
-        const SceneModel less = without(usualModel(open), term);
+        const ForceModelOptions less = without(usualModel(open), term);
         const SceneDescription said = settled(open, less);
-        const SceneModel again = usualModel(said);
+        const ForceModelOptions again = usualModel(said);
         for (const ModelTerm each : kModelTerms) {
-            EXPECT_TRUE(isSettled(each, said)) << nameOf(each);
+            EXPECT_TRUE(isSettled(each, said.choices)) << nameOf(each);
             EXPECT_EQ(has(again, each), has(less, each)) << nameOf(each);
         }
         EXPECT_NO_THROW(checkScene(said)) << nameOf(term);
     }
 }
 
-TEST(SceneModel, AGivenLawSettlesItsTerms) {
+TEST(BelievedModel, AGivenLawSettlesItsTerms) {
     SceneDescription description = test::plainScene();
-    EXPECT_FALSE(isSettled(ModelTerm::Adhesion, description));
-    description.law = ContactLaw::Jkr;
+    EXPECT_FALSE(isSettled(ModelTerm::Adhesion, description.choices));
+    description.choices.law = ContactLaw::Jkr;
     for (const ModelTerm term : kModelTerms) {
-        EXPECT_EQ(isSettled(term, description), isOfLaw(term)) << nameOf(term);
+        EXPECT_EQ(isSettled(term, description.choices), isOfLaw(term)) << nameOf(term);
     }
 }
 

@@ -1,0 +1,164 @@
+#include "app/reports/TradeOffReport.h"
+
+#include "core/PrintableText.h"
+#include "core/fidelity/ForceErrorText.h"
+#include "core/studies/Composition.h"
+
+#include <cstdio>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+/// What is unsure of the reference's forces: "without film's base 0.12 nN, adhesion 3 nN".
+std::string forceDoubtText(const TradeOffReference& reference) {
+    std::string text;
+    for (const MissedTerm& missed : reference.missed) {
+        char one[80];
+        std::snprintf(one, sizeof one, "%s%s %.2g nN", text.empty() ? "without " : ", ",
+                      nameOf(missed.term), missed.force * 1e9);
+        text += one;
+    }
+    return text.empty() ? "it leaves nothing out" : text;
+}
+
+const char* surfaceDoubtText(SurfaceDoubt doubt) {
+    switch (doubt) {
+    case SurfaceDoubt::ByCoarser:
+        return "the half-space of half as many pixels a side against it";
+    case SurfaceDoubt::CoarserFails:
+        return "the half-space of half as many pixels a side does not hold";
+    case SurfaceDoubt::NothingFiner:
+        break;
+    }
+    return "no half-space holds here, and nothing finer is known";
+}
+
+void printTick(const TickResult& r, char mark) {
+    std::printf("%c %-76s %8.2f %8.2f %10.3g %10.3g %9.3g %10.3g\n", mark, nameOf(r.tier).c_str(),
+                r.median * 1e6, r.p99 * 1e6, r.forceErrorRms * 1e9, r.contactRadiusError * 1e9,
+                r.footError * 1e9, r.estimateErrorRms * 1e9);
+}
+
+void printTicks(const TradeOff& study, double tolerance) {
+    const TradeOffReference& reference = study.reference;
+    std::printf("%-78s %8s %8s %10s %10s %9s %10s\n", "tick", "p50", "p99", "force err.",
+                "radius err.", "foot err.", "estimate");
+    std::printf("%-78s %8s %8s %10s %10s %9s %10s\n", "", "[us]", "[us]", "rms [nN]", "max [nm]",
+                "max [nm]", "rms [nN]");
+    for (const TickResult& r : study.ticks) {
+        printTick(r, r.onFront ? '*' : ' ');
+    }
+    std::printf("signals to force, with the scene's own model\n");
+    for (const TickResult& r : study.decouplings) {
+        printTick(r, ' ');
+    }
+    std::printf(
+        "* no other is cheaper and as near to the reference: %s, %.2f us, force %.3g nN rms\n",
+        nameOf(reference.tick).c_str(), reference.tickMedian * 1e6, reference.forceScale * 1e9);
+    std::printf("  the reference itself: %.2g nN (%s)\n", reference.forceDoubt * 1e9,
+                forceDoubtText(reference).c_str());
+    std::printf("  errors below that, and times within %.2g %%, count as the same\n",
+                study.timeResolution * 100.0);
+    const std::size_t best = cheapestWithin(costsAndErrors(study.ticks),
+                                            tolerance * reference.forceScale, study.ofTicks());
+    std::printf("  cheapest within %.2g %% of the force: %s\n\n", tolerance * 100.0,
+                best < study.ticks.size() ? nameOf(study.ticks[best].tier).c_str() : "none");
+}
+
+void printFrames(const TradeOff& study) {
+    std::printf("%-57s %8s %11s %11s\n", "picture", "patch", "surface err.", "");
+    std::printf("%-57s %8s %11s %11s\n", "", "[ms]", "rms [nm]", "max [nm]");
+    for (const FrameResult& r : study.frames) {
+        std::printf("%c %-55s %8.2f %11.3g %11.3g\n", r.onFront ? '*' : ' ', nameOf(r.tier).c_str(),
+                    r.median * 1e3, r.surfaceErrorRms * 1e9, r.surfaceErrorMax * 1e9);
+    }
+    const TradeOffReference& reference = study.reference;
+    std::printf("  reference, at %d of %d contacts: %s; itself: %.2g nm (%s)\n", reference.contacts,
+                reference.contactsAsked, nameOf(reference.frame).c_str(),
+                reference.surfaceDoubt * 1e9, surfaceDoubtText(reference.surfaceDoubtBy));
+    if (reference.frame.deformation == DeformationTier::HalfSpace) {
+        std::printf("  there the law's normal force is %.2g nN rms off the half-space's own\n",
+                    reference.halfSpaceForce * 1e9);
+    }
+    std::printf("\n");
+}
+
+void printRates(const TradeOff& study) {
+    std::printf("%-20s %14s %22s\n", "rate [Hz]", "load of a core", "held force, rms [nN]");
+    for (const RateResult& r : study.rates) {
+        std::printf("%-20.0f %13.2f%% %22.3g\n", r.rate, r.load * 100.0, r.holdErrorRms * 1e9);
+    }
+    std::printf("\n");
+}
+
+void printComposition(const TradeOff& study, const Composition& whole) {
+    std::printf("%6.3f %% %8.3g %%  %5.0f Hz, %s; %s\n", whole.load * 100.0, whole.error * 100.0,
+                study.rates[whole.rate].rate, nameOf(study.ticks[whole.tick].tier).c_str(),
+                nameOf(study.frames[whole.frame].tier).c_str());
+}
+
+void printCompositions(const TradeOff& study, double tolerance) {
+    std::printf("whole ways, none cheaper and as near: load of a core (ticks and 60 pictures a "
+                "second), error (of force or indentation, the larger share)\n");
+    int number = 0;
+    for (const Composition& whole : bestCompositions(study)) {
+        std::printf("%2d ", ++number);
+        printComposition(study, whole);
+    }
+    std::printf("the cheapest within %.2g %%:\n   ", tolerance * 100.0);
+    if (const auto cheapest = cheapestComposition(study, tolerance)) {
+        printComposition(study, *cheapest);
+    } else {
+        std::printf("none\n");
+    }
+    if (study.reference.forceDoubt > tolerance * study.reference.forceScale) {
+        std::printf("   (the reference itself is not known so well)\n");
+    }
+    std::printf("\n");
+}
+
+}  // namespace
+
+void printTradeOff(const TradeOff& study, double tolerance) {
+    printTicks(study, tolerance);
+    printFrames(study);
+    printRates(study);
+    printCompositions(study, tolerance);
+}
+
+void printNeeds(const SceneNeeds& needs) {
+    std::printf(
+        "what the scene requires, within %.3g %%: what is left out automatically moves forces "
+        "by %.2g %%, a tick takes %.2f us instead of %.2f us; %s\n",
+        needs.tolerance * 100.0, needs.forceError * 100.0, needs.modelTick * 1e6,
+        needs.fullTick * 1e6, forceErrorText(needs).c_str());
+    for (const TermNeed& need : needs.terms) {
+        const char* unit = isOfSurface(need.term) ? "ms a patch" : "us a tick";
+        const double time = need.time * (isOfSurface(need.term) ? 1e3 : 1e6);
+        std::printf("  %-21s %-4s %8.3g %%  %+7.2f %-10s  %s%s\n", nameOf(need.term),
+                    need.on ? "on" : "off", need.effect * 100.0, time, unit, need.why.c_str(),
+                    need.overruled ? " (as the scene says)" : "");
+    }
+    std::printf("\n");
+}
+
+void printDeformations(const std::vector<DeformationResult>& results) {
+    std::printf("\n%-16s %-6s %-15s %6s %9s %9s %9s %10s %10s\n", "material", "on", "deformation",
+                "a/R", "patch", "rms err.", "max err.", "law", "own");
+    std::printf("%-16s %-6s %-15s %6s %9s %9s %9s %10s %10s\n", "", "", "", "", "[ms]", "[%]",
+                "[%]", "force [nN]", "force [nN]");
+    for (const DeformationResult& r : results) {
+        std::printf("%-16s %-6s %-15s %6.2f %9.2f", printable(r.material).c_str(),
+                    r.surface.c_str(), nameOf(r.tier), r.contactRatio, r.time * 1e3);
+        if (r.compared) {
+            std::printf(" %9.3g %9.3g", r.errorRms * 1e2, r.errorMax * 1e2);
+        } else {
+            std::printf(" %9s %9s", "-", "-");
+        }
+        std::printf(" %10.3f %10.3f %s\n", r.lawForce * 1e9, r.ownForce * 1e9, r.remark.c_str());
+    }
+}
+
+}  // namespace asperity

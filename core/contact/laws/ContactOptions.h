@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/contact/SolverTier.h"
+#include "core/contact/laws/FilmElasticity.h"
+#include "core/contact/laws/Meniscus.h"
+
+namespace asperity {
+
+/// Range of the cohesive stress that is taken where a scene names none, h0 = D0 (sqrt(10) - 1) [m].
+/// Source: docs/theory.md 1, 3.4.
+inline constexpr double kCohesiveRange = 0.35677581392778259e-9;
+
+/// What a contact may have besides a law and a pair of materials.
+struct ContactOptions {
+    double cohesiveStress = 0.0;  ///< sigma0 of the Maugis laws [Pa]; 0: w / kCohesiveRange
+    double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space
+    FilmElasticity film;          ///< of that film; by default incompressible, under a rigid tip
+    Meniscus meniscus;            ///< by default none
+    SolverTier solver = SolverTier::Newton;
+};
+
+}  // namespace asperity

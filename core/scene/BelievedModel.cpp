@@ -1,0 +1,80 @@
+#include "core/scene/BelievedModel.h"
+
+#include "core/scene/ModelTerm.h"
+
+#include <array>
+#include <optional>
+
+namespace asperity {
+
+namespace {
+
+Cantilever believedLever(CantileverGeometry geometry, const ForceModelOptions& model) {
+    if (!model.mountTilt) {
+        geometry.mountTilt = 0.0;
+    }
+    const Cantilever lever(geometry);
+    return model.torsion ? lever : lever.rigidInTorsion();
+}
+
+}  // namespace
+
+LawChoice usualLaw(const SceneDescription& scene) {
+    const ModelChoices& choices = scene.choices;
+    LawChoice law = chooseLaw(choices.law, contactPair(scene, scene.sample.material),
+                              scene.sample.material.filmThickness);
+    if (choices.law) {
+        return law;
+    }
+    for (const ModelTerm term : {ModelTerm::FilmBase, ModelTerm::SphereCorrection,
+                                 ModelTerm::VanDerWaalsTail, ModelTerm::Adhesion}) {
+        const ForceModelOptions now{.law = law.law};
+        const std::optional<bool> choice = choiceOf(term, choices);
+        if (choice && *choice != has(now, term)) {
+            law = {(*choice ? with(now, term) : without(now, term)).law,
+                   "as the scene says of its terms"};
+        }
+    }
+    return law;
+}
+
+ForceModelOptions usualModel(const SceneDescription& scene) {
+    const ModelChoices& choices = scene.choices;
+    ForceModelOptions model;
+    model.law = usualLaw(scene).law;
+    model.solver = choices.solver;
+    model.footSearch = choices.footSearch.value_or(model.footSearch);
+    model.decoupling = choices.decoupling;
+    model.deformation = choices.deformation.value_or(model.deformation);
+    for (const ModelTerm term : kSwitchedTerms) {
+        model.*traitsOf(term).option = choiceOf(term, choices).value_or(true);
+    }
+    return model;
+}
+
+SceneDescription settled(SceneDescription scene, const ForceModelOptions& model) {
+    ModelChoices& choices = scene.choices;
+    for (const ModelTerm term : kModelTerms) {
+        const auto member = traitsOf(term).choice;
+        if (member != nullptr && !(isOfLaw(term) && choices.law)) {
+            choices.*member = has(model, term);
+        }
+    }
+    choices.solver = model.solver;
+    choices.footSearch = model.footSearch;
+    choices.decoupling = model.decoupling;
+    choices.deformation = model.deformation;
+    return scene;
+}
+
+ProbeSystem believedSystem(const SceneDescription& scene, const ForceModelOptions& model) {
+    const SampleMaterial& material = scene.sample.material;
+    ContactOptions options = contactOptions(scene, material);
+    options.solver = model.solver;
+    return {.contact = ContactModel(model.law, contactPair(scene, material), options),
+            .cantilever = believedLever(scene.probe, model),
+            .friction = model.friction ? material.friction : Friction{},
+            .curvature = model.curvature};
+}
+
+}  // namespace asperity

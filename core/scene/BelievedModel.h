@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/contact/laws/LawChoice.h"
+#include "core/probe/ProbeSystem.h"
+#include "core/scene/ForceModelOptions.h"
+#include "core/scene/SceneDescription.h"
+
+namespace asperity {
+
+/// The contact law of a scene's model before it is fitted, as the scene says or as its materials
+/// require, and why. @throw Error as chooseLaw()
+[[nodiscard]] LawChoice usualLaw(const SceneDescription& scene);
+
+/// What the description asks for; where it leaves the choice, all but the half-space.
+/// @throw Error as chooseLaw()
+[[nodiscard]] ForceModelOptions usualModel(const SceneDescription& scene);
+
+/// The description with all that it leaves open as this model has it, so that it gives the same one
+/// again.
+[[nodiscard]] SceneDescription settled(SceneDescription scene, const ForceModelOptions& model);
+
+/// Tip, lever and sample as this model takes them.
+/// @throw Error naming what the contact law or the lever refuses
+[[nodiscard]] ProbeSystem believedSystem(const SceneDescription& scene,
+                                         const ForceModelOptions& model);
+
+}  // namespace asperity

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/contact/SolverTier.h"
+#include "core/contact/laws/ContactLaw.h"
+#include "core/probe/DecouplingTier.h"
+#include "core/surface/deformation/DeformationTier.h"
+#include "core/surface/foot/SurfaceFoot.h"
+
+#include <string>
+
+namespace asperity {
+
+/// Which approximations a model of a scene makes and how it is solved: speed against accuracy. The
+/// simulated instrument always has everything.
+struct ForceModelOptions {
+    ContactLaw law = ContactLaw::Split;
+    SolverTier solver = SolverTier::Newton;
+    FootEffort footSearch = FootEffort::Certified;
+    DecouplingTier decoupling = DecouplingTier::Estimator;
+    DeformationTier deformation = DeformationTier::ClosedForm;  ///< of the surface; no force
+    bool friction = true;                                       ///< of the tip on the sample
+    bool torsion = true;    ///< of the lever, under a force across it
+    bool mountTilt = true;  ///< of the lever against the scan's plane
+    bool curvature = true;  ///< of the sample at the foot: effective radius
+
+    bool operator==(const ForceModelOptions&) const = default;
+};
+
+/// The options with all that does not move a force at its default: the deformation, and the
+/// curvature under a law that takes the sample as flat. Equal ones give the same force.
+[[nodiscard]] ForceModelOptions ofForce(ForceModelOptions options) noexcept;
+
+/// Of the force, for people: "Maugis-Dugdale, table, certified feet, without friction".
+[[nodiscard]] std::string nameOf(const ForceModelOptions& options);
+
+}  // namespace asperity

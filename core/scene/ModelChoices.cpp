@@ -1,0 +1,98 @@
+#include "core/scene/ModelChoices.h"
+
+#include "core/scene/ModelTerm.h"
+
+namespace asperity {
+
+namespace {
+
+void free(ModelChoices& choices, ModelTerm term, bool from) {
+    const auto member = traitsOf(term).choice;
+    if (member != nullptr && choices.*member == from) {
+        (choices.*member).reset();
+    }
+}
+
+/// Takes back what is said of other terms where that leaves no law for this choice.
+void freeContradicting(ModelChoices& choices, ModelTerm term, bool on) {
+    if (!on) {
+        if (term == ModelTerm::Adhesion) {
+            free(choices, ModelTerm::VanDerWaalsTail, true);
+        }
+        return;
+    }
+    for (const ModelTerm other : kModelTerms) {
+        if (exclude(term, other)) {
+            free(choices, other, true);
+        }
+    }
+    if (term == ModelTerm::VanDerWaalsTail) {
+        free(choices, ModelTerm::Adhesion, false);
+    }
+}
+
+/// Foot search and deformation, where they are open as a model has them by default.
+ForceModelOptions searchAndDeformation(const ModelChoices& choices) {
+    ForceModelOptions options;
+    options.footSearch = choices.footSearch.value_or(options.footSearch);
+    options.deformation = choices.deformation.value_or(options.deformation);
+    return options;
+}
+
+}  // namespace
+
+std::optional<bool> choiceOf(ModelTerm term, const ModelChoices& choices) noexcept {
+    if (const auto member = traitsOf(term).choice) {
+        return choices.*member;
+    }
+    return isSettled(term, choices) ? std::optional(has(searchAndDeformation(choices), term))
+                                    : std::nullopt;
+}
+
+bool isSettled(ModelTerm term, const ModelChoices& choices) noexcept {
+    if (const auto member = traitsOf(term).choice) {
+        return (isOfLaw(term) && choices.law) || choices.*member;
+    }
+    return isOfSurface(term) ? choices.deformation.has_value() : choices.footSearch.has_value();
+}
+
+ModelChoices withChoice(ModelChoices choices, ModelTerm term, std::optional<bool> on) noexcept {
+    if (const auto member = traitsOf(term).choice) {
+        if (isOfLaw(term)) {
+            choices.law.reset();
+        }
+        if (on) {
+            freeContradicting(choices, term, *on);
+        }
+        choices.*member = on;
+        return choices;
+    }
+    const ForceModelOptions now = searchAndDeformation(choices);
+    const ForceModelOptions chosen = on.value_or(false) ? with(now, term) : without(now, term);
+    if (isOfSurface(term)) {
+        choices.deformation = on ? std::optional(chosen.deformation) : std::nullopt;
+    } else {
+        choices.footSearch = on ? std::optional(chosen.footSearch) : std::nullopt;
+    }
+    return choices;
+}
+
+ModelChoices withForce(ModelChoices choices, const ForceModelOptions& options) noexcept {
+    choices = {.law = options.law,
+               .solver = options.solver,
+               .footSearch = options.footSearch,
+               .decoupling = choices.decoupling,
+               .deformation = choices.deformation};
+    for (const ModelTerm term : kSwitchedTerms) {
+        if (term != ModelTerm::SampleCurvature || !isSphere(options.law)) {
+            choices.*traitsOf(term).choice = options.*traitsOf(term).option;
+        }
+    }
+    return choices;
+}
+
+ModelChoices allAutomatic(const ModelChoices& choices) noexcept {
+    return {.decoupling = choices.decoupling};
+}
+
+}  // namespace asperity

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/scene/ForceModelOptions.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace asperity {
+
+enum class ModelTerm : std::uint8_t;
+
+/// What a scene says of its model. What it leaves open is as it requires, see fitModel(); its law,
+/// see chooseLaw().
+struct ModelChoices {
+    std::optional<ContactLaw> law;
+    SolverTier solver = SolverTier::Newton;
+    std::optional<FootEffort> footSearch;
+    DecouplingTier decoupling = DecouplingTier::Estimator;
+    std::optional<DeformationTier> deformation;
+    // Terms, see ModelTerm; the first four are a matter of the law where that is given.
+    std::optional<bool> adhesion = {};
+    std::optional<bool> vanDerWaalsTail = {};
+    std::optional<bool> sphereCorrection = {};
+    std::optional<bool> filmBase = {};
+    std::optional<bool> friction = {};
+    std::optional<bool> torsion = {};
+    std::optional<bool> mountTilt = {};
+    std::optional<bool> curvature = {};
+};
+
+/// What is said of a term itself; none: nothing, or the contact law says it.
+[[nodiscard]] std::optional<bool> choiceOf(ModelTerm term, const ModelChoices& choices) noexcept;
+
+/// Whether it is said, be it by the law, if the term is in.
+[[nodiscard]] bool isSettled(ModelTerm term, const ModelChoices& choices) noexcept;
+
+/// The choices with the term in or out; none: open. What contradicts that is open, too: other
+/// terms, a contact law. The terms of the surface share one choice, the deformation.
+[[nodiscard]] ModelChoices withChoice(ModelChoices choices, ModelTerm term,
+                                      std::optional<bool> on) noexcept;
+
+/// This force and no other; decoupling and deformation stay as they are.
+[[nodiscard]] ModelChoices withForce(ModelChoices choices,
+                                     const ForceModelOptions& options) noexcept;
+
+/// All that can be open is; how signals become a force stays.
+[[nodiscard]] ModelChoices allAutomatic(const ModelChoices& choices) noexcept;
+
+}  // namespace asperity

@@ -1,0 +1,101 @@
+#include "core/studies/TradeOffTiers.h"
+
+#include "core/scene/BelievedModel.h"
+#include "core/scene/ModelTerm.h"
+#include "core/scene/Scene.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+/// Laws between which there is a choice; which of them is right depends on the materials.
+std::vector<ContactLaw> lawsFor(const SceneDescription& scene) {
+    std::vector<ContactLaw> laws{ContactLaw::Hertz, ContactLaw::Sneddon};
+    if (isPossible(ModelTerm::FilmBase, scene)) {
+        laws.push_back(ContactLaw::HertzFilm);
+    }
+    if (isPossible(ModelTerm::Adhesion, scene)) {
+        // Not insert(): GCC 12 with -fsanitize=thread sees it write beyond the end (it does not).
+        for (const ContactLaw law :
+             {ContactLaw::Dmt, ContactLaw::Jkr, ContactLaw::Maugis, ContactLaw::Split,
+              ContactLaw::SphereJkr, ContactLaw::SphereMaugis, ContactLaw::SphereSplit}) {
+            laws.push_back(law);
+        }
+    }
+    return laws;
+}
+
+bool hasTable(const Scene& scene, ContactLaw law) {
+    ForceModelOptions model = scene.model;
+    model.law = law;
+    model.solver = SolverTier::Table;
+    return believedSystem(scene.description, model).contact.table() != nullptr;
+}
+
+void addOnce(std::vector<ForceModelOptions>& tiers, const ForceModelOptions& tier) {
+    if (std::ranges::find(tiers, tier) == tiers.end()) {
+        tiers.push_back(tier);
+    }
+}
+
+}  // namespace
+
+const char* nameOf(DeformationTier deformation) noexcept {
+    switch (deformation) {
+    case DeformationTier::FourPoint:
+        return "four points";
+    case DeformationTier::ContactRadius:
+        return "contact radius";
+    case DeformationTier::ClosedForm:
+        return "closed form";
+    case DeformationTier::HalfSpace:
+        return "half-space";
+    }
+    return "unknown";
+}
+
+std::string nameOf(const FrameTier& tier) {
+    const std::string side = std::to_string(tier.samples);
+    return std::string(nameOf(tier.deformation)) + ", " + side + " x " + side;
+}
+
+std::vector<ForceModelOptions> tickTiers(const Scene& scene) {
+    std::vector<ForceModelOptions> tiers;
+    for (const ContactLaw law : lawsFor(scene.description)) {
+        for (const SolverTier solver : {SolverTier::Table, SolverTier::Newton}) {
+            if (solver == SolverTier::Table && !hasTable(scene, law)) {
+                continue;
+            }
+            for (const FootEffort effort :
+                 {FootEffort::Local, FootEffort::Global, FootEffort::Certified}) {
+                tiers.push_back({.law = law, .solver = solver, .footSearch = effort});
+            }
+        }
+    }
+    const ForceModelOptions own = ofForce(scene.model);
+    addOnce(tiers, own);
+    for (const ModelTerm left : kSwitchedTerms) {
+        ForceModelOptions less = own;
+        for (const ModelTerm term : kSwitchedTerms) {
+            less.*traitsOf(term).option = term != left;
+        }
+        addOnce(tiers, ofForce(less));
+    }
+    return tiers;
+}
+
+std::vector<FrameTier> frameTiers() {
+    std::vector<FrameTier> tiers;
+    for (const DeformationTier deformation :
+         {DeformationTier::FourPoint, DeformationTier::ContactRadius, DeformationTier::ClosedForm,
+          DeformationTier::HalfSpace}) {
+        for (const int samples : {25, 49, 97}) {
+            tiers.push_back({deformation, samples});
+        }
+    }
+    return tiers;
+}
+
+}  // namespace asperity

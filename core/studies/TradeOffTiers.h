@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/scene/ForceModelOptions.h"
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+struct Scene;
+
+/// How exactly a picture shows the surface around the contact.
+struct FrameTier {
+    DeformationTier deformation = DeformationTier::ClosedForm;
+    int samples = 97;  ///< of the patch, a side
+};
+
+/// For people: "contact radius", "closed form".
+[[nodiscard]] const char* nameOf(DeformationTier deformation) noexcept;
+
+/// For people: "closed form, 97 x 97".
+[[nodiscard]] std::string nameOf(const FrameTier& tier);
+
+/// The models that a tick of this scene can take: each law that its sample allows, with each solver
+/// but the one afresh and each search for feet, and all other terms; then the scene's own model,
+/// and the same with all other terms but one.
+[[nodiscard]] std::vector<ForceModelOptions> tickTiers(const Scene& scene);
+
+/// All ways for its picture.
+[[nodiscard]] std::vector<FrameTier> frameTiers();
+
+}  // namespace asperity

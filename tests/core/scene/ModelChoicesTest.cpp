@@ -1,0 +1,82 @@
+#include "core/scene/ModelChoices.h"
+
+#include "core/scene/ModelTerm.h"
+#include "core/scene/SceneDescription.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace asperity {
+namespace {
+
+TEST(ModelChoices, WhatIsChosenOfATermIsWhatTheSceneSays) {
+    for (const ModelTerm term : kModelTerms) {
+        for (const std::optional<bool> on : {std::optional(true), std::optional(false), {}}) {
+            const ModelChoices choices = withChoice({}, term, on);
+            EXPECT_EQ(choiceOf(term, choices), on) << nameOf(term);
+            EXPECT_EQ(isSettled(term, choices), on.has_value()) << nameOf(term);
+        }
+    }
+}
+
+TEST(ModelChoices, AChoiceFreesWhatContradictsIt) {
+    SceneDescription scene = test::plainScene();
+    ModelChoices& choices = scene.choices;
+    choices.law = ContactLaw::Jkr;
+    choices = withChoice(choices, ModelTerm::VanDerWaalsTail, true);
+    EXPECT_FALSE(choices.law.has_value());
+    choices = withChoice(choices, ModelTerm::SphereCorrection, true);
+    EXPECT_TRUE(choices.vanDerWaalsTail.has_value()) << "split_sphere has both";
+    choices = withChoice(choices, ModelTerm::Adhesion, false);
+    EXPECT_FALSE(choices.vanDerWaalsTail.has_value());
+    choices = withChoice(choices, ModelTerm::VanDerWaalsTail, true);
+    EXPECT_FALSE(choices.adhesion.has_value());
+    EXPECT_NO_THROW(checkScene(scene));
+}
+
+TEST(ModelChoices, AHalfSpaceSharesItsDisplacementAlready) {
+    ModelChoices choices = withChoice({}, ModelTerm::HalfSpaceSolve, true);
+    choices = withChoice(choices, ModelTerm::OutsideDisplacement, true);
+    EXPECT_EQ(choices.deformation, DeformationTier::HalfSpace);
+    choices = withChoice(choices, ModelTerm::OutsideDisplacement, false);
+    EXPECT_EQ(choices.deformation, DeformationTier::ContactRadius);
+    choices = withChoice(choices, ModelTerm::HalfSpaceSolve, false);
+    EXPECT_EQ(choices.deformation, DeformationTier::ContactRadius);
+}
+
+TEST(ModelChoices, AForceThatIsTakenLeavesDeformationAndDecouplingAlone) {
+    const ModelChoices before{.solver = SolverTier::Table,
+                              .decoupling = DecouplingTier::Planar,
+                              .deformation = DeformationTier::FourPoint,
+                              .adhesion = true};
+    const ModelChoices taken = withForce(before, {.law = ContactLaw::Jkr, .friction = false});
+    EXPECT_EQ(taken.law, ContactLaw::Jkr);
+    EXPECT_EQ(taken.solver, SolverTier::Newton);
+    EXPECT_EQ(taken.footSearch, FootEffort::Certified);
+    EXPECT_EQ(taken.friction, false);
+    EXPECT_EQ(taken.curvature, true);
+    EXPECT_FALSE(taken.adhesion.has_value()) << "the law says it";
+    EXPECT_EQ(taken.decoupling, DecouplingTier::Planar);
+    EXPECT_EQ(taken.deformation, DeformationTier::FourPoint);
+    EXPECT_FALSE(withForce(before, {.law = ContactLaw::SphereJkr}).curvature.has_value())
+        << "that law takes the sample as flat";
+}
+
+TEST(ModelChoices, AutomaticLeavesNothingSettled) {
+    const ModelChoices open = allAutomatic({.law = ContactLaw::Jkr,
+                                            .solver = SolverTier::Table,
+                                            .footSearch = FootEffort::Local,
+                                            .decoupling = DecouplingTier::Planar,
+                                            .deformation = DeformationTier::FourPoint,
+                                            .torsion = false});
+    for (const ModelTerm term : kModelTerms) {
+        EXPECT_FALSE(isSettled(term, open)) << nameOf(term);
+    }
+    EXPECT_EQ(open.solver, SolverTier::Newton);
+    EXPECT_EQ(open.decoupling, DecouplingTier::Planar);
+}
+
+}  // namespace
+}  // namespace asperity
