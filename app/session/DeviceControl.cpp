@@ -1,0 +1,210 @@
+#include "app/session/DeviceControl.h"
+
+#include "core/Error.h"
+#include "core/SiFormat.h"
+#include "core/haptics/mapping/WorkspaceMapping.h"
+#include "ui/HeldKeys.h"
+#include "ui/panels/ControlBar.h"
+#include "ui/panels/OverviewPanel.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half widths/s]
+constexpr double kTurnSpeed = 1.0;    // of a device's axes: the force turns with them [rad/s]
+constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
+
+/// Where held keys send the hand, world frame [half widths/s].
+Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
+    const Vector3 forward = Vector3::UnitZ().cross(camera.right());
+    return kKeySpeed * (keys.right * camera.right() + keys.forward * forward) +
+           kKeySpeedUp * keys.up * Vector3::UnitZ();
+}
+
+}  // namespace
+
+DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
+    : window_(window), runs_(runs), keys_(new HeldKeys(&window.view())) {
+    window.controls().setHands({tr("Mouse and keyboard"), tr("Scripted path"), tr("SpaceMouse"),
+                                tr("Simulated device"), tr("WoodenHaptics")});
+    connectPerson();
+    connect(&runs, &RunControl::begun, this, &DeviceControl::attach);
+    connect(&runs, &RunControl::rebuilt, this, &DeviceControl::takeUp);
+    connect(&runs, &RunControl::ending, this, &DeviceControl::detach);
+}
+
+void DeviceControl::connectPerson() {
+    ControlBar& controls = window_.controls();
+    connect(&controls, &ControlBar::handChosen, this, &DeviceControl::choose);
+    connect(&controls, &ControlBar::positionGainChosen, this, &DeviceControl::choosePositionGain);
+    connect(&window_.view(), &ZoomView::tipDragged, this, [this](double dx, double dy, double dz) {
+        hand_.displace({dx, dy, dz});
+    });
+    connect(&window_.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
+        travelTo({x, y});
+    });
+    connect(window_.menus().calibrate, &QAction::triggered, this, [this] {
+        if (runs_.run() != nullptr) {
+            runs_.run()->hand().calibrate();
+        }
+    });
+    connect(&window_.menus(), &WindowMenus::guideChosen, this, &DeviceControl::chooseGuide);
+}
+
+void DeviceControl::attach() {
+    hand_.attach(*runs_.run());
+    show();
+}
+
+void DeviceControl::detach() {
+    const LiveRun& run = *runs_.run();
+    before_ = run.coupling().hand() != nullptr ? hand_.kind() : HandKind::Other;
+    scaleBefore_ = {run.settings().positionGain, run.settings().forceGain};
+    hand_.detach();
+}
+
+void DeviceControl::takeUp() {
+    if (before_ == HandKind::Other) {
+        return;
+    }
+    choose(static_cast<int>(before_));
+    if (hand_.kind() == before_) {
+        runs_.turn([this](Settings& settings) {
+            settings.positionGain = scaleBefore_.positionGain;
+            settings.forceGain = scaleBefore_.forceGain;
+        });
+        tell();
+    }
+}
+
+void DeviceControl::choose(int index) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    if (index == static_cast<int>(HandKind::Script)) {
+        Q_EMIT pathWanted();
+        return;
+    }
+    try {
+        hand_.use(static_cast<HandKind>(index));
+        tell();
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+    show();
+}
+
+void DeviceControl::follow(const HandPath& path) {
+    hand_.follow(path);
+    show();
+}
+
+void DeviceControl::leadDevice(const HandPath& path) {
+    hand_.use(HandKind::SimulatedDevice);
+    hand_.leadAlong(path);
+    show();
+}
+
+void DeviceControl::travelTo(const Vector2& place) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    if (hand_.kind() != HandKind::Pointer) {
+        hand_.usePointer();
+        show();
+    }
+    hand_.travelTo(place);
+}
+
+void DeviceControl::choosePositionGain(double gain) {
+    if (hand_.kind() == HandKind::Script) {
+        window_.controls().setPositionGain(runs_.run()->settings().positionGain);
+        window_.tell(tr("A path is in places of the scan: the position gain waits for a hand"));
+        return;
+    }
+    runs_.turn([gain](Settings& settings) { settings.positionGain = gain; });
+}
+
+void DeviceControl::chooseGuide(FixtureKind kind) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    LiveRun& run = *runs_.run();
+    const TickSample sample = run.loop().snapshot().sample;
+    runs_.turn([&](Settings& settings) {
+        settings.guide = run.scene().description.guide;
+        settings.guide.kind = kind;
+        settings.guide.axis = Vector3::UnitZ();
+        settings.guide.point = settings.positionControl == PositionControl::Tip
+                                   ? sample.output.model.tip
+                                   : sample.output.base.position;
+    });
+    if (kind != FixtureKind::None && !run.settings().coupling.couples()) {
+        window_.tell(tr("A guide pulls at a hand with a coupling: take a device with motors, or "
+                        "give the scene a coupling"));
+    }
+}
+
+void DeviceControl::advance(double seconds) {
+    const double halfWidth = window_.view().halfWidth();
+    hand_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
+    hand_.advance(seconds, halfWidth);
+    turnAxes(seconds);
+    const std::string status = hand_.deviceStatus();
+    if (status != std::exchange(status_, status) && !status.empty()) {
+        window_.tell(QString::fromStdString(status));
+    }
+    followDelay();
+}
+
+void DeviceControl::turnAxes(double seconds) {
+    const bool turns = window_.menus().followsView->isChecked() && hand_.isDevice();
+    const ViewCamera& camera = window_.view().camera();
+    const auto axes = turns ? viewAxes(camera.right(), camera.up()) : std::nullopt;
+    const Vector3 wanted = axes ? turnOf(*axes) : Vector3(Vector3::Zero());
+    const Vector3& now = runs_.run()->settings().handTurn;
+    const Vector3 turned = turnedTowards(now, wanted, kTurnSpeed * seconds);
+    if (turned != now) {
+        runs_.turn([&turned](Settings& settings) { settings.handTurn = turned; });
+    }
+}
+
+void DeviceControl::followDelay() {
+    if (!runs_.run()->followDelay()) {
+        return;
+    }
+    show();
+    const CoupledHand& hand = *runs_.run()->coupling().hand();
+    if (hand.holds()) {
+        tell();
+    } else {
+        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(hand.refusal)));
+    }
+}
+
+void DeviceControl::show() {
+    window_.controls().setHand(static_cast<int>(hand_.kind()));
+    runs_.showKnobs();
+}
+
+/// Of one with motors: its scale, and what is felt; so short that the bottom line has room for it.
+void DeviceControl::tell() {
+    if (const CoupledHand* const hand = runs_.run()->coupling().hand()) {
+        const Settings& settings = runs_.run()->settings();
+        window_.tell(tr("%1; the hand feels %2 of %3")
+                         .arg(QString::fromStdString(
+                                  scaleWords({settings.positionGain, settings.forceGain})),
+                              QString::fromStdString(formatSi(hand->judgement.felt, "N/m")),
+                              QString::fromStdString(formatSi(hand->judgement.contact, "N/m"))));
+    }
+}
+
+}  // namespace asperity
