@@ -13,6 +13,7 @@
 #include "app/session/LiveWindow.h"
 #include "core/Error.h"
 #include "core/haptics/ScriptedHand.h"
+#include "hardware/led/LedDrivers.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -135,7 +136,7 @@ void runBare(const LoopOptions& options) {
     HandControl device;
     if (options.simulatedDevice) {
         device.attach(run);
-        device.use(HandKind::SimulatedDevice);
+        device.use(simulatedDriver());
         device.leadAlong(path);
     } else {
         run.takeHand(

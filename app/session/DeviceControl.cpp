@@ -3,6 +3,8 @@
 #include "core/Error.h"
 #include "core/SiFormat.h"
 #include "core/haptics/mapping/WorkspaceMapping.h"
+#include "hardware/DeviceRegistry.h"
+#include "hardware/led/LedDrivers.h"
 #include "ui/HeldKeys.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/OverviewPanel.h"
@@ -12,6 +14,7 @@
 
 #include <QAction>
 
+#include <algorithm>
 #include <utility>
 
 namespace asperity {
@@ -33,8 +36,14 @@ Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
 
 DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
     : window_(window), runs_(runs), keys_(new HeldKeys(&window.view())) {
-    window.controls().setHands({tr("Mouse and keyboard"), tr("Scripted path"), tr("SpaceMouse"),
-                                tr("Simulated device"), tr("WoodenHaptics")});
+    const auto drivers = deviceDrivers();
+    list_.assign(drivers.begin(), drivers.end());
+    list_.insert(list_.begin() + 1, nullptr);
+    QStringList names;
+    for (const DeviceDriver* const driver : list_) {
+        names << (driver != nullptr ? tr(driver->label) : tr("Scripted path"));
+    }
+    window.controls().setHands(names);
     connectPerson();
     connect(&runs, &RunControl::begun, this, &DeviceControl::attach);
     connect(&runs, &RunControl::rebuilt, this, &DeviceControl::takeUp);
@@ -66,17 +75,17 @@ void DeviceControl::attach() {
 
 void DeviceControl::detach() {
     const LiveRun& run = *runs_.run();
-    before_ = run.coupling().hand() != nullptr ? hand_.kind() : HandKind::Other;
+    before_ = run.coupling().hand() != nullptr ? hand_.driver() : nullptr;
     scaleBefore_ = {run.settings().positionGain, run.settings().forceGain};
     hand_.detach();
 }
 
 void DeviceControl::takeUp() {
-    if (before_ == HandKind::Other) {
+    if (before_ == nullptr) {
         return;
     }
-    choose(static_cast<int>(before_));
-    if (hand_.kind() == before_) {
+    use(*before_);
+    if (hand_.driver() == before_) {
         runs_.turn([this](Settings& settings) {
             settings.positionGain = scaleBefore_.positionGain;
             settings.forceGain = scaleBefore_.forceGain;
@@ -89,12 +98,16 @@ void DeviceControl::choose(int index) {
     if (runs_.run() == nullptr) {
         return;
     }
-    if (index == static_cast<int>(HandKind::Script)) {
+    if (const DeviceDriver* const driver = list_.at(static_cast<std::size_t>(index))) {
+        use(*driver);
+    } else {
         Q_EMIT pathWanted();
-        return;
     }
+}
+
+void DeviceControl::use(const DeviceDriver& driver) {
     try {
-        hand_.use(static_cast<HandKind>(index));
+        hand_.use(driver);
         tell();
     } catch (const Error& error) {
         window_.complain(QString::fromUtf8(error.what()));
@@ -108,7 +121,7 @@ void DeviceControl::follow(const HandPath& path) {
 }
 
 void DeviceControl::leadDevice(const HandPath& path) {
-    hand_.use(HandKind::SimulatedDevice);
+    hand_.use(simulatedDriver());
     hand_.leadAlong(path);
     show();
 }
@@ -117,15 +130,15 @@ void DeviceControl::travelTo(const Vector2& place) {
     if (runs_.run() == nullptr) {
         return;
     }
-    if (hand_.kind() != HandKind::Pointer) {
-        hand_.usePointer();
+    if (hand_.driver() != &pointerDriver()) {
+        hand_.use(pointerDriver());
         show();
     }
     hand_.travelTo(place);
 }
 
 void DeviceControl::choosePositionGain(double gain) {
-    if (hand_.kind() == HandKind::Script) {
+    if (hand_.followsPath()) {
         window_.controls().setPositionGain(runs_.run()->settings().positionGain);
         window_.tell(tr("A path is in places of the scan: the position gain waits for a hand"));
         return;
@@ -158,9 +171,9 @@ void DeviceControl::advance(double seconds) {
     hand_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
     hand_.advance(seconds, halfWidth);
     turnAxes(seconds);
-    const std::string status = hand_.deviceStatus();
-    if (status != std::exchange(status_, status) && !status.empty()) {
-        window_.tell(QString::fromStdString(status));
+    const std::string words = wordsOf(runs_.run()->hand().status());
+    if (words != std::exchange(told_, words) && !words.empty()) {
+        window_.tell(QString::fromStdString(words));
     }
     followDelay();
 }
@@ -191,7 +204,9 @@ void DeviceControl::followDelay() {
 }
 
 void DeviceControl::show() {
-    window_.controls().setHand(static_cast<int>(hand_.kind()));
+    const bool isListed = hand_.driver() != nullptr || hand_.followsPath();
+    const auto found = std::find(list_.begin(), list_.end(), hand_.driver());
+    window_.controls().setHand(isListed ? static_cast<int>(found - list_.begin()) : -1);
     runs_.showKnobs();
 }
 

@@ -4,6 +4,7 @@
 #include "app/session/RunControl.h"
 
 #include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -35,6 +36,7 @@ private:
     void detach();
     void takeUp();
     void choose(int index);
+    void use(const DeviceDriver& driver);
     void travelTo(const Vector2& place);
     void choosePositionGain(double gain);
     void chooseGuide(FixtureKind kind);
@@ -48,9 +50,10 @@ private:
     RunControl& runs_;
     HandControl hand_;
     HeldKeys* keys_;
-    std::string status_;                 ///< as told last
-    HandKind before_ = HandKind::Other;  ///< the device that led last; `Other`: none did
-    HandScale scaleBefore_;              ///< its scale
+    std::vector<const DeviceDriver*> list_;  ///< as the window shows it; null: a path
+    std::string told_;                       ///< what the device said last
+    const DeviceDriver* before_ = nullptr;   ///< of the device that led last; null: none did
+    HandScale scaleBefore_;
 };
 
 }  // namespace asperity
