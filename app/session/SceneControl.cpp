@@ -8,6 +8,9 @@
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/window/MainWindow.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +28,8 @@ SceneControl::SceneControl(MainWindow& window, RunControl& runs)
         const std::string text = file.toStdString();
         open(pathFromText(text).value_or(text));
     });
-    connect(&window, &MainWindow::cancelLoadingRequested, this, &SceneControl::cancelOpen);
+    connect(window.menus().cancelLoading, &QAction::triggered, this, &SceneControl::cancelOpen);
+    connect(&window.loading(), &LoadingBar::cancelRequested, this, &SceneControl::cancelOpen);
     connect(&window.controls(), &ControlBar::materialChosen, this, &SceneControl::chooseMaterial);
     connect(&runs, &RunControl::begun, this, &SceneControl::showMaterials);
 }

@@ -1,9 +1,6 @@
 #include "app/session/ViewControl.h"
 
-#include "ui/panels/CantileverPanel.h"
-#include "ui/panels/ForcePanel.h"
 #include "ui/panels/LoopStatusBar.h"
-#include "ui/panels/OverviewPanel.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ContactShape.h"
 #include "ui/view/ZoomView.h"
@@ -25,9 +22,9 @@ ViewControl::ViewControl(MainWindow& window, RunControl& runs) : window_(window)
 }
 
 void ViewControl::take(const TickSample& sample) {
-    window_.forces().take(sample);
-    window_.cantilever().take(sample);
-    window_.banner().take(sample);
+    for (Panel* const panel : window_.panels()) {
+        panel->take(sample);
+    }
 }
 
 /// The frame shows the newest solution there is; the one it asks for is for a frame to come.
@@ -52,38 +49,37 @@ void ViewControl::show(double now) {
     const Snapshot& latest = run.loop().snapshot();
     solveHalfSpace(latest);
     frame_ = (frame_ + 1) % kFramesPerPanelFrame;
+    draw(latest, frame_ == 0);
     if (frame_ == 0) {
-        showEverywhere(latest);
         panels_.add(now);
-    } else {
-        window_.view().showSnapshot(latest);
-        window_.banner().show(latest);
     }
     view_.add(now);
-    window_.loopStatus().show(latest.statistics);
     window_.loopStatus().setFramesPerSecond(view_.rate());
 }
 
-void ViewControl::showEverywhere(const Snapshot& latest) {
+void ViewControl::draw(const Snapshot& latest, bool everywhere) {
     window_.view().showSnapshot(latest);
-    window_.banner().show(latest);
-    window_.forces().show(latest);
-    window_.cantilever().show(latest);
-    window_.overview().show(latest);
+    for (Panel* const panel : window_.panels()) {
+        if (everywhere || panel->slowName() == nullptr) {
+            panel->show(latest);
+        }
+    }
 }
 
 std::vector<ViewRate> ViewControl::rates() const {
-    const double panels = panels_.overallRate();
-    return {{"zoom", view_.overallRate()},
-            {"forces", panels},
-            {"cantilever", panels},
-            {"overview", panels}};
+    std::vector<ViewRate> rates{{"zoom", view_.overallRate()}};
+    for (const Panel* const panel : window_.panels()) {
+        if (panel->slowName() != nullptr) {
+            rates.push_back({panel->slowName(), panels_.overallRate()});
+        }
+    }
+    return rates;
 }
 
 void ViewControl::savePicture(const QString& file) {
     if (runs_.run() != nullptr) {
         runs_.fetch();
-        showEverywhere(runs_.run()->loop().snapshot());
+        draw(runs_.run()->loop().snapshot(), true);
     }
     if (window_.grab().save(file)) {
         window_.tell(tr("Saved as %1").arg(file));

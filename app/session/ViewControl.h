@@ -24,7 +24,8 @@ public:
 
 private:
     void solveHalfSpace(const Snapshot& latest);
-    void showEverywhere(const Snapshot& latest);
+    /// The same tick in the large view and the panels, or only in those that are drawn each time.
+    void draw(const Snapshot& latest, bool everywhere);
     void savePicture(const QString& file);
 
     MainWindow& window_;

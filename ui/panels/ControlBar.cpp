@@ -30,6 +30,30 @@ void setNames(QComboBox& combo, const QStringList& names) {
     }
 }
 
+void addWithCaption(QHBoxLayout& bar, const QString& caption, const QList<QWidget*>& widgets,
+                    int stretch) {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(1);
+    column->addWidget(captionLabel(caption, bar.parentWidget()));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(3);
+    for (QWidget* widget : widgets) {
+        row->addWidget(widget);
+    }
+    column->addLayout(row);
+    bar.addLayout(column, stretch);
+}
+
+void addSeparator(QHBoxLayout& bar) {
+    auto* line = new QFrame(bar.parentWidget());
+    line->setFrameShape(QFrame::VLine);
+    QPalette palette = line->palette();
+    palette.setColor(QPalette::WindowText, theme::kFaint);
+    line->setFrameShadow(QFrame::Plain);
+    line->setPalette(palette);
+    bar.addWidget(line);
+}
+
 void setQuietly(GainSpinBox& box, double value) {
     const QSignalBlocker blocker(box);
     box.setValue(value);
@@ -45,7 +69,7 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(
     forces_ = addButton("forces", QStringLiteral("Forces are off"));
     forces_->setCheckable(true);
     forces_->setToolTip(QStringLiteral("Whether the hand feels forces (Esc: off)"));
-    addSeparator();
+    addSeparator(*row_);
     material_ = addCombo("material", QStringLiteral("Material"));
     hand_ = addCombo("hand", QStringLiteral("Hand"));
     path_ = addCombo("path", QStringLiteral("Path"));
@@ -54,7 +78,7 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(
     positionGain_ = addGain("positionGain", QStringLiteral("Position gain"), 1e-12, 1e3);
     positionGain_->setToolTip(QStringLiteral("Way of the tip per way of the hand"));
     row_->addStretch(0);
-    addSeparator();
+    addSeparator(*row_);
     record_ = addButton("record", QStringLiteral("Recording"));
     record_->setCheckable(true);
     record_->setToolTip(QStringLiteral("Write every tick to a log"));
@@ -91,7 +115,7 @@ QComboBox* ControlBar::addCombo(const char* objectName, const QString& caption) 
         pathFile_->setFixedHeight(kControlHeight);
         widgets << pathFile_;
     }
-    addWithCaption(caption, widgets, 1);
+    addWithCaption(*row_, caption, widgets, 1);
     return combo;
 }
 
@@ -101,32 +125,8 @@ GainSpinBox* ControlBar::addGain(const char* objectName, const QString& caption,
     box->setObjectName(QString::fromUtf8(objectName));
     box->setFixedSize(96, kControlHeight);
     guardFromWheel(*box);
-    addWithCaption(caption, {box}, 0);
+    addWithCaption(*row_, caption, {box}, 0);
     return box;
-}
-
-void ControlBar::addWithCaption(const QString& caption, const QList<QWidget*>& widgets,
-                                int stretch) {
-    auto* column = new QVBoxLayout;
-    column->setSpacing(1);
-    column->addWidget(captionLabel(caption, this));
-    auto* row = new QHBoxLayout;
-    row->setSpacing(3);
-    for (QWidget* widget : widgets) {
-        row->addWidget(widget);
-    }
-    column->addLayout(row);
-    row_->addLayout(column, stretch);
-}
-
-void ControlBar::addSeparator() {
-    auto* line = new QFrame(this);
-    line->setFrameShape(QFrame::VLine);
-    QPalette palette = line->palette();
-    palette.setColor(QPalette::WindowText, theme::kFaint);
-    line->setFrameShadow(QFrame::Plain);
-    line->setPalette(palette);
-    row_->addWidget(line);
 }
 
 void ControlBar::connectPerson() {

@@ -49,8 +49,6 @@ private:
     QPushButton* addButton(const char* objectName, const QString& widest);
     QComboBox* addCombo(const char* objectName, const QString& caption);
     GainSpinBox* addGain(const char* objectName, const QString& caption, double low, double high);
-    void addWithCaption(const QString& caption, const QList<QWidget*>& widgets, int stretch);
-    void addSeparator();
     void connectPerson();
 
     QHBoxLayout* row_;

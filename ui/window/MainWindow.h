@@ -4,18 +4,18 @@
 
 #include <QMainWindow>
 
+#include <vector>
+
 class QStackedLayout;
 
 namespace asperity {
 
-class CantileverPanel;
-class ColourBarWidget;
 class ControlBar;
 class FidelityPanel;
-class ForcePanel;
 class LoadingBar;
 class LoopStatusBar;
 class OverviewPanel;
+class Panel;
 class StateBanner;
 class WindowMenus;
 class ZoomView;
@@ -32,12 +32,12 @@ public:
     [[nodiscard]] ControlBar& controls() { return *controls_; }
     [[nodiscard]] StateBanner& banner() { return *banner_; }
     [[nodiscard]] ZoomView& view() { return *view_; }
-    [[nodiscard]] ForcePanel& forces() { return *forces_; }
-    [[nodiscard]] CantileverPanel& cantilever() { return *cantilever_; }
     [[nodiscard]] OverviewPanel& overview() { return *overview_; }
     /// A window of its own, hidden at first.
     [[nodiscard]] FidelityPanel& fidelity() { return *fidelity_; }
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
+    /// All that show a run beside the view.
+    [[nodiscard]] const std::vector<Panel*>& panels() const { return panels_; }
 
     /// Gives all panels a scene; null: none. The scene outlives its use here.
     void showScene(const Scene* scene, const QString& title);
@@ -57,7 +57,6 @@ Q_SIGNALS:
     void pathFileChosen(QString file);
     void recordingChosen(QString forceLog);
     void pictureFileChosen(QString file);
-    void cancelLoadingRequested();
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -66,33 +65,19 @@ protected:
 private:
     [[nodiscard]] QWidget* leftSide();
     [[nodiscard]] QWidget* rightSide();
-    [[nodiscard]] QStackedLayout* bottomLine();
     void placeAll();
     void connectMenus();
-    void connectView();
-    /// The keys that move the hand work again once a knob is turned.
-    void giveFocusBack();
-    void chooseScan();
-    void choosePath();
-    void chooseRecording();
-    void choosePictureFile();
-    void showFidelity();
-    void explainControls();
-    void explainProgram();
 
     WindowMenus* menus_;
     ControlBar* controls_;
     StateBanner* banner_;
     ZoomView* view_;
-    ColourBarWidget* heightBar_;
-    ColourBarWidget* displacementBar_;
-    QStackedLayout* bottomLine_;  ///< hint, loading
     LoadingBar* loading_;
-    ForcePanel* forces_;
-    CantileverPanel* cantilever_;
+    QStackedLayout* bottomLine_;  ///< hint, loading
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
+    std::vector<Panel*> panels_;
 };
 
 }  // namespace asperity
