@@ -22,7 +22,7 @@ ViewControl::ViewControl(MainWindow& window, RunControl& runs) : window_(window)
 }
 
 void ViewControl::take(const TickSample& sample) {
-    for (Panel* const panel : window_.panels()) {
+    for (RunPanel* const panel : window_.panels()) {
         panel->take(sample);
     }
 }
@@ -59,7 +59,7 @@ void ViewControl::show(double now) {
 
 void ViewControl::draw(const Snapshot& latest, bool everywhere) {
     window_.view().showSnapshot(latest);
-    for (Panel* const panel : window_.panels()) {
+    for (RunPanel* const panel : window_.panels()) {
         if (everywhere || panel->slowName() == nullptr) {
             panel->show(latest);
         }
@@ -68,7 +68,7 @@ void ViewControl::draw(const Snapshot& latest, bool everywhere) {
 
 std::vector<ViewRate> ViewControl::rates() const {
     std::vector<ViewRate> rates{{"zoom", view_.overallRate()}};
-    for (const Panel* const panel : window_.panels()) {
+    for (const RunPanel* const panel : window_.panels()) {
         if (panel->slowName() != nullptr) {
             rates.push_back({panel->slowName(), panels_.overallRate()});
         }

@@ -5,7 +5,7 @@
 #include "ui/Steady.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/CurvePlot.h"
-#include "ui/panels/Panel.h"
+#include "ui/panels/RunPanel.h"
 
 #include <optional>
 
@@ -15,7 +15,7 @@ class CantileverSketch;
 
 /// What the cantilever does: a drawing of the bent and twisted beam, the measured bending and
 /// torsion as numbers and curves, and the tip's deflection by the estimated force.
-class CantileverPanel : public Card, public Panel {
+class CantileverPanel : public Card, public RunPanel {
 public:
     explicit CantileverPanel(QWidget* parent = nullptr);
 

@@ -3,7 +3,7 @@
 #include "ui/Steady.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/CurvePlot.h"
-#include "ui/panels/Panel.h"
+#include "ui/panels/RunPanel.h"
 
 #include <array>
 
@@ -13,7 +13,7 @@ namespace asperity {
 
 /// The estimated force on the tip with its standard deviation, the tip's place, gap and contact
 /// radius: as numbers and as curves.
-class ForcePanel : public Card, public Panel {
+class ForcePanel : public Card, public RunPanel {
 public:
     explicit ForcePanel(QWidget* parent = nullptr);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/Panel.h"
+#include "ui/panels/RunPanel.h"
 
 #include <QWidget>
 
@@ -9,7 +9,7 @@ class QLabel;
 namespace asperity {
 
 /// How well the loop and the pictures keep their time: a line for the window's status bar.
-class LoopStatusBar : public QWidget, public Panel {
+class LoopStatusBar : public QWidget, public RunPanel {
 public:
     explicit LoopStatusBar(QWidget* parent = nullptr);
 

@@ -2,7 +2,7 @@
 
 #include "core/surface/BSplineSurface.h"
 #include "ui/panels/Card.h"
-#include "ui/panels/Panel.h"
+#include "ui/panels/RunPanel.h"
 
 #include <QPolygonF>
 #include <QRectF>
@@ -17,7 +17,7 @@ class OverviewMap;
 
 /// The whole scan from above with the tip's place and the frame of the zoomed view. Places are
 /// world x, y [m], y up.
-class OverviewPanel : public Card, public Panel {
+class OverviewPanel : public Card, public RunPanel {
     Q_OBJECT
 
 public:

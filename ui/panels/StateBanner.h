@@ -2,7 +2,7 @@
 
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/scene/Validity.h"
-#include "ui/panels/Panel.h"
+#include "ui/panels/RunPanel.h"
 
 #include <QFrame>
 
@@ -21,7 +21,7 @@ namespace asperity {
 
 /// One line that always says in words and colour where the tip is, whether forces act, what went
 /// wrong, and what a result does not hold for. Its height never changes.
-class StateBanner : public QFrame, public Panel {
+class StateBanner : public QFrame, public RunPanel {
     Q_OBJECT
 
 public:

@@ -187,7 +187,7 @@ void MainWindow::connectMenus() {
 }
 
 void MainWindow::showScene(const Scene* scene, const QString& title) {
-    for (Panel* const panel : panels_) {
+    for (RunPanel* const panel : panels_) {
         panel->clear();
         if (scene != nullptr) {
             panel->begin(*scene);

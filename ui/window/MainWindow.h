@@ -15,7 +15,7 @@ class FidelityPanel;
 class LoadingBar;
 class LoopStatusBar;
 class OverviewPanel;
-class Panel;
+class RunPanel;
 class StateBanner;
 class WindowMenus;
 class ZoomView;
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] FidelityPanel& fidelity() { return *fidelity_; }
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
     /// All that show a run beside the view.
-    [[nodiscard]] const std::vector<Panel*>& panels() const { return panels_; }
+    [[nodiscard]] const std::vector<RunPanel*>& panels() const { return panels_; }
 
     /// Gives all panels a scene; null: none. The scene outlives its use here.
     void showScene(const Scene* scene, const QString& title);
@@ -77,7 +77,7 @@ private:
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
-    std::vector<Panel*> panels_;
+    std::vector<RunPanel*> panels_;
 };
 
 }  // namespace asperity

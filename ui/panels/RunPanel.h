@@ -7,9 +7,9 @@ namespace asperity {
 struct Scene;
 
 /// What shows a run beside the large view.
-class Panel {
+class RunPanel {
 public:
-    virtual ~Panel() = default;
+    virtual ~RunPanel() = default;
 
     /// Forgets what was shown: there is another scene, or none.
     virtual void clear() = 0;
