@@ -9,7 +9,8 @@
 
 namespace asperity {
 
-/// All drivers; a device belongs to the first one that drives it.
+/// All drivers, in the order of the window's list; a HID device belongs to the first one that
+/// drives it.
 [[nodiscard]] std::span<const DeviceDriver* const> deviceDrivers();
 
 /// A device and what Asperity can do with it.
@@ -29,5 +30,9 @@ struct DeviceDescription {
 /// Every HID device with what can be done with it, also those that no driver knows.
 /// @throw Error when the system cannot list them
 [[nodiscard]] std::vector<DeviceDescription> listDevices(HidTransport& transport);
+
+/// For people: which device it is and what it waits for, or why there is none; empty of a hand
+/// without a device.
+[[nodiscard]] std::string wordsOf(const DeviceStatus& status);
 
 }  // namespace asperity

@@ -13,6 +13,7 @@
 #include "app/session/LiveWindow.h"
 #include "core/Error.h"
 #include "core/haptics/ScriptedHand.h"
+#include "hardware/led/LedDrivers.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -135,7 +136,7 @@ void runBare(const LoopOptions& options) {
     HandControl device;
     if (options.simulatedDevice) {
         device.attach(run);
-        device.use(HandKind::SimulatedDevice);
+        device.use(simulatedDriver());
         device.leadAlong(path);
     } else {
         run.takeHand(
@@ -172,31 +173,32 @@ void runInWindow(const LoopOptions& options) {
     const VirtualDisplay display;
     LiveWindow live;
     Session& session = live.session();
-    session.use(loadForLoop(options));
+    RecordingControl& recordings = session.recordings();
+    session.runs().use(loadForLoop(options));
     LiveRun& run = *session.run();
     live.window().lock();  // another scene would end the run that is measured
     const HandPath path = repeatedApproach(run.scene(), options.duration);
-    options.simulatedDevice ? session.leadDevice(path) : session.follow(path);
+    options.simulatedDevice ? session.devices().leadDevice(path) : session.paths().follow(path);
     if (!options.record.empty()) {
-        session.startRecording({options.record, options.force});
+        recordings.start({options.record, options.force});
     }
     AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
     const double begin = monotonicSeconds();
     QTimer poll;
     QObject::connect(&poll, &QTimer::timeout, [&] {
         blocks.poll();
-        if (isDone(blocks, begin, options) || !session.recordingFailure().isEmpty()) {
+        if (isDone(blocks, begin, options) || !recordings.failure().isEmpty()) {
             live.window().close();
         }
     });
     poll.start(kPoll);
     live.exec();
     blocks.finish();
-    session.finishRecording();
-    if (!session.recordingFailure().isEmpty()) {
-        failRecording(options.record, session.recordingFailure().toStdString());
+    recordings.finish();
+    if (!recordings.failure().isEmpty()) {
+        failRecording(options.record, recordings.failure().toStdString());
     }
-    print(options, run, blocks, session.writingTime(), session.viewRates());
+    print(options, run, blocks, recordings.writingTime(), session.views().rates());
 }
 
 }  // namespace

@@ -32,25 +32,25 @@ CLI::Validator noMistypedCommand() {
 /// Records the first scene that is shown.
 void recordFromTheStart(Session& session, const RecordingPlace& place) {
     auto* const once = new QObject(&session);
-    QObject::connect(&session, &Session::sceneShown, once, [&session, once, place] {
+    QObject::connect(&session.runs(), &RunControl::begun, once, [&session, once, place] {
         once->deleteLater();
-        session.startRecording(place);
+        session.recordings().start(place);
     });
 }
 
 /// Shows the window, and the file as soon as it is loaded. Where that fails the program ends as
 /// every command does; from then on the window stays, whatever a person opens in it.
 int execWith(LiveWindow& live, const std::filesystem::path& input) {
-    Session& session = live.session();
+    SceneControl& scenes = live.session().scenes();
     std::exception_ptr reason;
-    const auto quits = QObject::connect(&session, &Session::openFailed, [&session, &reason] {
-        reason = session.openError();
+    const auto quits = QObject::connect(&scenes, &SceneControl::openFailed, [&scenes, &reason] {
+        reason = scenes.openError();
         QApplication::quit();
     });
     const auto goOn = [quits] { QObject::disconnect(quits); };
-    QObject::connect(&session, &Session::sceneShown, goOn);
-    QObject::connect(&session, &Session::openCancelled, goOn);
-    session.open(input);
+    QObject::connect(&live.session().runs(), &RunControl::begun, goOn);
+    QObject::connect(&scenes, &SceneControl::openCancelled, goOn);
+    scenes.open(input);
     const int status = live.exec();
     if (reason) {
         std::rethrow_exception(reason);
@@ -92,7 +92,7 @@ int openWindow(const WindowOptions& options) {
     }
     LiveWindow live;
     live.window().setScanFiles(scanFiles());
-    live.session().recoverCutOff();
+    live.session().recordings().recoverCutOff();
     if (!options.record.empty()) {
         recordFromTheStart(live.session(), {options.record, options.force});
     }

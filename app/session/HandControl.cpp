@@ -2,11 +2,8 @@
 
 #include "app/program/DataFolder.h"
 #include "core/haptics/ScriptedHand.h"
-#include "core/haptics/bench/SimulatedDevice.h"
-#include "core/haptics/device/PointerHand.h"
-#include "core/io/scene/WoodenHapticsFile.h"
-#include "hardware/spacemouse/SpaceMouse.h"
-#include "hardware/woodenhaptics/WoodenHaptics.h"
+#include "core/haptics/device/LedHand.h"
+#include "hardware/led/LedDrivers.h"
 
 #include <memory>
 #include <utility>
@@ -15,62 +12,30 @@ namespace asperity {
 
 namespace {
 
-constexpr double kJourney = 1.5;     // [s]
-constexpr double kMouseSpeed = 0.5;  // of a SpaceMouse pushed to its end [half widths/s]
+constexpr double kJourney = 1.5;  // [s]
 
 }  // namespace
 
 void HandControl::attach(LiveRun& run) {
     run_ = &run;
-    usePointer();
+    use(pointerDriver());
 }
 
-void HandControl::detach() { run_ = nullptr; }
-
-HandKind HandControl::kind() const {
-    if (handAs<PointerHand>() != nullptr) {
-        return HandKind::Pointer;
-    }
-    if (handAs<ScriptedHand>() != nullptr) {
-        return HandKind::Script;
-    }
-    if (handAs<SpaceMouse>() != nullptr) {
-        return HandKind::SpaceMouse;
-    }
-    if (handAs<SimulatedDevice>() != nullptr) {
-        return HandKind::SimulatedDevice;
-    }
-    return handAs<WoodenHaptics>() != nullptr ? HandKind::WoodenHaptics : HandKind::Other;
-}
-
-void HandControl::use(HandKind kind) {
-    switch (kind) {
-    case HandKind::Pointer:
-        return usePointer();
-    case HandKind::SpaceMouse:
-        return useSpaceMouse();
-    case HandKind::SimulatedDevice:
-        return lead(
-            [](const Vector3&) { return std::make_unique<SimulatedDevice>(Vector3::Zero()); });
-    case HandKind::WoodenHaptics:
-        return useWoodenHaptics();
-    case HandKind::Script:
-    case HandKind::Other:
-        break;
-    }
-}
-
-void HandControl::usePointer() {
-    lead([](const Vector3& start) { return std::make_unique<PointerHand>(start); });
-}
-
-void HandControl::lead(const MakeLed& make) {
-    run_->takeHand([&] {
-        std::unique_ptr<LedHand> hand = make(run_->handPosition());
-        pilot_ = HandPilot(hand->start());
-        return hand;
+void HandControl::use(const DeviceDriver& driver) {
+    take(&driver, [this, &driver] {
+        return driver.open({.hid = [this]() -> HidTransport& { return hid(); },
+                            .data = dataFolder(),
+                            .start = run_->handPosition()});
     });
-    piloted_ = &run_->hand();
+}
+
+void HandControl::take(const DeviceDriver* driver, const LiveRun::MakeHand& make) {
+    run_->takeHand(make);
+    hand_ = &run_->hand();
+    driver_ = driver;
+    if (const LedHand* const led = run_->hand().led()) {
+        pilot_ = HandPilot(led->start());
+    }
 }
 
 HandPath HandControl::leadIn(const Vector3& start) {
@@ -80,7 +45,7 @@ HandPath HandControl::leadIn(const Vector3& start) {
 }
 
 void HandControl::follow(const HandPath& path) {
-    run_->takeHand([this, &path] {
+    take(nullptr, [this, &path] {
         HandPath way = leadIn(path.front().position);
         const double begin = way.back().time - path.front().time;
         for (std::size_t i = 1; i < path.size(); ++i) {
@@ -91,36 +56,23 @@ void HandControl::follow(const HandPath& path) {
     });
 }
 
-HidapiTransport& HandControl::hid() {
+HidTransport& HandControl::hid() {
     if (!transport_) {
         transport_.emplace();
     }
     return *transport_;
 }
 
-void HandControl::useSpaceMouse() {
-    HidapiTransport& transport = hid();
-    run_->takeHand([&] { return std::make_unique<SpaceMouse>(transport, run_->handPosition()); });
-}
-
-void HandControl::useWoodenHaptics() {
-    const std::filesystem::path file = dataFolder() / "devices" / "woodenhaptics_2015.toml";
-    const WoodenHapticsDescription description = readWoodenHaptics(file);
-    HidapiTransport& transport = hid();
-    run_->takeHand([&] { return std::make_unique<WoodenHaptics>(transport, description); });
-}
-
 LedHand* HandControl::led() const {
-    auto* const hand = handAs<LedHand>();
-    return hand != nullptr && hand == piloted_ && run_->loop().running() ? hand : nullptr;
+    return isOurs() && run_->loop().running() ? run_->hand().led() : nullptr;
 }
 
 bool HandControl::isDevice() const {
-    return run_ != nullptr && handAs<LedHand>() == nullptr && kind() != HandKind::Script;
+    return run_ != nullptr && run_->hand().led() == nullptr && !followsPath();
 }
 
 double HandControl::reach() const {
-    return kind() == HandKind::Pointer ? 1.0 : 1.0 / run_->settings().positionGain;
+    return driver() == &pointerDriver() ? 1.0 : 1.0 / run_->settings().positionGain;
 }
 
 void HandControl::displace(const Vector3& displacement) {
@@ -148,17 +100,7 @@ void HandControl::advance(double seconds, double halfWidth) {
                               .positionGain = run_->settings().positionGain};
         hand->moveTo(pilot_.advance(seconds, now));
     }
-    if (auto* const mouse = handAs<SpaceMouse>()) {
-        mouse->setSpeed(kMouseSpeed * halfWidth);
-    }
-}
-
-std::string HandControl::deviceStatus() const {
-    if (const auto* const device = handAs<WoodenHaptics>()) {
-        return device->status();
-    }
-    const auto* const mouse = handAs<SpaceMouse>();
-    return mouse != nullptr ? mouse->status() : std::string();
+    run_->hand().setSeenHalfWidth(halfWidth);
 }
 
 }  // namespace asperity

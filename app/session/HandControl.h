@@ -2,27 +2,12 @@
 
 #include "app/session/LiveRun.h"
 #include "core/haptics/HandPilot.h"
+#include "hardware/hid/DeviceDriver.h"
 #include "hardware/hid/HidapiTransport.h"
 
-#include <functional>
-#include <memory>
 #include <optional>
-#include <string>
 
 namespace asperity {
-
-class LedHand;
-class SpaceMouse;
-
-/// In the order of the window's list.
-enum class HandKind : int {
-    Other = -1,
-    Pointer,
-    Script,
-    SpaceMouse,
-    SimulatedDevice,
-    WoodenHaptics,
-};
 
 /// Which hand moves the tip of a run, and what the person does with mouse and keyboard meanwhile.
 /// Displacements and velocities are those of the hand.
@@ -30,18 +15,17 @@ class HandControl {
 public:
     /// A new run begins with mouse and keyboard. `run` outlives its use here.
     void attach(LiveRun& run);
-    void detach();
+    void detach() { run_ = nullptr; }
 
-    void usePointer();
+    /// A device takes the tip; the present hand stays where that one cannot have it.
+    /// @throw Error why it cannot: no way to HID devices at all, or no scale at which it holds
+    void use(const DeviceDriver& driver);
     /// Goes to where the path begins, well above the sample, and follows it.
     void follow(const HandPath& path);
-    /// One of those that need no path; the present hand stays where that one cannot have the tip.
-    /// @throw Error why it cannot: no way to HID devices at all, or no scale at which it holds
-    void use(HandKind kind);
 
-    /// Which hand has the tip.
-    [[nodiscard]] HandKind kind() const;
-
+    /// Of the device that has the tip; null: a path has it, or a hand that was taken elsewhere.
+    [[nodiscard]] const DeviceDriver* driver() const { return isOurs() ? driver_ : nullptr; }
+    [[nodiscard]] bool followsPath() const { return isOurs() && driver_ == nullptr; }
     /// Whether a person moves it by itself: a device whose axes are not those of the screen.
     [[nodiscard]] bool isDevice() const;
 
@@ -56,23 +40,14 @@ public:
     /// Moves the hand on by a frame. @param halfWidth of the view: the scale of what is seen [m]
     void advance(double seconds, double halfWidth);
 
-    /// For people: what the hand's device says; empty where there is nothing to say.
-    [[nodiscard]] std::string deviceStatus() const;
-
 private:
-    using MakeLed = std::function<std::unique_ptr<LedHand>(const Vector3& start)>;
-    void lead(const MakeLed& make);
-    void useSpaceMouse();
-    void useWoodenHaptics();
+    void take(const DeviceDriver* driver, const LiveRun::MakeHand& make);
     /// The way to HID devices. @throw Error when there is none
-    [[nodiscard]] HidapiTransport& hid();
+    [[nodiscard]] HidTransport& hid();
+    /// Whether the run has the hand that it got here.
+    [[nodiscard]] bool isOurs() const { return run_ != nullptr && hand_ == &run_->hand(); }
     /// The hand that mouse and keyboard lead here; null: none, or the run pauses.
     [[nodiscard]] LedHand* led() const;
-    /// The hand as such a device; null: it is none. The run alone knows which hand it has.
-    template <typename Device>
-    [[nodiscard]] Device* handAs() const {
-        return run_ != nullptr ? dynamic_cast<Device*>(&run_->hand()) : nullptr;
-    }
     /// Way of the hand per way that mouse and keyboard ask for.
     [[nodiscard]] double reach() const;
     /// From the present place of the base to the start of a path.
@@ -80,8 +55,9 @@ private:
 
     LiveRun* run_ = nullptr;
     std::optional<HidapiTransport> transport_;
-    HandPilot pilot_{Vector3::Zero()};       ///< where mouse and keyboard lead
-    const HapticDevice* piloted_ = nullptr;  ///< the hand that it was made for; only compared
+    HandPilot pilot_{Vector3::Zero()};      ///< where mouse and keyboard lead
+    const HapticDevice* hand_ = nullptr;    ///< that was taken last; only compared
+    const DeviceDriver* driver_ = nullptr;  ///< its own; null: it follows a path
 };
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #include "app/session/LiveRun.h"
 
 #include "core/haptics/device/PointerHand.h"
+#include "core/scene/BelievedModel.h"
 #include "core/scene/SceneTruth.h"
 
 #include <utility>
@@ -55,6 +56,12 @@ void LiveRun::setSettings(const Settings& settings) {
 Settings LiveRun::sensingSettings() const {
     CouplingKeeper without = coupling_;
     return without.release(settings_);
+}
+
+void LiveRun::requireHolding(const SceneDescription& scene) const {
+    if (coupling_.hand() != nullptr) {
+        coupling_.requireHolding(believedSystem(scene, usualModel(scene)), settings_);
+    }
 }
 
 bool LiveRun::followDelay() {

@@ -66,6 +66,8 @@ public:
     [[nodiscard]] HapticDevice& hand() noexcept { return *hand_; }
     /// What is known of a hand with motors.
     [[nodiscard]] const CouplingKeeper& coupling() const noexcept { return coupling_; }
+    /// Makes sure that a hand with motors could hold the tip of this scene. @throw Error why not
+    void requireHolding(const SceneDescription& scene) const;
     /// Once a frame: has the gains follow the hand's delay. @return whether knobs changed
     bool followDelay();
     /// Where the hand is, in its own frame [m].

@@ -42,20 +42,6 @@ void addOnce(std::vector<ForceModelOptions>& tiers, const ForceModelOptions& tie
 
 }  // namespace
 
-const char* nameOf(DeformationTier deformation) noexcept {
-    switch (deformation) {
-    case DeformationTier::FourPoint:
-        return "four points";
-    case DeformationTier::ContactRadius:
-        return "contact radius";
-    case DeformationTier::ClosedForm:
-        return "closed form";
-    case DeformationTier::HalfSpace:
-        return "half-space";
-    }
-    return "unknown";
-}
-
 std::string nameOf(const FrameTier& tier) {
     const std::string side = std::to_string(tier.samples);
     return std::string(nameOf(tier.deformation)) + ", " + side + " x " + side;

@@ -15,9 +15,6 @@ struct FrameTier {
     int samples = 97;  ///< of the patch, a side
 };
 
-/// For people: "contact radius", "closed form".
-[[nodiscard]] const char* nameOf(DeformationTier deformation) noexcept;
-
 /// For people: "closed form, 97 x 97".
 [[nodiscard]] std::string nameOf(const FrameTier& tier);
 

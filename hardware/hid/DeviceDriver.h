@@ -1,19 +1,36 @@
 #pragma once
 
+#include "core/haptics/device/HapticDevice.h"
 #include "hardware/hid/HidTransport.h"
 
+#include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace asperity {
 
-/// What Asperity can do with one kind of HID device. The folder of each driver has one, and
-/// deviceDrivers() lists them.
+/// Where a device is opened.
+struct DeviceSite {
+    /// The way to HID devices; outlives the device. @throw Error where there is none
+    std::function<HidTransport&()> hid;
+    std::filesystem::path data;       ///< the folder `data` that belongs to the program
+    Vector3 start = Vector3::Zero();  ///< where the hand before it is [m]
+};
+
+/// One kind of device, and all in which it differs from others. The folder of each driver has one,
+/// and deviceDrivers() lists them.
 struct DeviceDriver {
-    const char* name = "";                             ///< for people and files
-    std::vector<std::string> senses;                   ///< axes of the lab frame and buttons
-    bool rendersForce = false;                         ///< it has motors
-    bool (*drives)(const HidDeviceInfo& device) = {};  ///< whether this is such a device
+    const char* key = "";             ///< in reports
+    const char* label = "";           ///< for people
+    std::vector<std::string> senses;  ///< axes of the lab frame and buttons
+    bool rendersForce = false;        ///< it has motors
+    /// Whether a HID device is of this kind.
+    bool (*drives)(const HidDeviceInfo& device) = [](const HidDeviceInfo&) { return false; };
+    /// The hand at such a device. @throw Error where there cannot be one; one whose device is not
+    /// there waits for it
+    std::unique_ptr<HapticDevice> (*open)(const DeviceSite& site) = {};
 };
 
 }  // namespace asperity

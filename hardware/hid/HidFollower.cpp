@@ -26,34 +26,36 @@ void HidFollower::start(Follow follow) {
         [this, follow = std::move(follow)](const std::stop_token& stop) { run(follow, stop); });
 }
 
-std::string HidFollower::status() const {
+DeviceStatus HidFollower::status() const {
     const std::lock_guard lock(mutex_);
     return status_;
 }
 
-void HidFollower::setStatus(std::string status) {
+void HidFollower::setStatus(DeviceStatus status) {
     const std::lock_guard lock(mutex_);
     status_ = std::move(status);
 }
 
 /// The first device of the driver that can be opened, or none.
 FoundDevice HidFollower::find() {
-    std::string problem = std::string("no ") + driver_.name + " is plugged in";
+    DeviceStatus none{.problem = DeviceProblem::NotPluggedIn, .driver = driver_.label};
     try {
         for (const HidDeviceInfo& device : transport_.enumerate()) {
             if (driver_.drives(device) && device.permitted) {
                 FoundDevice found = {device, transport_.open(device.path)};
-                setStatus(device.name() + " at " + device.path);
+                setStatus({.driver = driver_.label, .name = device.name(), .path = device.path});
                 return found;
             }
             if (driver_.drives(device)) {
-                problem = device.path + ": " + kNoPermission;
+                none.problem = DeviceProblem::NotPermitted;
+                none.path = device.path;
             }
         }
     } catch (const std::exception& error) {
-        problem = error.what();
+        none.problem = DeviceProblem::NotOpened;
+        none.reason = error.what();
     }
-    setStatus(problem);
+    setStatus(none);
     return {};
 }
 
@@ -63,7 +65,7 @@ void HidFollower::run(const Follow& follow, const std::stop_token& stop) {
         if (found_.connection) {
             follow(found_, stop);
             found_.connection.reset();
-            setStatus(std::string("the ") + driver_.name + " was unplugged");
+            setStatus({.problem = DeviceProblem::Unplugged, .driver = driver_.label});
         }
         if (pauseUnlessStopped(stop)) {
             found_ = find();

@@ -32,20 +32,20 @@ public:
     /// the follower.
     void start(Follow follow);
 
-    /// For people: which device it is, or why there is none. Any thread.
-    [[nodiscard]] std::string status() const;
+    /// Which device it is, or why there is none. Any thread.
+    [[nodiscard]] DeviceStatus status() const;
 
 private:
     [[nodiscard]] FoundDevice find();
     void run(const Follow& follow, const std::stop_token& stop);
     bool pauseUnlessStopped(const std::stop_token& stop);
-    void setStatus(std::string status);
+    void setStatus(DeviceStatus status);
 
     HidTransport& transport_;
     const DeviceDriver& driver_;
 
     mutable std::mutex mutex_;  ///< guards the status
-    std::string status_;
+    DeviceStatus status_;
     std::condition_variable_any wakeUp_;
 
     FoundDevice found_;    ///< the thread's own once that runs

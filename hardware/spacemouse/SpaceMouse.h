@@ -6,7 +6,6 @@
 #include "hardware/spacemouse/SpaceMouseReports.h"
 
 #include <atomic>
-#include <string>
 
 namespace asperity {
 
@@ -37,8 +36,10 @@ public:
         fullSpeed_.store(fullSpeed, std::memory_order_relaxed);
     }
 
-    /// For people: which device it is, or why there is none. Any thread but the loop's.
-    [[nodiscard]] std::string status() const { return follower_.status(); }
+    /// At full deflection it crosses half the view in 2 s.
+    void setSeenHalfWidth(double halfWidth) noexcept override { setSpeed(0.5 * halfWidth); }
+
+    [[nodiscard]] DeviceStatus status() const override { return follower_.status(); }
 
 private:
     struct Reading {

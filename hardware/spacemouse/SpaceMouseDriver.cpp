@@ -1,5 +1,7 @@
 #include "hardware/spacemouse/SpaceMouseDriver.h"
 
+#include "hardware/spacemouse/SpaceMouse.h"
+
 #include <algorithm>
 #include <array>
 
@@ -31,9 +33,14 @@ bool isSpaceMouse(const HidDeviceInfo& device) {
 }
 
 const DeviceDriver& spaceMouseDriver() {
-    static const DeviceDriver driver{.name = "SpaceMouse",
-                                     .senses = {"x", "y", "z", "rx", "ry", "rz", "buttons"},
-                                     .drives = isSpaceMouse};
+    static const DeviceDriver driver{
+        .key = "SpaceMouse",
+        .label = "SpaceMouse",
+        .senses = {"x", "y", "z", "rx", "ry", "rz", "buttons"},
+        .drives = isSpaceMouse,
+        .open = [](const DeviceSite& site) -> std::unique_ptr<HapticDevice> {
+            return std::make_unique<SpaceMouse>(site.hid(), site.start);
+        }};
     return driver;
 }
 

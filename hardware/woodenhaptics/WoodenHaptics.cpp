@@ -56,10 +56,10 @@ void WoodenHaptics::awaitFirstReading() const {
     }
 }
 
-std::string WoodenHaptics::status() const {
-    return awaitsCalibration_
-               ? follower_.status() + ": put the handle into its rest pose, then Hand > Calibrate"
-               : follower_.status();
+DeviceStatus WoodenHaptics::status() const {
+    DeviceStatus status = follower_.status();
+    status.calibrated = !awaitsCalibration_;
+    return status;
 }
 
 HandState WoodenHaptics::advance(double /*timeStep*/) noexcept {

@@ -47,9 +47,7 @@ public:
         calibrationWanted_.store(true, std::memory_order_relaxed);
     }
 
-    /// For people: which device it is and what it waits for, or why there is none. Any thread but
-    /// the loop's.
-    [[nodiscard]] std::string status() const;
+    [[nodiscard]] DeviceStatus status() const override;
 
 private:
     struct Reading {

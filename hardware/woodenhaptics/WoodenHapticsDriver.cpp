@@ -1,5 +1,7 @@
 #include "hardware/woodenhaptics/WoodenHapticsDriver.h"
 
+#include "core/io/scene/WoodenHapticsFile.h"
+#include "hardware/woodenhaptics/WoodenHaptics.h"
 #include "hardware/woodenhaptics/WoodenHapticsReports.h"
 
 namespace asperity {
@@ -16,10 +18,16 @@ bool isWoodenHaptics(const HidDeviceInfo& device) {
 }
 
 const DeviceDriver& woodenHapticsDriver() {
-    static const DeviceDriver driver{.name = "WoodenHaptics",
-                                     .senses = {"x", "y", "z", "buttons"},
-                                     .rendersForce = true,
-                                     .drives = isWoodenHaptics};
+    static const DeviceDriver driver{
+        .key = "WoodenHaptics",
+        .label = "WoodenHaptics",
+        .senses = {"x", "y", "z", "buttons"},
+        .rendersForce = true,
+        .drives = isWoodenHaptics,
+        .open = [](const DeviceSite& site) -> std::unique_ptr<HapticDevice> {
+            return std::make_unique<WoodenHaptics>(
+                site.hid(), readWoodenHaptics(site.data / "devices" / "woodenhaptics_2015.toml"));
+        }};
     return driver;
 }
 

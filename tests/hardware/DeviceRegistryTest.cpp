@@ -1,5 +1,7 @@
 #include "hardware/DeviceRegistry.h"
 
+#include "core/Error.h"
+#include "hardware/led/LedDrivers.h"
 #include "hardware/spacemouse/SpaceMouseDriver.h"
 #include "hardware/woodenhaptics/WoodenHapticsDriver.h"
 #include "tests/hardware/FakeHid.h"
@@ -11,6 +13,8 @@
 #include <fnmatch.h>
 #include <fstream>
 #include <iomanip>
+#include <memory>
+#include <set>
 #include <sstream>
 
 namespace asperity::test {
@@ -62,13 +66,48 @@ TEST(DeviceRegistry, ANodeWithoutSixAxesIsNoSpaceMouse) {
     EXPECT_TRUE(isSpaceMouse(receiver));
 }
 
+TEST(DeviceRegistry, EachDriverIsOnItsOwnInReportsAndInTheList) {
+    std::set<std::string> keys;
+    std::set<std::string> labels;
+    for (const DeviceDriver* const driver : deviceDrivers()) {
+        EXPECT_TRUE(keys.insert(driver->key).second) << driver->key;
+        EXPECT_TRUE(labels.insert(driver->label).second) << driver->label;
+        EXPECT_FALSE(driver->senses.empty()) << driver->key;
+    }
+    EXPECT_FALSE(keys.contains(""));
+    EXPECT_FALSE(labels.contains(""));
+}
+
+TEST(DeviceRegistry, EachDriverOpensAHandThatIsWhatItsRowSays) {
+    FakeHid hid;
+    const DeviceSite site = {.hid = [&hid]() -> HidTransport& { return hid; },
+                             .data = ASPERITY_DATA_DIR,
+                             .start = {1e-9, 2e-9, 3e-9}};
+    for (const DeviceDriver* const driver : deviceDrivers()) {
+        const std::unique_ptr<HapticDevice> hand = driver->open(site);
+        EXPECT_EQ(hand->specification().rendersForce(), driver->rendersForce) << driver->key;
+        const bool isHid = hand->led() == nullptr;
+        EXPECT_EQ(wordsOf(hand->status()),
+                  isHid ? "no " + std::string(driver->label) + " is plugged in" : "");
+    }
+    const std::unique_ptr<HapticDevice> pointer = pointerDriver().open(site);
+    EXPECT_EQ(pointer->advance(0.0).position, site.start);
+}
+
+TEST(DeviceRegistry, ADeviceWhoseFileIsMissingCannotBeOpened) {
+    FakeHid hid;
+    EXPECT_THROW((void)woodenHapticsDriver().open(
+                     {.hid = [&hid]() -> HidTransport& { return hid; }, .data = "/nowhere"}),
+                 InputError);
+}
+
 TEST(DeviceRegistry, SaysWhatASpaceMouseCanDo) {
     FakeHid hid;
     hid.plug(spaceMouseInfo());
     const std::vector<DeviceDescription> list = listDevices(hid);
     ASSERT_EQ(list.size(), 1U);
     EXPECT_EQ(list[0].name, "SpaceMouse Compact");
-    EXPECT_EQ(list[0].driver, spaceMouseDriver().name);
+    EXPECT_EQ(list[0].driver, spaceMouseDriver().key);
     EXPECT_EQ(list[0].path, "/dev/hidraw7");
     EXPECT_EQ(list[0].vendorId, 0x256f);
     EXPECT_EQ(list[0].productId, 0xc635);
@@ -90,7 +129,7 @@ TEST(DeviceRegistry, SaysWhatAWoodenHapticsCanDo) {
     FakeHid hid({teensyInfo()});
     const std::vector<DeviceDescription> list = listDevices(hid);
     ASSERT_EQ(list.size(), 1U);
-    EXPECT_EQ(list[0].driver, woodenHapticsDriver().name);
+    EXPECT_EQ(list[0].driver, woodenHapticsDriver().key);
     EXPECT_EQ(list[0].senses, (std::vector<std::string>{"x", "y", "z", "buttons"}));
     EXPECT_TRUE(list[0].rendersForce);
     EXPECT_TRUE(list[0].usable());
@@ -126,7 +165,7 @@ TEST(DeviceRegistry, NamesTheRulesFileWhenPermissionIsMissing) {
     ASSERT_EQ(list.size(), 1U);
     EXPECT_FALSE(list[0].usable());
     EXPECT_NE(list[0].obstacle.find("70-asperity-hid.rules"), std::string::npos);
-    EXPECT_EQ(list[0].driver, spaceMouseDriver().name);
+    EXPECT_EQ(list[0].driver, spaceMouseDriver().key);
 }
 
 /// The value that a rule asks of a key; empty: the rule does not ask for it.

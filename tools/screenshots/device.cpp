@@ -32,8 +32,8 @@ int run(char** argv) {
     LiveWindow live;
     live.window().resize(std::stoi(argv[2]), std::stoi(argv[3]));
     Session& session = live.session();
-    session.use(loadScene(argv[1], {}));
-    session.leadDevice(pathDown(session.run()->scene()));
+    session.runs().use(loadScene(argv[1], {}));
+    session.devices().leadDevice(pathDown(session.run()->scene()));
     double guided = 0.0;
     bool saved = false;
     QTimer timer;

@@ -22,7 +22,7 @@ namespace {
 int run(char** argv) {
     const VirtualDisplay display;
     LiveWindow live;
-    live.session().use(loadScene(argv[1], {}));
+    live.session().runs().use(loadScene(argv[1], {}));
     live.window().menus().fidelity->trigger();
     FidelityPanel& panel = live.window().fidelity();
     panel.findChild<QPushButton*>(QStringLiteral("measure"))->click();

@@ -77,8 +77,8 @@ int run(char** argv) {
     const VirtualDisplay display;
     LiveWindow live;
     live.window().resize(std::stoi(argv[2]), std::stoi(argv[3]));
-    live.session().use(loadScene(argv[1], {}));
-    live.session().follow(path(live.session().run()->scene()));
+    live.session().runs().use(loadScene(argv[1], {}));
+    live.session().paths().follow(path(live.session().run()->scene()));
     Photographer photographer(live, argv[4]);
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, [&photographer] { photographer.look(); });

@@ -1,5 +1,6 @@
 #include "ui/panels/CantileverPanel.h"
 
+#include "core/scene/Scene.h"
 #include "ui/Theme.h"
 #include "ui/panels/CantileverSketch.h"
 
@@ -73,6 +74,8 @@ void CantileverPanel::buildNumbers() {
     grid->setColumnStretch(2, 1);
     body().addLayout(grid);
 }
+
+void CantileverPanel::begin(const Scene& scene) { setCantilever(scene.belief.cantilever); }
 
 void CantileverPanel::setCantilever(const Cantilever& cantilever) {
     cantilever_ = cantilever;

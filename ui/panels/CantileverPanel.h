@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/haptics/Snapshot.h"
 #include "core/probe/Cantilever.h"
 #include "core/probe/CantileverShape.h"
 #include "ui/Steady.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/CurvePlot.h"
+#include "ui/panels/RunPanel.h"
 
 #include <optional>
 
@@ -15,18 +15,20 @@ class CantileverSketch;
 
 /// What the cantilever does: a drawing of the bent and twisted beam, the measured bending and
 /// torsion as numbers and curves, and the tip's deflection by the estimated force.
-class CantileverPanel : public Card {
+class CantileverPanel : public Card, public RunPanel {
 public:
     explicit CantileverPanel(QWidget* parent = nullptr);
 
     /// The believed lever of a new scene; forgets what was shown of the old one.
     void setCantilever(const Cantilever& cantilever);
-    /// Keeps one tick for the curves; every tick, cheap.
-    void take(const TickSample& sample) noexcept;
-    /// Shows the numbers of the latest tick and draws; once a frame.
-    void show(const Snapshot& snapshot);
+    void clear() override;
+    void begin(const Scene& scene) override;
+    /// For the curves.
+    void take(const TickSample& sample) noexcept override;
+    /// The numbers of the latest tick, the drawing and the curves.
+    void show(const Snapshot& snapshot) override;
     using QWidget::show;
-    void clear();
+    [[nodiscard]] const char* slowName() const override { return "cantilever"; }
 
     [[nodiscard]] const CurvePlot& plot() const { return *plot_; }
     [[nodiscard]] const CantileverSketch& sketch() const { return *sketch_; }

@@ -31,6 +31,30 @@ void setNames(QComboBox& combo, const QStringList& names) {
     }
 }
 
+void addWithCaption(QHBoxLayout& bar, const QString& caption, const QList<QWidget*>& widgets,
+                    int stretch) {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(1);
+    column->addWidget(captionLabel(caption, bar.parentWidget()));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(3);
+    for (QWidget* widget : widgets) {
+        row->addWidget(widget);
+    }
+    column->addLayout(row);
+    bar.addLayout(column, stretch);
+}
+
+void addSeparator(QHBoxLayout& bar) {
+    auto* line = new QFrame(bar.parentWidget());
+    line->setFrameShape(QFrame::VLine);
+    QPalette palette = line->palette();
+    palette.setColor(QPalette::WindowText, theme::kFaint);
+    line->setFrameShadow(QFrame::Plain);
+    line->setPalette(palette);
+    bar.addWidget(line);
+}
+
 void setQuietly(GainSpinBox& box, double value) {
     const QSignalBlocker blocker(box);
     box.setValue(value);
@@ -46,13 +70,13 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(
     forces_ = addButton("forces", QStringLiteral("Forces are off"));
     forces_->setCheckable(true);
     forces_->setToolTip(QStringLiteral("Whether the hand feels forces (Esc: off)"));
-    addSeparator();
+    addSeparator(*row_);
     material_ = addCombo("material", QStringLiteral("Material"));
     hand_ = addCombo("hand", QStringLiteral("Hand"));
     path_ = addCombo("path", QStringLiteral("Path"));
     addKnobs();
     row_->addStretch(0);
-    addSeparator();
+    addSeparator(*row_);
     record_ = addButton("record", QStringLiteral("Recording"));
     record_->setCheckable(true);
     record_->setToolTip(QStringLiteral("Write every tick to a log"));
@@ -89,7 +113,7 @@ QComboBox* ControlBar::addCombo(const char* objectName, const QString& caption) 
         pathFile_->setFixedHeight(kControlHeight);
         widgets << pathFile_;
     }
-    addWithCaption(caption, widgets, 1);
+    addWithCaption(*row_, caption, widgets, 1);
     return combo;
 }
 
@@ -112,36 +136,12 @@ void ControlBar::addKnob(const SettingField& field) {
     box->setToolTip(QString::fromUtf8(field.knob.toolTip));
     box->setFixedSize(96, kControlHeight);
     guardFromWheel(*box);
-    addWithCaption(QString::fromUtf8(field.knob.caption), {box}, 0);
+    addWithCaption(*row_, QString::fromUtf8(field.knob.caption), {box}, 0);
     knobs_[field.column] = box;
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             [this, name = QString::fromUtf8(field.column)](double value) {
                 Q_EMIT knobTurned(name, value);
             });
-}
-
-void ControlBar::addWithCaption(const QString& caption, const QList<QWidget*>& widgets,
-                                int stretch) {
-    auto* column = new QVBoxLayout;
-    column->setSpacing(1);
-    column->addWidget(captionLabel(caption, this));
-    auto* row = new QHBoxLayout;
-    row->setSpacing(3);
-    for (QWidget* widget : widgets) {
-        row->addWidget(widget);
-    }
-    column->addLayout(row);
-    row_->addLayout(column, stretch);
-}
-
-void ControlBar::addSeparator() {
-    auto* line = new QFrame(this);
-    line->setFrameShape(QFrame::VLine);
-    QPalette palette = line->palette();
-    palette.setColor(QPalette::WindowText, theme::kFaint);
-    line->setFrameShadow(QFrame::Plain);
-    line->setPalette(palette);
-    row_->addWidget(line);
 }
 
 void ControlBar::connectPerson() {

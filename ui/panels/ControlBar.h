@@ -54,8 +54,6 @@ private:
     QComboBox* addCombo(const char* objectName, const QString& caption);
     void addKnobs();
     void addKnob(const SettingField& field);
-    void addWithCaption(const QString& caption, const QList<QWidget*>& widgets, int stretch);
-    void addSeparator();
     void connectPerson();
 
     QHBoxLayout* row_;

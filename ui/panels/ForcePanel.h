@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/haptics/Snapshot.h"
 #include "ui/Steady.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/CurvePlot.h"
+#include "ui/panels/RunPanel.h"
 
 #include <array>
 
@@ -13,17 +13,17 @@ namespace asperity {
 
 /// The estimated force on the tip with its standard deviation, the tip's place, gap and contact
 /// radius: as numbers and as curves.
-class ForcePanel : public Card {
+class ForcePanel : public Card, public RunPanel {
 public:
     explicit ForcePanel(QWidget* parent = nullptr);
 
-    /// Keeps one tick for the curves; every tick, cheap.
-    void take(const TickSample& sample) noexcept;
-    /// Shows the numbers of the latest tick and draws the curves; once a frame.
-    void show(const Snapshot& snapshot);
+    void clear() override;
+    /// For the curves.
+    void take(const TickSample& sample) noexcept override;
+    /// The numbers of the latest tick, and the curves.
+    void show(const Snapshot& snapshot) override;
     using QWidget::show;
-    /// For a new scene: empty curves, no numbers.
-    void clear();
+    [[nodiscard]] const char* slowName() const override { return "forces"; }
 
     [[nodiscard]] const CurvePlot& forcePlot() const { return *forcePlot_; }
     [[nodiscard]] const CurvePlot& heightPlot() const { return *heightPlot_; }

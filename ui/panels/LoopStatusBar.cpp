@@ -1,6 +1,7 @@
 #include "ui/panels/LoopStatusBar.h"
 
 #include "core/SiFormat.h"
+#include "core/scene/Scene.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 
@@ -55,6 +56,8 @@ QLabel* LoopStatusBar::addItem(const char* objectName, const QString& caption,
     return value;
 }
 
+void LoopStatusBar::begin(const Scene& scene) { setRateAsked(scene.description.tickRate); }
+
 void LoopStatusBar::setRateAsked(double rate) {
     rate_->setText(QLocale(QLocale::English).toString(rate, 'f', 0) + QStringLiteral(" Hz"));
 }
@@ -63,7 +66,8 @@ void LoopStatusBar::setFramesPerSecond(double frames) {
     frames_->setText(QString::number(frames, 'f', 1));
 }
 
-void LoopStatusBar::show(const LoopStatistics& statistics) {
+void LoopStatusBar::show(const Snapshot& snapshot) {
+    const LoopStatistics& statistics = snapshot.statistics;
     ticks_->setText(countText(statistics.ticks));
     tickTime_->setText(timeText(statistics.tickTime.median) + QStringLiteral(" / ") +
                        timeText(statistics.tickTime.p99));

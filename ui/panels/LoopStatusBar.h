@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/haptics/Snapshot.h"
+#include "ui/panels/RunPanel.h"
 
 #include <QWidget>
 
@@ -9,16 +9,16 @@ class QLabel;
 namespace asperity {
 
 /// How well the loop and the pictures keep their time: a line for the window's status bar.
-class LoopStatusBar : public QWidget {
+class LoopStatusBar : public QWidget, public RunPanel {
 public:
     explicit LoopStatusBar(QWidget* parent = nullptr);
 
     void setRateAsked(double rate);          ///< of the loop [Hz]
     void setFramesPerSecond(double frames);  ///< of the pictures [1/s]
-    /// Once a frame or less often.
-    void show(const LoopStatistics& statistics);
+    void clear() override;
+    void begin(const Scene& scene) override;
+    void show(const Snapshot& snapshot) override;
     using QWidget::show;
-    void clear();
 
 private:
     QLabel* addItem(const char* objectName, const QString& caption, const QString& widest);

@@ -1,6 +1,8 @@
 #include "ui/panels/OverviewPanel.h"
 
 #include "core/SiFormat.h"
+#include "core/scene/ImagingTip.h"
+#include "core/scene/Scene.h"
 #include "ui/panels/ColourBarWidget.h"
 #include "ui/panels/MapMarks.h"
 #include "ui/panels/OverviewMap.h"
@@ -109,6 +111,12 @@ void OverviewPanel::addLegend(QVBoxLayout& side) {
     filledLegend_->setObjectName(QStringLiteral("filledLegend"));
     filledLegend_->hide();
     side.addWidget(filledLegend_);
+}
+
+void OverviewPanel::begin(const Scene& scene) {
+    setSurface(scene.surface);
+    setScanNote(QString::fromStdString(imagingTipWords(scene)),
+                QString::fromStdString(imagingTipNote(scene)));
 }
 
 void OverviewPanel::setSurface(const BSplineSurface& surface) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/haptics/Snapshot.h"
 #include "core/surface/BSplineSurface.h"
 #include "ui/panels/Card.h"
+#include "ui/panels/RunPanel.h"
 
 #include <QPolygonF>
 #include <QRectF>
@@ -17,7 +17,7 @@ class OverviewMap;
 
 /// The whole scan from above with the tip's place and the frame of the zoomed view. Places are
 /// world x, y [m], y up.
-class OverviewPanel : public Card {
+class OverviewPanel : public Card, public RunPanel {
     Q_OBJECT
 
 public:
@@ -31,11 +31,13 @@ public:
     void showFrame(const QRectF& frame);
     /// The way a scripted hand goes; empty: none.
     void showPath(const QPolygonF& path);
-    /// Marks the tip's place; once a frame.
-    void show(const Snapshot& snapshot);
-    using QWidget::show;
     /// Takes the tip's mark away.
-    void clear();
+    void clear() override;
+    void begin(const Scene& scene) override;
+    /// Marks the tip's place.
+    void show(const Snapshot& snapshot) override;
+    using QWidget::show;
+    [[nodiscard]] const char* slowName() const override { return "overview"; }
 
     [[nodiscard]] OverviewMap& map() { return *map_; }
     [[nodiscard]] const ColourBarWidget& colourBar() const { return *colourBar_; }

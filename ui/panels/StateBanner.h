@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/deformation/HalfSpaceModel.h"
-#include "core/haptics/Snapshot.h"
 #include "core/scene/Validity.h"
+#include "ui/panels/RunPanel.h"
 
 #include <QFrame>
 
@@ -15,16 +15,16 @@ namespace asperity {
 
 /// One line that always says in words and colour where the tip is, whether forces act, what went
 /// wrong, and what a result does not hold for. Its height never changes.
-class StateBanner : public QFrame {
+class StateBanner : public QFrame, public RunPanel {
     Q_OBJECT
 
 public:
     explicit StateBanner(QWidget* parent = nullptr);
 
-    /// Keeps the flags of one tick, so that one that comes and goes can be read; cheap.
-    void take(const TickSample& sample) noexcept;
-    /// Once a frame.
-    void show(const Snapshot& snapshot);
+    void clear() override;
+    /// The flags, so that one that comes and goes can be read.
+    void take(const TickSample& sample) noexcept override;
+    void show(const Snapshot& snapshot) override;
     using QWidget::show;
     /// What the half-space says of the contact, shown from the next tick on: its own force beside
     /// the law's, or that it does not hold; null: nothing.
@@ -33,7 +33,6 @@ public:
     void setEnergyGiven(bool given) { energyGiven_ = given; }
     /// The run stands still, or goes on.
     void setPaused(bool paused);
-    void clear();
 
 Q_SIGNALS:
     /// A person takes back the fault.

@@ -1,72 +1,42 @@
 #include "ui/view/ZoomView.h"
 
-#include "ui/view/DrapedGrid.h"
-#include "vtkplugins/pictures/SceneParts.h"
-
-#include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
 
 #include <QSurfaceFormat>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace asperity {
 
 namespace {
 
-// In half widths of the frame.
-constexpr double kMostPatchReach = 0.85;
-constexpr double kSlack = 0.35;        // how far the tip goes from the middle
-constexpr double kSlackInDrag = 0.85;  // the picture stays still under the pointer
-constexpr double kBlockDepth = 0.12;
-constexpr double kGuideReach = 0.4;
-constexpr double kOverlap = 0.015;  // of patch and terrain
-
-// In sizes of tip and arrow.
-constexpr double kTipTop = 1.15;
-constexpr double kArrowRoom = 1.1;
-
-constexpr double kStray = 0.25;  // of the tip from the middle of the patch, in its half widths
-
-constexpr int kPatchSamples = 65;
+constexpr double kZoomStep = 1.2;
+constexpr double kTurnPerPixel = 0.006;            // [rad]
+constexpr double kLiftPerHalfWidth = 1.0 / 400.0;  // 0.1 nm in a frame 80 nm wide
 
 constexpr int kSettlingTime = 200;  // [ms]
 constexpr int kFrameTime = 15;      // [ms]
 
-bool isNearMiddle(const ScanWindow& patch, const Vector2& tip, double distance) {
-    return std::abs(tip.x() - 0.5 * (patch.left + patch.right)) <= distance &&
-           std::abs(tip.y() - 0.5 * (patch.bottom + patch.top)) <= distance;
-}
-
-/// Size of tip and arrow as drawn: as the frame up close, less of it from afar [m].
-double gearSize(double halfWidth, double tipRadius) {
-    return std::min(halfWidth, 1.5 * tipRadius + 0.4 * halfWidth);
-}
-
 }  // namespace
 
-ZoomView::ZoomView(QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent)
-    , cache_(renderWindow_, still_)
-    , terrain_(still_)
-    , contact_(live_, through_)
-    , tip_(live_)
-    , force_(through_)
-    , guide_(through_)
-    , labels_(through_) {
+ZoomView::ZoomView(QWidget* parent) : GestureWidget(parent), picture_(renderWindow_) {
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
     format.setSamples(0);  // and SetMultiSamples: multisampling takes half the frame rate
     setFormat(format);
-    addLayers();
     setRenderWindow(renderWindow_);
     renderWindow_->GetInteractor()->SetInteractorStyle(nullptr);  // events are handled here
+    connect(&picture_, &ZoomPicture::terrainPlaced, this, &ZoomView::disturb);
+    connect(&picture_, &ZoomPicture::frameChanged, this, &ZoomView::frameChanged);
+    connect(&picture_, &ZoomPicture::scalesChanged, this, &ZoomView::scalesChanged);
+    connectGestures();
     settling_.setSingleShot(true);
     settling_.setInterval(kSettlingTime);
-    connect(&settling_, &QTimer::timeout, this, &ZoomView::settle);
+    connect(&settling_, &QTimer::timeout, this, [this] {
+        terrainDue_ = true;
+        renderSoon();
+    });
     frameDue_.setSingleShot(true);
     frameDue_.setInterval(kFrameTime);
     connect(&frameDue_, &QTimer::timeout, this, &ZoomView::renderNow);
@@ -74,199 +44,128 @@ ZoomView::ZoomView(QWidget* parent)
 
 ZoomView::~ZoomView() { makeCurrent(); }
 
-void ZoomView::addLayers() {
-    renderWindow_->SetMultiSamples(0);
-    renderWindow_->SetNumberOfLayers(3);
-    int layer = 0;
-    for (vtkRenderer* renderer : {still_.Get(), live_.Get(), through_.Get()}) {
-        renderer->SetLayer(layer++);
-        renderer->SetActiveCamera(still_->GetActiveCamera());
-        addLights(renderer);
-        renderWindow_->AddRenderer(renderer);
-    }
-    still_->SetBackground(palette::kPaper.fractions().data());
-    live_->PreserveDepthBufferOn();
+void ZoomView::connectGestures() {
+    connect(this, &ZoomView::zoomed, this,
+            [this](double steps) { setHalfWidth(halfWidth() * std::pow(kZoomStep, -steps)); });
+    connect(this, &ZoomView::turned, this, [this](const QPointF& pixels) {
+        camera_.turn(-kTurnPerPixel * pixels.x(), kTurnPerPixel * pixels.y());
+        disturb();
+        renderSoon();
+    });
+    connect(this, &ZoomView::dragged, this, [this](const QPointF& pixels) {
+        if (picture_.frame()) {
+            const double scale = picture_.metresPerPixel(height());
+            const Vector3 move = camera_.horizontalMove(scale * pixels.x(), -scale * pixels.y());
+            Q_EMIT tipDragged(move.x(), move.y(), 0.0);
+        }
+    });
+    connect(this, &ZoomView::lifted, this, [this](double notches) {
+        if (picture_.frame()) {
+            Q_EMIT tipDragged(0.0, 0.0, notches * kLiftPerHalfWidth * halfWidth());
+        }
+    });
 }
 
 void ZoomView::setScene(const Scene* scene) {
-    scene_ = scene;
-    sample_.reset();
-    halfSpace_.reset();
-    frame_.reset();
-    terrain_.hide();
-    cache_.invalidate();
-    if (scene_ != nullptr) {
-        scale_ = viewScale(*scene_);
-        frame_.emplace(scene_->surface.sizeX(), scene_->surface.sizeY(), scale_.usual);
-        placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});
-    }
-    showLabels();
+    picture_.setScene(scene);
+    picture_.showLabels(height(), devicePixelRatioF());
     Q_EMIT scalesChanged();
     Q_EMIT frameChanged();
     frameDue_.start();
 }
 
 void ZoomView::showSnapshot(const Snapshot& snapshot) {
-    if (scene_ != nullptr) {
-        sample_ = snapshot.sample;
+    if (picture_.frame()) {
+        picture_.setSample(snapshot.sample);
         contactDue_ = true;
         renderNow();
     }
 }
 
 void ZoomView::setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer) {
-    halfSpace_ = std::move(answer);
-}
-
-void ZoomView::showPicture() {
-    if (contactDue_ && sample_ && isDrawable(sample_->output.model)) {
-        follow(sample_->output.model.tip.head<2>());
-        showContact(*sample_);
-    } else if (contactDue_) {
-        hideContact();
-    }
-    if (terrainDue_ && frame_) {
-        terrain_.show(settling_.isActive() ? TerrainDetail::Coarse : TerrainDetail::Fine, colours_,
-                      Shading(camera_));
-        cache_.invalidate();
-    }
-    terrainDue_ = false;
-    contactDue_ = false;
-    showLabels();
-}
-
-void ZoomView::follow(const Vector2& tip) {
-    frame_->follow(tip, dragging_ ? kSlackInDrag : kSlack);
-    const ScanWindow window = frame_->window();
-    const double reach = std::min(scale_.patch, kMostPatchReach * frame_->halfWidth());
-    const ScanWindow hole = windowAround(tip, reach, window);
-    const double lap = kOverlap * frame_->halfWidth();  // patch and terrain join without a crack
-    // Where the patch is cut off by the frame's edge, its middle is elsewhere and does not stray.
-    const Vector2 middle(0.5 * (hole.left + hole.right), 0.5 * (hole.bottom + hole.top));
-    if (!sameWindow(window, terrain_.place().window) ||
-        !isNearMiddle(terrain_.place().hole, middle, kStray * reach)) {
-        placeTerrain(
-            {.window = window, .hole = hole, .patch = windowAround(tip, reach + lap, window)});
-    }
-}
-
-void ZoomView::placeTerrain(const TerrainPlace& place) {
-    const bool otherWindow = !sameWindow(place.window, terrain_.place().window);
-    terrain_.setPlace(scene_->surface, place);
-    const std::array<double, 2> heights = terrain_.heightRange();
-    const bool otherColours = colours_.fitHeights(heights[0], heights[1]);
-    const FrameBox box = frameBox();
-    terrain_.setBottom(box.middle.z() - box.below);
-    disturb();
-    if (otherColours) {
-        Q_EMIT scalesChanged();
-    }
-    if (otherWindow) {
-        Q_EMIT frameChanged();
-    }
-}
-
-/// Heights are those of the colours: they seldom change, so that the picture seldom jumps.
-FrameBox ZoomView::frameBox() const {
-    const Vector2& centre = frame_->centre();
-    const AxisRange& heights = colours_.heightRange();
-    const double middle = 0.5 * (heights.low + heights.high);
-    return {.middle = {centre.x(), centre.y(), middle},
-            .halfWidth = halfWidth(),
-            .below = middle - heights.low + kBlockDepth * halfWidth(),
-            .above = heights.high - middle,
-            .tipTop = heights.high - middle +
-                      kTipTop * gearSize(halfWidth(), scene_->belief.tipRadius())};
-}
-
-void ZoomView::showContact(const TickSample& sample) {
-    const TipState& state = sample.output.model;
-    const ContactShape shape(*scene_, state, terrain_.place().patch, kPatchSamples,
-                             halfSpace_.get());
-    const double largest = shape.largestDisplacement();
-    if (colours_.fitDisplacement(largest)) {
-        Q_EMIT scalesChanged();
-    }
-    const double factor =
-        magnification_.fit(largest, -state.contact.indentation, shape.contact().tipRadius);
-    const double gear = gearSize(frame_->halfWidth(), shape.contact().tipRadius);
-    const ScanWindow window = terrain_.place().window;
-    const double width = std::max(window.right - window.left, window.top - window.bottom);
-    const Shading shading(camera_);
-    contact_.show(*scene_, shape,
-                  {.colours = colours_,
-                   .shading = shading,
-                   .magnification = factor,
-                   .gridSpacing = gridSpacing(width),
-                   .gridArea = terrain_.place().patch,
-                   .window = window,
-                   .bottom = terrain_.bottom()});
-    tip_.show(shape, factor, {.top = kTipTop * gear, .toEye = camera_.out(), .shading = shading});
-    guide_.show(sample.input.settings.guide, kGuideReach * frame_->halfWidth());
-    force_.show(sample.output.estimate, drawnAt(shape, shape.contact().foot, factor), sample.time,
-                kArrowRoom * gear);
-}
-
-void ZoomView::hideContact() {
-    contact_.hide();
-    tip_.hide();
-    force_.hide();
-    guide_.hide();
-}
-
-void ZoomView::showLabels() {
-    if (!frame_) {
-        labels_.hide();
-        return;
-    }
-    labels_.setPixelRatio(devicePixelRatioF());
-    labels_.show({.metresPerPixel = metresPerPixel(),
-                  .magnification = sample_ ? magnification_.factor() : 1.0,
-                  .force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0,
-                  .forceEnd = force_.end()});
+    picture_.setHalfSpace(std::move(answer));
 }
 
 std::optional<ScanWindow> ZoomView::window() const {
-    return frame_ ? std::optional(frame_->window()) : std::nullopt;
+    return picture_.frame() ? std::optional(picture_.frame()->window()) : std::nullopt;
 }
 
-double ZoomView::halfWidth() const { return frame_ ? frame_->halfWidth() : 0.0; }
+double ZoomView::halfWidth() const {
+    return picture_.frame() ? picture_.frame()->halfWidth() : 0.0;
+}
 
 void ZoomView::setHalfWidth(double halfWidth) {
-    if (!frame_) {
-        return;
+    if (picture_.frame()) {
+        picture_.setHalfWidth(halfWidth);
+        renderSoon();
     }
-    frame_->setHalfWidth(std::max(halfWidth, scale_.least));
-    if (!sample_ && !sameWindow(frame_->window(), terrain_.place().window)) {
-        placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});
-    }
-    renderSoon();
 }
 
 void ZoomView::resetCamera() {
     camera_.reset();
     disturb();
-    if (scene_ != nullptr) {
-        setHalfWidth(scale_.usual);
-    }
+    setHalfWidth(picture_.scale().usual);
 }
 
 void ZoomView::setMagnification(std::optional<double> factor) {
-    magnification_.fix(factor);
+    picture_.magnification().fix(factor);
     renderSoon();
 }
 
 ColourScale ZoomView::heightScale() const {
-    return scene_ != nullptr ? colours_.heightScale() : ColourScale{};
+    return picture_.frame() ? picture_.colours().heightScale() : ColourScale{};
 }
 
 ColourScale ZoomView::displacementScale() const {
-    return scene_ != nullptr ? colours_.displacementScale() : ColourScale{};
+    return picture_.frame() ? picture_.colours().displacementScale() : ColourScale{};
+}
+
+QPointF ZoomView::onScreen(const Vector3& place) const {
+    const Vector2 drawn = picture_.drawnPlace(place);
+    const double ratio = devicePixelRatioF();
+    return {drawn.x() / ratio, height() - drawn.y() / ratio};
 }
 
 void ZoomView::setCacheEnabled(bool enabled) {
-    cache_.setEnabled(enabled);
+    picture_.cache().setEnabled(enabled);
     renderSoon();
+}
+
+void ZoomView::resizeEvent(QResizeEvent* event) {
+    GestureWidget::resizeEvent(event);
+    picture_.aim(camera_, static_cast<double>(width()) / height());
+    renderSoon();
+}
+
+/// Something of the still layer moves: for a while it is drawn coarsely.
+void ZoomView::disturb() {
+    settling_.start();
+    terrainDue_ = true;
+    picture_.aim(camera_, static_cast<double>(width()) / height());
+}
+
+/// A frame within a few milliseconds, unless another one is drawn before.
+void ZoomView::renderSoon() {
+    contactDue_ = true;
+    if (!frameDue_.isActive()) {
+        frameDue_.start();
+    }
+}
+
+void ZoomView::renderNow() {
+    frameDue_.stop();
+    if (std::exchange(contactDue_, false)) {
+        picture_.showSample(camera_, isDragging());
+    }
+    if (std::exchange(terrainDue_, false)) {
+        picture_.showTerrain(camera_,
+                             settling_.isActive() ? TerrainDetail::Coarse : TerrainDetail::Fine);
+    }
+    picture_.showLabels(height(), devicePixelRatioF());
+    if (isValid()) {
+        renderWindow_->Render();
+        Q_EMIT frameRendered();
+    }
 }
 
 }  // namespace asperity

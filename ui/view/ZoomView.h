@@ -1,41 +1,23 @@
 #pragma once
 
-#include "core/deformation/HalfSpaceModel.h"
 #include "core/haptics/Snapshot.h"
-#include "core/scene/Scene.h"
 #include "ui/ColourScale.h"
-#include "ui/view/ContactLayer.h"
-#include "ui/view/ForceLayer.h"
-#include "ui/view/GuideLayer.h"
-#include "ui/view/Magnification.h"
-#include "ui/view/StaticLayer.h"
-#include "ui/view/SurfaceColours.h"
-#include "ui/view/TerrainLayer.h"
-#include "ui/view/TipLayer.h"
-#include "ui/view/ViewCamera.h"
-#include "ui/view/ViewFrame.h"
-#include "ui/view/ViewLabels.h"
-#include "ui/view/ViewScale.h"
+#include "ui/view/GestureWidget.h"
+#include "ui/view/ZoomPicture.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <vtkNew.h>
 
-#include <QPointF>
 #include <QTimer>
 
-#include <memory>
-#include <optional>
-
 class vtkGenericOpenGLRenderWindow;
-class vtkRenderer;
 
 namespace asperity {
 
 /// The large live view: surface, deformed contact, tip and force around the tip, in 3-D.
 ///
-/// Left drag moves the tip in its horizontal plane, the wheel moves it up and down (Shift: a tenth
-/// of both); right drag turns the view; Ctrl and the wheel, + and - zoom.
-class ZoomView : public QVTKOpenGLNativeWidget {
+/// Left drag moves the tip in its horizontal plane, the wheel moves it up and down; right drag
+/// turns the view.
+class ZoomView : public GestureWidget {
     Q_OBJECT
 
 public:
@@ -65,7 +47,7 @@ public:
 
     /// How much larger than life displacements are drawn; empty: chosen by the view.
     void setMagnification(std::optional<double> factor);
-    [[nodiscard]] double magnification() const { return magnification_.factor(); }
+    [[nodiscard]] double magnification() const { return picture_.magnification().factor(); }
 
     /// They hold no colours while there is no scene.
     [[nodiscard]] ColourScale heightScale() const;
@@ -84,61 +66,21 @@ Q_SIGNALS:
     void frameRendered();
 
 protected:
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void addLayers();
-    void showPicture();
-    void follow(const Vector2& tip);
-    void placeTerrain(const TerrainPlace& place);
-    void showContact(const TickSample& sample);
-    void hideContact();
-    void showLabels();
-
-    void zoomBy(double steps);
-    void turnBy(const QPointF& pixels);
-    void dragBy(const QPointF& pixels, bool finely);
-    void aimCamera();
-    [[nodiscard]] FrameBox frameBox() const;
-    [[nodiscard]] double metresPerPixel() const;
-
+    void connectGestures();
     void disturb();
-    void settle();
     void renderSoon();
     void renderNow();
 
-    const Scene* scene_ = nullptr;
-    ViewScale scale_;
-    std::optional<TickSample> sample_;
-    std::shared_ptr<const HalfSpaceAnswer> halfSpace_;
-    std::optional<ViewFrame> frame_;
-    ViewCamera camera_;
-    SurfaceColours colours_;
-    Magnification magnification_;
-
     vtkNew<vtkGenericOpenGLRenderWindow> renderWindow_;
-    vtkNew<vtkRenderer> still_;    ///< the surface at rest
-    vtkNew<vtkRenderer> live_;     ///< what changes from frame to frame
-    vtkNew<vtkRenderer> through_;  ///< what shows through everything
-    StaticLayer cache_;
-    TerrainLayer terrain_;
-    ContactLayer contact_;
-    TipLayer tip_;
-    ForceLayer force_;
-    GuideLayer guide_;
-    ViewLabels labels_;
-
+    ZoomPicture picture_;
+    ViewCamera camera_;
     QTimer settling_;          ///< runs while the view is in motion
     QTimer frameDue_;          ///< runs while a frame is due
     bool terrainDue_ = false;  ///< it is to be shown anew in the next frame
     bool contactDue_ = false;  ///< and so is all the rest
-    QPointF pointer_;          ///< where the last event of the mouse was
-    bool dragging_ = false;
 };
 
 }  // namespace asperity

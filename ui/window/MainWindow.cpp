@@ -1,7 +1,5 @@
 #include "ui/window/MainWindow.h"
 
-#include "core/Version.h"
-#include "core/scene/ImagingTip.h"
 #include "ui/panels/CantileverPanel.h"
 #include "ui/panels/ColourBarWidget.h"
 #include "ui/panels/ControlBar.h"
@@ -12,16 +10,15 @@
 #include "ui/panels/OverviewPanel.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"
+#include "ui/window/Dialogs.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QStackedLayout>
 #include <QStatusBar>
@@ -37,20 +34,50 @@ constexpr int kRightShare = 31;
 constexpr int kMessageTime = 8000;   // [ms]
 constexpr int kColumnMinimum = 372;  // [px]
 
-QString controlsText() {
-    return MainWindow::tr(
-        "<table cellpadding='3'>"
-        "<tr><td><b>Left drag</b></td><td>move the tip along the sample</td></tr>"
-        "<tr><td><b>Wheel</b>, <b>Page Up</b>, <b>Page Down</b></td><td>away from the sample and "
-        "into it</td></tr>"
-        "<tr><td><b>Arrow keys</b></td><td>along the sample, as seen on the screen</td></tr>"
-        "<tr><td><b>Shift</b></td><td>a tenth of all that</td></tr>"
-        "<tr><td><b>Ctrl + arrows</b></td><td>five times as fast</td></tr>"
-        "<tr><td><b>Right drag</b></td><td>turn the view</td></tr>"
-        "<tr><td><b>Ctrl + wheel</b>, <b>+</b>, <b>−</b></td><td>zoom</td></tr>"
-        "<tr><td><b>Double click</b> on the scan</td><td>travel there</td></tr>"
-        "<tr><td><b>Space</b></td><td>pause and go on</td></tr>"
-        "<tr><td><b>Esc</b></td><td>forces off; stops loading</td></tr></table>");
+QVBoxLayout* newColumn(QWidget& side) {
+    auto* column = new QVBoxLayout(&side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kGap);
+    return column;
+}
+
+/// Hint and loading in one place, so that nothing moves when a file is loaded.
+QStackedLayout* newBottomLine(QWidget* window, QWidget* loading) {
+    auto* hint = new QLabel(window);
+    hint->setObjectName(QStringLiteral("hint"));
+    hint->setText(
+        MainWindow::tr("Drag: move the tip   ·   Wheel: up and down   ·   Right drag: turn   ·   "
+                       "Ctrl + wheel: zoom   ·   Esc: forces off"));
+    hint->setAlignment(Qt::AlignCenter);
+    auto* line = new QStackedLayout;
+    line->addWidget(hint);
+    line->addWidget(loading);
+    return line;
+}
+
+/// The keys that move the hand work again once a knob is turned.
+void giveFocusBack(ControlBar& controls, ZoomView& view) {
+    const auto toView = [&view] { view.setFocus(); };
+    const auto give = [&](auto chosen) { QObject::connect(&controls, chosen, &view, toView); };
+    give(&ControlBar::runningChosen);
+    give(&ControlBar::forcesChosen);
+    give(&ControlBar::materialChosen);
+    give(&ControlBar::handChosen);
+    give(&ControlBar::pathChosen);
+    give(&ControlBar::recordingChosen);
+    for (QLineEdit* number : controls.findChildren<QLineEdit*>()) {
+        QObject::connect(number, &QLineEdit::returnPressed, &view, toView);
+    }
+}
+
+/// The overview shows where the view looks.
+void showFrameOf(const ZoomView& view, OverviewPanel& overview) {
+    QObject::connect(&view, &ZoomView::frameChanged, &overview, [&] {
+        if (const auto window = view.window()) {
+            overview.showFrame(
+                QRectF(QPointF(window->left, window->bottom), QPointF(window->right, window->top)));
+        }
+    });
 }
 
 }  // namespace
@@ -60,20 +87,16 @@ MainWindow::MainWindow()
     , controls_(new ControlBar(this))
     , banner_(new StateBanner(this))
     , view_(new ZoomView(this))
-    , heightBar_(new ColourBarWidget(this))
-    , displacementBar_(new ColourBarWidget(this))
-    , bottomLine_(new QStackedLayout)
     , loading_(new LoadingBar(this))
-    , forces_(new ForcePanel(this))
-    , cantilever_(new CantileverPanel(this))
+    , bottomLine_(newBottomLine(this, loading_))
     , overview_(new OverviewPanel(this))
     , loopStatus_(new LoopStatusBar(this))
     , fidelity_(new FidelityPanel(this)) {
     setAcceptDrops(true);
     placeAll();
     connectMenus();
-    connectView();
-    giveFocusBack();
+    showFrameOf(*view_, *overview_);
+    giveFocusBack(*controls_, *view_);
     showScene(nullptr, {});
     showLoading({});
     resize(1600, 1000);
@@ -82,41 +105,36 @@ MainWindow::MainWindow()
 
 QWidget* MainWindow::leftSide() {
     auto* side = new QWidget(this);
-    auto* column = new QVBoxLayout(side);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap);
+    QVBoxLayout* column = newColumn(*side);
     column->addWidget(banner_);
+    panels_.push_back(banner_);
     column->addWidget(view_, 1);
     auto* bars = new QHBoxLayout;
     bars->setSpacing(3 * kGap);
-    bars->addWidget(heightBar_);
-    bars->addWidget(displacementBar_);
+    auto* heights = new ColourBarWidget(this);
+    auto* displacements = new ColourBarWidget(this);
+    bars->addWidget(heights);
+    bars->addWidget(displacements);
+    connect(view_, &ZoomView::scalesChanged, this, [this, heights, displacements] {
+        heights->setScale(view_->heightScale());
+        displacements->setScale(view_->displacementScale());
+    });
     column->addLayout(bars);
-    column->addLayout(bottomLine());
+    column->addLayout(bottomLine_);
     return side;
-}
-
-/// Both in one place, so that nothing moves when a file is loaded.
-QStackedLayout* MainWindow::bottomLine() {
-    auto* hint = new QLabel(this);
-    hint->setObjectName(QStringLiteral("hint"));
-    hint->setText(tr("Drag: move the tip   ·   Wheel: up and down   ·   Right drag: turn   ·   "
-                     "Ctrl + wheel: zoom   ·   Esc: forces off"));
-    hint->setAlignment(Qt::AlignCenter);
-    bottomLine_->addWidget(hint);
-    bottomLine_->addWidget(loading_);
-    return bottomLine_;
 }
 
 QWidget* MainWindow::rightSide() {
     auto* side = new QWidget(this);
     side->setMinimumWidth(kColumnMinimum);
-    auto* column = new QVBoxLayout(side);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap);
-    column->addWidget(forces_, 4);
-    column->addWidget(cantilever_, 3);
-    column->addWidget(overview_, 3);
+    QVBoxLayout* column = newColumn(*side);
+    const auto add = [this, column](auto* panel, int share) {
+        column->addWidget(panel, share);
+        panels_.push_back(panel);
+    };
+    add(new ForcePanel(this), 4);
+    add(new CantileverPanel(this), 3);
+    add(overview_, 3);
     return side;
 }
 
@@ -133,66 +151,49 @@ void MainWindow::placeAll() {
     rows->addLayout(sides, 1);
     setCentralWidget(middle);
     statusBar()->addPermanentWidget(loopStatus_);
+    panels_.push_back(loopStatus_);
 }
 
 void MainWindow::connectMenus() {
-    connect(menus_->open, &QAction::triggered, this, &MainWindow::chooseScan);
-    connect(menus_->savePicture, &QAction::triggered, this, &MainWindow::choosePictureFile);
-    connect(menus_->followPathFile, &QAction::triggered, this, &MainWindow::choosePath);
-    connect(menus_->followRecording, &QAction::triggered, this, &MainWindow::chooseRecording);
-    connect(controls_, &ControlBar::pathFileRequested, this, &MainWindow::choosePath);
-    connect(menus_->cancelLoading, &QAction::triggered, this, &MainWindow::cancelLoadingRequested);
-    connect(loading_, &LoadingBar::cancelRequested, this, &MainWindow::cancelLoadingRequested);
-    connect(menus_->quit, &QAction::triggered, this, &QWidget::close);
-    connect(menus_->zoomIn, &QAction::triggered, this,
-            [this] { view_->setHalfWidth(view_->halfWidth() / 1.25); });
-    connect(menus_->zoomOut, &QAction::triggered, this,
-            [this] { view_->setHalfWidth(view_->halfWidth() * 1.25); });
-    connect(menus_->resetView, &QAction::triggered, view_, &ZoomView::resetCamera);
+    const auto ask = [this](const std::function<QString(QWidget*)>& question,
+                            void (MainWindow::*chosen)(QString)) {
+        return [this, question, chosen] {
+            const QString file = question(this);
+            if (!file.isEmpty()) {
+                Q_EMIT(this->*chosen)(file);
+            }
+        };
+    };
+    const auto on = [this](const QAction* action, auto what) {
+        connect(action, &QAction::triggered, this, what);
+    };
+    const auto askScan = [this](QWidget* window) { return askForScan(window, scanFiles_); };
+    on(menus_->open, ask(askScan, &MainWindow::openRequested));
+    on(menus_->savePicture, ask(askForPicture, &MainWindow::pictureFileChosen));
+    const auto askPath = ask(askForPath, &MainWindow::pathFileChosen);
+    on(menus_->followPathFile, askPath);
+    connect(controls_, &ControlBar::pathFileRequested, this, askPath);
+    on(menus_->followRecording, ask(askForRecording, &MainWindow::recordingChosen));
+    on(menus_->quit, [this] { close(); });
+    on(menus_->zoomIn, [this] { view_->setHalfWidth(view_->halfWidth() / 1.25); });
+    on(menus_->zoomOut, [this] { view_->setHalfWidth(view_->halfWidth() * 1.25); });
+    on(menus_->resetView, [this] { view_->resetCamera(); });
     connect(menus_, &WindowMenus::magnificationChosen, view_, &ZoomView::setMagnification);
-    connect(menus_->fidelity, &QAction::triggered, this, &MainWindow::showFidelity);
-    connect(menus_->controls, &QAction::triggered, this, &MainWindow::explainControls);
-    connect(menus_->about, &QAction::triggered, this, &MainWindow::explainProgram);
-}
-
-void MainWindow::giveFocusBack() {
-    const auto toView = [this] { view_->setFocus(); };
-    connect(controls_, &ControlBar::runningChosen, this, toView);
-    connect(controls_, &ControlBar::forcesChosen, this, toView);
-    connect(controls_, &ControlBar::materialChosen, this, toView);
-    connect(controls_, &ControlBar::handChosen, this, toView);
-    connect(controls_, &ControlBar::pathChosen, this, toView);
-    connect(controls_, &ControlBar::recordingChosen, this, toView);
-    for (QLineEdit* number : controls_->findChildren<QLineEdit*>()) {
-        connect(number, &QLineEdit::returnPressed, this, toView);
-    }
-}
-
-void MainWindow::connectView() {
-    connect(view_, &ZoomView::frameChanged, this, [this] {
-        if (const auto window = view_->window()) {
-            overview_->showFrame(
-                QRectF(QPointF(window->left, window->bottom), QPointF(window->right, window->top)));
-        }
+    on(menus_->fidelity, [this] {
+        fidelity_->show();
+        fidelity_->raise();
+        fidelity_->activateWindow();
     });
-    connect(view_, &ZoomView::scalesChanged, this, [this] {
-        heightBar_->setScale(view_->heightScale());
-        displacementBar_->setScale(view_->displacementScale());
-    });
+    on(menus_->controls, [this] { explainControls(this); });
+    on(menus_->about, [this] { explainProgram(this); });
 }
 
 void MainWindow::showScene(const Scene* scene, const QString& title) {
-    forces_->clear();
-    cantilever_->clear();
-    overview_->clear();
-    banner_->clear();
-    loopStatus_->clear();
-    if (scene != nullptr) {
-        cantilever_->setCantilever(scene->belief.cantilever);
-        overview_->setSurface(scene->surface);
-        overview_->setScanNote(QString::fromStdString(imagingTipWords(*scene)),
-                               QString::fromStdString(imagingTipNote(*scene)));
-        loopStatus_->setRateAsked(scene->description.tickRate);
+    for (RunPanel* const panel : panels_) {
+        panel->clear();
+        if (scene != nullptr) {
+            panel->begin(*scene);
+        }
     }
     view_->setScene(scene);
     setWindowTitle(title.isEmpty() ? tr("Asperity") : tr("%1 – Asperity").arg(title));
@@ -216,47 +217,7 @@ void MainWindow::lock() {
     }
 }
 
-void MainWindow::complain(const QString& message) {
-    auto* box =
-        new QMessageBox(QMessageBox::Warning, tr("Asperity"), message, QMessageBox::Ok, this);
-    box->setTextFormat(Qt::PlainText);  // a name of a file may look like markup
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
-}
-
-void MainWindow::chooseScan() {
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("Open a scan or a scene"), {},
-        tr("Scans and scenes (*.toml %1);;All files (*)").arg(scanFiles_.join(QLatin1Char(' '))));
-    if (!file.isEmpty()) {
-        Q_EMIT openRequested(file);
-    }
-}
-
-void MainWindow::choosePath() {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Follow a path"), {},
-                                                      tr("Paths: time_s, x_m, y_m, z_m (*.csv)"));
-    if (!file.isEmpty()) {
-        Q_EMIT pathFileChosen(file);
-    }
-}
-
-void MainWindow::chooseRecording() {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Repeat a recording"), {},
-                                                      tr("Force logs (force_log.csv *.csv)"));
-    if (!file.isEmpty()) {
-        Q_EMIT recordingChosen(file);
-    }
-}
-
-void MainWindow::choosePictureFile() {
-    const QString file =
-        QFileDialog::getSaveFileName(this, tr("Save a picture of the window"),
-                                     QStringLiteral("asperity.png"), tr("Pictures (*.png)"));
-    if (!file.isEmpty()) {
-        Q_EMIT pictureFileChosen(file);
-    }
-}
+void MainWindow::complain(const QString& message) { complainIn(this, message); }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
@@ -269,30 +230,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
     // As a file URI: Qt's own texts lose the bytes of a name that is no UTF-8.
     Q_EMIT openRequested(QString::fromLatin1(event->mimeData()->urls().front().toEncoded()));
-}
-
-void MainWindow::showFidelity() {
-    fidelity_->show();
-    fidelity_->raise();
-    fidelity_->activateWindow();
-}
-
-void MainWindow::explainControls() {
-    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and keys"), controlsText(),
-                                QMessageBox::Close, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
-}
-
-void MainWindow::explainProgram() {
-    auto* box = new QMessageBox(
-        QMessageBox::NoIcon, tr("About Asperity"),
-        tr("<b>Asperity %1</b><br>An augmented-reality interface for an atomic force "
-           "microscope.<br>BSD-3-Clause; uses VTK, Qt, Qwt, Eigen, hidapi, OpenEXR.")
-            .arg(QString::fromUtf8(kVersion)),
-        QMessageBox::Close, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
 }
 
 }  // namespace asperity

@@ -5,18 +5,18 @@
 #include <QMainWindow>
 #include <QStringList>
 
+#include <vector>
+
 class QStackedLayout;
 
 namespace asperity {
 
-class CantileverPanel;
-class ColourBarWidget;
 class ControlBar;
 class FidelityPanel;
-class ForcePanel;
 class LoadingBar;
 class LoopStatusBar;
 class OverviewPanel;
+class RunPanel;
 class StateBanner;
 class WindowMenus;
 class ZoomView;
@@ -33,12 +33,12 @@ public:
     [[nodiscard]] ControlBar& controls() { return *controls_; }
     [[nodiscard]] StateBanner& banner() { return *banner_; }
     [[nodiscard]] ZoomView& view() { return *view_; }
-    [[nodiscard]] ForcePanel& forces() { return *forces_; }
-    [[nodiscard]] CantileverPanel& cantilever() { return *cantilever_; }
     [[nodiscard]] OverviewPanel& overview() { return *overview_; }
     /// A window of its own, hidden at first.
     [[nodiscard]] FidelityPanel& fidelity() { return *fidelity_; }
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
+    /// All that show a run beside the view.
+    [[nodiscard]] const std::vector<RunPanel*>& panels() const { return panels_; }
 
     /// Which files the dialog that opens a scan shows first, beside scenes: "*.gwy".
     void setScanFiles(const QStringList& patterns) { scanFiles_ = patterns; }
@@ -60,7 +60,6 @@ Q_SIGNALS:
     void pathFileChosen(QString file);
     void recordingChosen(QString forceLog);
     void pictureFileChosen(QString file);
-    void cancelLoadingRequested();
 
 protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -69,34 +68,20 @@ protected:
 private:
     [[nodiscard]] QWidget* leftSide();
     [[nodiscard]] QWidget* rightSide();
-    [[nodiscard]] QStackedLayout* bottomLine();
     void placeAll();
     void connectMenus();
-    void connectView();
-    /// The keys that move the hand work again once a knob is turned.
-    void giveFocusBack();
-    void chooseScan();
-    void choosePath();
-    void chooseRecording();
-    void choosePictureFile();
-    void showFidelity();
-    void explainControls();
-    void explainProgram();
 
     QStringList scanFiles_;
     WindowMenus* menus_;
     ControlBar* controls_;
     StateBanner* banner_;
     ZoomView* view_;
-    ColourBarWidget* heightBar_;
-    ColourBarWidget* displacementBar_;
-    QStackedLayout* bottomLine_;  ///< hint, loading
     LoadingBar* loading_;
-    ForcePanel* forces_;
-    CantileverPanel* cantilever_;
+    QStackedLayout* bottomLine_;  ///< hint, loading
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
+    std::vector<RunPanel*> panels_;
 };
 
 }  // namespace asperity

@@ -6,4 +6,6 @@ void HapticDevice::setForce(const Vector3& /*force*/) noexcept {}
 
 void HapticDevice::calibrate() noexcept {}
 
+void HapticDevice::setSeenHalfWidth(double /*halfWidth*/) noexcept {}
+
 }  // namespace asperity

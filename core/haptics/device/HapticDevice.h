@@ -2,9 +2,12 @@
 
 #include "core/Vector.h"
 #include "core/haptics/device/DeviceSpecification.h"
+#include "core/haptics/device/DeviceStatus.h"
 #include "core/scene/TickInput.h"
 
 namespace asperity {
+
+class LedHand;
 
 /// The hand as the loop sees it: a haptic device, a mouse, a script. Blocking input and output
 /// belong on a thread of the device's own; what is here never waits and never throws.
@@ -31,6 +34,17 @@ public:
     /// How long it takes from a motion of the hand to the force that answers it, as measured so
     /// far, without the hold of half a tick [s]. Any thread but the loop's.
     [[nodiscard]] virtual double delay() const noexcept { return 0.0; }
+
+    /// What the window wants to know of the device; of a hand without one, nothing. Any thread but
+    /// the loop's.
+    [[nodiscard]] virtual DeviceStatus status() const { return {}; }
+
+    /// Half the width of what the person sees [m]: for devices that are pushed, not moved, so that
+    /// the tip is as fast on the screen whatever is seen. Any thread; wait-free.
+    virtual void setSeenHalfWidth(double halfWidth) noexcept;
+
+    /// The hand as one that mouse and keyboard lead; null: it moves by itself.
+    [[nodiscard]] virtual LedHand* led() noexcept { return nullptr; }
 };
 
 /// A hand that only senses.

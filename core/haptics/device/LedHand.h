@@ -15,6 +15,8 @@ public:
     /// Where it is led to at first [m].
     [[nodiscard]] const Vector3& start() const noexcept { return start_; }
 
+    [[nodiscard]] LedHand* led() noexcept final { return this; }
+
 protected:
     explicit LedHand(const Vector3& start);
 

@@ -165,7 +165,7 @@ TEST_F(WindowWithDevice, ARecordingThatBeginsInContactTakesNoForceAway) {
 TEST_F(WindowWithDevice, ARecordingHoldsTheEnergyAtTheHand) {
     leadWithDevice();
     ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
-    QSignalSpy finished(&session, &Session::recordingFinished);
+    QSignalSpy finished(&session.recordings(), &RecordingControl::finished);
     auto* record = child<QPushButton>("record");
     QTest::mouseClick(record, Qt::LeftButton);
     press(Qt::Key_PageDown);
@@ -194,11 +194,11 @@ TEST_F(WindowWithDevice, ARecordingHoldsTheEnergyAtTheHand) {
 }
 
 TEST_F(WindowWithDevice, ARecordingReplaysToTheSameBits) {
-    session.open(std::filesystem::path(ASPERITY_DATA_DIR) / "samples/particles.gsf");
+    session.scenes().open(std::filesystem::path(ASPERITY_DATA_DIR) / "samples/particles.gsf");
     ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
     choose("hand", kSimulated);
     ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
-    QSignalSpy finished(&session, &Session::recordingFinished);
+    QSignalSpy finished(&session.recordings(), &RecordingControl::finished);
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
     press(Qt::Key_PageDown);
     ASSERT_TRUE(eventually([this] { return inContact(); })) << state();

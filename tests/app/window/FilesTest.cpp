@@ -71,8 +71,8 @@ TEST_F(Window, OpensADroppedFile) {
 TEST_F(Window, SaysWhatIsWrongWithAFileAndKeepsTheScene) {
     openFlatScene();
     const std::filesystem::path bad = folder.write("broken.gsf", "no scan at all");
-    QSignalSpy failed(&session, &Session::openFailed);
-    session.open(bad);
+    QSignalSpy failed(&session.scenes(), &SceneControl::openFailed);
+    session.scenes().open(bad);
     ASSERT_TRUE(eventually([&] { return failed.count() == 1; }));
     EXPECT_TRUE(failed[0][0].toString().contains("broken.gsf"));
     const auto boxes = window.findChildren<QMessageBox*>();
@@ -83,18 +83,18 @@ TEST_F(Window, SaysWhatIsWrongWithAFileAndKeepsTheScene) {
 }
 
 TEST_F(Window, ARecordingReplaysToTheSameBits) {
-    session.open(sample("particles.gsf"));
+    session.scenes().open(sample("particles.gsf"));
     ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
     press(Qt::Key_PageDown);
     ASSERT_TRUE(eventually([this] { return inContact(); }));
     release(Qt::Key_PageDown);
-    QSignalSpy finished(&session, &Session::recordingFinished);
-    session.pause();
+    QSignalSpy finished(&session.recordings(), &RecordingControl::finished);
+    session.runs().pause();
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
     Settings settings = session.run()->settings();
     settings.forceGain = 250.0;
     session.run()->setSettings(settings);
-    session.start();
+    session.runs().start();
     press(Qt::Key_PageUp);
     live(700);
     release(Qt::Key_PageUp);
@@ -108,9 +108,9 @@ TEST_F(Window, ARecordingReplaysToTheSameBits) {
 }
 
 TEST_F(Window, ARecordingEndsWhereTicksAreLostAndStillReplays) {
-    session.open(sample("particles.gsf"));
+    session.scenes().open(sample("particles.gsf"));
     ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
-    QSignalSpy finished(&session, &Session::recordingFinished);
+    QSignalSpy finished(&session.recordings(), &RecordingControl::finished);
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
     live(200);
     std::this_thread::sleep_for(std::chrono::milliseconds(5600));  // a window that hangs
@@ -125,9 +125,9 @@ TEST_F(Window, ARecordingEndsWhereTicksAreLostAndStillReplays) {
 }
 
 TEST_F(Window, ARecordingOnAFullDiskEndsAtOnceWithTheReasonAndReplays) {
-    session.open(sample("particles.gsf"));
+    session.scenes().open(sample("particles.gsf"));
     ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
-    QSignalSpy finished(&session, &Session::recordingFinished);
+    QSignalSpy finished(&session.recordings(), &RecordingControl::finished);
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
     {
         const FileSizeLimit full(200'000);
@@ -155,20 +155,20 @@ TEST_F(Window, TellsOfARecordingThatWasCutOffAndRepeatsIt) {
     Q_EMIT window.recordingChosen(QString::fromStdString((run / run_files::kLog).string()));
     ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
     EXPECT_NE(told().find("cut off"), std::string::npos) << told();
-    session.recoverCutOff();
+    session.recordings().recoverCutOff();
     ASSERT_TRUE(eventually([this] { return told().find("1.0 s") != std::string::npos; })) << told();
     EXPECT_EQ(readCsv(run / run_files::kLog).rows(), 2U);
 }
 
 TEST_F(Window, AFaultLeavesItsLastSecondsWhichReplayToTheSameBits) {
-    session.open(sample("particles.gsf"));
+    session.scenes().open(sample("particles.gsf"));
     ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
-    QSignalSpy saved(&session, &Session::lastSecondsSaved);
+    QSignalSpy saved(&session.recordings(), &RecordingControl::lastSecondsSaved);
     live(1000);
     EXPECT_EQ(saved.count(), 0);
     const Vector3 here = session.run()->basePosition();
     const Vector3 nowhere = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
-    session.follow({{0.0, here}, {0.5, here}, {1.0, nowhere}});
+    session.paths().follow({{0.0, here}, {0.5, here}, {1.0, nowhere}});
     ASSERT_TRUE(eventually([&] { return saved.count() == 1; }));
     const std::string lastSeconds = saved[0][0].toString().toStdString();
     EXPECT_TRUE(window.statusBar()->currentMessage().contains("not_finite"));
@@ -184,20 +184,20 @@ TEST_F(Window, AFaultLeavesItsLastSecondsWhichReplayToTheSameBits) {
 }
 
 TEST_F(Window, SavesTheLastSecondsOfARunThatEndsBeforeAnyFrameSeesItsFault) {
-    session.open(sample("particles.gsf"));
+    session.scenes().open(sample("particles.gsf"));
     ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
-    QSignalSpy saved(&session, &Session::lastSecondsSaved);
+    QSignalSpy saved(&session.recordings(), &RecordingControl::lastSecondsSaved);
     live(300);
     const Vector3 here = session.run()->basePosition();
     const Vector3 nowhere = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
-    session.follow({{0.0, here}, {0.1, nowhere}});
+    session.paths().follow({{0.0, here}, {0.1, nowhere}});
     while (session.run()->loop().snapshot().sample.output.fault == Fault::None) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));  // and no frame is drawn
     }
-    session.use({.scene = buildScene(plainScene(), flatMap()),
-                 .format = "made for the test",
-                 .sha256 = "",
-                 .notes = {}});
+    session.runs().use({.scene = buildScene(plainScene(), flatMap()),
+                        .format = "made for the test",
+                        .sha256 = "",
+                        .notes = {}});
     ASSERT_EQ(saved.count(), 1);
     const std::string lastSeconds = saved[0][0].toString().toStdString();
     const ProgramRun replay = runProgram("replay '" + lastSeconds + "' --out '" +
@@ -209,7 +209,7 @@ TEST_F(Window, SavesTheLastSecondsOfARunThatEndsBeforeAnyFrameSeesItsFault) {
 
 TEST_F(Window, SaysWhyTheLastSecondsCannotBeSaved) {
     openFlatScene();
-    session.setRecordingsFolder(folder.write("taken", "a file"));
+    session.recordings().setFolder(folder.write("taken", "a file"));
     live(100);
     window.menus().saveLastSeconds->trigger();
     const auto complaint = [this] { return window.findChild<QMessageBox*>(); };
@@ -268,11 +268,11 @@ protected:
         constexpr int kSide = 768;
         const std::array<std::filesystem::path, 2> scans{levelScan(folder, kSide),
                                                          levelScan(folder, kSide + 32)};
-        QSignalSpy shown(&session, &Session::sceneShown);
+        QSignalSpy shown(&session.runs(), &RunControl::begun);
         double memory = 0.0;
         std::ptrdiff_t threads = 0;
         for (int change = 0; change < changes; ++change) {
-            session.open(scans[static_cast<std::size_t>(change % 2)]);
+            session.scenes().open(scans[static_cast<std::size_t>(change % 2)]);
             ASSERT_TRUE(eventually([&] { return shown.count() == change + 1; })) << change;
             live(30);
             if (change == settled) {

@@ -110,12 +110,12 @@ TEST_F(Window, AScriptedPathGoesIntoContactAndBack) {
 TEST_F(Window, TheMouseMovesNothingWhileTheRunPauses) {
     openFlatScene();
     live(300);
-    session.pause();
+    session.runs().pause();
     const Vector3 before = session.run()->basePosition();
     turnWheel(-200);
     drag({300, 300}, {360, 300});
     Q_EMIT window.overview().placeChosen(20e-9, 20e-9);
-    session.start();
+    session.runs().start();
     live(500);
     EXPECT_LT((session.run()->basePosition() - before).norm(), 1e-13);
 }
@@ -142,7 +142,7 @@ TEST_F(Window, APathIsFollowedInPlacesOfTheScanWhateverTheGain) {
     session.run()->setSettings(settings);
     live(100);
     const Vector3 end(70e-9, 50e-9, 12e-9);
-    session.follow({{0.0, {40e-9, 50e-9, 9e-9}}, {0.5, end}});
+    session.paths().follow({{0.0, {40e-9, 50e-9, 9e-9}}, {0.5, end}});
     EXPECT_TRUE(eventually([&] { return (session.run()->basePosition() - end).norm() < 1e-15; }));
     Q_EMIT window.controls().knobTurned(QStringLiteral("position_gain"), 4.0);
     EXPECT_EQ(session.run()->settings().positionGain, 0.5) << "a path is no hand";

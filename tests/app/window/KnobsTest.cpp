@@ -76,14 +76,14 @@ TEST_F(Window, ForcesStayOffAndKnobsStayTurnedOverAnotherMaterial) {
     turned.positionGain = 0.5;
     session.run()->setSettings(turned);
     QTest::keyClick(&window, Qt::Key_Escape);
-    session.pause();
+    session.runs().pause();
     auto* material = child<QComboBox>("material");
     QTest::keyClick(material, material->currentIndex() > 0 ? Qt::Key_Up : Qt::Key_Down);
     EXPECT_FALSE(session.run()->settings().forcesOn);
     EXPECT_EQ(session.run()->settings().forceGain, 250.0);
     EXPECT_FALSE(session.run()->loop().running());
     const Vector3 waiting = session.run()->basePosition();
-    session.start();
+    session.runs().start();
     EXPECT_TRUE(
         eventually([this] { return session.run()->loop().snapshot().statistics.ticks > 5; }));
     EXPECT_LT((session.run()->basePosition() - waiting).norm(), 1e-15) << "whatever the gain";

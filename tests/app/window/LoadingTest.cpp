@@ -56,7 +56,7 @@ protected:
     /// The loader works one by one: once another scene is shown, nothing can come of one before.
     void expectTheNextToBeTheFirstShown() {
         window.setWindowTitle({});
-        session.open(std::filesystem::path(ASPERITY_DATA_DIR) / "samples" / "steps.gsf");
+        session.scenes().open(std::filesystem::path(ASPERITY_DATA_DIR) / "samples" / "steps.gsf");
         ASSERT_TRUE(eventually([this] { return shown_.count() > 0; }));
         EXPECT_EQ(shown_.count(), 1);
         EXPECT_TRUE(window.windowTitle().startsWith("steps.gsf"));
@@ -65,7 +65,7 @@ protected:
     }
 
     std::filesystem::path large_;
-    QSignalSpy shown_{&session, &Session::sceneShown};
+    QSignalSpy shown_{&session.runs(), &RunControl::begun};
 };
 
 TEST_F(WindowThatLoads, ShowsHowFarItIsWhileTheRunGoesOn) {
@@ -74,7 +74,7 @@ TEST_F(WindowThatLoads, ShowsHowFarItIsWhileTheRunGoesOn) {
     QObject::connect(child<QProgressBar>("loadingBar"), &QProgressBar::valueChanged, &window,
                      [&](int percent) { percents.push_back(percent); });
     EXPECT_FALSE(isLoading());
-    session.open(large_);
+    session.scenes().open(large_);
     EXPECT_TRUE(isLoading());
     EXPECT_TRUE(session.run()->loop().running());
     ASSERT_TRUE(eventually([this] { return shown_.count() == 1; }));
@@ -86,10 +86,10 @@ TEST_F(WindowThatLoads, ShowsHowFarItIsWhileTheRunGoesOn) {
 
 TEST_F(WindowThatLoads, CancelLeavesTheSceneAsItWas) {
     shown_.clear();
-    QSignalSpy cancelled(&session, &Session::openCancelled);
+    QSignalSpy cancelled(&session.scenes(), &SceneControl::openCancelled);
     const LiveRun* run = session.run();
     const QString title = window.windowTitle();
-    session.open(large_);
+    session.scenes().open(large_);
     QTest::mouseClick(child<QPushButton>("cancelLoading"), Qt::LeftButton);
     EXPECT_EQ(cancelled.count(), 1);
     EXPECT_FALSE(isLoading());
@@ -103,7 +103,7 @@ TEST_F(WindowThatLoads, CancelLeavesTheSceneAsItWas) {
 
 TEST_F(WindowThatLoads, TheMenuCancels) {
     shown_.clear();
-    session.open(large_);
+    session.scenes().open(large_);
     window.menus().cancelLoading->trigger();
     EXPECT_FALSE(isLoading());
     expectTheNextToBeTheFirstShown();
@@ -111,7 +111,7 @@ TEST_F(WindowThatLoads, TheMenuCancels) {
 
 TEST_F(WindowThatLoads, EscCancelsAndTakesTheForcesAway) {
     shown_.clear();
-    session.open(large_);
+    session.scenes().open(large_);
     QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_FALSE(isLoading());
     EXPECT_FALSE(session.run()->settings().forcesOn);
@@ -120,13 +120,13 @@ TEST_F(WindowThatLoads, EscCancelsAndTakesTheForcesAway) {
 
 TEST_F(WindowThatLoads, AnotherFileTakesThePlaceOfTheOneBefore) {
     shown_.clear();
-    session.open(large_);
+    session.scenes().open(large_);
     expectTheNextToBeTheFirstShown();
 }
 
 // A loader that outlives its session would be found by the sanitizers.
 TEST_F(WindowThatLoads, MayBeClosedMeanwhile) {
-    session.open(large_);
+    session.scenes().open(large_);
     live(20);
 }
 

@@ -36,17 +36,17 @@ bool Window::eventually(const std::function<bool()>& holds, int milliseconds) {
 void Window::live(int milliseconds) { QTest::qWait(milliseconds); }
 
 void Window::SetUp() {
-    session.setRecordingsFolder(folder.path() / "recordings");
+    session.recordings().setFolder(folder.path() / "recordings");
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
     QApplication::setActiveWindow(&window);  // a bare X server has nobody who does so
 }
 
 void Window::openFlatScene() {
-    session.use({.scene = buildScene(plainScene(), flatMap()),
-                 .format = "made for the test",
-                 .sha256 = "",
-                 .notes = {}});
+    session.runs().use({.scene = buildScene(plainScene(), flatMap()),
+                        .format = "made for the test",
+                        .sha256 = "",
+                        .notes = {}});
     ASSERT_TRUE(eventually([this] { return state().find("far") != std::string::npos; })) << state();
 }
 

@@ -1,5 +1,6 @@
 #include "hardware/spacemouse/SpaceMouse.h"
 
+#include "hardware/DeviceRegistry.h"
 #include "tests/hardware/Eventually.h"
 #include "tests/hardware/FakeHid.h"
 
@@ -46,7 +47,7 @@ TEST_F(SpaceMouseHand, IsConnectedAtOnceAndRestsWhereItStarts) {
     EXPECT_TRUE(hand.connected);
     EXPECT_EQ(hand.position, kStart);
     EXPECT_EQ(hand.buttons, 0U);
-    EXPECT_EQ(mouse.status(), "SpaceMouse Compact at /dev/hidraw7");
+    EXPECT_EQ(wordsOf(mouse.status()), "SpaceMouse Compact at /dev/hidraw7");
 }
 
 TEST_F(SpaceMouseHand, FullDeflectionIsFullSpeedAlongTheAxesOfTheLab) {
@@ -97,6 +98,12 @@ TEST_F(SpaceMouseHand, TakesANewSpeedWhileItIsMoved) {
     send({motionReport(kFull, 0, 0)});
     mouse.setSpeed(3.0 * kSpeed);
     EXPECT_NEAR(velocityShare(mouse).x(), 3.0, 1e-9);
+}
+
+TEST_F(SpaceMouseHand, TheTipIsAsFastOnTheScreenWhateverIsSeen) {
+    send({motionReport(kFull, 0, 0)});
+    mouse.setSeenHalfWidth(8.0 * kSpeed);
+    EXPECT_NEAR(velocityShare(mouse).x(), 4.0, 1e-9);
 }
 
 TEST_F(SpaceMouseHand, OfManyReportsTheNewestCounts) {
@@ -160,7 +167,7 @@ TEST(SpaceMouse, WaitsForADeviceThatIsPluggedInLater) {
     FakeHid hid;
     SpaceMouse mouse(hid, kStart);
     EXPECT_FALSE(mouse.advance(1.0).connected);
-    EXPECT_EQ(mouse.status(), "no SpaceMouse is plugged in");
+    EXPECT_EQ(wordsOf(mouse.status()), "no SpaceMouse is plugged in");
     hid.plug({.path = "/dev/hidraw0", .vendorId = 0x1234, .productId = 1});
     hid.plug(spaceMouseInfo());
     EXPECT_TRUE(eventually([&mouse] { return mouse.advance(0.0).connected; }));
@@ -173,7 +180,7 @@ TEST(SpaceMouse, SaysWhenPermissionIsMissing) {
     FakeHid hid({device});
     SpaceMouse mouse(hid, kStart);
     EXPECT_FALSE(mouse.advance(0.0).connected);
-    EXPECT_EQ(mouse.status(), std::string("/dev/hidraw7: ") + kNoPermission);
+    EXPECT_EQ(wordsOf(mouse.status()), std::string("/dev/hidraw7: ") + kNoPermission);
 }
 
 TEST(SpaceMouse, TriesAgainWhenTheDeviceCannotBeOpened) {
@@ -181,10 +188,10 @@ TEST(SpaceMouse, TriesAgainWhenTheDeviceCannotBeOpened) {
     hid.refuseToOpen("the device is asleep");
     SpaceMouse mouse(hid, kStart);
     EXPECT_FALSE(mouse.advance(0.0).connected);
-    EXPECT_EQ(mouse.status(), "the device is asleep");
+    EXPECT_EQ(wordsOf(mouse.status()), "the device is asleep");
     hid.refuseToOpen("");
     EXPECT_TRUE(eventually([&mouse] { return mouse.advance(0.0).connected; }));
-    EXPECT_EQ(mouse.status(), "SpaceMouse Compact at /dev/hidraw7");
+    EXPECT_EQ(wordsOf(mouse.status()), "SpaceMouse Compact at /dev/hidraw7");
 }
 
 }  // namespace

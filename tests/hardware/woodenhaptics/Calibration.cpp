@@ -4,9 +4,7 @@
 
 namespace asperity::test {
 
-bool waitsForCalibration(const WoodenHaptics& hand) {
-    return hand.status().find("rest pose") != std::string::npos;
-}
+bool waitsForCalibration(const WoodenHaptics& hand) { return !hand.status().calibrated; }
 
 bool calibrateWhenItWaits(WoodenHaptics& hand, const std::function<void()>& speak) {
     const bool waits = eventually([&] {

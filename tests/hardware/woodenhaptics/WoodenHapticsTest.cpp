@@ -1,5 +1,6 @@
 #include "hardware/woodenhaptics/WoodenHaptics.h"
 
+#include "hardware/DeviceRegistry.h"
 #include "tests/hardware/Eventually.h"
 #include "tests/hardware/FakeHid.h"
 #include "tests/hardware/woodenhaptics/ArmPose.h"
@@ -86,7 +87,9 @@ TEST(WoodenHaptics, BeforeItIsCalibratedItIsNotConnectedAndPushesNothing) {
     FakeHid hid({mbedInfo()});
     hid.send({readingReport(kHandle)});
     WoodenHaptics hand(hid, shippedDevice());
-    EXPECT_NE(hand.status().find("rest pose"), std::string::npos) << hand.status();
+    EXPECT_FALSE(hand.status().calibrated);
+    EXPECT_EQ(wordsOf(hand.status()),
+              "Polhem at /dev/hidraw7: put the handle into its rest pose, then Hand > Calibrate");
     for (int i = 0; i < 20; ++i) {
         hid.send({readingReport(kHandle)});
         EXPECT_FALSE(hand.advance(1e-3).connected);
@@ -103,7 +106,8 @@ TEST_F(WoodenHapticsHand, IsWhereTheHandleIsAtOnce) {
     EXPECT_TRUE(state.connected);
     EXPECT_LT((state.position - kHandle).norm(), 0.1e-3);
     EXPECT_EQ(state.buttons, 0U);
-    EXPECT_EQ(hand->status(), "Polhem at /dev/hidraw7");
+    EXPECT_TRUE(hand->status().calibrated);
+    EXPECT_EQ(wordsOf(hand->status()), "Polhem at /dev/hidraw7");
 }
 
 TEST_F(WoodenHapticsHand, IsWhatItsDeviceFileSays) {
@@ -190,8 +194,9 @@ TEST_F(WoodenHapticsHand, ALostDeviceIsNotConnectedAndStaysWhereItWas) {
     ASSERT_TRUE(eventually([this] { return !hand->advance(1e-3).connected; }));
     EXPECT_EQ(hand->advance(1e-3).position, reached);
     EXPECT_TRUE(eventually([this] {
-        return hand->status() == "the WoodenHaptics was unplugged" ||
-               hand->status() == "no WoodenHaptics is plugged in";
+        const std::string words = wordsOf(hand->status());
+        return words == "the WoodenHaptics was unplugged" ||
+               words == "no WoodenHaptics is plugged in";
     }));
 }
 

@@ -20,7 +20,7 @@ TEST(LoopStatusBar, ShowsHowTheLoopKeepsItsTime) {
     LoopStatusBar bar;
     bar.setRateAsked(4000.0);
     bar.setFramesPerSecond(29.74);
-    bar.show(statistics(SchedulingPolicy::Realtime));
+    bar.show({.statistics = statistics(SchedulingPolicy::Realtime)});
     EXPECT_EQ(test::textOf(bar, "rate"), QStringLiteral("4,000 Hz"));
     EXPECT_EQ(test::textOf(bar, "tickTime"), QStringLiteral("12.3 µs / 25.1 µs"));
     EXPECT_EQ(test::textOf(bar, "lateness"), QStringLiteral("68 µs"));
@@ -33,7 +33,7 @@ TEST(LoopStatusBar, ShowsHowTheLoopKeepsItsTime) {
 
 TEST(LoopStatusBar, SaysWhenTheLoopMayNotBeRealTime) {
     LoopStatusBar bar;
-    bar.show(statistics(SchedulingPolicy::Ordinary));
+    bar.show({.statistics = statistics(SchedulingPolicy::Ordinary)});
     EXPECT_EQ(test::textOf(bar, "scheduling"),
               QStringLiteral("ordinary: no permission for SCHED_FIFO"));
     bar.clear();
@@ -43,7 +43,7 @@ TEST(LoopStatusBar, SaysWhenTheLoopMayNotBeRealTime) {
 
 TEST(LoopStatusBar, FitsASmallWindow) {
     LoopStatusBar bar;
-    bar.show(statistics(SchedulingPolicy::Ordinary));
+    bar.show({.statistics = statistics(SchedulingPolicy::Ordinary)});
     EXPECT_LE(bar.minimumSizeHint().width(), 1240);
 }
 

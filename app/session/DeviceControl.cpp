@@ -1,0 +1,225 @@
+#include "app/session/DeviceControl.h"
+
+#include "core/Error.h"
+#include "core/SiFormat.h"
+#include "core/haptics/mapping/WorkspaceMapping.h"
+#include "hardware/DeviceRegistry.h"
+#include "hardware/led/LedDrivers.h"
+#include "ui/HeldKeys.h"
+#include "ui/panels/ControlBar.h"
+#include "ui/panels/OverviewPanel.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half widths/s]
+constexpr double kTurnSpeed = 1.0;    // of a device's axes: the force turns with them [rad/s]
+constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
+
+/// Where held keys send the hand, world frame [half widths/s].
+Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
+    const Vector3 forward = Vector3::UnitZ().cross(camera.right());
+    return kKeySpeed * (keys.right * camera.right() + keys.forward * forward) +
+           kKeySpeedUp * keys.up * Vector3::UnitZ();
+}
+
+}  // namespace
+
+DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
+    : window_(window), runs_(runs), keys_(new HeldKeys(&window.view())) {
+    const auto drivers = deviceDrivers();
+    list_.assign(drivers.begin(), drivers.end());
+    list_.insert(list_.begin() + 1, nullptr);
+    QStringList names;
+    for (const DeviceDriver* const driver : list_) {
+        names << (driver != nullptr ? tr(driver->label) : tr("Scripted path"));
+    }
+    window.controls().setHands(names);
+    connectPerson();
+    connect(&runs, &RunControl::begun, this, &DeviceControl::attach);
+    connect(&runs, &RunControl::rebuilt, this, &DeviceControl::takeUp);
+    connect(&runs, &RunControl::ending, this, &DeviceControl::detach);
+}
+
+void DeviceControl::connectPerson() {
+    ControlBar& controls = window_.controls();
+    connect(&controls, &ControlBar::handChosen, this, &DeviceControl::choose);
+    connect(&controls, &ControlBar::knobTurned, this, &DeviceControl::turnKnob);
+    connect(&window_.view(), &ZoomView::tipDragged, this, [this](double dx, double dy, double dz) {
+        hand_.displace({dx, dy, dz});
+    });
+    connect(&window_.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
+        travelTo({x, y});
+    });
+    connect(window_.menus().calibrate, &QAction::triggered, this, [this] {
+        if (runs_.run() != nullptr) {
+            runs_.run()->hand().calibrate();
+        }
+    });
+    connect(&window_.menus(), &WindowMenus::guideChosen, this, &DeviceControl::chooseGuide);
+}
+
+void DeviceControl::attach() {
+    hand_.attach(*runs_.run());
+    show();
+}
+
+void DeviceControl::detach() {
+    const LiveRun& run = *runs_.run();
+    before_ = run.coupling().hand() != nullptr ? hand_.driver() : nullptr;
+    scaleBefore_ = {run.settings().positionGain, run.settings().forceGain};
+    hand_.detach();
+}
+
+void DeviceControl::takeUp() {
+    if (before_ == nullptr) {
+        return;
+    }
+    use(*before_);
+    if (hand_.driver() == before_) {
+        runs_.turn([this](Settings& settings) {
+            settings.positionGain = scaleBefore_.positionGain;
+            settings.forceGain = scaleBefore_.forceGain;
+        });
+        tell();
+    }
+}
+
+void DeviceControl::choose(int index) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    if (const DeviceDriver* const driver = list_.at(static_cast<std::size_t>(index))) {
+        use(*driver);
+    } else {
+        Q_EMIT pathWanted();
+    }
+}
+
+void DeviceControl::use(const DeviceDriver& driver) {
+    try {
+        hand_.use(driver);
+        tell();
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+    show();
+}
+
+void DeviceControl::follow(const HandPath& path) {
+    hand_.follow(path);
+    show();
+}
+
+void DeviceControl::leadDevice(const HandPath& path) {
+    hand_.use(simulatedDriver());
+    hand_.leadAlong(path);
+    show();
+}
+
+void DeviceControl::travelTo(const Vector2& place) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    if (hand_.driver() != &pointerDriver()) {
+        hand_.use(pointerDriver());
+        show();
+    }
+    hand_.travelTo(place);
+}
+
+void DeviceControl::turnKnob(const QString& column, double value) {
+    if (column == QLatin1String("position_gain") && hand_.followsPath()) {
+        window_.controls().setKnobs(runs_.run()->settings());
+        window_.tell(tr("A path is in places of the scan: the position gain waits for a hand"));
+        return;
+    }
+    runs_.turn([&](Settings& settings) { setSetting(settings, column.toStdString(), value); });
+}
+
+void DeviceControl::chooseGuide(FixtureKind kind) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    LiveRun& run = *runs_.run();
+    const TickSample sample = run.loop().snapshot().sample;
+    runs_.turn([&](Settings& settings) {
+        settings.guide = run.scene().description.settings.guide;
+        settings.guide.kind = kind;
+        settings.guide.axis = Vector3::UnitZ();
+        settings.guide.point = settings.positionControl == PositionControl::Tip
+                                   ? sample.output.model.tip
+                                   : sample.output.base.position;
+    });
+    if (kind != FixtureKind::None && !run.settings().coupling.couples()) {
+        window_.tell(tr("A guide pulls at a hand with a coupling: take a device with motors, or "
+                        "give the scene a coupling"));
+    }
+}
+
+void DeviceControl::advance(double seconds) {
+    const double halfWidth = window_.view().halfWidth();
+    hand_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
+    hand_.advance(seconds, halfWidth);
+    turnAxes(seconds);
+    const std::string words = wordsOf(runs_.run()->hand().status());
+    if (words != std::exchange(told_, words) && !words.empty()) {
+        window_.tell(QString::fromStdString(words));
+    }
+    followDelay();
+}
+
+void DeviceControl::turnAxes(double seconds) {
+    const bool turns = window_.menus().followsView->isChecked() && hand_.isDevice();
+    const ViewCamera& camera = window_.view().camera();
+    const auto axes = turns ? viewAxes(camera.right(), camera.up()) : std::nullopt;
+    const Vector3 wanted = axes ? turnOf(*axes) : Vector3(Vector3::Zero());
+    const Vector3& now = runs_.run()->settings().handTurn;
+    const Vector3 turned = turnedTowards(now, wanted, kTurnSpeed * seconds);
+    if (turned != now) {
+        runs_.turn([&turned](Settings& settings) { settings.handTurn = turned; });
+    }
+}
+
+void DeviceControl::followDelay() {
+    if (!runs_.run()->followDelay()) {
+        return;
+    }
+    show();
+    const CoupledHand& hand = *runs_.run()->coupling().hand();
+    if (hand.holds()) {
+        tell();
+    } else {
+        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(hand.refusal)));
+    }
+}
+
+void DeviceControl::show() {
+    const bool isListed = hand_.driver() != nullptr || hand_.followsPath();
+    const auto found = std::find(list_.begin(), list_.end(), hand_.driver());
+    window_.controls().setHand(isListed ? static_cast<int>(found - list_.begin()) : -1);
+    runs_.showKnobs();
+}
+
+/// Of one with motors: its scale, and what is felt; so short that the bottom line has room for it.
+void DeviceControl::tell() {
+    if (const CoupledHand* const hand = runs_.run()->coupling().hand()) {
+        const Settings& settings = runs_.run()->settings();
+        window_.tell(tr("%1; the hand feels %2 of %3")
+                         .arg(QString::fromStdString(
+                                  scaleWords({settings.positionGain, settings.forceGain})),
+                              QString::fromStdString(formatSi(hand->judgement.felt, "N/m")),
+                              QString::fromStdString(formatSi(hand->judgement.contact, "N/m"))));
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/session/DeviceControl.h"
+#include "core/haptics/HandPath.h"
+
+#include <filesystem>
+#include <functional>
+
+namespace asperity {
+
+/// Which paths the hand follows: planned ones, those of files, those of recordings.
+class PathControl : public QObject {
+public:
+    PathControl(MainWindow& window, RunControl& runs, DeviceControl& devices);
+
+    /// The hand follows a path of the base from its start. There is a run.
+    void follow(const HandPath& path);
+
+private:
+    void choose(int index);
+    using ReadPath = std::function<HandPath(const std::filesystem::path&)>;
+    bool followFile(const QString& file, const ReadPath& read);
+    void repeatRecording(const std::filesystem::path& forceLog);
+
+    MainWindow& window_;
+    RunControl& runs_;
+    DeviceControl& devices_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,204 @@
+#include "app/session/RecordingControl.h"
+
+#include "ui/panels/ControlBar.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QStandardPaths>
+
+#include <chrono>
+
+namespace asperity {
+
+namespace {
+
+/// One that is not there yet.
+std::filesystem::path folderOfThisMoment(const std::filesystem::path& parent) {
+    const auto named = [&parent](const QDateTime& time) {
+        return parent / time.toString("yyyy-MM-dd_HH-mm-ss.zzz").toStdString();
+    };
+    QDateTime now = QDateTime::currentDateTime();
+    std::error_code unknown;
+    while (std::filesystem::exists(named(now), unknown)) {
+        now = now.addMSecs(1);
+    }
+    return named(now);
+}
+
+std::filesystem::path standardFolder() {
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return std::filesystem::path(documents.toStdString()) / "Asperity";
+}
+
+template <typename Result>
+bool isReady(const std::future<Result>& result) {
+    using namespace std::chrono_literals;
+    return result.valid() && result.wait_for(0s) == std::future_status::ready;
+}
+
+}  // namespace
+
+RecordingControl::RecordingControl(MainWindow& window, RunControl& runs)
+    : window_(window), runs_(runs), folder_(standardFolder()) {
+    connect(&window.controls(), &ControlBar::recordingChosen, this, &RecordingControl::record);
+    connect(window.menus().record, &QAction::triggered, this, &RecordingControl::record);
+    connect(window.menus().saveLastSeconds, &QAction::triggered, this, [this] {
+        if (runs_.run() != nullptr) {
+            runs_.fetch();
+            runs_.run()->blackBox().freeze();
+        }
+    });
+    connect(&runs, &RunControl::ending, this, &RecordingControl::saveAll);
+}
+
+void RecordingControl::take(const TickSample& sample) {
+    if (recording_ && sample.time > after_) {
+        recording_->take(sample);
+    }
+}
+
+void RecordingControl::advance() {
+    saveLastSeconds();
+    tellOfRecovered();
+    if (recording_ && recording_->end() != RecordingEnd::None) {
+        finish();
+    }
+}
+
+void RecordingControl::record(bool on) {
+    if (on && runs_.run() != nullptr) {
+        start({folderOfThisMoment(folder_)});
+    } else {
+        finish();
+    }
+}
+
+void RecordingControl::start(const RecordingPlace& place) {
+    failure_.clear();
+    runs_.fetch();  // those before the recording belong to nobody
+    LiveRun& run = *runs_.run();
+    const Snapshot before = run.loop().snapshot();
+    after_ = before.statistics.ticks > 0 ? before.sample.time : -1.0;
+    try {
+        recording_ = std::make_unique<RecordingThread>(place, run.loaded(), before.memory,
+                                                       run.hand().delay());
+    } catch (const std::exception& error) {
+        failure_ = QString::fromUtf8(error.what());
+        window_.complain(failure_);
+    }
+    show();
+}
+
+void RecordingControl::finish() {
+    if (recording_) {
+        runs_.fetch();
+        const std::unique_ptr<RecordingThread> ended = std::move(recording_);
+        try {
+            ended->finish();
+            writingTime_ = ended->timePerTick();
+            tellOf(*ended);
+        } catch (const std::exception& error) {
+            failure_ = QString::fromUtf8(error.what());
+            window_.complain(tr("The recording has ended: %1. What was written until then is kept, "
+                                "and can be replayed.")
+                                 .arg(failure_));
+        }
+        Q_EMIT finished(QString::fromStdString(ended->folder().string()));
+    }
+    show();
+}
+
+void RecordingControl::tellOf(const RecordingThread& recording) {
+    const QString folder = QString::fromStdString(recording.folder().string());
+    window_.tell(tr("%1 ticks recorded in %2").arg(recording.ticks()).arg(folder));
+    if (recording.end() == RecordingEnd::TicksLost) {
+        window_.complain(tr("The window was busy for so long that ticks were lost. The recording "
+                            "in %1 ends before them.")
+                             .arg(folder));
+    } else if (recording.end() == RecordingEnd::DiskTooSlow) {
+        window_.complain(tr("The disk cannot write as fast as the loop runs. The recording in %1 "
+                            "ends where it fell behind.")
+                             .arg(folder));
+    }
+}
+
+void RecordingControl::recoverCutOff() {
+    recovered_ = std::async(std::launch::async, recoverRecordings, folder_);
+}
+
+/// Once a scene is there: its name would be told over it.
+void RecordingControl::tellOfRecovered() {
+    if (!isReady(recovered_)) {
+        return;
+    }
+    const std::vector<RecoveredRecording> recordings = recovered_.get();
+    for (const RecoveredRecording& recording : recordings) {
+        const QString folder = QString::fromStdString(recording.folder.string());
+        window_.tell(recording.problem.empty()
+                         ? tr("A recording that was cut off is kept: %1 s in %2")
+                               .arg(recording.duration, 0, 'f', 1)
+                               .arg(folder)
+                         : tr("A recording that was cut off is not kept: %1")
+                               .arg(QString::fromUtf8(recording.problem.c_str())));
+    }
+    if (recordings.size() > 1) {
+        window_.tell(tr("%1 recordings that were cut off are kept in %2")
+                         .arg(recordings.size())
+                         .arg(QString::fromStdString(folder_.string())));
+    }
+}
+
+void RecordingControl::saveLastSeconds() {
+    if (isReady(lastSeconds_)) {
+        finishLastSeconds();
+    }
+    LiveRun& run = *runs_.run();
+    if (!run.blackBox().frozen() || lastSeconds_.valid()) {
+        return;
+    }
+    try {
+        BlackBox box = run.blackBox().release();
+        if (box.samples().empty()) {
+            window_.tell(tr("There are no last seconds to save yet"));
+        } else {
+            lastSeconds_ = writeLastSeconds(folderOfThisMoment(folder_), run.loaded(),
+                                            std::move(box), run.hand().delay());
+        }
+    } catch (const std::exception& error) {
+        window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));
+    }
+}
+
+void RecordingControl::finishLastSeconds() {
+    if (!lastSeconds_.valid()) {
+        return;
+    }
+    try {
+        const LastSeconds written = lastSeconds_.get();
+        const QString folder = QString::fromStdString(written.folder.string());
+        const QString saved =
+            tr("the last %1 ticks are saved in %2").arg(written.ticks).arg(folder);
+        window_.tell(written.fault == Fault::None
+                         ? saved
+                         : tr("Fault %1: %2").arg(keyOf(written.fault), saved));
+        Q_EMIT lastSecondsSaved(folder);
+    } catch (const std::exception& error) {
+        window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));
+    }
+}
+
+void RecordingControl::saveAll() {
+    finish();
+    finishLastSeconds();
+    saveLastSeconds();
+    finishLastSeconds();
+}
+
+void RecordingControl::show() {
+    window_.controls().setRecording(recording_ != nullptr);
+    window_.menus().record->setChecked(recording_ != nullptr);
+}
+
+}  // namespace asperity

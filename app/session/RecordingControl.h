@@ -1,0 +1,68 @@
+#pragma once
+
+#include "app/recording/LastSeconds.h"
+#include "app/recording/RecordingRecovery.h"
+#include "app/recording/RecordingThread.h"
+#include "app/session/RunControl.h"
+
+#include <future>
+#include <vector>
+
+namespace asperity {
+
+/// What a run leaves in files: recordings that a person asks for, and the last seconds before a
+/// fault. They go to a folder each, named by date and time.
+class RecordingControl : public QObject {
+    Q_OBJECT
+
+public:
+    RecordingControl(MainWindow& window, RunControl& runs);
+
+    /// Every tick from now on is written to a folder, until finish() or the run's end. There is a
+    /// run.
+    void start(const RecordingPlace& place);
+    void finish();
+    /// Every tick, in order.
+    void take(const TickSample& sample);
+    /// Once a frame, after its ticks: ends what must end, saves what must be saved. There is a run.
+    void advance();
+
+    /// Why the last recording could not be written on; empty: it could.
+    [[nodiscard]] const QString& failure() const { return failure_; }
+    /// Processor time that it took to write a tick of the last recording; 0: there is none [s].
+    [[nodiscard]] double writingTime() const { return writingTime_; }
+
+    void setFolder(const std::filesystem::path& folder) { folder_ = folder; }
+    /// Ends the recordings in the folder that were cut off at their last whole tick, in the
+    /// background, and says so.
+    void recoverCutOff();
+
+Q_SIGNALS:
+    /// Whatever ended it: what was written of it is in the folder.
+    void finished(QString folder);
+    void lastSecondsSaved(QString folder);
+
+private:
+    void record(bool on);
+    void show();
+    void tellOf(const RecordingThread& recording);
+    void tellOfRecovered();
+    /// Begins to write what the black box holds, as soon as nothing else of it is being written.
+    void saveLastSeconds();
+    /// Waits until they are written.
+    void finishLastSeconds();
+    /// All that the run still holds, before it goes.
+    void saveAll();
+
+    MainWindow& window_;
+    RunControl& runs_;
+    std::filesystem::path folder_;
+    std::unique_ptr<RecordingThread> recording_;
+    double after_ = 0.0;  ///< what came until then is not of the recording [s]
+    QString failure_;
+    double writingTime_ = 0.0;                                ///< [s]
+    std::future<LastSeconds> lastSeconds_;                    ///< being written; not valid: none
+    std::future<std::vector<RecoveredRecording>> recovered_;  ///< not valid: nothing to tell of
+};
+
+}  // namespace asperity

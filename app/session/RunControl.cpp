@@ -1,0 +1,155 @@
+#include "app/session/RunControl.h"
+
+#include "core/Error.h"
+#include "core/PrintableText.h"
+#include "ui/panels/ControlBar.h"
+#include "ui/panels/StateBanner.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+
+namespace asperity {
+
+namespace {
+
+/// What the window calls the scene.
+QString titleOf(const SampleDescription& sample) {
+    const std::filesystem::path file = sample.file;
+    return QString::fromStdString(sample.shape ? sampleName(sample)
+                                               : printable(file.filename().string()));
+}
+
+}  // namespace
+
+RunControl::RunControl(MainWindow& window) : window_(window) { connectPerson(); }
+
+void RunControl::connectPerson() {
+    ControlBar& controls = window_.controls();
+    connect(&controls, &ControlBar::runningChosen, this,
+            [this](bool running) { running ? start() : pause(); });
+    connect(&controls, &ControlBar::forcesChosen, this, &RunControl::setForces);
+    const auto takeBackFault = [this] { turn([](Settings& settings) { ++settings.rearms; }); };
+    connect(&window_.banner(), &StateBanner::rearmRequested, this, takeBackFault);
+    WindowMenus& menus = window_.menus();
+    connect(menus.takeBackFault, &QAction::triggered, this, takeBackFault);
+    connect(menus.forcesOff, &QAction::triggered, this, [this] { setForces(false); });
+    connect(menus.startPause, &QAction::triggered, this, [this] {
+        if (run_) {
+            run_->loop().running() ? pause() : start();
+        }
+    });
+    connect(menus.tipControl, &QAction::triggered, this, [this](bool tip) {
+        turn([tip](Settings& settings) {
+            settings.positionControl = tip ? PositionControl::Tip : PositionControl::Base;
+        });
+    });
+    connect(menus.clutch, &QAction::triggered, this, [this](bool clutched) {
+        turn([clutched](Settings& settings) { settings.clutched = clutched; });
+    });
+}
+
+void RunControl::use(LoadedScene scene) {
+    const Vector3 place = startPlace(scene.scene);
+    Settings settings = scene.scene.settings;
+    settings.forcesOn = !run_ || forcesMayAct();
+    end();
+    begin(std::move(scene), place, settings);
+    start();
+}
+
+bool RunControl::forcesMayAct() {
+    return run_->settings().forcesOn && run_->loop().snapshot().sample.output.fault == Fault::None;
+}
+
+void RunControl::begin(LoadedScene scene, const Vector3& start, const Settings& settings) {
+    run_ = std::make_unique<LiveRun>(std::move(scene), start);
+    run_->setSettings(settings);
+    const QString title = titleOf(run_->scene().description.sample);
+    window_.showScene(&run_->scene(), title);
+    window_.tell(title);
+    showKnobs();
+    Q_EMIT begun();
+}
+
+void RunControl::rebuild(const Change& change) {
+    const bool running = run_->loop().running();
+    const double halfWidth = window_.view().halfWidth();
+    const Vector2 place = run_->basePosition().head<2>();
+    Settings settings = run_->sensingSettings();
+    settings.forcesOn = forcesMayAct();
+    leave();
+    LoadedScene scene = change(LiveRun::release(std::move(run_)));
+    const Vector3 above = waitingPlace(scene.scene, place);
+    begin(std::move(scene), above, settings);
+    window_.view().setHalfWidth(halfWidth);
+    Q_EMIT rebuilt();
+    running ? start() : pause();
+}
+
+void RunControl::leave() {
+    if (run_) {
+        run_->loop().stop();
+        fetch();
+        Q_EMIT ending();
+    }
+    window_.showScene(nullptr, {});
+}
+
+void RunControl::end() {
+    leave();
+    run_.reset();
+}
+
+void RunControl::start() {
+    if (run_) {
+        run_->loop().start();
+        window_.controls().setRunning(true);
+        window_.banner().setPaused(false);
+    }
+}
+
+void RunControl::pause() {
+    if (run_) {
+        run_->loop().stop();
+        window_.controls().setRunning(false);
+        window_.banner().setPaused(true);
+    }
+}
+
+void RunControl::turn(const std::function<void(Settings&)>& knobs) {
+    if (!run_) {
+        return;
+    }
+    Settings settings = run_->settings();
+    knobs(settings);
+    QString refusal;
+    try {
+        run_->setSettings(settings);
+    } catch (const Error& error) {
+        refusal = QString::fromUtf8(error.what());
+    }
+    showKnobs();
+    if (!refusal.isEmpty()) {
+        window_.complain(refusal);
+    }
+}
+
+void RunControl::setForces(bool on) {
+    window_.controls().setForcesOn(on);
+    turn([on](Settings& settings) { settings.forcesOn = on; });
+}
+
+void RunControl::showKnobs() {
+    const Settings& settings = run_->settings();
+    ControlBar& controls = window_.controls();
+    controls.setForcesOn(settings.forcesOn);
+    controls.setKnobs(settings);
+    WindowMenus& menus = window_.menus();
+    menus.tipControl->setChecked(settings.positionControl == PositionControl::Tip);
+    menus.clutch->setChecked(settings.clutched);
+    menus.setGuide(settings.guide.kind);
+}
+
+}  // namespace asperity

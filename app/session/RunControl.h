@@ -1,0 +1,67 @@
+#pragma once
+
+#include "app/session/LiveRun.h"
+
+#include <QObject>
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+namespace asperity {
+
+class MainWindow;
+
+/// The run behind the window: begins and ends it, lets it pause and go on, turns its knobs.
+class RunControl : public QObject {
+    Q_OBJECT
+
+public:
+    explicit RunControl(MainWindow& window);
+
+    /// The present run; null before the first scene.
+    [[nodiscard]] LiveRun* run() const { return run_.get(); }
+    /// Who gets every tick, in order.
+    void setSink(TickSink sink) { sink_ = std::move(sink); }
+    /// Gives the sink all ticks that the run has made since the last time. There is a run.
+    void fetch() { run_->fetch(sink_); }
+
+    /// Shows a scene that is loaded, and starts its loop. Forces that are off, or that a fault
+    /// keeps away, stay off.
+    void use(LoadedScene scene);
+    using Change = std::function<LoadedScene(LoadedScene)>;
+    /// The loop begins again above the same place, with the same knobs, on the scene changed. There
+    /// is a run.
+    void rebuild(const Change& change);
+    /// Ends the run, if there is one.
+    void end();
+
+    void start();
+    void pause();
+    /// Turns knobs; one that the hand refuses goes back, and the window says why.
+    void turn(const std::function<void(Settings&)>& knobs);
+    void setForces(bool on);
+    /// Shows how the knobs are. There is a run.
+    void showKnobs();
+
+Q_SIGNALS:
+    /// The run is about to go. Its loop rests, and all of its ticks are fetched.
+    void ending();
+    /// Another run is there and shown; its loop does not run yet.
+    void begun();
+    /// After begun(): its scene is the one before, changed.
+    void rebuilt();
+
+private:
+    void connectPerson();
+    void begin(LoadedScene scene, const Vector3& start, const Settings& settings);
+    [[nodiscard]] bool forcesMayAct();
+    /// All that must be done before the run, or its scene, goes.
+    void leave();
+
+    MainWindow& window_;
+    TickSink sink_ = [](const TickSample&) {};
+    std::unique_ptr<LiveRun> run_;
+};
+
+}  // namespace asperity

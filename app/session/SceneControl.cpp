@@ -1,0 +1,118 @@
+#include "app/session/SceneControl.h"
+
+#include "app/program/DataFolder.h"
+#include "core/Error.h"
+#include "core/PathText.h"
+#include "core/PrintableText.h"
+#include "core/io/scene/SceneFile.h"
+#include "ui/panels/ControlBar.h"
+#include "ui/panels/LoadingBar.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity {
+
+SceneControl::SceneControl(MainWindow& window, RunControl& runs)
+    : window_(window)
+    , runs_(runs)
+    , loader_({.progressed = [&window](double share) { window.loading().setFraction(share); },
+               .finished = [this](LoadedScene& scene) { use(scene); },
+               .failed = [this](const std::exception_ptr& reason) { fail(reason); }}) {
+    readMaterials();
+    connect(&window, &MainWindow::openRequested, this, [this](const QString& file) {
+        const std::string text = file.toStdString();
+        open(pathFromText(text).value_or(text));
+    });
+    connect(window.menus().cancelLoading, &QAction::triggered, this, &SceneControl::cancelOpen);
+    connect(&window.loading(), &LoadingBar::cancelRequested, this, &SceneControl::cancelOpen);
+    connect(&window.controls(), &ControlBar::materialChosen, this, &SceneControl::chooseMaterial);
+    connect(&runs, &RunControl::begun, this, &SceneControl::showMaterials);
+}
+
+void SceneControl::readMaterials() {
+    for (const std::filesystem::path& file : dataFiles("materials")) {
+        try {
+            SceneDescription scene = defaultScene();
+            scene.sample.material = readMaterialFile(file);
+            scene.truth.material = scene.sample.material;
+            checkScene(scene);
+            materials_.push_back(scene.sample.material);
+        } catch (const Error& error) {
+            window_.tell(QString::fromUtf8(error.what()));
+        }
+    }
+}
+
+void SceneControl::open(const std::filesystem::path& input) {
+    loading_ = QString::fromStdString(printable(input.filename().string()));
+    window_.showLoading(loading_);
+    loader_.start([input](Progress& progress) { return loadScene(input, {}, &progress); });
+}
+
+void SceneControl::cancelOpen() {
+    if (loading_.isEmpty()) {
+        return;
+    }
+    loader_.cancel();
+    window_.showLoading({});
+    window_.tell(tr("Loading of %1 cancelled").arg(std::exchange(loading_, {})));
+    Q_EMIT openCancelled();
+}
+
+void SceneControl::endLoading() {
+    loading_.clear();
+    window_.showLoading({});
+}
+
+void SceneControl::use(LoadedScene& scene) {
+    endLoading();
+    runs_.use(std::move(scene));
+}
+
+void SceneControl::fail(const std::exception_ptr& reason) {
+    endLoading();
+    openError_ = reason;
+    const QString words = reasonOf(reason);
+    window_.complain(words);
+    Q_EMIT openFailed(words);
+}
+
+void SceneControl::chooseMaterial(int index) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    const SampleMaterial& material = materials_.at(static_cast<std::size_t>(index));
+    SceneDescription changed = runs_.run()->scene().description;
+    changed.sample.material = material;
+    try {
+        runs_.run()->requireHolding(changed);
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+        showMaterials();
+        return;
+    }
+    runs_.rebuild(
+        [&material](LoadedScene scene) { return withMaterial(std::move(scene), material); });
+}
+
+void SceneControl::showMaterials() {
+    const SampleMaterial& own = runs_.run()->scene().description.sample.material;
+    if (std::find(materials_.begin(), materials_.end(), own) == materials_.end()) {
+        materials_.push_back(own);
+    }
+    QStringList names;
+    for (const SampleMaterial& material : materials_) {
+        names.push_back(QString::fromStdString(material.name).replace('_', ' '));
+    }
+    ControlBar& controls = window_.controls();
+    controls.setMaterials(names);
+    controls.setMaterial(static_cast<int>(std::find(materials_.begin(), materials_.end(), own) -
+                                          materials_.begin()));
+}
+
+}  // namespace asperity

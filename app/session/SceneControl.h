@@ -1,0 +1,46 @@
+#pragma once
+
+#include "app/session/BackgroundWork.h"
+#include "app/session/RunControl.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace asperity {
+
+/// Which scene the window shows: loads files in the background, and changes the material.
+class SceneControl : public QObject {
+    Q_OBJECT
+
+public:
+    SceneControl(MainWindow& window, RunControl& runs);
+
+    /// Loads in the background, then shows; says so in the window when that fails. Another one that
+    /// is being loaded is given up.
+    void open(const std::filesystem::path& input);
+    /// Gives up what is being loaded; the scene stays as it is.
+    void cancelOpen();
+    /// Why the last scene that failed to open did so; null: none did.
+    [[nodiscard]] std::exception_ptr openError() const { return openError_; }
+
+Q_SIGNALS:
+    void openFailed(QString reason);
+    void openCancelled();
+
+private:
+    void readMaterials();
+    void chooseMaterial(int index);
+    void showMaterials();
+    void endLoading();
+    void use(LoadedScene& scene);
+    void fail(const std::exception_ptr& reason);
+
+    MainWindow& window_;
+    RunControl& runs_;
+    std::vector<SampleMaterial> materials_;
+    QString loading_;  ///< name of the file that is being loaded; empty: none
+    std::exception_ptr openError_;
+    BackgroundWork<LoadedScene> loader_;
+};
+
+}  // namespace asperity

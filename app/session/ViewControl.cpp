@@ -1,0 +1,91 @@
+#include "app/session/ViewControl.h"
+
+#include "ui/panels/LoopStatusBar.h"
+#include "ui/panels/StateBanner.h"
+#include "ui/view/ContactShape.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/MainWindow.h"
+
+#include <QPixmap>
+
+namespace asperity {
+
+namespace {
+
+// Faster than the eye reads numbers, and half of what redrawing the panels costs.
+constexpr int kFramesPerPanelFrame = 2;
+
+}  // namespace
+
+ViewControl::ViewControl(MainWindow& window, RunControl& runs) : window_(window), runs_(runs) {
+    connect(&window, &MainWindow::pictureFileChosen, this, &ViewControl::savePicture);
+}
+
+void ViewControl::take(const TickSample& sample) {
+    for (RunPanel* const panel : window_.panels()) {
+        panel->take(sample);
+    }
+}
+
+/// The frame shows the newest solution there is; the one it asks for is for a frame to come.
+void ViewControl::solveHalfSpace(const Snapshot& latest) {
+    HalfSpaceWorker* const worker = runs_.run()->halfSpace();
+    if (worker != nullptr && latest.statistics.ticks > 0 &&
+        isDrawable(latest.sample.output.model)) {
+        worker->ask(latest.sample.output.model);
+        const std::shared_ptr<const HalfSpaceAnswer> answer = worker->newest();
+        window_.view().setHalfSpace(answer);
+        window_.banner().setHalfSpace(answer.get());
+    }
+}
+
+void ViewControl::show(double now) {
+    LiveRun& run = *runs_.run();
+    if (!run.loop().running()) {  // what is drawn while it stands still is not counted
+        view_.rest();
+        panels_.rest();
+    }
+    window_.banner().setEnergyGiven(run.energy().active());
+    const Snapshot& latest = run.loop().snapshot();
+    solveHalfSpace(latest);
+    frame_ = (frame_ + 1) % kFramesPerPanelFrame;
+    draw(latest, frame_ == 0);
+    if (frame_ == 0) {
+        panels_.add(now);
+    }
+    view_.add(now);
+    window_.loopStatus().setFramesPerSecond(view_.rate());
+}
+
+void ViewControl::draw(const Snapshot& latest, bool everywhere) {
+    window_.view().showSnapshot(latest);
+    for (RunPanel* const panel : window_.panels()) {
+        if (everywhere || panel->slowName() == nullptr) {
+            panel->show(latest);
+        }
+    }
+}
+
+std::vector<ViewRate> ViewControl::rates() const {
+    std::vector<ViewRate> rates{{"zoom", view_.overallRate()}};
+    for (const RunPanel* const panel : window_.panels()) {
+        if (panel->slowName() != nullptr) {
+            rates.push_back({panel->slowName(), panels_.overallRate()});
+        }
+    }
+    return rates;
+}
+
+void ViewControl::savePicture(const QString& file) {
+    if (runs_.run() != nullptr) {
+        runs_.fetch();
+        draw(runs_.run()->loop().snapshot(), true);
+    }
+    if (window_.grab().save(file)) {
+        window_.tell(tr("Saved as %1").arg(file));
+    } else {
+        window_.complain(tr("%1: the picture cannot be written").arg(file));
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,31 @@
+#include "hardware/led/LedDrivers.h"
+
+#include "core/haptics/bench/SimulatedDevice.h"
+#include "core/haptics/device/PointerHand.h"
+
+namespace asperity {
+
+const DeviceDriver& pointerDriver() {
+    static const DeviceDriver driver{
+        .key = "window",
+        .label = "Mouse and keyboard",
+        .senses = {"x", "y", "z", "buttons"},
+        .open = [](const DeviceSite& site) -> std::unique_ptr<HapticDevice> {
+            return std::make_unique<PointerHand>(site.start);
+        }};
+    return driver;
+}
+
+const DeviceDriver& simulatedDriver() {
+    static const DeviceDriver driver{
+        .key = "simulated",
+        .label = "Simulated device",
+        .senses = {"x", "y", "z"},
+        .rendersForce = true,
+        .open = [](const DeviceSite&) -> std::unique_ptr<HapticDevice> {
+            return std::make_unique<SimulatedDevice>(Vector3::Zero());
+        }};
+    return driver;
+}
+
+}  // namespace asperity

@@ -1,0 +1,81 @@
+#include "app/session/DeviceControl.h"
+
+#include "tests/app/session/ControlFixture.h"
+#include "ui/panels/ControlBar.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QComboBox>
+
+namespace asperity::test {
+namespace {
+
+class DeviceControlTest : public ControlFixture {
+protected:
+    QComboBox& list() { return *window.findChild<QComboBox*>("hand"); }
+    std::string shown() { return list().currentText().toStdString(); }
+    void choose(const char* name) { Q_EMIT window.controls().handChosen(list().findText(name)); }
+
+    DeviceControl devices{window, runs};
+};
+
+TEST_F(DeviceControlTest, OffersEveryHandInTheOrderOfTheList) {
+    QStringList names;
+    for (int i = 0; i < list().count(); ++i) {
+        names << list().itemText(i);
+    }
+    EXPECT_EQ(names, (QStringList{"Mouse and keyboard", "Scripted path", "SpaceMouse",
+                                  "Simulated device", "WoodenHaptics"}));
+}
+
+TEST_F(DeviceControlTest, ARunBeginsWithMouseAndKeyboard) {
+    useFlatScene();
+    EXPECT_EQ(shown(), "Mouse and keyboard");
+    EXPECT_FALSE(run().settings().coupling.couples());
+}
+
+TEST_F(DeviceControlTest, ADeviceWithMotorsIsToldItsScaleAndTakenUpOverTheSceneChanged) {
+    useFlatScene();
+    choose("Simulated device");
+    EXPECT_EQ(shown(), "Simulated device");
+    EXPECT_TRUE(told().starts_with("1 mm : 1 nm")) << told();
+    runs.turn([](Settings& settings) { settings.forceGain = 2e8; });
+    runs.rebuild([](LoadedScene scene) { return scene; });
+    EXPECT_EQ(shown(), "Simulated device");
+    EXPECT_EQ(run().settings().forceGain, 2e8);
+    useFlatScene();
+    EXPECT_EQ(shown(), "Mouse and keyboard") << "another scene begins anew";
+}
+
+TEST_F(DeviceControlTest, AsksForAPathAndKeepsItsGain) {
+    useFlatScene();
+    QSignalSpy wanted(&devices, &DeviceControl::pathWanted);
+    choose("Scripted path");
+    EXPECT_EQ(wanted.count(), 1);
+    const Vector3 here = run().basePosition();
+    devices.follow({{0.0, here}, {1.0, here}});
+    EXPECT_EQ(shown(), "Scripted path");
+    const double gain = run().settings().positionGain;
+    Q_EMIT window.controls().positionGainChosen(4.0 * gain);
+    EXPECT_EQ(run().settings().positionGain, gain);
+    EXPECT_TRUE(told().starts_with("A path is in places of the scan")) << told();
+}
+
+TEST_F(DeviceControlTest, SaysWhatAGuideNeeds) {
+    useFlatScene();
+    Q_EMIT window.menus().guideChosen(FixtureKind::Plane);
+    EXPECT_EQ(run().settings().guide.kind, FixtureKind::Plane);
+    EXPECT_TRUE(told().starts_with("A guide pulls at a hand with a coupling")) << told();
+}
+
+TEST_F(DeviceControlTest, SaysOnceWhatTheDeviceSays) {
+    useFlatScene();
+    choose("SpaceMouse");
+    devices.advance(0.01);
+    EXPECT_EQ(told(), "no SpaceMouse is plugged in");
+    window.tell("something else");
+    devices.advance(0.01);
+    EXPECT_EQ(told(), "something else");
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,56 @@
+#include "app/session/FidelityControl.h"
+
+#include "tests/app/session/ControlFixture.h"
+#include "ui/panels/FidelityPanel.h"
+
+namespace asperity::test {
+namespace {
+
+class FidelityControlTest : public ControlFixture {
+protected:
+    void SetUp() override { useFlatScene(); }
+    FidelityPanel& panel() { return window.fidelity(); }
+    const Scene& scene() { return run().scene(); }
+
+    FidelityControl fidelity{window, runs};
+};
+
+TEST_F(FidelityControlTest, ATermIsOverruledAndGivenBack) {
+    ASSERT_TRUE(has(scene().model, ModelTerm::Adhesion));
+    Q_EMIT panel().termChosen(ModelTerm::Adhesion, false);
+    EXPECT_FALSE(has(scene().model, ModelTerm::Adhesion));
+    Q_EMIT panel().automaticRequested();
+    EXPECT_TRUE(has(scene().model, ModelTerm::Adhesion));
+}
+
+TEST_F(FidelityControlTest, ATierIsPickedAndTheChartStays) {
+    panel().showTradeOff(TradeOff{});
+    TickTier tier = tierOf(scene().model);
+    tier.footSearch = FootEffort::Local;
+    Q_EMIT panel().tierPicked(tier);
+    EXPECT_EQ(scene().model.footSearch, FootEffort::Local);
+    EXPECT_TRUE(panel().tradeOff().has_value());
+    useFlatScene();
+    EXPECT_FALSE(panel().tradeOff().has_value()) << "of another scene";
+}
+
+TEST_F(FidelityControlTest, AModelThatCannotBeIsRefused) {
+    const LiveRun* const before = runs.run();
+    TickTier tier = tierOf(scene().model);
+    tier.law = ContactLaw::HertzFilm;  // the sample has no film
+    Q_EMIT panel().tierPicked(tier);
+    EXPECT_NE(complaint(), "");
+    EXPECT_EQ(runs.run(), before);
+}
+
+TEST_F(FidelityControlTest, AStudyCanBeStopped) {
+    Q_EMIT panel().measureRequested();
+    Q_EMIT panel().measureRequested();  // one at a time
+    Q_EMIT panel().stopRequested();
+    QTest::qWait(200);
+    EXPECT_FALSE(panel().tradeOff().has_value());
+    EXPECT_EQ(complaint(), "");
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,89 @@
+#include "app/session/HandControl.h"
+
+#include "core/haptics/device/PointerHand.h"
+#include "hardware/led/LedDrivers.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+namespace asperity::test {
+namespace {
+
+class HandControlTest : public ::testing::Test {
+protected:
+    HandControlTest()
+        : run({.scene = buildScene(plainScene(), flatMap()),
+               .format = "made for the test",
+               .sha256 = "",
+               .notes = {}},
+              Vector3(50e-9, 60e-9, 30e-9)) {
+        hand.attach(run);
+        run.loop().start();
+    }
+
+    /// Frames of 10 ms.
+    void live(int frames) {
+        for (int i = 0; i < frames; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            hand.advance(0.01, 50e-9);
+        }
+    }
+
+    LiveRun run;
+    HandControl hand;
+};
+
+TEST_F(HandControlTest, BeginsWithMouseAndKeyboardThatMoveTheTip) {
+    EXPECT_EQ(hand.driver(), &pointerDriver());
+    EXPECT_FALSE(hand.isDevice());
+    const Vector3 before = run.basePosition();
+    hand.displace({5e-9, 0.0, 0.0});
+    live(40);
+    EXPECT_NEAR(run.basePosition().x() - before.x(), 5e-9, 0.1e-9);
+}
+
+TEST_F(HandControlTest, TheHandleOfALedDeviceGoesAsFarAsTheTipAsks) {
+    hand.use(simulatedDriver());
+    EXPECT_EQ(hand.driver(), &simulatedDriver());
+    live(30);
+    const Vector3 before = run.basePosition();
+    hand.displace({5e-9, 0.0, 0.0});
+    live(60);
+    EXPECT_NEAR(run.basePosition().x() - before.x(), 5e-9, 0.5e-9);
+}
+
+TEST_F(HandControlTest, APathHasNoDriver) {
+    hand.follow({{0.0, {40e-9, 60e-9, 30e-9}}, {0.1, {45e-9, 60e-9, 30e-9}}});
+    EXPECT_TRUE(hand.followsPath());
+    EXPECT_EQ(hand.driver(), nullptr);
+    EXPECT_FALSE(hand.isDevice());
+}
+
+TEST_F(HandControlTest, AHandTakenElsewhereIsNotLedHere) {
+    const Vector3 here = run.handPosition();
+    run.takeHand([&here] { return std::make_unique<PointerHand>(here); });
+    EXPECT_EQ(hand.driver(), nullptr);
+    EXPECT_FALSE(hand.followsPath());
+    const Vector3 before = run.basePosition();
+    hand.displace({5e-9, 0.0, 0.0});
+    live(20);
+    EXPECT_LT((run.basePosition() - before).norm(), 1e-15);
+}
+
+TEST_F(HandControlTest, ADeviceThatCannotBeOpenedLeavesTheHandBefore) {
+    const DeviceDriver broken{.key = "broken",
+                              .label = "Broken",
+                              .open = [](const DeviceSite&) -> std::unique_ptr<HapticDevice> {
+                                  throw std::runtime_error("no such luck");
+                              }};
+    EXPECT_THROW(hand.use(broken), std::runtime_error);
+    EXPECT_EQ(hand.driver(), &pointerDriver());
+    EXPECT_TRUE(run.loop().running());
+}
+
+}  // namespace
+}  // namespace asperity::test

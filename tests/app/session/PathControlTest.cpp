@@ -1,0 +1,55 @@
+#include "app/session/PathControl.h"
+
+#include "tests/app/session/ControlFixture.h"
+#include "ui/panels/ControlBar.h"
+
+#include <QComboBox>
+
+namespace asperity::test {
+namespace {
+
+class PathControlTest : public ControlFixture {
+protected:
+    std::string shown(const char* list) {
+        return window.findChild<QComboBox*>(list)->currentText().toStdString();
+    }
+
+    DeviceControl devices{window, runs};
+    PathControl paths{window, runs, devices};
+};
+
+TEST_F(PathControlTest, FollowsAPlannedPath) {
+    useFlatScene();
+    Q_EMIT window.controls().pathChosen(1);
+    EXPECT_EQ(shown("hand"), "Scripted path");
+    EXPECT_EQ(shown("path"), "Raster");
+    Q_EMIT devices.pathWanted();
+    EXPECT_EQ(shown("path"), "Approach");
+}
+
+TEST_F(PathControlTest, FollowsTheFileThatIsChosen) {
+    useFlatScene();
+    const auto file =
+        folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,40e-9,60e-9,9e-9\n0.2,50e-9,60e-9,9e-9\n");
+    Q_EMIT window.pathFileChosen(QString::fromStdString(file.string()));
+    EXPECT_EQ(shown("path"), "");
+    EXPECT_TRUE(eventually(
+        [this] { return (run().basePosition() - Vector3(50e-9, 60e-9, 9e-9)).norm() < 1e-15; }));
+}
+
+TEST_F(PathControlTest, RefusesAPathInOtherUnitsAndKeepsTheHand) {
+    useFlatScene();
+    const auto file = folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,50,60,3\n1,51,60,3\n");
+    Q_EMIT window.pathFileChosen(QString::fromStdString(file.string()));
+    EXPECT_NE(complaint().find("metres"), std::string::npos);
+    EXPECT_EQ(shown("hand"), "Mouse and keyboard");
+}
+
+TEST_F(PathControlTest, WithoutARunNothingHappens) {
+    Q_EMIT window.controls().pathChosen(1);
+    Q_EMIT window.pathFileChosen("no such file");
+    EXPECT_EQ(complaint(), "");
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,69 @@
+#include "app/session/SceneControl.h"
+
+#include "tests/app/session/ControlFixture.h"
+#include "ui/panels/ControlBar.h"
+
+#include <QComboBox>
+
+namespace asperity::test {
+namespace {
+
+class SceneControlTest : public ControlFixture {
+protected:
+    SceneControl scenes{window, runs};
+    QSignalSpy begun{&runs, &RunControl::begun};
+    QSignalSpy failed{&scenes, &SceneControl::openFailed};
+    QSignalSpy cancelled{&scenes, &SceneControl::openCancelled};
+};
+
+const std::filesystem::path kSteps = std::filesystem::path(ASPERITY_DATA_DIR) / "samples/steps.gsf";
+
+TEST_F(SceneControlTest, OpensAFileAndShowsItsScene) {
+    scenes.open(kSteps);
+    EXPECT_EQ(runs.run(), nullptr) << "loads in the background";
+    ASSERT_TRUE(eventually([this] { return begun.count() == 1; }));
+    EXPECT_TRUE(window.windowTitle().startsWith("steps.gsf"));
+    EXPECT_EQ(scenes.openError(), nullptr);
+}
+
+TEST_F(SceneControlTest, SaysWhyAFileCannotBeOpened) {
+    scenes.open(folder.write("broken.gsf", "no scan at all"));
+    ASSERT_TRUE(eventually([this] { return failed.count() == 1; }));
+    EXPECT_NE(complaint().find("broken.gsf"), std::string::npos);
+    EXPECT_THROW(std::rethrow_exception(scenes.openError()), std::exception);
+    EXPECT_EQ(runs.run(), nullptr);
+}
+
+TEST_F(SceneControlTest, NothingComesOfWhatIsCancelled) {
+    scenes.cancelOpen();
+    EXPECT_EQ(cancelled.count(), 0) << "nothing is being loaded";
+    scenes.open(kSteps);
+    scenes.cancelOpen();
+    EXPECT_EQ(cancelled.count(), 1);
+    EXPECT_EQ(told(), "Loading of steps.gsf cancelled");
+    QTest::qWait(500);
+    EXPECT_EQ(begun.count(), 0);
+}
+
+TEST_F(SceneControlTest, AnotherMaterialIsAnotherRun) {
+    useFlatScene();
+    auto* list = window.findChild<QComboBox*>("material");
+    const int rubber = list->findText("silicone rubber");
+    ASSERT_GE(rubber, 0);
+    EXPECT_NE(list->currentIndex(), rubber);
+    Q_EMIT window.controls().materialChosen(rubber);
+    EXPECT_EQ(run().scene().description.sample.material.name, "silicone_rubber");
+    EXPECT_EQ(list->currentIndex(), rubber);
+}
+
+TEST_F(SceneControlTest, AMaterialThatNoFileHasIsListedToo) {
+    SceneDescription scene = plainScene();
+    scene.sample.material.name = "of_this_test";
+    scene.sample.material.elastic.youngsModulus *= 1.5;
+    runs.use({.scene = buildScene(scene, flatMap()), .format = "", .sha256 = "", .notes = {}});
+    EXPECT_EQ(window.findChild<QComboBox*>("material")->currentText().toStdString(),
+              "of this test");
+}
+
+}  // namespace
+}  // namespace asperity::test

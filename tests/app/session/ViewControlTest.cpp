@@ -1,0 +1,52 @@
+#include "app/session/ViewControl.h"
+
+#include "tests/app/session/ControlFixture.h"
+
+#include <QImage>
+#include <QLabel>
+
+namespace asperity::test {
+namespace {
+
+class ViewControlTest : public ControlFixture {
+protected:
+    void SetUp() override {
+        runs.setSink([this](const TickSample& sample) { views.take(sample); });
+    }
+
+    ViewControl views{window, runs};
+};
+
+TEST_F(ViewControlTest, DrawsThePanelsEverySecondFrameAndCountsBoth) {
+    useFlatScene();
+    for (int frame = 0; frame <= 40; ++frame) {
+        runs.fetch();
+        views.show(100.0 + 0.025 * frame);
+    }
+    const std::vector<ViewRate> rates = views.rates();
+    ASSERT_EQ(rates.size(), 4U);
+    EXPECT_EQ(rates[0].view, "zoom");
+    EXPECT_NEAR(rates[0].framesPerSecond, 40.0, 1.0);
+    for (const char* panel : {"forces", "cantilever", "overview"}) {
+        const auto found = std::ranges::find(rates, panel, &ViewRate::view);
+        ASSERT_NE(found, rates.end()) << panel;
+        EXPECT_NEAR(found->framesPerSecond, 20.0, 1.0);
+    }
+}
+
+TEST_F(ViewControlTest, SavesAPictureWithAndWithoutARun) {
+    const auto save = [this](const char* name) {
+        const QString file = QString::fromStdString((folder.path() / name).string());
+        Q_EMIT window.pictureFileChosen(file);
+        return QImage(file).size();
+    };
+    EXPECT_EQ(save("empty.png"), window.size());
+    useFlatScene();
+    EXPECT_EQ(save("run.png"), window.size());
+    EXPECT_TRUE(told().starts_with("Saved as ")) << told();
+    (void)save("no/such/folder.png");
+    EXPECT_NE(complaint().find("the picture cannot be written"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,39 @@
+#include "ui/window/Dialogs.h"
+
+#include <QMessageBox>
+#include <QWidget>
+
+#include <gtest/gtest.h>
+
+namespace asperity::test {
+namespace {
+
+/// The one that a dialog opened over the window.
+QMessageBox& boxIn(const QWidget& window) {
+    const auto boxes = window.findChildren<QMessageBox*>();
+    EXPECT_EQ(boxes.size(), 1);
+    return *boxes.front();
+}
+
+TEST(Dialogs, AComplaintIsReadAsItIsAndTheWindowGoesOn) {
+    QWidget window;
+    complainIn(&window, "<b>bold</b>.gsf cannot be read");
+    const QMessageBox& box = boxIn(window);
+    EXPECT_EQ(box.icon(), QMessageBox::Warning);
+    EXPECT_EQ(box.textFormat(), Qt::PlainText) << "a name of a file may look like markup";
+    EXPECT_TRUE(box.text().startsWith("<b>"));
+    EXPECT_TRUE(box.testAttribute(Qt::WA_DeleteOnClose));
+}
+
+TEST(Dialogs, WhatIsExplainedMayHaveMarkup) {
+    for (const auto explain : {explainControls, explainProgram}) {
+        QWidget window;
+        explain(&window);
+        const QMessageBox& box = boxIn(window);
+        EXPECT_NE(box.textFormat(), Qt::PlainText);
+        EXPECT_TRUE(box.text().contains("<b>"));
+    }
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/haptics/Snapshot.h"
+
+namespace asperity {
+
+struct Scene;
+
+/// What shows a run beside the large view.
+class RunPanel {
+public:
+    virtual ~RunPanel() = default;
+
+    /// Forgets what was shown: there is another scene, or none.
+    virtual void clear() = 0;
+    /// After clear(): the scene that is shown from now on; it outlives that.
+    virtual void begin(const Scene& /*scene*/) {}
+    /// Keeps one tick; every tick, cheap.
+    virtual void take(const TickSample& /*sample*/) noexcept {}
+    /// Shows the latest tick; once a frame.
+    virtual void show(const Snapshot& snapshot) = 0;
+
+    /// What reports call it where it is drawn in every second frame; null: it is drawn in every
+    /// one, as the large view is.
+    [[nodiscard]] virtual const char* slowName() const { return nullptr; }
+};
+
+}  // namespace asperity

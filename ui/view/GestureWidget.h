@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QPointF>
+
+namespace asperity {
+
+/// A view that says what a person does to it by mouse and keys: the left button drags, the right
+/// one turns, the wheel lifts (Shift: a tenth of a drag and a lift); Ctrl and the wheel, + and -
+/// zoom.
+class GestureWidget : public QVTKOpenGLNativeWidget {
+    Q_OBJECT
+
+public:
+    using QVTKOpenGLNativeWidget::QVTKOpenGLNativeWidget;
+
+    /// Whether the left button is held.
+    [[nodiscard]] bool isDragging() const { return dragging_; }
+
+Q_SIGNALS:
+    void dragged(QPointF pixels);
+    void turned(QPointF pixels);
+    void lifted(double notches);
+    void zoomed(double steps);
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QPointF pointer_;  ///< where the last event of the mouse was
+    bool dragging_ = false;
+};
+
+}  // namespace asperity

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "core/deformation/HalfSpaceModel.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/scene/Scene.h"
+#include "ui/view/ContactLayer.h"
+#include "ui/view/ForceLayer.h"
+#include "ui/view/GuideLayer.h"
+#include "ui/view/Magnification.h"
+#include "ui/view/StaticLayer.h"
+#include "ui/view/SurfaceColours.h"
+#include "ui/view/TerrainLayer.h"
+#include "ui/view/TipLayer.h"
+#include "ui/view/ViewCamera.h"
+#include "ui/view/ViewFrame.h"
+#include "ui/view/ViewLabels.h"
+#include "ui/view/ViewScale.h"
+
+#include <vtkNew.h>
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+class vtkGenericOpenGLRenderWindow;
+class vtkRenderer;
+
+namespace asperity {
+
+/// What the large view draws: the surface in a frame that goes with the tip; on it the deformed
+/// contact, the tip, the force, a guide and labels. It draws into a window's layers; when is the
+/// view's matter.
+class ZoomPicture : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param window outlives this object
+    explicit ZoomPicture(vtkGenericOpenGLRenderWindow* window);
+    ~ZoomPicture() override;
+    ZoomPicture(const ZoomPicture&) = delete;
+    ZoomPicture& operator=(const ZoomPicture&) = delete;
+
+    /// Null: nothing. The scene outlives its use here.
+    void setScene(const Scene* scene);
+    /// What to show next, of the present scene.
+    void setSample(const TickSample& sample) { sample_ = sample; }
+    /// What is drawn from the next sample on where the scene asks for the half-space; or null.
+    void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer);
+
+    /// Brings contact, tip, force and guide up to the sample, and the frame to the tip.
+    /// @param dragging the picture stays still under the pointer as long as it can
+    void showSample(const ViewCamera& camera, bool dragging);
+    void showTerrain(const ViewCamera& camera, TerrainDetail detail);
+    /// @param height     of the view [pixels of the screen's coordinates]
+    /// @param pixelRatio drawn pixels per such a pixel
+    void showLabels(int height, double pixelRatio);
+    /// The picture is seen so from now on. @param aspect width over height of the view
+    void aim(const ViewCamera& camera, double aspect);
+
+    /// What is shown of the scan; none without a scene.
+    [[nodiscard]] const std::optional<ViewFrame>& frame() const { return frame_; }
+    /// Takes the nearest width that can be shown [m]. There is a scene.
+    void setHalfWidth(double halfWidth);
+    [[nodiscard]] const ViewScale& scale() const { return scale_; }
+    [[nodiscard]] Magnification& magnification() { return magnification_; }
+    [[nodiscard]] const Magnification& magnification() const { return magnification_; }
+    [[nodiscard]] const SurfaceColours& colours() const { return colours_; }
+    /// What keeps the surface at rest from one frame to the next.
+    [[nodiscard]] StaticLayer& cache() { return cache_; }
+    /// Where a world place [m] is drawn, in drawn pixels from the lower left corner.
+    [[nodiscard]] Vector2 drawnPlace(const Vector3& place) const;
+    /// Of the screen's coordinates in a view of this height.
+    [[nodiscard]] double metresPerPixel(int height) const;
+
+Q_SIGNALS:
+    void terrainPlaced();  ///< it has to be shown anew, and the camera to be aimed
+    void frameChanged();   ///< another part of the scan
+    void scalesChanged();  ///< of the colours
+
+private:
+    void follow(const Vector2& tip, double slack);
+    void placeTerrain(const TerrainPlace& place);
+    [[nodiscard]] FrameBox frameBox() const;
+    void showContact(const TickSample& sample, const ViewCamera& camera);
+
+    const Scene* scene_ = nullptr;
+    ViewScale scale_;
+    std::optional<TickSample> sample_;
+    std::shared_ptr<const HalfSpaceAnswer> halfSpace_;
+    std::optional<ViewFrame> frame_;
+    SurfaceColours colours_;
+    Magnification magnification_;
+
+    vtkNew<vtkRenderer> still_;    ///< the surface at rest
+    vtkNew<vtkRenderer> live_;     ///< what changes from frame to frame
+    vtkNew<vtkRenderer> through_;  ///< what shows through everything
+    StaticLayer cache_;
+    TerrainLayer terrain_;
+    ContactLayer contact_;
+    TipLayer tip_;
+    ForceLayer force_;
+    GuideLayer guide_;
+    ViewLabels labels_;
+};
+
+}  // namespace asperity

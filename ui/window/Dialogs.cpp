@@ -1,0 +1,80 @@
+#include "ui/window/Dialogs.h"
+
+#include "core/Version.h"
+
+#include <QFileDialog>
+#include <QMessageBox>
+
+namespace asperity {
+
+namespace {
+
+QString controlsText() {
+    return QObject::tr(
+        "<table cellpadding='3'>"
+        "<tr><td><b>Left drag</b></td><td>move the tip along the sample</td></tr>"
+        "<tr><td><b>Wheel</b>, <b>Page Up</b>, <b>Page Down</b></td><td>away from the sample and "
+        "into it</td></tr>"
+        "<tr><td><b>Arrow keys</b></td><td>along the sample, as seen on the screen</td></tr>"
+        "<tr><td><b>Shift</b></td><td>a tenth of all that</td></tr>"
+        "<tr><td><b>Ctrl + arrows</b></td><td>five times as fast</td></tr>"
+        "<tr><td><b>Right drag</b></td><td>turn the view</td></tr>"
+        "<tr><td><b>Ctrl + wheel</b>, <b>+</b>, <b>−</b></td><td>zoom</td></tr>"
+        "<tr><td><b>Double click</b> on the scan</td><td>travel there</td></tr>"
+        "<tr><td><b>Space</b></td><td>pause and go on</td></tr>"
+        "<tr><td><b>Esc</b></td><td>forces off; stops loading</td></tr></table>");
+}
+
+void openBox(QWidget* window, QMessageBox::Icon icon, const QString& title, const QString& text,
+             Qt::TextFormat format) {
+    const auto button = icon == QMessageBox::Warning ? QMessageBox::Ok : QMessageBox::Close;
+    auto* box = new QMessageBox(icon, title, text, button, window);
+    box->setTextFormat(format);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+}  // namespace
+
+QString askForScan(QWidget* window, const QStringList& patterns) {
+    return QFileDialog::getOpenFileName(
+        window, QObject::tr("Open a scan or a scene"), {},
+        QObject::tr("Scans and scenes (*.toml %1);;All files (*)")
+            .arg(patterns.join(QLatin1Char(' '))));
+}
+
+QString askForPath(QWidget* window) {
+    return QFileDialog::getOpenFileName(window, QObject::tr("Follow a path"), {},
+                                        QObject::tr("Paths: time_s, x_m, y_m, z_m (*.csv)"));
+}
+
+QString askForRecording(QWidget* window) {
+    return QFileDialog::getOpenFileName(window, QObject::tr("Repeat a recording"), {},
+                                        QObject::tr("Force logs (force_log.csv *.csv)"));
+}
+
+QString askForPicture(QWidget* window) {
+    return QFileDialog::getSaveFileName(window, QObject::tr("Save a picture of the window"),
+                                        QStringLiteral("asperity.png"),
+                                        QObject::tr("Pictures (*.png)"));
+}
+
+void complainIn(QWidget* window, const QString& message) {
+    // Plain: a name of a file may look like markup.
+    openBox(window, QMessageBox::Warning, QObject::tr("Asperity"), message, Qt::PlainText);
+}
+
+void explainControls(QWidget* window) {
+    openBox(window, QMessageBox::NoIcon, QObject::tr("Mouse and keys"), controlsText(),
+            Qt::AutoText);
+}
+
+void explainProgram(QWidget* window) {
+    openBox(window, QMessageBox::NoIcon, QObject::tr("About Asperity"),
+            QObject::tr("<b>Asperity %1</b><br>An augmented-reality interface for an atomic force "
+                        "microscope.<br>BSD-3-Clause; uses VTK, Qt, Qwt, Eigen, hidapi, OpenEXR.")
+                .arg(QString::fromUtf8(kVersion)),
+            Qt::AutoText);
+}
+
+}  // namespace asperity
