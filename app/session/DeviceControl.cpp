@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/SiFormat.h"
 #include "core/haptics/mapping/WorkspaceMapping.h"
+#include "core/scene/SettingFields.h"
 #include "hardware/DeviceRegistry.h"
 #include "hardware/led/LedDrivers.h"
 #include "ui/HeldKeys.h"

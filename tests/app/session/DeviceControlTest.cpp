@@ -55,8 +55,10 @@ TEST_F(DeviceControlTest, AsksForAPathAndKeepsItsGain) {
     devices.follow({{0.0, here}, {1.0, here}});
     EXPECT_EQ(shown(), "Scripted path");
     const double gain = run().settings().positionGain;
-    Q_EMIT window.controls().positionGainChosen(4.0 * gain);
+    Q_EMIT window.controls().knobTurned("position_gain", 4.0 * gain);
     EXPECT_EQ(run().settings().positionGain, gain);
+    Q_EMIT window.controls().knobTurned("force_gain", 125.0);
+    EXPECT_EQ(run().settings().forceGain, 125.0);
     EXPECT_TRUE(told().starts_with("A path is in places of the scan")) << told();
 }
 

@@ -25,7 +25,7 @@ TEST_F(FidelityControlTest, ATermIsOverruledAndGivenBack) {
 
 TEST_F(FidelityControlTest, ATierIsPickedAndTheChartStays) {
     panel().showTradeOff(TradeOff{});
-    TickTier tier = tierOf(scene().model);
+    ForceModelOptions tier = ofForce(scene().model);
     tier.footSearch = FootEffort::Local;
     Q_EMIT panel().tierPicked(tier);
     EXPECT_EQ(scene().model.footSearch, FootEffort::Local);
@@ -36,7 +36,7 @@ TEST_F(FidelityControlTest, ATierIsPickedAndTheChartStays) {
 
 TEST_F(FidelityControlTest, AModelThatCannotBeIsRefused) {
     const LiveRun* const before = runs.run();
-    TickTier tier = tierOf(scene().model);
+    ForceModelOptions tier = ofForce(scene().model);
     tier.law = ContactLaw::HertzFilm;  // the sample has no film
     Q_EMIT panel().tierPicked(tier);
     EXPECT_NE(complaint(), "");

@@ -35,11 +35,5 @@ TEST(ForceModelOptions, UnderTheExactSphereTheSampleIsFlatAnyway) {
     EXPECT_NE(ofForce(flat), ofForce({.law = ContactLaw::Jkr}));
 }
 
-TEST(ModelTerm, TraitsStandInTheOrderOfTerms) {
-    for (const ModelTerm term : kModelTerms) {
-        EXPECT_EQ(traitsOf(term).term, term) << nameOf(term);
-    }
-}
-
 }  // namespace
 }  // namespace asperity
