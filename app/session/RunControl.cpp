@@ -23,10 +23,8 @@ QString titleOf(const SampleDescription& sample) {
 
 }  // namespace
 
-RunControl::RunControl(MainWindow& window) : window_(window) { connectPerson(); }
-
-void RunControl::connectPerson() {
-    ControlBar& controls = window_.controls();
+RunControl::RunControl(MainWindow& window) : window_(window) {
+    ControlBar& controls = window.controls();
     connect(&controls, &ControlBar::runningChosen, this,
             [this](bool running) { running ? start() : pause(); });
     connect(&controls, &ControlBar::forcesChosen, this, &RunControl::setForces);
@@ -34,8 +32,8 @@ void RunControl::connectPerson() {
         turn([gain](Settings& settings) { settings.forceGain = gain; });
     });
     const auto takeBackFault = [this] { turn([](Settings& settings) { ++settings.rearms; }); };
-    connect(&window_.banner(), &StateBanner::rearmRequested, this, takeBackFault);
-    WindowMenus& menus = window_.menus();
+    connect(&window.banner(), &StateBanner::rearmRequested, this, takeBackFault);
+    WindowMenus& menus = window.menus();
     connect(menus.takeBackFault, &QAction::triggered, this, takeBackFault);
     connect(menus.forcesOff, &QAction::triggered, this, [this] { setForces(false); });
     connect(menus.startPause, &QAction::triggered, this, [this] {
