@@ -4,6 +4,7 @@
 #include "core/PrintableText.h"
 #include "hardware/DeviceRegistry.h"
 #include "hardware/hid/HidapiTransport.h"
+#include "hardware/led/LedDrivers.h"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>
@@ -17,7 +18,9 @@ namespace asperity {
 namespace {
 
 DeviceDescription mouseAndKeyboard() {
-    return {.name = "mouse and keyboard", .driver = "window", .senses = {"x", "y", "z", "buttons"}};
+    return {.name = "mouse and keyboard",
+            .driver = pointerDriver().key,
+            .senses = pointerDriver().senses};
 }
 
 std::string hexadecimal(std::uint16_t id) {

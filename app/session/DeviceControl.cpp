@@ -44,29 +44,25 @@ DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
     for (const DeviceDriver* const driver : list_) {
         names << (driver != nullptr ? tr(driver->label) : tr("Scripted path"));
     }
-    window.controls().setHands(names);
-    connectPerson();
-    connect(&runs, &RunControl::begun, this, &DeviceControl::attach);
-    connect(&runs, &RunControl::rebuilt, this, &DeviceControl::takeUp);
-    connect(&runs, &RunControl::ending, this, &DeviceControl::detach);
-}
-
-void DeviceControl::connectPerson() {
-    ControlBar& controls = window_.controls();
+    ControlBar& controls = window.controls();
+    controls.setHands(names);
     connect(&controls, &ControlBar::handChosen, this, &DeviceControl::choose);
     connect(&controls, &ControlBar::knobTurned, this, &DeviceControl::turnKnob);
-    connect(&window_.view(), &ZoomView::tipDragged, this, [this](double dx, double dy, double dz) {
+    connect(&window.view(), &ZoomView::tipDragged, this, [this](double dx, double dy, double dz) {
         hand_.displace({dx, dy, dz});
     });
-    connect(&window_.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
+    connect(&window.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
         travelTo({x, y});
     });
-    connect(window_.menus().calibrate, &QAction::triggered, this, [this] {
+    connect(window.menus().calibrate, &QAction::triggered, this, [this] {
         if (runs_.run() != nullptr) {
             runs_.run()->hand().calibrate();
         }
     });
-    connect(&window_.menus(), &WindowMenus::guideChosen, this, &DeviceControl::chooseGuide);
+    connect(&window.menus(), &WindowMenus::guideChosen, this, &DeviceControl::chooseGuide);
+    connect(&runs, &RunControl::begun, this, &DeviceControl::attach);
+    connect(&runs, &RunControl::rebuilt, this, &DeviceControl::takeUp);
+    connect(&runs, &RunControl::ending, this, &DeviceControl::detach);
 }
 
 void DeviceControl::attach() {

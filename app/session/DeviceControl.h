@@ -30,7 +30,6 @@ Q_SIGNALS:
     void pathWanted();
 
 private:
-    void connectPerson();
     void attach();
     /// Notes which device leads, for the same scene changed.
     void detach();

@@ -100,7 +100,9 @@ void HandControl::advance(double seconds, double halfWidth) {
                               .positionGain = run_->settings().positionGain};
         hand->moveTo(pilot_.advance(seconds, now));
     }
-    run_->hand().setSeenHalfWidth(halfWidth);
+    if (run_ != nullptr) {
+        run_->hand().setSeenHalfWidth(halfWidth);
+    }
 }
 
 }  // namespace asperity

@@ -23,16 +23,14 @@ QString titleOf(const SampleDescription& sample) {
 
 }  // namespace
 
-RunControl::RunControl(MainWindow& window) : window_(window) { connectPerson(); }
-
-void RunControl::connectPerson() {
-    ControlBar& controls = window_.controls();
+RunControl::RunControl(MainWindow& window) : window_(window) {
+    ControlBar& controls = window.controls();
     connect(&controls, &ControlBar::runningChosen, this,
             [this](bool running) { running ? start() : pause(); });
     connect(&controls, &ControlBar::forcesChosen, this, &RunControl::setForces);
     const auto takeBackFault = [this] { turn([](Settings& settings) { ++settings.rearms; }); };
-    connect(&window_.banner(), &StateBanner::rearmRequested, this, takeBackFault);
-    WindowMenus& menus = window_.menus();
+    connect(&window.banner(), &StateBanner::rearmRequested, this, takeBackFault);
+    WindowMenus& menus = window.menus();
     connect(menus.takeBackFault, &QAction::triggered, this, takeBackFault);
     connect(menus.forcesOff, &QAction::triggered, this, [this] { setForces(false); });
     connect(menus.startPause, &QAction::triggered, this, [this] {

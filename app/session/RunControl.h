@@ -53,7 +53,6 @@ Q_SIGNALS:
     void rebuilt();
 
 private:
-    void connectPerson();
     void begin(LoadedScene scene, const Vector3& start, const Settings& settings);
     [[nodiscard]] bool forcesMayAct();
     /// All that must be done before the run, or its scene, goes.

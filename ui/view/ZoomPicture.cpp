@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace asperity {
 
@@ -79,10 +78,6 @@ void ZoomPicture::setScene(const Scene* scene) {
         frame_.emplace(scene_->surface.sizeX(), scene_->surface.sizeY(), scale_.usual);
         placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});
     }
-}
-
-void ZoomPicture::setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer) {
-    halfSpace_ = std::move(answer);
 }
 
 void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {

@@ -22,6 +22,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 class vtkGenericOpenGLRenderWindow;
 class vtkRenderer;
@@ -46,7 +47,9 @@ public:
     /// What to show next, of the present scene.
     void setSample(const TickSample& sample) { sample_ = sample; }
     /// What is drawn from the next sample on where the scene asks for the half-space; or null.
-    void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer);
+    void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer) {
+        halfSpace_ = std::move(answer);
+    }
 
     /// Brings contact, tip, force and guide up to the sample, and the frame to the tip.
     /// @param dragging the picture stays still under the pointer as long as it can

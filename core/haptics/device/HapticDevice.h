@@ -25,11 +25,11 @@ public:
 
     /// The force that the hand shall feel [N]. Loop thread only. A device with motors lets go by
     /// itself when it is not told a force for a while, for a program that crashed tells it none.
-    virtual void setForce(const Vector3& force) noexcept;
+    virtual void setForce(const Vector3& /*force*/) noexcept {}
 
     /// The handle is in the device's rest pose now: for devices whose encoders count from there.
     /// Any thread; wait-free.
-    virtual void calibrate() noexcept;
+    virtual void calibrate() noexcept {}
 
     /// How long it takes from a motion of the hand to the force that answers it, as measured so
     /// far, without the hold of half a tick [s]. Any thread but the loop's.
@@ -41,7 +41,7 @@ public:
 
     /// Half the width of what the person sees [m]: for devices that are pushed, not moved, so that
     /// the tip is as fast on the screen whatever is seen. Any thread; wait-free.
-    virtual void setSeenHalfWidth(double halfWidth) noexcept;
+    virtual void setSeenHalfWidth(double /*halfWidth*/) noexcept {}
 
     /// The hand as one that mouse and keyboard lead; null: it moves by itself.
     [[nodiscard]] virtual LedHand* led() noexcept { return nullptr; }

@@ -74,6 +74,17 @@ TEST_F(HandControlTest, AHandTakenElsewhereIsNotLedHere) {
     EXPECT_LT((run.basePosition() - before).norm(), 1e-15);
 }
 
+TEST(HandControl, WithoutARunNothingHappens) {
+    HandControl hand;
+    hand.displace({5e-9, 0.0, 0.0});
+    hand.setVelocity({5e-9, 0.0, 0.0});
+    hand.travelTo({0.0, 0.0});
+    hand.advance(0.01, 50e-9);
+    EXPECT_EQ(hand.driver(), nullptr);
+    EXPECT_FALSE(hand.followsPath());
+    EXPECT_FALSE(hand.isDevice());
+}
+
 TEST_F(HandControlTest, ADeviceThatCannotBeOpenedLeavesTheHandBefore) {
     const DeviceDriver broken{.key = "broken",
                               .label = "Broken",

@@ -3,6 +3,7 @@
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ControlBar.h"
 
+#include <QDoubleSpinBox>
 #include <QPushButton>
 
 namespace asperity::test {
