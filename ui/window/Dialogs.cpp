@@ -37,10 +37,9 @@ void openBox(QWidget* window, QMessageBox::Icon icon, const QString& title, cons
 }  // namespace
 
 QString askForScan(QWidget* window, const QStringList& patterns) {
-    return QFileDialog::getOpenFileName(
-        window, QObject::tr("Open a scan or a scene"), {},
-        QObject::tr("Scans and scenes (*.toml %1);;All files (*)")
-            .arg(patterns.join(QLatin1Char(' '))));
+    return QFileDialog::getOpenFileName(window, QObject::tr("Open a scan or a scene"), {},
+                                        QObject::tr("Scans and scenes (*.toml %1);;All files (*)")
+                                            .arg(patterns.join(QLatin1Char(' '))));
 }
 
 QString askForPath(QWidget* window) {

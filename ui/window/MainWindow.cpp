@@ -23,6 +23,7 @@
 #include <QStackedLayout>
 #include <QStatusBar>
 #include <QVBoxLayout>
+
 #include <functional>
 
 namespace asperity {
