@@ -1,11 +1,10 @@
 #include "ui/Steady.h"
 
+#include "core/FormattedText.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace asperity {
@@ -73,11 +72,9 @@ std::string scaledText(double value, const SiScale& scale, int decimals) {
     if (!std::isfinite(shown)) {
         return "– " + scale.unit;
     }
-    std::array<char, 64> digits{};
     const double unit = std::pow(10.0, -decimals);
     const double rounded = std::abs(shown) < unit / 2.0 ? 0.0 : shown;  // never "-0.00"
-    std::snprintf(digits.data(), digits.size(), "%.*f", decimals, rounded);
-    return std::string(digits.data()) + " " + scale.unit;
+    return formatted("%.*f ", decimals, rounded) + scale.unit;
 }
 
 std::string threeDigitText(double value, const SiScale& scale) {

@@ -4,6 +4,7 @@
 #include "app/commands/CurveCases.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/VirtualDisplay.h"
+#include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/Version.h"
 #include "core/contact/laws/ForceCurve.h"
@@ -14,7 +15,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 
@@ -49,18 +49,15 @@ std::string jumpText(const char* name, const std::optional<TipJump>& jump) {
     if (!jump) {
         return std::string(name) + ": none, the force has no jump";
     }
-    char text[200];
-    std::snprintf(text, sizeof text, "%s at base %.6g nm: force %.6g -> %.6g nN, %.4g J lost", name,
-                  jump->basePosition * 1e9, jump->before.force * 1e9, jump->after.force * 1e9,
-                  jump->after.energyLost);
-    return text;
+    return formatted("%s at base %.6g nm: force %.6g -> %.6g nN, %.4g J lost", name,
+                     jump->basePosition * 1e9, jump->before.force * 1e9, jump->after.force * 1e9,
+                     jump->after.energyLost);
 }
 
 std::vector<std::string> summary(const CurveResult& result) {
     const CurveCase& asked = result.asked;
-    char parameters[200];
-    std::snprintf(parameters, sizeof parameters,
-                  "%s: R %.4g nm, E* %.6g GPa, w %.4g J/m^2, lever %.4g N/m along the normal",
+    const std::string parameters =
+        formatted("%s: R %.4g nm, E* %.6g GPa, w %.4g J/m^2, lever %.4g N/m along the normal",
                   asked.material.name.c_str(), asked.model.pair().tipRadius * 1e9,
                   asked.model.pair().reducedModulus * 1e-9, asked.model.pair().workOfAdhesion,
                   1.0 / asked.compliance);

@@ -1,10 +1,9 @@
 #include "app/program/JsonText.h"
 
+#include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/Utf8.h"
 
-#include <array>
-#include <cstdio>
 #include <string_view>
 
 namespace asperity {
@@ -17,10 +16,7 @@ std::string withoutCommands(std::string_view text) {
     while (!text.empty()) {
         const Utf8Character character = firstCharacter(text);
         if (character.codePoint != '\n' && isCommand(character.codePoint)) {
-            std::array<char, 8> escape{};
-            (void)std::snprintf(escape.data(), escape.size(), "\\u%04x",
-                                static_cast<unsigned>(character.codePoint));
-            safe += escape.data();
+            safe += formatted("\\u%04x", static_cast<unsigned>(character.codePoint));
         } else {
             safe += text.substr(0, character.length);
         }

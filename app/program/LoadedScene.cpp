@@ -1,6 +1,7 @@
 #include "app/program/LoadedScene.h"
 
 #include "core/Error.h"
+#include "core/FormattedText.h"
 #include "core/contact/maugis/MaugisTable.h"
 #include "core/fidelity/ForceErrorText.h"
 #include "core/io/heightmap/ScanFile.h"
@@ -9,7 +10,6 @@
 #include "core/scene/ImagingTip.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 #include <variant>
 
@@ -26,22 +26,17 @@ std::string levellingNote(const Scene& scene) {
     case Levelling::Plane:
         break;
     }
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "levelling: plane with slopes %+.4g along x and %+.4g along y removed "
-                  "(--level none keeps it)",
-                  scene.removedPlane.slopeX, scene.removedPlane.slopeY);
-    return text;
+    return formatted("levelling: plane with slopes %+.4g along x and %+.4g along y removed "
+                     "(--level none keeps it)",
+                     scene.removedPlane.slopeX, scene.removedPlane.slopeY);
 }
 
 std::string lawNote(const Scene& scene) {
     std::string note = std::string("contact law: ") + keyOf(scene.model.law) + " (" +
                        usualLaw(scene.description).why + ")";
     if (const MaugisTable* table = scene.belief.contact.table()) {
-        char text[120];
-        std::snprintf(text, sizeof text, "; tabulated, error at most %.2g of the force or pi w R",
-                      table->errorBound());
-        note += text;
+        note += formatted("; tabulated, error at most %.2g of the force or pi w R",
+                          table->errorBound());
     }
     return note;
 }
@@ -55,8 +50,7 @@ std::string modelNote(const SceneNeeds& needs) {
             out += (out.empty() ? "" : ", ") + std::string(nameOf(need.term));
         }
     }
-    char tolerance[40];
-    std::snprintf(tolerance, sizeof tolerance, " (tolerance %.2g %%)", 100.0 * needs.tolerance);
+    const std::string tolerance = formatted(" (tolerance %.2g %%)", 100.0 * needs.tolerance);
     return "model: " + forceErrorText(needs) + tolerance +
            (out.empty() ? ", nothing left out" : "; left out: " + out);
 }

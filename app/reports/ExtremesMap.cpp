@@ -1,10 +1,10 @@
 #include "app/reports/ExtremesMap.h"
 
+#include "core/FormattedText.h"
 #include "core/SiFormat.h"
 #include "core/contact/laws/ContactLaw.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <set>
 
 namespace asperity {
@@ -86,11 +86,7 @@ ShareMap lawMap(const std::vector<ExtremesRegion>& regions, ContactLaw law) {
     return map;
 }
 
-std::string percentOf(double share) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%.3g %%", 100.0 * share);
-    return text;
-}
+std::string percentOf(double share) { return formatted("%.3g %%", 100.0 * share); }
 
 ShareMap tickMap(const std::vector<ExtremesRegion>& regions) {
     ShareMap map = mapOf(regions, {.model = "tick",

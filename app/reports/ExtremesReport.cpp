@@ -1,6 +1,7 @@
 #include "app/reports/ExtremesReport.h"
 
 #include "app/reports/CouplingReport.h"
+#include "core/FormattedText.h"
 #include "core/Version.h"
 #include "core/io/tables/CsvWriter.h"
 
@@ -35,9 +36,7 @@ std::string percent(long states, long all) {
         return "-";
     }
     const double share = 100.0 * static_cast<double>(states) / static_cast<double>(all);
-    char text[16];
-    std::snprintf(text, sizeof text, "%.3g", share);
-    return text;
+    return formatted("%.3g", share);
 }
 
 void printModels(const std::vector<ExtremesRegion>& sums) {

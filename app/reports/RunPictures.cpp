@@ -2,10 +2,9 @@
 
 #include "app/reports/ContactView.h"
 #include "app/reports/RunFolder.h"
+#include "core/FormattedText.h"
 #include "core/io/fields/PatchExr.h"
 #include "core/surface/fit/CoarserSurface.h"
-
-#include <cstdio>
 
 namespace asperity {
 
@@ -13,11 +12,7 @@ namespace {
 
 constexpr int kOverviewPixels = 1024;  // twice as many as the overview draws
 
-std::string timeText(double time) {
-    char text[40];
-    std::snprintf(text, sizeof text, "t = %.3f s", time);
-    return text;
-}
+std::string timeText(double time) { return formatted("t = %.3f s", time); }
 
 DeformationView viewOf(const Scene& scene, const TickSample& sample, const char* what) {
     return contactView(scene, sample, std::string(what) + ", " + timeText(sample.time));

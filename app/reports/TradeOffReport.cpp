@@ -1,9 +1,11 @@
 #include "app/reports/TradeOffReport.h"
 
+#include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/fidelity/ForceErrorText.h"
 #include "core/studies/Composition.h"
 
+#include <array>
 #include <cstdio>
 #include <string>
 
@@ -15,24 +17,17 @@ namespace {
 std::string forceDoubtText(const TradeOffReference& reference) {
     std::string text;
     for (const MissedTerm& missed : reference.missed) {
-        char one[80];
-        std::snprintf(one, sizeof one, "%s%s %.2g nN", text.empty() ? "without " : ", ",
-                      nameOf(missed.term), missed.force * 1e9);
-        text += one;
+        text += formatted("%s%s %.2g nN", text.empty() ? "without " : ", ", nameOf(missed.term),
+                          missed.force * 1e9);
     }
     return text.empty() ? "it leaves nothing out" : text;
 }
 
 const char* surfaceDoubtText(SurfaceDoubt doubt) {
-    switch (doubt) {
-    case SurfaceDoubt::ByCoarser:
-        return "the half-space of half as many pixels a side against it";
-    case SurfaceDoubt::CoarserFails:
-        return "the half-space of half as many pixels a side does not hold";
-    case SurfaceDoubt::NothingFiner:
-        break;
-    }
-    return "no half-space holds here, and nothing finer is known";
+    static constexpr std::array kTexts{"the half-space of half as many pixels a side against it",
+                                       "the half-space of half as many pixels a side does not hold",
+                                       "no half-space holds here, and nothing finer is known"};
+    return kTexts.at(static_cast<std::size_t>(doubt));
 }
 
 void printTick(const TickResult& r, char mark) {

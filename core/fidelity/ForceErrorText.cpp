@@ -1,7 +1,8 @@
 #include "core/fidelity/ForceErrorText.h"
 
+#include "core/FormattedText.h"
+
 #include <algorithm>
-#include <cstdio>
 
 namespace asperity {
 
@@ -11,9 +12,7 @@ namespace {
 std::string percent(double share) {
     constexpr double kLeastShown = 1e-4;
     const double shown = share > 0.0 ? 100.0 * std::max(share, kLeastShown) : 0.0;
-    char text[32];
-    std::snprintf(text, sizeof text, shown < 99.5 ? "%.2g %%" : "%.0f %%", shown);
-    return text;
+    return formatted(shown < 99.5 ? "%.2g %%" : "%.0f %%", shown);
 }
 
 /// The terms that the law error is of.

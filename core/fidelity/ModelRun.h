@@ -4,6 +4,7 @@
 #include "core/haptics/HandPath.h"
 #include "core/haptics/HapticTick.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace asperity {
@@ -31,6 +32,16 @@ struct ModelRun {
 /// @throw Cancelled
 [[nodiscard]] ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs,
                                 const Progress* progress = nullptr);
+
+/// The largest value of a run's states, at least 0.
+template <class Value>
+[[nodiscard]] double largestOf(const ModelRun& run, const Value& value) {
+    double largest = 0.0;
+    for (const TipState& state : run.states) {
+        largest = std::max(largest, value(state));
+    }
+    return largest;
+}
 
 /// By how much forces differ over a run.
 struct ForceDifference {

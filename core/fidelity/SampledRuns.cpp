@@ -18,10 +18,6 @@ constexpr double kAllButJumps = 0.97;
 /// A force of the separate tip that is this share of those in contact is felt as well as these.
 constexpr double kFaint = 0.1;
 
-double sumOf(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
 }  // namespace
 
 double forceShare(const ModelRun& run, const ModelRun& reference) {
@@ -68,7 +64,7 @@ double SampledRuns::error(const ForceModelOptions& model) {
 ModelDifference SampledRuns::between(const ForceModelOptions& with,
                                      const ForceModelOptions& without) {
     const ModelRun less = runWith(without);
-    const bool isQuick = sumOf(less.times) < kQuickRuns;
+    const bool isQuick = std::accumulate(less.times.begin(), less.times.end(), 0.0) < kQuickRuns;
     const bool isKnown = !isQuick && ofForce(with) == ofForce(referred_);
     ModelDifference difference{.with = isKnown ? reference_ : runWith(with)};
     difference.effect = forceShare(less, difference.with);

@@ -1,15 +1,14 @@
 #include "core/fidelity/SceneNeeds.h"
 
+#include "core/FormattedText.h"
+#include "core/fidelity/ReferenceModels.h"
 #include "core/fidelity/SampledRuns.h"
 #include "core/fidelity/SurfaceNeeds.h"
 #include "core/fidelity/TermFacts.h"
-#include "core/fidelity/TermPair.h"
-#include "core/fidelity/WholeModel.h"
 #include "core/scene/BelievedModel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace asperity {
@@ -24,19 +23,6 @@ bool tipFitsEverywhere(const Scene& scene) {
     const BoxBounds scan = scene.surface.bounds().all();
     const double above = scene.belief.tipRadius() + kFeetReach;
     return !scene.shape && scan.concavity * (scan.highest - scan.lowest + above) < 1.0;
-}
-
-/// The model with every term that the description does not settle.
-ForceModelOptions fullModel(const SceneDescription& scene) {
-    ForceModelOptions model = usualModel(scene);
-    for (const ModelTerm term :
-         {ModelTerm::SampleCurvature, ModelTerm::Friction, ModelTerm::Torsion, ModelTerm::MountTilt,
-          ModelTerm::GlobalSearch}) {
-        if (!isSettled(term, scene.choices)) {
-            model = with(model, term);
-        }
-    }
-    return model;
 }
 
 /// Decides about the terms of the force.
@@ -228,8 +214,7 @@ void fillIn(const SurfaceNeeds& surface, SceneNeeds& needs) {
 
 /// Nothing can be tried: all stays in.
 void leaveAsItIs(double tickTime, SceneNeeds& needs) {
-    char why[64];
-    std::snprintf(why, sizeof why, "not tried: a tick takes %.2g ms here", tickTime * 1e3);
+    const std::string why = formatted("not tried: a tick takes %.2g ms here", tickTime * 1e3);
     for (TermNeed& need : needs.terms) {
         need.why = why;
     }
@@ -261,7 +246,7 @@ void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs) {
 }  // namespace
 
 SceneNeeds fitModel(Scene& scene, double longestTick) {
-    SceneNeeds needs{.terms = {}, .full = fullModel(scene.description)};
+    SceneNeeds needs{.terms = {}, .full = usualModel(scene.description)};
     needs.tolerance = scene.description.tolerance;
     for (const ModelTerm term : kModelTerms) {
         needs.terms.push_back(

@@ -1,45 +1,30 @@
 #include "core/fidelity/TermFacts.h"
 
+#include "core/FormattedText.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace asperity {
 
 namespace {
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-    char buffer[160];
-    std::snprintf(buffer, sizeof buffer, format, values...);
-    return buffer;
-}
-
-template <class Value>
-double largestOf(const ModelRun& run, const Value& value) {
-    double largest = 0.0;
-    for (const TipState& state : run.states) {
-        largest = std::max(largest, value(state));
-    }
-    return largest;
-}
-
 std::string curvatureFact(const Scene& scene, const ModelRun& run) {
     const double curvature = largestOf(run, [](const TipState& state) {
         return std::max(std::abs(state.foot.curvatures.largest),
                         std::abs(state.foot.curvatures.smallest));
     });
-    return text("the sample is curved by up to %.2g of the tip's own curvature",
-                curvature * scene.belief.tipRadius());
+    return formatted("the sample is curved by up to %.2g of the tip's own curvature",
+                     curvature * scene.belief.tipRadius());
 }
 
 std::string searchFact(const Scene& scene) {
     if (scene.shape) {
         return "a shape may come near at several places";
     }
-    return text("hollows are curved by up to %.2g of the tip's own curvature",
-                scene.surface.bounds().all().concavity * scene.belief.tipRadius());
+    return formatted("hollows are curved by up to %.2g of the tip's own curvature",
+                     scene.surface.bounds().all().concavity * scene.belief.tipRadius());
 }
 
 }  // namespace
@@ -48,32 +33,32 @@ std::string factOf(ModelTerm term, const Scene& scene, const ModelRun& run) {
     const SampleMaterial& material = scene.description.sample.material;
     switch (term) {
     case ModelTerm::Adhesion:
-        return text("it pulls with up to %.3g nN, pressed by up to %.3g nN",
-                    1e9 * largestOf(run, [](const TipState& s) { return -s.normalForce; }),
-                    1e9 * largestOf(run, [](const TipState& s) { return s.normalForce; }));
+        return formatted("it pulls with up to %.3g nN, pressed by up to %.3g nN",
+                         1e9 * largestOf(run, [](const TipState& s) { return -s.normalForce; }),
+                         1e9 * largestOf(run, [](const TipState& s) { return s.normalForce; }));
     case ModelTerm::VanDerWaalsTail:
-        return text("attraction reaches across the gap; transition parameter %.2g",
-                    scene.belief.contact.lambda());
+        return formatted("attraction reaches across the gap; transition parameter %.2g",
+                         scene.belief.contact.lambda());
     case ModelTerm::SphereCorrection:
-        return text("the contact is up to %.2g tip radii wide",
-                    largestOf(run, [](const TipState& s) { return s.contactRatio; }));
+        return formatted("the contact is up to %.2g tip radii wide",
+                         largestOf(run, [](const TipState& s) { return s.contactRatio; }));
     case ModelTerm::FilmBase:
-        return text("the contact is up to %.2g film thicknesses wide",
-                    largestOf(run, [](const TipState& s) { return s.contact.contactRadius; }) /
-                        material.filmThickness);
+        return formatted("the contact is up to %.2g film thicknesses wide",
+                         largestOf(run, [](const TipState& s) { return s.contact.contactRadius; }) /
+                             material.filmThickness);
     case ModelTerm::SampleCurvature:
         return curvatureFact(scene, run);
     case ModelTerm::Friction:
-        return text("friction coefficient %.2g, shear strength %.2g MPa",
-                    material.friction.coefficient, 1e-6 * material.friction.shearStrength);
+        return formatted("friction coefficient %.2g, shear strength %.2g MPa",
+                         material.friction.coefficient, 1e-6 * material.friction.shearStrength);
     case ModelTerm::Torsion: {
         const Matrix3& c = scene.belief.cantilever.complianceInCantileverFrame();
-        return text("across the lever the tip yields %.2g times as much as along z",
-                    c(1, 1) / c(2, 2));
+        return formatted("across the lever the tip yields %.2g times as much as along z",
+                         c(1, 1) / c(2, 2));
     }
     case ModelTerm::MountTilt:
-        return text("the lever is tilted by %.3g degrees",
-                    scene.description.probe.mountTilt * 180.0 / std::numbers::pi);
+        return formatted("the lever is tilted by %.3g degrees",
+                         scene.description.probe.mountTilt * 180.0 / std::numbers::pi);
     case ModelTerm::GlobalSearch:
         return searchFact(scene);
     case ModelTerm::OutsideDisplacement:

@@ -39,16 +39,8 @@ LawChoice usualLaw(const SceneDescription& scene) {
 }
 
 ForceModelOptions usualModel(const SceneDescription& scene) {
-    const ModelChoices& choices = scene.choices;
-    ForceModelOptions model;
+    ForceModelOptions model = optionsOf(scene.choices);
     model.law = usualLaw(scene).law;
-    model.solver = choices.solver;
-    model.footSearch = choices.footSearch.value_or(model.footSearch);
-    model.decoupling = choices.decoupling;
-    model.deformation = choices.deformation.value_or(model.deformation);
-    for (const ModelTerm term : kSwitchedTerms) {
-        model.*traitsOf(term).option = choiceOf(term, choices).value_or(true);
-    }
     return model;
 }
 

@@ -1,18 +1,16 @@
 #include "core/scene/ImagingTip.h"
 
+#include "core/FormattedText.h"
 #include "core/SiFormat.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace asperity {
 
 namespace {
 
 std::string certainPercent(const Scene& scene) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%.0f %%", 100.0 * scene.certainty.certainShare());
-    return text;
+    return formatted("%.0f %%", 100.0 * scene.certainty.certainShare());
 }
 
 }  // namespace

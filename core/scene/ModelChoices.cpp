@@ -31,22 +31,26 @@ void freeContradicting(ModelChoices& choices, ModelTerm term, bool on) {
     }
 }
 
-/// Foot search and deformation, where they are open as a model has them by default.
-ForceModelOptions searchAndDeformation(const ModelChoices& choices) {
+}  // namespace
+
+ForceModelOptions optionsOf(const ModelChoices& choices) noexcept {
     ForceModelOptions options;
+    options.law = choices.law.value_or(options.law);
+    options.solver = choices.solver;
     options.footSearch = choices.footSearch.value_or(options.footSearch);
+    options.decoupling = choices.decoupling;
     options.deformation = choices.deformation.value_or(options.deformation);
+    for (const ModelTerm term : kSwitchedTerms) {
+        options.*traitsOf(term).option = (choices.*traitsOf(term).choice).value_or(true);
+    }
     return options;
 }
-
-}  // namespace
 
 std::optional<bool> choiceOf(ModelTerm term, const ModelChoices& choices) noexcept {
     if (const auto member = traitsOf(term).choice) {
         return choices.*member;
     }
-    return isSettled(term, choices) ? std::optional(has(searchAndDeformation(choices), term))
-                                    : std::nullopt;
+    return isSettled(term, choices) ? std::optional(has(optionsOf(choices), term)) : std::nullopt;
 }
 
 bool isSettled(ModelTerm term, const ModelChoices& choices) noexcept {
@@ -67,7 +71,7 @@ ModelChoices withChoice(ModelChoices choices, ModelTerm term, std::optional<bool
         choices.*member = on;
         return choices;
     }
-    const ForceModelOptions now = searchAndDeformation(choices);
+    const ForceModelOptions now = optionsOf(choices);
     const ForceModelOptions chosen = on.value_or(false) ? with(now, term) : without(now, term);
     if (isOfSurface(term)) {
         choices.deformation = on ? std::optional(chosen.deformation) : std::nullopt;

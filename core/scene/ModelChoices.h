@@ -28,6 +28,9 @@ struct ModelChoices {
     std::optional<bool> curvature = {};
 };
 
+/// What is said, and all that is open as by default; terms of the law are not regarded.
+[[nodiscard]] ForceModelOptions optionsOf(const ModelChoices& choices) noexcept;
+
 /// What is said of a term itself; none: nothing, or the contact law says it.
 [[nodiscard]] std::optional<bool> choiceOf(ModelTerm term, const ModelChoices& choices) noexcept;
 

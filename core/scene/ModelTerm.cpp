@@ -7,25 +7,42 @@ namespace asperity {
 
 namespace {
 
-ContactLaw withoutAdhesion(ContactLaw law) {
-    if (!isAdhesive(law)) {
-        return law;
+/// The law that has the term, or has it not, in place of one with which it is the other way round.
+ContactLaw switched(ContactLaw law, ModelTerm term, bool on) {
+    switch (term) {
+    case ModelTerm::Adhesion:
+        if (!on) {
+            return isSphere(law) ? ContactLaw::Sneddon : ContactLaw::Hertz;
+        }
+        [[fallthrough]];
+    case ModelTerm::VanDerWaalsTail:
+        if (on) {
+            return isSphere(law) ? ContactLaw::SphereSplit : ContactLaw::Split;
+        }
+        return isSphere(law) ? ContactLaw::SphereMaugis : ContactLaw::Maugis;
+    case ModelTerm::SphereCorrection:
+        return isFilm(law) ? ContactLaw::Sneddon : lawLike(law, on, hasTail(law)).value_or(law);
+    default:
+        return on ? ContactLaw::HertzFilm : ContactLaw::Hertz;
     }
-    return isSphere(law) ? ContactLaw::Sneddon : ContactLaw::Hertz;
 }
 
-ContactLaw onParaboloid(ContactLaw law) { return lawLike(law, false, hasTail(law)).value_or(law); }
-
-ContactLaw onSphere(ContactLaw law) {
-    return isFilm(law) ? ContactLaw::Sneddon : lawLike(law, true, hasTail(law)).value_or(law);
-}
-
-ContactLaw withTail(ContactLaw law) {
-    return isSphere(law) ? ContactLaw::SphereSplit : ContactLaw::Split;
-}
-
-ContactLaw withoutTail(ContactLaw law) {
-    return isSphere(law) ? ContactLaw::SphereMaugis : ContactLaw::Maugis;
+ForceModelOptions switched(ForceModelOptions model, ModelTerm term, bool on) {
+    if (has(model, term) == on) {
+        return model;
+    }
+    if (const auto option = traitsOf(term).option) {
+        model.*option = on;
+    } else if (isOfLaw(term)) {
+        model.law = switched(model.law, term, on);
+    } else if (term == ModelTerm::GlobalSearch) {
+        model.footSearch = on ? FootEffort::Certified : FootEffort::Local;
+    } else if (term == ModelTerm::OutsideDisplacement) {
+        model.deformation = on ? DeformationTier::ClosedForm : DeformationTier::ContactRadius;
+    } else {
+        model.deformation = on ? DeformationTier::HalfSpace : DeformationTier::ClosedForm;
+    }
+    return model;
 }
 
 }  // namespace
@@ -76,65 +93,11 @@ bool has(const ForceModelOptions& model, ModelTerm term) noexcept {
 }
 
 ForceModelOptions without(ForceModelOptions model, ModelTerm term) noexcept {
-    if (!has(model, term)) {
-        return model;
-    }
-    switch (term) {
-    case ModelTerm::Adhesion:
-        model.law = withoutAdhesion(model.law);
-        break;
-    case ModelTerm::VanDerWaalsTail:
-        model.law = withoutTail(model.law);
-        break;
-    case ModelTerm::SphereCorrection:
-        model.law = onParaboloid(model.law);
-        break;
-    case ModelTerm::FilmBase:
-        model.law = ContactLaw::Hertz;
-        break;
-    case ModelTerm::GlobalSearch:
-        model.footSearch = FootEffort::Local;
-        break;
-    case ModelTerm::OutsideDisplacement:
-        model.deformation = DeformationTier::ContactRadius;
-        break;
-    case ModelTerm::HalfSpaceSolve:
-        model.deformation = DeformationTier::ClosedForm;
-        break;
-    default:
-        model.*traitsOf(term).option = false;
-    }
-    return model;
+    return switched(model, term, false);
 }
 
 ForceModelOptions with(ForceModelOptions model, ModelTerm term) noexcept {
-    if (has(model, term)) {
-        return model;
-    }
-    switch (term) {
-    case ModelTerm::Adhesion:
-    case ModelTerm::VanDerWaalsTail:
-        model.law = withTail(model.law);
-        break;
-    case ModelTerm::SphereCorrection:
-        model.law = onSphere(model.law);
-        break;
-    case ModelTerm::FilmBase:
-        model.law = ContactLaw::HertzFilm;
-        break;
-    case ModelTerm::GlobalSearch:
-        model.footSearch = FootEffort::Certified;
-        break;
-    case ModelTerm::OutsideDisplacement:
-        model.deformation = DeformationTier::ClosedForm;
-        break;
-    case ModelTerm::HalfSpaceSolve:
-        model.deformation = DeformationTier::HalfSpace;
-        break;
-    default:
-        model.*traitsOf(term).option = true;
-    }
-    return model;
+    return switched(model, term, true);
 }
 
 }  // namespace asperity

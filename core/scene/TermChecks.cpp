@@ -9,12 +9,6 @@ namespace asperity {
 
 namespace {
 
-/// Of foot search and deformation every choice can be.
-std::optional<bool> choice(const SceneDescription& scene, ModelTerm term) {
-    const auto member = traitsOf(term).choice;
-    return member != nullptr ? scene.choices.*member : std::nullopt;
-}
-
 [[noreturn]] void refuse(ModelTerm term, const std::string& reason) {
     throw Error(std::string("[fidelity]: ") + keyOf(term) + " cannot be on: " + reason);
 }
@@ -25,11 +19,12 @@ void checkOn(const SceneDescription& scene, ModelTerm term) {
                                                  : "the sample's work_of_adhesion_j_m2 is 0");
     }
     for (const ModelTerm other : kModelTerms) {
-        if (exclude(term, other) && choice(scene, other) == true) {
+        if (exclude(term, other) && choiceOf(other, scene.choices) == true) {
             refuse(term, std::string(keyOf(other)) + " is on, and no contact law has both");
         }
     }
-    if (term == ModelTerm::VanDerWaalsTail && choice(scene, ModelTerm::Adhesion) == false) {
+    if (term == ModelTerm::VanDerWaalsTail &&
+        choiceOf(ModelTerm::Adhesion, scene.choices) == false) {
         refuse(term, "adhesion is off");
     }
 }
@@ -38,7 +33,7 @@ void checkOn(const SceneDescription& scene, ModelTerm term) {
 
 void checkTerms(const SceneDescription& scene) {
     for (const ModelTerm term : kModelTerms) {
-        const std::optional<bool> on = choice(scene, term);
+        const std::optional<bool> on = choiceOf(term, scene.choices);
         if (on && isOfLaw(term) && scene.choices.law) {
             throw Error(std::string("[fidelity]: ") + keyOf(term) +
                         " is the matter of [physics] law, which is " + keyOf(*scene.choices.law) +

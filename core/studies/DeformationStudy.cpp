@@ -1,11 +1,13 @@
 #include "core/studies/DeformationStudy.h"
 
 #include "core/deformation/ContactPatch.h"
+#include "core/fidelity/ModelRun.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace asperity {
 
@@ -84,9 +86,7 @@ double medianTime(int rounds, const Make& make) {
         make();
         times.push_back(std::chrono::duration<double>(SteadyClock::now() - start).count());
     }
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), middle, times.end());
-    return *middle;
+    return quantile(std::move(times), 0.5);
 }
 
 /// The finer half-space on a scan, the closed form on a flat sample; none where neither holds.

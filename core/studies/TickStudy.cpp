@@ -1,8 +1,7 @@
 #include "core/studies/TickStudy.h"
 
 #include "core/contact/laws/LawChoice.h"
-#include "core/fidelity/TermPair.h"
-#include "core/fidelity/WholeModel.h"
+#include "core/fidelity/ReferenceModels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +14,7 @@ namespace {
 constexpr double kP99 = 0.99;
 
 double largestContactRatio(const ModelRun& run) {
-    double largest = 0.0;
-    for (const TipState& state : run.states) {
-        largest = std::max(largest, state.contactRatio);
-    }
-    return largest;
+    return largestOf(run, [](const TipState& state) { return state.contactRatio; });
 }
 
 bool isCurved(const ModelRun& run) {

@@ -48,20 +48,4 @@ double middleHeight(const HeightMap& map) {
     return middle;
 }
 
-ScanMap singlePrecision(const HeightMap& map) {
-    requireUsable(map);
-    ScanMap result;
-    result.columns = map.columns;
-    result.rows = map.rows;
-    result.pitchX = map.pitchX;
-    result.pitchY = map.pitchY;
-    result.datum = middleHeight(map);
-    result.heights.reserve(map.heights.size());
-    for (const double height : map.heights) {
-        result.heights.push_back(static_cast<float>(height - result.datum));
-    }
-    result.invalid = map.invalid;
-    return result;
-}
-
 }  // namespace asperity

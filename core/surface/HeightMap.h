@@ -49,10 +49,6 @@ struct ScanMap : BasicHeightMap<PixelVector<float>> {
 /// @throw Error when the heights lie too far apart for single precision
 [[nodiscard]] double middleHeight(const HeightMap& map);
 
-/// The map in single precision, about the middle of its heights.
-/// @throw Error when the map is unusable, or its heights lie too far apart for single precision
-[[nodiscard]] ScanMap singlePrecision(const HeightMap& map);
-
 /// Whether a height is a finite number. Told by its bits: over a whole map the compiler turns
 /// std::isfinite into comparisons that raise the invalid flag on a NaN.
 [[nodiscard]] constexpr bool isFiniteHeight(double height) {

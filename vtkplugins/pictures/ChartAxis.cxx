@@ -1,12 +1,11 @@
 #include "vtkplugins/pictures/ChartAxis.h"
 
+#include "core/FormattedText.h"
 #include "core/SiFormat.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace asperity {
@@ -80,10 +79,8 @@ void ChartAxis::setDecades(int most) {
         for (const double digit : {1.0, 2.0, 5.0}) {
             const double at = power + std::log10(digit);
             if ((digit == 1.0 || withinFewDecades) && at >= low_ && at <= high_) {
-                std::array<char, 32> text{};
-                std::snprintf(text.data(), text.size(), "%g", digit * std::pow(10.0, power));
                 ticks_.push_back(at);
-                labels_.emplace_back(text.data());
+                labels_.push_back(formatted("%g", digit * std::pow(10.0, power)));
             }
         }
     }

@@ -1,9 +1,9 @@
 #include "vtkplugins/pictures/Ticks.h"
 
+#include "core/FormattedText.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace asperity {
 
@@ -42,13 +42,7 @@ std::vector<std::string> tickLabels(const std::vector<double>& ticks) {
         plain ? std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9))) : 0;
     std::vector<std::string> labels;
     for (const double tick : ticks) {
-        std::array<char, 48> text{};
-        if (plain) {
-            std::snprintf(text.data(), text.size(), "%.*f", decimals, tick);
-        } else {
-            std::snprintf(text.data(), text.size(), "%.6g", tick);
-        }
-        labels.emplace_back(text.data());
+        labels.push_back(plain ? formatted("%.*f", decimals, tick) : formatted("%.6g", tick));
     }
     return labels;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/contact/SolverTier.h"
-#include "core/contact/laws/FilmElasticity.h"
 #include "core/contact/laws/Meniscus.h"
 
 namespace asperity {
@@ -9,6 +8,16 @@ namespace asperity {
 /// Range of the cohesive stress that is taken where a scene names none, h0 = D0 (sqrt(10) - 1) [m].
 /// Source: docs/theory.md 1, 3.4.
 inline constexpr double kCohesiveRange = 0.35677581392778259e-9;
+
+/// Elasticity of a film on a rigid base under a tip.
+struct FilmElasticity {
+    double poissonRatio = 0.5;  ///< of the film, 0 .. 0.5
+    /// The film's part of the compliance 1 / E* that both bodies would have as half-spaces, 0 .. 1;
+    /// the tip, an elastic half-space, has the rest. 1: a rigid tip.
+    double share = 1.0;
+
+    bool operator==(const FilmElasticity&) const = default;
+};
 
 /// What a contact may have besides a law and a pair of materials.
 struct ContactOptions {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/contact/laws/FilmElasticity.h"
+#include "core/contact/laws/ContactOptions.h"
 #include "core/contact/numerics/GradedCells.h"
 
 #include <array>

@@ -1,12 +1,11 @@
 #include "core/contact/laws/LawChoice.h"
 
+#include "core/FormattedText.h"
 #include "core/contact/ContactStatus.h"
 #include "core/contact/laws/ContactOptions.h"
 #include "core/contact/laws/MaugisLaw.h"
 #include "core/contact/maugis/MaugisDugdale.h"
 #include "core/contact/maugis/MaugisUnits.h"
-
-#include <cstdio>
 
 namespace asperity {
 
@@ -23,10 +22,7 @@ double unloadedRatio(const ContactPair& pair) {
 }
 
 std::string sentence(double ratio, const char* rest) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "auto: contact radius over tip radius is %.2g without load, %s", ratio, rest);
-    return text;
+    return formatted("auto: contact radius over tip radius is %.2g without load, %s", ratio, rest);
 }
 
 }  // namespace

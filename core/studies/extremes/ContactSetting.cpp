@@ -1,8 +1,7 @@
 #include "core/studies/extremes/ContactSetting.h"
 
 #include "core/Error.h"
-
-#include <cstdio>
+#include "core/FormattedText.h"
 
 namespace asperity {
 
@@ -29,14 +28,12 @@ const char* tierName(const LawTier& lawTier) noexcept {
 }
 
 std::string describe(const LawTier& lawTier, const ContactSetting& setting, double approach) {
-    char text[400];
-    std::snprintf(text, sizeof text,
-                  "%s (%s), tip radius %.17g m, E* %.17g Pa, w %.17g J/m^2, film %.17g m (Poisson "
-                  "ratio %.17g), lever %.17g N/m, approach %.17g m",
-                  keyOf(lawTier.law), tierName(lawTier), setting.pair.tipRadius,
-                  setting.pair.reducedModulus, setting.pair.workOfAdhesion, setting.filmThickness,
-                  setting.filmPoissonRatio, setting.leverStiffness, approach);
-    return text;
+    return formatted(
+        "%s (%s), tip radius %.17g m, E* %.17g Pa, w %.17g J/m^2, film %.17g m (Poisson "
+        "ratio %.17g), lever %.17g N/m, approach %.17g m",
+        keyOf(lawTier.law), tierName(lawTier), setting.pair.tipRadius, setting.pair.reducedModulus,
+        setting.pair.workOfAdhesion, setting.filmThickness, setting.filmPoissonRatio,
+        setting.leverStiffness, approach);
 }
 
 ContactCandidate candidate(const LawTier& lawTier, const ContactSetting& setting) {

@@ -1,6 +1,7 @@
 #include "core/studies/extremes/CouplingExtremes.h"
 
 #include "core/Error.h"
+#include "core/FormattedText.h"
 #include "core/Units.h"
 #include "core/haptics/coupling/CouplingDesign.h"
 #include "core/studies/extremes/BenchHold.h"
@@ -8,7 +9,6 @@
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace asperity {
 
@@ -40,14 +40,11 @@ Scene sceneOf(const HoldBench& bench, double signalNoise) {
 }
 
 std::string describe(const HoldSetting& hold) {
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  "hold on %s (%.17g J/m^2), lever %.17g N/m, %.17g Hz, delay %.17g s, position "
-                  "gain %.17g, force gain %.17g, grip %s, %s",
-                  hold.material.c_str(), hold.workOfAdhesion, hold.leverStiffness, hold.tickRate,
-                  hold.delay, hold.scale.positionGain, hold.scale.forceGain, nameOf(hold.grip),
-                  hold.coupled ? "coupled" : "not coupled");
-    return text;
+    return formatted("hold on %s (%.17g J/m^2), lever %.17g N/m, %.17g Hz, delay %.17g s, position "
+                     "gain %.17g, force gain %.17g, grip %s, %s",
+                     hold.material.c_str(), hold.workOfAdhesion, hold.leverStiffness, hold.tickRate,
+                     hold.delay, hold.scale.positionGain, hold.scale.forceGain, nameOf(hold.grip),
+                     hold.coupled ? "coupled" : "not coupled");
 }
 
 /// A coupling for the loop, or why there is none.

@@ -1,5 +1,6 @@
 #include "core/studies/extremes/TickExtremes.h"
 
+#include "core/FormattedText.h"
 #include "core/Units.h"
 #include "core/contact/maugis/MaugisUnits.h"
 #include "core/haptics/HapticTick.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace asperity {
 
@@ -53,13 +53,11 @@ SceneDescription sceneOf(const RoughPlace& place, const TickSetting& setting) {
 
 std::string describe(const RoughPlace& place, const TickSetting& setting, const char* effort,
                      std::size_t tick) {
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  "tick %zu (%s), tip radius %.17g m, roughness %.17g of it, %s, lever %.17g N/m, "
-                  "depth of the base %.17g tip radii",
-                  tick, effort, place.tipRadius, place.roughness, setting.material.name.c_str(),
-                  setting.leverStiffness, setting.depth);
-    return text;
+    return formatted(
+        "tick %zu (%s), tip radius %.17g m, roughness %.17g of it, %s, lever %.17g N/m, "
+        "depth of the base %.17g tip radii",
+        tick, effort, place.tipRadius, place.roughness, setting.material.name.c_str(),
+        setting.leverStiffness, setting.depth);
 }
 
 /// All ticks of one run along an approach, a slide and a retract.

@@ -3,7 +3,6 @@
 #include "core/Error.h"
 
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,13 +82,6 @@ NurbsSurface revolved(const RevolutionFrame& frame, const Profile& profile) {
     return NurbsSurface(net);
 }
 
-/// Knots of a uniform cubic with so many control points, none repeated.
-std::vector<double> uniformKnots(int controls) {
-    std::vector<double> knots(static_cast<std::size_t>(controls) + 4);
-    std::iota(knots.begin(), knots.end(), 0.0);
-    return knots;
-}
-
 }  // namespace
 
 NurbsSurface sphereSurface(const RevolutionFrame& frame, double radius) {
@@ -124,27 +116,6 @@ NurbsSurface planeSurface(const Vector3& corner, const Vector3& sideU, const Vec
                          .knotsV = {0.0, 0.0, 1.0, 1.0},
                          .points = {corner, corner + sideU, corner + sideV, corner + sideU + sideV},
                          .weights = {}});
-}
-
-NurbsSurface heightFieldSurface(const BSplineSurface& field) {
-    const int columns = field.grid().columns;
-    const int rows = field.grid().rows;
-    if (columns < 2 || rows < 2) {
-        throw Error("a height field needs two pixels along each axis to be a NURBS surface");
-    }
-    NurbsSurface::Net net{.degreeU = 3,
-                          .degreeV = 3,
-                          .knotsU = uniformKnots(columns + 2),
-                          .knotsV = uniformKnots(rows + 2),
-                          .points = {},
-                          .weights = {}};
-    for (int row = -1; row <= rows; ++row) {
-        for (int column = -1; column <= columns; ++column) {
-            net.points.emplace_back((column + 0.5) * field.grid().pitchX,
-                                    (row + 0.5) * field.grid().pitchY, field.control(row, column));
-        }
-    }
-    return NurbsSurface(net);
 }
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/surface/BSplineSurface.h"
+#include "core/Vector.h"
 #include "core/surface/nurbs/NurbsSurface.h"
 
 namespace asperity {
@@ -34,9 +34,5 @@ struct RevolutionFrame {
 /// sample. @throw Error as NurbsSurface(), or when the sides span no area
 [[nodiscard]] NurbsSurface planeSurface(const Vector3& corner, const Vector3& sideU,
                                         const Vector3& sideV);
-
-/// A height field as a surface in space, between the outermost pixel centres; u along x, v along y.
-/// @throw Error when it has fewer than two pixels along an axis
-[[nodiscard]] NurbsSurface heightFieldSurface(const BSplineSurface& field);
 
 }  // namespace asperity

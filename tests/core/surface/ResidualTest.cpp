@@ -8,6 +8,7 @@
 #include "core/surface/fit/GaussianFilter.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
+#include "tests/support/ScanMaps.h"
 #include "tests/support/StorageError.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ TEST(Residual, InSinglePrecisionIsTheSameButForRounding) {
         height += 3.0_um;
     }
     map.heights[map.index(3, 4)] = std::numeric_limits<double>::quiet_NaN();
-    const ScanMap scan = withInvalidPixelsFilled(singlePrecision(map));
+    const ScanMap scan = withInvalidPixelsFilled(test::singlePrecision(map));
     const BSplineSurface surface = fitSurface(scan, {2.0, 2.0});
     const HeightMap exact = residualOf(withInvalidPixelsFilled(map), surface);
     const ScanMap rounded = residualOf(scan, surface);

@@ -5,6 +5,7 @@
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
+#include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ constexpr double kRounding = 0x1p-24 * 28.0_nm;
 
 TEST(ScanMap, LosesNoDigitsToTheHeightAboveZero) {
     const HeightMap map = highSlope();
-    const ScanMap scan = singlePrecision(map);
+    const ScanMap scan = test::singlePrecision(map);
     EXPECT_EQ(scan.columns, map.columns);
     EXPECT_EQ(scan.rows, map.rows);
     EXPECT_EQ(scan.pitchX, map.pitchX);
@@ -56,7 +57,7 @@ TEST(ScanMap, LosesNoDigitsToTheHeightAboveZero) {
 
 TEST(ScanMap, IsLevelledLikeAMapInDoublePrecision) {
     const HeightMap map = highSlope();
-    const ScanMap scan = singlePrecision(map);
+    const ScanMap scan = test::singlePrecision(map);
     EXPECT_NEAR(fitPlane(scan).slopeX, fitPlane(map).slopeX, 3.0 * kRounding / map.sizeX());
     EXPECT_NEAR(fitPlane(scan).mean, fitPlane(map).mean, kRounding);
     EXPECT_EQ(fitPlane(scan).centreX, fitPlane(map).centreX);
@@ -75,7 +76,7 @@ TEST(ScanMap, IsLevelledLikeAMapInDoublePrecision) {
 
 TEST(ScanMap, HolesAreFilledAsInDoublePrecision) {
     const HeightMap exact = withInvalidPixelsFilled(highSlope());
-    const ScanMap filled = withInvalidPixelsFilled(singlePrecision(highSlope()));
+    const ScanMap filled = withInvalidPixelsFilled(test::singlePrecision(highSlope()));
     EXPECT_EQ(filled.invalid, exact.invalid);
     EXPECT_NEAR(filled.datum + filled.at(20, 30), exact.at(20, 30), 2.0 * kRounding);
     EXPECT_NEAR(filled.datum + filled.at(20, 31), exact.at(20, 31), 2.0 * kRounding);

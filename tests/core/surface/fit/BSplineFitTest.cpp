@@ -8,6 +8,7 @@
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
 #include "tests/support/ProgressRecorder.h"
+#include "tests/support/ScanMaps.h"
 #include "tests/support/StorageError.h"
 
 #include <Eigen/LU>
@@ -116,7 +117,7 @@ TEST(BSplineFit, SmoothingLeavesAPlaneUnchangedUpToTheEdges) {
 }
 
 TEST(BSplineFit, IsTheSameWithAnyInstructionsAndThreads) {
-    const ScanMap map = singlePrecision(roughMap(1300, 150));
+    const ScanMap map = test::singlePrecision(roughMap(1300, 150));
     for (const double sigma : {0.0, 1.5}) {
         const LineFit alongX(map.columns, sigma);
         const LineFit alongY(map.rows, sigma);
@@ -146,7 +147,7 @@ TEST(BSplineFit, RefusesWidthsThatAreNoNumbers) {
 
 TEST(BSplineFit, TellsHowFarItIs) {
     test::ProgressRecorder recorder(2.0);
-    (void)fitSurface(singlePrecision(roughMap(2100, 30)), {}, &recorder);
+    (void)fitSurface(test::singlePrecision(roughMap(2100, 30)), {}, &recorder);
     ASSERT_GE(recorder.fractions.size(), 2U);
     EXPECT_TRUE(std::is_sorted(recorder.fractions.begin(), recorder.fractions.end()));
     EXPECT_EQ(recorder.fractions.front(), 0.0);
@@ -155,14 +156,14 @@ TEST(BSplineFit, TellsHowFarItIs) {
 
 TEST(BSplineFit, EndsWhenItIsCancelled) {
     test::ProgressRecorder recorder(0.0);
-    const ScanMap map = singlePrecision(roughMap(2100, 30));
+    const ScanMap map = test::singlePrecision(roughMap(2100, 30));
     EXPECT_THROW((void)fitSurface(map, {}, &recorder), Cancelled);
     EXPECT_EQ(recorder.fractions.size(), 1U);
 }
 
 TEST(BSplineFit, EndsWhenItIsCancelledWhileTwoThreadsFindTheBoundsOfCells) {
     test::ProgressRecorder recorder(0.6);
-    const ScanMap map = singlePrecision(roughMap(600, 600));
+    const ScanMap map = test::singlePrecision(roughMap(600, 600));
     EXPECT_THROW((void)fitSurface(map, {}, &recorder), Cancelled);
     EXPECT_LT(recorder.fractions.back(), 0.7);
 }

@@ -3,6 +3,7 @@
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
+#include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +63,7 @@ TEST(FinePixels, CurvatureConvergesWithThePitch) {
 }
 
 TEST(FinePixels, OfALargeScanAreRoundedAsMuchAsIsSaid) {
-    const BSplineSurface surface = fitSurface(singlePrecision(mapOf(512, 3.0_um)));
+    const BSplineSurface surface = fitSurface(test::singlePrecision(mapOf(512, 3.0_um)));
     const double pitch = surface.grid().pitchX;
     const double rounding = 16.0 * 4.0 * 0x1p-24 * 5.0_nm / (pitch * pitch);
     EXPECT_TRUE(surface.grid().controlRests.empty());

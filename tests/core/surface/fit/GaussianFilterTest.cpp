@@ -4,6 +4,7 @@
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/ProgressRecorder.h"
+#include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
 
@@ -90,7 +91,7 @@ TEST(GaussianFilter, WorksOnLinesAndSinglePixels) {
 TEST(GaussianFilter, InSinglePrecisionIsTheSameButForRounding) {
     HeightMap map = plane(45, 38);  // no whole number of blocks
     map.heights[map.index(20, 21)] += 30.0_nm;
-    const ScanMap scan = singlePrecision(map);
+    const ScanMap scan = test::singlePrecision(map);
     const HeightMap exact = smoothed(map, Smoothing{.x = 2.0, .y = 0.7});
     const ScanMap smooth = smoothed(scan, Smoothing{.x = 2.0, .y = 0.7});
     const double largest = std::abs(static_cast<double>(*std::ranges::max_element(
@@ -102,7 +103,7 @@ TEST(GaussianFilter, InSinglePrecisionIsTheSameButForRounding) {
 }
 
 TEST(GaussianFilter, TellsHowFarItIsAndCanBeCancelled) {
-    const ScanMap map = singlePrecision(plane(900, 700));
+    const ScanMap map = test::singlePrecision(plane(900, 700));
     const Smoothing smoothing{.x = 1.0, .y = 1.0};
     test::ProgressRecorder whole(2.0);
     (void)smoothed(map, smoothing, &whole);

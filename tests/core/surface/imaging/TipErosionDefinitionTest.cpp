@@ -3,6 +3,7 @@
 #include "core/surface/imaging/TipErosion.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/core/surface/imaging/ErosionDefinition.h"
+#include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
 
@@ -126,7 +127,7 @@ TEST(TipErosionDefinition, InSinglePrecisionIsTheDefinitionRounded) {
     Random random(13);
     for (int run = 0; run < 60; ++run) {
         const RandomCase given = randomCase(random);
-        ScanMap image = singlePrecision(given.map);
+        ScanMap image = test::singlePrecision(given.map);
         image.invalid.assign(image.heights.size(), false);
         image.invalid[image.heights.size() / 2] = true;
         const TipReconstruction exact = reconstructed(sameHeights(image), given.tip);

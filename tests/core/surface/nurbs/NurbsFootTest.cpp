@@ -14,9 +14,37 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 namespace asperity {
 namespace {
+
+/// Knots of a uniform cubic with so many control points, none repeated.
+std::vector<double> uniformKnots(int controls) {
+    std::vector<double> knots(static_cast<std::size_t>(controls) + 4);
+    std::iota(knots.begin(), knots.end(), 0.0);
+    return knots;
+}
+
+/// A height field as a surface in space, between the outermost pixel centres.
+NurbsSurface heightFieldSurface(const BSplineSurface& field) {
+    const int columns = field.grid().columns;
+    const int rows = field.grid().rows;
+    NurbsSurface::Net net{.degreeU = 3,
+                          .degreeV = 3,
+                          .knotsU = uniformKnots(columns + 2),
+                          .knotsV = uniformKnots(rows + 2),
+                          .points = {},
+                          .weights = {}};
+    for (int row = -1; row <= rows; ++row) {
+        for (int column = -1; column <= columns; ++column) {
+            net.points.emplace_back((column + 0.5) * field.grid().pitchX,
+                                    (row + 0.5) * field.grid().pitchY, field.control(row, column));
+        }
+    }
+    return NurbsSurface(net);
+}
 
 constexpr double kRadius = 200.0_nm;
 const RevolutionFrame kFrame{.centre = Vector3(100.0_nm, -50.0_nm, 200.0_nm),

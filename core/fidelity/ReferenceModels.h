@@ -15,4 +15,12 @@ namespace asperity {
 [[nodiscard]] std::vector<ModelTerm> missingTerms(const ForceModelOptions& model,
                                                   const SceneDescription& scene);
 
+/// A model with a term and the same without it; what excludes the term is out of both.
+struct TermPair {
+    ForceModelOptions with;
+    ForceModelOptions without;
+};
+
+[[nodiscard]] TermPair pairOf(ModelTerm term, ForceModelOptions model);
+
 }  // namespace asperity

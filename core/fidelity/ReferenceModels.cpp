@@ -1,4 +1,4 @@
-#include "core/fidelity/WholeModel.h"
+#include "core/fidelity/ReferenceModels.h"
 
 #include "core/scene/BelievedModel.h"
 
@@ -20,6 +20,14 @@ std::vector<ModelTerm> missingTerms(const ForceModelOptions& model, const SceneD
         }
     }
     return missing;
+}
+
+TermPair pairOf(ModelTerm term, ForceModelOptions model) {
+    for (const ModelTerm other : kModelTerms) {
+        model = exclude(term, other) ? without(model, other) : model;
+    }
+    const ForceModelOptions in = with(model, term);
+    return {in, without(in, term)};
 }
 
 }  // namespace asperity
