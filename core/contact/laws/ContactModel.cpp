@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/contact/Within.h"
 #include "core/contact/laws/JoinedLaws.h"
+#include "core/contact/laws/WettedContact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -145,8 +146,9 @@ ContactState ContactModel::equilibrium(double approach, double compliance,
         return {.coordinate = memory.coordinate, .branch = memory.branch, .status = status};
     }
     const double soft = nearestCompliance(compliance);
-    return given_.options.meniscus.present() ? wettedEquilibrium(approach, soft, memory)
-                                             : bare(approach, soft, memory);
+    return given_.options.meniscus.present()
+               ? WettedContact(*this).equilibrium(approach, soft, memory)
+               : bare(approach, soft, memory);
 }
 
 ContactState ContactModel::bare(double approach, double compliance,
@@ -158,7 +160,7 @@ ContactState ContactModel::bare(double approach, double compliance,
 double ContactModel::jumpInApproach(double compliance) const noexcept {
     const double soft = nearestCompliance(compliance);
     if (given_.options.meniscus.present()) {
-        return wettedEnd(soft).approach;
+        return WettedContact(*this).jumpInApproach(soft);
     }
     return onJoined([&](const auto& joined) { return joined.jumpInApproach(soft); });
 }
@@ -174,7 +176,7 @@ double ContactModel::pullOffApproach(double compliance) const noexcept {
 ContactState ContactModel::lastFar(double compliance) const noexcept {
     const double soft = nearestCompliance(compliance);
     if (given_.options.meniscus.present()) {
-        return equilibrium(wettedEnd(soft).approach, soft, {});
+        return equilibrium(WettedContact(*this).jumpInApproach(soft), soft, {});
     }
     return onJoined([&](const auto& joined) { return joined.lastFar(soft); });
 }
@@ -182,7 +184,7 @@ ContactState ContactModel::lastFar(double compliance) const noexcept {
 ContactState ContactModel::lastBonded(double compliance) const noexcept {
     const double soft = nearestCompliance(compliance);
     const ContactState last = onJoined([&](const auto& joined) { return joined.lastBonded(soft); });
-    return given_.options.meniscus.present() ? wetted(last) : last;
+    return given_.options.meniscus.present() ? WettedContact(*this).wetted(last) : last;
 }
 
 double ContactModel::widestFilmContact() const noexcept {

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 
 namespace asperity {
 
@@ -76,6 +75,8 @@ public:
     [[nodiscard]] const AdhesionSplit* split() const noexcept;
 
 private:
+    friend class WettedContact;
+
     struct Checked {
         ContactLaw law;
         ContactPair pair;
@@ -95,33 +96,8 @@ private:
     template <class Visitor>
     auto onJoined(const Visitor& visitor) const noexcept;
 
-    /// End of the branch of separate bodies under water.
-    struct WettedEnd {
-        double approach = 0.0;      ///< of the undeflected tip [m]
-        bool inWater = false;       ///< the bridge is there before that
-        double softApproach = 0.0;  ///< the same on the lever that the bridge softens [m]
-    };
-    /// Snap-in under water.
-    struct WettedJump {
-        bool forceDrops = false;
-        double released = 0.0;  ///< energy of bodies, meniscus and lever [J]
-    };
-
     [[nodiscard]] ContactState bare(double approach, double compliance,
                                     const ContactMemory& memory) const noexcept;
-    [[nodiscard]] ContactState wetted(ContactState state) const noexcept;
-    [[nodiscard]] ContactState wettedEquilibrium(double approach, double compliance,
-                                                 const ContactMemory& memory) const noexcept;
-    [[nodiscard]] ContactState wettedLanding(double approach, double compliance) const noexcept;
-    [[nodiscard]] WettedJump wettedJump(double compliance) const noexcept;
-    [[nodiscard]] ContactState wettedSnapIn(double approach, double compliance) const noexcept;
-    [[nodiscard]] ContactState wettedPullOff(ContactState state, double compliance) const noexcept;
-    [[nodiscard]] WettedEnd wettedEnd(double compliance) const noexcept;
-    [[nodiscard]] std::optional<ContactState> wettedFar(double approach,
-                                                        double compliance) const noexcept;
-    [[nodiscard]] ContactState wettedBonded(double approach, double compliance,
-                                            const ContactMemory& memory) const noexcept;
-    [[nodiscard]] double energy(const ContactState& wetted, double compliance) const noexcept;
 
     static constexpr std::size_t kJoinedSize = 384;  ///< [bytes]
 

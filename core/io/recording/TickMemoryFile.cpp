@@ -15,9 +15,8 @@ namespace asperity {
 
 namespace {
 
-/// The columns of tick_memory.csv.
 template <class Memory, class Cell>
-void listMemory(Memory& memory, const Cell& cell) {
+void listModel(Memory& memory, const Cell& cell) {
     cell({"feet"}, memory.model.footCount);
     for (std::size_t i = 0; i < memory.model.feet.size(); ++i) {
         const std::string foot = "foot" + std::to_string(i);
@@ -30,10 +29,10 @@ void listMemory(Memory& memory, const Cell& cell) {
         cell({foot, "_friction_n"}, kept.friction);
     }
     listVector(cell, "deflection_", memory.model.deflection, "_m");
-    listVector(cell, "compensation_", memory.compensation, "_m");
-    cell({"control"}, memory.control);
-    listVector(cell, "base_", memory.base, "_m");
-    listVector(cell, "correction_", memory.correction, "_n");
+}
+
+template <class Memory, class Cell>
+void listSignals(Memory& memory, const Cell& cell) {
     cell({"innovation_normal_defect"}, memory.innovation.normalDefect);
     cell({"innovation_friction_defect"}, memory.innovation.frictionDefect);
     cell({"innovation_normal_variance"}, memory.innovation.normalVariance);
@@ -49,6 +48,10 @@ void listMemory(Memory& memory, const Cell& cell) {
     cell({"signals_bending_change_rad"}, memory.signals.change.bending);
     cell({"signals_torsion_change_rad"}, memory.signals.change.torsion);
     cell({"signals_started"}, memory.signals.started);
+}
+
+template <class Memory, class Cell>
+void listCoupling(Memory& memory, const Cell& cell) {
     listVector(cell, "hand_", memory.mapping.hand, "_m");
     cell({"mapping_follows"}, memory.mapping.follows);
     listVector(cell, "proxy_stretch_", memory.proxy.stretch, "_m");
@@ -59,6 +62,10 @@ void listMemory(Memory& memory, const Cell& cell) {
     cell({"proxy_coupling_damping_n_s_m"}, memory.proxy.gains.damping);
     cell({"proxy_damping_n_s_m"}, memory.proxy.gains.proxyDamping);
     cell({"proxy_force_gain"}, memory.proxy.forceGain);
+}
+
+template <class Memory, class Cell>
+void listGuide(Memory& memory, const Cell& cell) {
     cell({"guide"}, memory.guide.fixture.kind);
     listVector(cell, "guide_point_", memory.guide.fixture.point, "_m");
     listVector(cell, "guide_axis_", memory.guide.fixture.axis, "_1");
@@ -69,6 +76,10 @@ void listMemory(Memory& memory, const Cell& cell) {
     cell({"guide_position_gain"}, memory.guide.positionGain);
     cell({"guide_share"}, memory.guide.share);
     listVector(cell, "guide_velocity_", memory.guide.velocity, "_m_s");
+}
+
+template <class Memory, class Cell>
+void listGovernor(Memory& memory, const Cell& cell) {
     cell({"governor_share"}, memory.governor.share);
     cell({"governor_edge_share"}, memory.governor.edgeShare);
     cell({"governor_starts"}, memory.governor.starts);
@@ -76,6 +87,20 @@ void listMemory(Memory& memory, const Cell& cell) {
     cell({"governor_time_s"}, memory.governor.speed.time);
     cell({"governor_started"}, memory.governor.speed.started);
     cell({"governor_speed_m_s"}, memory.governor.speed.speed);
+}
+
+/// The columns of tick_memory.csv.
+template <class Memory, class Cell>
+void listMemory(Memory& memory, const Cell& cell) {
+    listModel(memory, cell);
+    listVector(cell, "compensation_", memory.compensation, "_m");
+    cell({"control"}, memory.control);
+    listVector(cell, "base_", memory.base, "_m");
+    listVector(cell, "correction_", memory.correction, "_n");
+    listSignals(memory, cell);
+    listCoupling(memory, cell);
+    listGuide(memory, cell);
+    listGovernor(memory, cell);
     cell({"unsolved_s"}, memory.unsolved);
     cell({"started"}, memory.started);
     cell({"fault"}, memory.fault);
