@@ -63,8 +63,8 @@ function(asperity_optimize_as_test target)
 endfunction()
 
 function(asperity_compile_options target)
-  # -ffp-contract=off: a recorded run replays to the same bits whatever the optimiser fuses.
-  # -Wno-missing-field-initializers: designated initialisers leave defaults to the members.
+  # -ffp-contract=off: a recorded run replays to the same bits whatever the optimizer fuses.
+  # -Wno-missing-field-initializers: designated initializers leave defaults to the members.
   # -Wno-restrict: GCC 12 sees overlaps in std::string's own operator+ (GCC bug 105651).
   target_compile_options(
     ${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual

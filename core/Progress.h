@@ -15,23 +15,23 @@ public:
     /// Called by the thread that started the work, a few dozen times in all.
     /// @param fraction of the work that is done, 0..1, never falling
     virtual void report(double fraction) = 0;
-    [[nodiscard]] virtual bool isCancelled() const = 0;
+    [[nodiscard]] virtual bool isCanceled() const = 0;
 };
 
-/// Thrown out of a piece of work whose Progress was cancelled.
-class Cancelled : public std::exception {
+/// Thrown out of a piece of work whose Progress was canceled.
+class Canceled : public std::exception {
 public:
-    [[nodiscard]] const char* what() const noexcept override { return "cancelled"; }
+    [[nodiscard]] const char* what() const noexcept override { return "canceled"; }
 };
 
 /// @param progress may be null
-/// @throw Cancelled
+/// @throw Canceled
 inline void reportTo(Progress* progress, double fraction) {
     if (progress == nullptr) {
         return;
     }
-    if (progress->isCancelled()) {
-        throw Cancelled();
+    if (progress->isCanceled()) {
+        throw Canceled();
     }
     progress->report(fraction);
 }
@@ -47,8 +47,8 @@ public:
             whole_->report(from_ + fraction * (to_ - from_));
         }
     }
-    [[nodiscard]] bool isCancelled() const override {
-        return whole_ != nullptr && whole_->isCancelled();
+    [[nodiscard]] bool isCanceled() const override {
+        return whole_ != nullptr && whole_->isCanceled();
     }
 
 private:

@@ -20,13 +20,13 @@ public:
     /// both must outlive this
     CancelCheck(const Progress* asked, std::atomic<bool>& ended) : asked_(asked), ended_(&ended) {}
 
-    /// @throw Cancelled as soon as the work is cancelled, or has failed on another thread
+    /// @throw Canceled as soon as the work is canceled, or has failed on another thread
     void operator()() const {
-        if (asked_ != nullptr && asked_->isCancelled()) {
+        if (asked_ != nullptr && asked_->isCanceled()) {
             *ended_ = true;
         }
         if (ended_ != nullptr && *ended_) {
-            throw Cancelled();
+            throw Canceled();
         }
     }
 
@@ -36,7 +36,7 @@ private:
 };
 
 /// Waits for a share of the work that another thread does.
-/// @throw what it threw; Cancelled once it has ended after a cancellation
+/// @throw what it threw; Canceled once it has ended after a cancellation
 inline void waitFor(std::future<void>& share, const CancelCheck& check) {
     constexpr std::chrono::milliseconds kPause(20);
     while (share.wait_for(kPause) != std::future_status::ready) {
@@ -47,7 +47,7 @@ inline void waitFor(std::future<void>& share, const CancelCheck& check) {
 
 /// Calls work(index, check) for 0..count - 1 on as many threads as the machine has cores. Work that
 /// takes long calls `check`, a const CancelCheck&, now and then.
-/// @param progress may be null; told and asked by the calling thread alone. @throw Cancelled, what
+/// @param progress may be null; told and asked by the calling thread alone. @throw Canceled, what
 /// work throws
 template <class Work>
 void shareOut(int count, Progress* progress, const Work& work) {

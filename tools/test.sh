@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Asperity and runs its tests.
-# Usage: tools/test.sh [PRESET]   all tests of one preset but those labelled long: release-gate
+# Usage: tools/test.sh [PRESET]   all tests of one preset but those labeled long: release-gate
 #                                 (default: release with precompiled headers), release, dev, asan,
 #                                 tsan, or of one sanitizer gate: asan-gate, tsan-gate
 #        tools/test.sh gates      the three gates in one run: the release tests; readers, tick and

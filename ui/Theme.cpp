@@ -48,7 +48,7 @@ QString styleSheet() {
         QStatusBar::item { border: none; }
         QSplitter::handle { background: %4; }
     )");
-    const auto name = [](QRgb colour) { return QColor(colour).name(); };
+    const auto name = [](QRgb color) { return QColor(color).name(); };
     return sheet.arg(name(theme::kFaint), name(theme::kAccent), name(theme::kInk),
                      name(theme::kWindow), name(theme::kPaper), QStringLiteral("#e3f0f8"),
                      QColor(theme::kAccent).darker(115).name());

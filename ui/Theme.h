@@ -7,8 +7,8 @@ class QApplication;
 
 namespace asperity {
 
-/// The window's colours and letters: one place for all panels. Ink on white paper, muted greys,
-/// red for forces: the colours of the pictures (vtkplugins/pictures/Palette.h).
+/// The window's colors and letters: one place for all panels. Ink on white paper, muted grays,
+/// red for forces: the colors of the pictures (vtkplugins/pictures/Palette.h).
 namespace theme {
 
 inline constexpr QRgb kPaper = qRgb(255, 255, 255);   ///< behind panels and plots
@@ -24,7 +24,7 @@ inline constexpr QRgb kAccent = qRgb(0, 114, 178);    ///< what is chosen or run
 inline constexpr QRgb kFault = qRgb(186, 26, 46);     ///< forces are off because of a fault
 inline constexpr QRgb kCaution = qRgb(150, 88, 0);    ///< a result holds with a reservation
 
-/// Colours of curves, told apart with any colour vision. Source: Okabe and Ito (2008).
+/// Colors of curves, told apart with any color vision. Source: Okabe and Ito (2008).
 inline constexpr QRgb kBlue = qRgb(0, 114, 178);
 inline constexpr QRgb kOrange = qRgb(213, 94, 0);
 inline constexpr QRgb kGreen = qRgb(0, 158, 115);

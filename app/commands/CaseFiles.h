@@ -30,7 +30,7 @@ void requireWritableTable(const std::string& out, const std::vector<std::string>
 
 /// Hands the stream of the file, which takes its place only when all is written and shows on the
 /// terminal how far it is, or standard output where there is no name.
-/// @throw Error when the file cannot be written; Cancelled
+/// @throw Error when the file cannot be written; Canceled
 void writeTable(const std::string& out, const TableWriting& write);
 
 }  // namespace asperity

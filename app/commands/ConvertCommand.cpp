@@ -1,6 +1,6 @@
 #include "app/commands/ConvertCommand.h"
 
-#include "app/commands/LevellingOption.h"
+#include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/program/CancelOnSignal.h"
@@ -10,7 +10,7 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/heightmap/ScanFile.h"
-#include "core/surface/Levelling.h"
+#include "core/surface/Leveling.h"
 #include "core/surface/Residual.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/fit/GaussianFilter.h"
@@ -33,7 +33,7 @@ struct ConvertOptions {
     std::string input;
     std::string output;
     std::string channel;
-    Levelling levelling = Levelling::None;
+    Leveling leveling = Leveling::None;
     bool residual = false;
     double smoothingPixels = 1.0;  ///< of the residual's surface
     double smoothingLength = 0.0;  ///< above 0: in place of smoothingPixels [m]
@@ -163,7 +163,7 @@ void convertFiltered(const ConvertOptions& options) {
     }();
     tellNotes(scan.notes);
     const HeightMapMeta meta{scan.channel, scan.originX, scan.originY};
-    scan.map = levelled(std::move(scan.map), options.levelling);
+    scan.map = leveled(std::move(scan.map), options.leveling);
     scan.map = options.residual ? residual(options, std::move(scan.map))
                                 : withoutTip(options, std::move(scan.map), meta);
     const HeightRows rows = rowsOf(scan.map);
@@ -171,7 +171,7 @@ void convertFiltered(const ConvertOptions& options) {
     tellWritten(options, scan.channel, rows, scan.map.invalid);
 }
 
-/// Heights as the file gives them, but for levelling.
+/// Heights as the file gives them, but for leveling.
 void convertPlainly(const ConvertOptions& options) {
     HeightChannel file = [&] {
         ProgressLine line("loading");
@@ -179,7 +179,7 @@ void convertPlainly(const ConvertOptions& options) {
     }();
     tellNotes(file.notes);
     ScanChannel& channel = file.channel;
-    const HeightMap map = levelled(std::move(channel.map), options.levelling);
+    const HeightMap map = leveled(std::move(channel.map), options.leveling);
     const HeightRows rows = rowsOf(map);
     writeInAnyFormat(options.output, rows, {channel.name, channel.originX, channel.originY});
     tellWritten(options, channel.name, rows, map.invalid);
@@ -210,7 +210,7 @@ void addConvertCommand(CLI::App& program) {
         ->required();
     command->add_option("--channel", options->channel,
                         "name of the channel (default: the height that a lab user expects)");
-    addLevellingOption(*command, options->levelling, "default none");
+    addLevelingOption(*command, options->leveling, "default none");
     CLI::Option* residual = command->add_flag(
         "--residual", options->residual,
         "write what smoothing takes from the map (data minus surface) in place of the map");
@@ -229,7 +229,7 @@ void addConvertCommand(CLI::App& program) {
     auto* erode = command
                       ->add_option("--erode", options->tipRadius,
                                    "take out the shape of the spherical tip that recorded the "
-                                   "heights, by grey-scale erosion, after levelling: its radius "
+                                   "heights, by gray-scale erosion, after leveling: its radius "
                                    "[m]")
                       ->check(finiteNumber())
                       ->check(CLI::Range(1e-12, 1.0));

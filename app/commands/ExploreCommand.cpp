@@ -1,6 +1,6 @@
 #include "app/commands/ExploreCommand.h"
 
-#include "app/commands/LevellingOption.h"
+#include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/VirtualDisplay.h"
@@ -116,7 +116,7 @@ struct FinishedRun {
     double tickRate = 0.0;  ///< [Hz]
 };
 
-/// @throw Cancelled
+/// @throw Canceled
 void run(const Scene& scene, const PlannedRun& plan, AfmController& afm, RunKeeper& keeper) {
     const long ticks = std::lround(plan.duration / scene.timeStep()) + 1;
     constexpr long kReports = 50;
@@ -164,7 +164,7 @@ FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& o
             .tickRate = scene.description.tickRate};
 }
 
-/// @throw Cancelled
+/// @throw Canceled
 void draw(const FinishedRun& run, const std::filesystem::path& folder) {
     ProgressLine line("drawing");
     run.pictures.write(folder, run.curves, &line);
@@ -211,7 +211,7 @@ void addExploreCommand(CLI::App& program) {
         ->check(CLI::Range(1e-3, kLongestDuration))
         ->check(finiteNumber());
     command->add_option("--channel", options->overrides.channel, "channel of the height map");
-    addLevellingOption(*command, options->overrides.levelling, "default: as the scene says, plane");
+    addLevelingOption(*command, options->overrides.leveling, "default: as the scene says, plane");
     command->callback([options] { explore(*options); });
 }
 

@@ -17,7 +17,7 @@ public:
     ~ProgressLine() override;
 
     void report(double fraction) override;
-    [[nodiscard]] bool isCancelled() const override { return CancelOnSignal::hasArrived(); }
+    [[nodiscard]] bool isCanceled() const override { return CancelOnSignal::hasArrived(); }
 
 private:
     CancelOnSignal cancel_;
@@ -26,7 +26,7 @@ private:
     long shown_ = -1;  ///< percent
 };
 
-/// loadScene() that shows on the terminal how far it is. @throw as loadScene(); Cancelled
+/// loadScene() that shows on the terminal how far it is. @throw as loadScene(); Canceled
 [[nodiscard]] LoadedScene loadSceneOnTerminal(const std::filesystem::path& input,
                                               const SceneOverrides& overrides);
 

@@ -1,7 +1,7 @@
 #include "app/commands/ProjectCommand.h"
 
 #include "app/commands/CaseFiles.h"
-#include "app/commands/LevellingOption.h"
+#include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/program/LoadedScene.h"
@@ -20,7 +20,7 @@ namespace asperity {
 namespace {
 
 constexpr const char* kHelp =
-    "The points are a CSV table with the columns x_m,y_m,z_m, in the world frame of the levelled\n"
+    "The points are a CSV table with the columns x_m,y_m,z_m, in the world frame of the leveled\n"
     "map (x right, y up, origin at the lower left corner). Added are\n"
     "  foot_x_m,foot_y_m,foot_z_m   the surface point nearest to the point\n"
     "  nx,ny,nz                     the surface's unit normal there, out of the sample\n"
@@ -118,7 +118,7 @@ std::vector<std::string> commentsFor(const LoadedScene& loaded, const ProjectOpt
     std::vector<std::string> comments{
         std::string("Asperity ") + kVersion + ": closest points; surface: " + options.input +
             ", points: " + options.files.cases,
-        "SI units, as each column's name ends; world frame; 1_per_m: one over metres"};
+        "SI units, as each column's name ends; world frame; 1_per_m: one over meters"};
     comments.insert(comments.end(), loaded.notes.begin(), loaded.notes.end());
     return comments;
 }
@@ -163,7 +163,7 @@ void addProjectCommand(CLI::App& program) {
     addTableFile(*command, options->files.out);
     command->add_option("--channel", options->overrides.channel,
                         "channel of the file (default: its first height)");
-    addLevellingOption(*command, options->overrides.levelling, "default: as the scene, or plane");
+    addLevelingOption(*command, options->overrides.leveling, "default: as the scene, or plane");
     command
         ->add_option("--sigma", options->overrides.smoothingPixels,
                      "standard deviation of the Gaussian low-pass [pixel] (default: as the scene, "

@@ -49,7 +49,7 @@ int execWith(LiveWindow& live, const std::filesystem::path& input) {
     });
     const auto goOn = [quits] { QObject::disconnect(quits); };
     QObject::connect(&live.session().runs(), &RunControl::begun, goOn);
-    QObject::connect(&scenes, &SceneControl::openCancelled, goOn);
+    QObject::connect(&scenes, &SceneControl::openCanceled, goOn);
     scenes.open(input);
     const int status = live.exec();
     if (reason) {

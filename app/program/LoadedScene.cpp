@@ -17,16 +17,16 @@ namespace asperity {
 
 namespace {
 
-std::string levellingNote(const Scene& scene) {
-    switch (scene.description.sample.levelling) {
-    case Levelling::None:
-        return "levelling: none, heights as the file gives them";
-    case Levelling::Rows:
-        return "levelling: the median of each row and the mean removed";
-    case Levelling::Plane:
+std::string levelingNote(const Scene& scene) {
+    switch (scene.description.sample.leveling) {
+    case Leveling::None:
+        return "leveling: none, heights as the file gives them";
+    case Leveling::Rows:
+        return "leveling: the median of each row and the mean removed";
+    case Leveling::Plane:
         break;
     }
-    return formatted("levelling: plane with slopes %+.4g along x and %+.4g along y removed "
+    return formatted("leveling: plane with slopes %+.4g along x and %+.4g along y removed "
                      "(--level none keeps it)",
                      scene.removedPlane.slopeX, scene.removedPlane.slopeY);
 }
@@ -56,9 +56,9 @@ std::string modelNote(const SceneNeeds& needs) {
 }
 
 LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
-    if (!overrides.channel.empty() || overrides.levelling || overrides.smoothingPixels) {
+    if (!overrides.channel.empty() || overrides.leveling || overrides.smoothingPixels) {
         throw Error(
-            "a scene with a shape has no height map whose channel, levelling or smoothing to "
+            "a scene with a shape has no height map whose channel, leveling or smoothing to "
             "choose");
     }
     return {.scene = buildScene(description),
@@ -74,8 +74,8 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     if (!overrides.channel.empty()) {
         sample.channel = overrides.channel;
     }
-    if (overrides.levelling) {
-        sample.levelling = *overrides.levelling;
+    if (overrides.leveling) {
+        sample.leveling = *overrides.leveling;
     }
     if (overrides.smoothingPixels) {
         sample.smoothingPixels = *overrides.smoothingPixels;
@@ -95,7 +95,7 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
                        .sha256 = std::move(hash),
                        .notes = std::move(scan.notes),
                        .needs = {}};
-    loaded.notes.push_back(levellingNote(loaded.scene));
+    loaded.notes.push_back(levelingNote(loaded.scene));
     loaded.notes.push_back(imagingTipNote(loaded.scene));
     return loaded;
 }

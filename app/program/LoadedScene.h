@@ -14,7 +14,7 @@ namespace asperity {
 /// What the command line may change about a scene before it is built; empty: as the scene says.
 struct SceneOverrides {
     std::string channel;
-    std::optional<Levelling> levelling;
+    std::optional<Leveling> leveling;
     std::optional<double> smoothingPixels;  ///< [pixel]
 };
 
@@ -23,12 +23,12 @@ struct LoadedScene {
     Scene scene;
     std::string format;              ///< of the height map, for people; "shape" without one
     std::string sha256;              ///< of the height map's file; empty without one
-    std::vector<std::string> notes;  ///< one sentence each: levelling, decisions of the reader
+    std::vector<std::string> notes;  ///< one sentence each: leveling, decisions of the reader
     SceneNeeds needs;                ///< why the scene's model is what it is
 };
 
 /// Loads a scene file or a height map, fits the surface, sets up the instrument.
-/// @throw InputError when anything it needs cannot be read or is out of range; Cancelled
+/// @throw InputError when anything it needs cannot be read or is out of range; Canceled
 [[nodiscard]] LoadedScene loadScene(const std::filesystem::path& input,
                                     const SceneOverrides& overrides, Progress* progress = nullptr);
 

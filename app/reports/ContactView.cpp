@@ -80,7 +80,7 @@ DeformationView contactView(const Scene& scene, const TickSample& sample,
     return {.title = title,
             .caption = captionOf(scene, sample) + remark,
             .patch = drawnPatch(scene, deformation, zoomGrid(scene, sample)),
-            .tipCentre = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
+            .tipCenter = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
             .tipRadius = scene.belief.tipRadius(),
             .tipDisplacement =
                 [deformation = deformation](double distance) {

@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-/// Told apart with any colour vision. Source: Okabe and Ito (2008).
+/// Told apart with any color vision. Source: Okabe and Ito (2008).
 std::vector<ShareKey> keys() {
     return {{{0, 158, 115}, "comes to rest"},
             {{86, 180, 233}, "at rest but for the detector's noise"},

@@ -11,7 +11,7 @@ namespace asperity {
 
 namespace {
 
-/// Told apart with any colour vision. Source: Okabe and Ito (2008).
+/// Told apart with any color vision. Source: Okabe and Ito (2008).
 std::vector<ShareKey> keys() {
     return {{{0, 158, 115}, "exact: within 0.1 % of the reference"},
             {{86, 180, 233}, "valid: within 5 %"},

@@ -21,7 +21,7 @@ public:
 
     /// Draws into `folder`: deformation.png (largest indentation, and the adhesion neck where there
     /// was one), overview.png, forces.png; and writes deformation.exr, the deformed surface at the
-    /// largest indentation. @throw Error; Cancelled
+    /// largest indentation. @throw Error; Canceled
     void write(const std::filesystem::path& folder, const RunCurves& curves,
                Progress* progress) const;
 

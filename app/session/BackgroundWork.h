@@ -27,7 +27,7 @@ public:
         std::function<void(double fraction)> progressed;  ///< share of it that is done, 0..1
         std::function<void(Result& result)> finished;
         std::function<void(const std::exception_ptr& reason)> failed;
-        std::function<void()> cancelled = [] {};  ///< and it has ended
+        std::function<void()> canceled = [] {};  ///< and it has ended
     };
 
     explicit BackgroundWork(Answers answers) : answers_(std::move(answers)) {}
@@ -52,7 +52,7 @@ public:
     /// From now on nothing comes of what is under way, but that it has ended.
     void cancel() {
         next_ = nullptr;
-        cancelled_ = true;
+        canceled_ = true;
     }
     [[nodiscard]] bool isBusy() const { return thread_.joinable(); }
 
@@ -69,19 +69,19 @@ private:
 
         void report(double fraction) override {
             work_.answer([&work = work_, fraction] {
-                if (!work.cancelled_) {
+                if (!work.canceled_) {
                     work.answers_.progressed(fraction);
                 }
             });
         }
-        [[nodiscard]] bool isCancelled() const override { return work_.cancelled_; }
+        [[nodiscard]] bool isCanceled() const override { return work_.canceled_; }
 
     private:
         BackgroundWork& work_;
     };
 
     void begin() {
-        cancelled_ = false;
+        canceled_ = false;
         thread_ = std::thread([this, work = std::exchange(next_, nullptr)] {
             answer([this, outcome = outcomeOf(work)] { end(outcome); });
         });
@@ -100,8 +100,8 @@ private:
         thread_.join();
         if (next_) {
             begin();
-        } else if (cancelled_) {
-            answers_.cancelled();
+        } else if (canceled_) {
+            answers_.canceled();
         } else if (outcome.result) {
             answers_.finished(*outcome.result);
         } else {
@@ -116,7 +116,7 @@ private:
 
     Answers answers_;
     Work next_;  ///< null: nothing is asked for
-    std::atomic<bool> cancelled_ = false;
+    std::atomic<bool> canceled_ = false;
     QObject here_;  ///< of the answers' thread
     std::thread thread_;
 };

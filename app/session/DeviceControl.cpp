@@ -214,8 +214,8 @@ void DeviceControl::tell() {
         window_.tell(tr("%1; the hand feels %2 of %3")
                          .arg(QString::fromStdString(
                                   scaleWords({settings.positionGain, settings.forceGain})),
-                              QString::fromStdString(formatSi(hand->judgement.felt, "N/m")),
-                              QString::fromStdString(formatSi(hand->judgement.contact, "N/m"))));
+                              QString::fromStdString(formatSi(hand->judgment.felt, "N/m")),
+                              QString::fromStdString(formatSi(hand->judgment.contact, "N/m"))));
     }
 }
 

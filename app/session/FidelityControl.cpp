@@ -45,7 +45,7 @@ FidelityControl::FidelityControl(MainWindow& window, RunControl& runs)
                       window.fidelity().setMeasuring(std::nullopt);
                       window.complain(reasonOf(reason));
                   },
-              .cancelled = [&window] { window.fidelity().setMeasuring(std::nullopt); }}) {
+              .canceled = [&window] { window.fidelity().setMeasuring(std::nullopt); }}) {
     connectPerson();
     connect(&runs, &RunControl::begun, this, &FidelityControl::showScene);
 }

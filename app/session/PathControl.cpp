@@ -24,7 +24,7 @@ struct PlannedPath {
 constexpr std::array<PlannedPath, 3> kPaths{
     {{"Approach", approachPath}, {"Raster", rasterPath}, {"Scratch", scratchPath}}};
 
-/// A path in other units than metres would lead the tip far away, and take as long.
+/// A path in other units than meters would lead the tip far away, and take as long.
 /// @throw InputError when the path leaves the scan by more than its width
 void requireNear(const Scene& scene, const HandPath& path, const std::string& file) {
     const double reach = 2.0 * std::max(scene.surface.sizeX(), scene.surface.sizeY());
@@ -33,7 +33,7 @@ void requireNear(const Scene& scene, const HandPath& path, const std::string& fi
         if (!scene.surface.contains(place.x(), place.y()) && place.norm() > reach) {
             throw InputError(file, "at " + std::to_string(point.time) + " s",
                              "the path leaves the scan by more than its width: x_m, y_m and z_m "
-                             "must be metres from its lower left corner");
+                             "must be meters from its lower left corner");
         }
     }
 }

@@ -60,8 +60,8 @@ void SceneControl::cancelOpen() {
     }
     loader_.cancel();
     window_.showLoading({});
-    window_.tell(tr("Loading of %1 cancelled").arg(std::exchange(loading_, {})));
-    Q_EMIT openCancelled();
+    window_.tell(tr("Loading of %1 canceled").arg(std::exchange(loading_, {})));
+    Q_EMIT openCanceled();
 }
 
 void SceneControl::endLoading() {

@@ -25,7 +25,7 @@ public:
 
 Q_SIGNALS:
     void openFailed(QString reason);
-    void openCancelled();
+    void openCanceled();
 
 private:
     void readMaterials();

@@ -127,25 +127,25 @@ std::vector<Vector3> slidingTip(const BSplineSurface& surface, std::size_t steps
     constexpr double kSwing = 2.0_nm;
     constexpr double kSwingLength = 90.0_nm;
     constexpr double kSpan = kSide - 2.0 * kEdge;
-    std::vector<Vector3> centres;
-    centres.reserve(steps);
+    std::vector<Vector3> centers;
+    centers.reserve(steps);
     for (std::size_t i = 0; i < steps; ++i) {
         const double gone = kStep * static_cast<double>(i);
         const double x = corner.x() + kEdge + reflected(gone * std::cos(kHeading), kSpan);
         const double y = corner.y() + kEdge + reflected(gone * std::sin(kHeading), kSpan);
         const double gap =
             kMeanGap + kSwing * std::sin(2.0 * std::numbers::pi * gone / kSwingLength);
-        centres.emplace_back(x, y, tipContactHeight(surface, x, y, kBenchTipRadius) + gap);
+        centers.emplace_back(x, y, tipContactHeight(surface, x, y, kBenchTipRadius) + gap);
     }
-    return centres;
+    return centers;
 }
 
 std::vector<Vector3> randomTips(const BSplineSurface& surface, std::size_t count,
                                 std::uint64_t seed) {
     constexpr double kDeepest = 2.0_nm;
     Random random(seed);
-    std::vector<Vector3> centres;
-    centres.reserve(count);
+    std::vector<Vector3> centers;
+    centers.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double x = random.uniform(0.0, surface.sizeX());
         const double y = random.uniform(0.0, surface.sizeY());
@@ -153,9 +153,9 @@ std::vector<Vector3> randomTips(const BSplineSurface& surface, std::size_t count
             i % 2 == 0 ? tipContactHeight(surface, x, y, kBenchTipRadius) +
                              random.uniform(-kDeepest, kBenchTipRadius)
                        : surface.at(x, y).height + kBenchTipRadius * random.uniform(-1.0, 3.0);
-        centres.emplace_back(x, y, z);
+        centers.emplace_back(x, y, z);
     }
-    return centres;
+    return centers;
 }
 
 }  // namespace asperity

@@ -18,7 +18,7 @@ inline constexpr double kBenchTipRadius = 20e-9;
 struct FootWork {
     std::string name;
     const BSplineSurface* surface = nullptr;
-    std::vector<Vector3> centres;  ///< of the tip's sphere, world [m]
+    std::vector<Vector3> centers;  ///< of the tip's sphere, world [m]
 };
 
 /// Slightly rough ground with particles and terraces: 512 x 512 pixels of 4 nm. Plain Newton errs

@@ -60,8 +60,8 @@ public:
     }
 
     /// @return the force that was told, which the compiler must believe to be used [N]
-    double next(const Vector3& centre) {
-        const SurfaceFoot foot = closestPoint(surface_, centre, guess_, tracker_);
+    double next(const Vector3& center) {
+        const SurfaceFoot foot = closestPoint(surface_, center, guess_, tracker_);
         guess_ = foot.guess();
         const ContactState state =
             model_.equilibrium(kBenchTipRadius - foot.distance, 0.0, memory_);

@@ -28,7 +28,7 @@ std::size_t indexOf(int row, int column, int length) {
            static_cast<std::size_t>(column);
 }
 
-/// Whether no neighbour in the n x n lattice is lower.
+/// Whether no neighbor in the n x n lattice is lower.
 bool isLowest(const std::vector<double>& values, int n, int i, int j) {
     const double value = values[indexOf(i, j, n)];
     for (int k = std::max(i - 1, 0); k <= std::min(i + 1, n - 1); ++k) {
@@ -59,7 +59,7 @@ GlobalReference::GlobalReference(const BSplineSurface& surface, ReferenceEffort 
     }
 }
 
-/// A B-spline lies in the hull of its control points; beyond the outermost pixel centres, where its
+/// A B-spline lies in the hull of its control points; beyond the outermost pixel centers, where its
 /// polynomials are continued, it need not.
 GlobalReference::HeightRange GlobalReference::rangeOf(int row, int column) const {
     constexpr double kAny = std::numeric_limits<double>::infinity();
@@ -77,16 +77,16 @@ GlobalReference::HeightRange GlobalReference::rangeOf(int row, int column) const
     return range;
 }
 
-/// The outermost cells reach to the scan's edge, half a pixel beyond the last pixel centre.
+/// The outermost cells reach to the scan's edge, half a pixel beyond the last pixel center.
 GlobalReference::Extent GlobalReference::extentOf(int cell, int cells, double pitch) {
     return {.low = cell == 0 ? 0.0 : (cell + 0.5) * pitch,
             .high = cell == cells - 1 ? (cells + 1) * pitch : (cell + 1.5) * pitch};
 }
 
-GlobalReference::CellRange GlobalReference::cellsWithin(double centre, double reach, int cells,
+GlobalReference::CellRange GlobalReference::cellsWithin(double center, double reach, int cells,
                                                         double pitch) {
-    const double low = std::floor((centre - reach) / pitch - 0.5);
-    const double high = std::floor((centre + reach) / pitch - 0.5);
+    const double low = std::floor((center - reach) / pitch - 0.5);
+    const double high = std::floor((center + reach) / pitch - 0.5);
     return {.first = static_cast<int>(std::clamp(low, 0.0, cells - 1.0)),
             .last = static_cast<int>(std::clamp(high, 0.0, cells - 1.0))};
 }

@@ -14,7 +14,7 @@ struct ReferenceEffort {
 };
 
 /// The truth by brute force: every cell of the spline in reach is sampled densely, and every sample
-/// below its neighbours is brought down to its minimum.
+/// below its neighbors is brought down to its minimum.
 class GlobalReference {
 public:
     struct Nearest {
@@ -45,7 +45,7 @@ private:
 
     [[nodiscard]] HeightRange rangeOf(int row, int column) const;
     [[nodiscard]] static Extent extentOf(int cell, int cells, double pitch);
-    [[nodiscard]] static CellRange cellsWithin(double centre, double reach, int cells,
+    [[nodiscard]] static CellRange cellsWithin(double center, double reach, int cells,
                                                double pitch);
     [[nodiscard]] double leastDistance(const Vector3& query, int row, int column) const;
     void searchCell(const Vector3& query, int row, int column, Nearest& best) const;

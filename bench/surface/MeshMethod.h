@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// The surface as triangles: its points at the pixel centres, two triangles a cell.
+/// The surface as triangles: its points at the pixel centers, two triangles a cell.
 struct SurfaceMesh {
     std::vector<Vector3> points;                          ///< world [m]
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from above

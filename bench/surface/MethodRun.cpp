@@ -46,7 +46,7 @@ void passInBlocks(const FootWork& work, const Vector2& firstFoot, Course& course
         const std::size_t last = std::min(first + kBlock, course.answers.size());
         const auto begin = Clock::now();
         for (std::size_t i = first; i < last; ++i) {
-            course.answers[i] = course.method->next(work.centres[i]);
+            course.answers[i] = course.method->next(work.centers[i]);
         }
         const double taken = nanoseconds(Clock::now() - begin);
         course.blocks[block] =
@@ -58,7 +58,7 @@ void pass(const FootWork& work, const Vector2& firstFoot, double clock, Course& 
     course.method->start(firstFoot);
     for (std::size_t i = 0; i < course.times.size(); ++i) {
         const auto begin = Clock::now();
-        course.answers[i] = course.method->next(work.centres[i]);
+        course.answers[i] = course.method->next(work.centers[i]);
         const double taken = nanoseconds(Clock::now() - begin) - clock;
         course.times[i] = std::min(course.times[i], std::max(taken, 0.0));
     }
@@ -104,9 +104,9 @@ TimeSummary summaryOf(std::vector<double> times) {
 std::vector<GlobalReference::Nearest> referenceOf(const FootWork& work) {
     const GlobalReference reference(*work.surface);
     std::vector<GlobalReference::Nearest> truth;
-    truth.reserve(work.centres.size());
-    for (const Vector3& centre : work.centres) {
-        truth.push_back(reference.nearest(centre));
+    truth.reserve(work.centers.size());
+    for (const Vector3& center : work.centers) {
+        truth.push_back(reference.nearest(center));
     }
     return truth;
 }
@@ -115,18 +115,18 @@ double referenceDoubt(const FootWork& work, std::span<const GlobalReference::Nea
                       std::size_t stride) {
     const GlobalReference finer(*work.surface, {.samplesPerCell = 17, .skipsCells = false});
     double doubt = 0.0;
-    for (std::size_t i = 0; i < work.centres.size(); i += stride) {
-        doubt = std::max(doubt, truth[i].distance - finer.nearest(work.centres[i]).distance);
+    for (std::size_t i = 0; i < work.centers.size(); i += stride) {
+        doubt = std::max(doubt, truth[i].distance - finer.nearest(work.centers[i]).distance);
     }
     return doubt;
 }
 
 void judge(const FootWork& work, std::size_t query, const FootAnswer& answer,
            const GlobalReference::Nearest& truth, MethodResult& result) {
-    const Vector3& centre = work.centres[query];
+    const Vector3& center = work.centers[query];
     const HeightSample sample = work.surface->at(answer.place.x(), answer.place.y());
     const Vector3 point(answer.place.x(), answer.place.y(), sample.height);
-    const double excess = (centre - point).norm() - truth.distance;
+    const double excess = (center - point).norm() - truth.distance;
     const bool wrong = !(excess <= kWrong);
     ++result.queries;
     result.wrong += wrong ? 1 : 0;
@@ -144,7 +144,7 @@ std::vector<MethodResult> runMethods(const FootWork& work,
     std::vector<Course> courses;
     courses.reserve(methods.size());
     for (const auto& method : methods) {
-        courses.push_back(courseOf(*method, work.centres.size()));
+        courses.push_back(courseOf(*method, work.centers.size()));
     }
     for (int i = 0; i < passes; ++i) {
         for (Course& course : courses) {

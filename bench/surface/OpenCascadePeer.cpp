@@ -84,10 +84,10 @@ public:
     void start(const Vector2& foot) override { last_ = foot / kUnit; }
 
     [[nodiscard]] FootAnswer next(const Vector3& query) override {
-        const Vector2 centre = query.head<2>() / kUnit;
-        GeomAPI_ProjectPointOnSurf search(scaled(query), surface_, centre.x() - kReach,
-                                          centre.x() + kReach, centre.y() - kReach,
-                                          centre.y() + kReach);
+        const Vector2 center = query.head<2>() / kUnit;
+        GeomAPI_ProjectPointOnSurf search(scaled(query), surface_, center.x() - kReach,
+                                          center.x() + kReach, center.y() - kReach,
+                                          center.y() + kReach);
         if (search.IsDone() && search.NbPoints() > 0) {
             search.LowerDistanceParameters(last_.x(), last_.y());
         }

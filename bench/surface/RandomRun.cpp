@@ -16,23 +16,23 @@ constexpr std::size_t kRestartEvery = 100;
 constexpr int kRestarts = 10;
 constexpr double kSamePlace = 1.0_pm;
 
-FootGuess guessFor(const FootWork& work, const Vector3& centre, int restart, Random& random) {
+FootGuess guessFor(const FootWork& work, const Vector3& center, int restart, Random& random) {
     constexpr double kAround = 3.0 * kBenchTipRadius;
     if (restart % 2 == 0) {
-        return {centre.x() + random.uniform(-kAround, kAround),
-                centre.y() + random.uniform(-kAround, kAround), true};
+        return {center.x() + random.uniform(-kAround, kAround),
+                center.y() + random.uniform(-kAround, kAround), true};
     }
     return {random.uniform(0.0, work.surface->sizeX()), random.uniform(0.0, work.surface->sizeY()),
             true};
 }
 
-void restart(const FootWork& work, const Vector3& centre, const SurfaceFoot& first, Random& random,
+void restart(const FootWork& work, const Vector3& center, const SurfaceFoot& first, Random& random,
              RandomResult& result) {
     bool different = false;
     bool tied = true;
     for (int i = 0; i < kRestarts; ++i) {
         const SurfaceFoot other =
-            closestPoint(*work.surface, centre, guessFor(work, centre, i, random));
+            closestPoint(*work.surface, center, guessFor(work, center, i, random));
         different = different || (other.point - first.point).norm() > kSamePlace;
         tied = tied && std::abs(std::abs(other.distance) - std::abs(first.distance)) <= kWrong;
     }
@@ -51,12 +51,12 @@ RandomResult runRandom(const FootWork& work, std::uint64_t seed) {
     RandomResult result{.name = work.name,
                         .referenceDoubt = referenceDoubt(
                             work, truth, std::max<std::size_t>(truth.size() / kDoubted, 1))};
-    for (std::size_t i = 0; i < work.centres.size(); ++i) {
-        const SurfaceFoot foot = closestPoint(*work.surface, work.centres[i], {});
+    for (std::size_t i = 0; i < work.centers.size(); ++i) {
+        const SurfaceFoot foot = closestPoint(*work.surface, work.centers[i], {});
         judge(work, i, {.place = foot.point.head<2>(), .certified = foot.certified()}, truth[i],
               judged);
         if (i % kRestartEvery == 0) {
-            restart(work, work.centres[i], foot, random, result);
+            restart(work, work.centers[i], foot, random, result);
         }
     }
     result.queries = judged.queries;

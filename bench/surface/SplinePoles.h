@@ -6,8 +6,8 @@
 
 namespace asperity {
 
-/// The surface as programs for free-form shapes take it: control points and knots in nanometres
-/// (their tolerances are absolute), parametrised by its own x and y.
+/// The surface as programs for free-form shapes take it: control points and knots in nanometers
+/// (their tolerances are absolute), parametrized by its own x and y.
 class SplinePoles {
 public:
     static constexpr double kUnit = 1e-9;  ///< [m]

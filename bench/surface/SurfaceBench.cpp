@@ -6,7 +6,7 @@
 #include "bench/surface/Peers.h"
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFile.h"
-#include "core/surface/Levelling.h"
+#include "core/surface/Leveling.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "tools/samples/SampleScans.h"
 
@@ -98,7 +98,7 @@ std::vector<SampleScan> scansFor(const Options& options) {
     for (const std::string& file : files) {
         const HeightMapFile content = readHeightMapFile(file);
         scans.push_back({.fileName = std::filesystem::path(file).filename().string(),
-                         .map = levelled(heightChannel(content, file, "").map, Levelling::Plane)});
+                         .map = leveled(heightChannel(content, file, "").map, Leveling::Plane)});
     }
     return scans;
 }

@@ -13,7 +13,7 @@ namespace asperity {
 
 namespace {
 
-/// In nanometres: VTK's own tolerances are absolute.
+/// In nanometers: VTK's own tolerances are absolute.
 constexpr double kUnit = 1e-9;
 
 class VtkLocator : public MeshLocator {

@@ -32,7 +32,7 @@ TipContact tipContact(const Scene& scene, const TipState& state) {
     const double radius = scene.belief.tipRadius();
     return {.foot = state.foot.point,
             .normal = state.foot.normal,
-            .tipCentre = state.tip + Vector3(0.0, 0.0, radius),
+            .tipCenter = state.tip + Vector3(0.0, 0.0, radius),
             .tipRadius = radius,
             .contactRadius = state.contact.contactRadius,
             .indentation = state.contact.indentation};

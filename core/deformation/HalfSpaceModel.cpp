@@ -43,8 +43,8 @@ HalfSpaceVerdict askable(const Scene& scene, const TipState& state) {
 
 HalfSpaceVerdict verdictOn(const HalfSpaceSolution& solution) {
     switch (solution.status) {
-    case HalfSpaceStatus::Cancelled:
-        return HalfSpaceVerdict::Cancelled;
+    case HalfSpaceStatus::Canceled:
+        return HalfSpaceVerdict::Canceled;
     case HalfSpaceStatus::NotConverged:
         return HalfSpaceVerdict::NotConverged;
     case HalfSpaceStatus::Converged:
@@ -124,7 +124,7 @@ HalfSpaceAnswer HalfSpaceModel::solve(const Scene& scene, const TipState& state,
                           warm ? kept_->traction : closedFormTraction(scene, state, patch), stop);
         const bool wider =
             solution.doubts.reachesBorder && kWiden * patch.halfWidth <= kWidestPatch * tipRadius;
-        if (!wider || solution.status == HalfSpaceStatus::Cancelled) {
+        if (!wider || solution.status == HalfSpaceStatus::Canceled) {
             break;
         }
         patch.halfWidth *= kWiden;

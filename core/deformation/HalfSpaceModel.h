@@ -23,7 +23,7 @@ enum class HalfSpaceVerdict : std::uint8_t {
     TooCoarse,      ///< contact or cohesive zone a few pixels wide
     Separate,       ///< on the real topography the tip has no contact where the law has one
     NotConverged,
-    Cancelled,
+    Canceled,
 };
 
 /// For people: why an answer is used or not.
@@ -38,7 +38,7 @@ inline constexpr auto kEnumTable<HalfSpaceVerdict> = std::to_array<NamedRow<Half
      {HalfSpaceVerdict::TooCoarse, "contact or cohesive zone too narrow for its grid"},
      {HalfSpaceVerdict::Separate, "no contact on the real topography"},
      {HalfSpaceVerdict::NotConverged, "it did not converge"},
-     {HalfSpaceVerdict::Cancelled, "it was cancelled"}});
+     {HalfSpaceVerdict::Canceled, "it was canceled"}});
 
 /// The half-space's own view of one state of the tip.
 struct HalfSpaceAnswer {

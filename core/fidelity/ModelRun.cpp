@@ -11,9 +11,9 @@ namespace asperity {
 
 namespace {
 
-void throwIfCancelled(const Progress* progress) {
-    if (progress != nullptr && progress->isCancelled()) {
-        throw Cancelled();
+void throwIfCanceled(const Progress* progress) {
+    if (progress != nullptr && progress->isCanceled()) {
+        throw Canceled();
     }
 }
 
@@ -25,7 +25,7 @@ RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration,
     RecordedRun run;
     const long ticks = std::lround(duration / scene.timeStep()) + 1;
     runVirtually(scene, path, afm, ticks, [&](const TickSample& sample) {
-        throwIfCancelled(progress);
+        throwIfCanceled(progress);
         run.inputs.push_back(sample.input);
         run.trueForces.push_back(afm.trueState().force);
     });
@@ -39,7 +39,7 @@ ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs,
     for (const RecordedRun& run : runs) {
         TickMemory memory;
         for (const TickInput& input : run.inputs) {
-            throwIfCancelled(progress);
+            throwIfCanceled(progress);
             const auto start = Clock::now();
             const TickOutput output = tick(scene, input, memory);
             result.times.push_back(std::chrono::duration<double>(Clock::now() - start).count());

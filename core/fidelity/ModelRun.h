@@ -16,7 +16,7 @@ struct RecordedRun {
     std::vector<Vector3> trueForces;  ///< inside the instrument [N]
 };
 
-/// @param progress likewise  @throw Cancelled
+/// @param progress likewise  @throw Canceled
 [[nodiscard]] RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration,
                                     const Progress* progress = nullptr);
 
@@ -28,8 +28,8 @@ struct ModelRun {
 };
 
 /// Runs the scene's model over the inputs of each run, one after another.
-/// @param progress may be null; asked at every tick whether the work is cancelled
-/// @throw Cancelled
+/// @param progress may be null; asked at every tick whether the work is canceled
+/// @throw Canceled
 [[nodiscard]] ModelRun runModel(const Scene& scene, const std::vector<RecordedRun>& runs,
                                 const Progress* progress = nullptr);
 

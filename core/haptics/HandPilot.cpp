@@ -23,7 +23,7 @@ void HandPilot::follow(HandPath journey) {
 
 Vector3 HandPilot::advance(double seconds, const HandMapping& mapping) {
     target_ += seconds * velocity_;
-    if (travelling()) {
+    if (traveling()) {
         journeyTime_ += seconds;
         target_ = mapping.handFor(positionAt(journey_, journeyTime_));
         if (journeyTime_ >= journey_.back().time) {

@@ -29,7 +29,7 @@ public:
     void setVelocity(const Vector3& velocity);
     /// The base shall go this way, world; also when the gain changes on the way.
     void follow(HandPath journey);
-    [[nodiscard]] bool travelling() const noexcept { return !journey_.empty(); }
+    [[nodiscard]] bool traveling() const noexcept { return !journey_.empty(); }
 
     /// Where the hand shall be after a frame of so many seconds.
     Vector3 advance(double seconds, const HandMapping& mapping);

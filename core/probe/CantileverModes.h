@@ -4,7 +4,7 @@
 
 namespace asperity {
 
-/// One flexural mode of a clamped-free beam, normalised to the deflection of its free end.
+/// One flexural mode of a clamped-free beam, normalized to the deflection of its free end.
 struct FlexuralMode {
     double waveNumber = 0.0;        ///< beta_n l, a root of cos x cosh x = -1
     double angularFrequency = 0.0;  ///< omega_n [rad/s]

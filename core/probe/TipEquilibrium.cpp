@@ -109,7 +109,7 @@ private:
         Vector3 offset;  ///< of the tip when the foot bears no force [m]
     };
 
-    [[nodiscard]] Vector3 centre() const {
+    [[nodiscard]] Vector3 center() const {
         return base_.position + deflection_ + Vector3(0.0, 0.0, system_.tipRadius());
     }
 
@@ -124,7 +124,7 @@ private:
 
     /// Where the tip has moved by much since the last look, there may be feet that nobody saw.
     bool findMoreFeet(EquilibriumMemory& memory) {
-        if ((centre() - lookedFrom_).norm() <= kSameFoot * system_.tipRadius()) {
+        if ((center() - lookedFrom_).norm() <= kSameFoot * system_.tipRadius()) {
             return false;
         }
         boost::container::static_vector<FootGuess, kMostFeet> known;
@@ -138,7 +138,7 @@ private:
     }
 
     void addFeet(std::span<const FootGuess> known, EquilibriumMemory& memory) {
-        lookedFrom_ = centre();
+        lookedFrom_ = center();
         const TipFeet found =
             surface_.tipFeet({lookedFrom_, system_.tipRadius()}, kReach, known, memory.tracker);
         state_.proof = found.proof;
@@ -224,7 +224,7 @@ private:
 
     /// Balances lever and contact at one foot.
     void settle(Foot& foot) {
-        foot.place = surface_.localFoot(centre(), foot.place.guess());
+        foot.place = surface_.localFoot(center(), foot.place.guess());
         const Vector3& normal = foot.place.normal;
         foot.slip = slidingOf(normal, base_.velocity).slip();
         const Lever lever = leverOf(foot);
@@ -318,7 +318,7 @@ private:
     const Matrix3& compliance_;
     Vector3 deflection_ = Vector3::Zero();
     std::array<bool, kMostFeet> taken_{};   ///< which of the remembered feet have been found again
-    Vector3 lookedFrom_ = Vector3::Zero();  ///< the tip's centre when feet were last looked for
+    Vector3 lookedFrom_ = Vector3::Zero();  ///< the tip's center when feet were last looked for
     boost::container::static_vector<Foot, kMostFeet> feet_;
     TipState state_;
 };

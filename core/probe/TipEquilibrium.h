@@ -42,7 +42,7 @@ struct TipState {
     Vector3 slip = Vector3::Zero();     ///< direction of the friction force on the tip, length <= 1
     Vector3 normal = Vector3::UnitZ();  ///< direction of the sum of normal forces, unit, outward
     double normalForce = 0.0;           ///< that sum along `normal`, > 0 repulsive [N]
-    SurfaceFoot foot;                   ///< of the centre of the tip's sphere
+    SurfaceFoot foot;                   ///< of the center of the tip's sphere
     ContactState contact;               ///< along foot.normal
     double contactArea = 0.0;           ///< of all feet [m^2]
     double contactRatio = 0.0;          ///< largest contact radius over effective radius of a foot

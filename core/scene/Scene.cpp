@@ -85,7 +85,7 @@ template <class Map>
 Ground groundOf(const SampleDescription& sample, Map map, Progress* progress) {
     const PlaneFit plane = fitPlane(map);
     reportTo(progress, 0.2);
-    map = levelled(std::move(map), sample.levelling);
+    map = leveled(std::move(map), sample.leveling);
     reportTo(progress, 0.4);
     ProgressPart rest(progress, 0.4, 1.0);
     if (sample.imagingTipRadius > 0.0) {

@@ -9,7 +9,7 @@
 #include "core/scene/Settings.h"
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/HeightMap.h"
-#include "core/surface/Levelling.h"
+#include "core/surface/Leveling.h"
 #include "core/surface/imaging/CertaintyMap.h"
 #include "core/surface/nurbs/NurbsSurface.h"
 #include "core/surface/touched/TouchedSurface.h"
@@ -47,7 +47,7 @@ struct Scene {
 
 /// Levels, fills, smooths, on request erodes, and fits the map, and sets up both sides of the
 /// instrument. In the map's precision: a ScanMap is for scans that are too large for double.
-/// @throw Error when a value of the description is outside its range; Cancelled
+/// @throw Error when a value of the description is outside its range; Canceled
 [[nodiscard]] Scene buildScene(const SceneDescription& description, ScanMap map,
                                Progress* progress = nullptr);
 [[nodiscard]] Scene buildScene(const SceneDescription& description, HeightMap map,

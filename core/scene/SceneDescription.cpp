@@ -41,7 +41,7 @@ void check(const SampleMaterial& material, const std::string& where) {
     require(std::isfinite(material.hardness) && material.hardness >= 0.0,
             where + ": hardness_pa must be zero or a positive number of pascals");
     require(std::isfinite(material.filmThickness) && material.filmThickness >= 0.0,
-            where + ": film_thickness_m must be zero or a positive number of metres");
+            where + ": film_thickness_m must be zero or a positive number of meters");
 }
 
 void check(const Meniscus& meniscus) {
@@ -146,7 +146,7 @@ void checkScene(const SceneDescription& scene) {
     check(scene.tip.elastic, "[tip]");
     check(scene.sample);
     require(std::isfinite(scene.tip.radius) && scene.tip.radius > 0.0,
-            "[tip]: radius_m must be a positive number of metres");
+            "[tip]: radius_m must be a positive number of meters");
     require(isWithin(scene.cohesiveRange, 1e-12, 1e-6),
             "[physics]: cohesive_range_m must lie between 1e-12 and 1e-6");
     check(scene.meniscus);
@@ -164,7 +164,7 @@ void checkScene(const SceneDescription& scene) {
             "[haptics]: rate_hz must lie between 100 and 20000");
     checkSettings(scene.settings);
     require(scene.zoomHalfWidth >= 0.0 && std::isfinite(scene.zoomHalfWidth),
-            "[view]: zoom_half_width_m must be zero or a positive number of metres");
+            "[view]: zoom_half_width_m must be zero or a positive number of meters");
 }
 
 }  // namespace asperity

@@ -69,9 +69,9 @@ void listDevice(Knobs& settings, const Visitor& field) {
     field({.column = "hand_turn_x_rad", .key = nullptr}, settings.handTurn.x());
     field({.column = "hand_turn_y_rad", .key = nullptr}, settings.handTurn.y());
     field({.column = "hand_turn_z_rad", .key = nullptr}, settings.handTurn.z());
-    field({.column = "workspace_x_m", .key = nullptr}, workspace.centre.x());
-    field({.column = "workspace_y_m", .key = nullptr}, workspace.centre.y());
-    field({.column = "workspace_z_m", .key = nullptr}, workspace.centre.z());
+    field({.column = "workspace_x_m", .key = nullptr}, workspace.center.x());
+    field({.column = "workspace_y_m", .key = nullptr}, workspace.center.y());
+    field({.column = "workspace_z_m", .key = nullptr}, workspace.center.z());
     field({"workspace_radius_m", nullptr, kNotNegative}, workspace.radius);
     field({"workspace_free_share", nullptr, kNotNegative}, workspace.freeShare);
     field({"edge_stiffness_n_m", nullptr, kNotNegative}, workspace.stiffness);

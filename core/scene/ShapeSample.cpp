@@ -14,7 +14,7 @@ constexpr int kMapPixels = 256;
 /// About an axis along y, so that poles, which cost the search time, are where no tip gets.
 RevolutionFrame frameOf(const ShapeDescription& shape) {
     const double middle = 0.5 * shape.size;
-    return {.centre = Vector3(middle, middle, shape.radius),
+    return {.center = Vector3(middle, middle, shape.radius),
             .first = -Vector3::UnitZ(),
             .second = -Vector3::UnitX()};
 }

@@ -7,7 +7,7 @@ namespace asperity {
 /// The ball in which a device can be moved, and the spring that tells the hand of its edge; the
 /// device's axes and units.
 struct Workspace {
-    Vector3 centre = Vector3::Zero();  ///< [m]
+    Vector3 center = Vector3::Zero();  ///< [m]
     double radius = 0.0;               ///< [m]; 0: not known, no spring
     double freeShare = 0.9;            ///< of the radius, up to which there is no spring
     double stiffness = 0.0;            ///< of the spring [N/m]

@@ -42,7 +42,7 @@ struct DeformationPlan {
 /// sphere: on a flat sample, where the closed form is exact and the reference; and in the middle of
 /// the scene's scan, where a half-space of finer pixels is the reference as long as it holds.
 /// Source of the materials: Vogl, Ma, Sitti (2005), table 1; docs/theory.md 1.
-/// @param progress may be null  @throw Cancelled
+/// @param progress may be null  @throw Canceled
 [[nodiscard]] std::vector<DeformationResult>
 studyDeformation(const Scene& scene, const DeformationPlan& plan, Progress* progress = nullptr);
 

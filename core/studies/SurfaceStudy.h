@@ -12,7 +12,7 @@ namespace asperity {
 /// many pixels a side, at those contacts where that holds. Where it holds at none, the closed form
 /// is the reference, and the half-space no tier. Fills in the frames and the surface's part of the
 /// reference.
-/// @param progress may be null  @throw Cancelled
+/// @param progress may be null  @throw Canceled
 void studySurfaces(const Scene& scene, std::span<const TipState> states, const TradeOffPlan& plan,
                    Progress* progress, TradeOff& result);
 

@@ -15,7 +15,7 @@ namespace asperity {
 class TickStudy {
 public:
     /// @param scene    has its model changed
-    /// @param progress may be null  @throw Cancelled, there and in all that runs
+    /// @param progress may be null  @throw Canceled, there and in all that runs
     TickStudy(Scene& scene, const TradeOffPlan& plan, Progress* progress);
 
     [[nodiscard]] const ForceModelOptions& model() const { return model_; }  ///< of the reference

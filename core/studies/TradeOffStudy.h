@@ -101,7 +101,7 @@ struct TradeOffPlan {
 /// times are of this machine, the tiers interleaved so that they share its mood. Of the references
 /// see TickStudy and studySurfaces().
 /// @param scene    has its model changed meanwhile; it is left as it was, also by a throw
-/// @param progress may be null  @throw Cancelled
+/// @param progress may be null  @throw Canceled
 [[nodiscard]] TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan,
                                      Progress* progress = nullptr);
 

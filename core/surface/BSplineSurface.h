@@ -32,10 +32,10 @@ public:
     };
 
     /// @throw Error when the arrays do not match the size, a pitch is not positive, or a control
-    ///        height or the datum is not finite; Cancelled
+    ///        height or the datum is not finite; Canceled
     explicit BSplineSurface(Grid grid, Progress* progress = nullptr);
 
-    /// Height and derivatives at world (x, y) [m]. Outside the pixel centres the spline of the
+    /// Height and derivatives at world (x, y) [m]. Outside the pixel centers the spline of the
     /// nearest span is continued; outside the scan the place is clamped to its edge. Along an axis
     /// with a single pixel the surface is level. A place that is not a number counts as 0.
     [[nodiscard]] HeightSample at(double x, double y) const noexcept;

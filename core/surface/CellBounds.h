@@ -15,7 +15,7 @@ struct BoxBounds {
 };
 
 /// Bounds of every cell of a spline height field and of blocks of 8 x 8, 64 x 64 ... cells, in 4
-/// bytes a cell. Cell (row, column) lies between the centres of the pixels (row, column) and
+/// bytes a cell. Cell (row, column) lies between the centers of the pixels (row, column) and
 /// (row + 1, column + 1), rows from the bottom; the outermost cells reach to the scan's edge.
 /// Immutable.
 class CellBounds {

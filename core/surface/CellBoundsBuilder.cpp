@@ -168,7 +168,7 @@ private:
         constexpr int kWorthAThread = 1 << 18;
         const bool alone = static_cast<long>(rows_) * columns_ < kWorthAThread;
         const int middle = alone ? rows_ : rows_ / 2;
-        // Asked to stop and waited for at the end, when Cancelled flies by, too.
+        // Asked to stop and waited for at the end, when Canceled flies by, too.
         std::jthread other;
         if (!alone) {
             other = std::jthread([&](const std::stop_token& stop) {

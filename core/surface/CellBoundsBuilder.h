@@ -8,7 +8,7 @@ namespace asperity {
 
 /// Bounds of every cell of the height field that a usable grid defines, from the Bezier points of
 /// each cell. Linear time.
-/// @throw Cancelled
+/// @throw Canceled
 [[nodiscard]] CellBounds cellBoundsOf(const BSplineSurface::Grid& grid,
                                       Progress* progress = nullptr);
 

@@ -12,7 +12,7 @@ namespace asperity {
 /// A rectangular grid of heights, as a scan gives it.
 ///
 /// Row-major; row 0 is the top row of the image, column 0 its left column. In the world frame
-/// (x right, y up, z out of the sample; origin at the image's lower-left corner) the centre of
+/// (x right, y up, z out of the sample; origin at the image's lower-left corner) the center of
 /// pixel (row, column) lies at ((column + 0.5) pitchX, (rows - row - 0.5) pitchY).
 template <class Heights>
 struct BasicHeightMap {

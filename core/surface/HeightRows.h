@@ -26,7 +26,7 @@ struct HeightRows {
 [[nodiscard]] HeightRows rowsOf(const ScanMap& map);
 
 /// Calls visit(row, heights), from the top down, with a std::vector<double>&.
-/// @throw Cancelled
+/// @throw Canceled
 template <class Visit>
 void forEachRow(const HeightRows& rows, Progress* progress, const Visit& visit) {
     constexpr int kReports = 50;

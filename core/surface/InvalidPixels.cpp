@@ -53,25 +53,25 @@ private:
         return map_.index(place.row, place.column);
     }
 
-    /// Calls visit(place, weight) for the pixels around `centre`; diagonal ones are farther away.
+    /// Calls visit(place, weight) for the pixels around `center`; diagonal ones are farther away.
     template <class Visit>
-    void forEachNeighbour(Place centre, const Visit& visit) const {
-        for (int row = centre.row - 1; row <= centre.row + 1; ++row) {
-            for (int column = centre.column - 1; column <= centre.column + 1; ++column) {
-                const bool isSelf = row == centre.row && column == centre.column;
+    void forEachNeighbor(Place center, const Visit& visit) const {
+        for (int row = center.row - 1; row <= center.row + 1; ++row) {
+            for (int column = center.column - 1; column <= center.column + 1; ++column) {
+                const bool isSelf = row == center.row && column == center.column;
                 if (isSelf || row < 0 || column < 0 || row >= map_.rows || column >= map_.columns) {
                     continue;
                 }
-                const bool diagonal = row != centre.row && column != centre.column;
+                const bool diagonal = row != center.row && column != center.column;
                 visit(Place{row, column}, diagonal ? 0.5 : 1.0);
             }
         }
     }
 
-    [[nodiscard]] double meanOfKnown(Place centre) const {
+    [[nodiscard]] double meanOfKnown(Place center) const {
         double sum = 0.0;
         double weights = 0.0;
-        forEachNeighbour(centre, [&](Place place, double weight) {
+        forEachNeighbor(center, [&](Place place, double weight) {
             if (state_[index(place)] != Pixel::Known) {
                 return;
             }
@@ -91,7 +91,7 @@ private:
                     continue;
                 }
                 bool touches = false;
-                forEachNeighbour(place, [&](Place other, double) {
+                forEachNeighbor(place, [&](Place other, double) {
                     touches = touches || state_[index(other)] == Pixel::Known;
                 });
                 if (touches) {
@@ -108,7 +108,7 @@ private:
     std::vector<Place> unknownAround(const std::vector<Place>& layer) {
         std::vector<Place> next;
         for (const Place& place : layer) {
-            forEachNeighbour(place, [&](Place other, double) {
+            forEachNeighbor(place, [&](Place other, double) {
                 if (state_[index(other)] != Pixel::Unknown) {
                     return;
                 }

@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-/// What smoothing took from a scan: data minus surface at every pixel centre [m]. Pixels without
+/// What smoothing took from a scan: data minus surface at every pixel center [m]. Pixels without
 /// data have no residual either: they keep their mark and are not a number.
 /// @param surface fitted to this map
 /// @throw Error when the map is unusable or the surface has another size

@@ -17,7 +17,7 @@ constexpr double kDeadZone = 0.05;    // a knob let go does not always rest at z
 constexpr double kGentleSlope = 0.2;  // speed per deflection where it begins
 
 /// Speed, as a share of the full one, for the deflection of one axis. It grows with the cube, so
-/// that a light touch places the tip to the nanometre; axis by axis, so that a push straight down
+/// that a light touch places the tip to the nanometer; axis by axis, so that a push straight down
 /// stays one.
 double speedShare(double deflection) noexcept {
     const double magnitude = std::abs(deflection);

@@ -12,7 +12,7 @@ public:
     explicit ProgressRecorder(double cancelAt) : cancelAt_(cancelAt) {}
 
     void report(double fraction) override { fractions.push_back(fraction); }
-    [[nodiscard]] bool isCancelled() const override {
+    [[nodiscard]] bool isCanceled() const override {
         return !fractions.empty() && fractions.back() >= cancelAt_;
     }
 

@@ -18,7 +18,7 @@ namespace asperity::test {
 /// first groove at x = 45 nm; same size as flatMap().
 [[nodiscard]] HeightMap ridgedMap(double height);
 
-/// The default scene (polystyrene, 15 nm tip, 14 N/m) without smoothing or levelling.
+/// The default scene (polystyrene, 15 nm tip, 14 N/m) without smoothing or leveling.
 [[nodiscard]] SceneDescription plainScene();
 
 }  // namespace asperity::test

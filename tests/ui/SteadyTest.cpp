@@ -34,7 +34,7 @@ TEST(SteadyScale, NoiseAroundAPrefixDoesNotFlicker) {
 
 TEST(SteadyScale, KeepsItsPrefixForZeroAndForWhatIsNotFinite) {
     SteadyScale scale("m", 1e-9);
-    EXPECT_EQ(scale.fit(0.0).unit, "nm") << "the smallest, not bare metres";
+    EXPECT_EQ(scale.fit(0.0).unit, "nm") << "the smallest, not bare meters";
     scale.fit(3e-6);
     EXPECT_EQ(scale.fit(kNan).unit, "µm");
     EXPECT_EQ(scale.fit(INFINITY).unit, "µm");

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTipRadius = 15.0_nm;
 constexpr double kHalfWidth = 20.0_nm;
-const Vector3 kCentre(500.0_nm, 400.0_nm, 5.0_nm);
+const Vector3 kCenter(500.0_nm, 400.0_nm, 5.0_nm);
 
 /// Displacement of a JKR contact, positive into the sample; punch depth 0: Hertz. Source:
 /// Johnson, Contact Mechanics (1985), 3.4 and 5.5.
@@ -46,8 +46,8 @@ SurfacePatch patchOf(double contactRadius, double punchDepth) {
             const double x = kHalfWidth * (column / 60.0 - 1.0);
             const double y = kHalfWidth * (row / 60.0 - 1.0);
             const double depth = displacement(std::hypot(x, y), contactRadius, punchDepth);
-            patch.rest.emplace_back(kCentre + Vector3(x, y, 0.0));
-            patch.points.emplace_back(kCentre + Vector3(x, y, -depth));
+            patch.rest.emplace_back(kCenter + Vector3(x, y, 0.0));
+            patch.points.emplace_back(kCenter + Vector3(x, y, -depth));
         }
     }
     for (int row = 0; row < patch.rows; ++row) {
@@ -63,8 +63,8 @@ DeformationView viewOf(double contactRadius, double punchDepth) {
     view.patch = patchOf(contactRadius, punchDepth);
     view.tipRadius = kTipRadius;
     view.contactRadius = contactRadius;
-    view.contactPoint = kCentre - Vector3(0.0, 0.0, displacement(0.0, contactRadius, punchDepth));
-    view.tipCentre = view.contactPoint + Vector3(0.0, 0.0, kTipRadius);
+    view.contactPoint = kCenter - Vector3(0.0, 0.0, displacement(0.0, contactRadius, punchDepth));
+    view.tipCenter = view.contactPoint + Vector3(0.0, 0.0, kTipRadius);
     return view;
 }
 

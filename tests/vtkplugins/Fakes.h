@@ -7,7 +7,7 @@
 
 namespace asperity::test {
 
-/// Surface whose control heights are height(x, y) at the pixel centres.
+/// Surface whose control heights are height(x, y) at the pixel centers.
 template <typename Height>
 [[nodiscard]] BSplineSurface splineOf(int pixels, double pitch, const Height& height) {
     BSplineSurface::Grid grid{.columns = pixels,

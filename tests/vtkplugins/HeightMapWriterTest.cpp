@@ -59,7 +59,7 @@ HeightMap smallMap() {
 
 }  // namespace
 
-TEST_F(HeightMapWriter, ImageHoldsHeightsAtPixelCentresBottomRowFirst) {
+TEST_F(HeightMapWriter, ImageHoldsHeightsAtPixelCentersBottomRowFirst) {
     ASSERT_TRUE(writeHeightMapWithVtk(file("map.VTI"), smallMap()));
     vtkNew<vtkXMLImageDataReader> reader;
     reader->SetFileName(file("map.VTI").c_str());
@@ -93,7 +93,7 @@ TEST_F(HeightMapWriter, ImageMarksPixelsWithoutData) {
     }
 }
 
-TEST_F(HeightMapWriter, MeshRunsThroughThePixelCentres) {
+TEST_F(HeightMapWriter, MeshRunsThroughThePixelCenters) {
     ASSERT_TRUE(writeHeightMapWithVtk(file("map.vtp"), smallMap()));
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(file("map.vtp").c_str());
@@ -117,7 +117,7 @@ TEST_F(HeightMapWriter, MeshLeavesOutTrianglesAtInvalidPixels) {
     EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), 2);
 }
 
-TEST_F(HeightMapWriter, StlIsInMetresAndSaysSo) {
+TEST_F(HeightMapWriter, StlIsInMetersAndSaysSo) {
     ASSERT_TRUE(writeHeightMapWithVtk(file("map.stl"), smallMap()));
     vtkNew<vtkSTLReader> reader;
     reader->SetFileName(file("map.stl").c_str());
@@ -128,7 +128,7 @@ TEST_F(HeightMapWriter, StlIsInMetresAndSaysSo) {
     std::ifstream stream(file("map.stl"), std::ios::binary);
     std::string header(80, '\0');
     stream.read(header.data(), 80);
-    EXPECT_NE(header.find("one unit is one metre"), std::string::npos);
+    EXPECT_NE(header.find("one unit is one meter"), std::string::npos);
 }
 
 /// An STL file of many rows is written in strips.
@@ -174,14 +174,14 @@ TEST_F(HeightMapWriter, OtherExtensionsAreNotOurs) {
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-TEST_F(HeightMapWriter, TellsHowFarItIsAndLeavesNothingBehindWhenCancelled) {
+TEST_F(HeightMapWriter, TellsHowFarItIsAndLeavesNothingBehindWhenCanceled) {
     HeightMap map = smallMap();
     map.rows = 200;
     map.heights.assign(600, 1.0_nm);
     for (const std::string name : {"map.vti", "map.vtp", "map.stl"}) {
         for (const double fraction : {0.0, 0.2, 0.3, 0.5, 1.0}) {
             test::ProgressRecorder recorder(fraction);
-            EXPECT_THROW(writeHeightMapWithVtk(file(name), rowsOf(map), &recorder), Cancelled);
+            EXPECT_THROW(writeHeightMapWithVtk(file(name), rowsOf(map), &recorder), Canceled);
             // VTK writes so small an image in one go.
             const bool isOneGo = name == "map.vti" && fraction == 0.5;
             EXPECT_TRUE(fraction == 1.0 || isOneGo || recorder.fractions.back() < 1.0)

@@ -41,7 +41,7 @@ public:
             static_cast<const unsigned char*>(reader_->GetOutput()->GetScalarPointer(x, y, 0));
         return {rgb[0], rgb[1], rgb[2]};
     }
-    [[nodiscard]] std::size_t colours() const {
+    [[nodiscard]] std::size_t colors() const {
         std::set<std::array<int, 3>> found;
         count([&found](const std::array<int, 3>& rgb) { return found.insert(rgb).second; });
         return found.size();

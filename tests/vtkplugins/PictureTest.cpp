@@ -131,7 +131,7 @@ TEST_F(Pictures, DentIsBlueAndNeckIsOrange) {
     const Image neckImage = drawn([&](const std::filesystem::path& path) {
         writeDeformationPicture(path, std::array{neck}, kSize);
     });
-    EXPECT_GT(dentImage.colours(), 1000U);
+    EXPECT_GT(dentImage.colors(), 1000U);
     EXPECT_GT(dentImage.count(isBlue), 10 * std::max(1, neckImage.count(isBlue)));
     EXPECT_GT(neckImage.count(isOrange), 10 * std::max(1, dentImage.count(isOrange)));
 }
@@ -163,11 +163,11 @@ TEST_F(Pictures, AnUntouchedSurfaceWithoutForceIsDrawnToo) {
     view.patch.normals.assign(view.patch.rest.size(), Vector3::UnitZ());
     view.force.setZero();
     view.contactRadius = 0.0;
-    view.tipCentre.z() += 5.0_nm;
+    view.tipCenter.z() += 5.0_nm;
     const Image image = drawn([&](const std::filesystem::path& path) {
         writeDeformationPicture(path, std::array{view}, kSize);
     });
-    EXPECT_GT(image.colours(), 100U);
+    EXPECT_GT(image.colors(), 100U);
 }
 
 TEST_F(Pictures, OverviewMarksTipPathAndZoom) {
@@ -182,12 +182,12 @@ TEST_F(Pictures, OverviewMarksTipPathAndZoom) {
     const auto isMarker = [](const std::array<int, 3>& rgb) {
         return rgb[0] > 150 && rgb[1] < 90 && rgb[2] < 130;
     };
-    EXPECT_GT(with.colours(), 1000U);
+    EXPECT_GT(with.colors(), 1000U);
     EXPECT_GT(with.count(isMarker), 200);
     EXPECT_EQ(without.count(isMarker), 0);
 }
 
-TEST_F(Pictures, OverviewIsGreyWhereTheScanHoldsNoData) {
+TEST_F(Pictures, OverviewIsGrayWhereTheScanHoldsNoData) {
     ASPERITY_NEEDS_DISPLAY();
     const BSplineSurface whole = test::eggBox();
     BSplineSurface::Grid grid = whole.grid();
@@ -201,11 +201,11 @@ TEST_F(Pictures, OverviewIsGreyWhereTheScanHoldsNoData) {
                                  kSize);
         });
     };
-    const auto isColourful = [](const std::array<int, 3>& rgb) {
+    const auto isColorful = [](const std::array<int, 3>& rgb) {
         return *std::ranges::max_element(rgb) - *std::ranges::min_element(rgb) > 40;
     };
-    const int all = overviewWith(whole).count(isColourful);
-    const int half = overviewWith(holed).count(isColourful);
+    const int all = overviewWith(whole).count(isColorful);
+    const int half = overviewWith(holed).count(isColorful);
     EXPECT_GT(all, 50000);
     EXPECT_GT(half, all / 4);
     EXPECT_LT(half, 3 * all / 4);
@@ -217,7 +217,7 @@ TEST_F(Pictures, AFlatScanHasAnOverviewToo) {
     const OverviewView view{.title = "Flat", .caption = "", .surface = flat};
     const Image image =
         drawn([&](const std::filesystem::path& path) { writeOverviewPicture(path, view, kSize); });
-    EXPECT_GT(image.colours(), 20U);
+    EXPECT_GT(image.colors(), 20U);
 }
 
 TEST_F(Pictures, RefusesWhatCannotBeDrawn) {

@@ -208,12 +208,12 @@ TEST(TipSource, SphereRunsSmoothlyIntoTheShank) {
     tip->SetHeight(100.0_nm);
     tip->Update();
     vtkPolyData* output = tip->GetOutput();
-    const Vector3 centre(100.0_nm, 200.0_nm, 30.0_nm);
+    const Vector3 center(100.0_nm, 200.0_nm, 30.0_nm);
     const double tangentHeight = -kRadius * std::sin(kHalfAngle);
     for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id) {
-        const Vector3 arm = pointOf(output, id) - centre;
+        const Vector3 arm = pointOf(output, id) - center;
         const Vector3 normal = normalOf(output, id);
-        // Sphere and cone alike: the tangent plane passes the centre at one radius.
+        // Sphere and cone alike: the tangent plane passes the center at one radius.
         EXPECT_NEAR(arm.dot(normal), kRadius, 1e-6 * kRadius);
         EXPECT_NEAR(normal.norm(), 1.0, 1e-6);
         if (arm.z() > tangentHeight + 1e-6 * kRadius) {
@@ -242,7 +242,7 @@ TEST(ForceGlyph, PointsAlongTheForceAndIsAsLongAsTheScaleSays) {
     vtkNew<vtkAspForceGlyphSource> arrow;
     arrow->SetContactPoint(start.x(), start.y(), start.z());
     arrow->SetForce(force.x(), force.y(), force.z());
-    arrow->SetMetresPerNewton(0.2);
+    arrow->SetMetersPerNewton(0.2);
     arrow->Update();
     double shortest = 1.0;
     double longest = -1.0;

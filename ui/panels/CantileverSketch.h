@@ -34,7 +34,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// Half of the drawing: where, and how many pixels a metre takes.
+    /// Half of the drawing: where, and how many pixels a meter takes.
     struct View {
         QRectF box;
         double scale = 0.0;  ///< [px/m]

@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kMargin = 8;  ///< [px]
 
-void colourText(QLabel& label, QRgb colour) {
+void colorText(QLabel& label, QRgb color) {
     QPalette palette = label.palette();
-    palette.setColor(QPalette::WindowText, colour);
+    palette.setColor(QPalette::WindowText, color);
     label.setPalette(palette);
 }
 
@@ -39,7 +39,7 @@ QLabel* captionLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setTextFormat(Qt::PlainText);
     label->setFont(theme::textFont(theme::kSmallSize));
-    colourText(*label, theme::kMuted);
+    colorText(*label, theme::kMuted);
     return label;
 }
 

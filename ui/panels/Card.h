@@ -24,7 +24,7 @@ private:
     QLabel* note_;
 };
 
-/// What a number is: small and grey.
+/// What a number is: small and gray.
 [[nodiscard]] QLabel* captionLabel(const QString& text, QWidget* parent = nullptr);
 
 /// A number that changes often: plain text, right-aligned, of the constant size of `widest`, so

@@ -23,8 +23,8 @@ void drawPause(QPainter& painter) {
 }
 
 /// An arrow that pushes up against a line.
-void drawForces(QPainter& painter, QRgb colour) {
-    painter.setBrush(QColor(colour));
+void drawForces(QPainter& painter, QRgb color) {
+    painter.setBrush(QColor(color));
     painter.drawRect(QRectF(7.0, 7.0, 2.0, 7.5));
     painter.drawPolygon(QPolygonF({{8.0, 2.5}, {12.0, 8.0}, {4.0, 8.0}}));
     painter.drawRect(QRectF(3.0, 1.0, 10.0, 1.2));

@@ -92,7 +92,7 @@ QString legendText(const CurvePlotSetup& setup, const QString& unit) {
     }
     for (const CurvePlotSetup::Curve& curve : setup.curves) {
         text += QStringLiteral("&nbsp; <span style='color:%1'><b>&#x2501;</b></span>&nbsp;%2")
-                    .arg(QColor(curve.colour).name(), curve.name);
+                    .arg(QColor(curve.color).name(), curve.name);
     }
     return text;
 }
@@ -181,7 +181,7 @@ void CurvePlot::Canvas::buildItems(const CurvePlotSetup& setup) {
     }
     for (const CurvePlotSetup::Curve& curve : setup.curves) {
         curves_.push_back(new PiecewiseCurve);
-        curves_.back()->setPen(QColor(curve.colour), kCurveWidth, Qt::SolidLine);
+        curves_.back()->setPen(QColor(curve.color), kCurveWidth, Qt::SolidLine);
         curves_.back()->setRenderHint(QwtPlotItem::RenderAntialiased);
         curves_.back()->attach(plot_);
     }

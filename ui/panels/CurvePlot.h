@@ -24,7 +24,7 @@ enum class ZeroLine { Shown, None };
 struct CurvePlotSetup {
     struct Curve {
         QString name;
-        QRgb colour = 0;
+        QRgb color = 0;
     };
 
     QString title;

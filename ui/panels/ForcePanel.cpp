@@ -46,7 +46,7 @@ QString placeText(double value, const SiScale& scale, int decimals) {
     return QString::fromStdString(scaledText(value, scale, decimals));
 }
 
-/// Lengths in micrometres need more decimals: a tenth of a nanometre must show.
+/// Lengths in micrometers need more decimals: a tenth of a nanometer must show.
 /// @param largest of the lengths shown [m]
 int decimalsOf(double largest, const SiScale& scale) {
     const bool fine = scale.factor > 1e8;
@@ -83,13 +83,13 @@ ForcePanel::ForcePanel(QWidget* parent)
 }
 
 void ForcePanel::buildForces(QGridLayout& grid) {
-    const std::array<QRgb, 3> colours = {theme::kBlue, theme::kOrange, theme::kGreen};
+    const std::array<QRgb, 3> colors = {theme::kBlue, theme::kOrange, theme::kGreen};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int row = static_cast<int>(axis);
         auto* name = new QLabel(QStringLiteral("F") + kAxes.at(axis).toLower(), this);
         name->setFont(theme::boldFont());
         QPalette palette = name->palette();
-        palette.setColor(QPalette::WindowText, colours.at(axis));
+        palette.setColor(QPalette::WindowText, colors.at(axis));
         name->setPalette(palette);
         const QString objectName = QStringLiteral("force") + kAxes.at(axis);
         force_.at(axis) = valueLabel(objectName, QStringLiteral("-88.88 µN"), this);

@@ -19,11 +19,11 @@ constexpr double kBorder = 1.0;  ///< of white around a line [px]
 constexpr double kLeastFrame = 30.0;  ///< width that reaches beyond the tip's mark [px]
 constexpr double kBracket = 7.0;      ///< arm of a corner bracket [px]
 
-void strokeOverWhite(QPainter& painter, QRgb colour, double width, const QPainterPath& path) {
+void strokeOverWhite(QPainter& painter, QRgb color, double width, const QPainterPath& path) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(theme::kPaper), width + 2.0 * kBorder));
     painter.drawPath(path);
-    painter.setPen(QPen(QColor(colour), width));
+    painter.setPen(QPen(QColor(color), width));
     painter.drawPath(path);
 }
 

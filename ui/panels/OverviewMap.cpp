@@ -20,10 +20,10 @@ namespace {
 
 constexpr double kScaleBarShare = 0.34;  ///< of the map's width, at most
 
-/// In nanometres or larger units: what is smaller than a picometre is no height.
-QString lengthText(double metres) {
-    const SiScale scale = siScaleFor(std::max(std::abs(metres), 1e-9), "m");
-    return QString::fromStdString(scaledText(metres, scale, 2));
+/// In nanometers or larger units: what is smaller than a picometer is no height.
+QString lengthText(double meters) {
+    const SiScale scale = siScaleFor(std::max(std::abs(meters), 1e-9), "m");
+    return QString::fromStdString(scaledText(meters, scale, 2));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] QPointF toPlace(const QPointF& pixel) const;
     /// What stands under a pixel, in words; empty beside the scan.
     [[nodiscard]] QString toolTipAt(const QPointF& pixel) const;
-    [[nodiscard]] const ColourScale& colours() const { return relief_.colours; }
+    [[nodiscard]] const ColorScale& colors() const { return relief_.colors; }
     /// Whether the scan holds no data somewhere.
     [[nodiscard]] bool hasFilled() const { return relief_.hasFilled; }
 

@@ -3,7 +3,7 @@
 #include "core/SiFormat.h"
 #include "core/scene/ImagingTip.h"
 #include "core/scene/Scene.h"
-#include "ui/panels/ColourBarWidget.h"
+#include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/MapMarks.h"
 #include "ui/panels/OverviewMap.h"
 
@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSideWidth = 140;    ///< of colour bar and legend [px]
+constexpr int kSideWidth = 140;    ///< of color bar and legend [px]
 constexpr int kLegendIndent = 10;  ///< [px]
 constexpr int kMarkSize = 20;      ///< [px]
 
@@ -55,13 +55,13 @@ QString sizeText(double width, double height) {
 OverviewPanel::OverviewPanel(QWidget* parent)
     : Card(QStringLiteral("Overview"), parent)
     , map_(new OverviewMap(this))
-    , colourBar_(new ColourBarWidget(this))
+    , colorBar_(new ColorBarWidget(this))
     , scanNote_(captionLabel(QString(), this))
     , filledLegend_(new QWidget(this)) {
     auto* side = new QVBoxLayout;
     side->setSpacing(3);
-    colourBar_->setFixedWidth(kSideWidth);
-    side->addWidget(colourBar_);
+    colorBar_->setFixedWidth(kSideWidth);
+    side->addWidget(colorBar_);
     side->addSpacing(6);
     addLegend(*side);
     side->addSpacing(6);
@@ -95,8 +95,8 @@ void OverviewPanel::addLegend(QVBoxLayout& side) {
     const auto add = [&](const QPixmap& mark, const QString& text) {
         side.addLayout(rowOf(mark, text));
     };
-    const QPointF centre(kMarkSize / 2.0, kMarkSize / 2.0);
-    add(markPixmap([&](QPainter& painter) { drawTipMark(painter, centre); }),
+    const QPointF center(kMarkSize / 2.0, kMarkSize / 2.0);
+    add(markPixmap([&](QPainter& painter) { drawTipMark(painter, center); }),
         QStringLiteral("tip"));
     add(markPixmap([](QPainter& painter) {
             drawFrameMark(painter, QRectF(3, 4, kMarkSize - 6, kMarkSize - 8));
@@ -104,7 +104,7 @@ void OverviewPanel::addLegend(QVBoxLayout& side) {
         QStringLiteral("zoomed view"));
     add(markPixmap([&](QPainter& painter) {
             drawPathMark(painter,
-                         QVector<QPointF>{{2.0, centre.y()}, {kMarkSize - 2.0, centre.y()}});
+                         QVector<QPointF>{{2.0, center.y()}, {kMarkSize - 2.0, center.y()}});
         }),
         QStringLiteral("path"));
     filledLegend_->setLayout(rowOf(markPixmap(drawHatching), QStringLiteral("no data: filled in")));
@@ -121,7 +121,7 @@ void OverviewPanel::begin(const Scene& scene) {
 
 void OverviewPanel::setSurface(const BSplineSurface& surface) {
     map_->setSurface(surface);
-    colourBar_->setScale(map_->colours());
+    colorBar_->setScale(map_->colors());
     filledLegend_->setVisible(map_->hasFilled());
     setNote(sizeText(surface.sizeX(), surface.sizeY()));
 }

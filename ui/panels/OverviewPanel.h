@@ -12,7 +12,7 @@ class QVBoxLayout;
 
 namespace asperity {
 
-class ColourBarWidget;
+class ColorBarWidget;
 class OverviewMap;
 
 /// The whole scan from above with the tip's place and the frame of the zoomed view. Places are
@@ -40,7 +40,7 @@ public:
     [[nodiscard]] const char* slowName() const override { return "overview"; }
 
     [[nodiscard]] OverviewMap& map() { return *map_; }
-    [[nodiscard]] const ColourBarWidget& colourBar() const { return *colourBar_; }
+    [[nodiscard]] const ColorBarWidget& colorBar() const { return *colorBar_; }
 
 Q_SIGNALS:
     /// A person wants to go there [m].
@@ -50,7 +50,7 @@ private:
     void addLegend(QVBoxLayout& side);
 
     OverviewMap* map_;
-    ColourBarWidget* colourBar_;
+    ColorBarWidget* colorBar_;
     QLabel* scanNote_;
     QWidget* filledLegend_;
 };

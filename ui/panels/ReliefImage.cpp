@@ -1,6 +1,6 @@
 #include "ui/panels/ReliefImage.h"
 
-#include "ui/panels/HeightColours.h"
+#include "ui/panels/HeightColors.h"
 #include "vtkplugins/pictures/Palette.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace asperity {
 namespace {
 
 constexpr int kLargestSide = 512;    ///< [pixel]
-constexpr int kColours = 256;        ///< of the table that stands for the scale
+constexpr int kColors = 256;        ///< of the table that stands for the scale
 constexpr double kShownSlope = 0.5;  ///< slopes are scaled until this is their root mean square
 constexpr double kShadeStrength = 0.55;
 
@@ -63,11 +63,11 @@ double shade(const HeightSample& sample, double scale) {
     return std::clamp(1.0 + (kShadeStrength * (light - 1.0)), 0.35, 1.4);
 }
 
-std::array<QColor, kColours> colourTable(const ColourScale& scale) {
-    std::array<QColor, kColours> table;
-    for (int i = 0; i < kColours; ++i) {
+std::array<QColor, kColors> colorTable(const ColorScale& scale) {
+    std::array<QColor, kColors> table;
+    for (int i = 0; i < kColors; ++i) {
         table.at(static_cast<std::size_t>(i)) =
-            colourAt(scale, std::lerp(scale.low, scale.high, i / (kColours - 1.0)));
+            colorAt(scale, std::lerp(scale.low, scale.high, i / (kColors - 1.0)));
     }
     return table;
 }
@@ -76,24 +76,24 @@ std::array<QColor, kColours> colourTable(const ColourScale& scale) {
 
 QColor hatched(int row, int column) {
     constexpr int kStripe = 5;  // [pixel]
-    const QColor grey(palette::kNoData.red, palette::kNoData.green, palette::kNoData.blue);
-    return ((row + column) / kStripe) % 2 == 0 ? grey : grey.lighter(140);
+    const QColor gray(palette::kNoData.red, palette::kNoData.green, palette::kNoData.blue);
+    return ((row + column) / kStripe) % 2 == 0 ? gray : gray.lighter(140);
 }
 
 namespace {
 
-QRgb shaded(const QColor& colour, double brightness) {
+QRgb shaded(const QColor& color, double brightness) {
     const auto part = [brightness](int channel) {
         return std::min(255, static_cast<int>(std::lround(channel * brightness)));
     };
-    return qRgb(part(colour.red()), part(colour.green()), part(colour.blue()));
+    return qRgb(part(color.red()), part(color.green()), part(color.blue()));
 }
 
-ColourScale coloursOf(const Samples& samples) {
+ColorScale colorsOf(const Samples& samples) {
     const auto [low, high] = std::minmax_element(
         samples.values.begin(), samples.values.end(),
         [](const HeightSample& a, const HeightSample& b) { return a.height < b.height; });
-    return heightColours(low->height, high->height);
+    return heightColors(low->height, high->height);
 }
 
 }  // namespace
@@ -101,18 +101,18 @@ ColourScale coloursOf(const Samples& samples) {
 ReliefImage reliefImage(const BSplineSurface& surface) {
     const Samples samples = sampled(surface);
     ReliefImage relief{
-        QImage(samples.columns, samples.rows, QImage::Format_RGB32), {}, coloursOf(samples), false};
+        QImage(samples.columns, samples.rows, QImage::Format_RGB32), {}, colorsOf(samples), false};
     relief.heights.reserve(samples.values.size());
-    const std::array<QColor, kColours> table = colourTable(relief.colours);
-    const double extent = relief.colours.high - relief.colours.low;
+    const std::array<QColor, kColors> table = colorTable(relief.colors);
+    const double extent = relief.colors.high - relief.colors.low;
     const double scale = slopeScale(samples);
     std::size_t next = 0;
     for (int row = 0; row < samples.rows; ++row) {
         auto* line = reinterpret_cast<QRgb*>(relief.image.scanLine(row));
         for (int column = 0; column < samples.columns; ++column, ++next) {
             const HeightSample& sample = samples.values[next];
-            const double share = extent > 0.0 ? (sample.height - relief.colours.low) / extent : 0.5;
-            const auto entry = static_cast<std::size_t>(std::lround(share * (kColours - 1)));
+            const double share = extent > 0.0 ? (sample.height - relief.colors.low) / extent : 0.5;
+            const auto entry = static_cast<std::size_t>(std::lround(share * (kColors - 1)));
             relief.heights.push_back(sample.height);
             const bool measured = samples.measured[next] != 0;
             relief.hasFilled = relief.hasFilled || !measured;

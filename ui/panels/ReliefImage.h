@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/surface/BSplineSurface.h"
-#include "ui/ColourScale.h"
+#include "ui/ColorScale.h"
 
 #include <QColor>
 #include <QImage>
@@ -10,17 +10,17 @@
 
 namespace asperity {
 
-/// A surface seen from above: coloured by height and shaded as hills under light from the upper
+/// A surface seen from above: colored by height and shaded as hills under light from the upper
 /// left. The top of the image is the far side, large y.
-/// Where the scan holds no data, hatched grey: heights there are filled in.
+/// Where the scan holds no data, hatched gray: heights there are filled in.
 struct ReliefImage {
     QImage image;                 ///< at most 512 pixels along either side
     std::vector<double> heights;  ///< of the pixels, top row first [m]
-    ColourScale colours;          ///< from the lowest to the highest height drawn
+    ColorScale colors;          ///< from the lowest to the highest height drawn
     bool hasFilled = false;       ///< whether the scan holds no data somewhere
 };
 
-/// Colour of a pixel where the scan holds no data: grey stripes that run up to the right.
+/// Color of a pixel where the scan holds no data: gray stripes that run up to the right.
 [[nodiscard]] QColor hatched(int row, int column);
 
 [[nodiscard]] ReliefImage reliefImage(const BSplineSurface& surface);

@@ -123,7 +123,7 @@ QString StateBanner::stateWords() const {
     return words.join(QStringLiteral(" · "));
 }
 
-QRgb StateBanner::stateColour() const {
+QRgb StateBanner::stateColor() const {
     const TickOutput& output = latest_.sample.output;
     if (output.fault != Fault::None) {
         return theme::kFault;
@@ -148,17 +148,17 @@ QRgb StateBanner::stateColour() const {
 void StateBanner::showState() {
     state_->setText(stateWords());
     rearm_->setVisible(latest_.sample.output.fault != Fault::None);
-    const QRgb colour = stateColour();
-    if (colour == shownColour_) {
+    const QRgb color = stateColor();
+    if (color == shownColor_) {
         return;  // style sheets are slow to set
     }
-    shownColour_ = colour;
-    QColor wash(colour);
+    shownColor_ = color;
+    QColor wash(color);
     wash.setAlphaF(0.12);
     setStyleSheet(QStringLiteral("#stateBanner { background: %1; border: none; border-left: 5px "
                                  "solid %2; border-radius: 4px; } #state { color: %3; }")
-                      .arg(wash.name(QColor::HexArgb), QColor(colour).name(),
-                           QColor(colour).darker(125).name()));
+                      .arg(wash.name(QColor::HexArgb), QColor(color).name(),
+                           QColor(color).darker(125).name()));
 }
 
 bool StateBanner::isShown(std::size_t index) const {

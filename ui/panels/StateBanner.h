@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace asperity {
 
-/// One line that always says in words and colour where the tip is, whether forces act, what went
+/// One line that always says in words and color where the tip is, whether forces act, what went
 /// wrong, and what a result does not hold for. Its height never changes.
 class StateBanner : public QFrame, public RunPanel {
     Q_OBJECT
@@ -45,7 +45,7 @@ private:
     void showState();
     void showFlags();
     [[nodiscard]] QString stateWords() const;
-    [[nodiscard]] QRgb stateColour() const;
+    [[nodiscard]] QRgb stateColor() const;
     [[nodiscard]] bool isShown(std::size_t index) const;
 
     Snapshot latest_;
@@ -53,7 +53,7 @@ private:
     bool paused_ = false;
     bool energyGiven_ = false;
     std::array<double, kValidityFlagCount> lastSeen_{};  ///< time of each flag [s]
-    QRgb shownColour_ = 0;
+    QRgb shownColor_ = 0;
     QString caution_;     ///< all flags, whole
     QString halfSpace_;   ///< its force beside the law's
     QString notHolding_;  ///< why it is not shown

@@ -66,8 +66,8 @@ QwtText axisTitle(const QString& text) {
     return title;
 }
 
-QwtSymbol* dot(QRgb colour) {
-    return new QwtSymbol(QwtSymbol::Ellipse, QColor(colour), QPen(QColor(theme::kPaper)),
+QwtSymbol* dot(QRgb color) {
+    return new QwtSymbol(QwtSymbol::Ellipse, QColor(color), QPen(QColor(theme::kPaper)),
                          {kPointSize, kPointSize});
 }
 

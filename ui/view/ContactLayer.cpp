@@ -30,12 +30,12 @@ void setData(vtkActor* actor, vtkPolyData* data) {
 }
 
 /// The sample before and the one after, along a line of a grid.
-struct Neighbours {
+struct Neighbors {
     std::size_t before;
     std::size_t after;
 };
 
-Neighbours neighbours(int place, int count, std::size_t index, std::size_t stride) {
+Neighbors neighbors(int place, int count, std::size_t index, std::size_t stride) {
     return {place > 0 ? index - stride : index, place + 1 < count ? index + stride : index};
 }
 
@@ -44,8 +44,8 @@ Vector3 drawnNormal(const ContactShape& shape, int row, int column, double facto
     const SurfacePatch& patch = shape.patch();
     const std::vector<double>& pushed = shape.displacements();
     const std::size_t i = patch.index(row, column);
-    const Neighbours x = neighbours(column, patch.columns, i, 1);
-    const Neighbours y = neighbours(row, patch.rows, i, patch.index(1, 0));
+    const Neighbors x = neighbors(column, patch.columns, i, 1);
+    const Neighbors y = neighbors(row, patch.rows, i, patch.index(1, 0));
     const double slopeX = -factor * (pushed[x.after] - pushed[x.before]) /
                           (patch.rest[x.after].x() - patch.rest[x.before].x());
     const double slopeY = -factor * (pushed[y.after] - pushed[y.before]) /
@@ -85,11 +85,11 @@ ContactLayer::ContactLayer(vtkRenderer* solid, vtkRenderer* through) {
     rgb_->SetNumberOfComponents(3);
     mesh_->SetPoints(points_);
     mesh_->GetPointData()->SetScalars(rgb_);
-    surface_ = surfaceAsColoured(mesh_);
+    surface_ = surfaceAsColored(mesh_);
     vtkNew<vtkPolyData> nothing;
     grid_ = thinLines(nothing);
     rim_ = linesAsDrawn(nothing, palette::kContact, 2.0);
-    walls_ = surfaceAsColoured(nothing);
+    walls_ = surfaceAsColored(nothing);
     solid->AddActor(surface_);
     solid->AddActor(walls_);
     solid->AddActor(grid_);
@@ -136,11 +136,11 @@ void ContactLayer::showSurface(const Scene& scene, const ContactShape& shape,
             const Vector3& rest = patch.rest[i];
             points_->SetPoint(id, Vector3(rest + factor * (patch.points[i] - rest)).data());
             const double pushed = shape.displacements()[i];
-            const Color colour = scene.surface.isMeasured(rest.x(), rest.y())
-                                     ? style.colours.at(rest.z(), pushed)
-                                     : style.colours.withoutData(pushed);
+            const Color color = scene.surface.isMeasured(rest.x(), rest.y())
+                                     ? style.colors.at(rest.z(), pushed)
+                                     : style.colors.withoutData(pushed);
             const Vector3 normal = drawnNormal(shape, row, column, factor);
-            rgb_->SetTypedTuple(id, style.shading.lit(colour, normal).data());
+            rgb_->SetTypedTuple(id, style.shading.lit(color, normal).data());
         }
     }
     points_->Modified();

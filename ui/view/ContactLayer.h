@@ -2,7 +2,7 @@
 
 #include "ui/view/ContactShape.h"
 #include "ui/view/Shading.h"
-#include "ui/view/SurfaceColours.h"
+#include "ui/view/SurfaceColors.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -17,7 +17,7 @@ namespace asperity {
 
 /// How the contact is drawn.
 struct ContactStyle {
-    const SurfaceColours& colours;
+    const SurfaceColors& colors;
     Shading shading;
     double magnification = 1.0;  ///< of displacements
     double gridSpacing = 0.0;    ///< of the draped grid [m]

@@ -39,17 +39,17 @@ void ForceLayer::show(const ForceEstimate& estimate, const Vector3& start, doubl
     const double magnitude = force.stableNorm();
     const Vector3 direction = force.stableNormalized();
     const double sigma = std::sqrt(direction.dot(estimate.covariance * direction));
-    const double metresPerNewton = scale_.fit(magnitude, sigma, time, room);
-    if (!(magnitude * metresPerNewton > kShortest * room) || !force.allFinite()) {
+    const double metersPerNewton = scale_.fit(magnitude, sigma, time, room);
+    if (!(magnitude * metersPerNewton > kShortest * room) || !force.allFinite()) {
         hide();
         return;
     }
     source_->SetContactPoint(start.x(), start.y(), start.z());
     source_->SetForce(force.x(), force.y(), force.z());
-    source_->SetMetresPerNewton(metresPerNewton);
+    source_->SetMetersPerNewton(metersPerNewton);
     source_->Update();
     arrow_->VisibilityOn();
-    end_ = start + metresPerNewton * force;
+    end_ = start + metersPerNewton * force;
 }
 
 }  // namespace asperity

@@ -15,16 +15,16 @@ Shading::Shading(const ViewCamera& camera) {
     toView_.row(2) = camera.out();
 }
 
-std::array<unsigned char, 3> Shading::lit(const Color& colour, const Vector3& normal,
+std::array<unsigned char, 3> Shading::lit(const Color& color, const Vector3& normal,
                                           const Matt& matt) const {
     const double light = brightness(toView_ * normal, matt);
     const auto shade = [light](std::uint8_t part) {
         return static_cast<unsigned char>(std::min(255.0, light * part + 0.5));
     };
-    return {shade(colour.red), shade(colour.green), shade(colour.blue)};
+    return {shade(color.red), shade(color.green), shade(color.blue)};
 }
 
-vtkSmartPointer<vtkActor> surfaceAsColoured(vtkPolyData* data) {
+vtkSmartPointer<vtkActor> surfaceAsColored(vtkPolyData* data) {
     vtkSmartPointer<vtkActor> actor = plainSurface(data, palette::kPaper);
     actor->GetProperty()->LightingOff();
     actor->GetProperty()->SetAmbient(0.0);

@@ -13,14 +13,14 @@ class vtkPolyData;
 
 namespace asperity {
 
-/// Lights the colours of a surface before they are drawn: on a computer without a graphics card,
+/// Lights the colors of a surface before they are drawn: on a computer without a graphics card,
 /// a light costs more for every pixel than for every point of the surface.
 class Shading {
 public:
     explicit Shading(const ViewCamera& camera);
 
-    /// `colour` as it looks where the surface has this unit normal, world frame.
-    [[nodiscard]] std::array<unsigned char, 3> lit(const Color& colour, const Vector3& normal,
+    /// `color` as it looks where the surface has this unit normal, world frame.
+    [[nodiscard]] std::array<unsigned char, 3> lit(const Color& color, const Vector3& normal,
                                                    const Matt& matt = kPlainMatt) const;
 
 private:
@@ -28,6 +28,6 @@ private:
 };
 
 /// A surface that shows its points' RGB or RGBA scalars as they are.
-[[nodiscard]] vtkSmartPointer<vtkActor> surfaceAsColoured(vtkPolyData* data);
+[[nodiscard]] vtkSmartPointer<vtkActor> surfaceAsColored(vtkPolyData* data);
 
 }  // namespace asperity

@@ -14,7 +14,7 @@ class vtkRenderer;
 
 namespace asperity {
 
-/// Keeps what a renderer draws (colour and depth) from one frame to the next: while nothing in it
+/// Keeps what a renderer draws (color and depth) from one frame to the next: while nothing in it
 /// changes, the kept picture is copied into the frame and its actors are not drawn again.
 /// To be used by the bottom layer of a window without multisampling; layers above it that preserve
 /// the depth buffer are drawn into the picture as into the scene itself.

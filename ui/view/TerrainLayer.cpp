@@ -69,9 +69,9 @@ std::vector<Stroke> strokes(const Extent& across, const Extent& along, double sp
     return found;
 }
 
-Color groundColour(const BSplineSurface& surface, const double* place,
-                   const SurfaceColours& colours) {
-    return surface.isMeasured(place[0], place[1]) ? colours.at(place[2]) : colours.withoutData();
+Color groundColor(const BSplineSurface& surface, const double* place,
+                   const SurfaceColors& colors) {
+    return surface.isMeasured(place[0], place[1]) ? colors.at(place[2]) : colors.withoutData();
 }
 
 /// Whether a place on the border of the window lies at the hole: between its corners, or at a
@@ -114,8 +114,8 @@ struct TerrainLayer::Mesh {
     explicit Mesh(vtkRenderer* renderer) {
         rgb->SetNumberOfComponents(3);
         wallRgb->SetNumberOfComponents(3);
-        surface = surfaceAsColoured(data);
-        walls = surfaceAsColoured(wallData);
+        surface = surfaceAsColored(data);
+        walls = surfaceAsColored(wallData);
         vtkNew<vtkPolyData> nothing;
         grid = thinLines(nothing);
         renderer->AddActor(surface);
@@ -129,15 +129,15 @@ struct TerrainLayer::Mesh {
         grid->SetVisibility(visible ? 1 : 0);
     }
 
-    void paint(const BSplineSurface& ground, const SurfaceColours& colours,
+    void paint(const BSplineSurface& ground, const SurfaceColors& colors,
                const Shading& shading) const {
         vtkPolyData* sampled = source->GetOutput();
         vtkDataArray* normals = sampled->GetPointData()->GetNormals();
         const vtkIdType count = sampled->GetNumberOfPoints();
         rgb->SetNumberOfTuples(count);
         for (vtkIdType id = 0; id < count; ++id) {
-            const Color colour = groundColour(ground, sampled->GetPoint(id), colours);
-            rgb->SetTypedTuple(id, shading.lit(colour, Vector3(normals->GetTuple(id))).data());
+            const Color color = groundColor(ground, sampled->GetPoint(id), colors);
+            rgb->SetTypedTuple(id, shading.lit(color, Vector3(normals->GetTuple(id))).data());
         }
         rgb->Modified();
         paintWalls(shading);
@@ -174,7 +174,7 @@ void TerrainLayer::setPlace(const BSplineSurface& surface, const TerrainPlace& p
     survey();
 }
 
-void TerrainLayer::show(TerrainDetail detail, const SurfaceColours& colours,
+void TerrainLayer::show(TerrainDetail detail, const SurfaceColors& colors,
                         const Shading& shading) {
     const int finest = fineSamples();
     const bool fine = detail == TerrainDetail::Fine && finest > kCoarse;
@@ -182,7 +182,7 @@ void TerrainLayer::show(TerrainDetail detail, const SurfaceColours& colours,
     if (!mesh.built) {
         build(mesh, fine ? finest : std::min(finest, kCoarse));
     }
-    mesh.paint(*surface_, colours, shading);
+    mesh.paint(*surface_, colors, shading);
     fine_->setVisible(fine);
     coarse_->setVisible(!fine);
 }

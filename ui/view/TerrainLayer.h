@@ -2,7 +2,7 @@
 
 #include "core/surface/BSplineSurface.h"
 #include "ui/view/Shading.h"
-#include "ui/view/SurfaceColours.h"
+#include "ui/view/SurfaceColors.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 
 #include <vtkSmartPointer.h>
@@ -28,7 +28,7 @@ enum class TerrainDetail : std::uint8_t {
     Fine,    ///< at most 384: what a screen shows, and no frame takes over 0.1 s
 };
 
-/// A part of the surface at rest as a block of sample: lit, coloured by height, a grid draped over
+/// A part of the surface at rest as a block of sample: lit, colored by height, a grid draped over
 /// it; with a hole where the contact is drawn, through its walls too where it lies at an edge.
 class TerrainLayer {
 public:
@@ -45,7 +45,7 @@ public:
     void hide();
 
     /// Shows the place; does only what has changed since.
-    void show(TerrainDetail detail, const SurfaceColours& colours, const Shading& shading);
+    void show(TerrainDetail detail, const SurfaceColors& colors, const Shading& shading);
 
     [[nodiscard]] const TerrainPlace& place() const { return place_; }
     /// Lowest and highest place in the window [m].

@@ -34,7 +34,7 @@ TipLayer::TipLayer(vtkRenderer* renderer) {
     source_->SetResolution(kFacets);
     for (std::size_t wall = 0; wall < walls_.size(); ++wall) {
         const bool far = wall == 0;  // drawn first: it shows through the near one
-        walls_.at(wall) = surfaceAsColoured(body_);
+        walls_.at(wall) = surfaceAsColored(body_);
         vtkActor* actor = walls_.at(wall);
         actor->GetProperty()->SetFrontfaceCulling(far ? 1 : 0);
         actor->GetProperty()->SetBackfaceCulling(far ? 0 : 1);
@@ -61,7 +61,7 @@ void TipLayer::show(const ContactShape& shape, double magnification, const TipSt
     // Of the sphere alone any axis is as good: this one looks upright.
     const Vector3 axis = magnification > 1.0 ? shape.outward() : Vector3(Vector3::UnitZ());
     source_->SetRadius(contact.tipRadius);
-    source_->SetCenter(contact.tipCentre.x(), contact.tipCentre.y(), contact.tipCentre.z());
+    source_->SetCenter(contact.tipCenter.x(), contact.tipCenter.y(), contact.tipCenter.z());
     source_->SetAxis(axis.x(), axis.y(), axis.z());
     const double gap = magnification * std::max(0.0, -contact.indentation);
     const double height = std::max(style.top - gap, kLeastHeight * style.top);
@@ -69,7 +69,7 @@ void TipLayer::show(const ContactShape& shape, double magnification, const TipSt
     source_->Update();
     body_->ShallowCopy(source_->GetOutput());
     deform(shape);
-    Vector3 apex = contact.tipCentre - contact.tipRadius * axis;
+    Vector3 apex = contact.tipCenter - contact.tipRadius * axis;
     if (magnification > 1.0) {
         const Stretch stretch(shape.patch(), shape.outward(), magnification);
         body_->ShallowCopy(stretch.apply(body_));
@@ -85,14 +85,14 @@ void TipLayer::show(const ContactShape& shape, double magnification, const TipSt
 /// Moves the tip's surface by the tip's own share of the displacement.
 void TipLayer::deform(const ContactShape& shape) {
     const Vector3& axis = shape.outward();
-    const Vector3& centre = shape.contact().tipCentre;
+    const Vector3& center = shape.contact().tipCenter;
     vtkPoints* undeformed = body_->GetPoints();  // the source's own: it may give them out again
     vtkNew<vtkPoints> deformed;
     deformed->SetDataTypeToDouble();
     deformed->SetNumberOfPoints(undeformed->GetNumberOfPoints());
     for (vtkIdType id = 0; id < undeformed->GetNumberOfPoints(); ++id) {
         const Vector3 point(undeformed->GetPoint(id));
-        const Vector3 arm = point - centre;
+        const Vector3 arm = point - center;
         const double distance = (arm - arm.dot(axis) * axis).norm();
         deformed->SetPoint(id, Vector3(point + shape.tipDisplacement(distance) * axis).data());
     }

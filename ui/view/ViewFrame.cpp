@@ -11,10 +11,10 @@ namespace {
 /// as long, so that there are few of them.
 constexpr double kStep = 0.1;
 
-double followed(double centre, double place, double slack, double step) {
-    const double offset = place - centre;
+double followed(double center, double place, double slack, double step) {
+    const double offset = place - center;
     if (std::abs(offset) <= slack) {
-        return centre;
+        return center;
     }
     return place - std::copysign(slack - step, offset);
 }
@@ -22,7 +22,7 @@ double followed(double centre, double place, double slack, double step) {
 }  // namespace
 
 ViewFrame::ViewFrame(double sizeX, double sizeY, double halfWidth)
-    : size_(sizeX, sizeY), centre_(0.5 * size_), halfWidth_(halfWidth) {
+    : size_(sizeX, sizeY), center_(0.5 * size_), halfWidth_(halfWidth) {
     setHalfWidth(halfWidth);
 }
 
@@ -32,13 +32,13 @@ void ViewFrame::setHalfWidth(double halfWidth) {
 }
 
 void ViewFrame::follow(const Vector2& place, double slack) {
-    if ((place - centre_).cwiseAbs().maxCoeff() > halfWidth_) {  // out of the picture: a new one
-        centre_ = place;
+    if ((place - center_).cwiseAbs().maxCoeff() > halfWidth_) {  // out of the picture: a new one
+        center_ = place;
     }
     const double range = slack * halfWidth_;
     const double step = kStep * halfWidth_;
-    centre_ = {followed(centre_.x(), place.x(), range, step),
-               followed(centre_.y(), place.y(), range, step)};
+    center_ = {followed(center_.x(), place.x(), range, step),
+               followed(center_.y(), place.y(), range, step)};
     stayInside();
 }
 
@@ -46,12 +46,12 @@ Vector2 ViewFrame::reach() const { return (0.5 * size_).cwiseMin(halfWidth_); }
 
 void ViewFrame::stayInside() {
     const Vector2 margin = reach();
-    centre_ = centre_.cwiseMax(margin).cwiseMin(size_ - margin);
+    center_ = center_.cwiseMax(margin).cwiseMin(size_ - margin);
 }
 
 ScanWindow ViewFrame::window() const {
-    const Vector2 low = centre_ - reach();
-    const Vector2 high = centre_ + reach();
+    const Vector2 low = center_ - reach();
+    const Vector2 high = center_ + reach();
     return {.left = low.x(), .right = high.x(), .bottom = low.y(), .top = high.y()};
 }
 

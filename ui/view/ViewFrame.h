@@ -16,11 +16,11 @@ public:
     [[nodiscard]] double halfWidth() const { return halfWidth_; }
     void setHalfWidth(double halfWidth);
 
-    /// Keeps `place` within `slack` half widths of the centre, along x and along y; goes straight
+    /// Keeps `place` within `slack` half widths of the center, along x and along y; goes straight
     /// to a place outside of the frame.
     void follow(const Vector2& place, double slack);
 
-    [[nodiscard]] const Vector2& centre() const { return centre_; }
+    [[nodiscard]] const Vector2& center() const { return center_; }
     /// The frame, cut off at the scan's edges.
     [[nodiscard]] ScanWindow window() const;
 
@@ -29,7 +29,7 @@ private:
     void stayInside();
 
     Vector2 size_;  ///< of the scan [m]
-    Vector2 centre_;
+    Vector2 center_;
     double halfWidth_;
 };
 

@@ -41,7 +41,7 @@ void ViewLabels::setPixelRatio(double pixelRatio) {
 }
 
 void ViewLabels::paint(Painter& painter) const {
-    if (!(content_.metresPerPixel > 0.0)) {
+    if (!(content_.metersPerPixel > 0.0)) {
         return;
     }
     const int* size = renderer_->GetSize();
@@ -57,16 +57,16 @@ void ViewLabels::paint(Painter& painter) const {
 }
 
 void ViewLabels::paintScaleBar(Painter& painter) const {
-    const double metresPerPixel = content_.metresPerPixel;
-    const double length = niceBelow(kLongestBar * metresPerPixel);
+    const double metersPerPixel = content_.metersPerPixel;
+    const double length = niceBelow(kLongestBar * metersPerPixel);
     const double left = kMargin;
-    const double right = left + length / metresPerPixel;
+    const double right = left + length / metersPerPixel;
     const LineStyle style{palette::kInk, 2.0};
     painter.line({{left, kMargin}, {right, kMargin}}, style);
     painter.line({{left, kMargin - kBarEnd}, {left, kMargin + kBarEnd}}, style);
     painter.line({{right, kMargin - kBarEnd}, {right, kMargin + kBarEnd}}, style);
     painter.text({0.5 * (left + right), kMargin + kTextSize}, formatSi(length, "m"),
-                 {.size = kTextSize, .align = Align::Centre});
+                 {.size = kTextSize, .align = Align::Center});
 }
 
 void ViewLabels::paintForce(Painter& painter, double viewWidth, double viewHeight) const {

@@ -15,7 +15,7 @@ class PainterItem;
 
 /// What is written over the view.
 struct LabelContent {
-    double metresPerPixel = 0.0;      ///< of the screen's coordinates; 0: nothing is written
+    double metersPerPixel = 0.0;      ///< of the screen's coordinates; 0: nothing is written
     double magnification = 1.0;       ///< of displacements; said when it is not 1
     double force = 0.0;               ///< magnitude [N]
     std::optional<Vector3> forceEnd;  ///< where its label belongs; empty: no label [m]

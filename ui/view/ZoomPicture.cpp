@@ -94,7 +94,7 @@ void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {
 
 void ZoomPicture::showTerrain(const ViewCamera& camera, TerrainDetail detail) {
     if (frame_) {
-        terrain_.show(detail, colours_, Shading(camera));
+        terrain_.show(detail, colors_, Shading(camera));
         cache_.invalidate();
     }
 }
@@ -118,11 +118,11 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     const bool otherWindow = !sameWindow(place.window, terrain_.place().window);
     terrain_.setPlace(scene_->surface, place);
     const std::array<double, 2> heights = terrain_.heightRange();
-    const bool otherColours = colours_.fitHeights(heights[0], heights[1]);
+    const bool otherColors = colors_.fitHeights(heights[0], heights[1]);
     const FrameBox box = frameBox();
     terrain_.setBottom(box.middle.z() - box.below);
     Q_EMIT terrainPlaced();
-    if (otherColours) {
+    if (otherColors) {
         Q_EMIT scalesChanged();
     }
     if (otherWindow) {
@@ -130,12 +130,12 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     }
 }
 
-/// Heights are those of the colours: they seldom change, so that the picture seldom jumps.
+/// Heights are those of the colors: they seldom change, so that the picture seldom jumps.
 FrameBox ZoomPicture::frameBox() const {
-    const Vector2& centre = frame_->centre();
-    const AxisRange& heights = colours_.heightRange();
+    const Vector2& center = frame_->center();
+    const AxisRange& heights = colors_.heightRange();
     const double middle = 0.5 * (heights.low + heights.high);
-    return {.middle = {centre.x(), centre.y(), middle},
+    return {.middle = {center.x(), center.y(), middle},
             .halfWidth = frame_->halfWidth(),
             .below = middle - heights.low + kBlockDepth * frame_->halfWidth(),
             .above = heights.high - middle,
@@ -148,7 +148,7 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
     const ContactShape shape(*scene_, state, terrain_.place().patch, kPatchSamples,
                              halfSpace_.get());
     const double largest = shape.largestDisplacement();
-    if (colours_.fitDisplacement(largest)) {
+    if (colors_.fitDisplacement(largest)) {
         Q_EMIT scalesChanged();
     }
     const double factor =
@@ -158,7 +158,7 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
     const double width = std::max(window.right - window.left, window.top - window.bottom);
     const Shading shading(camera);
     contact_.show(*scene_, shape,
-                  {.colours = colours_,
+                  {.colors = colors_,
                    .shading = shading,
                    .magnification = factor,
                    .gridSpacing = gridSpacing(width),
@@ -177,7 +177,7 @@ void ZoomPicture::showLabels(int height, double pixelRatio) {
         return;
     }
     labels_.setPixelRatio(pixelRatio);
-    labels_.show({.metresPerPixel = metresPerPixel(height),
+    labels_.show({.metersPerPixel = metersPerPixel(height),
                   .magnification = sample_ ? magnification_.factor() : 1.0,
                   .force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0,
                   .forceEnd = force_.end()});
@@ -204,7 +204,7 @@ Vector2 ZoomPicture::drawnPlace(const Vector3& place) const {
     return {display[0], display[1]};
 }
 
-double ZoomPicture::metresPerPixel(int height) const {
+double ZoomPicture::metersPerPixel(int height) const {
     return 2.0 * still_->GetActiveCamera()->GetParallelScale() / height;
 }
 

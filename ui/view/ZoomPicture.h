@@ -8,7 +8,7 @@
 #include "ui/view/GuideLayer.h"
 #include "ui/view/Magnification.h"
 #include "ui/view/StaticLayer.h"
-#include "ui/view/SurfaceColours.h"
+#include "ui/view/SurfaceColors.h"
 #include "ui/view/TerrainLayer.h"
 #include "ui/view/TipLayer.h"
 #include "ui/view/ViewCamera.h"
@@ -68,18 +68,18 @@ public:
     [[nodiscard]] const ViewScale& scale() const { return scale_; }
     [[nodiscard]] Magnification& magnification() { return magnification_; }
     [[nodiscard]] const Magnification& magnification() const { return magnification_; }
-    [[nodiscard]] const SurfaceColours& colours() const { return colours_; }
+    [[nodiscard]] const SurfaceColors& colors() const { return colors_; }
     /// What keeps the surface at rest from one frame to the next.
     [[nodiscard]] StaticLayer& cache() { return cache_; }
     /// Where a world place [m] is drawn, in drawn pixels from the lower left corner.
     [[nodiscard]] Vector2 drawnPlace(const Vector3& place) const;
     /// Of the screen's coordinates in a view of this height.
-    [[nodiscard]] double metresPerPixel(int height) const;
+    [[nodiscard]] double metersPerPixel(int height) const;
 
 Q_SIGNALS:
     void terrainPlaced();  ///< it has to be shown anew, and the camera to be aimed
     void frameChanged();   ///< another part of the scan
-    void scalesChanged();  ///< of the colours
+    void scalesChanged();  ///< of the colors
 
 private:
     void follow(const Vector2& tip, double slack);
@@ -92,7 +92,7 @@ private:
     std::optional<TickSample> sample_;
     std::shared_ptr<const HalfSpaceAnswer> halfSpace_;
     std::optional<ViewFrame> frame_;
-    SurfaceColours colours_;
+    SurfaceColors colors_;
     Magnification magnification_;
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest

@@ -54,7 +54,7 @@ void ZoomView::connectGestures() {
     });
     connect(this, &ZoomView::dragged, this, [this](const QPointF& pixels) {
         if (picture_.frame()) {
-            const double scale = picture_.metresPerPixel(height());
+            const double scale = picture_.metersPerPixel(height());
             const Vector3 move = camera_.horizontalMove(scale * pixels.x(), -scale * pixels.y());
             Q_EMIT tipDragged(move.x(), move.y(), 0.0);
         }
@@ -112,12 +112,12 @@ void ZoomView::setMagnification(std::optional<double> factor) {
     renderSoon();
 }
 
-ColourScale ZoomView::heightScale() const {
-    return picture_.frame() ? picture_.colours().heightScale() : ColourScale{};
+ColorScale ZoomView::heightScale() const {
+    return picture_.frame() ? picture_.colors().heightScale() : ColorScale{};
 }
 
-ColourScale ZoomView::displacementScale() const {
-    return picture_.frame() ? picture_.colours().displacementScale() : ColourScale{};
+ColorScale ZoomView::displacementScale() const {
+    return picture_.frame() ? picture_.colors().displacementScale() : ColorScale{};
 }
 
 QPointF ZoomView::onScreen(const Vector3& place) const {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/haptics/Snapshot.h"
-#include "ui/ColourScale.h"
+#include "ui/ColorScale.h"
 #include "ui/view/GestureWidget.h"
 #include "ui/view/ZoomPicture.h"
 
@@ -49,9 +49,9 @@ public:
     void setMagnification(std::optional<double> factor);
     [[nodiscard]] double magnification() const { return picture_.magnification().factor(); }
 
-    /// They hold no colours while there is no scene.
-    [[nodiscard]] ColourScale heightScale() const;
-    [[nodiscard]] ColourScale displacementScale() const;
+    /// They hold no colors while there is no scene.
+    [[nodiscard]] ColorScale heightScale() const;
+    [[nodiscard]] ColorScale displacementScale() const;
 
     /// Where a world place [m] is seen, in pixels of the widget.
     [[nodiscard]] QPointF onScreen(const Vector3& place) const;
@@ -62,7 +62,7 @@ Q_SIGNALS:
     /// The person asks the tip to go by this much, world [m].
     void tipDragged(double dx, double dy, double dz);
     void frameChanged();   ///< window() is another
-    void scalesChanged();  ///< a colour scale is another
+    void scalesChanged();  ///< a color scale is another
     void frameRendered();
 
 protected:

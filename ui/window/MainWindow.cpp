@@ -1,7 +1,7 @@
 #include "ui/window/MainWindow.h"
 
 #include "ui/panels/CantileverPanel.h"
-#include "ui/panels/ColourBarWidget.h"
+#include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/FidelityPanel.h"
 #include "ui/panels/ForcePanel.h"
@@ -113,8 +113,8 @@ QWidget* MainWindow::leftSide() {
     column->addWidget(view_, 1);
     auto* bars = new QHBoxLayout;
     bars->setSpacing(3 * kGap);
-    auto* heights = new ColourBarWidget(this);
-    auto* displacements = new ColourBarWidget(this);
+    auto* heights = new ColorBarWidget(this);
+    auto* displacements = new ColorBarWidget(this);
     bars->addWidget(heights);
     bars->addWidget(displacements);
     connect(view_, &ZoomView::scalesChanged, this, [this, heights, displacements] {

@@ -55,7 +55,7 @@ vtkSmartPointer<vtkImageData> imageOf(const HeightRows& map, vtkDoubleArray* hei
 }
 
 /// Told by a VTK writer how far it is. The writers of VTK 9.1 go on for minutes when AbortExecute
-/// is set; an exception ends them, and they are not used again. @throw Cancelled
+/// is set; an exception ends them, and they are not used again. @throw Canceled
 void passOn(vtkObject* /*writer*/, unsigned long /*event*/, void* progress, void* fraction) {
     reportTo(static_cast<Progress*>(progress), *static_cast<double*>(fraction));
 }

@@ -15,15 +15,15 @@ namespace asperity {
 [[nodiscard]] bool canWriteHeightMapWithVtk(const std::filesystem::path& path);
 
 /// Writes a height map for other programs, by the path's extension (in any case):
-/// - `.vti`: image of point values "height" [m] at the pixel centres, bottom row first; pixels that
+/// - `.vti`: image of point values "height" [m] at the pixel centers, bottom row first; pixels that
 ///   hold no data are 0 in the array "valid", which is there when any is
-/// - `.vtp`: triangles through the pixel centres with "height" [m]; none touches an invalid pixel
-/// - `.stl`: the same triangles, binary. STL knows no unit: coordinates are METRES, as in the other
+/// - `.vtp`: triangles through the pixel centers with "height" [m]; none touches an invalid pixel
+/// - `.stl`: the same triangles, binary. STL knows no unit: coordinates are METERS, as in the other
 ///   files, and the file's header says so
 /// Coordinates are those of the world frame.
 /// @return false, and nothing is written, for any other extension
 /// `.vti` and `.vtp` need VTK's whole data set in memory, `.stl` a few rows.
-/// @throw Error when no triangle is left, or the file cannot be written; Cancelled
+/// @throw Error when no triangle is left, or the file cannot be written; Canceled
 bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightRows& map,
                            Progress* progress = nullptr);
 /// @throw Error when the map is unusable, too

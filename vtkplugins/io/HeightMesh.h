@@ -16,13 +16,13 @@ inline constexpr const char* kNoTriangles =
 void requireWritten(bool isWritten);
 
 /// Heights from the bottom row up, as VTK numbers points; NaN where there are no data.
-/// @throw Cancelled
+/// @throw Canceled
 [[nodiscard]] vtkSmartPointer<vtkDoubleArray> heightArray(const HeightRows& map,
                                                           Progress* progress);
 
 /// Two triangles, counter-clockwise from above, for each four pixels that all have a height, in the
 /// world frame of the whole map; of `map`, which may be a strip of it, the heights.
-/// @param rowsBelow rows of the whole map below this strip @throw Cancelled
+/// @param rowsBelow rows of the whole map below this strip @throw Canceled
 [[nodiscard]] vtkSmartPointer<vtkPolyData> meshOf(const HeightRows& map, vtkDoubleArray* heights,
                                                   int rowsBelow, Progress* progress);
 

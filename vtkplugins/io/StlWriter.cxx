@@ -35,7 +35,7 @@ public:
     explicit JoinedStl(const std::filesystem::path& target)
         : stream_(target, std::ios::binary), strip_(target.string() + ".strip") {
         writer_->SetFileTypeToBinary();
-        writer_->SetHeader("Asperity height map; one unit is one metre");
+        writer_->SetHeader("Asperity height map; one unit is one meter");
         writer_->SetFileName(strip_.path().c_str());
     }
 

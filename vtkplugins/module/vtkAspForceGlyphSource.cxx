@@ -40,7 +40,7 @@ void vtkAspForceGlyphSource::PrintSelf(ostream& os, vtkIndent indent) {
        << this->ContactPoint[2] << "\n";
     os << indent << "Force: " << this->Force[0] << " " << this->Force[1] << " " << this->Force[2]
        << "\n";
-    os << indent << "MetresPerNewton: " << this->MetresPerNewton << "\n";
+    os << indent << "MetersPerNewton: " << this->MetersPerNewton << "\n";
     os << indent << "Resolution: " << this->Resolution << "\n";
 }
 
@@ -49,7 +49,7 @@ int vtkAspForceGlyphSource::RequestData(vtkInformation* /*request*/,
                                         vtkInformationVector* outputVector) {
     const asperity::Vector3 force(this->Force);
     const double magnitude = force.stableNorm();
-    const double length = magnitude * this->MetresPerNewton;
+    const double length = magnitude * this->MetersPerNewton;
     if (!(length > 0.0) || !std::isfinite(length)) {
         return 1;
     }

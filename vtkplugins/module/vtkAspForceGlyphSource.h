@@ -24,8 +24,8 @@ public:
     vtkGetVector3Macro(Force, double);
 
     /// Length of the arrow per force [m/N].
-    vtkSetMacro(MetresPerNewton, double);
-    vtkGetMacro(MetresPerNewton, double);
+    vtkSetMacro(MetersPerNewton, double);
+    vtkGetMacro(MetersPerNewton, double);
 
     /// Facets around the arrow, at least 3.
     vtkSetClampMacro(Resolution, int, 3, 1024);
@@ -40,7 +40,7 @@ protected:
 private:
     double ContactPoint[3] = {0.0, 0.0, 0.0};
     double Force[3] = {0.0, 0.0, 0.0};
-    double MetresPerNewton = 1.0;
+    double MetersPerNewton = 1.0;
     int Resolution = 32;
 };
 

@@ -28,7 +28,7 @@ asperity::Vector3 restNormal(const asperity::SurfacePatch& patch, int row, int c
     };
     const asperity::Vector3 alongX = rest(row, column + 1) - rest(row, column - 1);
     const asperity::Vector3 alongY = rest(row + 1, column) - rest(row - 1, column);
-    // Scaled first: the product of two sides of a picometre patch is below Eigen's own zero.
+    // Scaled first: the product of two sides of a picometer patch is below Eigen's own zero.
     return alongX.normalized().cross(alongY.normalized()).normalized();
 }
 

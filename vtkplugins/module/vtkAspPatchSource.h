@@ -8,7 +8,7 @@
 
 /// The deformed surface around the contact as triangle strips with the patch's own normals. Point
 /// scalars "displacement": how far the surface was pushed in along its normal at rest, negative
-/// where it was pulled out [m]. World frame, metres.
+/// where it was pulled out [m]. World frame, meters.
 class VTKASPERITY_EXPORT vtkAspPatchSource : public vtkPolyDataAlgorithm {
 public:
     static vtkAspPatchSource* New();

@@ -7,7 +7,7 @@
 #include <vtkPolyDataAlgorithm.h>
 
 /// A rectangular window of a B-spline surface as triangle strips, with the spline's own normals and
-/// its height [m] as the point scalars "height". World frame, metres.
+/// its height [m] as the point scalars "height". World frame, meters.
 class VTKASPERITY_EXPORT vtkAspSurfaceSource : public vtkPolyDataAlgorithm {
 public:
     static vtkAspSurfaceSource* New();

@@ -6,7 +6,7 @@
 #include <vtkPolyDataAlgorithm.h>
 
 /// An AFM tip for drawing: a sphere that runs smoothly into a conical shank, open at its end. World
-/// frame, metres, analytic normals.
+/// frame, meters, analytic normals.
 class VTKASPERITY_EXPORT vtkAspTipSource : public vtkPolyDataAlgorithm {
 public:
     static vtkAspTipSource* New();
@@ -15,7 +15,7 @@ public:
     vtkTypeMacro(vtkAspTipSource, vtkPolyDataAlgorithm)
     void PrintSelf(ostream& os, vtkIndent indent) override;
 
-    /// Centre of the sphere [m].
+    /// Center of the sphere [m].
     vtkSetVector3Macro(Center, double);
     vtkGetVector3Macro(Center, double);
 

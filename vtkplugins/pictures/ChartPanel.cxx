@@ -173,13 +173,13 @@ void ChartPanel::paintAxes(Painter& painter) const {
     const PixelRect plot = plotArea();
     for (std::size_t i = 0; i < x_.ticks().size(); ++i) {
         painter.text({pixelOf(x_.ticks()[i], y_.low()).x, plot.bottom - 18.0}, x_.labels()[i],
-                     {.size = kLabelSize, .align = Align::Centre});
+                     {.size = kLabelSize, .align = Align::Center});
     }
     for (std::size_t i = 0; i < y_.ticks().size(); ++i) {
         painter.text({plot.left - 10.0, pixelOf(x_.low(), y_.ticks()[i]).y}, y_.labels()[i],
                      {.size = kLabelSize, .align = Align::Right});
     }
-    const TextStyle name{.size = 16.0, .align = Align::Centre};
+    const TextStyle name{.size = 16.0, .align = Align::Center};
     painter.text({plot.left + 0.5 * plot.width, plot.bottom - 44.0}, x_.title(), name);
     painter.upright({area_.left + 16.0, plot.bottom + 0.5 * plot.height}, y_.title(), name);
 }

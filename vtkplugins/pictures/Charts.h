@@ -17,7 +17,7 @@ struct Curve {
     std::string label;  ///< in the legend; empty: not there
     std::vector<double> x;
     std::vector<double> y;            ///< as many as `x`
-    std::optional<Color> color = {};  ///< empty: the next colour that goes with the others
+    std::optional<Color> color = {};  ///< empty: the next color that goes with the others
     bool dashed = false;
     bool points = false;                        ///< a dot a sample instead of a line
     std::vector<std::string> pointLabels = {};  ///< beside the dots; empty, or as many as `x`

@@ -9,7 +9,7 @@ namespace asperity {
 
 /// Where a contact's edge lies; world frame.
 struct ContactEdge {
-    Vector3 centre = Vector3::Zero();    ///< on the contact's axis [m]
+    Vector3 center = Vector3::Zero();    ///< on the contact's axis [m]
     Vector3 outward = Vector3::UnitZ();  ///< along the axis, out of the sample, unit
     double radius = 0.0;                 ///< about the axis, above zero [m]
 };

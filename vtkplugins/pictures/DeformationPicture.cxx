@@ -31,7 +31,7 @@ bool isDrawable(const SurfacePatch& patch) {
 }
 
 void check(const DeformationView& view) {
-    const bool isFinite = view.tipCentre.allFinite() && view.contactPoint.allFinite() &&
+    const bool isFinite = view.tipCenter.allFinite() && view.contactPoint.allFinite() &&
                           view.force.allFinite() && std::isfinite(view.contactRadius) &&
                           std::isfinite(view.tipRadius);
     if (!isDrawable(view.patch) || !isFinite || !(view.tipRadius > 0.0)) {
@@ -88,7 +88,7 @@ void writeDeformationPicture(const std::filesystem::path& path,
     for (std::size_t i = 0; i < views.size(); ++i) {
         const ScenePanel panel(panelArea(i, views.size(), size));
         const auto scene = std::make_shared<DeformationScene>(picture, views[i], panel.scene());
-        const PanelText text{views[i].title, legendOf(views[i]), scene->colourBar(),
+        const PanelText text{views[i].title, legendOf(views[i]), scene->colorBar(),
                              views[i].caption + "\n" + scaleNote(scene->magnification())};
         picture.paint([scene, panel, text](Painter& painter) {
             panel.paint(painter, text);

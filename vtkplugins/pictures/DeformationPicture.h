@@ -15,7 +15,7 @@ struct DeformationView {
     std::string title;
     std::string caption;                  ///< below the panel; wrapped
     SurfacePatch patch;                   ///< its grid runs along x and y
-    Vector3 tipCentre = Vector3::Zero();  ///< centre of the tip's sphere [m]
+    Vector3 tipCenter = Vector3::Zero();  ///< center of the tip's sphere [m]
     double tipRadius = 0.0;               ///< [m]
     /// How far the tip's own surface gives way, at a distance from the contact's axis [m -> m];
     /// empty: the tip is rigid.
@@ -26,7 +26,7 @@ struct DeformationView {
 };
 
 /// Draws the deformed surface of each view in 3-D, side by side, four and more in rows of two:
-/// coloured by displacement, with the edge of the contact, the tip and the force. Small
+/// colored by displacement, with the edge of the contact, the tip and the force. Small
 /// displacements are drawn larger, and the picture says by how much. The same views give the same
 /// bytes.
 /// @throw Error when a patch is not whole or a value not finite, no display answers, or the file

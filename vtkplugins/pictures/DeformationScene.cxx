@@ -63,7 +63,7 @@ vtkSmartPointer<vtkPolyData> deformedTip(const DeformationView& view, const Vect
     }
     for (vtkIdType id = 0; id < tip->GetNumberOfPoints(); ++id) {
         const Vector3 point(tip->GetPoint(id));
-        const Vector3 arm = point - view.tipCentre;
+        const Vector3 arm = point - view.tipCenter;
         const double distance = (arm - arm.dot(outward) * outward).norm();
         const Vector3 moved = point + view.tipDisplacement(distance) * outward;
         deformed->GetPoints()->SetPoint(id, moved.data());
@@ -94,10 +94,10 @@ DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationV
     const double limit = std::max(std::abs(range[0]), std::abs(range[1]));
     low_ = std::min(range[0], 0.0);
     high_ = limit > 0.0 ? std::max(range[1], 0.0) : 1e-12;
-    colours_ = divergingTable(limit > 0.0 ? limit : high_);
+    colors_ = divergingTable(limit > 0.0 ? limit : high_);
     magnification_ = magnificationFor(limit, width_);
-    const Vector3 toCentre = view.tipCentre - view.contactPoint;
-    outward_ = toCentre.isZero(0.0) ? Vector3::UnitZ() : toCentre.stableNormalized();
+    const Vector3 toCenter = view.tipCenter - view.contactPoint;
+    outward_ = toCenter.isZero(0.0) ? Vector3::UnitZ() : toCenter.stableNormalized();
 
     const Stretch stretch(view.patch, outward_, magnification_);
     addSample(source->GetOutput());
@@ -116,7 +116,7 @@ void DeformationScene::addSample(vtkPolyData* surface) {
     const vtkSmartPointer<vtkPolyData> shown =
         stretchedSurface(data_.patch, magnification_, surface);
     bottom_ = shown->GetBounds()[4] - kBlockDepth * width_;
-    solid_->AddActor(colouredSurface(shown, colours_));
+    solid_->AddActor(coloredSurface(shown, colors_));
     solid_->AddActor(blockWalls(shown, size, bottom_));
     const vtkSmartPointer<vtkActor> grid =
         lines(drapedGrid(shown, size, kGridLines), palette::kInk, 0.7);
@@ -129,7 +129,7 @@ void DeformationScene::addTip(const Stretch& stretch) {
     const double radius = data_.tipRadius;
     const double shownHeight = kTipHeight * width_;
     tip->SetRadius(radius);
-    tip->SetCenter(data_.tipCentre.x(), data_.tipCentre.y(), data_.tipCentre.z());
+    tip->SetCenter(data_.tipCenter.x(), data_.tipCenter.y(), data_.tipCenter.z());
     tip->SetHeight(2.0 * shownHeight / magnification_);  // more than enough: the rest is cut off
     if (magnification_ > 1.0) {  // of the sphere alone, any axis is as good: this one looks upright
         tip->SetAxis(outward_.x(), outward_.y(), outward_.z());
@@ -182,7 +182,7 @@ void DeformationScene::addForce(const Stretch& stretch) {
     vtkNew<vtkAspForceGlyphSource> arrow;
     arrow->SetContactPoint(start.x(), start.y(), start.z());
     arrow->SetForce(data_.force.x(), data_.force.y(), data_.force.z());
-    arrow->SetMetresPerNewton(scale);
+    arrow->SetMetersPerNewton(scale);
     arrow->SetResolution(48);
     arrow->Update();
     if (arrow->GetOutput()->GetNumberOfPoints() > 0) {
@@ -231,9 +231,9 @@ void DeformationScene::paintLabels(Painter& painter) const {
         return PixelPoint{at.x + right, at.y + up};
     };
     painter.text(place(horizontalBarAt_, 0.0, -26.0), formatSi(horizontalBar_, "m"),
-                 {.align = Align::Centre});
+                 {.align = Align::Center});
     painter.text(place(verticalBarAt_, 0.0, 16.0), formatSi(verticalBar_, "m"),
-                 {.align = Align::Centre});
+                 {.align = Align::Center});
     const double magnitude = data_.force.stableNorm();
     if (magnitude > 0.0) {
         painter.label(place(forceEnd_, 16.0, 0.0), formatSi(magnitude, "N"),
@@ -241,8 +241,8 @@ void DeformationScene::paintLabels(Painter& painter) const {
     }
 }
 
-ColourBar DeformationScene::colourBar() const {
-    return {"displacement", "m", low_, high_, colours_};
+ColorBar DeformationScene::colorBar() const {
+    return {"displacement", "m", low_, high_, colors_};
 }
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vtkplugins/pictures/ColourBar.h"
+#include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
 
@@ -20,7 +20,7 @@ public:
 
     /// Labels of the scale bars and of the force.
     void paintLabels(Painter& painter) const;
-    [[nodiscard]] ColourBar colourBar() const;
+    [[nodiscard]] ColorBar colorBar() const;
     /// How much larger than life displacements are drawn; 1: to scale.
     [[nodiscard]] double magnification() const { return magnification_; }
 
@@ -35,11 +35,11 @@ private:
     PixelRect area_;
     vtkRenderer* solid_;    ///< surface and tip
     vtkRenderer* through_;  ///< contact circle and force, seen through the surface
-    vtkSmartPointer<vtkLookupTable> colours_;
+    vtkSmartPointer<vtkLookupTable> colors_;
     double low_ = 0.0;  ///< displacements shown [m]
     double high_ = 0.0;
     double magnification_ = 1.0;
-    Vector3 outward_ = Vector3::UnitZ();  ///< unit, from the contact to the tip's centre
+    Vector3 outward_ = Vector3::UnitZ();  ///< unit, from the contact to the tip's center
     double width_ = 0.0;                  ///< of the patch [m]
     double bottom_ = 0.0;                 ///< of the drawn block, world z [m]
     double horizontalBar_ = 0.0;          ///< lengths that the scale bars stand for [m]

@@ -25,7 +25,7 @@ std::size_t driverMemory() {
     return kCode + kPerThread * (drawing + kOtherThreads);
 }
 
-/// Colours and depths of all layers, and what is read back of them. Measured: 56 bytes a pixel.
+/// Colors and depths of all layers, and what is read back of them. Measured: 56 bytes a pixel.
 std::size_t pictureMemory(PictureSize drawn) {
     constexpr std::size_t kPerPixel = 60;
     return kPerPixel * static_cast<std::size_t>(drawn.width) *

@@ -47,7 +47,7 @@ void writeOverviewPicture(const std::filesystem::path& path, const OverviewView&
     const ScenePanel panel(
         {0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)});
     const OverviewScene scene(picture, view, panel.scene());
-    const PanelText text{view.title, legendOf(view, scene.hasFilled()), scene.colourBar(),
+    const PanelText text{view.title, legendOf(view, scene.hasFilled()), scene.colorBar(),
                          view.caption + "\n" + scaleNote(view.surface, scene.magnification())};
     picture.paint([&scene, &panel, &text](Painter& painter) {
         panel.paint(painter, text);

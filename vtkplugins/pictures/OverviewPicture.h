@@ -29,7 +29,7 @@ struct OverviewView {
     std::vector<Vector3> path;       ///< where the tip's apex went [m]
 };
 
-/// Draws the scan in 3-D, coloured by height, with the tip's place, its path and the zoom's frame.
+/// Draws the scan in 3-D, colored by height, with the tip's place, its path and the zoom's frame.
 /// Heights are drawn larger when they are small, and the picture says by how much. Parts of the
 /// path high above the surface are left out. The same view gives the same bytes.
 /// @throw Error when no display answers, or the file cannot be written

@@ -72,7 +72,7 @@ void OverviewScene::addSurface() {
     const double wanted = range[1] > range[0] ? kShownRelief * side_ / (high_ - low_) : 1.0;
     magnification_ = wanted >= 2.0 ? niceBelow(wanted) : 1.0;
     bottom_ = magnification_ * low_ - kBlockDepth * side_;
-    colours_ = heightTable(low_, high_);
+    colors_ = heightTable(low_, high_);
     markFilled(source->GetOutput());
     SurfacePatch plane;  // that heights are measured from
     plane.columns = 2;
@@ -80,11 +80,11 @@ void OverviewScene::addSurface() {
     plane.rest = {Vector3(0.0, 0.0, 0.0), Vector3(side_, 0.0, 0.0), Vector3(0.0, side_, 0.0),
                   Vector3(side_, side_, 0.0)};
     const auto drawn = Stretch(plane, Vector3::UnitZ(), magnification_).apply(source->GetOutput());
-    solid_->AddActor(colouredSurface(drawn, colours_));
+    solid_->AddActor(coloredSurface(drawn, colors_));
     solid_->AddActor(blockWalls(drawn, size, bottom_));
 }
 
-/// Heights filled in have no colour of a height.
+/// Heights filled in have no color of a height.
 void OverviewScene::markFilled(vtkPolyData* surface) {
     vtkDataArray* heights = surface->GetPointData()->GetScalars();
     for (vtkIdType id = 0; id < surface->GetNumberOfPoints(); ++id) {
@@ -94,8 +94,8 @@ void OverviewScene::markFilled(vtkPolyData* surface) {
             hasFilled_ = true;
         }
     }
-    const std::array<double, 3> grey = palette::kNoData.fractions();
-    colours_->SetNanColor(grey[0], grey[1], grey[2], 1.0);
+    const std::array<double, 3> gray = palette::kNoData.fractions();
+    colors_->SetNanColor(gray[0], gray[1], gray[2], 1.0);
 }
 
 std::vector<Vector3> OverviewScene::draped(double fromX, double fromY, double toX,
@@ -135,7 +135,7 @@ void OverviewScene::addZoomFrame() {
 void OverviewScene::addPath() {
     const double ceiling = magnification_ * high_ + kPathCeiling * side_;
     const double floor = magnification_ * low_ - kPathCeiling * side_;
-    std::vector<Vector3> run;  // of neighbouring points below the ceiling
+    std::vector<Vector3> run;  // of neighboring points below the ceiling
     const auto finish = [this, &run] {
         if (run.size() > 1) {
             addRimmedLine(solid_, run, palette::kPath);
@@ -186,9 +186,9 @@ void OverviewScene::addScaleBar() {
 
 void OverviewScene::paintLabels(Painter& painter) const {
     const PixelPoint at = OffscreenPicture::project(solid_, scaleBarAt_);
-    painter.text({at.x, at.y - 20.0}, formatSi(scaleBar_, "m"), {.align = Align::Centre});
+    painter.text({at.x, at.y - 20.0}, formatSi(scaleBar_, "m"), {.align = Align::Center});
 }
 
-ColourBar OverviewScene::colourBar() const { return {"height", "m", low_, high_, colours_}; }
+ColorBar OverviewScene::colorBar() const { return {"height", "m", low_, high_, colors_}; }
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vtkplugins/pictures/ColourBar.h"
+#include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
 
@@ -19,7 +19,7 @@ public:
 
     /// Label of the scale bar.
     void paintLabels(Painter& painter) const;
-    [[nodiscard]] ColourBar colourBar() const;
+    [[nodiscard]] ColorBar colorBar() const;
     /// How much larger than life heights are drawn; 1: to scale.
     [[nodiscard]] double magnification() const { return magnification_; }
     /// Whether the scan holds no data somewhere.
@@ -32,7 +32,7 @@ private:
     void addPath();
     void addPin();
     void addScaleBar();
-    /// A coloured line with a light rim, plain to see on any ground.
+    /// A colored line with a light rim, plain to see on any ground.
     static void addRimmedLine(vtkRenderer* view, const std::vector<Vector3>& points,
                               const Color& color);
     /// Just above the drawn surface, straight from one place to another.
@@ -42,7 +42,7 @@ private:
     const OverviewView& data_;
     vtkRenderer* solid_;    ///< the surface and what it may hide
     vtkRenderer* through_;  ///< pin and zoom, which nothing hides
-    vtkSmartPointer<vtkLookupTable> colours_;
+    vtkSmartPointer<vtkLookupTable> colors_;
     double side_ = 0.0;  ///< longer side of the scan [m]
     double low_ = 0.0;   ///< heights shown [m]
     double high_ = 0.0;

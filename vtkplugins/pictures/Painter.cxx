@@ -42,11 +42,11 @@ void Painter::fill(const PixelRect& rect, const Color& color, double opacity) {
         static_cast<float>(rect.width * scale_), static_cast<float>(rect.height * scale_));
 }
 
-void Painter::disc(const PixelPoint& centre, double radius, const Color& color) {
+void Painter::disc(const PixelPoint& center, double radius, const Color& color) {
     context_->GetPen()->SetLineType(vtkPen::NO_PEN);
     context_->GetBrush()->SetColor(color.red, color.green, color.blue, 255);
-    context_->DrawEllipse(static_cast<float>(centre.x * scale_),
-                          static_cast<float>(centre.y * scale_),
+    context_->DrawEllipse(static_cast<float>(center.x * scale_),
+                          static_cast<float>(center.y * scale_),
                           static_cast<float>(radius * scale_), static_cast<float>(radius * scale_));
 }
 
@@ -73,7 +73,7 @@ double Painter::textWidth(const std::string& text, const TextStyle& style) {
 void Painter::text(const PixelPoint& at, const std::string& text, const TextStyle& style) {
     double left = at.x;
     if (style.align != Align::Left) {
-        left -= textWidth(text, style) * (style.align == Align::Centre ? 0.5 : 1.0);
+        left -= textWidth(text, style) * (style.align == Align::Center ? 0.5 : 1.0);
     }
     useText(style);
     context_->DrawString(static_cast<float>(std::round(left * scale_)),
@@ -94,7 +94,7 @@ void Painter::label(const PixelPoint& at, const std::string& text, const TextSty
     const double width = textWidth(text, style) + style.size;
     const double height = style.size * 1.5;
     const double anchor = style.align == Align::Left     ? 0.0
-                          : style.align == Align::Centre ? 0.5
+                          : style.align == Align::Center ? 0.5
                                                          : 1.0;
     PixelRect plate{at.x - anchor * width, at.y - 0.5 * height, width, height};
     plate.left = std::max(bounds.left, std::min(plate.left, bounds.right() - width));
@@ -140,7 +140,7 @@ void Painter::paragraph(const PixelRect& area, const std::string& text, TextStyl
         lines = wrapped(text, area.width, style);
     }
     const double left = style.align == Align::Left     ? area.left
-                        : style.align == Align::Centre ? area.left + 0.5 * area.width
+                        : style.align == Align::Center ? area.left + 0.5 * area.width
                                                        : area.right();
     double middle = area.top() - 0.5 * style.size * kLineHeight;
     for (const std::string& line : lines) {

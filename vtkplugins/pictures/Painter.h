@@ -29,7 +29,7 @@ struct PixelRect {
     }
 };
 
-enum class Align : std::uint8_t { Left, Centre, Right };
+enum class Align : std::uint8_t { Left, Center, Right };
 
 struct TextStyle {
     double size = 17.0;  ///< height of the font [pixel]
@@ -51,11 +51,11 @@ public:
 
     void line(const std::vector<PixelPoint>& points, const LineStyle& style);
     void fill(const PixelRect& rect, const Color& color, double opacity = 1.0);
-    void disc(const PixelPoint& centre, double radius, const Color& color);
+    void disc(const PixelPoint& center, double radius, const Color& color);
 
     /// Text with its middle height at `at.y`.
     void text(const PixelPoint& at, const std::string& text, const TextStyle& style);
-    /// Text that reads upwards, centred at `at`.
+    /// Text that reads upwards, centerd at `at`.
     void upright(const PixelPoint& at, const std::string& text, const TextStyle& style);
     /// Text on a light plate, readable over anything; the whole plate stays inside `bounds`.
     void label(const PixelPoint& at, const std::string& text, const TextStyle& style,

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kTableSize = 511;  // odd: one entry is exactly the middle
 
-/// A table that runs evenly through the anchor colours.
+/// A table that runs evenly through the anchor colors.
 vtkSmartPointer<vtkLookupTable> tableThrough(std::span<const Color> anchors, double low,
                                              double high) {
     auto table = vtkSmartPointer<vtkLookupTable>::New();

@@ -40,7 +40,7 @@ inline constexpr std::array<Color, 9> kHeights = {{{45, 22, 74},
 
 }  // namespace palette
 
-/// Colour of the n-th curve: told apart with any colour vision. Source: Okabe and Ito (2008).
+/// Color of the n-th curve: told apart with any color vision. Source: Okabe and Ito (2008).
 [[nodiscard]] Color seriesColor(std::size_t index);
 
 /// Blue over near-white to orange, neutral at zero, over [-limit, limit]: what is pushed in is

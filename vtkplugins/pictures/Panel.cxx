@@ -77,7 +77,7 @@ void ScenePanel::paint(Painter& painter, const PanelText& text) const {
     const double barTop = panel_.height - kBar - kCaption - kBelow;
     painter.paragraph(band(kTop, kTitle), text.title, {.size = 26.0, .bold = true});
     paintLegend(painter, text.legend, band(kTop + kTitle, kLegend));
-    drawColourBar(painter, text.bar, band(barTop, kBar));
+    drawColorBar(painter, text.bar, band(barTop, kBar));
     painter.paragraph(band(barTop + kBar, kCaption), text.caption,
                       {.size = 17.0, .color = palette::kMuted});
 }

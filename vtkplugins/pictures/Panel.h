@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vtkplugins/pictures/ColourBar.h"
+#include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/Painter.h"
 
 #include <string>
@@ -26,7 +26,7 @@ void paintLegend(Painter& painter, const std::vector<LegendEntry>& entries, cons
 struct PanelText {
     std::string title;
     std::vector<LegendEntry> legend;
-    ColourBar bar;
+    ColorBar bar;
     std::string caption;
 };
 

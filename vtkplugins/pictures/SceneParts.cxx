@@ -95,7 +95,7 @@ std::vector<int> spread(int count, int wanted) {
 
 }  // namespace
 
-vtkSmartPointer<vtkActor> colouredSurface(vtkPolyData* data, vtkLookupTable* table) {
+vtkSmartPointer<vtkActor> coloredSurface(vtkPolyData* data, vtkLookupTable* table) {
     vtkSmartPointer<vtkActor> actor = actorOf(data);
     vtkMapper* mapper = actor->GetMapper();
     mapper->ScalarVisibilityOn();

@@ -30,9 +30,9 @@ struct Matt {
 inline constexpr Matt kPlainMatt{0.36, 0.66};
 inline constexpr Matt kWallMatt{0.8, 0.25};  ///< of blockWalls()
 
-/// A surface coloured by its scalars.
-[[nodiscard]] vtkSmartPointer<vtkActor> colouredSurface(vtkPolyData* data, vtkLookupTable* table);
-/// A surface of one colour.
+/// A surface colored by its scalars.
+[[nodiscard]] vtkSmartPointer<vtkActor> coloredSurface(vtkPolyData* data, vtkLookupTable* table);
+/// A surface of one color.
 [[nodiscard]] vtkSmartPointer<vtkActor> plainSurface(vtkPolyData* data, const Color& color);
 /// Walls from the border of a grid surface straight down to z = bottom: a solid block.
 [[nodiscard]] vtkSmartPointer<vtkActor> blockWalls(vtkPolyData* surface, GridSize size,
@@ -48,7 +48,7 @@ struct BlockWalls {
 /// What they are made of: pairs of points, one of the surface and one below it.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size,
                                                       double bottom, const BlockWalls& walls = {});
-/// Lines of one colour that win against the surface they lie on; width in pixels of the picture.
+/// Lines of one color that win against the surface they lie on; width in pixels of the picture.
 [[nodiscard]] vtkSmartPointer<vtkActor> lines(vtkPolyData* data, const Color& color, double width);
 /// The same; width in pixels as they are drawn.
 [[nodiscard]] vtkSmartPointer<vtkActor> linesAsDrawn(vtkPolyData* data, const Color& color,
@@ -61,7 +61,7 @@ struct BlockWalls {
                                                       int count);
 /// Lights from the upper left and a weak one from the camera.
 void addLights(vtkRenderer* renderer);
-/// How bright a matt surface is under these lights, about 0 ... 1, for colours that are lit before
+/// How bright a matt surface is under these lights, about 0 ... 1, for colors that are lit before
 /// they are drawn. @param normal unit; rightwards, upwards and to the eye
 [[nodiscard]] double brightness(const Vector3& normal, const Matt& matt);
 

@@ -79,14 +79,14 @@ private:
         for (std::size_t i = 0; i < map_.columns.size(); i += stride(first.width, kNameWidth)) {
             const PixelRect named = cell(0, i);
             painter.text({named.left + 0.5 * named.width, plot_.bottom - 14.0}, map_.columns[i],
-                         {.size = kNameSize, .align = Align::Centre});
+                         {.size = kNameSize, .align = Align::Center});
         }
         for (std::size_t i = 0; i < map_.rows.size(); i += stride(first.height, kNameHeight)) {
             const PixelRect named = cell(i, 0);
             painter.text({plot_.left - 8.0, named.bottom + 0.5 * named.height}, map_.rows[i],
                          {.size = kNameSize, .align = Align::Right});
         }
-        const TextStyle axis{.size = 15.0, .align = Align::Centre};
+        const TextStyle axis{.size = 15.0, .align = Align::Center};
         painter.text({plot_.left + 0.5 * plot_.width, plot_.bottom - 38.0}, map_.xLabel, axis);
         painter.upright({area_.left + 14.0, plot_.bottom + 0.5 * plot_.height}, map_.yLabel, axis);
     }

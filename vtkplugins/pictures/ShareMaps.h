@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// A table of cells, each divided into coloured shares of its height.
+/// A table of cells, each divided into colored shares of its height.
 struct ShareMap {
     std::string title;
     std::string xLabel;
@@ -21,7 +21,7 @@ struct ShareMap {
     std::vector<std::vector<double>> cells;
 };
 
-/// What a colour means.
+/// What a color means.
 struct ShareKey {
     Color color;
     std::string text;

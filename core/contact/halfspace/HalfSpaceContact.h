@@ -28,7 +28,7 @@ struct SurfaceTraction {
 enum class HalfSpaceStatus : std::uint8_t {
     Converged,
     NotConverged,  ///< the iterations allowed did not reach the tolerance
-    Cancelled,
+    Canceled,
 };
 
 /// What a solution does not hold for.

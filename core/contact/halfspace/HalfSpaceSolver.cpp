@@ -88,7 +88,7 @@ PressureSearch::Fields fieldsIn(const HalfSpaceContact& contact, const PixelWind
 
 double circleRadius(double area) { return std::sqrt(area / std::numbers::pi); }
 
-void summarise(const HalfSpaceContact& contact, HalfSpaceSolution& solution) {
+void summarize(const HalfSpaceContact& contact, HalfSpaceSolution& solution) {
     const double pixelArea = contact.pitch * contact.pitch;
     double touching = 0.0;
     double cohering = 0.0;
@@ -160,7 +160,7 @@ HalfSpaceSolution HalfSpaceSolver::solve(const HalfSpaceContact& contact,
             break;
         }
     }
-    summarise(contact, solution);
+    summarize(contact, solution);
     solution.doubts = doubtsAbout(contact, solution, reach);
     return solution;
 }
@@ -183,7 +183,7 @@ void HalfSpaceSolver::searchIn(const PixelWindow& window, const HalfSpaceContact
         if (solution.residual < limits_.tolerance) {
             solution.status = HalfSpaceStatus::Converged;
         } else if (stop.stop_requested()) {
-            solution.status = HalfSpaceStatus::Cancelled;
+            solution.status = HalfSpaceStatus::Canceled;
         }
     }
     solution.convolutions += search.convolutions();

@@ -34,8 +34,8 @@ PixelWindow windowAround(const PixelBounds& bounds, int samples) noexcept {
     const int margin = kLeastMargin + across / kMarginShare;
     const int size = std::min(fieldSize(across + 2 * margin), fieldSize(samples));
     const auto first = [&](int low, int high) {
-        const int centred = (low + high + 1 - size) / 2;
-        return std::clamp(centred, std::min(0, samples - size), std::max(0, samples - size));
+        const int centerd = (low + high + 1 - size) / 2;
+        return std::clamp(centerd, std::min(0, samples - size), std::max(0, samples - size));
     };
     return {.row = first(bounds.lowRow, bounds.highRow),
             .column = first(bounds.lowColumn, bounds.highColumn),

@@ -10,7 +10,7 @@
 namespace asperity {
 
 /// The pressure on the pixels of one window: conjugate gradients on the pixels in contact, whose
-/// set follows the pressure. Lengths in metres, stresses in pascals; row-major.
+/// set follows the pressure. Lengths in meters, stresses in pascals; row-major.
 /// Source: Polonsky, Keer, Wear 231 (1999) 206.
 class PressureSearch {
 public:

@@ -60,11 +60,11 @@ double filmCompliance(double kappa, double k) {
 std::array<double, kFilmProfileTerms> profileOf(const ChebyshevFit& fit,
                                                 const Eigen::VectorXd& phi) {
     // In powers of 2 z - 1, where the fit is well conditioned.
-    std::array<double, kFilmProfileTerms> centred{};
+    std::array<double, kFilmProfileTerms> centerd{};
     for (std::size_t power = 0; power < kFilmProfileTerms; ++power) {
         for (std::size_t node = 0; node < kFilmProfileTerms; ++node) {
             const double z = 0.5 * (1.0 + fit.nodes()[node]);
-            centred[power] += fit.weight(power, node) * phi(static_cast<Eigen::Index>(node)) / z;
+            centerd[power] += fit.weight(power, node) * phi(static_cast<Eigen::Index>(node)) / z;
         }
     }
     std::array<double, kFilmProfileTerms> powers{};
@@ -72,7 +72,7 @@ std::array<double, kFilmProfileTerms> profileOf(const ChebyshevFit& fit,
         for (std::size_t m = kFilmProfileTerms; m-- > 0;) {
             powers[m] = (m > 0 ? 2.0 * powers[m - 1] : 0.0) - powers[m];
         }
-        powers[0] += centred[k];
+        powers[0] += centerd[k];
     }
     return powers;
 }

@@ -48,7 +48,7 @@ public:
     [[nodiscard]] ContactState state(double approach, double compliance) const noexcept {
         return stateAt(tail_.separationAt(approach, compliance, tail_.endSeparation(compliance)));
     }
-    /// The state at endApproach(): near a fold the approach hardly tells it from its neighbours.
+    /// The state at endApproach(): near a fold the approach hardly tells it from its neighbors.
     [[nodiscard]] ContactState last(double compliance) const noexcept {
         return stateAt(tail_.endSeparation(compliance));
     }

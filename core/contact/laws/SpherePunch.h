@@ -11,7 +11,7 @@ namespace asperity {
 struct SphereContact {
     double depth = 0.0;   ///< A = atanh(a)
     double radius = 0.0;  ///< a = tanh(A)
-    double rim = 0.0;     ///< sqrt(1 - a^2), height of the contact's edge below the centre
+    double rim = 0.0;     ///< sqrt(1 - a^2), height of the contact's edge below the center
 };
 
 [[nodiscard]] SphereContact sphereContact(double depth) noexcept;

@@ -17,7 +17,7 @@ struct MaugisPoint {
 };
 
 /// Contact with a cohesive zone of constant stress (Maugis), continued without contact (Kim,
-/// McMeeking, Johnson), by an explicit parametrisation free of cancellation: every state with
+/// McMeeking, Johnson), by an explicit parametrization free of cancellation: every state with
 /// contact is one `coordinate` cot(phi), from 0 (first touch) to infinity (high load).
 /// Valid for transition parameters 1e-13 .. 1e7. Source: docs/theory.md 2.3, 2.4, 2.6.
 class MaugisCurve {

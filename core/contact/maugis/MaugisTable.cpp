@@ -13,7 +13,7 @@ namespace {
 
 using Data = MaugisTableData;
 
-/// Beyond what any material makes of a kilometre or of a soft lever, in the units of MaugisPoint.
+/// Beyond what any material makes of a kilometer or of a soft lever, in the units of MaugisPoint.
 constexpr double kFarthest = 1e40;
 
 MaugisState stateOf(const MaugisPoint& point) noexcept {

@@ -20,12 +20,12 @@ double gaussLegendre(const Function& function, double low, double high) noexcept
                                           {0.45801677765722739, 0.16915651939500254},
                                           {0.28160355077925891, 0.18260341504492359},
                                           {0.09501250983763744, 0.1894506104550685}}};
-    const double centre = 0.5 * (low + high);
+    const double center = 0.5 * (low + high);
     const double half = 0.5 * (high - low);
     double sum = 0.0;
     for (const Node& node : kNodes) {
         const double offset = half * node.place;
-        sum += node.weight * (function(centre - offset) + function(centre + offset));
+        sum += node.weight * (function(center - offset) + function(center + offset));
     }
     return half * sum;
 }

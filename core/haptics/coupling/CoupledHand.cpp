@@ -12,14 +12,14 @@ CoupledHand judged(const ProbeSystem& tip, const HandRequest& request, const Cou
     const double force = std::min(request.device.maxForce, request.maxForce);
     const TipLoad load = tipLoad(tip, force / request.scale.forceGain, request.control);
     CoupledHand hand{.gains = gains,
-                     .judgement = judgeScale(load, request.scale, gains,
+                     .judgment = judgeScale(load, request.scale, gains,
                                              {.stiffness = request.device.maxStiffness,
                                               .force = force,
                                               .timeStep = request.timing.timeStep},
                                              request.guide),
                      .refusal = {}};
-    if (!hand.judgement.holds()) {
-        hand.refusal = hand.judgement.sentence;
+    if (!hand.judgment.holds()) {
+        hand.refusal = hand.judgment.sentence;
     }
     return hand;
 }
@@ -35,7 +35,7 @@ CoupledHand coupleHand(const ProbeSystem& tip, const HandRequest& request) {
         }
         return judged(tip, request, designCoupling(request.device, request.timing));
     } catch (const Error& error) {
-        return {.gains = {}, .judgement = {}, .refusal = error.what()};
+        return {.gains = {}, .judgment = {}, .refusal = error.what()};
     }
 }
 

@@ -22,7 +22,7 @@ struct HandRequest {
 /// The coupling of such a hand, and what it feels; or why there is none.
 struct CoupledHand {
     CouplingGains gains;
-    ScaleJudgement judgement;
+    ScaleJudgment judgment;
     std::string refusal;  ///< one sentence with the numbers; empty: it holds
 
     [[nodiscard]] bool holds() const noexcept { return refusal.empty(); }

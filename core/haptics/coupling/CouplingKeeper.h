@@ -20,7 +20,7 @@ public:
     [[nodiscard]] Settings release(Settings knobs);
 
     /// A hand takes over, after release(). One with motors gets the scene's scale where that is one
-    /// for hands in millimetres and holds; else 1 mm : 1 nm with the largest force gain that holds,
+    /// for hands in millimeters and holds; else 1 mm : 1 nm with the largest force gain that holds,
     /// of 1 N : 10 nN and those below it in steps of a fifth.
     /// @param delay as the device has it so far [s]
     /// @throw Error with the refusal where no scale holds

@@ -30,7 +30,7 @@ struct ScaleBounds {
 };
 
 /// A scale, judged.
-struct ScaleJudgement {
+struct ScaleJudgment {
     double contact = 0.0;       ///< stiffness of lever and contact, at the hand [N/m]
     double contactBound = 0.0;  ///< that the proxy meets without gaining energy [N/m]
     double felt = 0.0;          ///< stiffness in series with the coupling [N/m]
@@ -57,7 +57,7 @@ struct ScaleJudgement {
 /// only drives the proxy into the jump, which loses energy and ends on the positive stiffness
 /// judged here. What the jump brings to the hand is a force, of at most the adhesion.
 /// Source: docs/haptics.md.
-[[nodiscard]] ScaleJudgement judgeScale(const TipLoad& tip, const HandScale& scale,
+[[nodiscard]] ScaleJudgment judgeScale(const TipLoad& tip, const HandScale& scale,
                                         const std::optional<CouplingGains>& coupling,
                                         const ScaleBounds& bounds, const GuideLoad& guide = {});
 

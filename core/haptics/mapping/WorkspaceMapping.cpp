@@ -25,7 +25,7 @@ bool isValid(const Vector3& hand, const MappingSettings& settings) {
 }
 
 bool isValid(const Workspace& workspace, const Vector3& hand) {
-    return hand.allFinite() && workspace.centre.allFinite() && std::isfinite(workspace.radius) &&
+    return hand.allFinite() && workspace.center.allFinite() && std::isfinite(workspace.radius) &&
            std::isfinite(workspace.freeShare) && std::isfinite(workspace.stiffness) &&
            std::isfinite(workspace.forceLimit);
 }
@@ -96,7 +96,7 @@ Vector3 edgeForce(const Workspace& workspace, const Vector3& hand) noexcept {
     if (!isValid(workspace, hand) || !(workspace.radius > 0.0 && workspace.stiffness > 0.0)) {
         return Vector3::Zero();
     }
-    const Vector3 way = hand - workspace.centre;
+    const Vector3 way = hand - workspace.center;
     const double distance = lengthOf(way);
     const double beyond = distance - workspace.freeShare * workspace.radius;
     if (!(beyond > 0.0 && distance > 0.0)) {

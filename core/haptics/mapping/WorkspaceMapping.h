@@ -72,7 +72,7 @@ struct MappingStep {
 [[nodiscard]] Workspace workspaceOf(double radius, double age) noexcept;
 
 /// Force of the workspace's spring on the hand, the device's axes [N]: zero up to the free share of
-/// the radius, from there k (r - r0) towards the centre, which nears the force limit smoothly. It
+/// the radius, from there k (r - r0) towards the center, which nears the force limit smoothly. It
 /// depends on the place alone: what it takes from a hand it gives back. Zero for invalid values.
 [[nodiscard]] Vector3 edgeForce(const Workspace& workspace, const Vector3& hand) noexcept;
 

@@ -48,7 +48,7 @@ private:
 };
 
 /// Calls visit(row, values) with each row of an image, from the top, and finishes.
-/// @throw InputError; Cancelled
+/// @throw InputError; Canceled
 template <class Visit>
 void forEachStoredRow(const StoredChannel& stored, const ByteSource& bytes, Progress* progress,
                       const Visit& visit) {

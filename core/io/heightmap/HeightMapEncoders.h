@@ -18,7 +18,7 @@ struct HeightRange {
     double highest = 0.0;     ///< as lowest [m]
     std::size_t missing = 0;  ///< pixels without data
 };
-/// @throw Cancelled
+/// @throw Canceled
 [[nodiscard]] HeightRange heightRange(const HeightRows& map, Progress* progress);
 
 }  // namespace asperity

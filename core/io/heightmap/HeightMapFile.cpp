@@ -84,7 +84,7 @@ HeightMapContents contentsOf(const ByteSource& bytes) {
     const std::string start = bytes.start(kMarkBytes);
     const auto* const format =
         std::ranges::find_if(kHeightMapFormats, [&](const HeightMapFormat* each) {
-            return each->read != nullptr && each->recognises(start);
+            return each->read != nullptr && each->recognizes(start);
         });
     if (format == kHeightMapFormats.end()) {
         throw InputError(bytes.name(), "",

@@ -9,19 +9,19 @@
 
 namespace asperity {
 
-/// One image of a scan file, whatever it shows; lengths are in metres.
+/// One image of a scan file, whatever it shows; lengths are in meters.
 struct ScanChannel {
     std::string name;
     std::string unit;         ///< of the values ("m", "V", "mV", "deg"); empty: none given
     std::string lateralUnit;  ///< SI base unit of the size, "m" for a scan; empty: none given
     std::string direction;    ///< "forward", "backward", or empty when the file does not say
-    HeightMap map;         ///< values in `unit` (metres only when unit is "m"); pitch 0: not given
+    HeightMap map;         ///< values in `unit` (meters only when unit is "m"); pitch 0: not given
     double originX = 0.0;  ///< offset of the scan in the instrument's frame [m]
     double originY = 0.0;  ///< [m]
     std::map<std::string, std::string> metadata;
 
     [[nodiscard]] bool isHeight() const { return unit == "m"; }
-    /// Whether the file says how large the scan is, in metres.
+    /// Whether the file says how large the scan is, in meters.
     [[nodiscard]] bool hasSize() const {
         return lateralUnit == "m" && map.pitchX > 0.0 && map.pitchY > 0.0;
     }

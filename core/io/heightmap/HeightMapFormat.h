@@ -39,13 +39,13 @@ struct HeightMapFormat {
     std::span<const std::string_view> extensions;
     /// Whether the content is of this type, damaged or not; null: it is not read.
     /// @param start its first kMarkBytes bytes
-    bool (*recognises)(std::string_view start);
+    bool (*recognizes)(std::string_view start);
     /// Checks the whole content, but leaves the values where they are. @param bytes must outlive
     /// the result
     /// @throw InputError when anything is missing or does not fit together
     StoredScan (*read)(const ByteSource& bytes);
     /// Writes a usable map straight to `target`, which the caller puts in place afterwards; null:
-    /// it is not written. Heights are NaN where there are no data. @throw Error; Cancelled
+    /// it is not written. Heights are NaN where there are no data. @throw Error; Canceled
     void (*write)(const std::filesystem::path& target, const HeightRows& map,
                   const HeightMapMeta& meta, Progress* progress);
 };

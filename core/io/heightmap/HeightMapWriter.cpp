@@ -62,7 +62,7 @@ void writeHeightMap(const std::filesystem::path& path, const HeightRows& map,
     const TemporaryFile temporary(path);
     try {
         format->write(temporary.path(), map, meta, progress);
-    } catch (const Cancelled&) {
+    } catch (const Canceled&) {
         throw;
     } catch (const std::exception& error) {
         throw Error(path.string() + ": cannot be written: " + error.what());

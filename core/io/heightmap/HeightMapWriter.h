@@ -27,7 +27,7 @@ struct HeightMapMeta {
 /// the lowest and the highest pixel. Pixels without data are marked by a mask in .gwy, are NaN in
 /// .txt, .gsf, .exr and .tiff, and take the lowest height in .png, whose comment says how many.
 /// Takes little memory beside the map.
-/// @throw Error when the extension is not known or writing fails; Cancelled
+/// @throw Error when the extension is not known or writing fails; Canceled
 void writeHeightMap(const std::filesystem::path& path, const HeightRows& map,
                     const HeightMapMeta& meta, Progress* progress = nullptr);
 /// @throw Error when the map is not usable, too

@@ -50,7 +50,7 @@ public:
     /// All channels, without heights.
     [[nodiscard]] const HeightMapFile& contents() const { return contents_.file; }
     /// The named channel alone (empty: the default one), in single precision.
-    /// @throw InputError as readHeightMapFile() and heightChannel(); Cancelled
+    /// @throw InputError as readHeightMapFile() and heightChannel(); Canceled
     [[nodiscard]] HeightScan readHeightScan(const std::string& name,
                                             Progress* progress = nullptr) const;
     /// As readHeightScan(), in the precision that a scene of it is built in.
@@ -66,7 +66,7 @@ public:
     forEachRow(const ScanChannel& channel,
                const std::function<void(int row, std::span<const double> values)>& visit) const;
     /// Of the content that the heights come from, 64 hexadecimal digits.
-    /// @throw InputError as readHeightMapFile(); Cancelled
+    /// @throw InputError as readHeightMapFile(); Canceled
     [[nodiscard]] std::string sha256(Progress* progress = nullptr) const;
 
 private:

@@ -70,7 +70,7 @@ void settleSize(ScanChannel& channel, std::vector<std::string>& notes) {
         notes.push_back("'" + channel.name + "': the file gives no lateral size");
     } else if (channel.lateralUnit.empty() && channel.isHeight()) {
         channel.lateralUnit = "m";
-        notes.push_back("'" + channel.name + "': the lateral size has no unit; metres are assumed");
+        notes.push_back("'" + channel.name + "': the lateral size has no unit; meters are assumed");
     }
 }
 

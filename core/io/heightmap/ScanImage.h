@@ -42,7 +42,7 @@ void invalidateNonFinite(HeightMap& map);
 [[nodiscard]] std::size_t countInvalid(const HeightMap& map);
 
 /// Adds notes on what the channel lacks. A height map that gives numbers for its size but no unit
-/// is taken as metres.
+/// is taken as meters.
 void settleSize(ScanChannel& channel, std::vector<std::string>& notes);
 
 /// "forward" or "backward" when the channel's name says so, else empty.

@@ -7,7 +7,7 @@ namespace asperity {
 
 /// All rows of an image.
 /// @param bytes where the image lies
-/// @throw InputError as ChannelRows; Cancelled
+/// @throw InputError as ChannelRows; Canceled
 [[nodiscard]] HeightMap readHeightMap(const StoredChannel& stored, const ByteSource& bytes,
                                       Progress* progress = nullptr);
 

@@ -14,7 +14,7 @@ namespace asperity {
 /// @param probe a probe file, see readProbe()
 /// @throw InputError for a missing column, a cell that is no number, or volts without a
 /// calibration;
-///        Cancelled
+///        Canceled
 void writeForceEstimates(const std::filesystem::path& probe, const std::filesystem::path& cases,
                          std::ostream& out, Progress* progress = nullptr);
 

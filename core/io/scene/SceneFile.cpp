@@ -80,7 +80,7 @@ void readMapKeys(TomlSection& section, const SampleDescription& otherwise,
         section.refuse("file", "the path of a height map, or 'shape' in its place");
     }
     sample.channel = section.text("channel", otherwise.channel);
-    sample.levelling = choice(section, "level", otherwise.levelling);
+    sample.leveling = choice(section, "level", otherwise.leveling);
     readSmoothing(section, sample);
     sample.imagingTipRadius = section.number("imaging_tip_radius_m", otherwise.imagingTipRadius);
     sample.erode = section.flag("erode", otherwise.erode);
@@ -219,7 +219,7 @@ toml::table sampleTable(const SampleDescription& sample) {
     }
     table.insert("file", pathText(sample.file));
     table.insert("channel", sample.channel);
-    table.insert("level", keyOf(sample.levelling));
+    table.insert("level", keyOf(sample.leveling));
     if (sample.smoothingLength != 0.0) {
         table.insert("smoothing_m", sample.smoothingLength);
     } else {

@@ -25,7 +25,7 @@ struct CaseAnswers {
 
 /// Writes each row of the cases as it came in, the answers after it.
 /// @throw InputError, before anything is written, when an added column is in the cases already;
-///        Error when not all could be written; Cancelled
+///        Error when not all could be written; Canceled
 void writeCases(std::ostream& out, const CsvTable& cases, const CaseAnswers& answers,
                 Progress* progress = nullptr);
 

@@ -33,7 +33,7 @@ struct BenchHold {
 ///
 /// @return how far the handle goes to and fro over the last kRestWindow of any hold, along the axis
 /// where that is most [m]; a creep one way is none; no value where a tick was not finite
-/// @throw Cancelled
+/// @throw Canceled
 [[nodiscard]] std::optional<double> swingOnBench(const Scene& scene, const BenchHold& hold,
                                                  const CancelCheck& check);
 

@@ -20,7 +20,7 @@ struct FlatSample {
 /// The reference is Maugis-Dugdale on the exact sphere, which has every other law on a half-space
 /// as a limit, on a film `hertz_film`. Where a flag says that the reference does not hold, and
 /// before contact for `split`, whose tail it lacks, nothing is known of a law's error.
-/// @throw Cancelled
+/// @throw Canceled
 [[nodiscard]] ExtremesFindings contactExtremes(const ContactGrid& grid, const FlatSample& sample,
                                                const CancelCheck& check);
 

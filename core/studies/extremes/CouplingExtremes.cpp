@@ -28,7 +28,7 @@ Scene sceneOf(const HoldBench& bench, double signalNoise) {
     SceneDescription scene = defaultScene();
     scene.sample.material = bench.material;
     scene.sample.smoothingPixels = 0.0;
-    scene.sample.levelling = Levelling::None;
+    scene.sample.leveling = Leveling::None;
     scene.truth.material = bench.material;
     scene.truth.signalNoise = signalNoise;
     scene.truth.stiffness = bench.leverStiffness;
@@ -102,15 +102,15 @@ private:
     [[nodiscard]] HoldOutcome judged(const HoldSetting& hold,
                                      const std::optional<CouplingGains>& gains) const {
         const TipLoad tip = tipLoad(scene_.belief, kDevice.maxForce / hold.scale.forceGain);
-        const ScaleJudgement judgement = judgeScale(tip, hold.scale, gains,
+        const ScaleJudgment judgment = judgeScale(tip, hold.scale, gains,
                                                     {.stiffness = kDevice.maxStiffness,
                                                      .force = kDevice.maxForce,
                                                      .timeStep = scene_.timeStep()});
         return {.setting = hold,
-                .contact = judgement.contact,
-                .felt = judgement.felt,
-                .guardHolds = judgement.holds(),
-                .refusal = judgement.holds() ? "" : judgement.sentence};
+                .contact = judgment.contact,
+                .felt = judgment.felt,
+                .guardHolds = judgment.holds(),
+                .refusal = judgment.holds() ? "" : judgment.sentence};
     }
 
     HoldOutcome tried(HoldOutcome outcome, const CouplingGains& gains) {

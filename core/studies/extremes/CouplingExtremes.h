@@ -23,7 +23,7 @@ struct HoldBench {
 /// Hands at one device of the Phantom class on one bench: what designCoupling() and judgeScale()
 /// refuse is not tried; all else, and every hand without a coupling, is put on the virtual bench.
 /// The contact's stiffness that the guard is asked about is that under the device's largest force.
-/// @throw Cancelled
+/// @throw Canceled
 [[nodiscard]] ExtremesFindings couplingExtremes(const CouplingGrid& grid, const HoldBench& bench,
                                                 const CancelCheck& check);
 

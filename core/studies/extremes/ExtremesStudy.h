@@ -28,7 +28,7 @@ struct ExtremesFindings {
 };
 
 /// Evaluates every state of the grid on the virtual clock, on as many threads as there are cores;
-/// the same grid gives the same findings. @param progress may be null @throw Cancelled
+/// the same grid gives the same findings. @param progress may be null @throw Canceled
 [[nodiscard]] ExtremesFindings studyExtremes(const ExtremesGrid& grid,
                                              Progress* progress = nullptr);
 

@@ -19,7 +19,7 @@ struct RoughPlace {
 /// Runs of the whole tick with a scripted hand, with every effort of the foot search; the reference
 /// is the certified search where it proves its feet. The hand does not give way, so that neither
 /// the loop's rate nor the force gain changes a state: both are the scene's.
-/// @throw Cancelled
+/// @throw Canceled
 [[nodiscard]] ExtremesFindings tickExtremes(const TickGrid& grid, const RoughPlace& place,
                                             const CancelCheck& check);
 

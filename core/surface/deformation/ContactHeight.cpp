@@ -17,10 +17,10 @@ double finestPitch(const BSplineSurface& surface) {
 
 double bendOf(const HeightSample& s) { return std::abs(s.dxx) + std::abs(s.dxy) + std::abs(s.dyy); }
 
-/// Minus the height of the sphere's centre when it touches the surface at a given place [m].
-class CentreDepth {
+/// Minus the height of the sphere's center when it touches the surface at a given place [m].
+class CenterDepth {
 public:
-    CentreDepth(const BSplineSurface& surface, const Vector2& axis, double radius)
+    CenterDepth(const BSplineSurface& surface, const Vector2& axis, double radius)
         : surface_(surface)
         , axis_(axis)
         , radius_(radius)
@@ -91,7 +91,7 @@ private:
     SurfaceRounding rounding_;
 };
 
-/// A run of spline cells along one axis; cell k lies between the centres of pixels k and k + 1.
+/// A run of spline cells along one axis; cell k lies between the centers of pixels k and k + 1.
 struct CellRange {
     int first = 0;
     int last = 0;
@@ -147,7 +147,7 @@ private:
                                     (row + 0.5 + t) * surface_.grid().pitchY));
     }
 
-    /// Upper bound of the centre's height for a contact in the cell: a spline lies below the
+    /// Upper bound of the center's height for a contact in the cell: a spline lies below the
     /// highest of its control points.
     [[nodiscard]] double highestPossible(int column, int row) const {
         double height = surface_.control(row - 1, column - 1);
@@ -193,13 +193,13 @@ private:
             return;
         }
         const BoxNewton newton(depth_, box_, 0.25 * finestPitch(surface_));
-        tryPlace(newton.minimise(start).place);
+        tryPlace(newton.minimize(start).place);
     }
 
     const BSplineSurface& surface_;
     Vector2 axis_;
     double radius_;  ///< [m]
-    CentreDepth depth_;
+    CenterDepth depth_;
     Box box_;
     double best_ = -std::numeric_limits<double>::max();
     Vector2 bestPlace_ = Vector2::Zero();
@@ -241,7 +241,7 @@ SurfacePlace highestPlace(const BSplineSurface& surface, double marginFraction) 
         }
     }
     const SurfaceDepth depth(surface, box);
-    const BoxMinimum top = BoxNewton(depth, box, 0.25 * finestPitch(surface)).minimise(highest);
+    const BoxMinimum top = BoxNewton(depth, box, 0.25 * finestPitch(surface)).minimize(highest);
     return {.x = top.place.x(), .y = top.place.y(), .height = top.model.surface.height};
 }
 

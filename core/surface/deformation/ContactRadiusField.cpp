@@ -14,7 +14,7 @@ constexpr double kControlsPerRadius = 8.0;
 Vector3 ontoTip(const TipContact& contact, const Vector3& point) {
     const double fromAxis = std::min(distanceFromAxis(contact, point), contact.tipRadius);
     const double drop = std::sqrt((contact.tipRadius - fromAxis) * (contact.tipRadius + fromAxis));
-    const double above = (point - contact.tipCentre).dot(contact.normal);
+    const double above = (point - contact.tipCenter).dot(contact.normal);
     return -(above + drop) * contact.normal;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 void requireUsable(const TipContact& contact, const PatchGrid& grid) {
     const bool finite = contact.foot.allFinite() && contact.normal.allFinite() &&
-                        contact.tipCentre.allFinite() && std::isfinite(contact.tipRadius) &&
+                        contact.tipCenter.allFinite() && std::isfinite(contact.tipRadius) &&
                         std::isfinite(contact.contactRadius) && std::isfinite(contact.indentation);
     if (!finite) {
         throw Error("the contact to be drawn is not finite");
@@ -31,11 +31,11 @@ void requireUsable(const TipContact& contact, const PatchGrid& grid) {
 }
 
 /// The undeformed surface on a regular grid in x and y.
-SurfacePatch restPatch(const BSplineSurface& surface, const Vector2& centre,
+SurfacePatch restPatch(const BSplineSurface& surface, const Vector2& center,
                        const PatchGrid& grid) {
     const Box scan = scanBox(surface);
-    const Vector2 low = scan.nearest(centre - Vector2::Constant(grid.halfWidth));
-    const Vector2 high = scan.nearest(centre + Vector2::Constant(grid.halfWidth));
+    const Vector2 low = scan.nearest(center - Vector2::Constant(grid.halfWidth));
+    const Vector2 high = scan.nearest(center + Vector2::Constant(grid.halfWidth));
     SurfacePatch patch{
         .columns = grid.samples, .rows = grid.samples, .rest = {}, .points = {}, .normals = {}};
     patch.rest.reserve(patch.index(grid.samples, 0));

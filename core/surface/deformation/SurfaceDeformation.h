@@ -29,9 +29,9 @@ struct SurfacePatch {
 
 /// Where tip and surface meet; world frame.
 struct TipContact {
-    Vector3 foot = Vector3::Zero();       ///< of the tip's centre on the undeformed surface [m]
+    Vector3 foot = Vector3::Zero();       ///< of the tip's center on the undeformed surface [m]
     Vector3 normal = Vector3::UnitZ();    ///< of the undeformed surface there, unit
-    Vector3 tipCentre = Vector3::Zero();  ///< [m]
+    Vector3 tipCenter = Vector3::Zero();  ///< [m]
     double tipRadius = 0.0;               ///< [m]
     double contactRadius = 0.0;           ///< 0: no contact [m]
     double indentation = 0.0;             ///< < 0 where the surface is drawn up to the tip [m]

@@ -47,7 +47,7 @@ SplinePatch transposed(const SplinePatch& patch) {
 }
 
 /// The same surface with half the spacing between its rows: every second control point lies between
-/// two old ones, the others are drawn towards their neighbours.
+/// two old ones, the others are drawn towards their neighbors.
 SplinePatch withRowsHalved(const SplinePatch& patch) {
     SplinePatch result = patch;
     result.y.count = 2 * patch.y.count - 3;

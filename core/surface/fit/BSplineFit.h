@@ -8,7 +8,7 @@
 namespace asperity {
 
 /// The bicubic B-spline surface of the map after a Gaussian low-pass; without one it passes through
-/// every pixel centre.
+/// every pixel center.
 ///
 /// A plane comes back unchanged whatever the smoothing. Without smoothing quadratics do, because
 /// the first span at a border is a quadratic; the error inside the scan falls with the fourth power
@@ -20,7 +20,7 @@ namespace asperity {
 /// times, at most 16 times, 2^-24 of the largest distance of a height from the datum, and a second
 /// derivative by four times that over the pitch squared.
 /// @throw Error when the map is unusable, holds no height at all, or a width is not in
-///        0..kWidestSmoothing; Cancelled
+///        0..kWidestSmoothing; Canceled
 [[nodiscard]] BSplineSurface fitSurface(ScanMap map, const Smoothing& smoothing = {},
                                         Progress* progress = nullptr);
 

@@ -30,13 +30,13 @@ public:
             extended_[i] = sample.own * line[sample.index] + sample.first * line[0] +
                            sample.last * line[length_ - 1];
         }
-        const double* centre = extended_.data() + reach;
+        const double* center = extended_.data() + reach;
         for (std::size_t i = 0; i < length_; ++i) {
-            line[i] = kernel_[0] * centre[i];
+            line[i] = kernel_[0] * center[i];
         }
         for (std::size_t k = 1; k <= reach; ++k) {
             for (std::size_t i = 0; i < length_; ++i) {
-                line[i] += kernel_[k] * (centre[i + k] + extended_[i + reach - k]);
+                line[i] += kernel_[k] * (center[i + k] + extended_[i + reach - k]);
             }
         }
     }

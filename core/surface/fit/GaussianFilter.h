@@ -45,7 +45,7 @@ struct ReflectedSample {
 /// comes back unchanged. Works in place. A scan on its way into a scene is smoothed by
 /// fitSurface(), far faster.
 /// @throw Error when the map is unusable, a height is not finite, or a width is not in
-///        0..kWidestSmoothing; Cancelled
+///        0..kWidestSmoothing; Canceled
 [[nodiscard]] HeightMap smoothed(HeightMap map, const Smoothing& smoothing,
                                  Progress* progress = nullptr);
 [[nodiscard]] ScanMap smoothed(ScanMap map, const Smoothing& smoothing,

@@ -98,7 +98,7 @@ struct Scratch {
     std::vector<double> sums;
 };
 
-/// Convolution with the kernel around the height at(0), as what the neighbours' distances from it
+/// Convolution with the kernel around the height at(0), as what the neighbors' distances from it
 /// add to it: rounding then follows the roughness of the scan, not its height, and a plane comes
 /// back as it was.
 template <class Height, class At>
@@ -122,9 +122,9 @@ ASPERITY_INLINE void convolveRow(const BasicLineFit<Height>& fit, const Height* 
         // The last step starts early rather than end late.
         const std::ptrdiff_t place =
             std::min(control, std::max<std::ptrdiff_t>(end - kStep, fit.border()));
-        const Height* centre = samples + place - 1;
+        const Height* center = samples + place - 1;
         const Lanes<Height> lanes =
-            convolved(kernel, [centre](std::ptrdiff_t k) { return load(centre + k); });
+            convolved(kernel, [center](std::ptrdiff_t k) { return load(center + k); });
         if (place >= begin && place + kStep <= end) {
             store(out + (place - begin), lanes);
             continue;

@@ -27,7 +27,7 @@ struct FitResources {
 /// those along y. In the map's own precision throughout, but for the borders, whose sums are
 /// double. The result depends neither on the instructions nor on the number of threads.
 /// @return (rows + 2) x (columns + 2), bottom row first, relative to the map's datum [m]
-/// @throw Cancelled
+/// @throw Canceled
 [[nodiscard]] PixelVector<float> separableFit(const ScanMap& map, const LineFit& alongX,
                                               const LineFit& alongY, Progress* progress = nullptr,
                                               const FitResources& resources = {});

@@ -44,7 +44,7 @@ public:
     BoxNewton(const Objective& objective, Box box, double escapeStep) noexcept
         : objective_(objective), box_(std::move(box)), escapeStep_(escapeStep) {}
 
-    [[nodiscard]] BoxMinimum minimise(const Vector2& start) const noexcept {
+    [[nodiscard]] BoxMinimum minimize(const Vector2& start) const noexcept {
         BoxMinimum state;
         state.place = box_.nearest(start);
         state.model = objective_(state.place);

@@ -74,7 +74,7 @@ FootProof lookInto(const BSplineSurface& surface, const Vector3& query, const Fo
 
 bool ProvenBall::settles(const Vector3& query, const FootReach& within,
                          const SurfaceFoot& nearest) const noexcept {
-    const double moved = (query - queries.centre).norm();
+    const double moved = (query - queries.center).norm();
     return moved <= queries.radius && nearest.converged && anchor.holds(nearest.point.head<2>()) &&
            within.limit(nearest) + moved <= reach;
 }
@@ -94,10 +94,10 @@ FootProof completeFeet(const BSplineSurface& surface, const QueryBall& queries,
     const Vector2 place = nearest.point.head<2>();
     const double wander = kWander * queries.radius;
     // The nearest foot of a query in the ball may lie one radius farther from it than that of the
-    // centre, and so may others that matter; from the centre these lie one radius more.
+    // center, and so may others that matter; from the center these lie one radius more.
     const double farthest =
         std::min(reach.farthest + queries.radius, reach.limit(nearest) + 2.0 * queries.radius);
-    CellSweep sweep(surface, queries.centre, farthest, queries.radius);
+    CellSweep sweep(surface, queries.center, farthest, queries.radius);
     ball.queries.radius = -1.0;
     if (nearest.converged &&
         sweep.settle(sweep.window().blocksAround(place.x(), place.y(), wander))) {
@@ -108,7 +108,7 @@ FootProof completeFeet(const BSplineSurface& surface, const QueryBall& queries,
         return FootProof::Nearest;
     }
     settleAround(feet, sweep);
-    return lookInto(surface, queries.centre, reach, sweep, feet);
+    return lookInto(surface, queries.center, reach, sweep, feet);
 }
 
 }  // namespace asperity

@@ -21,12 +21,12 @@ class FootList;
 
 /// All queries within some distance of one.
 struct QueryBall {
-    Vector3 centre = Vector3::Zero();  ///< world [m]
+    Vector3 center = Vector3::Zero();  ///< world [m]
     double radius = -1.0;              ///< < 0: no query [m]
 };
 
 /// What is proven for all queries in a ball: one of them that has a foot in `anchor` has no other
-/// one within `reach` of the ball's centre.
+/// one within `reach` of the ball's center.
 struct ProvenBall {
     QueryBall queries;
     double reach = 0.0;  ///< [m]
@@ -37,7 +37,7 @@ struct ProvenBall {
                                const SurfaceFoot& nearest) const noexcept;
 };
 
-/// The same for the query at the centre of `queries`; @return in `ball` what is proven on the way
+/// The same for the query at the center of `queries`; @return in `ball` what is proven on the way
 /// for all of them. That is nothing where other feet are near.
 [[nodiscard]] FootProof completeFeet(const BSplineSurface& surface, const QueryBall& queries,
                                      const FootReach& reach, FootList& feet,

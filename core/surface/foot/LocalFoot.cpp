@@ -84,7 +84,7 @@ public:
 
     /// Whether the nearest foot so far is a minimum.
     bool tryFrom(const Vector2& start) {
-        const BoxMinimum found = newton_.minimise(start);
+        const BoxMinimum found = newton_.minimize(start);
         iterations_ += found.iterations;
         const double allowance = found.converged ? kAsNear : 0.0;
         if (!tried_ || found.model.value <= best_.model.value * (1.0 + allowance)) {
@@ -94,11 +94,11 @@ public:
         return best_.converged;
     }
 
-    void tryAround(const Vector2& centre, const Vector2& reach) {
+    void tryAround(const Vector2& center, const Vector2& reach) {
         for (int i = -1; i <= 1; ++i) {
             for (int j = -1; j <= 1; ++j) {
-                const bool isCentre = i == 0 && j == 0;
-                if (!isCentre && tryFrom(centre + Vector2(i * reach.x(), j * reach.y()))) {
+                const bool isCenter = i == 0 && j == 0;
+                if (!isCenter && tryFrom(center + Vector2(i * reach.x(), j * reach.y()))) {
                     return;
                 }
             }

@@ -29,7 +29,7 @@ struct PixelRun {
     int last = -1;
 };
 
-/// @param place of the query, in pixels from the first pixel's centre
+/// @param place of the query, in pixels from the first pixel's center
 PixelRun pixelsAround(double place, double reach, int pixels) {
     const double toASide = std::min(reach, kMostToASide + 0.0);
     // Far outside the scan no pixel is near; a place too far for an int is one of them.
@@ -39,8 +39,8 @@ PixelRun pixelsAround(double place, double reach, int pixels) {
                        : PixelRun{};
 }
 
-/// The pixels of a query's neighbourhood, lengths in pixels along x.
-struct Neighbourhood {
+/// The pixels of a query's neighborhood, lengths in pixels along x.
+struct Neighborhood {
     const float* controls = nullptr;  ///< of the padded grid, bottom row first [m]
     std::ptrdiff_t stride = 0;
     int columns = 0;
@@ -66,7 +66,7 @@ ASPERITY_INLINE Float8 gain(Float8 slope, Float8 stiffness, Float8 softness, flo
     return step * (size - 0.5F * stiffness * step);
 }
 
-ASPERITY_WITH_AVX2 Sample leastPromise(const Neighbourhood& n) {
+ASPERITY_WITH_AVX2 Sample leastPromise(const Neighborhood& n) {
     constexpr Float8 kLane{0, 1, 2, 3, 4, 5, 6, 7};
     constexpr float kSixth = 1.0F / 6.0F;
     Float8 least = Float8{} + std::numeric_limits<float>::max();
@@ -124,7 +124,7 @@ std::optional<Vector2> nearestSample(const BSplineSurface& surface, const Vector
         return std::nullopt;
     }
     const double height = (query.z() - grid.datum) / grid.pitchX;
-    const Neighbourhood near{.controls = grid.controlHeights.data(),
+    const Neighborhood near{.controls = grid.controlHeights.data(),
                              .stride = grid.columns + 2,
                              .columns = grid.columns,
                              .x = x,

@@ -50,7 +50,7 @@ bool isInside(const Box& box, const Box& scan) {
 Box boxOf(const Part& part, const BSplineSurface& surface) noexcept {
     const Box scan = scanBox(surface);
     const Vector2 near(kEdge * surface.grid().pitchX, kEdge * surface.grid().pitchY);
-    Box box{.low = part.centre - part.half, .high = part.centre + part.half};
+    Box box{.low = part.center - part.half, .high = part.center + part.half};
     for (int axis = 0; axis < 2; ++axis) {
         box.low[axis] =
             box.low[axis] <= scan.low[axis] + near[axis] ? scan.low[axis] : box.low[axis];

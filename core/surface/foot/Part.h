@@ -10,9 +10,9 @@ namespace asperity {
 
 /// One part of a batch and what is known of half the squared distance over it.
 struct Part {
-    Vector2 centre = Vector2::Zero();    ///< world [m]
+    Vector2 center = Vector2::Zero();    ///< world [m]
     Vector2 half = Vector2::Zero();      ///< half its size [m]
-    double value = 0.0;                  ///< half the squared distance of its centre [m^2]
+    double value = 0.0;                  ///< half the squared distance of its center [m^2]
     Vector2 gradient = Vector2::Zero();  ///< of that [m]
     Vector2 spread = Vector2::Zero();    ///< by which it differs elsewhere in the part [m]
     Vector2 bend = Vector2::Zero();      ///< its least second derivatives along x and y
@@ -20,7 +20,7 @@ struct Part {
     bool convex = false;
 
     Part(const PartBatch& batch, const PartFacts& facts, int lane) noexcept
-        : centre(batch.centreX[lane], batch.centreY[lane])
+        : center(batch.centerX[lane], batch.centerY[lane])
         , half(batch.halfX[lane], batch.halfY[lane])
         , value(facts.value[lane])
         , gradient(facts.gradientX[lane], facts.gradientY[lane])
@@ -30,8 +30,8 @@ struct Part {
         , convex(((facts.convex >> static_cast<unsigned>(lane)) & 1U) != 0) {}
 
     [[nodiscard]] bool contains(const Vector2& place, double margin) const noexcept {
-        return std::abs(place.x() - centre.x()) <= half.x() + margin &&
-               std::abs(place.y() - centre.y()) <= half.y() + margin;
+        return std::abs(place.x() - center.x()) <= half.x() + margin &&
+               std::abs(place.y() - center.y()) <= half.y() + margin;
     }
 };
 

@@ -49,14 +49,14 @@ ASPERITY_INLINE Range4 operator+(const Range4& a, const Range4& b) {
     return {a.low + b.low, a.high + b.high};
 }
 
-ASPERITY_INLINE Range4 around(Double4 centre, Double4 spread) {
-    return {centre - spread, centre + spread};
+ASPERITY_INLINE Range4 around(Double4 center, Double4 spread) {
+    return {center - spread, center + spread};
 }
 
 /// Range of the square of a number in a range.
-ASPERITY_INLINE Range4 squared(Double4 centre, Double4 spread) {
-    const Double4 high = magnitude(centre) + spread;
-    const Double4 low = most(Double4{}, magnitude(centre) - spread);
+ASPERITY_INLINE Range4 squared(Double4 center, Double4 spread) {
+    const Double4 high = magnitude(center) + spread;
+    const Double4 low = most(Double4{}, magnitude(center) - spread);
     return {low * low, high * high};
 }
 
@@ -140,7 +140,7 @@ struct SquareBends {
         const Double4 mixed = xy.size();
         return (xx.low > 0.0) & (yy.low > 0.0) & (xx.low * yy.low > mixed * mixed);
     }
-    /// Whether the gradient cannot vanish in the part: Newton's step from the centre leads out of
+    /// Whether the gradient cannot vanish in the part: Newton's step from the center leads out of
     /// it by more than what the second derivatives differ in the part can bring back.
     /// Source: Krawczyk (1969), Newton-Algorithmen zur Bestimmung von Nullstellen mit
     /// Fehlerschranken.
@@ -175,9 +175,9 @@ ASPERITY_INLINE SquareBends squareBends(const PartBatch& batch, const Bends4& be
             one + squared(slopeY, spreadY) + height * bends.yy};
 }
 
-/// Rounding of the gradient at the centre of a part and of its spread over it: a minimum on the
+/// Rounding of the gradient at the center of a part and of its spread over it: a minimum on the
 /// side that two parts share must not be denied to both.
-/// @param slope of the height at the centre; @param above the query, there [m]
+/// @param slope of the height at the center; @param above the query, there [m]
 ASPERITY_INLINE Pair4 gradientRounding(const PartBatch& batch, const SquareBends& bends,
                                        const Pair4& slope, Double4 above,
                                        const SurfaceRounding& rounding) {
@@ -295,8 +295,8 @@ ASPERITY_WITH_AVX2 void examineLanes(const PartBatch& batch, const PartQuery& qu
     const Double4 above = middle(alongX[0], alongX[1], alongX[2], alongX[3]) - query.point.z();
     const Double4 slopeX = perX * middle(riseX[0], riseX[1], riseX[2], riseX[3]);
     const Double4 slopeY = perY * middleRise(alongX[0], alongX[1], alongX[2], alongX[3]);
-    const Double4 x = batch.centreX - query.point.x();
-    const Double4 y = batch.centreY - query.point.y();
+    const Double4 x = batch.centerX - query.point.x();
+    const Double4 y = batch.centerY - query.point.y();
     facts.value = 0.5 * (x * x + y * y + above * above);
     facts.gradientX = x + above * slopeX;
     facts.gradientY = y + above * slopeY;
@@ -336,8 +336,8 @@ void setOutermost(const BSplineSurface::Grid& grid, const CellIndex& cell, int l
             batch.net[i][k][lane] = net(i, k);
         }
     }
-    batch.centreX[lane] = (cell.column + 0.5 + x.middle()) * grid.pitchX;
-    batch.centreY[lane] = (cell.row + 0.5 + y.middle()) * grid.pitchY;
+    batch.centerX[lane] = (cell.column + 0.5 + x.middle()) * grid.pitchX;
+    batch.centerY[lane] = (cell.row + 0.5 + y.middle()) * grid.pitchY;
     batch.halfX[lane] = 0.5 * x.length() * grid.pitchX;
     batch.halfY[lane] = 0.5 * y.length() * grid.pitchY;
 }
@@ -360,8 +360,8 @@ void loadCells(const BSplineSurface::Grid& grid, std::span<const CellIndex> cell
         return Double4{all[0].*index + 0.0, all[1].*index + 0.0, all[2].*index + 0.0,
                        all[3].*index + 0.0};
     };
-    batch.centreX = (lanesOf(&CellIndex::column) + 1.0) * grid.pitchX;
-    batch.centreY = (lanesOf(&CellIndex::row) + 1.0) * grid.pitchY;
+    batch.centerX = (lanesOf(&CellIndex::column) + 1.0) * grid.pitchX;
+    batch.centerY = (lanesOf(&CellIndex::row) + 1.0) * grid.pitchY;
     batch.halfX = Double4{} + 0.5 * grid.pitchX;
     batch.halfY = Double4{} + 0.5 * grid.pitchY;
     if (grid.rows > 1 && grid.columns > 1) {
@@ -381,8 +381,8 @@ void quarter(const PartBatch& batch, int lane, PartBatch& quarters) noexcept {
     const double halfY = 0.5 * batch.halfY[lane];
     quarters.halfX = Double4{} + halfX;
     quarters.halfY = Double4{} + halfY;
-    quarters.centreX = batch.centreX[lane] + halfX * Double4{-1.0, 1.0, -1.0, 1.0};
-    quarters.centreY = batch.centreY[lane] + halfY * Double4{-1.0, -1.0, 1.0, 1.0};
+    quarters.centerX = batch.centerX[lane] + halfX * Double4{-1.0, 1.0, -1.0, 1.0};
+    quarters.centerY = batch.centerY[lane] + halfY * Double4{-1.0, -1.0, 1.0, 1.0};
 }
 
 void examine(const PartBatch& batch, const PartQuery& query, PartFacts& facts) noexcept {

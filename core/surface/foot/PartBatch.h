@@ -17,19 +17,19 @@ struct PartBatch {
     static constexpr unsigned kAllLanes = (1U << kLanes) - 1U;
 
     Double4 net[4][4];  ///< heights above the datum, [along y][along x] [m]
-    Double4 centreX;    ///< world [m]
-    Double4 centreY;    ///< world [m]
+    Double4 centerX;    ///< world [m]
+    Double4 centerY;    ///< world [m]
     Double4 halfX;      ///< half the size [m]
     Double4 halfY;      ///< half the size [m]
 };
 
 /// Half the squared distance from a query over the parts of a batch: its value and gradient at the
-/// centre, and what is known of it everywhere in the part. A bit a lane. Where all parts are far,
+/// center, and what is known of it everywhere in the part. A bit a lane. Where all parts are far,
 /// nothing is said of minima.
 struct PartFacts {
-    Double4 value;                ///< at the centre [m^2]
-    Double4 gradientX;            ///< at the centre [m]
-    Double4 gradientY;            ///< at the centre [m]
+    Double4 value;                ///< at the center [m^2]
+    Double4 gradientX;            ///< at the center [m]
+    Double4 gradientY;            ///< at the center [m]
     Double4 spreadX;              ///< by which that differs elsewhere, rounding included [m]
     Double4 spreadY;              ///< by which that differs elsewhere, rounding included [m]
     Double4 bendX;                ///< least second derivative along x

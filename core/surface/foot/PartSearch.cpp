@@ -62,7 +62,7 @@ bool PartSearch::hasGivenUp() noexcept {
 
 BoxMinimum PartSearch::descend(const Box& box, const Vector2& start, double escapeStep) {
     BoxMinimum minimum =
-        BoxNewton<HalfSquaredDistance>(objective_, box, escapeStep).minimise(start);
+        BoxNewton<HalfSquaredDistance>(objective_, box, escapeStep).minimize(start);
     evaluations_ += minimum.evaluations;
     return minimum;
 }
@@ -112,7 +112,7 @@ void PartSearch::lowerLimit(const Part& part) {
     if (part.value >= kWorthwhile * 0.5 * nearest() * nearest()) {
         return;
     }
-    take(descend(scanBox(surface_), part.centre, 0.25 * pitch_.minCoeff()));
+    take(descend(scanBox(surface_), part.center, 0.25 * pitch_.minCoeff()));
 }
 
 /// Between walls a descent creeps until its steps run out. Where it got to is no foot, but rules
@@ -140,7 +140,7 @@ bool PartSearch::holdsKnownFoot(const Part& part) const {
 
 /// Takes up the only minimum that a part can hold, if it does hold one.
 void PartSearch::findIn(const Part& part, const Box& box) {
-    const BoxMinimum minimum = descend(box, part.centre, 0.0);
+    const BoxMinimum minimum = descend(box, part.center, 0.0);
     if (!minimum.converged) {
         complete_ = false;
         return;

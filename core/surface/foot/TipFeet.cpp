@@ -28,28 +28,28 @@ FootList bearing(const FootList& feet, double same, double farthest) {
     return apart;
 }
 
-/// How far from its centre a tip is to have feet [m]. Below the surface there is no out of reach:
-/// however deep the centre lies, the nearest way out is what pushes it.
+/// How far from its center a tip is to have feet [m]. Below the surface there is no out of reach:
+/// however deep the center lies, the nearest way out is what pushes it.
 double farthestFoot(const BSplineSurface& surface, const TipSphere& tip, double reach) {
-    const Vector3& centre = tip.centre;
-    return centre.z() < surface.at(centre.x(), centre.y()).height
+    const Vector3& center = tip.center;
+    return center.z() < surface.at(center.x(), center.y()).height
                ? std::numeric_limits<double>::infinity()
                : tip.radius + reach;
 }
 
-/// @param complete completes the minima of the distance from the tip's centre
+/// @param complete completes the minima of the distance from the tip's center
 template <class Complete>
 TipFeet feetOf(const BSplineSurface& surface, const TipSphere& tip, double reach,
                std::span<const FootGuess> known, const Complete& complete) {
     TipFeet feet;
     const double same = kSameFoot * tip.radius;
     for (const FootGuess& guess : known) {
-        feet.list.add(localFoot(surface, tip.centre, guess), same);
+        feet.list.add(localFoot(surface, tip.center, guess), same);
     }
     if (known.empty()) {
-        feet.list.add(localFoot(surface, tip.centre, {}), same);
+        feet.list.add(localFoot(surface, tip.center, {}), same);
     }
-    if (!isUsableQuery(tip.centre)) {
+    if (!isUsableQuery(tip.center)) {
         feet.proof = FootProof::NotConverged;
         return feet;
     }
@@ -73,14 +73,14 @@ TipFeet feetOf(const BSplineSurface& surface, const TipSphere& tip, double reach
 TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
                 std::span<const FootGuess> known) noexcept {
     return feetOf(surface, tip, reach, known, [&](const FootReach& within, FootList& minima) {
-        return completeFeet(surface, tip.centre, within, minima);
+        return completeFeet(surface, tip.center, within, minima);
     });
 }
 
 TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, const FeetSought& sought,
                 std::span<const FootGuess> known, FootTracker& tracker) noexcept {
     return feetOf(surface, tip, sought.reach, known, [&](const FootReach& reach, FootList& minima) {
-        return tracker.completeFeet(surface, tip.centre, reach, sought.effort, minima);
+        return tracker.completeFeet(surface, tip.center, reach, sought.effort, minima);
     });
 }
 

@@ -13,7 +13,7 @@ inline constexpr double kSameFoot = 0.02;
 
 /// The sphere that is looked at.
 struct TipSphere {
-    Vector3 centre = Vector3::Zero();  ///< world [m]
+    Vector3 center = Vector3::Zero();  ///< world [m]
     double radius = 0.0;               ///< [m]
 };
 
@@ -31,8 +31,8 @@ struct TipFeet {
     FootProof proof = FootProof::NotSought;
 };
 
-/// All feet of the sphere's centre that lie within `reach` of the sphere's surface, or, where the
-/// centre lies below the surface, however far; `known` guesses save time. Allocation-free, bounded,
+/// All feet of the sphere's center that lie within `reach` of the sphere's surface, or, where the
+/// center lies below the surface, however far; `known` guesses save time. Allocation-free, bounded,
 /// never throws.
 [[nodiscard]] TipFeet tipFeet(const BSplineSurface& surface, const TipSphere& tip, double reach,
                               std::span<const FootGuess> known) noexcept;

@@ -18,7 +18,7 @@ int blocksOf(int pixels) { return (pixels + kFootprintBlock - 1) / kFootprintBlo
 
 }  // namespace
 
-/// Pixels that reach the level of one place, as long as they are direct neighbours.
+/// Pixels that reach the level of one place, as long as they are direct neighbors.
 template <class Heights>
 class FootprintSearch<Heights>::Touches {
 public:

@@ -47,15 +47,15 @@ public:
     FootprintSearch(const Grid& grid, const Source& heights, double tipRadius);
 
     /// The highest of heights less rises for each pixel; minus infinity where there is none [m].
-    /// @throw Cancelled
+    /// @throw Canceled
     [[nodiscard]] Heights highest(Progress* progress = nullptr) const;
 
-    /// 1 where a pixel is the only one, but for direct neighbours, to reach up to the level of some
+    /// 1 where a pixel is the only one, but for direct neighbors, to reach up to the level of some
     /// place of the apex. Places where part of the tip lies beyond the map's edge tell nothing, nor
     /// do those without a level, or that a pixel without a level reaches.
     /// @param levels of each pixel; one that does not count has none
     /// @param tolerance so far below its level a place is reached, too [m]
-    /// @throw Cancelled
+    /// @throw Canceled
     [[nodiscard]] std::vector<std::uint8_t> reachingAlone(const Source& levels, double tolerance,
                                                           Progress* progress = nullptr) const;
 

@@ -47,14 +47,14 @@ using ScanReconstruction = BasicTipReconstruction<ScanMap>;
 /// lies between the pixels is below the grid's resolution, as is what lies between two heights of
 /// the map's precision. The tip touches something everywhere; places where it reaches beyond the
 /// map's edges or where it can have touched below an invalid pixel prove nothing.
-/// @throw Error as dilated(); Cancelled
+/// @throw Error as dilated(); Canceled
 [[nodiscard]] TipReconstruction reconstructed(HeightMap image, double tipRadius,
                                               Progress* progress = nullptr);
 [[nodiscard]] ScanReconstruction reconstructed(ScanMap image, double tipRadius,
                                                Progress* progress = nullptr);
 
 /// The certainty map alone.
-/// @throw Error as dilated(); Cancelled
+/// @throw Error as dilated(); Canceled
 [[nodiscard]] std::vector<std::uint8_t> certainPixels(const HeightMap& image, double tipRadius,
                                                       Progress* progress = nullptr);
 [[nodiscard]] std::vector<std::uint8_t> certainPixels(const ScanMap& image, double tipRadius,

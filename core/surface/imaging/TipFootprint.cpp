@@ -21,7 +21,7 @@ int pixelsWithin(double length, int count) {
 
 double usableRadius(double radius) {
     if (!std::isfinite(radius) || radius <= 0.0) {
-        throw Error("the radius of the imaging tip must be a positive number of metres");
+        throw Error("the radius of the imaging tip must be a positive number of meters");
     }
     return radius;
 }

@@ -90,8 +90,8 @@ NurbsMinimum NurbsDescent::within(int patch, const Box& box, const Vector2& star
     const NurbsHalfSquare objective(surface_, query_, patch);
     const double width = (box.high - box.low).minCoeff();
     const BoxNewton newton(objective, box, kEscapeStep * width);
-    const BoxMinimum found = newton.minimise(start);
-    return minimumOf(found.converged ? found : newton.minimise(ontoEdges(found.place, box)));
+    const BoxMinimum found = newton.minimize(start);
+    return minimumOf(found.converged ? found : newton.minimize(ontoEdges(found.place, box)));
 }
 
 NurbsMinimum NurbsDescent::from(const Vector2& start) const noexcept {

@@ -337,11 +337,11 @@ private:
 
     /// Whether the distance grows less than to the second order around the foot.
     [[nodiscard]] static bool isFocal(const SurfaceFoot& foot) {
-        const auto isCentre = [&](double curvature) {
+        const auto isCenter = [&](double curvature) {
             return std::abs(1.0 + curvature * foot.distance) <= kSameDistance;
         };
         return foot.insideScan &&
-               (isCentre(foot.curvatures.largest) || isCentre(foot.curvatures.smallest));
+               (isCenter(foot.curvatures.largest) || isCenter(foot.curvatures.smallest));
     }
 
     const NurbsSurface& surface_;

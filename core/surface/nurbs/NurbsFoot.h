@@ -19,7 +19,7 @@ struct NurbsFoot {
 };
 
 /// The nearest foot and on request others, nearest first. The proof is about the nearest one:
-/// ManyFeet also where the query is its centre of curvature, so that it may be one of many, or
+/// ManyFeet also where the query is its center of curvature, so that it may be one of many, or
 /// where the search for the others was cut short or found more than have room.
 class NurbsFeet {
 public:

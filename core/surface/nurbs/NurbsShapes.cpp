@@ -73,7 +73,7 @@ NurbsSurface revolved(const RevolutionFrame& frame, const Profile& profile) {
     for (const Profile::Point& point : profile.points) {
         for (int i = 0; i <= 8; ++i) {
             const Vector2 around = squarePoint(i);
-            net.points.emplace_back(frame.centre + point.up * frame.axis() +
+            net.points.emplace_back(frame.center + point.up * frame.axis() +
                                     point.out *
                                         (around.x() * frame.first + around.y() * frame.second));
             net.weights.push_back(point.weight * arcWeight(i));

@@ -10,7 +10,7 @@ namespace asperity {
 
 /// A right-handed place in space for a shape of revolution: `axis` is first x second.
 struct RevolutionFrame {
-    Vector3 centre = Vector3::Zero();   ///< [m]
+    Vector3 center = Vector3::Zero();   ///< [m]
     Vector3 first = Vector3::UnitX();   ///< unit; where u = 0 lies
     Vector3 second = Vector3::UnitY();  ///< unit; where u = 1/4 lies
     [[nodiscard]] Vector3 axis() const { return first.cross(second); }

@@ -69,8 +69,8 @@ double Nanoparticles::height(double x, double y) const {
             continue;
         }
         const double reach = particle.radius + recipe_.scanTipRadius;
-        const double centre = particle.radius + std::sqrt((reach - distance) * (reach + distance));
-        height = std::max(height, centre - recipe_.scanTipRadius);
+        const double center = particle.radius + std::sqrt((reach - distance) * (reach + distance));
+        height = std::max(height, center - recipe_.scanTipRadius);
     }
     return height;
 }

@@ -162,7 +162,7 @@ private:
     std::vector<Nucleus> nuclei_;
 };
 
-/// Samples any of the shapes above at the pixel centres.
+/// Samples any of the shapes above at the pixel centers.
 template <class Shape>
 [[nodiscard]] HeightMap sampledMap(const ScanSize& size, const Shape& shape) {
     HeightMap map = flatMap(size);

@@ -40,7 +40,7 @@ TipFeet tipFeetOn(const NurbsSurface& surface, const TipSphere& tip, double reac
     const bool several = surface.concavity() * within > 1.0;
     const double same = kSameFoot * tip.radius;
     const NurbsFeet found =
-        nearestFeet(surface, tip.centre, {.within = several ? within : 0.0, .sameWithin = same});
+        nearestFeet(surface, tip.center, {.within = several ? within : 0.0, .sameWithin = same});
     TipFeet feet;
     for (const NurbsFoot& foot : found.all()) {
         feet.list.add(foot.foot, same);

@@ -131,13 +131,13 @@ TEST(ExploreModel, TellsTheWholeErrorOfItsForces) {
     EXPECT_EQ(run.output.find("of the whole"), std::string::npos);
 }
 
-TEST(ExploreLevelling, IsSaidAndCanBeSwitchedOff) {
+TEST(ExploreLeveling, IsSaidAndCanBeSwitchedOff) {
     const test::ScratchFolder scratch;
     const std::string start = "explore " + test::shippedScene("polystyrene").string() +
                               " --duration 0.1 --out " + scratch.file("out").string();
-    EXPECT_NE(test::runProgram(start).output.find("levelling: plane with slopes"),
+    EXPECT_NE(test::runProgram(start).output.find("leveling: plane with slopes"),
               std::string::npos);
-    EXPECT_NE(test::runProgram(start + " --level none").output.find("levelling: none"),
+    EXPECT_NE(test::runProgram(start + " --level none").output.find("leveling: none"),
               std::string::npos);
 }
 

@@ -46,7 +46,7 @@ protected:
     std::string scene = test::shippedScene("polystyrene").string();
 };
 
-TEST_F(OutputFolders, AreFilledAgainAndAgainAndKeepWhatIsNotTheProgrammes) {
+TEST_F(OutputFolders, AreFilledAgainAndAgainAndKeepWhatIsNotThePrograms) {
     expectEnds(explore(), 0);
     const auto first = content();
     EXPECT_EQ(first.size(), 8U);

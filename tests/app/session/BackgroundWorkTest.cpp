@@ -16,7 +16,7 @@ protected:
     static bool eventually(const std::function<bool()>& holds) {
         return QTest::qWaitFor(holds, 20000);
     }
-    /// Goes on until it is cancelled.
+    /// Goes on until it is canceled.
     static int endless(Progress& progress) {
         while (true) {
             reportTo(&progress, 0.5);
@@ -27,13 +27,13 @@ protected:
     std::vector<double> shares;
     std::vector<int> results;
     std::string reason;
-    int cancelled = 0;
+    int canceled = 0;
     BackgroundWork<int> work{
         {.progressed = [this](double share) { shares.push_back(share); },
          .finished = [this](int result) { results.push_back(result); },
          .failed =
              [this](const std::exception_ptr& error) { reason = reasonOf(error).toStdString(); },
-         .cancelled = [this] { ++cancelled; }}};
+         .canceled = [this] { ++canceled; }}};
 };
 
 TEST_F(Work, SaysHowFarItIsAndGivesItsResult) {
@@ -47,7 +47,7 @@ TEST_F(Work, SaysHowFarItIsAndGivesItsResult) {
     ASSERT_TRUE(eventually([this] { return !work.isBusy(); }));
     EXPECT_EQ(shares, (std::vector{0.25, 1.0}));
     EXPECT_EQ(results, std::vector{7});
-    EXPECT_EQ(cancelled, 0);
+    EXPECT_EQ(canceled, 0);
 }
 
 TEST_F(Work, SaysWhyItFailed) {
@@ -59,12 +59,12 @@ TEST_F(Work, SaysWhyItFailed) {
     EXPECT_TRUE(results.empty());
 }
 
-TEST_F(Work, OnceCancelledItOnlySaysThatItHasEnded) {
+TEST_F(Work, OnceCanceledItOnlySaysThatItHasEnded) {
     work.start(endless);
     ASSERT_TRUE(eventually([this] { return !shares.empty(); }));
     work.cancel();
     shares.clear();
-    ASSERT_TRUE(eventually([this] { return cancelled == 1; }));
+    ASSERT_TRUE(eventually([this] { return canceled == 1; }));
     EXPECT_FALSE(work.isBusy());
     EXPECT_TRUE(shares.empty());
     EXPECT_TRUE(reason.empty());

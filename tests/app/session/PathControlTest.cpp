@@ -41,7 +41,7 @@ TEST_F(PathControlTest, RefusesAPathInOtherUnitsAndKeepsTheHand) {
     useFlatScene();
     const auto file = folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,50,60,3\n1,51,60,3\n");
     Q_EMIT window.pathFileChosen(QString::fromStdString(file.string()));
-    EXPECT_NE(complaint().find("metres"), std::string::npos);
+    EXPECT_NE(complaint().find("meters"), std::string::npos);
     EXPECT_EQ(shown("hand"), "Mouse and keyboard");
 }
 

@@ -13,7 +13,7 @@ protected:
     SceneControl scenes{window, runs};
     QSignalSpy begun{&runs, &RunControl::begun};
     QSignalSpy failed{&scenes, &SceneControl::openFailed};
-    QSignalSpy cancelled{&scenes, &SceneControl::openCancelled};
+    QSignalSpy canceled{&scenes, &SceneControl::openCanceled};
 };
 
 const std::filesystem::path kSteps = std::filesystem::path(ASPERITY_DATA_DIR) / "samples/steps.gsf";
@@ -34,13 +34,13 @@ TEST_F(SceneControlTest, SaysWhyAFileCannotBeOpened) {
     EXPECT_EQ(runs.run(), nullptr);
 }
 
-TEST_F(SceneControlTest, NothingComesOfWhatIsCancelled) {
+TEST_F(SceneControlTest, NothingComesOfWhatIsCanceled) {
     scenes.cancelOpen();
-    EXPECT_EQ(cancelled.count(), 0) << "nothing is being loaded";
+    EXPECT_EQ(canceled.count(), 0) << "nothing is being loaded";
     scenes.open(kSteps);
     scenes.cancelOpen();
-    EXPECT_EQ(cancelled.count(), 1);
-    EXPECT_EQ(told(), "Loading of steps.gsf cancelled");
+    EXPECT_EQ(canceled.count(), 1);
+    EXPECT_EQ(told(), "Loading of steps.gsf canceled");
     QTest::qWait(500);
     EXPECT_EQ(begun.count(), 0);
 }

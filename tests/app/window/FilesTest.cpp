@@ -218,13 +218,13 @@ TEST_F(Window, SaysWhyTheLastSecondsCannotBeSaved) {
     EXPECT_TRUE(far());
 }
 
-TEST_F(Window, RefusesAPathInOtherUnitsThanMetres) {
+TEST_F(Window, RefusesAPathInOtherUnitsThanMeters) {
     openFlatScene();
     const auto path = folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,50,60,3\n1,51,60,3\n");
     Q_EMIT window.pathFileChosen(QString::fromStdString(path.string()));
     const auto boxes = window.findChildren<QMessageBox*>();
     ASSERT_EQ(boxes.size(), 1);
-    EXPECT_TRUE(boxes.front()->text().contains("metres"));
+    EXPECT_TRUE(boxes.front()->text().contains("meters"));
 }
 
 TEST_F(Window, RepeatsARecording) {

@@ -16,26 +16,26 @@
 namespace asperity::test {
 namespace {
 
-class CancelledAt : public Progress {
+class CanceledAt : public Progress {
 public:
-    explicit CancelledAt(double fraction) : fraction_(fraction) {}
+    explicit CanceledAt(double fraction) : fraction_(fraction) {}
 
-    void report(double fraction) override { cancelled_ = fraction >= fraction_; }
-    [[nodiscard]] bool isCancelled() const override { return cancelled_; }
+    void report(double fraction) override { canceled_ = fraction >= fraction_; }
+    [[nodiscard]] bool isCanceled() const override { return canceled_; }
 
 private:
     double fraction_;
-    bool cancelled_ = false;
+    bool canceled_ = false;
 };
 
-TEST(Loading, CanBeCancelledAllTheWay) {
+TEST(Loading, CanBeCanceledAllTheWay) {
     ScratchFolder folder;
     const std::filesystem::path scan = levelScan(folder, 1024);
     for (const double fraction : {0.0, 0.1, 0.25, 0.5, 0.75, 0.85, 0.95}) {
-        CancelledAt progress(fraction);
-        EXPECT_THROW((void)loadScene(scan, {}, &progress), Cancelled) << fraction;
+        CanceledAt progress(fraction);
+        EXPECT_THROW((void)loadScene(scan, {}, &progress), Canceled) << fraction;
     }
-    CancelledAt never(2.0);
+    CanceledAt never(2.0);
     EXPECT_NO_THROW((void)loadScene(scan, {}, &never));
 }
 
@@ -86,12 +86,12 @@ TEST_F(WindowThatLoads, ShowsHowFarItIsWhileTheRunGoesOn) {
 
 TEST_F(WindowThatLoads, CancelLeavesTheSceneAsItWas) {
     shown_.clear();
-    QSignalSpy cancelled(&session.scenes(), &SceneControl::openCancelled);
+    QSignalSpy canceled(&session.scenes(), &SceneControl::openCanceled);
     const LiveRun* run = session.run();
     const QString title = window.windowTitle();
     session.scenes().open(large_);
     QTest::mouseClick(child<QPushButton>("cancelLoading"), Qt::LeftButton);
-    EXPECT_EQ(cancelled.count(), 1);
+    EXPECT_EQ(canceled.count(), 1);
     EXPECT_FALSE(isLoading());
     live(300);
     EXPECT_EQ(session.run(), run);

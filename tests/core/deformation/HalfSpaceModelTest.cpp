@@ -109,11 +109,11 @@ TEST(HalfSpaceModel, PutsRealTopographyOntoTheTip) {
     ASSERT_TRUE(answer.valid()) << sentenceOf(answer);
     const SurfacePatch patch = halfSpacePatch(scene, answer, {.halfWidth = 6.0_nm, .samples = 81});
     const TipContact contact = tipContact(scene, state);
-    const Vector3 centre =
+    const Vector3 center =
         contact.foot + (contact.tipRadius - contact.indentation) * contact.normal;
     double touching = 0.0;
     for (std::size_t i = 0; i < patch.points.size(); ++i) {
-        const double gap = (patch.points[i] - centre).norm() - contact.tipRadius;
+        const double gap = (patch.points[i] - center).norm() - contact.tipRadius;
         EXPECT_GT(gap, -0.004_nm);
         const Vector3 moved = patch.points[i] - patch.rest[i];
         EXPECT_LT(moved.cross(contact.normal).norm(), 1e-20) << "moves along the normal only";
@@ -182,7 +182,7 @@ TEST(HalfSpaceModel, StopsWhenAsked) {
     source.request_stop();
     HalfSpaceModel model(HalfSpaceModel::kSamples, {.tolerance = 1e-12});
     EXPECT_EQ(model.solve(scene, pressed(scene, 0.3_nm), source.get_token()).verdict,
-              HalfSpaceVerdict::Cancelled);
+              HalfSpaceVerdict::Canceled);
 }
 
 TEST(TangentFrame, SeesAPlaneAsLevelFromItsOwnSide) {

@@ -73,7 +73,7 @@ TEST(HandPath, UnderABluntTipASlideHasFewSteps) {
     const Scene scene = buildScene(description, map);
     const HandPath path = approachPath(scene, {.slideLength = 20.0_um});
     EXPECT_GT(path.size(), 50U);
-    EXPECT_LT(path.size(), 100U) << "steps of half a nanometre took minutes to lay out";
+    EXPECT_LT(path.size(), 100U) << "steps of half a nanometer took minutes to lay out";
 }
 
 }  // namespace

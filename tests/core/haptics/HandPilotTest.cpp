@@ -26,9 +26,9 @@ TEST(HandPilot, TravelsAndStays) {
     HandPilot pilot({5.0_nm, 0.0, 0.0});
     pilot.follow({{2.0, {1.0_nm, 0.0, 0.0}}, {3.0, {1.0_nm, 8.0_nm, 0.0}}});
     EXPECT_NEAR(pilot.advance(0.5, {}).y(), 4.0_nm, 1e-18);
-    EXPECT_TRUE(pilot.travelling());
+    EXPECT_TRUE(pilot.traveling());
     EXPECT_NEAR(pilot.advance(2.0, {}).y(), 8.0_nm, 1e-18);
-    EXPECT_FALSE(pilot.travelling());
+    EXPECT_FALSE(pilot.traveling());
     EXPECT_TRUE(pilot.advance(1.0, {}).isApprox(Vector3(1.0_nm, 8.0_nm, 0.0)));
 }
 
@@ -48,12 +48,12 @@ TEST(HandPilot, ThePersonEndsAJourney) {
     const HandPath far{{0.0, {0.0, 0.0, 0.0}}, {1.0, {0.0, 8.0_nm, 0.0}}};
     pilot.follow(far);
     pilot.displace({1.0_nm, 0.0, 0.0});
-    EXPECT_FALSE(pilot.travelling());
+    EXPECT_FALSE(pilot.traveling());
     pilot.follow(far);
     pilot.setVelocity(Vector3::Zero());
-    EXPECT_TRUE(pilot.travelling()) << "no key is held";
+    EXPECT_TRUE(pilot.traveling()) << "no key is held";
     pilot.setVelocity({1.0_nm, 0.0, 0.0});
-    EXPECT_FALSE(pilot.travelling());
+    EXPECT_FALSE(pilot.traveling());
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ GuidedHand engagedHand(const Scene& scene) {
     return hand;
 }
 
-Workspace workspaceAround(const Vector3& centre) {
-    return {.centre = centre, .radius = 50e-3, .stiffness = 200.0, .forceLimit = 2.0};
+Workspace workspaceAround(const Vector3& center) {
+    return {.center = center, .radius = 50e-3, .stiffness = 200.0, .forceLimit = 2.0};
 }
 
 TEST(MappedTick, AClutchedHandMovesNothingAndFeelsNothing) {

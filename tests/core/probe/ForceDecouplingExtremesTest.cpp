@@ -21,7 +21,7 @@ using test::referenceLever;
 using test::Situation;
 using test::slidingSituation;
 
-/// Any direction of normal and motion, from standing still to a metre a second, any size of force.
+/// Any direction of normal and motion, from standing still to a meter a second, any size of force.
 TEST(ForceDecouplingExtremes, HasAPositiveDefiniteCovarianceAtTheExtremes) {
     EXPECT_TRUE(rc::check([] {
         const auto direction = [] {

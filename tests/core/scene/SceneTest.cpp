@@ -16,7 +16,7 @@
 namespace asperity {
 namespace {
 
-TEST(Scene, DefaultIsThePapersPolystyreneUnderA14NewtonPerMetreLever) {
+TEST(Scene, DefaultIsThePapersPolystyreneUnderA14NewtonPerMeterLever) {
     const Scene scene = buildScene(defaultScene(), test::hillyMap());
     EXPECT_NEAR(scene.belief.cantilever.stiffness(), 14.0, 1e-12);
     EXPECT_DOUBLE_EQ(scene.belief.tipRadius(), 15.0_nm);
@@ -40,7 +40,7 @@ TEST(Scene, TruthIsWhatTheSceneSaysUnlessSaidOtherwise) {
 
 TEST(Scene, LevelsTheMapAndKeepsWhatItRemoved) {
     SceneDescription description = test::plainScene();
-    description.sample.levelling = Levelling::Plane;
+    description.sample.leveling = Leveling::Plane;
     const HeightMap map = test::slopedMap(0.05);
     const Scene scene = buildScene(description, map);
     // The scan is kept in single precision about the middle of its heights.

@@ -43,15 +43,15 @@ TEST(ShapeSample, IsDrawnWhereItIsTouched) {
     }
 }
 
-/// A tip on a ball meets it along the line between the two centres, with R_eff = R r / (R + r).
+/// A tip on a ball meets it along the line between the two centers, with R_eff = R r / (R + r).
 TEST(ShapeSample, ABallIsTouchedAsABall) {
     const Scene scene = sceneOf(kBall);
     const double tipRadius = scene.description.tip.radius;
-    const Vector3 centre(0.5 * kBall.size, 0.5 * kBall.size, kRadius);
+    const Vector3 center(0.5 * kBall.size, 0.5 * kBall.size, kRadius);
     for (const Vector3& towards : {Vector3(0.0, 0.0, 1.0), Vector3(0.2, -0.1, 1.0)}) {
         const Vector3 direction = towards.normalized();
-        const Vector3 tipCentre = centre + (kRadius + tipRadius - 1.0_nm) * direction;
-        const BaseMotion held{.position = tipCentre - Vector3(0.0, 0.0, tipRadius)};
+        const Vector3 tipCenter = center + (kRadius + tipRadius - 1.0_nm) * direction;
+        const BaseMotion held{.position = tipCenter - Vector3(0.0, 0.0, tipRadius)};
         const TipState state = heldTip(scene.touched(), scene.belief, held, {});
         EXPECT_TRUE(state.converged);
         EXPECT_LT((state.foot.normal - direction).norm(), 1e-12);
@@ -66,10 +66,10 @@ TEST(ShapeSample, ASlopeIsTouchedAcrossIt) {
     const Scene scene = sceneOf(kSlope);
     const Vector3 normal(-std::sin(kSlope.slope), 0.0, std::cos(kSlope.slope));
     const double tipRadius = scene.description.tip.radius;
-    const Vector3 tipCentre =
+    const Vector3 tipCenter =
         Vector3(0.5 * kSlope.size, 0.4 * kSlope.size, 0.0) + (tipRadius - 1.0_nm) * normal;
     const TipState state = heldTip(scene.touched(), scene.belief,
-                                   {.position = tipCentre - Vector3(0.0, 0.0, tipRadius)}, {});
+                                   {.position = tipCenter - Vector3(0.0, 0.0, tipRadius)}, {});
     EXPECT_LT((state.foot.normal - normal).norm(), 1e-14);
     EXPECT_NEAR(state.effectiveRadius, tipRadius, 1e-9 * tipRadius);
     EXPECT_EQ(state.feet, 1);

@@ -24,7 +24,7 @@ TEST(Pareto, AsCheapAsCanBeToldTheNearestIsOnTheFront) {
     EXPECT_EQ(paretoFront(choices, {.cost = 0.01}), (Front{true, true, true}));
 }
 
-TEST(Pareto, NoNeighbourOnTheFrontIsAsCheapAndNearer) {
+TEST(Pareto, NoNeighborOnTheFrontIsAsCheapAndNearer) {
     const Resolution tenth{.cost = 0.1};
     EXPECT_EQ(paretoFront(Choices{{1.0, 5.0}, {1.08, 4.0}, {1.16, 3.0}, {1.5, 1.0}}, tenth),
               (Front{true, false, true, true}));

@@ -183,7 +183,7 @@ TEST(TradeOffStudy, WholeWaysAreBetterTheMoreTheyCost) {
     EXPECT_DOUBLE_EQ(last.error, std::max(force, surface));
 }
 
-/// Cancelled once the work is so far.
+/// Canceled once the work is so far.
 class StopAt : public Progress {
 public:
     explicit StopAt(double fraction) : fraction_(fraction) {}
@@ -191,7 +191,7 @@ public:
         EXPECT_GE(fraction, reached);
         reached = fraction;
     }
-    [[nodiscard]] bool isCancelled() const override { return reached >= fraction_; }
+    [[nodiscard]] bool isCanceled() const override { return reached >= fraction_; }
 
     double reached = 0.0;
 
@@ -206,7 +206,7 @@ TEST(TradeOffStudy, CanBeStoppedAndLeavesTheSceneAsItWasThenToo) {
         StopAt progress(fraction);
         EXPECT_THROW(
             (void)studyTradeOff(scene, {.duration = 0.1, .rounds = 1, .patches = 1}, &progress),
-            Cancelled);
+            Canceled);
         EXPECT_EQ(ofForce(scene.model), before);
     }
     StopAt never(2.0);

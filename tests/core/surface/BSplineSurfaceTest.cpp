@@ -36,7 +36,7 @@ HeightMap randomMap(int columns, int rows) {
     return map;
 }
 
-TEST(BSplineFit, PassesThroughEveryPixelCentre) {
+TEST(BSplineFit, PassesThroughEveryPixelCenter) {
     for (const auto& [columns, rows] :
          {std::pair{1, 1}, {1, 7}, {7, 1}, {2, 2}, {2, 9}, {3, 3}, {4, 3}, {40, 31}}) {
         const HeightMap map = randomMap(columns, rows);
@@ -140,7 +140,7 @@ TEST(BSplineSurface, DerivativesAreThoseOfTheHeight) {
     }
 }
 
-TEST(BSplineSurface, IsSmoothAcrossSpansAndPastTheOutermostPixelCentres) {
+TEST(BSplineSurface, IsSmoothAcrossSpansAndPastTheOutermostPixelCenters) {
     const BSplineSurface surface = fitSurface(randomMap(9, 8));
     for (const double x : {1.0_nm, 3.0_nm, 9.0_nm, 17.0_nm}) {
         const HeightSample left = surface.at(x * (1.0 - 1e-12), 5.2_nm);
@@ -191,7 +191,7 @@ TEST(BSplineSurface, IsLevelAlongAnAxisWithOnePixel) {
     EXPECT_NE(edge.dy, 0.0);
 }
 
-TEST(BSplineSurface, KeepsItsRelativeAccuracyFromPicometresToMillimetres) {
+TEST(BSplineSurface, KeepsItsRelativeAccuracyFromPicometersToMillimeters) {
     for (const double amplitude : {1.0_pm, 1e-3}) {
         const ScanSize size{.columns = 64, .rows = 64, .sizeX = 1.0_um, .sizeY = 1.0_um};
         const EggBox shape{.amplitude = amplitude, .periodX = 0.5_um, .periodY = 0.5_um};

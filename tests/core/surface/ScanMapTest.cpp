@@ -1,7 +1,7 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/InvalidPixels.h"
-#include "core/surface/Levelling.h"
+#include "core/surface/Leveling.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
@@ -55,16 +55,16 @@ TEST(ScanMap, LosesNoDigitsToTheHeightAboveZero) {
     }
 }
 
-TEST(ScanMap, IsLevelledLikeAMapInDoublePrecision) {
+TEST(ScanMap, IsLeveledLikeAMapInDoublePrecision) {
     const HeightMap map = highSlope();
     const ScanMap scan = test::singlePrecision(map);
     EXPECT_NEAR(fitPlane(scan).slopeX, fitPlane(map).slopeX, 3.0 * kRounding / map.sizeX());
     EXPECT_NEAR(fitPlane(scan).mean, fitPlane(map).mean, kRounding);
-    EXPECT_EQ(fitPlane(scan).centreX, fitPlane(map).centreX);
-    for (const Levelling levelling : {Levelling::None, Levelling::Plane, Levelling::Rows}) {
-        const HeightMap exact = levelled(map, levelling);
-        const ScanMap level = levelled(scan, levelling);
-        EXPECT_EQ(level.datum, levelling == Levelling::None ? scan.datum : 0.0);
+    EXPECT_EQ(fitPlane(scan).centerX, fitPlane(map).centerX);
+    for (const Leveling leveling : {Leveling::None, Leveling::Plane, Leveling::Rows}) {
+        const HeightMap exact = leveled(map, leveling);
+        const ScanMap level = leveled(scan, leveling);
+        EXPECT_EQ(level.datum, leveling == Leveling::None ? scan.datum : 0.0);
         for (std::size_t i = 0; i < exact.heights.size(); ++i) {
             if (isFiniteHeight(exact.heights[i])) {
                 ASSERT_NEAR(level.datum + static_cast<double>(level.heights[i]), exact.heights[i],

@@ -35,27 +35,27 @@ TEST(TouchedSurface, ATipInAGrooveHasTwoFeet) {
     FootTracker tracker;
     const NurbsSurface surface = groove();
     const TouchedSurface touched(surface);
-    // Nearer to the left slope by a nanometre.
-    const Vector3 centre(-0.5_nm * std::numbers::sqrt2, 40.0_nm, kTipRadius * std::numbers::sqrt2);
-    const TipFeet feet = touched.tipFeet({centre, kTipRadius}, 10.0_nm, {}, tracker);
+    // Nearer to the left slope by a nanometer.
+    const Vector3 center(-0.5_nm * std::numbers::sqrt2, 40.0_nm, kTipRadius * std::numbers::sqrt2);
+    const TipFeet feet = touched.tipFeet({center, kTipRadius}, 10.0_nm, {}, tracker);
     EXPECT_EQ(feet.proof, FootProof::Nearest);
     ASSERT_EQ(feet.list.all().size(), 2U);
     EXPECT_NEAR(feet.list.all()[0].distance, kTipRadius - 0.5_nm, 1e-12_nm);
     EXPECT_NEAR(feet.list.all()[1].distance, kTipRadius + 0.5_nm, 1e-12_nm);
     EXPECT_LT(feet.list.all()[0].point.x(), 0.0);
     for (const SurfaceFoot& foot : feet.list.all()) {
-        const SurfaceFoot again = touched.localFoot(centre, foot.guess());
+        const SurfaceFoot again = touched.localFoot(center, foot.guess());
         EXPECT_LT((again.point - foot.point).norm(), 1e-12_nm) << "each is found again from itself";
         EXPECT_NEAR(std::abs(foot.normal.x()), std::numbers::sqrt2 / 2.0, 1e-12);
         EXPECT_NEAR(foot.curvatures.largest, 0.0, 1e-6 / kTipRadius);
     }
-    EXPECT_EQ(touched.tipFeet({centre, kTipRadius}, 0.0, {}, tracker).list.all().size(), 1U)
+    EXPECT_EQ(touched.tipFeet({center, kTipRadius}, 0.0, {}, tracker).list.all().size(), 1U)
         << "the other one is out of reach";
 }
 
 TEST(TouchedSurface, ATipOnABallHasOne) {
     FootTracker tracker;
-    const NurbsSurface ball = sphereSurface({.centre = Vector3::Zero()}, 100.0_nm);
+    const NurbsSurface ball = sphereSurface({.center = Vector3::Zero()}, 100.0_nm);
     EXPECT_EQ(ball.concavity(), 0.0);
     const TouchedSurface touched(ball);
     const Vector3 above(0.0, 0.0, 120.0_nm);
@@ -76,7 +76,7 @@ TEST(TouchedSurface, AHeightFieldIsTouchedAsItIs) {
     const BSplineSurface field = fitSurface(
         sampledMap({.columns = 32, .rows = 32, .sizeX = 64.0_nm, .sizeY = 64.0_nm},
                    EggBox{.amplitude = 10.0_nm, .periodX = 30.0_nm, .periodY = 30.0_nm}));
-    const TipSphere tip{.centre = Vector3(30.0_nm, 31.0_nm, 20.0_nm), .radius = kTipRadius};
+    const TipSphere tip{.center = Vector3(30.0_nm, 31.0_nm, 20.0_nm), .radius = kTipRadius};
     const TipFeet direct = tipFeet(field, tip, 10.0_nm, {});
     const TipFeet feet = TouchedSurface(field).tipFeet(tip, 10.0_nm, {}, tracker);
     ASSERT_EQ(feet.list.all().size(), direct.list.all().size());

@@ -21,12 +21,12 @@ CurvePlotSetup setupOf(ZeroLine zero) {
 }
 
 /// How many pixels have this hue: the curves' edges are blended with the paper.
-int pixelsOfHue(const QImage& image, const QColor& colour) {
+int pixelsOfHue(const QImage& image, const QColor& color) {
     int count = 0;
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x) {
             const QColor pixel = image.pixelColor(x, y);
-            const bool sameHue = std::abs(pixel.hsvHue() - colour.hsvHue()) < 12;
+            const bool sameHue = std::abs(pixel.hsvHue() - color.hsvHue()) < 12;
             count += sameHue && pixel.hsvSaturation() > 90 ? 1 : 0;
         }
     }
@@ -91,7 +91,7 @@ TEST(CurvePlot, FarFromZeroItShowsDifferencesInTheirOwnUnit) {
     EXPECT_EQ(plot.shownUnit(), "nN") << "not 7.000 µN";
 }
 
-TEST(CurvePlot, DrawsEachCurveInItsColour) {
+TEST(CurvePlot, DrawsEachCurveInItsColor) {
     CurvePlot plot(setupOf(ZeroLine::Shown));
     const int legendFirst = pixelsOfHue(picture(plot), kFirst);
     const int legendSecond = pixelsOfHue(picture(plot), kSecond);

@@ -6,7 +6,7 @@
 #include "tests/ui/panels/PanelSamples.h"
 #include "ui/Theme.h"
 #include "ui/panels/AxisTicks.h"
-#include "ui/panels/ColourBarWidget.h"
+#include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/OverviewMap.h"
 
 #include <QSignalSpy>
@@ -50,7 +50,7 @@ void doubleClick(OverviewMap& map, const QPointF& pixel) {
     QTest::mouseDClick(&map, Qt::LeftButton, Qt::NoModifier, pixel.toPoint());
 }
 
-TEST(OverviewPanel, DoubleClickGivesThePlaceInMetresYUp) {
+TEST(OverviewPanel, DoubleClickGivesThePlaceInMetersYUp) {
     OverviewPanel panel;
     panel.resize(480, 300);
     panel.setSurface(wideSurface());
@@ -86,7 +86,7 @@ TEST(OverviewPanel, ShowsTheScansSizeAndTheUnitOfItsHeights) {
         hasSize = hasSize || label->text() == QStringLiteral("256 × 128 nm");
     }
     EXPECT_TRUE(hasSize);
-    EXPECT_EQ(panel.colourBar().heading(), QStringLiteral("height [nm]"));
+    EXPECT_EQ(panel.colorBar().heading(), QStringLiteral("height [nm]"));
 }
 
 TEST(OverviewMap, KeepsTheAspectRatioAndStaysInside) {
@@ -173,16 +173,16 @@ TEST(OverviewMap, ASmallFrameIsSeenOutsideTheTipsMark) {
     map.showFrame({middle.x() - 2.0_nm, middle.y() - 2.0_nm, 4.0_nm, 4.0_nm});
     map.showTip(middle);
     const QImage image = map.grab().toImage();
-    const QPoint centre = map.toPixel(middle).toPoint();
+    const QPoint center = map.toPixel(middle).toPoint();
     for (const QPoint& way : {QPoint(-1, -1), QPoint(-1, 1), QPoint(1, -1), QPoint(1, 1)}) {
         QRect outside(QPoint(), QSize(10, 10));
-        outside.moveCenter(centre + 14 * way);
+        outside.moveCenter(center + 14 * way);
         EXPECT_GE(test::pixelsLike(image.copy(outside), QColor(theme::kZoom)), 8)
             << way.x() << ", " << way.y();
     }
     map.showFrame({middle.x() - 20.0_nm, middle.y() - 20.0_nm, 40.0_nm, 40.0_nm});
     const QImage large = map.grab().toImage();
-    EXPECT_EQ(test::pixelsLike(large.copy(QRect(centre - QPoint(18, 18), QSize(36, 36))),
+    EXPECT_EQ(test::pixelsLike(large.copy(QRect(center - QPoint(18, 18), QSize(36, 36))),
                                QColor(theme::kZoom)),
               0)
         << "no brackets in a frame that is large enough";
@@ -204,8 +204,8 @@ TEST(ReliefImage, IsAtMost512PixelsAndCoversTheHeights) {
     const ReliefImage relief = reliefImage(wideSurface());
     EXPECT_EQ(relief.image.size(), QSize(512, 256));
     EXPECT_EQ(relief.heights.size(), 512U * 256U);
-    EXPECT_NEAR(relief.colours.high, 10.0_nm, 0.1_nm);
-    EXPECT_NEAR(relief.colours.low, 0.0, 0.1_nm);
+    EXPECT_NEAR(relief.colors.high, 10.0_nm, 0.1_nm);
+    EXPECT_NEAR(relief.colors.low, 0.0, 0.1_nm);
 }
 
 TEST(ReliefImage, IsLitFromTheUpperLeft) {
@@ -220,36 +220,36 @@ TEST(ReliefImage, IsLitFromTheUpperLeft) {
     EXPECT_GT(lightness(8.0_nm, 22.0_nm), lightness(22.0_nm, 8.0_nm) + 20);
 }
 
-TEST(ReliefImage, ALevelScanHasOneColour) {
+TEST(ReliefImage, ALevelScanHasOneColor) {
     const ReliefImage relief = reliefImage(fitSurface(test::flatMap()));
     EXPECT_EQ(relief.image.pixel(0, 0), relief.image.pixel(300, 200));
 }
 
-TEST(ColourBarWidget, NamesTheQuantityWithItsPrefix) {
-    ColourBarWidget bar;
+TEST(ColorBarWidget, NamesTheQuantityWithItsPrefix) {
+    ColorBarWidget bar;
     EXPECT_TRUE(bar.heading().isEmpty());
     bar.setScale({.quantity = QStringLiteral("displacement"),
                   .unit = QStringLiteral("m"),
                   .low = -400e-12,
                   .high = 0.0,
-                  .colours = {Qt::red, Qt::white}});
+                  .colors = {Qt::red, Qt::white}});
     EXPECT_EQ(bar.heading(), QStringLiteral("displacement [pm]"));
 }
 
-TEST(ReliefImage, IsGreyWhereTheScanHoldsNoData) {
+TEST(ReliefImage, IsGrayWhereTheScanHoldsNoData) {
     EXPECT_FALSE(reliefImage(fitSurface(test::hillyMap())).hasFilled);
     const ReliefImage relief = reliefImage(fitSurface(holedMap()));
     EXPECT_TRUE(relief.hasFilled);
-    const auto colourfulness = [&](double x, double y) {
-        const QColor colour = relief.image.pixelColor(static_cast<int>(x * relief.image.width()),
+    const auto colorfulness = [&](double x, double y) {
+        const QColor color = relief.image.pixelColor(static_cast<int>(x * relief.image.width()),
                                                       static_cast<int>(y * relief.image.height()));
-        return std::max({colour.red(), colour.green(), colour.blue()}) -
-               std::min({colour.red(), colour.green(), colour.blue()});
+        return std::max({color.red(), color.green(), color.blue()}) -
+               std::min({color.red(), color.green(), color.blue()});
     };
-    EXPECT_EQ(colourfulness(0.2, 0.5), 0);
-    EXPECT_EQ(colourfulness(0.8, 0.01), 0) << "the rows without data lie at the top";
-    EXPECT_GT(colourfulness(0.8, 0.5), 40);
-    EXPECT_GT(colourfulness(0.8, 0.99), 40);
+    EXPECT_EQ(colorfulness(0.2, 0.5), 0);
+    EXPECT_EQ(colorfulness(0.8, 0.01), 0) << "the rows without data lie at the top";
+    EXPECT_GT(colorfulness(0.8, 0.5), 40);
+    EXPECT_GT(colorfulness(0.8, 0.99), 40);
 }
 
 TEST(OverviewPanel, SaysThatPartsOfTheScanAreFilledInOnlyWhereTheyAre) {
@@ -276,15 +276,15 @@ TEST(AxisTicks, AreNeverOnlyOne) {
     EXPECT_GE(axisTicks(1.1, 13.9, 1).size(), 2U);
 }
 
-TEST(ColourBarWidget, RunsFromTheFirstColourToTheLast) {
-    ColourBarWidget bar;
+TEST(ColorBarWidget, RunsFromTheFirstColorToTheLast) {
+    ColorBarWidget bar;
     bar.resize(200, bar.sizeHint().height());
     EXPECT_EQ(test::pixelsLike(bar.grab().toImage(), Qt::red), 0) << "nothing to show yet";
     bar.setScale({.quantity = QStringLiteral("height"),
                   .unit = QStringLiteral("m"),
                   .low = 0.0,
                   .high = 1e-9,
-                  .colours = {Qt::red, Qt::blue}});
+                  .colors = {Qt::red, Qt::blue}});
     const QImage image = bar.grab().toImage();
     int reds = 0;
     int blues = 0;

@@ -45,15 +45,15 @@ inline bool showsNan(const QWidget& widget) {
     return false;
 }
 
-/// How many pixels of a picture are nearly of this colour.
-inline int pixelsLike(const QImage& image, const QColor& colour) {
+/// How many pixels of a picture are nearly of this color.
+inline int pixelsLike(const QImage& image, const QColor& color) {
     int count = 0;
     for (int y = 0; y < image.height(); ++y) {
         for (int x = 0; x < image.width(); ++x) {
             const QColor pixel = image.pixelColor(x, y);
-            const int difference = std::abs(pixel.red() - colour.red()) +
-                                   std::abs(pixel.green() - colour.green()) +
-                                   std::abs(pixel.blue() - colour.blue());
+            const int difference = std::abs(pixel.red() - color.red()) +
+                                   std::abs(pixel.green() - color.green()) +
+                                   std::abs(pixel.blue() - color.blue());
             count += difference < 24 ? 1 : 0;
         }
     }

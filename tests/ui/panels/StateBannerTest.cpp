@@ -98,19 +98,19 @@ TEST(StateBanner, AFaultStandsAboveAllAndCanBeTakenBack) {
     EXPECT_TRUE(rearmButton(banner).isHidden());
 }
 
-TEST(StateBanner, EachStateHasAColourOfItsOwn) {
+TEST(StateBanner, EachStateHasAColorOfItsOwn) {
     StateBanner banner;
     banner.resize(800, banner.height());
     TickSample off = far();
     off.output.forceState = ForceState::Off;
     TickSample fault = far();
     fault.output.fault = Fault::NotFinite;
-    std::set<QRgb> colours;
+    std::set<QRgb> colors;
     for (const TickSample& sample : {far(), bonded(0.0), bonded(3e-9), off, fault}) {
         banner.show(test::snapshotOf(sample));
-        colours.insert(banner.grab().toImage().pixel(2, banner.height() / 2));
+        colors.insert(banner.grab().toImage().pixel(2, banner.height() / 2));
     }
-    EXPECT_EQ(colours.size(), 5U);
+    EXPECT_EQ(colors.size(), 5U);
 }
 
 TEST(StateBanner, NeverChangesItsHeight) {

@@ -2,7 +2,7 @@
 #include "ui/view/DrapedGrid.h"
 #include "ui/view/ForceScale.h"
 #include "ui/view/Magnification.h"
-#include "ui/view/SurfaceColours.h"
+#include "ui/view/SurfaceColors.h"
 
 #include <gtest/gtest.h>
 
@@ -82,35 +82,35 @@ TEST(ForceScale, NeverDrawsNoiseLong) {
     }
 }
 
-TEST(SurfaceColours, ShowHeightAtRestAndDisplacementWhereItIsLarge) {
-    SurfaceColours colours;
-    EXPECT_TRUE(colours.fitHeights(0.0, 10.0_nm));
-    EXPECT_TRUE(colours.fitDisplacement(1.5_nm));
-    const Color rest = colours.at(5.0_nm);
-    const Color pushed = colours.at(5.0_nm, 1.5_nm);
-    const Color pulled = colours.at(5.0_nm, -1.5_nm);
+TEST(SurfaceColors, ShowHeightAtRestAndDisplacementWhereItIsLarge) {
+    SurfaceColors colors;
+    EXPECT_TRUE(colors.fitHeights(0.0, 10.0_nm));
+    EXPECT_TRUE(colors.fitDisplacement(1.5_nm));
+    const Color rest = colors.at(5.0_nm);
+    const Color pushed = colors.at(5.0_nm, 1.5_nm);
+    const Color pulled = colors.at(5.0_nm, -1.5_nm);
     EXPECT_GT(pushed.blue, pushed.red + 60) << "pushed in: blue";
     EXPECT_GT(pulled.red, pulled.blue + 60) << "pulled out: orange";
     EXPECT_GT(rest.green, rest.red);
-    const Color hardly = colours.at(5.0_nm, 0.01_nm);
+    const Color hardly = colors.at(5.0_nm, 0.01_nm);
     EXPECT_EQ(hardly.green, rest.green);
 }
 
-TEST(SurfaceColours, RangesAreSteadyAndHoldTheValues) {
-    SurfaceColours colours;
-    colours.fitDisplacement(1.5_nm);
-    EXPECT_FALSE(colours.fitDisplacement(1.3_nm));
-    EXPECT_TRUE(colours.fitDisplacement(4.0_nm));
-    const ColourScale scale = colours.displacementScale();
+TEST(SurfaceColors, RangesAreSteadyAndHoldTheValues) {
+    SurfaceColors colors;
+    colors.fitDisplacement(1.5_nm);
+    EXPECT_FALSE(colors.fitDisplacement(1.3_nm));
+    EXPECT_TRUE(colors.fitDisplacement(4.0_nm));
+    const ColorScale scale = colors.displacementScale();
     EXPECT_GE(scale.high, 4.0_nm);
     EXPECT_DOUBLE_EQ(scale.low, -scale.high);
     EXPECT_EQ(scale.unit, "m");
-    ASSERT_GE(scale.colours.size(), 2U);
-    EXPECT_GT(scale.colours.front().red(), scale.colours.front().blue());
-    EXPECT_GT(scale.colours.back().blue(), scale.colours.back().red());
-    colours.fitHeights(-3.0_nm, 8.0_nm);
-    EXPECT_LE(colours.heightScale().low, -3.0_nm);
-    EXPECT_GE(colours.heightScale().high, 8.0_nm);
+    ASSERT_GE(scale.colors.size(), 2U);
+    EXPECT_GT(scale.colors.front().red(), scale.colors.front().blue());
+    EXPECT_GT(scale.colors.back().blue(), scale.colors.back().red());
+    colors.fitHeights(-3.0_nm, 8.0_nm);
+    EXPECT_LE(colors.heightScale().low, -3.0_nm);
+    EXPECT_GE(colors.heightScale().high, 8.0_nm);
 }
 
 TEST(DrapedGrid, LinesLieAtRoundPlacesBetweenTheEdges) {

@@ -94,7 +94,7 @@ TEST(TerrainLayer, CoversItsWindowButForTheHole) {
     EXPECT_EQ(SeenFromAbove(renderer).areaOfStrips(), 0.0);
     terrain.setPlace(scene.surface, kPlace);
     for (const TerrainDetail detail : {TerrainDetail::Coarse, TerrainDetail::Fine}) {
-        terrain.show(detail, SurfaceColours(), Shading(ViewCamera()));
+        terrain.show(detail, SurfaceColors(), Shading(ViewCamera()));
         EXPECT_NEAR(SeenFromAbove(renderer).areaOfStrips(), 5500e-18, 1e-20);
     }
     terrain.hide();
@@ -108,7 +108,7 @@ TEST(TerrainLayer, HasNoWallWhereTheHoleLiesAtItsEdge) {
     terrain.setBottom(-10.0_nm);
     const auto wallArea = [&](const ScanWindow& hole) {
         terrain.setPlace(scene.surface, {.window = kPlace.window, .hole = hole, .patch = hole});
-        terrain.show(TerrainDetail::Fine, SurfaceColours(), Shading(ViewCamera()));
+        terrain.show(TerrainDetail::Fine, SurfaceColors(), Shading(ViewCamera()));
         return SeenFromAbove(renderer).areaFromTheSide();
     };
     const double whole = 2.0 * 80.0_nm * 10.0_nm;
@@ -125,9 +125,9 @@ TEST(TerrainLayer, IsCoarseOrFineAsAsked) {
     vtkNew<vtkRenderer> renderer;
     TerrainLayer terrain(renderer);
     terrain.setPlace(scene.surface, kPlace);
-    terrain.show(TerrainDetail::Coarse, SurfaceColours(), Shading(ViewCamera()));
+    terrain.show(TerrainDetail::Coarse, SurfaceColors(), Shading(ViewCamera()));
     EXPECT_LE(SeenFromAbove(renderer).points(), 80 * 80);
-    terrain.show(TerrainDetail::Fine, SurfaceColours(), Shading(ViewCamera()));
+    terrain.show(TerrainDetail::Fine, SurfaceColors(), Shading(ViewCamera()));
     EXPECT_EQ(SeenFromAbove(renderer).points(), 160 * 160) << "four samples a pixel";
 }
 

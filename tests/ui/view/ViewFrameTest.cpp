@@ -19,7 +19,7 @@ bool contains(const ScanWindow& window, const Vector2& place) {
 
 TEST(ViewFrame, StartsInTheMiddleOfTheScan) {
     const ViewFrame frame(1.0_um, 0.5_um, 40.0_nm);
-    EXPECT_EQ(frame.centre(), Vector2(0.5_um, 0.25_um));
+    EXPECT_EQ(frame.center(), Vector2(0.5_um, 0.25_um));
     EXPECT_NEAR(frame.window().left, 460.0_nm, 1e-15);
     EXPECT_NEAR(frame.window().top, 290.0_nm, 1e-15);
 }
@@ -27,21 +27,21 @@ TEST(ViewFrame, StartsInTheMiddleOfTheScan) {
 TEST(ViewFrame, RestsWhileTheTipStaysInTheMiddle) {
     ViewFrame frame(1.0_um, 1.0_um, 40.0_nm);
     frame.follow({513.0_nm, 487.0_nm}, kSlack);
-    EXPECT_EQ(frame.centre(), Vector2(0.5_um, 0.5_um));
+    EXPECT_EQ(frame.center(), Vector2(0.5_um, 0.5_um));
 }
 
 TEST(ViewFrame, GoesWithTheTipInModestSteps) {
     ViewFrame frame(1.0_um, 1.0_um, 40.0_nm);
-    double last = frame.centre().x();
+    double last = frame.center().x();
     int steps = 0;
     for (int tick = 0; tick < 600; ++tick) {
         const double x = 500.0_nm + 0.5_nm * tick;
         frame.follow({x, 0.5_um}, kSlack);
-        const double step = frame.centre().x() - last;
+        const double step = frame.center().x() - last;
         EXPECT_LE(step, 5.0_nm);
-        EXPECT_LE(x - frame.centre().x(), 14.1_nm);
+        EXPECT_LE(x - frame.center().x(), 14.1_nm);
         steps += step > 0.0 ? 1 : 0;
-        last = frame.centre().x();
+        last = frame.center().x();
     }
     EXPECT_LT(steps, 75);
     EXPECT_GT(steps, 40);
@@ -50,7 +50,7 @@ TEST(ViewFrame, GoesWithTheTipInModestSteps) {
 TEST(ViewFrame, GoesStraightToATipOutsideOfIt) {
     ViewFrame frame(1.0_um, 1.0_um, 40.0_nm);
     frame.follow({200.0_nm, 700.0_nm}, kSlack);
-    EXPECT_EQ(frame.centre(), Vector2(200.0_nm, 700.0_nm));
+    EXPECT_EQ(frame.center(), Vector2(200.0_nm, 700.0_nm));
 }
 
 TEST(ViewFrame, StaysWithinTheScan) {

@@ -45,13 +45,13 @@ TEST_F(ZoomPictureTest, TheFrameGoesWithTheTipUnlessItIsDragged) {
     const Snapshot deep = momentsOf(scene).deep;
     picture.setSample(deep.sample);
     picture.showSample(camera, false);
-    const Vector2 before = picture.frame()->centre();
+    const Vector2 before = picture.frame()->center();
     const double way = 0.6 * picture.frame()->halfWidth();
     picture.setSample(movedBy(deep, {way, 0.0, 0.0}).sample);
     picture.showSample(camera, true);
-    EXPECT_EQ(picture.frame()->centre(), before);
+    EXPECT_EQ(picture.frame()->center(), before);
     picture.showSample(camera, false);
-    EXPECT_GT(picture.frame()->centre().x(), before.x());
+    EXPECT_GT(picture.frame()->center().x(), before.x());
 }
 
 }  // namespace

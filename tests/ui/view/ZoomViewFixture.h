@@ -37,7 +37,7 @@ protected:
         return view->grabFramebuffer();
     }
 
-    [[nodiscard]] QColor colourAt(const QImage& picture, const Vector3& place) const {
+    [[nodiscard]] QColor colorAt(const QImage& picture, const Vector3& place) const {
         return picture.pixelColor(view->onScreen(place).toPoint());
     }
 

@@ -62,14 +62,14 @@ TEST_F(ZoomViewTest, ShowsTheDentInBlueAndTheNeckInOrange) {
     // Beside the arrow, inside of the rim.
     const Vector3 inDent =
         state.foot.point - 0.6 * state.contact.contactRadius * view->camera().right();
-    const QColor rest = colourAt(pictureOf(moments.away), inDent);
-    const QColor dent = colourAt(pictureOf(moments.deep), inDent);
+    const QColor rest = colorAt(pictureOf(moments.away), inDent);
+    const QColor dent = colorAt(pictureOf(moments.deep), inDent);
     EXPECT_GT(difference(rest, dent), 60);
     EXPECT_GT(dent.blue(), dent.red() + 30);
 
     const TipState& pulled = moments.neck.sample.output.model;
     const Vector3 onNeck = pulled.foot.point - 2.0_nm * view->camera().right();
-    const QColor neck = colourAt(pictureOf(moments.neck), onNeck);
+    const QColor neck = colorAt(pictureOf(moments.neck), onNeck);
     EXPECT_GT(neck.red(), neck.blue() + 30);
 }
 
@@ -80,13 +80,13 @@ TEST_F(ZoomViewTest, ShowsTheDentAtTheScansEdge) {
     const double radius = state.contact.contactRadius;
     const Vector3 inDent =
         state.foot.point - 0.6 * radius * view->camera().right() + Vector3(0.0, 0.3 * radius, 0.0);
-    const QColor rest = colourAt(pictureOf(movedBy(moments.away, way)), inDent);
-    const QColor dent = colourAt(pictureOf(movedBy(moments.deep, way)), inDent);
+    const QColor rest = colorAt(pictureOf(movedBy(moments.away, way)), inDent);
+    const QColor dent = colorAt(pictureOf(movedBy(moments.deep, way)), inDent);
     EXPECT_GT(difference(rest, dent), 60);
     EXPECT_GT(dent.blue(), dent.red() + 30);
 }
 
-TEST_F(ZoomViewTest, ShowsWhatTheScanHoldsNoDataOfInGrey) {
+TEST_F(ZoomViewTest, ShowsWhatTheScanHoldsNoDataOfInGray) {
     HeightMap map = flatMap();
     for (int row = 0; row < map.rows; ++row) {
         for (int column = 36; column < 44; ++column) {
@@ -96,14 +96,14 @@ TEST_F(ZoomViewTest, ShowsWhatTheScanHoldsNoDataOfInGrey) {
     Scene holed = buildScene(plainScene(), map);
     view->setScene(&holed);
     const QImage picture = pictureOf(moments.away);
-    const auto colourfulness = [&](double x, double y) {
-        const QColor colour = colourAt(picture, {x, y, 0.0});
-        return std::max({colour.red(), colour.green(), colour.blue()}) -
-               std::min({colour.red(), colour.green(), colour.blue()});
+    const auto colorfulness = [&](double x, double y) {
+        const QColor color = colorAt(picture, {x, y, 0.0});
+        return std::max({color.red(), color.green(), color.blue()}) -
+               std::min({color.red(), color.green(), color.blue()});
     };
-    EXPECT_LE(colourfulness(80.5_nm, 63.0_nm), 8);
-    EXPECT_LE(colourfulness(76.3_nm, 81.0_nm), 8) << "around the contact";
-    EXPECT_GT(colourfulness(93.0_nm, 63.0_nm), 40);
+    EXPECT_LE(colorfulness(80.5_nm, 63.0_nm), 8);
+    EXPECT_LE(colorfulness(76.3_nm, 81.0_nm), 8) << "around the contact";
+    EXPECT_GT(colorfulness(93.0_nm, 63.0_nm), 40);
     view->setScene(nullptr);  // which goes before the view
 }
 
@@ -112,8 +112,8 @@ TEST_F(ZoomViewTest, ShowsTheForceInRed) {
         int count = 0;
         for (int y = 0; y < picture.height(); ++y) {
             for (int x = 0; x < picture.width(); ++x) {
-                const QColor colour = picture.pixelColor(x, y);
-                count += colour.red() > 110 && colour.red() > 2.5 * colour.green() ? 1 : 0;
+                const QColor color = picture.pixelColor(x, y);
+                count += color.red() > 110 && color.red() > 2.5 * color.green() ? 1 : 0;
             }
         }
         return count;
@@ -173,7 +173,7 @@ TEST_F(ZoomViewTest, LeavesNoCrackInTheSurface) {
         const double part = step / 500.0;
         const Vector3 place(std::lerp(window.left, window.right, part),
                             std::lerp(window.bottom, window.top, 0.3), foot.z());
-        EXPECT_LT(colourAt(picture, place).lightness(), 240) << part;
+        EXPECT_LT(colorAt(picture, place).lightness(), 240) << part;
     }
 }
 
@@ -191,14 +191,14 @@ TEST_F(ZoomViewTest, FollowsTheTip) {
     EXPECT_NEAR(after.right - after.left, before.right - before.left, 1e-15);
 }
 
-TEST_F(ZoomViewTest, SaysWhatItsColoursMean) {
+TEST_F(ZoomViewTest, SaysWhatItsColorsMean) {
     QSignalSpy changed(view.get(), &ZoomView::scalesChanged);
     view->showSnapshot(moments.deep);
     EXPECT_GE(changed.count(), 1);
     const double pushedIn = moments.deep.sample.output.model.contact.indentation;
     EXPECT_GE(view->displacementScale().high, 0.9 * pushedIn);
     EXPECT_LE(view->displacementScale().high, 4.0 * pushedIn);
-    EXPECT_FALSE(view->heightScale().colours.empty());
+    EXPECT_FALSE(view->heightScale().colors.empty());
     const int changes = static_cast<int>(changed.count());
     view->showSnapshot(moments.deep);
     EXPECT_EQ(changed.count(), changes) << "the same picture, the same scales";
@@ -238,7 +238,7 @@ TEST_F(ZoomViewTest, IsEmptyWithoutAScene) {
     EXPECT_EQ(picture.pixelColor(picture.rect().center()), QColor(Qt::white));
     EXPECT_FALSE(view->window().has_value());
     EXPECT_EQ(view->halfWidth(), 0.0);
-    EXPECT_TRUE(view->heightScale().colours.empty());
+    EXPECT_TRUE(view->heightScale().colors.empty());
     view->setHalfWidth(10.0_nm);
     view->resetCamera();
     view->setMagnification(2.0);

@@ -8,7 +8,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <algorithm>
 
-// OpenEXR with one float channel Y in metres and Gwyddion's attributes. Half floats would turn 20
+// OpenEXR with one float channel Y in meters and Gwyddion's attributes. Half floats would turn 20
 // nm into 0. Source: docs/formats.md 9.
 
 namespace asperity {

@@ -166,7 +166,7 @@ constexpr std::array<std::string_view, 1> kExtensions{".gsf"};
 const HeightMapFormat kGsfFormat = {
     .name = "Gwyddion Simple Field .gsf",
     .extensions = kExtensions,
-    .recognises = [](std::string_view start) { return start.starts_with(kFamily); },
+    .recognizes = [](std::string_view start) { return start.starts_with(kFamily); },
     .read = [](const ByteSource& bytes) { return GsfReader(bytes).read(); },
     .write = writeGsf};
 

@@ -8,14 +8,14 @@
 
 namespace asperity {
 
-/// One named value of a serialised Gwyddion object. The value stays in the source.
+/// One named value of a serialized Gwyddion object. The value stays in the source.
 struct GwyComponent {
     std::string name;
     char type = 0;   ///< one of b c i q d s o, in capitals an array
     ByteSpan value;  ///< of a string without the NUL, of an array the items
 };
 
-/// A serialised object: a class name and a block of components.
+/// A serialized object: a class name and a block of components.
 struct GwyObject {
     std::string className;
     ByteSpan components;

@@ -283,7 +283,7 @@ constexpr std::array<std::string_view, 1> kExtensions{".gwy"};
 const HeightMapFormat kGwyFormat = {
     .name = "Gwyddion .gwy",
     .extensions = kExtensions,
-    .recognises =
+    .recognizes =
         [](std::string_view start) {
             return start.starts_with(kMagic) || start.starts_with(kOldMagic);
         },

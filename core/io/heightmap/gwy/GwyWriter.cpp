@@ -16,7 +16,7 @@ namespace asperity {
 
 namespace {
 
-/// Serialised objects on their way into a file, nothing of which stays in memory. An object's size
+/// Serialized objects on their way into a file, nothing of which stays in memory. An object's size
 /// stands before what it holds, and is put there when the object ends.
 class GwyStream {
 public:
@@ -96,7 +96,7 @@ private:
     std::vector<std::streampos> begins_;  ///< places of the sizes of objects that have not ended
 };
 
-void writeMetre(GwyStream& stream, std::string_view name) {
+void writeMeter(GwyStream& stream, std::string_view name) {
     stream.begin(name, "GwySIUnit");
     stream.text("unitstr", "m");
     stream.end();
@@ -110,7 +110,7 @@ void writeGeometry(GwyStream& stream, const HeightRows& map, const HeightMapMeta
     stream.number("yreal", map.sizeY());
     stream.number("xoff", meta.originX);
     stream.number("yoff", meta.originY);
-    writeMetre(stream, "si_unit_xy");
+    writeMeter(stream, "si_unit_xy");
 }
 
 /// The format forbids NaN: pixels without data hold the lowest height, and the mask marks them.
@@ -120,7 +120,7 @@ void writeHeights(GwyStream& stream, const HeightRows& map, const HeightMapMeta&
     writeGeometry(stream, map, meta);
     stream.numbers("data", map, progress,
                    [filling](double height) { return isFiniteHeight(height) ? height : filling; });
-    writeMetre(stream, "si_unit_z");
+    writeMeter(stream, "si_unit_z");
     stream.end();
 }
 

@@ -135,7 +135,7 @@ NanoscopeScale NanoscopeImage::scale() const {
     const double fullScale = std::ldexp(1.0, 8 * bytesPerPixel());
     NanoscopeScale scale = sensitivity(value->bracket, hard.base);
     // A signal that no sensitivity turns into something else keeps the unit that it is shown in at
-    // the instrument (mV): only lengths are geometry and must be in metres.
+    // the instrument (mV): only lengths are geometry and must be in meters.
     const bool keepsUnit = scale.unit == hard.base && hard.base != "m" && hard.factor != 1.0;
     if (keepsUnit) {
         scale.unit = value->unit;
@@ -179,7 +179,7 @@ std::vector<std::string> NanoscopeImage::notes() const {
     }
     const std::string* planefit = image_->find("Offline planefit");
     if (planefit != nullptr && !planefit->empty() && *planefit != "None") {
-        notes.push_back(channel + "the heights were levelled before they were saved (" + *planefit +
+        notes.push_back(channel + "the heights were leveled before they were saved (" + *planefit +
                         ")");
     }
     return notes;

@@ -40,7 +40,7 @@ public:
     [[nodiscard]] NanoscopeLayout layout() const;
     /// @throw InputError when the scale or its sensitivity cannot be read
     [[nodiscard]] NanoscopeScale scale() const;
-    /// What a user should know: an early stop, an odd aspect ratio, earlier levelling.
+    /// What a user should know: an early stop, an odd aspect ratio, earlier leveling.
     [[nodiscard]] std::vector<std::string> notes() const;
     [[nodiscard]] int bytesPerPixel() const;  ///< as the header says, 2 when it says nothing
     /// A length of the scan list, "X Offset" or "Y Offset"; 0 when it is not there [m]

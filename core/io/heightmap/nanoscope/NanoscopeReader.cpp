@@ -168,7 +168,7 @@ constexpr std::array<std::string_view, 6> kExtensions{".spm", ".di", ".0*", ".1*
 const HeightMapFormat kNanoscopeFormat = {
     .name = "Bruker NanoScope",
     .extensions = kExtensions,
-    .recognises =
+    .recognizes =
         [](std::string_view start) {
             return start.starts_with(kMagic) || start.starts_with(kTextMagic) ||
                    start.starts_with(kForceMagic);

@@ -10,7 +10,7 @@
 #include <png.h>
 #include <utility>
 
-// A 16-bit grey PNG whose text keys give the size and the heights of black and white, as Gwyddion
+// A 16-bit gray PNG whose text keys give the size and the heights of black and white, as Gwyddion
 // reads and writes them. Source: docs/formats.md 9.
 
 namespace asperity {
@@ -53,9 +53,9 @@ void encode(const std::vector<double>& heights, const HeightRange& range,
     for (const double height : heights) {
         const bool shown = span > 0.0 && isFiniteHeight(height);
         const double share = shown ? (height - range.lowest) / span : 0.0;
-        const auto grey = static_cast<unsigned>(std::lround(kWhite * share));
-        bytes.push_back(static_cast<png_byte>(grey >> 8U));
-        bytes.push_back(static_cast<png_byte>(grey & 0xFFU));
+        const auto gray = static_cast<unsigned>(std::lround(kWhite * share));
+        bytes.push_back(static_cast<png_byte>(gray >> 8U));
+        bytes.push_back(static_cast<png_byte>(gray & 0xFFU));
     }
 }
 

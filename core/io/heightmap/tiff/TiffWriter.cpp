@@ -6,7 +6,7 @@
 #include <memory>
 #include <tiffio.h>
 
-// A float32 TIFF in metres. The resolution tags are rounded fractions, so that the description
+// A float32 TIFF in meters. The resolution tags are rounded fractions, so that the description
 // repeats the size in full. Source: docs/formats.md 9.
 
 namespace asperity {
@@ -17,7 +17,7 @@ struct CloseTiff {
     void operator()(TIFF* tiff) const { TIFFClose(tiff); }
 };
 
-constexpr double kCentimetre = 0.01;
+constexpr double kCentimeter = 0.01;
 constexpr double kLargestRational = 4294967295.0;
 /// Beyond this many bytes of samples the 32-bit offsets of a classic TIFF do not reach.
 constexpr std::size_t kClassicLimit = 4'000'000'000U;
@@ -38,12 +38,12 @@ void setTags(TIFF* tiff, const HeightRows& map, const HeightMapMeta& meta) {
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
     TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
-    const double perCentimetreX = kCentimetre / map.pitchX;
-    const double perCentimetreY = kCentimetre / map.pitchY;
-    if (std::max(perCentimetreX, perCentimetreY) < kLargestRational) {
+    const double perCentimeterX = kCentimeter / map.pitchX;
+    const double perCentimeterY = kCentimeter / map.pitchY;
+    if (std::max(perCentimeterX, perCentimeterY) < kLargestRational) {
         TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_CENTIMETER);
-        TIFFSetField(tiff, TIFFTAG_XRESOLUTION, perCentimetreX);
-        TIFFSetField(tiff, TIFFTAG_YRESOLUTION, perCentimetreY);
+        TIFFSetField(tiff, TIFFTAG_XRESOLUTION, perCentimeterX);
+        TIFFSetField(tiff, TIFFTAG_YRESOLUTION, perCentimeterY);
     }
     TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description(map, meta).c_str());
 }

@@ -168,7 +168,7 @@ TEST(HalfSpaceSolver, SumsTwoAsperitiesThatFeelEachOther) {
     EXPECT_LT(solution.force, 1.9 * one.equilibrium(contact.approach, 0.0, {}).force);
 }
 
-/// The largest pull on the way out in steps of a hundredth of a nanometre, each from the last [N].
+/// The largest pull on the way out in steps of a hundredth of a nanometer, each from the last [N].
 double pullOffForce(const ContactModel& model, PixelGrid grid) {
     HalfSpaceContact contact = paraboloidContact(grid, model);
     HalfSpaceSolver solver;
@@ -272,7 +272,7 @@ TEST(HalfSpaceSolver, StopsWhenAsked) {
     std::stop_source source;
     source.request_stop();
     const HalfSpaceSolution solution = HalfSpaceSolver().solve(contact, {}, source.get_token());
-    EXPECT_EQ(solution.status, HalfSpaceStatus::Cancelled);
+    EXPECT_EQ(solution.status, HalfSpaceStatus::Canceled);
     EXPECT_LE(solution.iterations, 1);
     EXPECT_FALSE(solution.valid());
     const HalfSpaceSolution bounded = HalfSpaceSolver({.iterations = 2}).solve(contact);

@@ -62,7 +62,7 @@ inline Meniscus anyMeniscus() {
             .range = *logUniform(1e-10, 1e-6)};
 }
 
-/// A lever on which the tip pulls off within a kilometre: a softer one is refused there by name.
+/// A lever on which the tip pulls off within a kilometer: a softer one is refused there by name.
 inline double anyLever(const ContactPair& pair) {
     constexpr double kFarthest = 200.0;  // [m]
     const double pull = 2.0 * std::numbers::pi * pair.tipRadius * (pair.workOfAdhesion + 2.0);

@@ -53,12 +53,12 @@ void expectLoop(const AnyContact& contact) {
     const double lost = jumps.landed.energyLost + jumps.gone.energyLost;
     const ContactState last = model.lastBonded(contact.compliance);
     // Energies are known to the rounding of what cancels in them.
-    const double cancelled =
+    const double canceled =
         1e-11 * (std::abs(last.force) + forceSize(contact, model, jumps.landed)) *
         (indentationSize(contact, model, jumps.landed) + indentationSize(contact, model, last) +
          (contact.compliance * forceSize(contact, model, last)));
     const Meniscus& water = contact.options.meniscus;
-    const double rounding = cancelled + (1e-14 * water.pull(contact.pair.tipRadius) * water.range);
+    const double rounding = canceled + (1e-14 * water.pull(contact.pair.tipRadius) * water.range);
     RC_LOG() << "loop " << loop << " lost in " << jumps.landed.energyLost << " out "
              << jumps.gone.energyLost << " rounding " << rounding << '\n';
     RC_ASSERT(loop >= -rounding);

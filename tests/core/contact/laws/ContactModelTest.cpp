@@ -190,7 +190,7 @@ TEST(SphereSplitLaw, SnapsInWhereTheSplitLawDoes) {
 }
 
 /// What was lost: at 2 nm over rubber the tip is in contact, and 14 N/m snap in at -2.84 nm.
-TEST(SphereSplitLaw, RubberIsInContactAtTwoNanometres) {
+TEST(SphereSplitLaw, RubberIsInContactAtTwoNanometers) {
     const ContactPair rubber = paperPair("rubber");
     const ContactModel model(chooseLaw({}, rubber).law, rubber);
     const ContactState state = model.equilibrium(-2e-9, 0.0, {});

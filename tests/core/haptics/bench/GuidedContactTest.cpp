@@ -13,7 +13,7 @@ namespace {
 constexpr double kStill = 0.01e-3;     // [m]
 constexpr double kChatters = 0.02e-3;  // of the proxy, what the handle's mass leaves of it [m]
 
-/// As a scene has it by itself, with the target pressed into the sample by one nanometre.
+/// As a scene has it by itself, with the target pressed into the sample by one nanometer.
 VirtualFixture guideTo(FixtureKind kind) {
     VirtualFixture guide = defaultScene().settings.guide;
     guide.kind = kind;

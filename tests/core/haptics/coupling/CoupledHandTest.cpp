@@ -32,7 +32,7 @@ TEST(CoupledHand, GetsTheDesignedGainsAndFeelsLeverContactAndCouplingInSeries) {
     EXPECT_EQ(hand.gains, designCoupling(common().device, common().timing));
     const double tip = tipLoad(polystyrene(), 30.0_nN).stiffness;
     const double felt = inSeries(100.0 * tip, 600.0);
-    EXPECT_NEAR(hand.judgement.felt, felt, 1e-9 * felt);
+    EXPECT_NEAR(hand.judgment.felt, felt, 1e-9 * felt);
 }
 
 TEST(CoupledHand, TheScenesOwnCouplingCountsWhereItHolds) {

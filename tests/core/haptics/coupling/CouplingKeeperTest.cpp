@@ -56,7 +56,7 @@ TEST(CouplingKeeper, MotorsAreNeverWithoutACouplingAndGetTheStandardScale) {
     EXPECT_EQ(knobs.forceGain, 1e8);
     EXPECT_EQ(knobs.coupling, designCoupling(kPhantom, {.timeStep = 1.0_ms, .delay = 1.0_ms}));
     ASSERT_NE(keeper.hand(), nullptr);
-    EXPECT_NE(keeper.hand()->judgement.sentence.find("the hand feels"), std::string::npos);
+    EXPECT_NE(keeper.hand()->judgment.sentence.find("the hand feels"), std::string::npos);
     EXPECT_EQ(scaleWords({knobs.positionGain, knobs.forceGain}), "1 mm : 1 nm, 1 N : 10 nN");
 }
 
@@ -85,7 +85,7 @@ TEST(CouplingKeeper, ASlowLoopGetsTheLargestForceGainThatHolds) {
         sceneOf([](SceneDescription& description) { description.tickRate = 100.0; });
     CouplingKeeper keeper(scene);
     const Settings knobs = keeper.takeOver(kPhantom, 1.0_ms, scene.settings);
-    EXPECT_LE(keeper.hand()->judgement.contact, 600.0);  // 2 bp / T
+    EXPECT_LE(keeper.hand()->judgment.contact, 600.0);  // 2 bp / T
     EXPECT_LT(knobs.forceGain, 1e8);
     Settings larger = knobs;
     larger.forceGain /= 0.8;
@@ -132,11 +132,11 @@ TEST(CouplingKeeper, AGainThatDoesNotHoldIsRefusedAndChangesNothing) {
     wanted.forceGain = 1e8;
     wanted.positionGain = 1e-5;  // 14 N/m are 14 kN/m
     EXPECT_NE(refusal([&] { static_cast<void>(keeper.turned(wanted, 1.0_ms)); }), "");
-    const double before = keeper.hand()->judgement.contact;
+    const double before = keeper.hand()->judgment.contact;
     EXPECT_LT(before, 1400.0);
     wanted.positionGain = 2e-6;
     EXPECT_EQ(keeper.turned(wanted, 1.0_ms).positionGain, 2e-6);
-    EXPECT_NEAR(keeper.hand()->judgement.contact, 2.0 * before, 1e-9 * before) << "judged anew";
+    EXPECT_NEAR(keeper.hand()->judgment.contact, 2.0 * before, 1e-9 * before) << "judged anew";
 }
 
 TEST(CouplingKeeper, TheTipUnderControlIsRefusedWhereItsContactAloneIsTooStiff) {

@@ -13,7 +13,7 @@ constexpr TipLoad kLever{.stiffness = 14.0};  // on a hard sample
 const CouplingGains kSoft{.stiffness = 300.0, .damping = 2.0, .proxyDamping = 3.0};
 
 TEST(ScaleGuard, RefusesTheUncoupledLeverWithTheNumber) {
-    const ScaleJudgement judged = judgeScale(kLever, kCommon, {}, kPhantom);
+    const ScaleJudgment judged = judgeScale(kLever, kCommon, {}, kPhantom);
     EXPECT_NEAR(judged.felt, 1400.0, 1e-9);
     EXPECT_FALSE(judged.holds());
     EXPECT_NE(judged.sentence.find("1.4 kN/m"), std::string::npos) << judged.sentence;
@@ -21,7 +21,7 @@ TEST(ScaleGuard, RefusesTheUncoupledLeverWithTheNumber) {
 }
 
 TEST(ScaleGuard, TheHandFeelsContactAndCouplingInSeries) {
-    const ScaleJudgement judged = judgeScale(kLever, kCommon, kSoft, kPhantom);
+    const ScaleJudgment judged = judgeScale(kLever, kCommon, kSoft, kPhantom);
     EXPECT_NEAR(judged.felt, 300.0 * 1400.0 / 1700.0, 1e-9);
     EXPECT_TRUE(judged.holds());
     EXPECT_NE(judged.sentence.find("247 N/m"), std::string::npos) << judged.sentence;
@@ -35,7 +35,7 @@ TEST(ScaleGuard, ASoftSampleLetsAStiffLeverPass) {
 TEST(ScaleGuard, ACouplingDoesNotMakeUpForAContactThatTheProxyCannotBear) {
     // bp > K T / 2: 6000 N/m at 1 kHz, 24000 N/m at 4 kHz.
     const HandScale magnified{.positionGain = 1e-6, .forceGain = 6e8};
-    const ScaleJudgement slow = judgeScale(kLever, magnified, kSoft, kPhantom);
+    const ScaleJudgment slow = judgeScale(kLever, magnified, kSoft, kPhantom);
     EXPECT_NEAR(slow.contactBound, 6000.0, 1e-9);
     EXPECT_FALSE(slow.holds());
     EXPECT_NE(slow.sentence.find("8.4 kN/m"), std::string::npos) << slow.sentence;
@@ -47,11 +47,11 @@ TEST(ScaleGuard, ACouplingDoesNotMakeUpForAContactThatTheProxyCannotBear) {
 
 TEST(ScaleGuard, AnAdhesionStrongerThanTheMotorsIsRefusedWithBothForces) {
     const TipLoad sticky{.stiffness = 14.0, .adhesion = 29e-9};
-    const ScaleJudgement held = judgeScale(sticky, kCommon, kSoft, kPhantom);
+    const ScaleJudgment held = judgeScale(sticky, kCommon, kSoft, kPhantom);
     EXPECT_NEAR(held.adhesion, 2.9, 1e-12);
     EXPECT_TRUE(held.holds());
     const HandScale larger{.positionGain = 1e-7, .forceGain = 1.1e8};
-    const ScaleJudgement judged = judgeScale(sticky, larger, kSoft, kPhantom);
+    const ScaleJudgment judged = judgeScale(sticky, larger, kSoft, kPhantom);
     EXPECT_FALSE(judged.holds());
     EXPECT_NE(judged.sentence.find("3.19 N"), std::string::npos) << judged.sentence;
     EXPECT_NE(judged.sentence.find("(3 N)"), std::string::npos) << judged.sentence;
@@ -60,12 +60,12 @@ TEST(ScaleGuard, AnAdhesionStrongerThanTheMotorsIsRefusedWithBothForces) {
 TEST(ScaleGuard, AGuideTakesItsPartOfWhatTheProxyBears) {
     // (K + k) T/2 + b < bp: of 6000 N/m a damping of 0.5 N s/m takes 1000, a stiffness its own.
     const GuideLoad guide{.stiffness = 200.0, .damping = 0.5};
-    const ScaleJudgement beside = judgeScale(kLever, kCommon, kSoft, kPhantom, guide);
+    const ScaleJudgment beside = judgeScale(kLever, kCommon, kSoft, kPhantom, guide);
     EXPECT_NEAR(beside.contactBound, 4800.0, 1e-9);
     EXPECT_TRUE(beside.holds());
     const HandScale magnified{.positionGain = 1e-6, .forceGain = 4e8};
     EXPECT_TRUE(judgeScale(kLever, magnified, kSoft, kPhantom).holds());
-    const ScaleJudgement judged = judgeScale(kLever, magnified, kSoft, kPhantom, guide);
+    const ScaleJudgment judged = judgeScale(kLever, magnified, kSoft, kPhantom, guide);
     EXPECT_FALSE(judged.holds());
     EXPECT_NE(judged.sentence.find("beside the guide (4.8 kN/m)"), std::string::npos)
         << judged.sentence;
@@ -73,14 +73,14 @@ TEST(ScaleGuard, AGuideTakesItsPartOfWhatTheProxyBears) {
 
 TEST(ScaleGuard, AGuideThatTheProxyCannotBearIsRefusedInTheAir) {
     const GuideLoad stiff{.stiffness = 7000.0, .damping = 0.0};
-    const ScaleJudgement judged = judgeScale({}, kCommon, kSoft, kPhantom, stiff);
+    const ScaleJudgment judged = judgeScale({}, kCommon, kSoft, kPhantom, stiff);
     EXPECT_FALSE(judged.holds());
     EXPECT_NE(judged.sentence.find("softer guide"), std::string::npos) << judged.sentence;
 }
 
 TEST(ScaleGuard, ARefusedScaleHoldsWithTheRemedyThatIsNamed) {
     const HandScale magnified{.positionGain = 1e-6, .forceGain = 6e8};
-    const ScaleJudgement judged = judgeScale(kLever, magnified, kSoft, kPhantom);
+    const ScaleJudgment judged = judgeScale(kLever, magnified, kSoft, kPhantom);
     ASSERT_FALSE(judged.holds());
     EXPECT_NE(judged.sentence.find("a smaller force gain or a smaller position gain"),
               std::string::npos)

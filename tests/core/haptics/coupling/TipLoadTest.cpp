@@ -41,7 +41,7 @@ TEST(TipLoad, IsLeverAndContactInSeries) {
     const double contact =
         std::cbrt(6.0 * pair.reducedModulus * pair.reducedModulus * pair.tipRadius * kForce);
     const double expected = leverOf(hertz) * contact / (leverOf(hertz) + contact);
-    // The indentation, 1.6 nm, is 1.6e-5 of the way by which a thousand metres per newton press.
+    // The indentation, 1.6 nm, is 1.6e-5 of the way by which a thousand meters per newton press.
     EXPECT_NEAR(tipLoad(hertz, kForce).stiffness, expected, 1e-5 * expected);
 }
 

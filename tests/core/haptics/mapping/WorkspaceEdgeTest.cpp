@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-const Workspace kTouch{.centre = {0.01, 0.0, -0.02},
+const Workspace kTouch{.center = {0.01, 0.0, -0.02},
                        .radius = 0.08,
                        .freeShare = 0.9,
                        .stiffness = 150.0,
@@ -19,7 +19,7 @@ const Workspace kTouch{.centre = {0.01, 0.0, -0.02},
 constexpr double kEdge = 0.9 * 0.08;  // [m]
 const Vector3 kWayOut = Vector3(2.0, -1.0, 2.0) / 3.0;
 
-Vector3 forceAt(double distance) { return edgeForce(kTouch, kTouch.centre + distance * kWayOut); }
+Vector3 forceAt(double distance) { return edgeForce(kTouch, kTouch.center + distance * kWayOut); }
 
 TEST(WorkspaceEdge, NoForceWithinTheFreeShare) {
     for (const double distance : {0.0, 0.3 * kEdge, (1.0 - 1e-12) * kEdge}) {
@@ -49,7 +49,7 @@ TEST(WorkspaceEdge, PushesBackEverHarderUpToItsLimit) {
 
 /// Energy that the spring holds [J]: the integral of f / sqrt(1 + f^2/L^2) over the way.
 double storedAt(const Vector3& hand) {
-    const double beyond = std::max(0.0, (hand - kTouch.centre).norm() - kEdge);
+    const double beyond = std::max(0.0, (hand - kTouch.center).norm() - kEdge);
     const double limit = kTouch.forceLimit;
     return limit * limit / kTouch.stiffness *
            (std::hypot(1.0, kTouch.stiffness * beyond / limit) - 1.0);
@@ -69,7 +69,7 @@ TEST(WorkspaceEdge, IsTheGradientOfAnEnergy) {
 }
 
 TEST(WorkspaceEdge, ActsOnAClutchedHandToo) {
-    const Vector3 hand = kTouch.centre + 0.1 * kWayOut;
+    const Vector3 hand = kTouch.center + 0.1 * kWayOut;
     const MappingStep step = mapHand(kTouch, hand, {.clutched = true}, {});
     EXPECT_EQ(step.edgeForce, edgeForce(kTouch, hand));
     EXPECT_GT(step.edgeForce.norm(), 0.5);
@@ -78,7 +78,7 @@ TEST(WorkspaceEdge, ActsOnAClutchedHandToo) {
 TEST(WorkspaceEdge, PushesInTheDevicesAxesWhateverTheView) {
     const MappingSettings turned{
         .axes = Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3::UnitZ()).toRotationMatrix()};
-    const Vector3 hand = kTouch.centre + 0.1 * kWayOut;
+    const Vector3 hand = kTouch.center + 0.1 * kWayOut;
     EXPECT_EQ(mapHand(kTouch, hand, turned, {}).edgeForce, mapHand(kTouch, hand, {}, {}).edgeForce);
 }
 

@@ -4,7 +4,7 @@
 
 namespace asperity::test {
 
-/// A bumpy map with irregular heights of some tens of nanometres and pixels of 3 nm x 5 nm.
+/// A bumpy map with irregular heights of some tens of nanometers and pixels of 3 nm x 5 nm.
 [[nodiscard]] HeightMap bumpyMap(int columns, int rows);
 
 /// The same with two pixels (first and fifth) that hold no data.

@@ -50,7 +50,7 @@ std::string refusal(const Scan& scan) {
 
 }  // namespace
 
-TEST(ChannelRows, RefuseAHeightBeyondAKilometre) {
+TEST(ChannelRows, RefuseAHeightBeyondAKilometer) {
     EXPECT_THAT(refusal({{0, 0, 0, 0, 7e300, 0}}),
                 AllOf(HasSubstr("scan.gwy: channel 'Image 0': the pixel in column 1, row 1 "),
                       HasSubstr("is 7e+300 m; heights within 1 km")));
@@ -60,7 +60,7 @@ TEST(ChannelRows, RefuseAHeightBeyondAKilometre) {
 }
 
 TEST(ChannelRows, NoScaleMakesAHeightAPixelWithoutData) {
-    // 1e300 Ym is infinite in metres.
+    // 1e300 Ym is infinite in meters.
     EXPECT_THAT(refusal({{0, 0, 0, 0, 0, 1e300}, "Ym"}), HasSubstr("column 2, row 1"));
     EXPECT_EQ(refusal({{1e-9, 0, 0, std::nan(""), 0, kInfinity}}), "");
     EXPECT_EQ(refusal({{1e-30, 0, 0, std::nan(""), 0, -kInfinity}, "Ym"}), "");

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 constexpr const char* kMagic = "Gwyddion Simple Field 1.0\n";
 constexpr const char* kSize = "XRes = 3\nYRes = 2\nXReal = 30e-9\nYReal = 40e-9\n";
-constexpr const char* kMetres = "XYUnits = m\nZUnits = m\n";
+constexpr const char* kMeters = "XYUnits = m\nZUnits = m\n";
 
 std::string gsfFile(const std::string& fields, const std::vector<float>& values,
                     const std::string& magic = kMagic) {
@@ -40,7 +40,7 @@ std::string refusal(const std::string& bytes) {
 }  // namespace
 
 TEST(GsfReader, RowsComeFromTheTop) {
-    const ScanChannel channel = read(gsfFile(std::string(kSize) + kMetres, kValues)).channels.at(0);
+    const ScanChannel channel = read(gsfFile(std::string(kSize) + kMeters, kValues)).channels.at(0);
     EXPECT_EQ(channel.map.at(0, 2), 3.0);
     EXPECT_EQ(channel.map.at(1, 0), 4.0);
     EXPECT_DOUBLE_EQ(channel.map.pitchX, 10e-9);
@@ -50,7 +50,7 @@ TEST(GsfReader, RowsComeFromTheTop) {
 
 TEST(GsfReader, HeaderOfAnyLengthIsPaddedByOneToFourNulBytes) {
     for (const char* title : {"a", "ab", "abc", "abcd"}) {
-        const auto fields = std::string(kSize) + kMetres + "Title = " + title + "\n";
+        const auto fields = std::string(kSize) + kMeters + "Title = " + title + "\n";
         const ScanChannel channel = read(gsfFile(fields, kValues)).channels.at(0);
         EXPECT_EQ(channel.name, title);
         EXPECT_EQ(channel.map.at(1, 2), 6.0);
@@ -58,7 +58,7 @@ TEST(GsfReader, HeaderOfAnyLengthIsPaddedByOneToFourNulBytes) {
 }
 
 TEST(GsfReader, OtherFieldsAreMetadata) {
-    const auto fields = std::string(kSize) + kMetres + "XOffset=-1e-6\n  Author  =  A = B \n";
+    const auto fields = std::string(kSize) + kMeters + "XOffset=-1e-6\n  Author  =  A = B \n";
     const ScanChannel channel = read(gsfFile(fields, kValues)).channels.at(0);
     EXPECT_EQ(channel.metadata, (std::map<std::string, std::string>{{"Author", "A = B"}}));
     EXPECT_DOUBLE_EQ(channel.originX, -1e-6);
@@ -67,15 +67,15 @@ TEST(GsfReader, OtherFieldsAreMetadata) {
 TEST(GsfReader, NanIsInvalid) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const HeightMap map =
-        read(gsfFile(std::string(kSize) + kMetres, {1, nan, 3, 4, 5, 6})).channels.at(0).map;
+        read(gsfFile(std::string(kSize) + kMeters, {1, nan, 3, 4, 5, 6})).channels.at(0).map;
     EXPECT_FALSE(map.isValid(0, 1));
     EXPECT_TRUE(map.isValid(0, 0));
 }
 
-TEST(GsfReader, MissingLateralUnitIsTakenAsMetresAndSaid) {
+TEST(GsfReader, MissingLateralUnitIsTakenAsMetersAndSaid) {
     const HeightMapFile file = read(gsfFile(std::string(kSize) + "ZUnits = m\n", kValues));
     EXPECT_TRUE(file.channels.at(0).hasSize());
-    EXPECT_THAT(file.notes.at(0), HasSubstr("metres are assumed"));
+    EXPECT_THAT(file.notes.at(0), HasSubstr("meters are assumed"));
 }
 
 TEST(GsfReader, MissingSizeOrHeightUnitIsNotGuessed) {
@@ -86,7 +86,7 @@ TEST(GsfReader, MissingSizeOrHeightUnitIsNotGuessed) {
 }
 
 TEST(GsfReader, RefusesDamage) {
-    const std::string good = gsfFile(std::string(kSize) + kMetres, kValues);
+    const std::string good = gsfFile(std::string(kSize) + kMeters, kValues);
     EXPECT_THAT(refusal(good + "x"), HasSubstr("found 25"));
     EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("found 23"));
     EXPECT_THAT(refusal(gsfFile("XRes = 3\n", kValues)), HasSubstr("YRes"));
@@ -104,7 +104,7 @@ TEST(GsfReader, RefusesDamage) {
 }
 
 TEST(GsfReader, RefusesPaddingThatIsNotNul) {
-    std::string bytes = gsfFile(std::string(kSize) + kMetres + "Title = ab\n", kValues);
+    std::string bytes = gsfFile(std::string(kSize) + kMeters + "Title = ab\n", kValues);
     const std::size_t end = bytes.find('\0');
     ASSERT_NE((end + 1) % 4, 0U) << "the header must leave more than one byte of padding";
     bytes[end + 1] = 'x';

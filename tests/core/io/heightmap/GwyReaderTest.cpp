@@ -102,7 +102,7 @@ TEST(GwyReader, KeepsMetadataOffsetsAndUnits) {
     EXPECT_EQ(channel.metadata.at("Probe"), "silicon µ");
 }
 
-TEST(GwyReader, UnknownSizeIsNotOneMetre) {
+TEST(GwyReader, UnknownSizeIsNotOneMeter) {
     for (const double size : {0.0, -1.0, std::nan("")}) {
         const HeightMapFile file = read(field(sizeOf(1, 1) + gwyNumber("xreal", size) +
                                               gwyUnit("si_unit_z", "m") + gwyNumbers("data", {1})));

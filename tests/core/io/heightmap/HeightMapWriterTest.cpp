@@ -96,7 +96,7 @@ TEST(HeightMapWriter, GsfRoundsToFloat) {
     }
 }
 
-TEST(HeightMapWriter, ExrHoldsFloatMetresAndGwyddionsAttributes) {
+TEST(HeightMapWriter, ExrHoldsFloatMetersAndGwyddionsAttributes) {
     for (const HeightMap& map : maps()) {
         const ScratchFolder folder;
         writeHeightMap(folder.file("map.exr"), map, kMeta);
@@ -112,7 +112,7 @@ TEST(HeightMapWriter, ExrHoldsFloatMetresAndGwyddionsAttributes) {
     }
 }
 
-TEST(HeightMapWriter, TiffHoldsFloatMetresAndItsSize) {
+TEST(HeightMapWriter, TiffHoldsFloatMetersAndItsSize) {
     for (const HeightMap& map : maps()) {
         const ScratchFolder folder;
         writeHeightMap(folder.file("map.tiff"), map, kMeta);
@@ -220,7 +220,7 @@ TEST(HeightMapWriter, TellsHowFarItIs) {
     }
 }
 
-TEST(HeightMapWriter, CancelledLeavesNothingBehind) {
+TEST(HeightMapWriter, CanceledLeavesNothingBehind) {
     const ScratchFolder folder;
     const HeightMap map = bumpyMapWithHoles(5, 300);
     for (const std::string& extension : heightMapExtensions()) {
@@ -228,7 +228,7 @@ TEST(HeightMapWriter, CancelledLeavesNothingBehind) {
             ProgressRecorder recorder(fraction);
             EXPECT_THROW(
                 writeHeightMap(folder.file("map" + extension), rowsOf(map), kMeta, &recorder),
-                Cancelled);
+                Canceled);
             EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << extension << fraction;
         }
     }

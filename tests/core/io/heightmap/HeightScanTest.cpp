@@ -47,7 +47,7 @@ void expectSameMap(const std::filesystem::path& path) {
     }
 }
 
-/// Heights of micrometres with differences of nanometres, and two pixels without data.
+/// Heights of micrometers with differences of nanometers, and two pixels without data.
 HeightMap highMap() {
     HeightMap map = bumpyMap(37, 23);
     for (double& height : map.heights) {
@@ -77,9 +77,9 @@ HeightMap largeMap() {
     return map;
 }
 
-class CancelledAfter : public Progress {
+class CanceledAfter : public Progress {
 public:
-    explicit CancelledAfter(int reports) : left_(reports) {}
+    explicit CanceledAfter(int reports) : left_(reports) {}
 
     void report(double fraction) override {
         EXPECT_GE(fraction, last_);
@@ -87,7 +87,7 @@ public:
         last_ = fraction;
         --left_;
     }
-    [[nodiscard]] bool isCancelled() const override { return left_ <= 0; }
+    [[nodiscard]] bool isCanceled() const override { return left_ <= 0; }
 
 private:
     int left_;
@@ -150,8 +150,8 @@ TEST(HeightChannel, IsTheMapAsTheFileGivesIt) {
     const HeightScan scan = readHeightScan(folder.file("map.gwy"), "");
     EXPECT_EQ(scan.originX, 1.0_um);
     EXPECT_EQ(scan.originY, 2.0_um);
-    CancelledAfter once(1);
-    EXPECT_THROW((void)readHeightChannel(folder.file("map.gwy"), "", &once), Cancelled);
+    CanceledAfter once(1);
+    EXPECT_THROW((void)readHeightChannel(folder.file("map.gwy"), "", &once), Canceled);
 }
 
 TEST(HeightScan, RefusesAsTheFileItself) {
@@ -164,14 +164,14 @@ TEST(HeightScan, RefusesAsTheFileItself) {
     EXPECT_THROW((void)readHeightScan(folder.file("map.gsf"), "another"), InputError);
 }
 
-TEST(HeightScan, EndsWhenItIsCancelled) {
+TEST(HeightScan, EndsWhenItIsCanceled) {
     const ScratchFolder folder;
     writeHeightMap(folder.file("map.gsf"), bumpyMap(4, 4), {.title = "Height"});
     writeHeightMap(folder.file("large.gsf"), bumpyMap(700, 500), {.title = "Height"});
-    CancelledAfter atOnce(0);
-    EXPECT_THROW((void)readHeightScan(folder.file("map.gsf"), "", &atOnce), Cancelled);
-    CancelledAfter once(1);
-    EXPECT_THROW((void)readHeightScan(folder.file("large.gsf"), "", &once), Cancelled);
+    CanceledAfter atOnce(0);
+    EXPECT_THROW((void)readHeightScan(folder.file("map.gsf"), "", &atOnce), Canceled);
+    CanceledAfter once(1);
+    EXPECT_THROW((void)readHeightScan(folder.file("large.gsf"), "", &once), Canceled);
 }
 
 }  // namespace asperity::test

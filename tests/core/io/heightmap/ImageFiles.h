@@ -11,7 +11,7 @@ namespace asperity::test {
 struct PlainImage {
     int columns = 0;
     int rows = 0;
-    std::vector<double> values;               ///< raw: float heights or 16-bit greys
+    std::vector<double> values;               ///< raw: float heights or 16-bit grays
     std::map<std::string, std::string> text;  ///< text keys, attributes or tags
 };
 

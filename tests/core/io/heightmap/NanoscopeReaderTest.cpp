@@ -116,7 +116,7 @@ TEST(NanoscopeReader, KeysDifferInCaseBetweenVersions) {
     EXPECT_DOUBLE_EQ(readHeightMapBytes(bytes, "scan").channels.at(0).map.sizeX(), 30e-9);
 }
 
-TEST(NanoscopeReader, MicrometresMayBeATildeOrALatinMicroSign) {
+TEST(NanoscopeReader, MicrometersMayBeATildeOrALatinMicroSign) {
     NanoscopeText text;
     text.scanSize = "30 20 ~m";
     EXPECT_DOUBLE_EQ(readOne(text).map.sizeY(), 20e-6);
@@ -151,13 +151,13 @@ TEST(NanoscopeReader, StoppedScanShowsItsStoredLinesOnlyAndSaysSo) {
     EXPECT_THAT(file.notes.at(0), HasSubstr("stopped after 2 of 8 lines"));
 }
 
-TEST(NanoscopeReader, EarlierLevellingIsNoted) {
+TEST(NanoscopeReader, EarlierLevelingIsNoted) {
     NanoscopeText text;
     text.extra = "\\Offline Planefit: Full\r\n";
-    EXPECT_THAT(readHeightMapBytes(nanoscopeFile(text), "scan").notes.at(0), HasSubstr("levelled"));
+    EXPECT_THAT(readHeightMapBytes(nanoscopeFile(text), "scan").notes.at(0), HasSubstr("leveled"));
 }
 
-TEST(NanoscopeReader, ZeroScanSizeIsUnknownNotOneMetre) {
+TEST(NanoscopeReader, ZeroScanSizeIsUnknownNotOneMeter) {
     NanoscopeText text;
     text.scanSize = "0 0 nm";
     EXPECT_FALSE(readOne(text).hasSize());

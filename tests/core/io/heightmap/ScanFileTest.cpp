@@ -37,7 +37,7 @@ public:
             std::exchange(action_, nullptr)();
         }
     }
-    [[nodiscard]] bool isCancelled() const override { return false; }
+    [[nodiscard]] bool isCanceled() const override { return false; }
 
 private:
     double fraction_;

@@ -28,7 +28,7 @@ struct NanoscopeText {
                                         const std::vector<std::int32_t>& counts = {1, 2, 3, 4, 5,
                                                                                    6});
 
-/// Pieces of a serialised Gwyddion object.
+/// Pieces of a serialized Gwyddion object.
 [[nodiscard]] std::string gwyObjectBytes(const std::string& className,
                                          const std::string& components);
 [[nodiscard]] std::string gwyInteger(const std::string& name, std::int32_t value);

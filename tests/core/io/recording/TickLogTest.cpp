@@ -37,7 +37,7 @@ TickSample sampleOf(double time) {
                      .maxHandSpeed = 1.1,
                      .deadManButton = 31},
         .handTurn = {0.1 / 3.0, -0.2, 2.5},
-        .workspace = {.centre = {0.1, -0.2, 0.3},
+        .workspace = {.center = {0.1, -0.2, 0.3},
                       .radius = 0.1 / 3.0,
                       .freeShare = 0.7,
                       .stiffness = 2e2 / 3.0,

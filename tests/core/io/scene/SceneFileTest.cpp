@@ -34,7 +34,7 @@ protected:
 TEST_F(SceneFile, FillsInDefaultsAndResolvesPathsAgainstItself) {
     const SceneDescription scene = readScene(write("scene.toml", "[sample]\nfile = \"map.gsf\"\n"));
     EXPECT_EQ(scene.sample.file, (scratch.path() / "map.gsf").string());
-    EXPECT_EQ(scene.sample.levelling, Levelling::Plane);
+    EXPECT_EQ(scene.sample.leveling, Leveling::Plane);
     EXPECT_NEAR(Cantilever(scene.probe).stiffness(), 14.0, 1e-12);
     EXPECT_EQ(scene.truth.material.workOfAdhesion, scene.sample.material.workOfAdhesion);
 }

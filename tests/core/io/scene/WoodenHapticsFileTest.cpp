@@ -55,7 +55,7 @@ TEST_F(WoodenHapticsFile, IsRefusedWhereItSaysWhatNobodyAskedFor) {
     EXPECT_NE(refusalWith("counts_per_turn", "cpr = 1\ncounts_per_turn").find("unknown key 'cpr'"),
               std::string::npos);
     EXPECT_NE(
-        refusalWith("sign = 1", "sign = 1\ncolour = 2").find("unknown key 'colour' in [joint_a]"),
+        refusalWith("sign = 1", "sign = 1\ncolor = 2").find("unknown key 'color' in [joint_a]"),
         std::string::npos);
 }
 

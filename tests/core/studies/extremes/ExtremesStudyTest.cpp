@@ -213,12 +213,12 @@ TEST_F(ExtremesStudy, GivesTheSameTwice) {
     }
 }
 
-/// Cancelled when it has been asked that often.
-class CancelledLater : public Progress {
+/// Canceled when it has been asked that often.
+class CanceledLater : public Progress {
 public:
-    explicit CancelledLater(int questions) : left_(questions) {}
+    explicit CanceledLater(int questions) : left_(questions) {}
     void report(double /*fraction*/) override {}
-    [[nodiscard]] bool isCancelled() const override { return left_-- <= 0; }
+    [[nodiscard]] bool isCanceled() const override { return left_-- <= 0; }
 
 private:
     mutable int left_;
@@ -227,18 +227,18 @@ private:
 /// Whether the work asks, and ends, before it is through.
 bool endsEarly(const std::function<void(const CancelCheck&)>& work) {
     constexpr int kQuestions = 3;
-    const CancelledLater progress(kQuestions);
+    const CanceledLater progress(kQuestions);
     std::atomic<bool> ended = false;
     try {
         work(CancelCheck(&progress, ended));
-    } catch (const Cancelled&) {
+    } catch (const Canceled&) {
         return true;
     }
     return false;
 }
 
 // A part takes up to half a minute.
-TEST_F(ExtremesStudy, EachPartEndsEarlyWhenCancelled) {
+TEST_F(ExtremesStudy, EachPartEndsEarlyWhenCanceled) {
     EXPECT_TRUE(endsEarly([](const CancelCheck& check) {
         (void)contactExtremes({.tipRadii = {15.0_nm}, .leverStiffnesses = {14.0}, .places = 8},
                               {.modulus = 2.0_GPa, .adhesion = 0.05}, check);
@@ -258,22 +258,22 @@ TEST_F(ExtremesStudy, EachPartEndsEarlyWhenCancelled) {
 }
 
 /// Until when the work's other threads are waited for, and what they throw is passed on.
-TEST(ShareOut, EndsWhatOtherThreadsDoWhenItIsCancelled) {
+TEST(ShareOut, EndsWhatOtherThreadsDoWhenItIsCanceled) {
     class Never : public Progress {
     public:
         void report(double /*fraction*/) override {}
-        [[nodiscard]] bool isCancelled() const override { return cancelled; }
-        std::atomic<bool> cancelled = false;
+        [[nodiscard]] bool isCanceled() const override { return canceled; }
+        std::atomic<bool> canceled = false;
     } progress;
     std::atomic<int> running = 0;
-    const auto untilCancelled = [&](int /*index*/, const CancelCheck& check) {
-        progress.cancelled = ++running > 1 || std::thread::hardware_concurrency() == 1;
+    const auto untilCanceled = [&](int /*index*/, const CancelCheck& check) {
+        progress.canceled = ++running > 1 || std::thread::hardware_concurrency() == 1;
         for (;;) {
             check();
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
     };
-    EXPECT_THROW(shareOut(2, &progress, untilCancelled), Cancelled);
+    EXPECT_THROW(shareOut(2, &progress, untilCanceled), Canceled);
 }
 
 TEST(ContactDefect, ReportsWhatNoStateMayHave) {

@@ -18,7 +18,7 @@ constexpr double kTip = 15.0_nm;
 constexpr double kSize = 200.0_nm;
 constexpr ScanSize kScan{.columns = 100, .rows = 80, .sizeX = kSize, .sizeY = kSize};
 
-/// A plane through 0 at the scan's centre, or a paraboloid there.
+/// A plane through 0 at the scan's center, or a paraboloid there.
 struct Shape {
     double slope = 0.0;
     double bend = 0.0;  ///< [1/m]

@@ -45,7 +45,7 @@ TipContact contactAt(const BSplineSurface& surface, double x, double y, double i
     TipContact contact;
     contact.foot = Vector3(x, y, s.height);
     contact.normal = s.normal();
-    contact.tipCentre = contact.foot + (kTip - indentation) * contact.normal;
+    contact.tipCenter = contact.foot + (kTip - indentation) * contact.normal;
     contact.tipRadius = kTip;
     contact.contactRadius = contactRadius;
     contact.indentation = indentation;
@@ -120,8 +120,8 @@ void expectOnTip(const SurfacePatch& patch, const TipContact& contact) {
             continue;
         }
         ++inside;
-        ASSERT_NEAR((point - contact.tipCentre).norm(), kTip, resolution);
-        ASSERT_LT((point - contact.tipCentre).dot(contact.normal), 0.0);
+        ASSERT_NEAR((point - contact.tipCenter).norm(), kTip, resolution);
+        ASSERT_LT((point - contact.tipCenter).dot(contact.normal), 0.0);
     }
     EXPECT_GT(inside, 20);
 }

@@ -154,17 +154,17 @@ TEST(BSplineFit, TellsHowFarItIs) {
     EXPECT_EQ(recorder.fractions.back(), 1.0);
 }
 
-TEST(BSplineFit, EndsWhenItIsCancelled) {
+TEST(BSplineFit, EndsWhenItIsCanceled) {
     test::ProgressRecorder recorder(0.0);
     const ScanMap map = test::singlePrecision(roughMap(2100, 30));
-    EXPECT_THROW((void)fitSurface(map, {}, &recorder), Cancelled);
+    EXPECT_THROW((void)fitSurface(map, {}, &recorder), Canceled);
     EXPECT_EQ(recorder.fractions.size(), 1U);
 }
 
-TEST(BSplineFit, EndsWhenItIsCancelledWhileTwoThreadsFindTheBoundsOfCells) {
+TEST(BSplineFit, EndsWhenItIsCanceledWhileTwoThreadsFindTheBoundsOfCells) {
     test::ProgressRecorder recorder(0.6);
     const ScanMap map = test::singlePrecision(roughMap(600, 600));
-    EXPECT_THROW((void)fitSurface(map, {}, &recorder), Cancelled);
+    EXPECT_THROW((void)fitSurface(map, {}, &recorder), Canceled);
     EXPECT_LT(recorder.fractions.back(), 0.7);
 }
 

@@ -1,5 +1,5 @@
 #include "core/Units.h"
-#include "core/surface/Levelling.h"
+#include "core/surface/Leveling.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
@@ -88,7 +88,7 @@ TEST(FinePixels, AloneNeedMoreThanSinglePrecision) {
     EXPECT_NEAR(fine.at(50.5 * pitch, 40.5 * pitch).height, height, 1e-23);
 }
 
-TEST(FinePixels, KeepTheirDigitsThroughLevelling) {
+TEST(FinePixels, KeepTheirDigitsThroughLeveling) {
     HeightMap tilted = mapOf(256, 3.0_um);
     for (int row = 0; row < tilted.rows; ++row) {
         for (int column = 0; column < tilted.columns; ++column) {
@@ -96,7 +96,7 @@ TEST(FinePixels, KeepTheirDigitsThroughLevelling) {
         }
     }
     const double level = curvatureError(fitSurface(mapOf(256, 0.0)));
-    const double error = curvatureError(fitSurface(levelled(std::move(tilted), Levelling::Plane)));
+    const double error = curvatureError(fitSurface(leveled(std::move(tilted), Leveling::Plane)));
     EXPECT_NEAR(error, level, 10.0);
 }
 

@@ -102,7 +102,7 @@ TEST(GaussianFilter, InSinglePrecisionIsTheSameButForRounding) {
     }
 }
 
-TEST(GaussianFilter, TellsHowFarItIsAndCanBeCancelled) {
+TEST(GaussianFilter, TellsHowFarItIsAndCanBeCanceled) {
     const ScanMap map = test::singlePrecision(plane(900, 700));
     const Smoothing smoothing{.x = 1.0, .y = 1.0};
     test::ProgressRecorder whole(2.0);
@@ -111,7 +111,7 @@ TEST(GaussianFilter, TellsHowFarItIsAndCanBeCancelled) {
     EXPECT_TRUE(std::ranges::is_sorted(whole.fractions));
     for (const double fraction : {0.2, 0.7}) {
         test::ProgressRecorder recorder(fraction);
-        EXPECT_THROW((void)smoothed(map, smoothing, &recorder), Cancelled);
+        EXPECT_THROW((void)smoothed(map, smoothing, &recorder), Canceled);
         EXPECT_LT(recorder.fractions.back(), fraction + 0.1);
     }
 }

@@ -8,7 +8,7 @@
 namespace asperity::test {
 
 /// Closest points by looking everywhere: heights on a lattice much finer than the pixels, edges of
-/// the scan included, and a search downhill from each place that is lower than its neighbours.
+/// the scan included, and a search downhill from each place that is lower than its neighbors.
 class BruteFeet {
 public:
     BruteFeet(const BSplineSurface& surface, int perPixel);

@@ -31,8 +31,8 @@ std::vector<RoughMap> roughMaps() {
         {.name = "ThreeByTwo", .columns = 3, .rows = 2, .range = 5.0_nm},
         {.name = "Constant", .columns = 12, .rows = 12, .range = 0.0, .offset = 3.0_nm},
         {.name = "Zero", .columns = 12, .rows = 12, .range = 0.0},
-        {.name = "Picometre", .columns = 33, .rows = 20, .range = 1.0_pm},
-        {.name = "Millimetre", .columns = 33, .rows = 20, .range = 1e-3},
+        {.name = "Picometer", .columns = 33, .rows = 20, .range = 1.0_pm},
+        {.name = "Millimeter", .columns = 33, .rows = 20, .range = 1e-3},
         {.name = "FarOff", .columns = 33, .rows = 20, .range = 1.0_nm, .offset = 1e-3},
         {.name = "FarBelow", .columns = 33, .rows = 20, .range = 1.0_nm, .offset = -1e-3},
     };
@@ -46,7 +46,7 @@ struct Patch {
     double highY = 0.0;
 };
 
-/// Cells lie between pixel centres; the outermost reach to the scan's edge.
+/// Cells lie between pixel centers; the outermost reach to the scan's edge.
 Patch patchOf(const BSplineSurface& surface, int level, int row, int column) {
     const BSplineSurface::Grid& grid = surface.grid();
     const int cells = 1 << (3 * level);

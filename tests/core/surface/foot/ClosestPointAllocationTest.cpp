@@ -43,14 +43,14 @@ TEST(TipFeet, DoNotAllocateOnARoughMap) {
     std::size_t several = 0;
     TipFeet feet;
     for (int i = 0; i < 300; ++i) {
-        const Vector3 centre(0.4_nm * i - 10.0_nm, 0.3_nm * i, 30.0_nm - 0.05_nm * i);
+        const Vector3 center(0.4_nm * i - 10.0_nm, 0.3_nm * i, 30.0_nm - 0.05_nm * i);
         std::array<FootGuess, kMostFeet> known;
         const std::size_t kept = i % 3 == 0 ? 0 : feet.list.all().size();
         for (std::size_t k = 0; k < kept; ++k) {
             known[k] = feet.list.all()[k].guess();
         }
         feet =
-            tipFeet(surface, {.centre = centre, .radius = 15.0_nm}, 10.0_nm, {known.data(), kept});
+            tipFeet(surface, {.center = center, .radius = 15.0_nm}, 10.0_nm, {known.data(), kept});
         sum += feet.list.all().front().distance;
         several += feet.list.all().size() > 1 ? 1U : 0U;
     }

@@ -53,9 +53,9 @@ std::vector<Extreme> extremes() {
         {"OneByOne", mapOf(1, 1, [](int, int) { return 1.0_nm; })},
         {"SingleRow", mapOf(30, 1, noise(4.0_nm))},
         {"SingleColumn", mapOf(1, 30, noise(4.0_nm))},
-        {"Picometre", mapOf(32, 32, noise(1.0_pm))},
+        {"Picometer", mapOf(32, 32, noise(1.0_pm))},
         // Slopes of a million: the search creeps along contour lines until its steps run out.
-        {"Millimetre", mapOf(32, 32, noise(1e-3)), 0.95},
+        {"Millimeter", mapOf(32, 32, noise(1e-3)), 0.95},
         {"Noise", mapOf(32, 32, noise(20.0_nm))},
     };
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSize = 100.0_nm;
 constexpr ScanSize kScan{.columns = 40, .rows = 50, .sizeX = kSize, .sizeY = kSize};
 
-/// z = slopeX x + slopeY y + bendX x^2 / 2 + bendY y^2 / 2 about the scan's centre: a shape that
+/// z = slopeX x + slopeY y + bendX x^2 / 2 + bendY y^2 / 2 about the scan's center: a shape that
 /// the spline holds but for the rounding of its control heights.
 struct Quadric {
     double slopeX = 0.0;
@@ -42,7 +42,7 @@ BSplineSurface surfaceOf(const Quadric& shape) { return fitSurface(sampledMap(kS
 FootGuess guessAt(double x, double y) { return {.x = x, .y = y, .valid = true}; }
 
 /// How far a foot may lie off because the surface is kept in single precision: what a change of
-/// slope moves it by at this distance, ten times that close to a centre of curvature.
+/// slope moves it by at this distance, ten times that close to a center of curvature.
 double footError(const BSplineSurface& surface, double distance) {
     const test::StorageError storage = test::storageErrorOf(surface);
     return 10.0 * (storage.height + std::abs(distance) * storage.slope);
@@ -97,7 +97,7 @@ TEST(ClosestPoint, OnAHillLiesAlongTheNormalAtAnyDistance) {
     }
 }
 
-TEST(ClosestPoint, InAValleyLiesAlongTheNormalUpToTheCentreOfCurvature) {
+TEST(ClosestPoint, InAValleyLiesAlongTheNormalUpToTheCenterOfCurvature) {
     const Quadric valley{.bendX = 1.0 / 40.0_nm};
     const BSplineSurface surface = surfaceOf(valley);
     const double x = 58.0_nm;
@@ -110,7 +110,7 @@ TEST(ClosestPoint, InAValleyLiesAlongTheNormalUpToTheCentreOfCurvature) {
     }
 }
 
-TEST(ClosestPoint, OnASphericalCapPointsToTheCentre) {
+TEST(ClosestPoint, OnASphericalCapPointsToTheCenter) {
     struct Cap {
         [[nodiscard]] double height(double x, double y) const {
             const double r2 =
@@ -120,9 +120,9 @@ TEST(ClosestPoint, OnASphericalCapPointsToTheCentre) {
     };
     const ScanSize fine{.columns = 200, .rows = 200, .sizeX = kSize, .sizeY = kSize};
     const BSplineSurface surface = fitSurface(sampledMap(fine, Cap{}));
-    const Vector3 centre(0.5 * kSize, 0.5 * kSize, 0.0);
+    const Vector3 center(0.5 * kSize, 0.5 * kSize, 0.0);
     const Vector3 direction = Vector3(0.3, -0.2, 1.0).normalized();
-    const SurfaceFoot foot = closestPoint(surface, centre + 105.0_nm * direction, {});
+    const SurfaceFoot foot = closestPoint(surface, center + 105.0_nm * direction, {});
     EXPECT_TRUE(foot.converged);
     // the spline's own distance from the sphere, and rounding
     const test::StorageError storage = test::storageErrorOf(surface);
@@ -150,7 +150,7 @@ TEST(ClosestPoint, LeavesTheBottomOfAValleyThatIsTheFarthestPoint) {
     const double radius = 10.0_nm;
     const Quadric valley{.bendX = 1.0 / radius};
     const BSplineSurface surface = surfaceOf(valley);
-    const double height = 2.5 * radius;  // above the centre of curvature: two feet on the flanks
+    const double height = 2.5 * radius;  // above the center of curvature: two feet on the flanks
     const Vector3 query(0.5 * kSize, 40.0_nm, height);
     const SurfaceFoot foot = closestPoint(surface, query, guessAt(0.5 * kSize, 40.0_nm));
     EXPECT_TRUE(foot.converged);

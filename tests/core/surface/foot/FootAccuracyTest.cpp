@@ -19,7 +19,7 @@ namespace {
 constexpr double kSize = 200.0_nm;
 constexpr double kMiddle = 0.5 * kSize;
 
-/// z = sqrt(R^2 - distance^2 from an axis or a centre) about the scan's middle; from 0.8 R on, far
+/// z = sqrt(R^2 - distance^2 from an axis or a center) about the scan's middle; from 0.8 R on, far
 /// from all feet, straight down the tangent there (whose derivatives nobody asks for).
 HeightSample roundAt(double radius, const Eigen::Matrix2d& across, const Vector2& place) {
     const Vector2 offset = across * (place - Vector2::Constant(kMiddle));

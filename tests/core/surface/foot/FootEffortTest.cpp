@@ -56,7 +56,7 @@ TEST(FootEffort, GlobalIsRarelyWrongWhereLocalOftenIs) {
 TEST(FootEffort, OfATipIsToldByItsProof) {
     const BSplineSurface surface =
         test::surfaceOf({.name = "", .columns = 60, .rows = 60, .range = 5.0_nm, .smoothing = 1.0});
-    const TipSphere tip{.centre = {60.0_nm, 60.0_nm, 17.0_nm}, .radius = 15.0_nm};
+    const TipSphere tip{.center = {60.0_nm, 60.0_nm, 17.0_nm}, .radius = 15.0_nm};
     FootTracker tracker;
     const auto proofWith = [&](FootEffort effort) {
         return tipFeet(surface, tip, {.reach = 10.0_nm, .effort = effort}, {}, tracker).proof;

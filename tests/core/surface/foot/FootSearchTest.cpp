@@ -60,7 +60,7 @@ std::vector<RoughCase> roughCases() {
             {with("Steep", 100.0_nm, 1.5), 0.95},
             {with("Noise", 4.0_nm, 0.0), 0.99},
             {with("RoughNoise", 40.0_nm, 0.0), 0.8},
-            {with("Picometre", 1.0_pm, 0.0), 0.99},
+            {with("Picometer", 1.0_pm, 0.0), 0.99},
             {wide, 0.99},
             {tall, 0.99},
             {far, 0.99},
@@ -69,7 +69,7 @@ std::vector<RoughCase> roughCases() {
             {tiny, 0.99}};
 }
 
-/// Tip centres over, in, beside and far below a surface; radii from a tenth of a pixel to 100.
+/// Tip centers over, in, beside and far below a surface; radii from a tenth of a pixel to 100.
 std::vector<Vector3> queriesAround(const BSplineSurface& surface, int count) {
     std::vector<Vector3> queries;
     Random random(21);
@@ -154,7 +154,7 @@ TEST_P(FootSearchOn, TipFeetMissNone) {
         const double radius = pitch * std::pow(10.0, random.uniform(-0.3, 1.5));
         const Vector2 place = test::placeOn(surface_, random);
         const double z = surface_.at(place.x(), place.y()).height + radius;
-        const TipSphere tip{.centre = {place.x(), place.y(), z}, .radius = radius};
+        const TipSphere tip{.center = {place.x(), place.y(), z}, .radius = radius};
         const TipFeet feet = tipFeet(surface_, tip, 10.0_nm, {});
         if (feet.proof != FootProof::Nearest) {
             continue;
@@ -162,7 +162,7 @@ TEST_P(FootSearchOn, TipFeetMissNone) {
         const auto known = feet.list.all();
         ASSERT_TRUE(std::ranges::is_sorted(
             known, {}, [](const SurfaceFoot& foot) { return std::abs(foot.distance); }));
-        for (const SurfaceFoot& sought : brute.near(tip.centre)) {
+        for (const SurfaceFoot& sought : brute.near(tip.center)) {
             const double distance = std::abs(sought.distance);
             const bool matters = sought.converged &&
                                  distance < std::abs(known.front().distance) + 2.999_nm &&
@@ -173,7 +173,7 @@ TEST_P(FootSearchOn, TipFeetMissNone) {
             const bool crowdedOut =
                 known.size() == kMostFeet && distance >= std::abs(known.back().distance) - 1e-6_nm;
             ASSERT_TRUE(!matters || listed || crowdedOut)
-                << tip.centre.transpose() << " r " << radius << " foot "
+                << tip.center.transpose() << " r " << radius << " foot "
                 << sought.point.transpose();
         }
     }
@@ -242,7 +242,7 @@ void expectManyFeetOrTheRightDistance(const BSplineSurface& surface, const Vecto
     const SurfaceFoot foot = closestPoint(surface, query, {});
     EXPECT_TRUE(foot.proof == FootProof::ManyFeet || foot.certified());
     EXPECT_LE(std::abs(foot.distance), nearest + (foot.certified() ? allowance(nearest) : 0.1_nm));
-    const TipSphere tip{.centre = query, .radius = nearest};
+    const TipSphere tip{.center = query, .radius = nearest};
     const TipFeet feet = tipFeet(surface, tip, 10.0_nm, {});
     EXPECT_TRUE(feet.proof == FootProof::ManyFeet || feet.proof == FootProof::Nearest);
     EXPECT_LE(std::abs(feet.list.all().front().distance), nearest + 0.1_nm);
@@ -273,7 +273,7 @@ TEST(FootSearch, FindsMinimaWherePartsMeet) {
         const double middleX = 0.5 * surface.sizeX();
         const double middleY = 0.5 * surface.sizeY();
         const Vector3 query(middleX, middleY, surface.at(middleX, middleY).height + 12.0_nm);
-        const TipFeet feet = tipFeet(surface, {.centre = query, .radius = 12.0_nm}, 10.0_nm, {});
+        const TipFeet feet = tipFeet(surface, {.center = query, .radius = 12.0_nm}, 10.0_nm, {});
         const auto known = feet.list.all();
         if (feet.proof != FootProof::Nearest || known.size() == kMostFeet) {
             continue;
@@ -303,7 +303,7 @@ TEST(FootSearch, EndsOnTheAxisOfACircularGroove) {
     }
 }
 
-TEST(FootSearch, EndsInTheCentreOfASphericalPit) {
+TEST(FootSearch, EndsInTheCenterOfASphericalPit) {
     constexpr double kPit = 25.0_nm;
     const auto pit = [](double radius) {
         return radius < 20.0_nm ? -std::sqrt(kPit * kPit - radius * radius) : -15.0_nm;

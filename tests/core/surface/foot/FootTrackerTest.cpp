@@ -63,7 +63,7 @@ TEST_P(FootTrackerOn, SaysWhatASearchOfItsOwnSays) {
     for (int i = 0; i < 3000; ++i) {
         const SurfaceFoot foot = closestPoint(surface_, query, guess, forPoint);
         expectSameFoot(foot, closestPoint(surface_, query, guess));
-        const TipSphere tip{.centre = query, .radius = 8.0_nm};
+        const TipSphere tip{.center = query, .radius = 8.0_nm};
         const TipFeet feet = tipFeet(surface_, tip, {10.0_nm}, known, forTip);
         const TipFeet alone = tipFeet(surface_, tip, 10.0_nm, known);
         EXPECT_EQ(feet.proof, alone.proof);
@@ -135,7 +135,7 @@ TEST_P(FootTrackerOn, ABallSaysNothingOfOtherQueries) {
     const Vector3 query = someQuery();
     const SurfaceFoot foot = localFoot(surface_, query, {});
     const double far = std::abs(foot.distance);
-    const ProvenBall ball{.queries = {.centre = query, .radius = 0.1_nm},
+    const ProvenBall ball{.queries = {.center = query, .radius = 0.1_nm},
                           .reach = far + 0.5_nm,
                           .anchor = {.low = foot.point.head<2>() - Vector2::Constant(1.0_nm),
                                      .high = foot.point.head<2>() + Vector2::Constant(1.0_nm)}};

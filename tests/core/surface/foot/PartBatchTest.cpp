@@ -64,8 +64,8 @@ protected:
         return HalfSquaredDistance(surface_, query)({x, y});
     }
     Vector3 queryAbove(const PartBatch& batch, double height) {
-        const double x = batch.centreX[0] + random_.normal() * 4.0_nm;
-        const double y = batch.centreY[0] + random_.normal() * 4.0_nm;
+        const double x = batch.centerX[0] + random_.normal() * 4.0_nm;
+        const double y = batch.centerY[0] + random_.normal() * 4.0_nm;
         return {x, y, surface_.at(x, y).height + height};
     }
 };
@@ -75,8 +75,8 @@ TEST_P(PartBatchOf, HoldsTheHeightsAtTheCornersOfItsParts) {
     for (int i = 0; i < 200; ++i) {
         const PartBatch batch = randomBatch(i % 5);
         for (int lane = 0; lane < PartBatch::kLanes; ++lane) {
-            const double x = batch.centreX[lane];
-            const double y = batch.centreY[lane];
+            const double x = batch.centerX[lane];
+            const double y = batch.centerY[lane];
             const double halfX = batch.halfX[lane];
             const double halfY = batch.halfY[lane];
             EXPECT_NEAR(batch.net[0][0][lane], aboveDatum(x - halfX, y - halfY), rounding);
@@ -87,7 +87,7 @@ TEST_P(PartBatchOf, HoldsTheHeightsAtTheCornersOfItsParts) {
     }
 }
 
-TEST_P(PartBatchOf, KnowsTheDistanceAtItsCentresAndHowItsGradientDiffers) {
+TEST_P(PartBatchOf, KnowsTheDistanceAtItsCentersAndHowItsGradientDiffers) {
     for (int i = 0; i < 200; ++i) {
         const PartBatch batch = randomBatch(i % 5);
         const Vector3 query = queryAbove(batch, random_.uniform(-5.0, 15.0) * 1.0_nm);
@@ -98,16 +98,16 @@ TEST_P(PartBatchOf, KnowsTheDistanceAtItsCentresAndHowItsGradientDiffers) {
                  .limit = 1.0},
                 facts);
         for (int lane = 0; lane < PartBatch::kLanes; ++lane) {
-            const LocalModel centre = modelAt(query, batch.centreX[lane], batch.centreY[lane]);
-            const Vector2 noise = 4.0 * centre.gradientNoise;
-            ASSERT_NEAR(facts.value[lane], centre.value, 1e-9 * centre.value);
-            ASSERT_NEAR(facts.gradientX[lane], centre.gradient.x(), noise.x());
-            ASSERT_NEAR(facts.gradientY[lane], centre.gradient.y(), noise.y());
+            const LocalModel center = modelAt(query, batch.centerX[lane], batch.centerY[lane]);
+            const Vector2 noise = 4.0 * center.gradientNoise;
+            ASSERT_NEAR(facts.value[lane], center.value, 1e-9 * center.value);
+            ASSERT_NEAR(facts.gradientX[lane], center.gradient.x(), noise.x());
+            ASSERT_NEAR(facts.gradientY[lane], center.gradient.y(), noise.y());
             for (int k = 0; k < 20; ++k) {
-                const double x = batch.centreX[lane] + random_.uniform(-1, 1) * batch.halfX[lane];
-                const double y = batch.centreY[lane] + random_.uniform(-1, 1) * batch.halfY[lane];
+                const double x = batch.centerX[lane] + random_.uniform(-1, 1) * batch.halfX[lane];
+                const double y = batch.centerY[lane] + random_.uniform(-1, 1) * batch.halfY[lane];
                 const LocalModel there = modelAt(query, x, y);
-                const Vector2 off = (there.gradient - centre.gradient).cwiseAbs();
+                const Vector2 off = (there.gradient - center.gradient).cwiseAbs();
                 ASSERT_LE(off.x(), facts.spreadX[lane] + noise.x());
                 ASSERT_LE(off.y(), facts.spreadY[lane] + noise.y());
                 ASSERT_GE(there.hessian(0, 0), facts.bendX[lane] - 1e-6);
@@ -136,8 +136,8 @@ TEST_P(PartBatchOf, SaysNothingOfItsPartsThatIsNotSo) {
         for (int lane = 0; lane < PartBatch::kLanes; ++lane) {
             const unsigned bit = 1U << static_cast<unsigned>(lane);
             for (int k = 0; k < 20; ++k) {
-                const double x = batch.centreX[lane] + random_.uniform(-1, 1) * batch.halfX[lane];
-                const double y = batch.centreY[lane] + random_.uniform(-1, 1) * batch.halfY[lane];
+                const double x = batch.centerX[lane] + random_.uniform(-1, 1) * batch.halfX[lane];
+                const double y = batch.centerY[lane] + random_.uniform(-1, 1) * batch.halfY[lane];
                 const LocalModel there = modelAt(query, x, y);
                 if ((facts.far & bit) != 0) {
                     ASSERT_GE(there.value, limit * (1.0 - 1e-9));
@@ -160,8 +160,8 @@ TEST_P(PartBatchOf, NeverDeniesAMinimum) {
         const PartBatch batch = randomBatch(i % 8);
         // On a side or a corner, too, where another part ends.
         const auto share = [&] { return std::clamp(random_.uniform(-1.5, 1.5), -1.0, 1.0); };
-        const double x = batch.centreX[0] + share() * batch.halfX[0];
-        const double y = batch.centreY[0] + share() * batch.halfY[0];
+        const double x = batch.centerX[0] + share() * batch.halfX[0];
+        const double y = batch.centerY[0] + share() * batch.halfY[0];
         const HeightSample s = surface_.at(x, y);
         const Vector3 query =
             Vector3(x, y, s.height) + random_.uniform(-5.0, 15.0) * 1.0_nm * s.normal();

@@ -56,7 +56,7 @@ std::vector<Vector3> queries() {
     return places;
 }
 
-/// Distance of the nearest pixel centre on the surface.
+/// Distance of the nearest pixel center on the surface.
 double nearestPixel(const BSplineSurface& surface, const Vector3& query) {
     double nearest = std::numeric_limits<double>::infinity();
     for (int row = 0; row < kPixels; ++row) {

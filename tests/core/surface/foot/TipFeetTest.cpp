@@ -42,7 +42,7 @@ BSplineSurface surfaceOf(const std::function<double(double, double)>& above) {
 
 /// Feet of a tip over the middle of the scan.
 TipFeet feetAt(const BSplineSurface& surface, double height) {
-    return tipFeet(surface, {.centre = {kMiddle, kMiddle, height}, .radius = kTipRadius}, kReach,
+    return tipFeet(surface, {.center = {kMiddle, kMiddle, height}, .radius = kTipRadius}, kReach,
                    {});
 }
 
@@ -80,12 +80,12 @@ TEST(TipFeet, OnARidgeAreOne) {
 /// A ball that stands out of a level ground. Where it is steeper than 45 degrees, a cone takes its
 /// place, so that a spline can follow.
 struct Ball {
-    Vector3 centre = Vector3::Zero();  ///< x and y from the scan's middle [m]
+    Vector3 center = Vector3::Zero();  ///< x and y from the scan's middle [m]
     double radius = 0.0;               ///< [m]
 
     [[nodiscard]] double height(double x, double y) const {
-        const double across = std::hypot(x - centre.x(), y - centre.y());
-        return centre.z() + (across < radius * M_SQRT1_2
+        const double across = std::hypot(x - center.x(), y - center.y());
+        return center.z() + (across < radius * M_SQRT1_2
                                  ? std::sqrt(radius * radius - across * across)
                                  : radius * M_SQRT2 - across);
     }
@@ -102,8 +102,8 @@ BSplineSurface surfaceOf(const std::vector<Ball>& balls, double ground) {
 }
 
 TEST(TipFeet, BetweenTwoParticlesTouchBoth) {
-    const std::vector<Ball> balls{{.centre = {-22.0_nm, 0.0, 0.0}, .radius = 20.0_nm},
-                                  {.centre = {22.0_nm, 0.0, 0.0}, .radius = 20.0_nm}};
+    const std::vector<Ball> balls{{.center = {-22.0_nm, 0.0, 0.0}, .radius = 20.0_nm},
+                                  {.center = {22.0_nm, 0.0, 0.0}, .radius = 20.0_nm}};
     const BSplineSurface surface = surfaceOf(balls, 0.0);
     const double height = std::sqrt(35.0 * 35.0 - 22.0 * 22.0) * 1.0_nm;
     const TipFeet feet = feetAt(surface, height);
@@ -151,12 +151,12 @@ TEST(TipFeet, InAPitOfAnEggBoxAreFour) {
 struct Ring {
     static constexpr double kRadius = 40.0_nm;
     static constexpr double kBall = 8.0_nm;
-    static constexpr double kHeight = 60.0_nm;  ///< of the point over the balls' centres
+    static constexpr double kHeight = 60.0_nm;  ///< of the point over the balls' centers
     std::vector<double> behind;                 ///< [m]
 
     [[nodiscard]] static double nearest() { return std::hypot(kRadius, kHeight) - kBall; }
 
-    [[nodiscard]] Vector3 centre(std::size_t i) const {
+    [[nodiscard]] Vector3 center(std::size_t i) const {
         const double turn =
             2.0 * M_PI * (static_cast<double>(i) + 0.2) / static_cast<double>(behind.size());
         const double away = nearest() + kBall + behind[i];
@@ -166,19 +166,19 @@ struct Ring {
     [[nodiscard]] BSplineSurface surface() const {
         std::vector<Ball> balls;
         for (std::size_t i = 0; i < behind.size(); ++i) {
-            balls.push_back({.centre = centre(i), .radius = kBall});
+            balls.push_back({.center = center(i), .radius = kBall});
         }
         return surfaceOf(balls, -12.0_nm);
     }
     [[nodiscard]] TipFeet feet() const {
         const BSplineSurface balls = surface();
-        return tipFeet(balls, {.centre = {kMiddle, kMiddle, kHeight}, .radius = nearest()}, kReach,
+        return tipFeet(balls, {.center = {kMiddle, kMiddle, kHeight}, .radius = nearest()}, kReach,
                        {});
     }
     /// Place of the foot on ball i, from the scan's middle.
     [[nodiscard]] Vector2 foot(std::size_t i) const {
         const double away = nearest() + kBall + behind[i];
-        return centre(i).head<2>() * (1.0 - kBall / away);
+        return center(i).head<2>() * (1.0 - kBall / away);
     }
 };
 
@@ -196,7 +196,7 @@ TEST(TipFeet, AreTheNearestOnesWhereThereAreMoreThanTheListHolds) {
     }
 }
 
-TEST(TipFeet, ReachThreeNanometresBehindTheNearest) {
+TEST(TipFeet, ReachThreeNanometersBehindTheNearest) {
     const Ring ring{{0.0, 3.3_nm, 2.7_nm}};
     const TipFeet feet = ring.feet();
     EXPECT_EQ(feet.proof, FootProof::Nearest);
@@ -207,7 +207,7 @@ TEST(TipFeet, ReachThreeNanometresBehindTheNearest) {
 TEST(TipFeet, SaveTimeButChangeNothingWithKnownGuesses) {
     const Ring ring{{0.4_nm, 1.6_nm, 0.0, 2.4_nm}};
     const BSplineSurface surface = ring.surface();
-    const TipSphere tip{.centre = {kMiddle, kMiddle, Ring::kHeight}, .radius = Ring::nearest()};
+    const TipSphere tip{.center = {kMiddle, kMiddle, Ring::kHeight}, .radius = Ring::nearest()};
     const TipFeet cold = tipFeet(surface, tip, kReach, {});
     ASSERT_EQ(cold.list.all().size(), 4U);
     std::vector<FootGuess> known;
@@ -254,9 +254,9 @@ TEST(TipFeet, FarBelowTheSurfaceAreTheNearest) {
         const Vector2 place(random.uniform(20.0_nm, 100.0_nm), random.uniform(20.0_nm, 100.0_nm));
         const double deep = kTipRadius + kReach + random.uniform(0.0, 60.0_nm);
         const TipSphere tip{
-            .centre = {place.x(), place.y(), rough.at(place.x(), place.y()).height - deep},
+            .center = {place.x(), place.y(), rough.at(place.x(), place.y()).height - deep},
             .radius = kTipRadius};
-        const SurfaceFoot nearest = closestPoint(rough, tip.centre, {});
+        const SurfaceFoot nearest = closestPoint(rough, tip.center, {});
         for (const TipFeet& feet :
              {tipFeet(rough, tip, kReach, {}), tipFeet(rough, tip, {kReach}, {}, tracker)}) {
             ASSERT_NE(feet.proof, FootProof::OutOfReach);
@@ -283,14 +283,14 @@ TEST(TipFeet, OfAWideTipOverManyBumpsFindRoom) {
         }
     }
     FootTracker tracker;
-    const TipSphere tip{.centre = {kMiddle, kMiddle, 400.0_nm}, .radius = 399.0_nm};
+    const TipSphere tip{.center = {kMiddle, kMiddle, 400.0_nm}, .radius = 399.0_nm};
     EXPECT_EQ(tipFeet(bumps, tip, {kReach}, known, tracker).list.all().size(), kMostFeet);
 }
 
 TEST(TipFeet, OfAPointThatIsNoneAreNotConverged) {
     const BSplineSurface level = surfaceOf([](double, double) { return 0.0; });
     const TipFeet none =
-        tipFeet(level, {.centre = Vector3::Constant(NAN), .radius = kTipRadius}, kReach, {});
+        tipFeet(level, {.center = Vector3::Constant(NAN), .radius = kTipRadius}, kReach, {});
     EXPECT_EQ(none.proof, FootProof::NotConverged);
 }
 

@@ -61,7 +61,7 @@ TEST(TipErosionDefinition, IsItsDefinitionToTheLastBit) {
 }
 
 /// Pixels within the bounding box of those that the tip can touch from (row, column), or none when
-/// they are farther apart than neighbours or one of them holds no data; `surface` is the erosion,
+/// they are farther apart than neighbors or one of them holds no data; `surface` is the erosion,
 /// infinite where unknown.
 std::vector<std::size_t> soleTouch(const HeightMap& image, const std::vector<double>& surface,
                                    int row, int column, double tip) {

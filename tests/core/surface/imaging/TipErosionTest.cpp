@@ -243,13 +243,13 @@ TEST(TipReconstruction, TellsHowFarItIs) {
     EXPECT_LE(recorder.fractions.back(), 1.0);
 }
 
-TEST(TipReconstruction, EndsWhenItIsCancelled) {
+TEST(TipReconstruction, EndsWhenItIsCanceled) {
     const HeightMap map =
         sampledMap({.columns = 200, .rows = 900, .sizeX = 200.0_nm, .sizeY = 900.0_nm},
                    EggBox{.amplitude = 5.0_nm, .periodX = 60.0_nm, .periodY = 60.0_nm});
     for (const double fraction : {0.0, 0.2, 0.7}) {
         test::ProgressRecorder recorder(fraction);
-        EXPECT_THROW((void)reconstructed(map, 10.0_nm, &recorder), Cancelled);
+        EXPECT_THROW((void)reconstructed(map, 10.0_nm, &recorder), Canceled);
         EXPECT_LT(recorder.fractions.back(), fraction + 0.2);
     }
 }

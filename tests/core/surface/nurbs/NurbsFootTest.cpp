@@ -27,7 +27,7 @@ std::vector<double> uniformKnots(int controls) {
     return knots;
 }
 
-/// A height field as a surface in space, between the outermost pixel centres.
+/// A height field as a surface in space, between the outermost pixel centers.
 NurbsSurface heightFieldSurface(const BSplineSurface& field) {
     const int columns = field.grid().columns;
     const int rows = field.grid().rows;
@@ -47,7 +47,7 @@ NurbsSurface heightFieldSurface(const BSplineSurface& field) {
 }
 
 constexpr double kRadius = 200.0_nm;
-const RevolutionFrame kFrame{.centre = Vector3(100.0_nm, -50.0_nm, 200.0_nm),
+const RevolutionFrame kFrame{.center = Vector3(100.0_nm, -50.0_nm, 200.0_nm),
                              .first = -Vector3::UnitZ(),
                              .second = -Vector3::UnitX()};
 
@@ -67,13 +67,13 @@ NurbsFoot provenFoot(const NurbsSurface& surface, const Vector3& query) {
     return foot;
 }
 
-TEST(NurbsFoot, OfASphereLiesOnTheLineFromItsCentre) {
+TEST(NurbsFoot, OfASphereLiesOnTheLineFromItsCenter) {
     const NurbsSurface sphere = sphereSurface(kFrame, kRadius);
     Random random(1);
     for (const double distance : {1.0_pm, 15.0_nm, 3.0 * kRadius, 1.0, -1.0_pm, -0.9 * kRadius}) {
         for (int i = 0; i < 200; ++i) {
             const Vector3 direction = onUnitSphere(random);
-            const Vector3 query = kFrame.centre + (kRadius + distance) * direction;
+            const Vector3 query = kFrame.center + (kRadius + distance) * direction;
             const NurbsFoot foot = provenFoot(sphere, query);
             const double reach = kRadius + std::abs(distance);
             ASSERT_NEAR(foot.foot.distance, distance, 1e-13 * std::max(kRadius, distance));
@@ -93,7 +93,7 @@ TEST(NurbsFoot, OfASphereIsAsGoodAtThePolesAndOnTheSeam) {
                     std::cos(turn) * kFrame.first + std::sin(turn) * kFrame.second;
                 const Vector3 direction = (sign * pole + off * around).normalized();
                 const NurbsFoot foot =
-                    provenFoot(sphere, kFrame.centre + 1.1 * kRadius * direction);
+                    provenFoot(sphere, kFrame.center + 1.1 * kRadius * direction);
                 EXPECT_NEAR(foot.foot.distance, 0.1 * kRadius, 1e-13 * kRadius);
                 EXPECT_LT((foot.foot.normal - direction).norm(), 1e-10) << off << ' ' << turn;
                 EXPECT_TRUE(foot.foot.insideScan);
@@ -102,7 +102,7 @@ TEST(NurbsFoot, OfASphereIsAsGoodAtThePolesAndOnTheSeam) {
     }
     for (const double off : {-1e-3, -1e-9, -1e-12, -1e-15, 0.0, 1e-15, 1e-12, 1e-9, 1e-3}) {
         const Vector3 direction = (kFrame.first + off * kFrame.second + 0.3 * pole).normalized();
-        const NurbsFoot foot = provenFoot(sphere, kFrame.centre + 1.1 * kRadius * direction);
+        const NurbsFoot foot = provenFoot(sphere, kFrame.center + 1.1 * kRadius * direction);
         EXPECT_NEAR(foot.foot.distance, 0.1 * kRadius, 1e-13 * kRadius);
         EXPECT_LT((foot.foot.normal - direction).norm(), 1e-12);
         EXPECT_TRUE(foot.foot.insideScan);
@@ -145,7 +145,7 @@ TEST(NurbsFoot, OfACylinderLiesOnTheLineFromItsAxis) {
     for (int i = 0; i < 1000; ++i) {
         const double turn = 2.0 * std::numbers::pi * random.uniform();
         const Vector3 out = std::cos(turn) * kFrame.first + std::sin(turn) * kFrame.second;
-        const Vector3 axisPoint = kFrame.centre + (random.uniform() - 0.5) * length * kFrame.axis();
+        const Vector3 axisPoint = kFrame.center + (random.uniform() - 0.5) * length * kFrame.axis();
         const double distance = kRadius * (3.0 * random.uniform() - 0.99);
         const NurbsFoot foot = provenFoot(cylinder, axisPoint + (kRadius + distance) * out);
         ASSERT_NEAR(foot.foot.distance, distance, 1e-13 * 5.0 * kRadius);
@@ -155,7 +155,7 @@ TEST(NurbsFoot, OfACylinderLiesOnTheLineFromItsAxis) {
 
 /// Signed distance from a torus about the frame's axis, and its nearer rim.
 double torusDistance(double radius, double tube, const Vector3& query) {
-    const Vector3 arm = query - kFrame.centre;
+    const Vector3 arm = query - kFrame.center;
     const double up = arm.dot(kFrame.axis());
     const double out = (arm - up * kFrame.axis()).norm();
     return std::hypot(out - radius, up) - tube;
@@ -169,7 +169,7 @@ TEST(NurbsFoot, OfATorusIsNeverCertifiedAndWrong) {
     int certified = 0;
     for (int i = 0; i < 10000; ++i) {
         const Vector3 query =
-            kFrame.centre +
+            kFrame.center +
             2.5 * kRadius *
                 Vector3(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5);
         const NurbsFeet feet = nearestFeet(torus, query, {});
@@ -180,13 +180,13 @@ TEST(NurbsFoot, OfATorusIsNeverCertifiedAndWrong) {
     EXPECT_EQ(certified, 10000);
 }
 
-TEST(NurbsFoot, AtTheCentreOfASphereIsOneOfMany) {
+TEST(NurbsFoot, AtTheCenterOfASphereIsOneOfMany) {
     const NurbsSurface sphere = sphereSurface(kFrame, kRadius);
-    const NurbsFeet feet = nearestFeet(sphere, kFrame.centre, {});
+    const NurbsFeet feet = nearestFeet(sphere, kFrame.center, {});
     EXPECT_EQ(feet.proof(), FootProof::ManyFeet);
     EXPECT_NEAR(feet.nearest().foot.distance, -kRadius, 1e-13 * kRadius);
     const NurbsSurface cylinder = cylinderSurface(kFrame, kRadius, kRadius);
-    const NurbsFeet line = nearestFeet(cylinder, kFrame.centre, {});
+    const NurbsFeet line = nearestFeet(cylinder, kFrame.center, {});
     EXPECT_EQ(line.proof(), FootProof::ManyFeet);
     EXPECT_NEAR(line.nearest().foot.distance, -kRadius, 1e-13 * kRadius);
 }
@@ -208,7 +208,7 @@ TEST(NurbsFoot, FarAwayIsStillTheNearestPoint) {
     for (const double distance : {1e-3, 1.0, 1e3}) {
         for (int i = 0; i < 20; ++i) {
             const Vector3 direction = onUnitSphere(random);
-            const NurbsFoot foot = provenFoot(sphere, kFrame.centre + distance * direction);
+            const NurbsFoot foot = provenFoot(sphere, kFrame.center + distance * direction);
             ASSERT_NEAR(foot.foot.distance, distance - kRadius, 1e-15 * distance);
         }
     }

@@ -16,7 +16,7 @@ namespace asperity {
 namespace {
 
 constexpr double kRadius = 200.0_nm;
-const RevolutionFrame kFrame{.centre = Vector3(100.0_nm, -50.0_nm, 200.0_nm),
+const RevolutionFrame kFrame{.center = Vector3(100.0_nm, -50.0_nm, 200.0_nm),
                              .first = -Vector3::UnitZ(),
                              .second = -Vector3::UnitX()};
 
@@ -97,7 +97,7 @@ TEST(NurbsSurface, OfASphereLiesOnTheSphere) {
         for (int j = 0; j <= 40; ++j) {
             const double u = i / 40.0;
             const double v = j / 40.0;
-            const Vector3 arm = sphere.at(u, v).point - kFrame.centre;
+            const Vector3 arm = sphere.at(u, v).point - kFrame.center;
             ASSERT_NEAR(arm.norm(), kRadius, 1e-15 * 1e3 * kRadius);
             ASSERT_LT((sphere.normal(u, v) - arm / kRadius).norm(), 1e-10) << u << ' ' << v;
         }

@@ -108,10 +108,10 @@ TEST(Nanoparticles, StandAsHighAsTheyAreWide) {
             EXPECT_GE(p.radius, 8.0_nm);
             EXPECT_LE(p.radius, 25.0_nm);
             EXPECT_DOUBLE_EQ(shape.height(p.x, p.y), 2.0 * p.radius);
-            // The tip's centre keeps the distance of both radii from the particle's centre.
+            // The tip's center keeps the distance of both radii from the particle's center.
             const double off = 0.5 * p.radius;
-            const double tipCentre = shape.height(p.x + off, p.y) + tip;
-            EXPECT_NEAR(std::hypot(off, tipCentre - p.radius), p.radius + tip, 1e-20);
+            const double tipCenter = shape.height(p.x + off, p.y) + tip;
+            EXPECT_NEAR(std::hypot(off, tipCenter - p.radius), p.radius + tip, 1e-20);
         }
     }
 }
@@ -233,19 +233,19 @@ TEST(Spherulites, ABareOneHasItsDomeAndRings) {
     const ScanSize size{.columns = 8, .rows = 8, .sizeX = 2.0_um, .sizeY = 2.0_um};
     const Spherulites dome({.nuclei = 1, .domeHeight = 50.0_nm, .domeRadius = 5.0_um}, size);
     double highest = 0.0;
-    Vector3 centre = Vector3::Zero();
+    Vector3 center = Vector3::Zero();
     for (int i = 0; i < 400; ++i) {
         for (int j = 0; j < 400; ++j) {
             const double height = dome.height(i * 5.0_nm, j * 5.0_nm);
             if (height > highest) {
                 highest = height;
-                centre = Vector3(i * 5.0_nm, j * 5.0_nm, height);
+                center = Vector3(i * 5.0_nm, j * 5.0_nm, height);
             }
         }
     }
     EXPECT_NEAR(highest, 50.0_nm, 0.2_nm);
     const double expected = 50.0_nm * std::pow(1.0 - 0.1, 2);
-    EXPECT_NEAR(dome.height(centre.x() + 0.5_um, centre.y()), expected, 0.2_nm);
+    EXPECT_NEAR(dome.height(center.x() + 0.5_um, center.y()), expected, 0.2_nm);
 }
 
 TEST(Spherulites, MeetInAGrooveWithoutAJump) {

@@ -1,4 +1,4 @@
-#include "core/surface/Levelling.h"
+#include "core/surface/Leveling.h"
 
 #include "core/Error.h"
 #include "core/Vector.h"
@@ -90,16 +90,16 @@ PlaneFit planeOf(const BasicHeightMap<Heights>& map) {
     requireUsable(map);
     const double origin = firstHeight(map);
     const Moments sums = mapMoments(map, origin);
-    const Vector2 centre = sums.place / sums.count;
-    const Eigen::Matrix2d spread = sums.square - sums.place * centre.transpose();
+    const Vector2 center = sums.place / sums.count;
+    const Eigen::Matrix2d spread = sums.square - sums.place * center.transpose();
     // The smallest solution: level across a line, should the pixels form one.
     const Vector2 perPixel = Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix2d>(spread).solve(
-        sums.tilt - centre * sums.height);
+        sums.tilt - center * sums.height);
     return {.slopeX = perPixel.x() / map.pitchX,
             .slopeY = perPixel.y() / map.pitchY,
             .mean = origin + sums.height / sums.count,
-            .centreX = (centre.x() + 0.5 * map.columns) * map.pitchX,
-            .centreY = (centre.y() + 0.5 * map.rows) * map.pitchY};
+            .centerX = (center.x() + 0.5 * map.columns) * map.pitchX,
+            .centerY = (center.y() + 0.5 * map.rows) * map.pitchY};
 }
 
 template <class Heights, class Removed>
@@ -152,15 +152,15 @@ void removeRowMedians(BasicHeightMap<Heights>& map) {
 }
 
 template <class Heights>
-void level(BasicHeightMap<Heights>& map, Levelling levelling) {
+void level(BasicHeightMap<Heights>& map, Leveling leveling) {
     requireUsable(map);
-    switch (levelling) {
-    case Levelling::None:
+    switch (leveling) {
+    case Leveling::None:
         break;
-    case Levelling::Plane:
+    case Leveling::Plane:
         removePlane(map);
         break;
-    case Levelling::Rows:
+    case Leveling::Rows:
         removeRowMedians(map);
         break;
     }
@@ -176,14 +176,14 @@ PlaneFit fitPlane(const ScanMap& map) {
     return plane;
 }
 
-HeightMap levelled(HeightMap map, Levelling levelling) {
-    level(map, levelling);
+HeightMap leveled(HeightMap map, Leveling leveling) {
+    level(map, leveling);
     return map;
 }
 
-ScanMap levelled(ScanMap map, Levelling levelling) {
-    level(map, levelling);
-    if (levelling != Levelling::None) {
+ScanMap leveled(ScanMap map, Leveling leveling) {
+    level(map, leveling);
+    if (leveling != Leveling::None) {
         map.datum = 0.0;
     }
     return map;

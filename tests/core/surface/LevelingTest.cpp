@@ -1,4 +1,4 @@
-#include "core/surface/Levelling.h"
+#include "core/surface/Leveling.h"
 
 #include "core/Error.h"
 #include "core/Units.h"
@@ -30,7 +30,7 @@ HeightMap withPlane(HeightMap map, double offset, double slopeX, double slopeY) 
     return map;
 }
 
-TEST(Levelling, FindsThePlaneWithYUp) {
+TEST(Leveling, FindsThePlaneWithYUp) {
     const HeightMap flat = flatMap({.columns = 9, .rows = 7, .sizeX = 90.0_nm, .sizeY = 140.0_nm});
     const PlaneFit plane = fitPlane(withPlane(flat, 3.0_nm, 0.02, -0.05));
     EXPECT_NEAR(plane.slopeX, 0.02, 1e-14);
@@ -39,37 +39,37 @@ TEST(Levelling, FindsThePlaneWithYUp) {
     EXPECT_NEAR(plane.at(90.0_nm, 140.0_nm), 3.0_nm + 1.8_nm - 7.0_nm, 1e-21);
 }
 
-TEST(Levelling, GivesBackASurfaceWhateverPlaneWasAdded) {
-    const HeightMap levelledHills = levelled(hills(), Levelling::Plane);
-    const HeightMap tilted = levelled(withPlane(hills(), 2.0_um, 0.3, -0.7), Levelling::Plane);
+TEST(Leveling, GivesBackASurfaceWhateverPlaneWasAdded) {
+    const HeightMap leveledHills = leveled(hills(), Leveling::Plane);
+    const HeightMap tilted = leveled(withPlane(hills(), 2.0_um, 0.3, -0.7), Leveling::Plane);
     for (std::size_t i = 0; i < tilted.heights.size(); ++i) {
         // relative to what was removed
-        ASSERT_NEAR(tilted.heights[i], levelledHills.heights[i], 1e-12 * 2.0_um);
+        ASSERT_NEAR(tilted.heights[i], leveledHills.heights[i], 1e-12 * 2.0_um);
     }
 }
 
-TEST(Levelling, LeavesNoMeanAndNoTilt) {
+TEST(Leveling, LeavesNoMeanAndNoTilt) {
     const PlaneFit rest =
-        fitPlane(levelled(withPlane(hills(), 5.0_nm, 0.1, 0.2), Levelling::Plane));
+        fitPlane(leveled(withPlane(hills(), 5.0_nm, 0.1, 0.2), Leveling::Plane));
     EXPECT_NEAR(rest.slopeX, 0.0, 1e-15);
     EXPECT_NEAR(rest.slopeY, 0.0, 1e-15);
     EXPECT_NEAR(rest.mean, 0.0, 1e-22);
 }
 
-TEST(Levelling, IgnoresInvalidPixelsAndLeavesThemAlone) {
+TEST(Leveling, IgnoresInvalidPixelsAndLeavesThemAlone) {
     HeightMap map = withPlane(
         flatMap({.columns = 8, .rows = 8, .sizeX = 80.0_nm, .sizeY = 80.0_nm}), 0.0, 0.1, 0.0);
     map.heights[map.index(2, 3)] = kNan;
     map.invalid.assign(map.heights.size(), 0);
-    map.heights[map.index(5, 1)] = 1.0;  // a metre: masked by the user
+    map.heights[map.index(5, 1)] = 1.0;  // a meter: masked by the user
     map.invalid[map.index(5, 1)] = 1;
-    const HeightMap level = levelled(map, Levelling::Plane);
+    const HeightMap level = leveled(map, Leveling::Plane);
     EXPECT_NEAR(fitPlane(map).slopeX, 0.1, 1e-14);
     EXPECT_TRUE(std::isnan(level.at(2, 3)));
     EXPECT_NEAR(level.at(0, 0), 0.0, 1e-22);
 }
 
-TEST(Levelling, TakesASingleLineOfPixelsAsLevelAcrossIt) {
+TEST(Leveling, TakesASingleLineOfPixelsAsLevelAcrossIt) {
     const HeightMap row = withPlane(
         flatMap({.columns = 5, .rows = 1, .sizeX = 50.0_nm, .sizeY = 10.0_nm}), 0.0, 0.1, 0.0);
     EXPECT_NEAR(fitPlane(row).slopeX, 0.1, 1e-14);
@@ -79,7 +79,7 @@ TEST(Levelling, TakesASingleLineOfPixelsAsLevelAcrossIt) {
     EXPECT_EQ(fitPlane(pixel).slopeY, 0.0);
 }
 
-TEST(Levelling, RowsRemovesRowOffsetsExactlyWhereMostOfEachRowIsFlat) {
+TEST(Leveling, RowsRemovesRowOffsetsExactlyWhereMostOfEachRowIsFlat) {
     HeightMap map = flatMap({.columns = 9, .rows = 4, .sizeX = 9.0_nm, .sizeY = 4.0_nm});
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 9; ++column) {
@@ -87,7 +87,7 @@ TEST(Levelling, RowsRemovesRowOffsetsExactlyWhereMostOfEachRowIsFlat) {
             map.heights[map.index(row, column)] = island + 16.0 * row;
         }
     }
-    const HeightMap level = levelled(map, Levelling::Rows);
+    const HeightMap level = leveled(map, Leveling::Rows);
     for (int row = 0; row < 4; ++row) {
         EXPECT_EQ(level.at(row, 0) - level.at(row, 8), 2.0);
         EXPECT_EQ(level.at(row, 8), level.at(0, 8));
@@ -95,23 +95,23 @@ TEST(Levelling, RowsRemovesRowOffsetsExactlyWhereMostOfEachRowIsFlat) {
     EXPECT_NEAR(fitPlane(level).mean, 0.0, 1e-15);
 }
 
-TEST(Levelling, MedianOfAnEvenRowIsTheMeanOfTheTwoMiddleValues) {
+TEST(Leveling, MedianOfAnEvenRowIsTheMeanOfTheTwoMiddleValues) {
     HeightMap map = flatMap({.columns = 4, .rows = 1, .sizeX = 4.0, .sizeY = 1.0});
     map.heights = {8.0, 1.0, 4.0, 2.0};  // median 3, and then mean 0.75
-    const HeightMap level = levelled(map, Levelling::Rows);
+    const HeightMap level = leveled(map, Leveling::Rows);
     EXPECT_EQ(level.heights, (std::vector<double>{4.25, -2.75, 0.25, -1.75}));
 }
 
-TEST(Levelling, NoneChangesNothing) {
+TEST(Leveling, NoneChangesNothing) {
     const HeightMap map = hills();
-    EXPECT_EQ(levelled(map, Levelling::None).heights, map.heights);
+    EXPECT_EQ(leveled(map, Leveling::None).heights, map.heights);
 }
 
-TEST(Levelling, RefusesAMapWithoutAValidPixel) {
+TEST(Leveling, RefusesAMapWithoutAValidPixel) {
     HeightMap map = flatMap({.columns = 3, .rows = 2, .sizeX = 3.0_nm, .sizeY = 2.0_nm});
     map.heights.assign(6, kNan);
     EXPECT_THROW((void)fitPlane(map), Error);
-    EXPECT_THROW((void)levelled(map, Levelling::Rows), Error);
+    EXPECT_THROW((void)leveled(map, Leveling::Rows), Error);
     EXPECT_THROW((void)fitPlane(HeightMap{}), Error);
 }
 

@@ -1,6 +1,6 @@
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFile.h"
-#include "core/surface/Levelling.h"
+#include "core/surface/Leveling.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>
@@ -32,13 +32,13 @@ void expectAgreement(const HeightMap& map, const test::ReferenceTable& table, st
     expectNear(plane.slopeX, "plane_slope_x", slopeUnit);
     expectNear(-plane.slopeY, "plane_slope_y_down", slopeUnit);
     expectNear(rms(map), "rms_raw", 0.0);
-    expectNear(rms(levelled(map, Levelling::Plane)), "rms_after_plane", 0.0);
-    expectNear(rms(levelled(map, Levelling::Rows)), "rms_after_row_median", 0.0);
+    expectNear(rms(leveled(map, Leveling::Plane)), "rms_after_plane", 0.0);
+    expectNear(rms(leveled(map, Leveling::Rows)), "rms_after_row_median", 0.0);
 }
 
-TEST(Levelling, OfRealScansAgreesWithTheGroundTruth) {
+TEST(Leveling, OfRealScansAgreesWithTheGroundTruth) {
     ASPERITY_NEEDS_SHARED_DATA();
-    const test::ReferenceTable table(test::sharedData("afm/LEVELLING.csv"));
+    const test::ReferenceTable table(test::sharedData("afm/LEVELING.csv"));
     int checked = 0;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const std::filesystem::path path = test::sharedData("afm/" + table.text(row, "file"));

@@ -1,4 +1,4 @@
-#include "ui/panels/ColourBarWidget.h"
+#include "ui/panels/ColorBarWidget.h"
 
 #include "core/SiFormat.h"
 #include "ui/Theme.h"
@@ -21,7 +21,7 @@ constexpr int kSideMargin = 14;     ///< room for half a label at each end [px]
 constexpr int kLabelDistance = 30;  ///< between ticks, at least [px]
 
 /// The prefix that suits the whole range.
-SiScale siScaleOf(const ColourScale& scale) {
+SiScale siScaleOf(const ColorScale& scale) {
     return siScaleFor(std::max(std::abs(scale.low), std::abs(scale.high)),
                       scale.unit.toStdString());
 }
@@ -30,33 +30,33 @@ QFont tickFont() { return theme::textFont(theme::kSmallSize - 1); }
 
 }  // namespace
 
-ColourBarWidget::ColourBarWidget(QWidget* parent) : QWidget(parent) {
+ColorBarWidget::ColorBarWidget(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void ColourBarWidget::setScale(const ColourScale& scale) {
+void ColorBarWidget::setScale(const ColorScale& scale) {
     scale_ = scale;
     update();
 }
 
-QString ColourBarWidget::heading() const {
-    if (scale_.colours.empty()) {
+QString ColorBarWidget::heading() const {
+    if (scale_.colors.empty()) {
         return {};
     }
     return QStringLiteral("%1 [%2]").arg(scale_.quantity,
                                          QString::fromStdString(siScaleOf(scale_).unit));
 }
 
-QSize ColourBarWidget::sizeHint() const {
+QSize ColorBarWidget::sizeHint() const {
     const int heading = QFontMetrics(theme::textFont(theme::kSmallSize)).height();
     const int labels = QFontMetrics(tickFont()).height();
     return {160, heading + 2 + kBarHeight + kTickLength + 1 + labels};
 }
 
-QSize ColourBarWidget::minimumSizeHint() const { return {100, sizeHint().height()}; }
+QSize ColorBarWidget::minimumSizeHint() const { return {100, sizeHint().height()}; }
 
-void ColourBarWidget::paintEvent(QPaintEvent* /*event*/) {
-    if (scale_.colours.size() < 2) {
+void ColorBarWidget::paintEvent(QPaintEvent* /*event*/) {
+    if (scale_.colors.size() < 2) {
         return;
     }
     QPainter painter(this);
@@ -69,16 +69,16 @@ void ColourBarWidget::paintEvent(QPaintEvent* /*event*/) {
     drawTicks(painter, bar);
 }
 
-void ColourBarWidget::drawBar(QPainter& painter, const QRectF& bar) const {
+void ColorBarWidget::drawBar(QPainter& painter, const QRectF& bar) const {
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    const auto last = static_cast<double>(scale_.colours.size() - 1);
-    for (std::size_t i = 0; i < scale_.colours.size(); ++i) {
-        gradient.setColorAt(static_cast<double>(i) / last, scale_.colours[i]);
+    const auto last = static_cast<double>(scale_.colors.size() - 1);
+    for (std::size_t i = 0; i < scale_.colors.size(); ++i) {
+        gradient.setColorAt(static_cast<double>(i) / last, scale_.colors[i]);
     }
     painter.fillRect(bar, gradient);
 }
 
-void ColourBarWidget::drawTicks(QPainter& painter, const QRectF& bar) const {
+void ColorBarWidget::drawTicks(QPainter& painter, const QRectF& bar) const {
     const SiScale scale = siScaleOf(scale_);
     const double low = scale_.low * scale.factor;
     const double high = scale_.high * scale.factor;

@@ -1,17 +1,17 @@
 #pragma once
 
-#include "ui/ColourScale.h"
+#include "ui/ColorScale.h"
 
 #include <QWidget>
 
 namespace asperity {
 
-/// A horizontal bar that says which colours stand for which values, with name, unit and ticks.
-class ColourBarWidget : public QWidget {
+/// A horizontal bar that says which colors stand for which values, with name, unit and ticks.
+class ColorBarWidget : public QWidget {
 public:
-    explicit ColourBarWidget(QWidget* parent = nullptr);
+    explicit ColorBarWidget(QWidget* parent = nullptr);
 
-    void setScale(const ColourScale& scale);
+    void setScale(const ColorScale& scale);
 
     /// "height [nm]": what stands above the bar; empty when there is nothing to show.
     [[nodiscard]] QString heading() const;
@@ -25,7 +25,7 @@ private:
     void drawBar(QPainter& painter, const QRectF& bar) const;
     void drawTicks(QPainter& painter, const QRectF& bar) const;
 
-    ColourScale scale_;
+    ColorScale scale_;
 };
 
 }  // namespace asperity

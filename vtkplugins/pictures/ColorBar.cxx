@@ -1,4 +1,4 @@
-#include "vtkplugins/pictures/ColourBar.h"
+#include "vtkplugins/pictures/ColorBar.h"
 
 #include "core/SiFormat.h"
 #include "vtkplugins/pictures/Ticks.h"
@@ -16,7 +16,7 @@ namespace {
 constexpr double kThickness = 18.0;
 constexpr double kTickDistance = 90.0;
 
-Color colourOf(vtkLookupTable* table, double value) {
+Color colorOf(vtkLookupTable* table, double value) {
     std::array<unsigned char, 3> rgb{};
     const unsigned char* mapped = table->MapValue(value);
     std::copy_n(mapped, rgb.size(), rgb.begin());
@@ -25,30 +25,30 @@ Color colourOf(vtkLookupTable* table, double value) {
 
 }  // namespace
 
-void drawColourBar(Painter& painter, const ColourBar& bar, const PixelRect& area) {
+void drawColorBar(Painter& painter, const ColorBar& bar, const PixelRect& area) {
     const SiScale scale = siScaleFor(std::max(std::abs(bar.low), std::abs(bar.high)), bar.unit);
     const TextStyle heading{.size = 16.0, .bold = true};
-    const TextStyle plain{.size = 15.0, .align = Align::Centre};
+    const TextStyle plain{.size = 15.0, .align = Align::Center};
     const std::string name = bar.quantity + " [" + scale.unit + "]";
     const double left = area.left + painter.textWidth(name, heading) + 24.0;
     const double lastLabel = 30.0;  // half a label sticks out at the right end
-    const PixelRect colours{left, area.top() - kThickness, area.right() - lastLabel - left,
+    const PixelRect colors{left, area.top() - kThickness, area.right() - lastLabel - left,
                             kThickness};
-    painter.text({area.left, colours.bottom + 0.5 * kThickness}, name, heading);
-    const int slices = static_cast<int>(colours.width);
+    painter.text({area.left, colors.bottom + 0.5 * kThickness}, name, heading);
+    const int slices = static_cast<int>(colors.width);
     for (int slice = 0; slice < slices; ++slice) {
         const double value = std::lerp(bar.low, bar.high, (slice + 0.5) / slices);
-        painter.fill({colours.left + slice, colours.bottom, 1.0, kThickness},
-                     colourOf(bar.table, value));
+        painter.fill({colors.left + slice, colors.bottom, 1.0, kThickness},
+                     colorOf(bar.table, value));
     }
     const std::vector<double> ticks = niceTicks(bar.low * scale.factor, bar.high * scale.factor,
-                                                static_cast<int>(colours.width / kTickDistance));
+                                                static_cast<int>(colors.width / kTickDistance));
     const std::vector<std::string> labels = tickLabels(ticks);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const double part = (ticks[i] / scale.factor - bar.low) / (bar.high - bar.low);
-        const double x = colours.left + std::clamp(part, 0.0, 1.0) * colours.width;
-        painter.line({{x, colours.bottom}, {x, colours.bottom - 6.0}}, {palette::kMuted, 1.0});
-        painter.text({x, colours.bottom - 18.0}, labels[i], plain);
+        const double x = colors.left + std::clamp(part, 0.0, 1.0) * colors.width;
+        painter.line({{x, colors.bottom}, {x, colors.bottom - 6.0}}, {palette::kMuted, 1.0});
+        painter.text({x, colors.bottom - 18.0}, labels[i], plain);
     }
 }
 

@@ -7,26 +7,26 @@
 
 namespace asperity {
 
-enum class Levelling : std::uint8_t {
+enum class Leveling : std::uint8_t {
     None,
     Plane,  ///< least-squares plane removed
     Rows,   ///< median of each row removed, then the mean of all
 };
 
 template <>
-inline constexpr auto kEnumTable<Levelling> = std::to_array<EnumRow<Levelling>>(
-    {{Levelling::Plane, "plane"}, {Levelling::Rows, "rows"}, {Levelling::None, "none"}});
+inline constexpr auto kEnumTable<Leveling> = std::to_array<EnumRow<Leveling>>(
+    {{Leveling::Plane, "plane"}, {Leveling::Rows, "rows"}, {Leveling::None, "none"}});
 
 /// The least-squares plane through the valid pixels of a map.
 struct PlaneFit {
     double slopeX = 0.0;   ///< along world x
     double slopeY = 0.0;   ///< along world y (up in the image)
     double mean = 0.0;     ///< of the valid heights [m]
-    double centreX = 0.0;  ///< where the plane's height is `mean`: the valid pixels' centre [m]
-    double centreY = 0.0;  ///< [m]
+    double centerX = 0.0;  ///< where the plane's height is `mean`: the valid pixels' center [m]
+    double centerY = 0.0;  ///< [m]
 
     [[nodiscard]] double at(double x, double y) const {
-        return mean + slopeX * (x - centreX) + slopeY * (y - centreY);
+        return mean + slopeX * (x - centerX) + slopeY * (y - centerY);
     }
 };
 
@@ -35,10 +35,10 @@ struct PlaneFit {
 [[nodiscard]] PlaneFit fitPlane(const HeightMap& map);
 [[nodiscard]] PlaneFit fitPlane(const ScanMap& map);
 
-/// The map after levelling; invalid pixels take no part in it and stay what they are. A ScanMap's
+/// The map after leveling; invalid pixels take no part in it and stay what they are. A ScanMap's
 /// datum is 0 after its plane or rows were removed.
 /// @throw Error when the map is unusable or no pixel is valid
-[[nodiscard]] HeightMap levelled(HeightMap map, Levelling levelling);
-[[nodiscard]] ScanMap levelled(ScanMap map, Levelling levelling);
+[[nodiscard]] HeightMap leveled(HeightMap map, Leveling leveling);
+[[nodiscard]] ScanMap leveled(ScanMap map, Leveling leveling);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "ui/view/SurfaceColours.h"
+#include "ui/view/SurfaceColors.h"
 
 #include "vtkplugins/pictures/Palette.h"
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kLeastHeightRange = 1e-10;        // [m]
 constexpr double kLeastDisplacementRange = 1e-10;  // [m]
-constexpr int kScaleColours = 64;
-constexpr double kFaint = 0.1;  // part of the range below which a displacement leaves no colour
+constexpr int kScaleColors = 64;
+constexpr double kFaint = 0.1;  // part of the range below which a displacement leaves no color
 
 /// Fits a range and says whether that changed it.
 bool refit(SteadyRange& range, double low, double high) {
@@ -24,35 +24,35 @@ bool refit(SteadyRange& range, double low, double high) {
     return before.low != after.low || before.high != after.high;
 }
 
-Color colourIn(vtkLookupTable* table, double value) {
+Color colorIn(vtkLookupTable* table, double value) {
     const unsigned char* rgb = table->MapValue(value);
     return {rgb[0], rgb[1], rgb[2]};
 }
 
-ColourScale scaleOf(const QString& quantity, vtkLookupTable* table) {
-    ColourScale scale{.quantity = quantity,
+ColorScale scaleOf(const QString& quantity, vtkLookupTable* table) {
+    ColorScale scale{.quantity = quantity,
                       .unit = "m",
                       .low = table->GetRange()[0],
                       .high = table->GetRange()[1]};
-    for (int i = 0; i < kScaleColours; ++i) {
+    for (int i = 0; i < kScaleColors; ++i) {
         const int entry =
-            i * (static_cast<int>(table->GetNumberOfColors()) - 1) / (kScaleColours - 1);
+            i * (static_cast<int>(table->GetNumberOfColors()) - 1) / (kScaleColors - 1);
         std::array<double, 4> rgba{};
         table->GetTableValue(entry, rgba.data());
-        scale.colours.push_back(QColor::fromRgbF(rgba[0], rgba[1], rgba[2]));
+        scale.colors.push_back(QColor::fromRgbF(rgba[0], rgba[1], rgba[2]));
     }
     return scale;
 }
 
 }  // namespace
 
-SurfaceColours::SurfaceColours()
+SurfaceColors::SurfaceColors()
     : heightRange_(kLeastHeightRange)
     , displacementRange_(kLeastDisplacementRange)
     , heights_(heightTable(heightRange_.range().low, heightRange_.range().high))
     , displacements_(divergingTable(displacementRange_.range().high)) {}
 
-bool SurfaceColours::fitHeights(double low, double high) {
+bool SurfaceColors::fitHeights(double low, double high) {
     if (!refit(heightRange_, low, high)) {
         return false;
     }
@@ -60,7 +60,7 @@ bool SurfaceColours::fitHeights(double low, double high) {
     return true;
 }
 
-bool SurfaceColours::fitDisplacement(double largest) {
+bool SurfaceColors::fitDisplacement(double largest) {
     if (!refit(displacementRange_, -largest, largest)) {
         return false;
     }
@@ -68,31 +68,31 @@ bool SurfaceColours::fitDisplacement(double largest) {
     return true;
 }
 
-Color SurfaceColours::at(double height, double displacement) const {
-    return moved(colourIn(heights_, height), displacement);
+Color SurfaceColors::at(double height, double displacement) const {
+    return moved(colorIn(heights_, height), displacement);
 }
 
-Color SurfaceColours::withoutData(double displacement) const {
+Color SurfaceColors::withoutData(double displacement) const {
     return moved(palette::kNoData, displacement);
 }
 
-/// Goes over from the colour at rest to that of the displacement.
-Color SurfaceColours::moved(const Color& rest, double displacement) const {
+/// Goes over from the color at rest to that of the displacement.
+Color SurfaceColors::moved(const Color& rest, double displacement) const {
     const double part = std::min(1.0, std::abs(displacement) / displacementRange_.range().high);
     if (part <= kFaint) {
         return rest;
     }
     const double weight = 1.0 - std::pow((1.0 - part) / (1.0 - kFaint), 4);
-    const Color pushed = colourIn(displacements_, displacement);
+    const Color pushed = colorIn(displacements_, displacement);
     const auto mix = [weight](std::uint8_t from, std::uint8_t to) {
         return static_cast<std::uint8_t>(std::lround(std::lerp(double(from), double(to), weight)));
     };
     return {mix(rest.red, pushed.red), mix(rest.green, pushed.green), mix(rest.blue, pushed.blue)};
 }
 
-ColourScale SurfaceColours::heightScale() const { return scaleOf("height", heights_); }
+ColorScale SurfaceColors::heightScale() const { return scaleOf("height", heights_); }
 
-ColourScale SurfaceColours::displacementScale() const {
+ColorScale SurfaceColors::displacementScale() const {
     return scaleOf("displacement", displacements_);
 }
 

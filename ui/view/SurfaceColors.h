@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/ColourScale.h"
+#include "ui/ColorScale.h"
 #include "ui/Steady.h"
 #include "vtkplugins/pictures/Color.h"
 
@@ -10,11 +10,11 @@ class vtkLookupTable;
 
 namespace asperity {
 
-/// The colours of a surface: height where it is at rest, going over into displacement where the
+/// The colors of a surface: height where it is at rest, going over into displacement where the
 /// tip has moved it. Ranges seldom change.
-class SurfaceColours {
+class SurfaceColors {
 public:
-    SurfaceColours();
+    SurfaceColors();
 
     /// Fits the range of heights [m]. @return whether it changed
     bool fitHeights(double low, double high);
@@ -22,13 +22,13 @@ public:
     bool fitDisplacement(double largest);
 
     [[nodiscard]] const AxisRange& heightRange() const { return heightRange_.range(); }  ///< [m]
-    /// Colour of a place at this height at rest. @param displacement into the sample [m]
+    /// Color of a place at this height at rest. @param displacement into the sample [m]
     [[nodiscard]] Color at(double height, double displacement = 0.0) const;
-    /// The same where the scan holds no data: heights filled in have no colour of a height.
+    /// The same where the scan holds no data: heights filled in have no color of a height.
     [[nodiscard]] Color withoutData(double displacement = 0.0) const;
 
-    [[nodiscard]] ColourScale heightScale() const;
-    [[nodiscard]] ColourScale displacementScale() const;
+    [[nodiscard]] ColorScale heightScale() const;
+    [[nodiscard]] ColorScale displacementScale() const;
 
 private:
     [[nodiscard]] Color moved(const Color& rest, double displacement) const;
