@@ -18,17 +18,17 @@ struct SiScale {
 /// The prefix (femto to tera) that shows `magnitude` to three digits as 1.00 ... 999.
 /// Zero and values that are not finite keep the bare unit.
 [[nodiscard]] inline SiScale siScaleFor(double magnitude, std::string_view unit) {
-    static constexpr int kSmallest = -5;
+    static constexpr int kMin = -5;
     static constexpr std::array<const char*, 10> kPrefixes = {"f", "p", "n", "µ", "m",
                                                               "",  "k", "M", "G", "T"};
     int power = 0;
     if (std::isfinite(magnitude) && magnitude != 0.0) {
         // 999.5 and above read "1000" with three digits: they take the next prefix.
         const double digits = std::log10(std::abs(magnitude) * (1000.0 / 999.5));
-        power = std::clamp(static_cast<int>(std::floor(digits / 3.0)), kSmallest,
-                           kSmallest + static_cast<int>(kPrefixes.size()) - 1);
+        power = std::clamp(static_cast<int>(std::floor(digits / 3.0)), kMin,
+                           kMin + static_cast<int>(kPrefixes.size()) - 1);
     }
-    const char* prefix = kPrefixes.at(static_cast<std::size_t>(power - kSmallest));
+    const char* prefix = kPrefixes.at(static_cast<std::size_t>(power - kMin));
     return {std::pow(10.0, -3 * power), prefix + std::string(unit)};
 }
 

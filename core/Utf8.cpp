@@ -30,7 +30,7 @@ Lead leadOf(unsigned char byte) {
 }  // namespace
 
 Utf8Character firstCharacter(std::string_view text) {
-    constexpr char32_t kLargest = 0x10FFFF;
+    constexpr char32_t kMax = 0x10FFFF;
     const Lead lead = leadOf(static_cast<unsigned char>(text.front()));
     if (lead.length == 0 || lead.length > text.size()) {
         return {};
@@ -44,7 +44,7 @@ Utf8Character firstCharacter(std::string_view text) {
         codePoint = (codePoint << 6U) | (byte & 0x3FU);
     }
     const bool surrogate = codePoint >= 0xD800 && codePoint <= 0xDFFF;
-    if (codePoint < lead.minimum || codePoint > kLargest || surrogate) {
+    if (codePoint < lead.minimum || codePoint > kMax || surrogate) {
         return {};
     }
     return {lead.length, codePoint};

@@ -11,8 +11,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSmallestStiffness = 1e-6;  // [N/m]
-constexpr double kLargestStiffness = 1e12;   // [N/m]
+constexpr double kMinStiffness = 1e-6;  // [N/m]
+constexpr double kMaxStiffness = 1e12;   // [N/m]
 
 /// A material by the path of its file or by its name in the data folder.
 SampleMaterial findMaterial(const std::string& given) {
@@ -78,10 +78,10 @@ void addCurveRequest(CLI::App& command, CurveRequest& request) {
         ->check(CLI::IsMember(lawNames()));
     command.add_option("--radius", request.radius, "of the tip [m]")
         ->check(finiteNumber())
-        ->check(within(kSmallestTipRadius, kLargestTipRadius, "1e-12 to 1 m"));
+        ->check(within(kMinTipRadius, kMaxTipRadius, "1e-12 to 1 m"));
     command.add_option("--stiffness", request.stiffness, "of the lever along the normal [N/m]")
         ->check(finiteNumber())
-        ->check(within(kSmallestStiffness, kLargestStiffness, "1e-6 to 1e12 N/m"));
+        ->check(within(kMinStiffness, kMaxStiffness, "1e-6 to 1e12 N/m"));
 }
 
 std::vector<CurveCase> curveCases(const CurveRequest& request) {

@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t kBatch = 250;                    // ticks handed over at once at most
 constexpr double kBatchTime = 0.1;                     // that they span at most [s]
 constexpr std::chrono::milliseconds kKeepPeriod{500};  // between flushes
-constexpr double kMostBehind = 0.5;  // ticks of a batch, where the disk follows [s]
+constexpr double kMaxBehind = 0.5;  // ticks of a batch, where the disk follows [s]
 /// That wait; as many again may be in the writer's hands.
-constexpr std::size_t kMostWaiting = (std::size_t{50} << 20U) / sizeof(TickSample);
+constexpr std::size_t kMaxWaiting = (std::size_t{50} << 20U) / sizeof(TickSample);
 
 /// That the ticks of a batch span [s].
 double timeOf(const std::vector<TickSample>& batch) {
@@ -40,7 +40,7 @@ void RecordingThread::take(const TickSample& sample) {
 void RecordingThread::handOver() {
     {
         const std::lock_guard lock(mutex_);
-        if (end_ == RecordingEnd::None && handed_.size() + fresh_.size() > kMostWaiting) {
+        if (end_ == RecordingEnd::None && handed_.size() + fresh_.size() > kMaxWaiting) {
             end_ = RecordingEnd::DiskTooSlow;
         }
         if (end_ == RecordingEnd::None) {
@@ -97,7 +97,7 @@ void RecordingThread::writeAll(const std::stop_token& stop) {
             endBecause(RecordingEnd::TicksLost);
         }
         if (Clock::now() - kept_ >= kKeepPeriod) {
-            keepWritten(timeOf(batch) > kMostBehind);
+            keepWritten(timeOf(batch) > kMaxBehind);
         }
     } while (!allReceived(stop));
     stop.stop_requested() ? recording_.flush() : recording_.finish();

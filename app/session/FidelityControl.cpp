@@ -12,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-constexpr long kMostPixels = 2048L * 2048L;
+constexpr long kMaxPixels = 2048L * 2048L;
 
 /// Force errors are those of `asperity tradeoff`; times are of fewer rounds, so that it takes
 /// seconds, and pictures are not shown.
@@ -28,7 +28,7 @@ void requireModel(const SceneDescription& scene) {
 
 bool canBeStudied(const Scene& scene) noexcept {
     const auto& grid = scene.surface.grid();
-    return static_cast<long>(grid.columns) * grid.rows <= kMostPixels;
+    return static_cast<long>(grid.columns) * grid.rows <= kMaxPixels;
 }
 
 FidelityControl::FidelityControl(MainWindow& window, RunControl& runs)

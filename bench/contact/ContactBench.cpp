@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kLargest = 100.0;    // indentation of the tables
+constexpr double kMax = 100.0;    // indentation of the tables
 constexpr double kRadiusSpan = 2.15;  // of lambda for a tenth to ten times the effective radius
 constexpr double kDeepest = 10.0;     // indentation of a sweep
 constexpr int kRepeats = 201;
@@ -104,7 +104,7 @@ Errors errorsAgainstReference() {
         const double force = reference.number(row, "P_bar");
         const MaugisPoint cold = law.stable(control, indentation).value();
         const MaugisPoint warm = law.stable(control, indentation, 1.05 * cold.coordinate).value();
-        const MaugisTable table({lambda, lambda, std::max(kLargest, indentation)});
+        const MaugisTable table({lambda, lambda, std::max(kMax, indentation)});
         errors.cold = std::max(errors.cold, relative(cold.force, force));
         errors.warm = std::max(errors.warm, relative(warm.force, force));
         errors.table =
@@ -237,9 +237,9 @@ void printPeer(const char* name, const std::optional<PeerTiming>& timing) {
 
 void benchMaterial(const Material& material) {
     const MaugisDugdale law(material.lambda);
-    const MaugisTable flat({material.lambda, material.lambda, kLargest});
+    const MaugisTable flat({material.lambda, material.lambda, kMax});
     const MaugisTable curved(
-        {material.lambda / kRadiusSpan, material.lambda * kRadiusSpan, kLargest});
+        {material.lambda / kRadiusSpan, material.lambda * kRadiusSpan, kMax});
     std::vector<Way> ways{
         coldWay(law),
         warmWay(law, "warm Newton, steps of 0.1", 0.1, 800.0),

@@ -7,8 +7,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostSteps = 60;
-constexpr int kMostHalvings = 30;
+constexpr int kMaxSteps = 60;
+constexpr int kMaxHalvings = 30;
 
 /// Half the squared distance, and the step that Newton's method takes from here.
 struct Expansion {
@@ -80,14 +80,14 @@ Vector2 newtonFoot(const BSplineSurface& surface, const Vector3& query, const Ve
                    NewtonEnd end) {
     Vector2 place = insideScan(surface, start);
     Expansion here = expandedAt(surface, query, place);
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMaxSteps; ++i) {
         if (here.step.squaredNorm() < end.step * end.step) {
             return insideScan(surface, place + here.step);
         }
         double share = 1.0;
         Vector2 there = insideScan(surface, place + here.step);
         Expansion next = expandedAt(surface, query, there);
-        for (int j = 0; next.value > here.value && j < kMostHalvings; ++j) {
+        for (int j = 0; next.value > here.value && j < kMaxHalvings; ++j) {
             share *= 0.5;
             there = insideScan(surface, place + share * here.step);
             next = expandedAt(surface, query, there);

@@ -79,7 +79,7 @@ public:
     [[nodiscard]] std::string name() const override {
         return "OpenCASCADE ProjectPointOnSurf, +-24 nm";
     }
-    [[nodiscard]] std::size_t mostQueries() const override { return kMostQueries; }
+    [[nodiscard]] std::size_t mostQueries() const override { return kMaxQueries; }
 
     void start(const Vector2& foot) override { last_ = foot / kUnit; }
 
@@ -96,7 +96,7 @@ public:
 
 private:
     static constexpr double kReach = 24.0;  ///< [nm]
-    static constexpr std::size_t kMostQueries = 2000;
+    static constexpr std::size_t kMaxQueries = 2000;
 
     Handle(Geom_BSplineSurface) surface_;
     Vector2 last_ = Vector2::Zero();  ///< [nm]

@@ -10,18 +10,18 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSmallestRange = 1e-15;  // of the cohesion [m]
-constexpr double kLargestRange = 1.0;     // [m]
+constexpr double kMinRange = 1e-15;  // of the cohesion [m]
+constexpr double kMaxRange = 1.0;     // [m]
 
 bool stressIsUsable(double work, double stress) noexcept {
-    return work < kSmallestAdhesion ||
-           isWithin(stress, work / kLargestRange, work / kSmallestRange);
+    return work < kMinAdhesion ||
+           isWithin(stress, work / kMaxRange, work / kMinRange);
 }
 
 }  // namespace
 
 ContactStatus checkPair(const ContactPair& pair, double cohesiveStress) noexcept {
-    if (!isWithin(pair.tipRadius, kSmallestTipRadius, kLargestTipRadius)) {
+    if (!isWithin(pair.tipRadius, kMinTipRadius, kMaxTipRadius)) {
         return ContactStatus::TipRadiusOutOfRange;
     }
     if (!isWithin(pair.reducedModulus, 0.1, 1e15)) {
@@ -57,14 +57,14 @@ double nearestCompliance(double compliance) noexcept {
     if (std::isnan(compliance) || compliance < kRigid) {
         return 0.0;
     }
-    return std::fmin(compliance, kLargestCompliance);
+    return std::fmin(compliance, kMaxCompliance);
 }
 
 ContactStatus checkRequest(double approach, double compliance) noexcept {
     if (!isWithin(approach, -1e3, 1e3)) {
         return ContactStatus::ApproachOutOfRange;
     }
-    return isWithin(compliance, 0.0, kLargestCompliance) ? ContactStatus::Solved
+    return isWithin(compliance, 0.0, kMaxCompliance) ? ContactStatus::Solved
                                                          : ContactStatus::ComplianceOutOfRange;
 }
 

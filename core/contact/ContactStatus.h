@@ -42,10 +42,10 @@ inline constexpr auto kEnumTable<ContactStatus> = std::to_array<EnumRow<ContactS
      {ContactStatus::ComplianceOutOfRange, "compliance_out_of_range",
       "the lever's compliance must lie between 0 and 1e6 m/N"}});
 
-inline constexpr double kSmallestTipRadius = 1e-12;  ///< [m]
-inline constexpr double kLargestTipRadius = 1.0;     ///< [m]
+inline constexpr double kMinTipRadius = 1e-12;  ///< [m]
+inline constexpr double kMaxTipRadius = 1.0;     ///< [m]
 /// Adhesion below this counts as none [J/m^2].
-inline constexpr double kSmallestAdhesion = 1e-12;
+inline constexpr double kMinAdhesion = 1e-12;
 
 /// What is wrong with a pair first, or Solved. @param cohesiveStress sigma0 [Pa]
 [[nodiscard]] ContactStatus checkPair(const ContactPair& pair, double cohesiveStress) noexcept;
@@ -58,7 +58,7 @@ inline constexpr double kSmallestAdhesion = 1e-12;
 void requirePair(const ContactPair& pair, double cohesiveStress);
 
 /// Softest lever of the laws [m/N].
-inline constexpr double kLargestCompliance = 1e6;
+inline constexpr double kMaxCompliance = 1e6;
 
 /// The lever within the laws' range that is nearest to one of this compliance [m/N]; rigid where
 /// that is no number or below 1e-30 m/N.

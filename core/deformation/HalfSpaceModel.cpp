@@ -15,8 +15,8 @@ namespace {
 // In radii of the law's contact with its cohesive zone: half the width of a new patch, and that of
 // one that may stay.
 constexpr double kRoom = 2.5;
-constexpr double kLeastRoom = 1.8;
-constexpr double kMostRoom = 4.0;
+constexpr double kMinRoom = 1.8;
+constexpr double kMaxRoom = 4.0;
 constexpr double kWiden = 1.6;            // where the contact on real topography is wider
 constexpr double kWidestPatch = 2.0;      // half width in tip radii
 constexpr double kSeveralFeetRoom = 1.0;  // in tip radii: other feet may lie so far away
@@ -26,7 +26,7 @@ constexpr double kSeveralFeetRoom = 1.0;  // in tip radii: other feet may lie so
 bool adheresWithoutZone(const ContactModel& model) {
     const bool adhesive =
         isAdhesive(model.law()) && traitsOf(model.law()).attraction != Attraction::Zone;
-    return adhesive && model.pair().workOfAdhesion >= kSmallestAdhesion;
+    return adhesive && model.pair().workOfAdhesion >= kMinAdhesion;
 }
 
 HalfSpaceVerdict askable(const Scene& scene, const TipState& state) {
@@ -102,8 +102,8 @@ double HalfSpaceModel::halfWidthFor(const TipState& state, double tipRadius) con
     const double radius = state.contact.cohesiveRadius;
     const double least = state.feet > 1 ? kSeveralFeetRoom * tipRadius : 0.0;
     const double before = kept_ ? kept_->halfWidth : 0.0;
-    const bool suits = before >= std::max(least, kLeastRoom * radius) &&
-                       before <= std::max(least, kMostRoom * radius);
+    const bool suits = before >= std::max(least, kMinRoom * radius) &&
+                       before <= std::max(least, kMaxRoom * radius);
     return suits ? before : std::min(std::max(least, kRoom * radius), kWidestPatch * tipRadius);
 }
 

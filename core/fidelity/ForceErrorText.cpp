@@ -10,8 +10,8 @@ namespace {
 
 /// Two digits without a power of ten; what is not zero is not shown as zero.
 std::string percent(double share) {
-    constexpr double kLeastShown = 1e-4;
-    const double shown = share > 0.0 ? 100.0 * std::max(share, kLeastShown) : 0.0;
+    constexpr double kMinShown = 1e-4;
+    const double shown = share > 0.0 ? 100.0 * std::max(share, kMinShown) : 0.0;
     return formatted(shown < 99.5 ? "%.2g %%" : "%.0f %%", shown);
 }
 

@@ -7,12 +7,12 @@ namespace asperity {
 namespace {
 
 constexpr double kKeptSeconds = 5.0;       // of samples until somebody fetches them [s]
-constexpr double kMostSamples = 50000.0;   // some 40 MB
+constexpr double kMaxSamples = 50000.0;   // some 40 MB
 constexpr double kStatisticsPeriod = 1.0;  // [s]
 
 std::size_t ringSize(const Scene& scene) {
     return static_cast<std::size_t>(
-        std::min(kKeptSeconds * scene.description.tickRate, kMostSamples));
+        std::min(kKeptSeconds * scene.description.tickRate, kMaxSamples));
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ double beamMass(const CantileverGeometry& geometry) noexcept {
 }
 
 FlexuralMode flexuralMode(const CantileverGeometry& geometry, int number) {
-    constexpr int kMostModes = 100;  // far beyond where the beam is still slender
-    if (number < 1 || number > kMostModes) {
+    constexpr int kMaxModes = 100;  // far beyond where the beam is still slender
+    if (number < 1 || number > kMaxModes) {
         throw Error("cantilever: modes are numbered from 1 to 100");
     }
     const CantileverGeometry beam = Cantilever(geometry).geometry();  // refuses what is no beam

@@ -11,7 +11,7 @@ namespace asperity::decoupling {
 
 inline constexpr double kPlanarityDefect = 0.02;    // eta_p
 inline constexpr double kFrictionLawDefect = 0.3;   // eta_f
-inline constexpr double kSmallestFriction = 1e-12;  // S0 [N]
+inline constexpr double kMinFriction = 1e-12;  // S0 [N]
 
 /// Normal and sliding in the cantilever frame.
 struct ContactGeometry {
@@ -31,18 +31,18 @@ struct ContactGeometry {
 }
 
 /// Nobody knows a friction coefficient better than to this: a law of less is not certain of it.
-inline constexpr double kLeastFriction = 0.04;
+inline constexpr double kMinFrictionShare = 0.04;
 
 /// What the friction law may be off by beside its own 30 %, at any load [N].
 [[nodiscard]] inline double leastLawError(const DecouplingInput& in, double stated) noexcept {
-    const double least = kLeastFriction * std::abs(in.normalForceModel);
+    const double least = kMinFrictionShare * std::abs(in.normalForceModel);
     return least > stated ? std::sqrt((least * least) - (stated * stated)) : 0.0;
 }
 
 /// S of docs/theory.md 6.5 [N].
 [[nodiscard]] inline double frictionScale(const DecouplingInput& in) noexcept {
     return (in.frictionCoefficient * std::abs(in.normalForceModel)) + adhesiveFriction(in) +
-           kSmallestFriction;
+           kMinFriction;
 }
 
 }  // namespace asperity::decoupling

@@ -20,28 +20,28 @@ using decoupling::frictionScale;
 using decoupling::geometryOf;
 using decoupling::kFrictionLawDefect;
 using decoupling::kPlanarityDefect;
-using decoupling::kSmallestFriction;
+using decoupling::kMinFriction;
 
 constexpr double kNearSingularCondition = 100.0;
 constexpr double kSingularCondition = 1e15;  // what rounding leaves of an exactly singular system
-constexpr double kLargestInput = 1e12;       // in SI: far beyond any measurement, no overflow below
-constexpr double kSmallestSigma = 1e-30;     // likewise
-constexpr double kSmallestNormal = 1e-30;    // shorter ones lose their direction when squared
+constexpr double kMaxInput = 1e12;       // in SI: far beyond any measurement, no overflow below
+constexpr double kMinSigma = 1e-30;     // likewise
+constexpr double kMinNormal = 1e-30;    // shorter ones lose their direction when squared
 constexpr double kPlausibleSigmas = 3.0;
 constexpr double kUsableRest = 1e-3;  // of sigma_N: below it only the model told N
 
-bool usable(double value) noexcept { return isWithin(value, -kLargestInput, kLargestInput); }
+bool usable(double value) noexcept { return isWithin(value, -kMaxInput, kMaxInput); }
 
 bool usable(const Vector3& v) noexcept { return usable(v.x()) && usable(v.y()) && usable(v.z()); }
 
-bool notNegative(double value) noexcept { return isWithin(value, 0.0, kLargestInput); }
+bool notNegative(double value) noexcept { return isWithin(value, 0.0, kMaxInput); }
 
-bool isDeviation(double value) noexcept { return isWithin(value, kSmallestSigma, kLargestInput); }
+bool isDeviation(double value) noexcept { return isWithin(value, kMinSigma, kMaxInput); }
 
 bool inputIsUsable(const DecouplingInput& in) noexcept {
     return usable(in.signals.bending) && usable(in.signals.torsion) &&
            isDeviation(in.sigma.bending) && isDeviation(in.sigma.torsion) && usable(in.normal) &&
-           in.normal.norm() >= kSmallestNormal && usable(in.velocity) &&
+           in.normal.norm() >= kMinNormal && usable(in.velocity) &&
            notNegative(in.frictionCoefficient) && notNegative(in.shearStrength) &&
            notNegative(in.contactArea) && usable(in.normalForceModel) &&
            isDeviation(in.normalForceSigma) && notNegative(in.frictionLawError);
@@ -150,7 +150,7 @@ Plausibility plausibilityOf(const DecouplingInput& in, const ContactGeometry& ge
     const double sigma =
         std::hypot(deviationAlong(covariance, excess), lawDeviation(sliding, scale));
     plausibility.pushesAlong =
-        friction < -(kSmallestFriction + (kPlausibleSigmas * sliding.doubt * scale));
+        friction < -(kMinFriction + (kPlausibleSigmas * sliding.doubt * scale));
     plausibility.excessFriction =
         std::abs(friction) - std::max(0.0, law) > kPlausibleSigmas * sigma;
     return plausibility;

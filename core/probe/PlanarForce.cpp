@@ -9,7 +9,7 @@ namespace asperity {
 
 PlanarForce planarForce(const Cantilever& cantilever, const LeverSignals& signals,
                         const Vector3& normal, const Vector3& velocity) noexcept {
-    constexpr double kSmallestDeterminant = 1e-12;
+    constexpr double kMinDeterminant = 1e-12;
     const Vector3 n = cantilever.rotation() * normal;
     const Sliding sliding = slidingOf(n, cantilever.rotation() * velocity);
     const Vector3 p = n.cross(sliding.friction);
@@ -19,7 +19,7 @@ PlanarForce planarForce(const Cantilever& cantilever, const LeverSignals& signal
         return result;
     }
     result.determinant = p.x() - (kappa * p.z());
-    result.singular = std::abs(result.determinant) < kSmallestDeterminant;
+    result.singular = std::abs(result.determinant) < kMinDeterminant;
     if (!result.singular) {
         const double y1 = signals.bending / cantilever.bendingPerFz();
         const double y2 = signals.torsion / cantilever.torsionPerFy();

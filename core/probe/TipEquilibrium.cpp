@@ -114,7 +114,7 @@ private:
     }
 
     void findFeet(EquilibriumMemory& memory) {
-        boost::container::static_vector<FootGuess, kMostFeet> known;
+        boost::container::static_vector<FootGuess, kMaxFeet> known;
         for (std::size_t i = 0; i < memory.footCount; ++i) {
             known.push_back(memory.feet[i].guess);
         }
@@ -127,7 +127,7 @@ private:
         if ((center() - lookedFrom_).norm() <= kSameFoot * system_.tipRadius()) {
             return false;
         }
-        boost::container::static_vector<FootGuess, kMostFeet> known;
+        boost::container::static_vector<FootGuess, kMaxFeet> known;
         for (const Foot& foot : feet_) {
             known.push_back(foot.place.guess());
         }
@@ -143,7 +143,7 @@ private:
             surface_.tipFeet({lookedFrom_, system_.tipRadius()}, kReach, known, memory.tracker);
         state_.proof = found.proof;
         for (const SurfaceFoot& place : found.list.all()) {
-            if (feet_.size() < kMostFeet && !isKnown(place, feet_.size())) {
+            if (feet_.size() < kMaxFeet && !isKnown(place, feet_.size())) {
                 feet_.push_back({.place = place,
                                  .memory = takeMemory(place, memory),
                                  .model = system_.contact,
@@ -317,9 +317,9 @@ private:
     const BaseMotion& base_;
     const Matrix3& compliance_;
     Vector3 deflection_ = Vector3::Zero();
-    std::array<bool, kMostFeet> taken_{};   ///< which of the remembered feet have been found again
+    std::array<bool, kMaxFeet> taken_{};   ///< which of the remembered feet have been found again
     Vector3 lookedFrom_ = Vector3::Zero();  ///< the tip's center when feet were last looked for
-    boost::container::static_vector<Foot, kMostFeet> feet_;
+    boost::container::static_vector<Foot, kMaxFeet> feet_;
     TipState state_;
 };
 

@@ -28,7 +28,7 @@ struct FootMemory {
 
 /// What one equilibrium hands to the next on the same surface: warm starts and adhesion branches.
 struct EquilibriumMemory {
-    std::array<FootMemory, kMostFeet> feet{};
+    std::array<FootMemory, kMaxFeet> feet{};
     std::size_t footCount = 0;             ///< 0: nothing is known yet
     Vector3 deflection = Vector3::Zero();  ///< of the tip, lab frame [m]
     FootTracker tracker;                   ///< saves time, changes nothing

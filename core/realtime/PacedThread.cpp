@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPriority = 80;    // below the kernel's own threads, above everything of ours
 constexpr double kSpin = 40e-6;  // a sleep wakes up late by about this much [s]
-constexpr double kLargestSpinShare = 0.25;  // of a period: the rest of the machine must live
+constexpr double kMaxSpinShare = 0.25;  // of a period: the rest of the machine must live
 constexpr double kFirstBeat = 1e-3;         // after the thread has started [s]
 
 SchedulingPolicy claimRealtime() {
@@ -67,7 +67,7 @@ PacedThread::~PacedThread() {
 
 void PacedThread::run() const {
     Beat beat{.policy = claimRealtime()};
-    const double spin = std::min(kSpin, kLargestSpinShare * period_);
+    const double spin = std::min(kSpin, kMaxSpinShare * period_);
     double due = monotonicSeconds() + kFirstBeat;
     while (!stop_.load(std::memory_order_relaxed)) {
         waitUntil(due, spin);

@@ -8,8 +8,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kLargestDmt = 2.5e-4;         // lambda
-constexpr double kSmallestJkr = 4.8;           // lambda
+constexpr double kMaxDmt = 2.5e-4;         // lambda
+constexpr double kMinJkr = 4.8;           // lambda
 constexpr double kWidestAttraction = 0.3;      // of the tip radius
 constexpr double kAdhesionOutweighed = 280.0;  // load over pi w R
 
@@ -47,7 +47,7 @@ double lambdaOf(const ContactModel& model) noexcept {
 bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexcept {
     const ContactPair& pair = model.pair();
     const double unit = maugisUnits(pair).force;
-    if (pair.workOfAdhesion < kSmallestAdhesion || state.force > kAdhesionOutweighed * unit) {
+    if (pair.workOfAdhesion < kMinAdhesion || state.force > kAdhesionOutweighed * unit) {
         return false;
     }
     const LawTraits& law = traitsOf(model.law());
@@ -55,10 +55,10 @@ bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexc
     case Attraction::None:
         return true;
     case Attraction::Outside:
-        return lambdaOf(model) > kLargestDmt || isWithinRange(model, state) ||
+        return lambdaOf(model) > kMaxDmt || isWithinRange(model, state) ||
                reachesTooFar(model, unloadedReach(model));
     case Attraction::Inside:
-        return lambdaOf(model) < kSmallestJkr || isWithinRange(model, state) ||
+        return lambdaOf(model) < kMinJkr || isWithinRange(model, state) ||
                (!law.sphere && reachesTooFar(model, reachOf(model, state)));
     case Attraction::Zone:
         return law.sphere ? state.cohesiveRadius >= pair.tipRadius

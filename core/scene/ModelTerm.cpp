@@ -61,7 +61,7 @@ bool isPossible(ModelTerm term, const SceneDescription& scene) noexcept {
     switch (term) {
     case ModelTerm::Adhesion:
     case ModelTerm::VanDerWaalsTail:
-        return material.workOfAdhesion >= kSmallestAdhesion;
+        return material.workOfAdhesion >= kMinAdhesion;
     case ModelTerm::FilmBase:
         return material.filmThickness > 0.0;
     default:

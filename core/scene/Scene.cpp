@@ -25,14 +25,14 @@ double datumOf(const ScanMap& map) { return map.datum; }
 /// Beyond these bounds a map is no scan of a microscope, and rounding would be all that is left.
 template <class Map>
 void checkMap(const Map& map) {
-    constexpr double kSmallestPitch = 1e-13;  // [m]
-    constexpr double kLargestLength = 1.0;    // [m]
-    if (!(std::min(map.pitchX, map.pitchY) >= kSmallestPitch) ||
-        !(std::max(map.sizeX(), map.sizeY()) <= kLargestLength)) {
+    constexpr double kMinPitch = 1e-13;  // [m]
+    constexpr double kMaxLength = 1.0;    // [m]
+    if (!(std::min(map.pitchX, map.pitchY) >= kMinPitch) ||
+        !(std::max(map.sizeX(), map.sizeY()) <= kMaxLength)) {
         throw Error("the scan's pixels must be 0.1 pm or wider and the whole at most 1 m wide");
     }
     const bool tooHigh = std::any_of(map.heights.begin(), map.heights.end(), [&](double height) {
-        return std::abs(datumOf(map) + height) > kLargestLength;
+        return std::abs(datumOf(map) + height) > kMaxLength;
     });
     if (tooHigh) {
         throw Error("the scan's heights must lie within 1 m of zero");

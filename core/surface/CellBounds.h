@@ -63,8 +63,8 @@ private:
 };
 
 /// A positive number in a byte: a float cut down to 5 bits of exponent and 3 of mantissa, rounded
-/// up, so that bounds stay bounds. Reaches from 2^-31 to kLargestShortCode.
-inline constexpr float kLargestShortCode = 1.875F;
+/// up, so that bounds stay bounds. Reaches from 2^-31 to kMaxShortCode.
+inline constexpr float kMaxShortCode = 1.875F;
 inline constexpr std::uint32_t kShortCodeShift = 20U;
 inline constexpr std::uint32_t kShortCodeBias = 96U << 23U;
 
@@ -73,7 +73,7 @@ inline constexpr std::uint32_t kShortCodeBias = 96U << 23U;
                                 kShortCodeBias);
 }
 
-/// @param value in 0..kLargestShortCode
+/// @param value in 0..kMaxShortCode
 [[nodiscard]] inline std::uint8_t encodedShort(float value) noexcept {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     constexpr std::uint32_t kRoundUp = (1U << kShortCodeShift) - 1U;

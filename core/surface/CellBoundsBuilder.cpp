@@ -25,7 +25,7 @@ struct RawBounds {
 /// Single precision tells a Bezier point to this share of the largest height that it is made of.
 constexpr float kRounding = 0x1p-20F;
 /// Below this no scan's heights differ; keeps the scales away from zero [m].
-constexpr float kSmallestReach = 1e-30F;
+constexpr float kMinReach = 1e-30F;
 
 int cellsAlong(int pixels) { return std::max(pixels - 1, 1); }
 
@@ -258,7 +258,7 @@ private:
         // At the scan's edge the outer span is continued by half a pixel: by less than the range.
         // Where heights hardly differ, their rounding is what there is to tell.
         const float least = std::max(std::abs(low), std::abs(high)) * 0x1p-12F;
-        const float reach = std::max({high - low, least, kSmallestReach});
+        const float reach = std::max({high - low, least, kMinReach});
         const float base = low - 2.0F * reach;
         constexpr float kSteps = 65000.0F;
         units_.base = grid_.datum + static_cast<double>(base);

@@ -21,8 +21,8 @@ struct PixelAllocator {
 
     // NOLINTBEGIN(cppcoreguidelines-no-malloc): an allocator manages memory by hand
     [[nodiscard]] Number* allocate(std::size_t count) {
-        constexpr std::size_t kMost = std::numeric_limits<std::ptrdiff_t>::max() - kLargePage;
-        if (count > kMost / sizeof(Number)) {
+        constexpr std::size_t kMax = std::numeric_limits<std::ptrdiff_t>::max() - kLargePage;
+        if (count > kMax / sizeof(Number)) {
             throw std::bad_alloc();
         }
         const std::size_t bytes = count * sizeof(Number);

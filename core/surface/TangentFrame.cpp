@@ -14,11 +14,11 @@ constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// Height above `base` along the normal at which the surface is met [m], by Newton's method.
 double heightAlong(const BSplineSurface& surface, const Vector3& base, const Vector3& normal) {
-    constexpr int kMostSteps = 12;
+    constexpr int kMaxSteps = 12;
     constexpr double kExact = 1e-14;   // [m]
     constexpr double kGrazing = 0.05;  // sine of the angle between normal and surface
     double height = 0.0;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMaxSteps; ++i) {
         const Vector3 point = base + height * normal;
         const HeightSample sample = surface.at(point.x(), point.y());
         const double slope = normal.z() - sample.dx * normal.x() - sample.dy * normal.y();

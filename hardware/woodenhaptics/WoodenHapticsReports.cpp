@@ -29,8 +29,8 @@ Word wordAt(std::span<const std::uint8_t> report, std::size_t index) noexcept {
 }
 
 Word milliampere(double current) noexcept {
-    constexpr double kMost = std::numeric_limits<Word>::max();
-    return static_cast<Word>(std::lround(std::clamp(current / kMilli, -kMost, kMost)));
+    constexpr double kMax = std::numeric_limits<Word>::max();
+    return static_cast<Word>(std::lround(std::clamp(current / kMilli, -kMax, kMax)));
 }
 
 WoodenHapticsMessage packed(WoodenHapticsBoard board, const Words& words) noexcept {

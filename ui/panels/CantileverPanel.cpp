@@ -14,8 +14,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSmallestAngle = 1e-9;    ///< numbers below are shown in its prefix [rad]
-constexpr double kSmallestLength = 1e-12;  ///< [m]
+constexpr double kMinAngle = 1e-9;    ///< numbers below are shown in its prefix [rad]
+constexpr double kMinLength = 1e-12;  ///< [m]
 constexpr int kIntervals = 100;            ///< of the histories that scale the drawing
 
 CurvePlotSetup angleSetup() {
@@ -42,8 +42,8 @@ CantileverPanel::CantileverPanel(QWidget* parent)
     : Card(QStringLiteral("Cantilever"), parent)
     , deflections_(CurvePlot::kSpan, kIntervals)
     , torsions_(CurvePlot::kSpan, kIntervals)
-    , angleScale_("rad", kSmallestAngle)
-    , lengthScale_("m", kSmallestLength)
+    , angleScale_("rad", kMinAngle)
+    , lengthScale_("m", kMinLength)
     , sketch_(new CantileverSketch(this))
     , plot_(new CurvePlot(angleSetup(), this)) {
     buildNumbers();

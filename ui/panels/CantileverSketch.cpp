@@ -19,9 +19,9 @@ constexpr double kThinnestBeam = 3.0;          ///< [px]
 constexpr double kLongestArrow = 26.0;         ///< [px]
 constexpr double kArrowShare = 0.28;           ///< of the height, at most
 constexpr double kDropShare = 0.55;            ///< of the height, for the resting beam and its tip
-constexpr double kSmallestDeflection = 2e-10;  ///< noise below this stays small [m]
-constexpr double kSmallestTorsion = 5e-7;      ///< [rad]
-constexpr double kLargestShownTorsion = 0.4;   ///< [rad]
+constexpr double kMinDeflection = 2e-10;  ///< noise below this stays small [m]
+constexpr double kMinTorsion = 5e-7;      ///< [rad]
+constexpr double kMaxShownTorsion = 0.4;   ///< [rad]
 constexpr int kBeamPieces = 32;
 
 /// From the cantilever's x, z to the drawing: turned by the mount tilt, free end down.
@@ -103,7 +103,7 @@ QPen ghostPen() {
 }  // namespace
 
 CantileverSketch::CantileverSketch(QWidget* parent)
-    : QWidget(parent), bendingFactor_(kSmallestDeflection), torsionFactor_(kSmallestTorsion) {
+    : QWidget(parent), bendingFactor_(kMinDeflection), torsionFactor_(kMinTorsion) {
     setMinimumSize(200, 64);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
@@ -148,7 +148,7 @@ void CantileverSketch::fitFactors() {
     const double drop = (beam.length * std::sin(std::abs(beam.mountTilt))) + beam.tipHeight;
     const double room = std::max(6.0, ((side.box.height() - (drop * side.scale)) / 2.0) - 6.0);
     bendingFactor_.fit(largest_.deflection, room / side.scale);
-    torsionFactor_.fit(largest_.torsion, kLargestShownTorsion);
+    torsionFactor_.fit(largest_.torsion, kMaxShownTorsion);
 }
 
 void CantileverSketch::paintEvent(QPaintEvent* /*event*/) {
@@ -194,7 +194,7 @@ QPointF CantileverSketch::forceArrow(double sine, double cosine) const {
     const Vector3 local = cantilever_->rotation() * force_;
     const double size = std::hypot(local.x(), local.z());
     const double reference =
-        cantilever_->stiffness() * std::max(std::abs(largest_.deflection), kSmallestDeflection);
+        cantilever_->stiffness() * std::max(std::abs(largest_.deflection), kMinDeflection);
     if (size <= 0.0) {
         return {};
     }

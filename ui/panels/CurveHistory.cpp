@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kJoinedShare = 0.05;  ///< of the span
 /// Times beyond this many intervals have no index (and no clock runs that long).
-constexpr double kLargestIndex = 1e15;
+constexpr double kMaxIndex = 1e15;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ std::size_t CurveHistory::slotOf(std::int64_t index) const noexcept {
 
 void CurveHistory::add(double time, double value) noexcept {
     const double place = std::floor(time / width_);
-    if (!std::isfinite(value) || !(std::abs(place) < kLargestIndex)) {
+    if (!std::isfinite(value) || !(std::abs(place) < kMaxIndex)) {
         return;
     }
     const auto index = static_cast<std::int64_t>(place);

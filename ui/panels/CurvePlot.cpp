@@ -27,8 +27,8 @@ namespace {
 constexpr int kIntervals = 400;            ///< of a history: about one a pixel
 constexpr double kCurveWidth = 1.3;        ///< [px]
 constexpr int kTickLength = 4;             ///< [px]
-constexpr int kLeastTickDistance = 14;     ///< [px]
-constexpr int kSmallestCanvasHeight = 40;  ///< [px]
+constexpr int kMinTickDistance = 14;     ///< [px]
+constexpr int kMinCanvasHeight = 40;  ///< [px]
 constexpr int kWidestDigits = 6;           ///< letters of a label for which room is kept
 
 /// A curve in pieces: a value that is not a number parts two of them.
@@ -144,7 +144,7 @@ void CurvePlot::Canvas::buildAxes(const CurvePlotSetup& setup) {
     canvas->setPaintAttribute(QwtPlotCanvas::BackingStore, false);  // every frame is a new one
     plot_->setCanvas(canvas);
     plot_->setCanvasBackground(QColor(theme::kPaper));
-    plot_->setMinimumSize(120, kSmallestCanvasHeight);
+    plot_->setMinimumSize(120, kMinCanvasHeight);
     plot_->plotLayout()->setAlignCanvasToScales(true);
     plot_->plotLayout()->setSpacing(0);
 
@@ -196,7 +196,7 @@ void CurvePlot::Canvas::showUnit(const QString& unit) {
 
 void CurvePlot::Canvas::showRange(const AxisRange& range) {
     const auto room =
-        static_cast<std::size_t>(std::max(1, plot_->canvas()->height() / kLeastTickDistance));
+        static_cast<std::size_t>(std::max(1, plot_->canvas()->height() / kMinTickDistance));
     if (range.low == range_.low && range.high == range_.high && room == tickRoom_) {
         return;
     }

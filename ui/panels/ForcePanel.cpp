@@ -13,8 +13,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSmallestForce = 10e-12;  ///< numbers below are shown in its prefix [N]
-constexpr double kSmallestLength = 1e-9;   ///< lengths are in nm or larger units [m]
+constexpr double kMinForce = 10e-12;  ///< numbers below are shown in its prefix [N]
+constexpr double kMinLength = 1e-9;   ///< lengths are in nm or larger units [m]
 constexpr int kGroupDistance = 7;          ///< between groups of numbers [px]
 
 const std::array<QString, 3> kAxes = {QStringLiteral("X"), QStringLiteral("Y"),
@@ -57,11 +57,11 @@ int decimalsOf(double largest, const SiScale& scale) {
 
 ForcePanel::ForcePanel(QWidget* parent)
     : Card(QStringLiteral("Force and position"), parent)
-    , forceScale_("N", kSmallestForce)
-    , placeScale_("m", kSmallestLength)
-    , heightScale_("m", kSmallestLength)
-    , gapScale_("m", kSmallestLength)
-    , radiusScale_("m", kSmallestLength)
+    , forceScale_("N", kMinForce)
+    , placeScale_("m", kMinLength)
+    , heightScale_("m", kMinLength)
+    , gapScale_("m", kMinLength)
+    , radiusScale_("m", kMinLength)
     , forcePlot_(new CurvePlot(forceSetup(), this))
     , heightPlot_(new CurvePlot(heightSetup(), this)) {
     setNote(QStringLiteral("estimate ± standard deviation"));

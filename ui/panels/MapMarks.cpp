@@ -16,7 +16,7 @@ constexpr double kRing = 5.0;    ///< radius of the tip's mark [px]
 constexpr double kArm = 9.5;     ///< how far its cross reaches [px]
 constexpr double kBorder = 1.0;  ///< of white around a line [px]
 
-constexpr double kLeastFrame = 30.0;  ///< width that reaches beyond the tip's mark [px]
+constexpr double kMinFrame = 30.0;  ///< width that reaches beyond the tip's mark [px]
 constexpr double kBracket = 7.0;      ///< arm of a corner bracket [px]
 
 void strokeOverWhite(QPainter& painter, QRgb color, double width, const QPainterPath& path) {
@@ -58,8 +58,8 @@ void drawFrameMark(QPainter& painter, const QRectF& frame) {
     QPainterPath path;
     path.addRect(frame);
     strokeOverWhite(painter, theme::kZoom, 1.6, path);
-    QRectF around(0.0, 0.0, std::max(frame.width(), kLeastFrame),
-                  std::max(frame.height(), kLeastFrame));
+    QRectF around(0.0, 0.0, std::max(frame.width(), kMinFrame),
+                  std::max(frame.height(), kMinFrame));
     around.moveCenter(frame.center());
     around.moveTo(std::floor(around.x()) + 0.5, std::floor(around.y()) + 0.5);  // sharp lines
     if (around.size() != frame.size()) {

@@ -8,14 +8,14 @@ namespace {
 
 // In tip radii.
 constexpr double kShownDisplacement = 0.9;    // at most, when magnified
-constexpr double kLeastDisplacement = 0.025;  // smaller ones are not magnified further
+constexpr double kMinDisplacement = 0.025;  // smaller ones are not magnified further
 constexpr double kShownGap = 2.6;             // the tip stays in the picture
 
 }  // namespace
 
 double Magnification::fit(double displacement, double gap, double tipRadius) {
     const double gapsShare = gap * kShownDisplacement / kShownGap;
-    const double largest = std::max({displacement, gapsShare, kLeastDisplacement * tipRadius});
+    const double largest = std::max({displacement, gapsShare, kMinDisplacement * tipRadius});
     chosen_.fit(largest, kShownDisplacement * tipRadius);
     return factor();
 }

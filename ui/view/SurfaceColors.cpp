@@ -12,8 +12,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kLeastHeightRange = 1e-10;        // [m]
-constexpr double kLeastDisplacementRange = 1e-10;  // [m]
+constexpr double kMinHeightRange = 1e-10;        // [m]
+constexpr double kMinDisplacementRange = 1e-10;  // [m]
 constexpr int kScaleColors = 64;
 constexpr double kFaint = 0.1;  // part of the range below which a displacement leaves no color
 
@@ -47,8 +47,8 @@ ColorScale scaleOf(const QString& quantity, vtkLookupTable* table) {
 }  // namespace
 
 SurfaceColors::SurfaceColors()
-    : heightRange_(kLeastHeightRange)
-    , displacementRange_(kLeastDisplacementRange)
+    : heightRange_(kMinHeightRange)
+    , displacementRange_(kMinDisplacementRange)
     , heights_(heightTable(heightRange_.range().low, heightRange_.range().high))
     , displacements_(divergingTable(displacementRange_.range().high)) {}
 

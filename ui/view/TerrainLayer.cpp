@@ -25,10 +25,10 @@ namespace {
 
 constexpr int kSurveySamples = 96;
 constexpr int kSamplesPerPixel = 4;
-constexpr int kLeast = 48;  // samples along each side
+constexpr int kMin = 48;  // samples along each side
 constexpr int kCoarse = 80;
 constexpr int kFine = 384;
-constexpr int kMostGridSteps = 192;  // along a line across the window
+constexpr int kMaxGridSteps = 192;  // along a line across the window
 
 double widthOf(const ScanWindow& window) {
     return std::max(window.right - window.left, window.top - window.bottom);
@@ -204,7 +204,7 @@ void TerrainLayer::survey() {
 int TerrainLayer::fineSamples() const {
     const BSplineSurface::Grid& grid = surface_->grid();
     const double pixels = widthOf(place_.window) / std::min(grid.pitchX, grid.pitchY);
-    return static_cast<int>(std::clamp<double>(kSamplesPerPixel * pixels, kLeast, kFine));
+    return static_cast<int>(std::clamp<double>(kSamplesPerPixel * pixels, kMin, kFine));
 }
 
 void TerrainLayer::build(Mesh& mesh, int samples) const {
@@ -226,7 +226,7 @@ void TerrainLayer::build(Mesh& mesh, int samples) const {
     mesh.wallData->GetPointData()->SetScalars(mesh.wallRgb);
     mesh.wallNormals = sides->GetPointData()->GetNormals();
     vtkPolyDataMapper::SafeDownCast(mesh.grid->GetMapper())
-        ->SetInputData(drapedGrid(std::min(samples, kMostGridSteps)));
+        ->SetInputData(drapedGrid(std::min(samples, kMaxGridSteps)));
     mesh.built = true;
 }
 

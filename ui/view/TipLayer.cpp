@@ -25,8 +25,8 @@ constexpr int kFacets = 48;
 constexpr double kClear = 0.06;       // opacity of a wall that faces the eye
 constexpr double kOutline = 0.75;     // and of one seen edge-on
 constexpr double kFadeFrom = 0.35;    // part of the height
-constexpr double kLeastHeight = 0.4;  // of the tip, parts of the top's height
-constexpr double kLeastDrop = 0.05;   // shorter drop lines are not drawn; part of the tip's radius
+constexpr double kMinHeight = 0.4;  // of the tip, parts of the top's height
+constexpr double kMinDrop = 0.05;   // shorter drop lines are not drawn; part of the tip's radius
 
 }  // namespace
 
@@ -64,7 +64,7 @@ void TipLayer::show(const ContactShape& shape, double magnification, const TipSt
     source_->SetCenter(contact.tipCenter.x(), contact.tipCenter.y(), contact.tipCenter.z());
     source_->SetAxis(axis.x(), axis.y(), axis.z());
     const double gap = magnification * std::max(0.0, -contact.indentation);
-    const double height = std::max(style.top - gap, kLeastHeight * style.top);
+    const double height = std::max(style.top - gap, kMinHeight * style.top);
     source_->SetHeight(height / magnification);
     source_->Update();
     body_->ShallowCopy(source_->GetOutput());
@@ -123,7 +123,7 @@ void TipLayer::makeGlass(const Vector3& apex, double height, const TipStyle& sty
 
 void TipLayer::showDrop(const ContactShape& shape, const Vector3& apex) {
     const TipContact& contact = shape.contact();
-    if (-contact.indentation < kLeastDrop * contact.tipRadius) {
+    if (-contact.indentation < kMinDrop * contact.tipRadius) {
         drop_->VisibilityOff();
         return;
     }

@@ -20,7 +20,7 @@ struct Width {
 
 constexpr Width kPatch = {.ofTip = 2.0, .ofContact = 2.5};
 constexpr Width kUsual = {.ofTip = 2.4, .ofContact = 3.2};
-constexpr Width kLeast = {.ofTip = 1.25, .ofContact = 1.9};  // its patch still holds the contact
+constexpr Width kMin = {.ofTip = 1.25, .ofContact = 1.9};  // its patch still holds the contact
 
 }  // namespace
 
@@ -33,7 +33,7 @@ ViewScale viewScale(const Scene& scene) {
     const double given = scene.description.zoomHalfWidth;
     return {.patch = kPatch.of(tip, contact),
             .usual = given > 0.0 ? given : kUsual.of(tip, contact),
-            .least = kLeast.of(tip, contact)};
+            .least = kMin.of(tip, contact)};
 }
 
 double unloadedContactRadius(const ContactPair& pair) {

@@ -16,7 +16,7 @@ namespace asperity {
 namespace {
 
 // In half widths of the frame.
-constexpr double kMostPatchReach = 0.85;
+constexpr double kMaxPatchReach = 0.85;
 constexpr double kSlack = 0.35;        // how far the tip goes from the middle
 constexpr double kSlackInDrag = 0.85;  // the picture stays still under the pointer
 constexpr double kBlockDepth = 0.12;
@@ -102,7 +102,7 @@ void ZoomPicture::showTerrain(const ViewCamera& camera, TerrainDetail detail) {
 void ZoomPicture::follow(const Vector2& tip, double slack) {
     frame_->follow(tip, slack);
     const ScanWindow window = frame_->window();
-    const double reach = std::min(scale_.patch, kMostPatchReach * frame_->halfWidth());
+    const double reach = std::min(scale_.patch, kMaxPatchReach * frame_->halfWidth());
     const ScanWindow hole = windowAround(tip, reach, window);
     const double lap = kOverlap * frame_->halfWidth();  // patch and terrain join without a crack
     // Where the patch is cut off by the frame's edge, its middle is elsewhere and does not stray.

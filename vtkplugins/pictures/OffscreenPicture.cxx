@@ -24,15 +24,15 @@ namespace asperity {
 namespace {
 
 constexpr int kLayers = 4;  // paper, solid things, things that show through, painting
-constexpr int kSmallestSide = 64;
-constexpr int kLargestSide = 4096;
+constexpr int kMinSide = 64;
+constexpr int kMaxSide = 4096;
 
 void checkSize(PictureSize size) {
-    const auto good = [](int side) { return side >= kSmallestSide && side <= kLargestSide; };
+    const auto good = [](int side) { return side >= kMinSide && side <= kMaxSide; };
     if (!good(size.width) || !good(size.height)) {
         throw Error("A picture of " + std::to_string(size.width) + " x " +
                     std::to_string(size.height) + " pixels cannot be drawn: each side must be " +
-                    std::to_string(kSmallestSide) + " to " + std::to_string(kLargestSide) + ".");
+                    std::to_string(kMinSide) + " to " + std::to_string(kMaxSide) + ".");
     }
 }
 

@@ -26,7 +26,7 @@ namespace {
 
 const Vector3 kEye(-0.38, -0.78, 0.52);  // from the scan's middle
 
-constexpr int kMostSamples = 512;
+constexpr int kMaxSamples = 512;
 
 // Parts of the scan's longer side.
 constexpr double kShownRelief = 0.15;
@@ -58,8 +58,8 @@ OverviewScene::OverviewScene(OffscreenPicture& picture, const OverviewView& view
 
 void OverviewScene::addSurface() {
     const BSplineSurface& surface = data_.surface;
-    const GridSize size{std::clamp(surface.grid().columns, 2, kMostSamples),
-                        std::clamp(surface.grid().rows, 2, kMostSamples)};
+    const GridSize size{std::clamp(surface.grid().columns, 2, kMaxSamples),
+                        std::clamp(surface.grid().rows, 2, kMaxSamples)};
     vtkNew<vtkAspSurfaceSource> source;
     source->SetSurface(&surface);
     source->SetWindow(0.0, surface.sizeX(), 0.0, surface.sizeY());

@@ -15,7 +15,7 @@ namespace asperity {
 namespace {
 
 constexpr double kLineHeight = 1.35;   // of the font's size
-constexpr double kSmallestFont = 9.0;  // [pixel]
+constexpr double kMinFont = 9.0;  // [pixel]
 constexpr unsigned char kPlateOpacity = 215;
 
 }  // namespace
@@ -135,7 +135,7 @@ void Painter::paragraph(const PixelRect& area, const std::string& text, TextStyl
                });
     };
     std::vector<std::string> lines = wrapped(text, area.width, style);
-    while (!fits(lines) && style.size > kSmallestFont) {
+    while (!fits(lines) && style.size > kMinFont) {
         style.size -= 1.0;
         lines = wrapped(text, area.width, style);
     }

@@ -27,11 +27,11 @@ bool PixelBounds::within(const PixelWindow& window, int margin) const noexcept {
 }
 
 PixelWindow windowAround(const PixelBounds& bounds, int samples) noexcept {
-    constexpr int kLeastMargin = 2;
+    constexpr int kMinMargin = 2;
     constexpr int kMarginShare = 16;  // of the pixels across
     const int across =
         std::max(bounds.highRow - bounds.lowRow, bounds.highColumn - bounds.lowColumn) + 1;
-    const int margin = kLeastMargin + across / kMarginShare;
+    const int margin = kMinMargin + across / kMarginShare;
     const int size = std::min(fieldSize(across + 2 * margin), fieldSize(samples));
     const auto first = [&](int low, int high) {
         const int centerd = (low + high + 1 - size) / 2;

@@ -52,7 +52,7 @@ std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& p
                                             const ContactOptions& options) {
     const bool cohesive = traitsOf(law).table;
     if (options.solver != SolverTier::Table || !cohesive ||
-        pair.workOfAdhesion < kSmallestAdhesion) {
+        pair.workOfAdhesion < kMinAdhesion) {
         return nullptr;
     }
     constexpr double kRadiusRange = 10.0;
@@ -64,7 +64,7 @@ std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& p
     const double spread = std::cbrt(kRadiusRange);
     const double low = lambda / spread * (law == ContactLaw::Split ? kShareRange : 1.0);
     const double high = lambda * spread;
-    if (low < MaugisTableRange::kSmallestLambda || low > MaugisTableRange::kLargestLambda) {
+    if (low < MaugisTableRange::kMinLambda || low > MaugisTableRange::kMaxLambda) {
         return nullptr;
     }
     const double deepest =
@@ -103,7 +103,7 @@ ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
         return sudden(FilmLaw(pair, given.options.filmThickness, *given.film));
     }
     const MaugisSolver solver{given.options.solver, given.table.get()};
-    const bool adhesive = pair.workOfAdhesion >= kSmallestAdhesion;
+    const bool adhesive = pair.workOfAdhesion >= kMinAdhesion;
     if (given.law == ContactLaw::Sneddon || (isSphere(given.law) && !adhesive)) {
         return sudden(SneddonLaw(pair));
     }
@@ -134,7 +134,7 @@ ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
 ContactModel ContactModel::withTipRadius(double tipRadius) const noexcept {
     Checked given = given_;
     if (!std::isnan(tipRadius)) {
-        given.pair.tipRadius = std::clamp(tipRadius, kSmallestTipRadius, kLargestTipRadius);
+        given.pair.tipRadius = std::clamp(tipRadius, kMinTipRadius, kMaxTipRadius);
     }
     return ContactModel(given);
 }
@@ -206,7 +206,7 @@ double ContactModel::cohesiveStress() const noexcept {
 
 double ContactModel::cohesiveRange() const noexcept {
     const double work = given_.pair.workOfAdhesion;
-    if (work < kSmallestAdhesion) {
+    if (work < kMinAdhesion) {
         return 0.0;
     }
     const AdhesionSplit* shares = split();

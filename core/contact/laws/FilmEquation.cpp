@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kPanelNodes = 16;        // of the quadrature over wave numbers
 constexpr int kPanels = 16;            // equally wide
-constexpr double kLargestWave = 22.0;  // where L - 1 has fallen below rounding
+constexpr double kMaxWave = 22.0;  // where L - 1 has fallen below rounding
 constexpr int kNodes = 32;             // of the quadrature over the contact
 
 struct Quadrature {
@@ -85,7 +85,7 @@ FilmEquation::FilmEquation(const FilmElasticity& elasticity) {
     }
     const double kappa = 3.0 - (4.0 * elasticity.poissonRatio);
     const Quadrature rule = gaussRule(kPanelNodes);
-    constexpr double kWidth = kLargestWave / kPanels;
+    constexpr double kWidth = kMaxWave / kPanels;
     for (int panel = 0; panel < kPanels; ++panel) {
         for (int i = 0; i < kPanelNodes; ++i) {
             const double k = kWidth * (panel + rule.places(i));

@@ -21,13 +21,13 @@ void requireLever(double compliance) {
 }
 
 void requirePlan(const ForceCurvePlan& plan) {
-    constexpr int kMostPoints = 1'000'000;
+    constexpr int kMaxPoints = 1'000'000;
     const bool within = checkRequest(plan.farthest, 0.0) == ContactStatus::Solved &&
                         checkRequest(plan.deepest, 0.0) == ContactStatus::Solved;
     if (!within || !(plan.farthest < plan.deepest)) {
         throw Error("force curve: it must begin farther away than it ends, both within 1000 m");
     }
-    if (plan.points < 2 || plan.points > kMostPoints) {
+    if (plan.points < 2 || plan.points > kMaxPoints) {
         throw Error("force curve: expected 2 to 1000000 points along each way");
     }
 }

@@ -37,7 +37,7 @@ LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair,
         return {*wanted, "as asked for"};
     }
     requirePair(pair, pair.workOfAdhesion);  // any stress will do to look at the pair
-    if (pair.workOfAdhesion < kSmallestAdhesion) {
+    if (pair.workOfAdhesion < kMinAdhesion) {
         return filmThickness > 0.0 ? LawChoice{ContactLaw::HertzFilm, "auto: a film, no adhesion"}
                                    : LawChoice{ContactLaw::Hertz, "auto: no adhesion"};
     }

@@ -28,9 +28,9 @@ struct LawPoint {
 
 /// Slope of a curve from its rates; the largest double where the curve is vertical.
 [[nodiscard]] inline double curveStiffness(double forceRate, double indentationRate) noexcept {
-    constexpr double kLargest = std::numeric_limits<double>::max();
-    if (std::abs(indentationRate) <= std::abs(forceRate) / kLargest) {
-        return std::copysign(kLargest, forceRate);
+    constexpr double kMax = std::numeric_limits<double>::max();
+    if (std::abs(indentationRate) <= std::abs(forceRate) / kMax) {
+        return std::copysign(kMax, forceRate);
     }
     return forceRate / indentationRate;
 }

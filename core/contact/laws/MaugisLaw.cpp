@@ -7,10 +7,10 @@ namespace asperity {
 
 namespace {
 
-constexpr double kLargestLambda = 1e7;
+constexpr double kMaxLambda = 1e7;
 
 double creditedStress(const MaugisUnits& units, double stress) noexcept {
-    return stress * std::min(1.0, kLargestLambda / transitionParameter(units, stress));
+    return stress * std::min(1.0, kMaxLambda / transitionParameter(units, stress));
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ using Data = MaugisTableData;
 constexpr double kFarthest = 1e40;
 
 MaugisState stateOf(const MaugisPoint& point) noexcept {
-    constexpr double kSmallestRatio = 1e-100;
-    const bool atFold = point.indentationRate <= kSmallestRatio * std::abs(point.forceRate);
+    constexpr double kMinRatio = 1e-100;
+    const bool atFold = point.indentationRate <= kMinRatio * std::abs(point.forceRate);
     return {.indentation = point.indentation,
             .force = point.force,
             .stiffness = atFold ? std::numeric_limits<double>::lowest()

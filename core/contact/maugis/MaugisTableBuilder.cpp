@@ -18,8 +18,8 @@ constexpr double kSafety = 4.0;
 
 void check(const MaugisTableRange& range) {
     using Range = MaugisTableRange;
-    if (!isWithin(range.lambdaLow, Range::kSmallestLambda, Range::kLargestLambda) ||
-        !isWithin(range.lambdaHigh, range.lambdaLow, Range::kLargestSpan * range.lambdaLow)) {
+    if (!isWithin(range.lambdaLow, Range::kMinLambda, Range::kMaxLambda) ||
+        !isWithin(range.lambdaHigh, range.lambdaLow, Range::kMaxSpan * range.lambdaLow)) {
         throw Error("Contact table: expected transition parameters from 1e-4 to 1e4, the largest "
                     "at most 5 times the smallest");
     }

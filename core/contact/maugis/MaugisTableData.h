@@ -16,9 +16,9 @@ struct MaugisTableRange {
     double largestIndentation = 0.0;  ///< in the units of MaugisPoint
 
     // What a table can cover.
-    static constexpr double kSmallestLambda = 1e-4;
-    static constexpr double kLargestLambda = 1e4;
-    static constexpr double kLargestSpan = 5.0;  ///< of lambda
+    static constexpr double kMinLambda = 1e-4;
+    static constexpr double kMaxLambda = 1e4;
+    static constexpr double kMaxSpan = 5.0;  ///< of lambda
     static constexpr double kDeepest = 1e6;      ///< in the units of MaugisPoint
 };
 

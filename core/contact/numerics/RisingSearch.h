@@ -63,11 +63,11 @@ private:
         if (!(climbed > 0.0)) {
             return low_;
         }
-        constexpr double kLargestRatio = 1e12;
+        constexpr double kMaxRatio = 1e12;
         const double offset = here - origin_;
         const double ratio = (target_ - originValue_) / climbed;
         const double exponent = std::clamp(offset * rise.rate / climbed, 0.5, 8.0);
-        return origin_ + (offset * std::pow(std::min(ratio, kLargestRatio), 1.0 / exponent));
+        return origin_ + (offset * std::pow(std::min(ratio, kMaxRatio), 1.0 / exponent));
     }
 
     [[nodiscard]] double middle() const noexcept {

@@ -9,10 +9,10 @@ namespace asperity {
 namespace {
 
 constexpr double kSpare = 1.0;             // room for marks that come late [s]
-constexpr double kMostSamples = 110000.0;  // some 90 MB
+constexpr double kMaxSamples = 110000.0;  // some 90 MB
 
 std::size_t sampleRoom(double timeStep, double seconds) {
-    return static_cast<std::size_t>(std::min((seconds + kSpare) / timeStep, kMostSamples));
+    return static_cast<std::size_t>(std::min((seconds + kSpare) / timeStep, kMaxSamples));
 }
 
 std::size_t markRoom(double seconds) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStandardPosition = 1e-6;  // 1 mm : 1 nm
 constexpr double kStandardForce = 1e8;      // 1 N : 10 nN
-constexpr double kLeastForce = 1e5;         // 1 N : 10 uN: less, and nothing is felt
+constexpr double kMinForce = 1e5;         // 1 N : 10 uN: less, and nothing is felt
 constexpr double kForceStep = 0.8;
 
 // Above it an encoder's step of 30 um is more than 3 nm of the tip: such a gain is for hands in the
@@ -75,7 +75,7 @@ Settings CouplingKeeper::fitted(const Led& led, Settings knobs) const {
         return knobs;
     }
     knobs = withScale(knobs, {kStandardPosition, kStandardForce});
-    while (!couple(led, knobs).holds() && kForceStep * knobs.forceGain >= kLeastForce) {
+    while (!couple(led, knobs).holds() && kForceStep * knobs.forceGain >= kMinForce) {
         knobs.forceGain *= kForceStep;
     }
     return knobs;

@@ -10,10 +10,10 @@ namespace {
 /// Speed s of a proxy that is pushed along the surface: push = resistance s + friction s / sqrt(s^2
 /// + v0^2). The right side rises and bends down, so that Newton's steps from below stay below.
 double slidingSpeed(double push, double resistance, const ProxyLoad& load) {
-    constexpr int kMostSteps = 40;
+    constexpr int kMaxSteps = 40;
     constexpr double kAccuracy = 1e-12;
     double speed = std::max(0.0, push - load.friction) / resistance;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMaxSteps; ++i) {
         const double total = std::hypot(speed, load.restSpeed);
         const double rest = push - resistance * speed - load.friction * (speed / total);
         const double fading = load.restSpeed / total;

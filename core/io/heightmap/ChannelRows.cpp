@@ -15,21 +15,21 @@ namespace {
 constexpr double kHighest = 1e3;           // of a height [m]
 constexpr double kWidest = 1e3;            // of an image [m]
 constexpr double kNarrowestPixel = 1e-15;  // [m]
-constexpr double kSmallest = std::numeric_limits<float>::min();
+constexpr double kMin = std::numeric_limits<float>::min();
 
 /// What the bits of a row's values say, without a comparison that raises a flag, and without a
 /// branch: the order of the bits is that of the magnitudes, and what is larger than a limit carries
 /// into the sign's place.
 struct RowBits {
     bool allWithin = false;  ///< all are numbers up to the limit
-    bool hasSize = false;    ///< one is at least kSmallest; only where all are within
+    bool hasSize = false;    ///< one is at least kMin; only where all are within
 };
 
 /// Turns stored numbers into values and looks at them, in one pass.
 RowBits scale(double* values, int count, double factor, double limit) {
     constexpr std::uint64_t kMagnitude = 0x7fffffffffffffffU;
     constexpr std::uint64_t kRoomBelowSmallest =
-        kMagnitude + 1U - std::bit_cast<std::uint64_t>(kSmallest);
+        kMagnitude + 1U - std::bit_cast<std::uint64_t>(kMin);
     const std::uint64_t room = kMagnitude - std::bit_cast<std::uint64_t>(limit);
     std::uint64_t beyond = 0;
     std::uint64_t sized = 0;
@@ -101,7 +101,7 @@ bool ChannelRows::read(int row, RowRoom& room, double* values) {
     stored_.readRow(row, room, numbers.data());
     requireWithin(row, values, numbers.data());
     const auto isSized = [](double value) {
-        return isFiniteHeight(value) && std::abs(value) >= kSmallest;
+        return isFiniteHeight(value) && std::abs(value) >= kMin;
     };
     if (std::any_of(values, values + columns, isSized)) {
         set(hasSize_);

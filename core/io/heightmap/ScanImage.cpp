@@ -11,17 +11,17 @@ namespace asperity {
 
 namespace {
 
-constexpr long long kLargestSide = 65536;
+constexpr long long kMaxSide = 65536;
 
 }  // namespace
 
 ImageSize checkedImageSize(long long columns, long long rows, const std::string& file,
                            const std::string& place) {
-    const bool good = columns >= 1 && rows >= 1 && columns <= kLargestSide && rows <= kLargestSide;
+    const bool good = columns >= 1 && rows >= 1 && columns <= kMaxSide && rows <= kMaxSide;
     if (!good) {
         throw InputError(file, place,
                          "found " + std::to_string(columns) + " x " + std::to_string(rows) +
-                             " pixels; 1 to " + std::to_string(kLargestSide) +
+                             " pixels; 1 to " + std::to_string(kMaxSide) +
                              " a side are expected");
     }
     return {static_cast<int>(columns), static_cast<int>(rows)};

@@ -24,8 +24,8 @@ void requireUsable(const TipContact& contact, const PatchGrid& grid) {
         throw Error("the tip radius must be positive and the contact radius not negative");
     }
     if (!std::isfinite(grid.halfWidth) || grid.halfWidth <= 0.0 || grid.samples < 2 ||
-        grid.samples > kMostPatchSamples) {
-        throw Error("a patch needs a positive width and 2 to " + std::to_string(kMostPatchSamples) +
+        grid.samples > kMaxPatchSamples) {
+        throw Error("a patch needs a positive width and 2 to " + std::to_string(kMaxPatchSamples) +
                     " samples a side");
     }
 }

@@ -58,7 +58,7 @@ struct PatchGrid {
 /// HalfSpace, which where it is solved has a field of its own; the other tiers do not use it.
 /// Source: Vogl, Ma, Sitti (2005), section III; docs/theory.md 4.
 /// @throw Error when the contact is not finite, a size is not positive, the grid has fewer than 2
-///        or more than kMostPatchSamples samples a side, or ClosedForm is given no displacement
+///        or more than kMaxPatchSamples samples a side, or ClosedForm is given no displacement
 [[nodiscard]] SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
                                          const PatchGrid& grid, DeformationTier tier,
                                          const RadialDisplacement& displacement = {});
@@ -67,6 +67,6 @@ struct PatchGrid {
 [[nodiscard]] SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
                                          const PatchGrid& grid, const DisplacementField& field);
 
-inline constexpr int kMostPatchSamples = 2048;
+inline constexpr int kMaxPatchSamples = 2048;
 
 }  // namespace asperity

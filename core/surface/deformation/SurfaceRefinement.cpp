@@ -84,7 +84,7 @@ SplinePatch withRowsCropped(SplinePatch patch, double low, double high) {
 }
 
 SplinePatch withRowsRefined(SplinePatch patch, std::pair<double, double> range, double spacing) {
-    while (patch.y.spacing > spacing && countAfterHalving(patch.y, patch.x) <= kMostPatchControls) {
+    while (patch.y.spacing > spacing && countAfterHalving(patch.y, patch.x) <= kMaxPatchControls) {
         patch = withRowsCropped(withRowsHalved(patch), range.first, range.second);
     }
     return patch;
@@ -105,7 +105,7 @@ SplinePatch netOf(const BSplineSurface& surface, const Box& window) {
                       .y = axisOver(window.low.y(), window.high.y(), grid.pitchY),
                       .controls = {}};
     const std::size_t count = patch.index(patch.y.count, 0);
-    if (count > kMostPatchControls) {
+    if (count > kMaxPatchControls) {
         throw Error("the window to be refined holds too many pixels of the scan");
     }
     patch.controls.reserve(count);

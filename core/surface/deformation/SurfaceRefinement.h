@@ -41,14 +41,14 @@ struct SplinePatch {
 
 /// A patch never holds more control points than this; where the wanted spacing would need more,
 /// refinement stops one halving earlier.
-inline constexpr std::size_t kMostPatchControls = std::size_t{1} << 20U;
+inline constexpr std::size_t kMaxPatchControls = std::size_t{1} << 20U;
 
 /// The part of the surface over `window`, by exact knot insertion: the same surface on a control
 /// net whose spacing is halved along each axis until it is at most `spacing` [m] (or
-/// kMostPatchControls is reached: the patch's axes tell the spacing it has).
+/// kMaxPatchControls is reached: the patch's axes tell the spacing it has).
 /// The patch covers the whole window as far as that lies in the scan, and up to a cell around it.
 /// @throw Error when the spacing is not positive, the window is not finite, or the window holds
-///        more than kMostPatchControls control points as it is
+///        more than kMaxPatchControls control points as it is
 [[nodiscard]] SplinePatch refined(const BSplineSurface& surface, const Box& window, double spacing);
 
 }  // namespace asperity

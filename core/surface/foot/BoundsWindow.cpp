@@ -63,8 +63,8 @@ struct CodedRows {
 
 /// Squared distances of blocks from the query along the two axes [m^2].
 struct AxisDistances {
-    std::array<float, BoundsWindow::kMostBlocks> x{};
-    std::array<float, BoundsWindow::kMostBlocks> y{};
+    std::array<float, BoundsWindow::kMaxBlocks> x{};
+    std::array<float, BoundsWindow::kMaxBlocks> y{};
 };
 
 /// Where the bounds of a window's blocks go.
@@ -98,12 +98,12 @@ ASPERITY_WITH_AVX2 void boundRows(const CodedRows& coded, const RowQuery& query,
                                      decodedShorts(code & BoxCode::kByte);
             const Float8 bend = (1.0F - kRelativeRounding) - concavity * (depth + query.ball);
             const Float8 known = below >= query.ball ? bend : Float8{} + kBendsDown;
-            const int to = row * BoundsWindow::kMostBlocks + i;
+            const int to = row * BoundsWindow::kMaxBlocks + i;
             std::memcpy(window.nearest + to, &nearest, sizeof nearest);
             std::memcpy(window.bend + to, &known, sizeof known);
             reaching |= bitsOf(nearest <= query.limit) << static_cast<unsigned>(i);
         }
-        const auto beyond = static_cast<unsigned>(BoundsWindow::kMostBlocks - coded.columns);
+        const auto beyond = static_cast<unsigned>(BoundsWindow::kMaxBlocks - coded.columns);
         window.reaching[row] = reaching & (~std::uint32_t{0} >> beyond);
     }
 }
@@ -112,7 +112,7 @@ ASPERITY_WITH_AVX2 void boundRows(const CodedRows& coded, const RowQuery& query,
 
 BoundsWindow::BoundsWindow(const BSplineSurface& surface, const Vector3& query, double distance,
                            double ball) noexcept {
-    const auto fits = [](const BlockRun& run) { return run.count <= kMostBlocks; };
+    const auto fits = [](const BlockRun& run) { return run.count <= kMaxBlocks; };
     for (;; ++level_) {
         x_ = blocksAlongX(surface, level_);
         y_ = blocksAlongY(surface, level_);
@@ -172,7 +172,7 @@ int BoundsWindow::widestOffset(int row, int column) const noexcept {
     for (int i = 0; i < rows_.count; ++i) {
         if (const std::uint32_t blocks = reaching(i); blocks != 0) {
             const int first = std::countr_zero(blocks);
-            const int last = kMostBlocks - 1 - std::countl_zero(blocks);
+            const int last = kMaxBlocks - 1 - std::countl_zero(blocks);
             widest = std::max({widest, std::abs(i - row), column - first, last - column});
         }
     }
@@ -187,7 +187,7 @@ int BoundsWindow::settledAround(int row, int column) const noexcept {
     const int widest = widestOffset(row, column);
     // Least bend of all blocks at the same offset from the foot's block. On the way to a block at
     // offset k the slope of the squared distance, zero at the foot, grows by these.
-    std::array<float, kMostBlocks + 1> least;
+    std::array<float, kMaxBlocks + 1> least;
     std::fill_n(least.begin(), widest + 2, 1.0F);
     for (int i = std::max(0, row - widest); i <= std::min(rows_.count - 1, row + widest); ++i) {
         const int offset = std::abs(i - row);
@@ -205,7 +205,7 @@ int BoundsWindow::settledAround(int row, int column) const noexcept {
         }
         slope += std::min(here, least[static_cast<std::size_t>(k) + 1]);
     }
-    return kMostBlocks;
+    return kMaxBlocks;
 }
 
 }  // namespace asperity

@@ -19,7 +19,7 @@ struct WindowBlocks {
 /// the squared distance from it is from having a second minimum there. Allocation-free.
 class BoundsWindow {
 public:
-    static constexpr int kMostBlocks = 32;  ///< along an axis
+    static constexpr int kMaxBlocks = 32;  ///< along an axis
 
     /// @param distance blocks that cannot hold a point within it are left out [m]
     /// @param ball what is settled is so for all queries within this distance of `query` [m]
@@ -49,10 +49,10 @@ public:
     [[nodiscard]] WindowBlocks blocksAround(double x, double y, double reach) const noexcept;
 
 private:
-    static constexpr std::size_t kMostWindow = std::size_t{kMostBlocks} * kMostBlocks;
+    static constexpr std::size_t kMaxWindow = std::size_t{kMaxBlocks} * kMaxBlocks;
 
     [[nodiscard]] static std::size_t index(int row, int column) noexcept {
-        return static_cast<std::size_t>(row) * kMostBlocks + static_cast<std::size_t>(column);
+        return static_cast<std::size_t>(row) * kMaxBlocks + static_cast<std::size_t>(column);
     }
     [[nodiscard]] float squaredWithRounding(double distance) const noexcept;
     [[nodiscard]] int widestOffset(int row, int column) const noexcept;
@@ -63,11 +63,11 @@ private:
     BlockRun rows_;
     BlockRun columns_;
     double rounding_ = 0.0;                            ///< of a height difference [m]
-    std::array<std::uint32_t, kMostBlocks> reaching_;  ///< of each row
-    std::array<float, kMostWindow> nearest_;           ///< squared distance, at least [m^2]
+    std::array<std::uint32_t, kMaxBlocks> reaching_;  ///< of each row
+    std::array<float, kMaxWindow> nearest_;           ///< squared distance, at least [m^2]
     /// The squared distance along a straight line through the block bends up at least so much, as a
     /// share of that from a level plane; 1 or less, < 0: it may bend down.
-    std::array<float, kMostWindow> bend_;
+    std::array<float, kMaxWindow> bend_;
 };
 
 }  // namespace asperity

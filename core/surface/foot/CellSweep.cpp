@@ -5,14 +5,14 @@
 namespace asperity {
 
 bool CellSweep::settle(const WindowBlocks& blocks) noexcept {
-    int around = BoundsWindow::kMostBlocks;
+    int around = BoundsWindow::kMaxBlocks;
     for (int row = blocks.rows.first; row < blocks.rows.end(); ++row) {
         for (int column = blocks.columns.first; column < blocks.columns.end(); ++column) {
             around = std::min(around, window_.settledAround(row, column));
         }
     }
     settled_.push_back({blocks, around});
-    return around == BoundsWindow::kMostBlocks;
+    return around == BoundsWindow::kMaxBlocks;
 }
 
 bool CellSweep::isSettled(int row, int column) const noexcept {

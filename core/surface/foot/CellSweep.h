@@ -87,7 +87,7 @@ private:
     Vector3 query_;
     BoundsWindow window_;
     /// Around each foot, and once more around the nearest, for a ball.
-    boost::container::static_vector<Settled, kMostMinima + 1> settled_;
+    boost::container::static_vector<Settled, kMaxMinima + 1> settled_;
 };
 
 }  // namespace asperity

@@ -15,7 +15,7 @@ void FootList::add(const SurfaceFoot& foot, double sameWithin) noexcept {
     const auto place = std::ranges::find_if(feet_, [&](const SurfaceFoot& known) {
         return std::abs(foot.distance) < std::abs(known.distance);
     });
-    if (feet_.size() < kMostMinima) {
+    if (feet_.size() < kMaxMinima) {
         feet_.insert(place, foot);
         return;
     }

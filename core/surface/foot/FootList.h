@@ -10,9 +10,9 @@ namespace asperity {
 
 /// More minima of the distance than these are not kept apart: several may stand so near to each
 /// other that they are one foot.
-inline constexpr std::size_t kMostMinima = 12;
+inline constexpr std::size_t kMaxMinima = 12;
 
-/// Minima of the distance of one query, the nearest first; where there are more than kMostMinima,
+/// Minima of the distance of one query, the nearest first; where there are more than kMaxMinima,
 /// the nearest of them.
 class FootList {
 public:
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] bool hasLeftOut() const noexcept { return hasLeftOut_; }
 
 private:
-    boost::container::static_vector<SurfaceFoot, kMostMinima> feet_;
+    boost::container::static_vector<SurfaceFoot, kMaxMinima> feet_;
     bool hasLeftOut_ = false;
 };
 

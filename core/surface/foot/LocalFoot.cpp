@@ -39,7 +39,7 @@ void moveSample(HeightSample& s, const Vector2& step) {
 /// whether it ended there. The place of `minimum` is the start.
 bool dash(const HalfSquaredDistance& objective, const BSplineSurface& surface,
           BoxMinimum& minimum) {
-    constexpr int kMostSteps = 6;
+    constexpr int kMaxSteps = 6;
     constexpr double kCloser = 0.25;  // by which each gradient must beat the last, squared
     // After a step this short the surface's second order says as much as another look: the third
     // changes the gradient by less than rounding does. [pixel]
@@ -48,7 +48,7 @@ bool dash(const HalfSquaredDistance& objective, const BSplineSurface& surface,
     const double lastStep = kLastStep * std::min(grid.pitchX, grid.pitchY);
     const double longestStep = std::max(grid.pitchX, grid.pitchY);
     double last = std::numeric_limits<double>::max();
-    for (minimum.iterations = 1; minimum.iterations <= kMostSteps; ++minimum.iterations) {
+    for (minimum.iterations = 1; minimum.iterations <= kMaxSteps; ++minimum.iterations) {
         objective.expand(minimum.place, minimum.model);
         const Matrix2& h = minimum.model.hessian;
         const Vector2& g = minimum.model.gradient;

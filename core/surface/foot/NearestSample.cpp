@@ -12,7 +12,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostToASide = 15;  // pixels
+constexpr int kMaxToASide = 15;  // pixels
 constexpr int kLanes = 8;
 using Float8 [[gnu::vector_size(32)]] = float;
 using Int8 [[gnu::vector_size(32)]] = int;
@@ -31,7 +31,7 @@ struct PixelRun {
 
 /// @param place of the query, in pixels from the first pixel's center
 PixelRun pixelsAround(double place, double reach, int pixels) {
-    const double toASide = std::min(reach, kMostToASide + 0.0);
+    const double toASide = std::min(reach, kMaxToASide + 0.0);
     // Far outside the scan no pixel is near; a place too far for an int is one of them.
     const double low = std::max(place - toASide, 0.0);
     const double high = std::min(place + toASide, pixels - 1.0);

@@ -64,8 +64,8 @@ ASPERITY_INLINE Range4 squared(Double4 center, Double4 spread) {
 ASPERITY_INLINE Double4 leastOnAxis(Double4 slope, Double4 bend, Double4 half) {
     const Double4 steep = magnitude(slope);
     const Double4 atSide = half * (0.5 * bend * half - steep);
-    constexpr double kSmallest = 1e-300;
-    const Double4 inside = -0.5 * steep * steep / most(bend, Double4{} + kSmallest);
+    constexpr double kMin = 1e-300;
+    const Double4 inside = -0.5 * steep * steep / most(bend, Double4{} + kMin);
     return steep >= bend * half ? atSide : inside;
 }
 

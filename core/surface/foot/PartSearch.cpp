@@ -10,9 +10,9 @@ namespace asperity {
 namespace {
 
 /// Parts of cells that are looked into before a search gives up.
-constexpr int kMostParts = 2048;
+constexpr int kMaxParts = 2048;
 /// A part of a cell smaller than this says no more than rounding does [pixel].
-constexpr double kSmallestPart = 0x1p-14;
+constexpr double kMinPart = 0x1p-14;
 /// Half the size below which a part that holds one minimum at most is searched for it; quartering
 /// a larger one mostly shows sooner that it holds none [pixel].
 constexpr double kWorthASearch = 0.2;
@@ -55,7 +55,7 @@ bool PartSearch::mayLook() noexcept {
 }
 
 bool PartSearch::hasGivenUp() noexcept {
-    const bool givenUp = looks_ > kMostParts || evaluations_ >= kMostEvaluations;
+    const bool givenUp = looks_ > kMaxParts || evaluations_ >= kMaxEvaluations;
     complete_ = complete_ && !givenUp;
     return givenUp;
 }
@@ -97,7 +97,7 @@ unsigned PartSearch::unclearIn(const PartBatch& batch, unsigned lanes) {
         const double size = part.half.cwiseQuotient(pitch_).maxCoeff();
         if (oneAtMost && size < kWorthASearch) {
             findIn(part, box);
-        } else if (size < 0.5 * kSmallestPart) {
+        } else if (size < 0.5 * kMinPart) {
             complete_ = false;
         } else {
             unclear |= left & -left;

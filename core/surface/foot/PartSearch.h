@@ -22,7 +22,7 @@ namespace asperity {
 class PartSearch {
 public:
     /// Looks at the surface that its descents may take before it gives up, but for the last one's.
-    static constexpr int kMostEvaluations = 4096;
+    static constexpr int kMaxEvaluations = 4096;
 
     /// @param feet holds at least one local foot; those found are added
     PartSearch(const BSplineSurface& surface, const Vector3& query, const FootReach& reach,

@@ -55,7 +55,7 @@ inline constexpr auto kEnumTable<FootEffort> =
 }
 
 /// More places than these do not touch a sphere at once on any real scan.
-inline constexpr std::size_t kMostFeet = 4;
+inline constexpr std::size_t kMaxFeet = 4;
 
 /// Two distances nearer to each other than this are the same [relative].
 inline constexpr double kSameDistance = 1e-9;

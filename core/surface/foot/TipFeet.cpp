@@ -58,9 +58,9 @@ TipFeet feetOf(const BSplineSurface& surface, const TipSphere& tip, double reach
     feet.proof = complete({.farthest = within, .behindNearest = kBehindNearest}, minima);
     const double nearest = std::abs(minima.all().front().distance);
     feet.list = bearing(minima, same, std::min(within, nearest + kBehindNearest));
-    if (minima.hasLeftOut() || feet.list.all().size() > kMostFeet) {
+    if (minima.hasLeftOut() || feet.list.all().size() > kMaxFeet) {
         feet.proof = FootProof::ManyFeet;
-        feet.list.keepNearest(kMostFeet);
+        feet.list.keepNearest(kMaxFeet);
     }
     if (nearest > within && feet.proof == FootProof::Nearest) {
         feet.proof = FootProof::OutOfReach;

@@ -6,7 +6,7 @@ namespace asperity {
 
 namespace {
 
-using Along = std::array<double, BezierNet::kMostAlong>;
+using Along = std::array<double, BezierNet::kMaxAlong>;
 
 /// Bernstein polynomials of one degree and their first two derivatives.
 struct BernsteinBasis {
@@ -69,7 +69,7 @@ ParametricSample divided(const HomogeneousPoint& a, const std::array<Homogeneous
 /// Cuts one row of control points at its middle by de Casteljau's rule; `stride` apart.
 void halve(const HomogeneousPoint* from, int degree, std::size_t stride, HomogeneousPoint* low,
            HomogeneousPoint* high) {
-    std::array<HomogeneousPoint, BezierNet::kMostAlong> row;
+    std::array<HomogeneousPoint, BezierNet::kMaxAlong> row;
     for (int i = 0; i <= degree; ++i) {
         row[i] = from[i * stride];
     }
@@ -137,7 +137,7 @@ BezierHalves halvedAlongV(const BezierNet& net) noexcept {
     halves.low.degreeU = halves.high.degreeU = net.degreeU;
     halves.low.degreeV = halves.high.degreeV = net.degreeV;
     for (int i = 0; i <= net.degreeU; ++i) {
-        halve(&net.at(i, 0), net.degreeV, BezierNet::kMostAlong, &halves.low.at(i, 0),
+        halve(&net.at(i, 0), net.degreeV, BezierNet::kMaxAlong, &halves.low.at(i, 0),
               &halves.high.at(i, 0));
     }
     return halves;

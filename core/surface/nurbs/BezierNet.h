@@ -10,7 +10,7 @@
 namespace asperity {
 
 /// No spline of a higher degree is accepted.
-inline constexpr int kMostDegree = 5;
+inline constexpr int kMaxDegree = 5;
 
 /// (w x, w y, w z, w) of a control point (x, y, z) [m] with the weight w > 0.
 using HomogeneousPoint = Eigen::Vector4d;
@@ -27,15 +27,15 @@ struct ParametricSample {
 
 /// The control net of one rational Bezier patch. Both its parameters go from 0 to 1.
 struct BezierNet {
-    static constexpr std::size_t kMostAlong = kMostDegree + 1;
-    static constexpr std::size_t kMostPoints = kMostAlong * kMostAlong;
+    static constexpr std::size_t kMaxAlong = kMaxDegree + 1;
+    static constexpr std::size_t kMaxPoints = kMaxAlong * kMaxAlong;
 
     int degreeU = 1;
     int degreeV = 1;
-    std::array<HomogeneousPoint, kMostPoints> points;
+    std::array<HomogeneousPoint, kMaxPoints> points;
 
     [[nodiscard]] static constexpr std::size_t index(int i, int j) {
-        return static_cast<std::size_t>(j) * kMostAlong + static_cast<std::size_t>(i);
+        return static_cast<std::size_t>(j) * kMaxAlong + static_cast<std::size_t>(i);
     }
     [[nodiscard]] const HomogeneousPoint& at(int i, int j) const { return points[index(i, j)]; }
     [[nodiscard]] HomogeneousPoint& at(int i, int j) { return points[index(i, j)]; }

@@ -34,8 +34,8 @@ struct KnotAxis {
 
 void check(const KnotAxis& axis, const std::string& name) {
     const std::string knots = "must have knots along " + name + " that ";
-    require(axis.degree >= 1 && axis.degree <= kMostDegree,
-            "must have a degree from 1 to " + std::to_string(kMostDegree) + " along " + name);
+    require(axis.degree >= 1 && axis.degree <= kMaxDegree,
+            "must have a degree from 1 to " + std::to_string(kMaxDegree) + " along " + name);
     require(axis.controls() > axis.degree, knots + "are at least twice the degree and two");
     require(std::all_of(axis.knots.begin(), axis.knots.end(), isFinite),
             knots + "are finite numbers");
@@ -94,7 +94,7 @@ std::vector<double> breaksOf(const KnotAxis& axis) {
     return breaks;
 }
 
-using Row = std::array<HomogeneousPoint, BezierNet::kMostAlong>;
+using Row = std::array<HomogeneousPoint, BezierNet::kMaxAlong>;
 
 /// The blossom of the spline in one span, `highs` of its arguments the span's end, the others its
 /// start: the Bezier control point number `highs`. Source: The NURBS Book, 5.3 (there by inserting

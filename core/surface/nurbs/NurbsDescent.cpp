@@ -11,10 +11,10 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kEscapeStep = 0.05;  // off a saddle, of the parameters' range
 constexpr double kOnEdge = 1e-9;      // of the width of a box
-constexpr int kMostLegs = 3;          // of a way across seams and poles
+constexpr int kMaxLegs = 3;          // of a way across seams and poles
 constexpr int kMeridians = 16;
 constexpr double kBesidePole = 1e-7;  // of the parameter's range
-constexpr int kMostMeridianSteps = 20;
+constexpr int kMaxMeridianSteps = 20;
 constexpr int kMeridianHalvings = 22;  // down to 1e-8 of the parameter's range
 
 const Box kWhole{.low = Vector2::Zero(), .high = Vector2::Ones()};
@@ -96,7 +96,7 @@ NurbsMinimum NurbsDescent::within(int patch, const Box& box, const Vector2& star
 
 NurbsMinimum NurbsDescent::from(const Vector2& start) const noexcept {
     NurbsMinimum state = within(-1, kWhole, start);
-    for (int leg = 0; leg < kMostLegs && crossSeam(state); ++leg) {
+    for (int leg = 0; leg < kMaxLegs && crossSeam(state); ++leg) {
     }
     leavePole(state);
     return state;
@@ -172,7 +172,7 @@ NurbsMinimum NurbsDescent::downMeridian(int edge, double along) const noexcept {
     state.place[axis] = placeAcross(edge);
     state.place[1 - axis] = along;
     LocalModel model = objective(state.place);
-    for (int i = 0; i < kMostMeridianSteps && !state.converged; ++i) {
+    for (int i = 0; i < kMaxMeridianSteps && !state.converged; ++i) {
         const double bend = std::max(model.hessian(axis, axis), 0.5 * model.convex(axis, axis));
         state.place[axis] = std::clamp(state.place[axis] - model.gradient[axis] / bend, 0.0, 1.0);
         model = objective(state.place);

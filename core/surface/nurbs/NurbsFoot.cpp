@@ -12,14 +12,14 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostPieces = 2048;          // looked at for the proof: a millisecond or so
+constexpr int kMaxPieces = 2048;          // looked at for the proof: a millisecond or so
 constexpr int kMorePieces = 256;           // looked at for other feet
-constexpr std::size_t kMostWaiting = 112;  // pieces: two for each time that a patch can be halved
-constexpr std::size_t kMostBoxes = 128;
+constexpr std::size_t kMaxWaiting = 112;  // pieces: two for each time that a patch can be halved
+constexpr std::size_t kMaxBoxes = 128;
 /// How much nearer another place may be unnoticed, in roundings of a place in space.
 constexpr double kCertainNoise = 256.0;
 /// A piece this small, in parameters, cannot be cut.
-constexpr double kSmallestPiece = 1e-15;
+constexpr double kMinPiece = 1e-15;
 
 double square(double x) { return x * x; }
 
@@ -187,7 +187,7 @@ private:
         return asNear && a.converged != b.converged ? a.converged : a.distance < b.distance;
     }
 
-    [[nodiscard]] std::size_t wanted() const { return wish_.within > 0.0 ? kMostFeet : 1; }
+    [[nodiscard]] std::size_t wanted() const { return wish_.within > 0.0 ? kMaxFeet : 1; }
 
     void sort() {
         std::sort(
@@ -198,7 +198,7 @@ private:
     /// Whether all that could hold a point of interest was looked through.
     bool searchBoxes() {
         const auto boxes = surface_.boxes();
-        boost::container::static_vector<int, kMostBoxes> waiting;
+        boost::container::static_vector<int, kMaxBoxes> waiting;
         waiting.push_back(static_cast<int>(boxes.size()) - 1);
         while (!waiting.empty()) {
             const PatchBox& box = boxes[static_cast<std::size_t>(waiting.back())];
@@ -223,7 +223,7 @@ private:
 
     bool searchPatch(int index) {
         const NurbsPatch& patch = surface_.patches()[static_cast<std::size_t>(index)];
-        boost::container::static_vector<Piece, kMostWaiting> waiting;
+        boost::container::static_vector<Piece, kMaxWaiting> waiting;
         waiting.push_back({.net = patch.net.seenFrom(query_), .box = boxOf(patch), .patch = index});
         while (!waiting.empty()) {
             const Piece piece = waiting.back();
@@ -231,8 +231,8 @@ private:
             if (isSettled(piece)) {
                 continue;
             }
-            const bool canBeCut = piece.width().maxCoeff() > kSmallestPiece;
-            if (!canBeCut || feet_.pieces_ >= mostPieces_ || waiting.size() + 2 > kMostWaiting) {
+            const bool canBeCut = piece.width().maxCoeff() > kMinPiece;
+            if (!canBeCut || feet_.pieces_ >= mostPieces_ || waiting.size() + 2 > kMaxWaiting) {
                 return false;
             }
             cut(piece, waiting);
@@ -245,7 +245,7 @@ private:
         const Vector2 extent = extentOf(piece.net);
         const Vector2 width = piece.width();
         // An extent of 0 has nothing to be cut, however wide it is in parameters.
-        const int axis = extent[0] > extent[1] && width[0] > kSmallestPiece ? 0 : 1;
+        const int axis = extent[0] > extent[1] && width[0] > kMinPiece ? 0 : 1;
         const BezierHalves halves = axis == 0 ? halvedAlongU(piece.net) : halvedAlongV(piece.net);
         Box low = piece.box;
         Box high = piece.box;
@@ -350,8 +350,8 @@ private:
     NurbsDescent descent_;
     double certain_;       ///< [m]
     double within_ = 0.0;  ///< what is farther than this and than the best foot is out [m]
-    int mostPieces_ = kMostPieces;
-    std::array<NurbsMinimum, kMostFeet> minima_{};
+    int mostPieces_ = kMaxPieces;
+    std::array<NurbsMinimum, kMaxFeet> minima_{};
     std::size_t count_ = 0;
     bool hasLeftOut_ = false;  ///< a foot within the wish had no room
     int iterations_ = 0;

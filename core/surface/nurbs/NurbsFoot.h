@@ -32,7 +32,7 @@ public:
 private:
     friend class NurbsFootSearch;
 
-    std::array<NurbsFoot, kMostFeet> feet_{};
+    std::array<NurbsFoot, kMaxFeet> feet_{};
     std::size_t count_ = 0;
     FootProof proof_ = FootProof::NotSought;
     int pieces_ = 0;

@@ -87,7 +87,7 @@ void NurbsSurface::findClosedEdges() {
     for (int edge = kLowU; edge <= kHighV; ++edge) {
         const std::vector<double>& breaks = isAlongU(edge) ? breaksU_ : breaksV_;
         for (std::size_t span = 0; span + 1 < breaks.size(); ++span) {
-            constexpr int kPlaces = 2 * kMostDegree + 1;
+            constexpr int kPlaces = 2 * kMaxDegree + 1;
             for (int i = 0; i <= kPlaces; ++i) {
                 const double along =
                     std::lerp(breaks[span], breaks[span + 1], static_cast<double>(i) / kPlaces);

@@ -46,7 +46,7 @@ public:
         std::vector<double> weights;  ///< one a control point, > 0; empty: all 1
     };
 
-    /// @throw Error when a degree is not 1 to kMostDegree, the knots fall, a knot inside is
+    /// @throw Error when a degree is not 1 to kMaxDegree, the knots fall, a knot inside is
     ///        repeated more often than the degree, a size does not match, a number is not finite or
     ///        beyond kFarthestPoint, or the weights are not within kWeightRatio of each other
     explicit NurbsSurface(const Net& net);

@@ -8,12 +8,12 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMost = 2 * kMostDegree;
-using Binomials = std::array<std::array<double, kMost + 1>, kMost + 1>;
+constexpr int kMax = 2 * kMaxDegree;
+using Binomials = std::array<std::array<double, kMax + 1>, kMax + 1>;
 
 constexpr Binomials kBinomials = [] {
     Binomials table{};
-    for (std::size_t n = 0; n <= kMost; ++n) {
+    for (std::size_t n = 0; n <= kMax; ++n) {
         table[n][0] = 1.0;
         for (std::size_t k = 1; k <= n; ++k) {
             table[n][k] = table[n - 1][k - 1] + (k < n ? table[n - 1][k] : 0.0);
@@ -43,7 +43,7 @@ SquaredDistanceNet::SquaredDistanceNet(const BezierNet& net, double placeNoise) 
     double greatest = 0.0;  // the farthest control point tells how large the products are
     double greatestWeight = 0.0;
     // The product of two Bernstein polynomials, the binomial factors taken out.
-    std::array<HomogeneousPoint, BezierNet::kMostPoints> scaled;
+    std::array<HomogeneousPoint, BezierNet::kMaxPoints> scaled;
     for (int j = 0; j <= net.degreeV; ++j) {
         for (int i = 0; i <= net.degreeU; ++i) {
             greatest = std::max(greatest, net.at(i, j).head<3>().squaredNorm());

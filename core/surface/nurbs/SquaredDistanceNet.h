@@ -26,7 +26,7 @@ public:
     [[nodiscard]] bool isConvex(double square, double slack) const noexcept;
 
 private:
-    static constexpr std::size_t kAlong = 2 * kMostDegree + 1;
+    static constexpr std::size_t kAlong = 2 * kMaxDegree + 1;
     using Coefficients = std::array<double, kAlong * kAlong>;
 
     [[nodiscard]] static constexpr std::size_t index(int i, int j) {

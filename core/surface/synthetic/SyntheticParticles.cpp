@@ -11,10 +11,10 @@ namespace asperity {
 namespace {
 
 /// How often a radius or a place is drawn before giving up.
-constexpr int kMostDraws = 10000;
+constexpr int kMaxDraws = 10000;
 
 double drawRadius(const Nanoparticles::Recipe& recipe, Random& random) {
-    for (int draw = 0; draw < kMostDraws; ++draw) {
+    for (int draw = 0; draw < kMaxDraws; ++draw) {
         const double radius = recipe.medianRadius * std::exp(recipe.spread * random.normal());
         if (radius >= recipe.smallest && radius <= recipe.largest) {
             return radius;
@@ -35,7 +35,7 @@ Nanoparticles::Nanoparticles(const Recipe& recipe, const ScanSize& size) : recip
         Particle particle{.radius = drawRadius(recipe, random)};
         const double margin = outlineRadius(particle.radius) + recipe.clearance;
         bool placed = false;
-        for (int draw = 0; draw < kMostDraws && !placed; ++draw) {
+        for (int draw = 0; draw < kMaxDraws && !placed; ++draw) {
             particle.x = random.uniform(margin, size.sizeX - margin);
             particle.y = random.uniform(margin, size.sizeY - margin);
             placed = 2.0 * margin < std::min(size.sizeX, size.sizeY) && hasRoom(particle);

@@ -9,10 +9,10 @@
 namespace asperity {
 
 HeightMap flatMap(const ScanSize& size) {
-    constexpr int kMostPixels = 1 << 15;  // a side
-    if (size.columns < 1 || size.rows < 1 || size.columns > kMostPixels ||
-        size.rows > kMostPixels) {
-        throw Error("a synthetic scan has 1 to " + std::to_string(kMostPixels) + " pixels a side");
+    constexpr int kMaxPixels = 1 << 15;  // a side
+    if (size.columns < 1 || size.rows < 1 || size.columns > kMaxPixels ||
+        size.rows > kMaxPixels) {
+        throw Error("a synthetic scan has 1 to " + std::to_string(kMaxPixels) + " pixels a side");
     }
     HeightMap map{.columns = size.columns,
                   .rows = size.rows,
@@ -56,8 +56,8 @@ AtomicSteps::AtomicSteps(const Recipe& recipe, const ScanSize& size) : recipe_(r
     }
     // One reach beyond the scan on every side, so that no step is missing in a corner.
     const double reach = size.sizeX + size.sizeY + 10.0 * recipe.edgeWidth;
-    constexpr double kMostTerraces = 1e6;
-    if (reach > kMostTerraces * recipe.terraceWidth) {
+    constexpr double kMaxTerraces = 1e6;
+    if (reach > kMaxTerraces * recipe.terraceWidth) {
         throw Error("the terraces are too narrow for a scan of this size");
     }
     Random random(recipe.seed);

@@ -20,7 +20,7 @@ constexpr std::string_view kMagic = "\\*File list";
 constexpr std::string_view kTextMagic = "?*File list";
 constexpr std::string_view kForceMagic = "\\*Force file list";
 /// Instruments write up to 8; each carries a copy of the metadata.
-constexpr std::size_t kMostImages = 64;
+constexpr std::size_t kMaxImages = 64;
 
 class NanoscopeReader {
 public:
@@ -55,9 +55,9 @@ private:
 
     void addChannel(const NanoscopeSection& section) {
         const std::string place = "image list " + std::to_string(result_.channels.size() + 1);
-        if (result_.channels.size() == kMostImages) {
+        if (result_.channels.size() == kMaxImages) {
             throw InputError(file_, place,
-                             "at most " + std::to_string(kMostImages) + " images are expected");
+                             "at most " + std::to_string(kMaxImages) + " images are expected");
         }
         const NanoscopeImage image(sections_, section, file_, place);
         const NanoscopeLayout layout = image.layout();

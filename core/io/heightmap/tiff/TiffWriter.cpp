@@ -18,7 +18,7 @@ struct CloseTiff {
 };
 
 constexpr double kCentimeter = 0.01;
-constexpr double kLargestRational = 4294967295.0;
+constexpr double kMaxRational = 4294967295.0;
 /// Beyond this many bytes of samples the 32-bit offsets of a classic TIFF do not reach.
 constexpr std::size_t kClassicLimit = 4'000'000'000U;
 
@@ -40,7 +40,7 @@ void setTags(TIFF* tiff, const HeightRows& map, const HeightMapMeta& meta) {
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
     const double perCentimeterX = kCentimeter / map.pitchX;
     const double perCentimeterY = kCentimeter / map.pitchY;
-    if (std::max(perCentimeterX, perCentimeterY) < kLargestRational) {
+    if (std::max(perCentimeterX, perCentimeterY) < kMaxRational) {
         TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_CENTIMETER);
         TIFFSetField(tiff, TIFFTAG_XRESOLUTION, perCentimeterX);
         TIFFSetField(tiff, TIFFTAG_YRESOLUTION, perCentimeterY);

@@ -146,7 +146,7 @@ TEST(ContactRefusal, FoldsOnAnOddLeverAreThoseOfTheNearestOne) {
                 SCOPED_TRACE(odd);
                 const double nearest = nearestCompliance(odd);
                 EXPECT_GE(nearest, 0.0);
-                EXPECT_LE(nearest, kLargestCompliance);
+                EXPECT_LE(nearest, kMaxCompliance);
                 EXPECT_EQ(model.jumpInApproach(odd), model.jumpInApproach(nearest));
                 EXPECT_EQ(model.pullOffApproach(odd), model.pullOffApproach(nearest));
                 EXPECT_TRUE(std::isfinite(model.jumpInApproach(odd)));
@@ -165,8 +165,8 @@ TEST(ContactRefusal, AnOddTipRadiusCountsAsTheNearest) {
         for (const double odd : kOddNumbers) {
             SCOPED_TRACE(odd);
             const ContactModel curved = model.withTipRadius(odd);
-            EXPECT_GE(curved.pair().tipRadius, kSmallestTipRadius);
-            EXPECT_LE(curved.pair().tipRadius, kLargestTipRadius);
+            EXPECT_GE(curved.pair().tipRadius, kMinTipRadius);
+            EXPECT_LE(curved.pair().tipRadius, kMaxTipRadius);
             EXPECT_TRUE(isFinite(curved.equilibrium(1e-9, 0.1, {ContactBranch::Bonded})));
         }
     }

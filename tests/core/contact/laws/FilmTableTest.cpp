@@ -89,7 +89,7 @@ public:
     DirectSolution(double nu, double ratio) : waves_(kTerms) {
         for (int n = 1; n <= kTerms; ++n) {
             const double factor = std::tgamma(n + 0.5) * std::pow(2.0, n) / std::sqrt(pi);
-            for (double k = 0.5 * kStep; k < kLargestWave; k += kStep) {
+            for (double k = 0.5 * kStep; k < kMaxWave; k += kStep) {
                 waves_[n - 1].push_back(2.0 * kStep * complianceOf(nu, k / ratio) * factor *
                                         std::sph_bessel(n, k) / std::pow(k, n));
             }
@@ -131,7 +131,7 @@ public:
 
 private:
     static constexpr int kTerms = 6;
-    static constexpr double kLargestWave = 800.0;
+    static constexpr double kMaxWave = 800.0;
     static constexpr double kStep = 0.06;
 
     [[nodiscard]] double displacementBy(int n, double s) const {

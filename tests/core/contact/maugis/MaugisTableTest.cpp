@@ -15,7 +15,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kLargest = 100.0;
+constexpr double kMax = 100.0;
 constexpr double kRadiusSpan = 2.15;  // of lambda for a tenth to ten times the effective radius
 constexpr double kBound = 2e-9;
 
@@ -31,7 +31,7 @@ const std::vector<MaugisTable>& paperTables() {
         std::vector<MaugisTable> built;
         for (const double lambda : paperLambdas()) {
             built.emplace_back(
-                MaugisTableRange{lambda / kRadiusSpan, lambda * kRadiusSpan, kLargest});
+                MaugisTableRange{lambda / kRadiusSpan, lambda * kRadiusSpan, kMax});
         }
         return built;
     }();
@@ -57,7 +57,7 @@ TEST(MaugisTable, IsAsAccurateAsWantedForThePapersMaterials) {
         EXPECT_LE(table.errorBound(), kBound);
         EXPECT_LT(table.exactShare(), 0.1);
         EXPECT_LT(table.bytes(), 16'000'000U);
-        const MaugisTable flat({paperLambdas()[i], paperLambdas()[i], kLargest});
+        const MaugisTable flat({paperLambdas()[i], paperLambdas()[i], kMax});
         EXPECT_LE(flat.errorBound(), kBound);
         EXPECT_EQ(flat.exactShare(), 0.0);
     }
@@ -65,7 +65,7 @@ TEST(MaugisTable, IsAsAccurateAsWantedForThePapersMaterials) {
 
 /// An indentation of stable contact, as often close to the lowest as far from it.
 double anyIndentation(const MaugisDugdale& law) {
-    const double root = *test::logUniform(1e-7, std::sqrt(kLargest));
+    const double root = *test::logUniform(1e-7, std::sqrt(kMax));
     return law.lowestContact().indentation + (root * root);
 }
 
@@ -110,7 +110,7 @@ TEST(MaugisTable, BalancesASpringWithinItsBound) {
         const double compliance = *test::logUniform(1e-3, 1e3);
         const auto control = MaugisControl::spring(compliance);
         const double value =
-            control.held(law.fold(control)) + *test::logUniform(1e-4, kLargest) - 1e-3;
+            control.held(law.fold(control)) + *test::logUniform(1e-4, kMax) - 1e-3;
         const auto exact = law.stable(control, value);
         const double start = *rc::gen::oneOf(
             rc::gen::just(exact ? exact->indentation + 0.1 : 0.0), rc::gen::just(-1e9),
@@ -131,7 +131,7 @@ TEST(MaugisTable, EqualsTheReferenceOnASpring) {
         const double range = 0.165e-9 * (std::sqrt(10.0) - 1.0);
         const MaugisDugdale law(transitionParameter(units, pair.workOfAdhesion / range));
         const double lambda = law.curve().lambda();
-        const MaugisTable table({lambda, lambda, kLargest});
+        const MaugisTable table({lambda, lambda, kMax});
         const double compliance = units.force / (reference.number(row, "k") * units.indentation);
         const auto state = table.stable(law, compliance,
                                         reference.number(row, "x_base_m") / units.indentation, 1.0);
@@ -145,7 +145,7 @@ TEST(MaugisTable, EqualsTheReferenceOnASpring) {
 TEST(MaugisTable, KeepsItsBoundForAnyTransitionParameter) {
     for (const double lambda : {1e-3, 0.03, 0.9, 0.9379474, 0.938, 3.0, 1e3}) {
         SCOPED_TRACE(lambda);
-        const MaugisTable table({lambda, 1.5 * lambda, kLargest});
+        const MaugisTable table({lambda, 1.5 * lambda, kMax});
         EXPECT_LE(table.errorBound(), kBound);
         for (int i = 0; i < 16; ++i) {
             const MaugisDugdale law(lambda * (1.0 + (0.0317 * i)));
@@ -162,13 +162,13 @@ TEST(MaugisTable, KeepsItsBoundForAnyTransitionParameter) {
 TEST(MaugisTable, LeavesFoldsAndWhatLiesOutsideToTheExactLaw) {
     for (const double lambda : paperLambdas()) {
         SCOPED_TRACE(lambda);
-        const MaugisTable table({lambda, lambda, kLargest});
+        const MaugisTable table({lambda, lambda, kMax});
         const MaugisDugdale law(lambda);
         const MaugisPoint fold = law.fold(MaugisControl::displacement());
         EXPECT_NEAR(table.at(law, fold.indentation)->force, fold.force, 1e-7);
         EXPECT_FALSE(table.at(law, fold.indentation - 1e-9));
         EXPECT_FALSE(table.stable(law, 0.5, fold.indentation - 10.0, fold.indentation));
-        const double deep = 10.0 * kLargest;
+        const double deep = 10.0 * kMax;
         const auto exact = law.stable(MaugisControl::displacement(), deep);
         EXPECT_EQ(table.at(law, deep)->force, exact->force);
         const MaugisDugdale other(1.1 * lambda);
@@ -179,7 +179,7 @@ TEST(MaugisTable, LeavesFoldsAndWhatLiesOutsideToTheExactLaw) {
 
 TEST(MaugisTable, GivesStatesWithoutContactToo) {
     const double lambda = 0.1879;
-    const MaugisTable table({lambda, lambda, kLargest});
+    const MaugisTable table({lambda, lambda, kMax});
     const MaugisDugdale law(lambda);
     const double indentation = -law.curve().range();
     const auto state = table.at(law, indentation);

@@ -271,7 +271,7 @@ TEST(SurfaceDeformation, RefusesWhatCannotBeDrawn) {
     EXPECT_THROW(draw(bad, kGrid), Error);
     EXPECT_THROW(draw(good, {.halfWidth = 0.0, .samples = 10}), Error);
     EXPECT_THROW(draw(good, {.halfWidth = 1.0_nm, .samples = 1}), Error);
-    EXPECT_THROW(draw(good, {.halfWidth = 1.0_nm, .samples = kMostPatchSamples + 1}), Error);
+    EXPECT_THROW(draw(good, {.halfWidth = 1.0_nm, .samples = kMaxPatchSamples + 1}), Error);
     EXPECT_THROW((void)deformedPatch(surface, good, kGrid, DeformationTier::ClosedForm), Error);
 }
 

@@ -78,8 +78,8 @@ TEST(SurfaceRefinement, WorksOnThinScans) {
 TEST(SurfaceRefinement, StopsBeforeThePatchGrowsTooLarge) {
     const BSplineSurface surface = roughSurface(40, 40);
     const SplinePatch patch = refined(surface, scanBox(surface), 1.0_pm);
-    EXPECT_LE(patch.controls.size(), kMostPatchControls);
-    EXPECT_GT(patch.controls.size(), kMostPatchControls / 4);
+    EXPECT_LE(patch.controls.size(), kMaxPatchControls);
+    EXPECT_GT(patch.controls.size(), kMaxPatchControls / 4);
     EXPECT_GT(patch.x.spacing * patch.y.spacing, 1.0_pm * 1.0_pm);
 }
 

@@ -198,7 +198,7 @@ TEST(BoundsRounding, WhatIsALittleMoreThanAShortCodeHasTheNext) {
     for (int code = 0; code < 255; ++code) {
         const float end = decodedShort(static_cast<std::uint8_t>(code));
         EXPECT_EQ(encodedShort(end), code);
-        EXPECT_EQ(encodedShort(std::nextafter(end, kLargestShortCode)), code + 1);
+        EXPECT_EQ(encodedShort(std::nextafter(end, kMaxShortCode)), code + 1);
     }
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 /// Places searched from: between two samples the distance can fall by little, so that the nearest
 /// foot starts at one of the nearest.
-constexpr std::size_t kMostStarts = 60;
+constexpr std::size_t kMaxStarts = 60;
 
 }  // namespace
 
@@ -60,7 +60,7 @@ std::vector<BruteFeet::Place> BruteFeet::lowestPlaces(const Vector3& query) cons
         }
     }
     std::ranges::sort(lowest, {}, &Place::squared);
-    lowest.resize(std::min(lowest.size(), kMostStarts));
+    lowest.resize(std::min(lowest.size(), kMaxStarts));
     return lowest;
 }
 

@@ -172,7 +172,7 @@ TEST(ShortCode, IsNeverLessThanTheNumberNorAnEighthMore) {
         ASSERT_GE(decoded, number);
         ASSERT_LE(decoded, 1.125F * number);
     }
-    EXPECT_EQ(decodedShort(encodedShort(kLargestShortCode)), kLargestShortCode);
+    EXPECT_EQ(decodedShort(encodedShort(kMaxShortCode)), kMaxShortCode);
     EXPECT_LT(decodedShort(encodedShort(0.0F)), 1e-9F);
 }
 

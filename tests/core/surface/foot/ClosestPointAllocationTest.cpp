@@ -44,7 +44,7 @@ TEST(TipFeet, DoNotAllocateOnARoughMap) {
     TipFeet feet;
     for (int i = 0; i < 300; ++i) {
         const Vector3 center(0.4_nm * i - 10.0_nm, 0.3_nm * i, 30.0_nm - 0.05_nm * i);
-        std::array<FootGuess, kMostFeet> known;
+        std::array<FootGuess, kMaxFeet> known;
         const std::size_t kept = i % 3 == 0 ? 0 : feet.list.all().size();
         for (std::size_t k = 0; k < kept; ++k) {
             known[k] = feet.list.all()[k].guess();

@@ -171,7 +171,7 @@ TEST_P(FootSearchOn, TipFeetMissNone) {
                 return (foot.point - sought.point).norm() <= (kSameFoot + 1e-6) * radius;
             });
             const bool crowdedOut =
-                known.size() == kMostFeet && distance >= std::abs(known.back().distance) - 1e-6_nm;
+                known.size() == kMaxFeet && distance >= std::abs(known.back().distance) - 1e-6_nm;
             ASSERT_TRUE(!matters || listed || crowdedOut)
                 << tip.center.transpose() << " r " << radius << " foot "
                 << sought.point.transpose();
@@ -275,7 +275,7 @@ TEST(FootSearch, FindsMinimaWherePartsMeet) {
         const Vector3 query(middleX, middleY, surface.at(middleX, middleY).height + 12.0_nm);
         const TipFeet feet = tipFeet(surface, {.center = query, .radius = 12.0_nm}, 10.0_nm, {});
         const auto known = feet.list.all();
-        if (feet.proof != FootProof::Nearest || known.size() == kMostFeet) {
+        if (feet.proof != FootProof::Nearest || known.size() == kMaxFeet) {
             continue;
         }
         const SurfaceFoot sought = BruteFeet(surface, 6).nearest(query);

@@ -114,7 +114,7 @@ TEST(Spike, SearchesTakeABoundedNumberOfLooks) {
         for (const Vector3& query : queries()) {
             most = std::max(most, evaluationsOf(surface, query));
         }
-        EXPECT_LE(most, PartSearch::kMostEvaluations + kLastDescent);
+        EXPECT_LE(most, PartSearch::kMaxEvaluations + kLastDescent);
     }
 }
 

@@ -186,8 +186,8 @@ TEST(TipFeet, AreTheNearestOnesWhereThereAreMoreThanTheListHolds) {
     const Ring ring{{0.4_nm, 1.6_nm, 0.0, 2.4_nm, 1.2_nm, 2.0_nm, 0.8_nm}};
     const TipFeet feet = ring.feet();
     EXPECT_EQ(feet.proof, FootProof::ManyFeet) << "three had no room";
-    ASSERT_EQ(feet.list.all().size(), kMostFeet);
-    const std::array<std::size_t, kMostFeet> order{2, 0, 6, 4};
+    ASSERT_EQ(feet.list.all().size(), kMaxFeet);
+    const std::array<std::size_t, kMaxFeet> order{2, 0, 6, 4};
     for (std::size_t i = 0; i < order.size(); ++i) {
         const SurfaceFoot& foot = feet.list.all()[i];
         const Vector2 place = foot.point.head<2>() - Vector2::Constant(kMiddle);
@@ -284,7 +284,7 @@ TEST(TipFeet, OfAWideTipOverManyBumpsFindRoom) {
     }
     FootTracker tracker;
     const TipSphere tip{.center = {kMiddle, kMiddle, 400.0_nm}, .radius = 399.0_nm};
-    EXPECT_EQ(tipFeet(bumps, tip, {kReach}, known, tracker).list.all().size(), kMostFeet);
+    EXPECT_EQ(tipFeet(bumps, tip, {kReach}, known, tracker).list.all().size(), kMaxFeet);
 }
 
 TEST(TipFeet, OfAPointThatIsNoneAreNotConverged) {
@@ -315,12 +315,12 @@ TEST(FootList, KeepsTheNearestInOrderAndNoFootTwice) {
     };
     EXPECT_EQ(places(), (std::vector<double>{1.0, 3.0, 4.0, 5.0, 6.0, -7.0}));
     EXPECT_FALSE(list.hasLeftOut());
-    for (std::size_t i = 0; i < kMostMinima; ++i) {
+    for (std::size_t i = 0; i < kMaxMinima; ++i) {
         list.add(footAt(100.0 + static_cast<double>(i), 10.0 + static_cast<double>(i)), 0.5);
     }
-    EXPECT_EQ(list.all().size(), kMostMinima);
+    EXPECT_EQ(list.all().size(), kMaxMinima);
     EXPECT_TRUE(list.hasLeftOut());
-    list.keepNearest(kMostFeet);
+    list.keepNearest(kMaxFeet);
     EXPECT_EQ(places(), (std::vector<double>{1.0, 3.0, 4.0, 5.0}));
 }
 

@@ -356,7 +356,7 @@ TEST(NurbsFoot, WhereFeetHaveNoRoomTheyAreManyFeet) {
     const Vector3 axis(0.1_nm, 50.0_nm, 0.2_nm);
     EXPECT_EQ(nearestFeet(trough, axis, {}).proof(), FootProof::Nearest);
     const NurbsFeet feet = nearestFeet(trough, axis, {.within = 25.0_nm});
-    EXPECT_EQ(feet.all().size(), kMostFeet);
+    EXPECT_EQ(feet.all().size(), kMaxFeet);
     EXPECT_EQ(feet.proof(), FootProof::ManyFeet);
 }
 
