@@ -1,7 +1,7 @@
 // Closest points of a scan to places above it: closest_points SCAN
 #include "core/io/heightmap/ScanFile.h"
 #include "core/surface/fit/BSplineFit.h"
-#include "core/surface/foot/ClosestPoint.h"
+#include "core/surface/closest/ClosestPointSearch.h"
 
 #include <cstdio>
 #include <exception>
@@ -17,9 +17,9 @@ void printClosestPoints(const char* file) {
         const double x = 0.1 * i * surface.sizeX();
         const double y = 0.5 * surface.sizeY();
         const Vector3 place(x, y, surface.at(x, y).height + 10e-9);
-        const SurfaceFoot foot = closestPoint(surface, place, {});
-        std::printf("%.6e,%.6e,%.6e,%.4e,%.4f,%s\n", foot.point.x(), foot.point.y(), foot.point.z(),
-                    foot.distance, foot.normal.z(), keyOf(foot.proof));
+        const ClosestPoint closest = closestPoint(surface, place, {});
+        std::printf("%.6e,%.6e,%.6e,%.4e,%.4f,%s\n", closest.point.x(), closest.point.y(), closest.point.z(),
+                    closest.distance, closest.normal.z(), keyOf(closest.proof));
     }
 }
 

@@ -8,8 +8,8 @@
 #include "core/Version.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/io/tables/CaseTable.h"
-#include "core/surface/foot/ClosestPoint.h"
-#include "core/surface/nurbs/NurbsFoot.h"
+#include "core/surface/closest/ClosestPointSearch.h"
+#include "core/surface/nurbs/NurbsClosestPoint.h"
 
 #include <limits>
 #include <memory>
@@ -43,7 +43,7 @@ struct ProjectOptions {
 };
 
 struct Projection {
-    SurfaceFoot foot;
+    ClosestPoint closest;
     double u = 0.0;
     double v = 0.0;
     bool measured = true;
@@ -52,29 +52,29 @@ struct Projection {
 /// The answer to a point that is none, or so far away that no square of it can be compared.
 Projection nowhere() {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    return {.foot = {.point = Vector3::Constant(kNan),
+    return {.closest = {.point = Vector3::Constant(kNan),
                      .normal = Vector3::Constant(kNan),
                      .distance = kNan,
                      .curvatures = {.largest = kNan, .smallest = kNan},
                      .insideScan = false,
-                     .proof = FootProof::NotConverged},
+                     .proof = SearchProof::NotConverged},
             .u = kNan,
             .v = kNan,
             .measured = false};
 }
 
 Projection onField(const BSplineSurface& surface, const Vector3& point) {
-    const SurfaceFoot foot = closestPoint(surface, point, {});
-    return {.foot = foot,
-            .u = foot.point.x() / surface.sizeX(),
-            .v = foot.point.y() / surface.sizeY(),
-            .measured = surface.isMeasured(foot.point.x(), foot.point.y())};
+    const ClosestPoint closest = closestPoint(surface, point, {});
+    return {.closest = closest,
+            .u = closest.point.x() / surface.sizeX(),
+            .v = closest.point.y() / surface.sizeY(),
+            .measured = surface.isMeasured(closest.point.x(), closest.point.y())};
 }
 
 Projection onShape(const NurbsSurface& shape, const Vector3& point) {
-    const NurbsFeet feet = nearestFeet(shape, point, {});
-    Projection result{.foot = feet.nearest().foot, .u = feet.nearest().u, .v = feet.nearest().v};
-    result.foot.proof = feet.proof();
+    const NurbsClosestPoints points = nearestPoints(shape, point, {});
+    Projection result{.closest = points.nearest().closest, .u = points.nearest().u, .v = points.nearest().v};
+    result.closest.proof = points.proof();
     return result;
 }
 
@@ -98,20 +98,20 @@ SceneOverrides overridesFor(const ProjectOptions& options) {
 const char* word(bool value) { return value ? "true" : "false"; }
 
 void write(CsvWriter& csv, const Projection& projection) {
-    const SurfaceFoot& foot = projection.foot;
-    for (const Vector3& vector : {foot.point, foot.normal}) {
+    const ClosestPoint& closest = projection.closest;
+    for (const Vector3& vector : {closest.point, closest.normal}) {
         csv.add(vector.x()).add(vector.y()).add(vector.z());
     }
-    csv.add(foot.distance)
+    csv.add(closest.distance)
         .add(projection.u)
         .add(projection.v)
-        .add(static_cast<double>(foot.iterations))
-        .add(word(foot.certified()))
-        .add(keyOf(foot.proof))
-        .add(word(foot.insideScan))
+        .add(static_cast<double>(closest.iterations))
+        .add(word(closest.certified()))
+        .add(keyOf(closest.proof))
+        .add(word(closest.insideScan))
         .add(word(projection.measured))
-        .add(foot.curvatures.largest)
-        .add(foot.curvatures.smallest);
+        .add(closest.curvatures.largest)
+        .add(closest.curvatures.smallest);
 }
 
 std::vector<std::string> commentsFor(const LoadedScene& loaded, const ProjectOptions& options) {

@@ -86,7 +86,7 @@ DeformationView contactView(const Scene& scene, const TickSample& sample,
                 [deformation = deformation](double distance) {
                     return deformation.tipDisplacement(distance);
                 },
-            .contactPoint = displacedFoot(scene, out.model, scene.model.deformation),
+            .contactPoint = displacedPoint(scene, out.model, scene.model.deformation),
             .force = out.estimate.force,
             .contactRadius = out.model.contact.contactRadius};
 }

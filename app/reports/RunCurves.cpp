@@ -44,7 +44,7 @@ void RunCurves::takeLegs(const TickSample& sample) {
     }
     Leg& leg = velocity.z() < 0.0 ? approach_ : retract_;
     // The gap that the undeflected tip would have, taken from along the normal to along z.
-    const Vector3& normal = out.model.foot.normal;
+    const Vector3& normal = out.model.closest.normal;
     const double gap =
         -out.model.contact.indentation + normal.dot(out.base.position - out.model.tip);
     leg.height.push_back(gap / normal.z());

@@ -29,7 +29,7 @@ void writeTicks(const std::filesystem::path& path, const TradeOff& study) {
         for (const TickResult& result : *part) {
             csv.add(nameOf(result.tier)).add(result.median).add(result.p99);
             csv.add(result.forceErrorRms).add(result.forceErrorMax).add(result.contactRadiusError);
-            csv.add(result.footError).add(result.estimateErrorRms);
+            csv.add(result.closestPointError).add(result.estimateErrorRms);
             csv.add(part == &study.ticks && result.onFront ? 1.0 : 0.0);
             csv.endRow();
         }

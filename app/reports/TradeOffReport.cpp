@@ -33,7 +33,7 @@ const char* surfaceDoubtText(SurfaceDoubt doubt) {
 void printTick(const TickResult& r, char mark) {
     std::printf("%c %-76s %8.2f %8.2f %10.3g %10.3g %9.3g %10.3g\n", mark, nameOf(r.tier).c_str(),
                 r.median * 1e6, r.p99 * 1e6, r.forceErrorRms * 1e9, r.contactRadiusError * 1e9,
-                r.footError * 1e9, r.estimateErrorRms * 1e9);
+                r.closestPointError * 1e9, r.estimateErrorRms * 1e9);
 }
 
 void printTicks(const TradeOff& study, double tolerance) {

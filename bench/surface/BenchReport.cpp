@@ -1,6 +1,6 @@
 #include "bench/surface/BenchReport.h"
 
-#include "bench/surface/FootTargets.h"
+#include "bench/surface/SearchTargets.h"
 #include "core/Units.h"
 
 #include <cstdio>
@@ -40,7 +40,7 @@ void printWork(const WorkResult& work) {
                         method.name.c_str(), method.below / 1.0_nm);
         }
     }
-    printFootTargets(work);
+    printPointTargets(work);
     std::printf("\n");
 }
 
@@ -77,7 +77,7 @@ void printChain(const ChainResult& chain) {
         " of its median (target <= 3)\n"
         "  CHAI3D's update, recorded elsewhere, not measured here: %.0f and %.0f ns: x %.0f"
         " (target >= 60) and x %.0f\n\n",
-        chain.time.median, chain.foot.median, chain.time.p99, chain.time.p99 / chain.time.median,
+        chain.time.median, chain.closest.median, chain.time.p99, chain.time.p99 / chain.time.median,
         kRecordedChai3d.median, kRecordedChai3d.p99, kRecordedChai3d.median / chain.time.median,
         kRecordedChai3d.p99 / chain.time.p99);
 }
@@ -158,8 +158,8 @@ void printJson(const BenchResults& results) {
     if (results.chain) {
         json["chain"] = {{"median_ns", results.chain->time.median},
                          {"p99_ns", results.chain->time.p99},
-                         {"foot_median_ns", results.chain->foot.median},
-                         {"foot_p99_ns", results.chain->foot.p99}};
+                         {"foot_median_ns", results.chain->closest.median},
+                         {"foot_p99_ns", results.chain->closest.p99}};
     }
     for (const CopyResult& copy : results.copies) {
         json["copies"].push_back({{"pixels", copy.pixels}, {"time_ns", copy.time}});

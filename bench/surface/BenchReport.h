@@ -24,10 +24,10 @@ struct SizeResult {
     MethodResult onLarge;
 };
 
-/// Foot point, contact force and decoupling of one instant.
+/// ClosestPoint point, contact force and decoupling of one instant.
 struct ChainResult {
     TimeSummary time;  ///< of the whole chain
-    TimeSummary foot;  ///< of its foot point alone
+    TimeSummary closest;  ///< of its closest point point alone
 };
 
 /// A plain copy of a map of float heights.

@@ -53,7 +53,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<FootMethod> cgalMethod(const BSplineSurface& surface) {
+std::unique_ptr<SearchMethod> cgalMethod(const BSplineSurface& surface) {
     return meshMethod(surface, std::make_unique<Cgal>(meshOf(surface)));
 }
 

@@ -1,7 +1,7 @@
 // Embree 3 (Apache 2.0): its point query on the mesh.
 #include "bench/surface/MeshMethod.h"
 #include "bench/surface/Peers.h"
-#include "bench/surface/TriangleFoot.h"
+#include "bench/surface/TriangleClosestPoint.h"
 #include "core/Error.h"
 
 #include <embree3/rtcore.h>
@@ -95,7 +95,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<FootMethod> embreeMethod(const BSplineSurface& surface) {
+std::unique_ptr<SearchMethod> embreeMethod(const BSplineSurface& surface) {
     return meshMethod(surface, std::make_unique<Embree>(meshOf(surface)));
 }
 

@@ -4,7 +4,7 @@
 #include "core/Units.h"
 #include "core/contact/laws/ContactModel.h"
 #include "core/probe/ForceDecoupling.h"
-#include "core/surface/foot/ClosestPoint.h"
+#include "core/surface/closest/ClosestPointSearch.h"
 
 #include <algorithm>
 #include <chrono>
@@ -61,13 +61,13 @@ public:
 
     /// @return the force that was told, which the compiler must believe to be used [N]
     double next(const Vector3& center) {
-        const SurfaceFoot foot = closestPoint(surface_, center, guess_, tracker_);
-        guess_ = foot.guess();
+        const ClosestPoint closest = closestPoint(surface_, center, guess_, tracker_);
+        guess_ = closest.guess();
         const ContactState state =
-            model_.equilibrium(kBenchTipRadius - foot.distance, 0.0, memory_);
+            model_.equilibrium(kBenchTipRadius - closest.distance, 0.0, memory_);
         memory_ = state.memory();
-        input_.signals = leverSignals(lever_, state.force * foot.normal);
-        input_.normal = foot.normal;
+        input_.signals = leverSignals(lever_, state.force * closest.normal);
+        input_.normal = closest.normal;
         input_.normalForceModel = state.force;
         return estimateForce(lever_, input_).force.z();
     }
@@ -77,8 +77,8 @@ private:
     ContactModel model_;
     Cantilever lever_;
     DecouplingInput input_;
-    FootGuess guess_;
-    FootTracker tracker_;
+    SearchGuess guess_;
+    ClosestPointTracker tracker_;
     ContactMemory memory_;
 };
 
@@ -90,24 +90,24 @@ ChainResult timeChain(const BSplineSurface& surface, std::span<const Vector3> ti
     const double clock = clockCost();
     constexpr double kNone = std::numeric_limits<double>::infinity();
     std::vector<double> whole(tips.size(), kNone);
-    std::vector<double> footOnly(tips.size(), kNone);
+    std::vector<double> pointOnly(tips.size(), kNone);
     Chain chain(surface);
-    const auto foot = ourMethod(surface, FootEffort::Certified);
+    const auto closest = ourMethod(surface, SearchEffort::Certified);
     volatile double used = 0.0;
     for (int pass = 0; pass < passes; ++pass) {
         chain.start();
-        foot->start(tips.front().head<2>());
+        closest->start(tips.front().head<2>());
         for (std::size_t i = 0; i < tips.size(); ++i) {
             auto begin = Clock::now();
             used = chain.next(tips[i]);
             shorten(whole[i], since(begin, clock));
             begin = Clock::now();
-            used = foot->next(tips[i]).place.x();
-            shorten(footOnly[i], since(begin, clock));
+            used = closest->next(tips[i]).place.x();
+            shorten(pointOnly[i], since(begin, clock));
         }
     }
     static_cast<void>(used);
-    return {.time = summaryOf(whole), .foot = summaryOf(footOnly)};
+    return {.time = summaryOf(whole), .closest = summaryOf(pointOnly)};
 }
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 #include "bench/surface/GlobalReference.h"
 
-#include "bench/surface/FootNewton.h"
+#include "bench/surface/NewtonSearch.h"
 #include "core/Error.h"
 
 #include <algorithm>
@@ -100,7 +100,7 @@ double GlobalReference::leastDistance(const Vector3& query, int row, int column)
 }
 
 void GlobalReference::polish(const Vector3& query, const Vector2& start, Nearest& best) const {
-    const Vector2 place = newtonFoot(surface_, query, start, kPolished);
+    const Vector2 place = newtonPoint(surface_, query, start, kPolished);
     const double distance = distanceTo(surface_, query, place);
     if (distance < best.distance) {
         best = {.place = place, .distance = distance};

@@ -1,6 +1,6 @@
 #include "bench/surface/MeshMethod.h"
 
-#include "bench/surface/FootNewton.h"
+#include "bench/surface/NewtonSearch.h"
 
 #include <utility>
 
@@ -8,7 +8,7 @@ namespace asperity {
 
 namespace {
 
-class MeshMethod : public FootMethod {
+class MeshMethod : public SearchMethod {
 public:
     MeshMethod(const BSplineSurface& surface, std::unique_ptr<MeshLocator> locator)
         : surface_(surface), locator_(std::move(locator)), end_{1e-3 * surface.grid().pitchX} {}
@@ -17,13 +17,13 @@ public:
         return locator_->name() + " on the mesh, then Newton";
     }
 
-    void start(const Vector2& foot) override {
-        last_ = Vector3(foot.x(), foot.y(), surface_.at(foot.x(), foot.y()).height);
+    void start(const Vector2& closest) override {
+        last_ = Vector3(closest.x(), closest.y(), surface_.at(closest.x(), closest.y()).height);
     }
 
-    [[nodiscard]] FootAnswer next(const Vector3& query) override {
+    [[nodiscard]] SearchAnswer next(const Vector3& query) override {
         last_ = locator_->nearest(query, last_);
-        return {.place = newtonFoot(surface_, query, last_.head<2>(), end_)};
+        return {.place = newtonPoint(surface_, query, last_.head<2>(), end_)};
     }
 
 private:
@@ -57,7 +57,7 @@ SurfaceMesh meshOf(const BSplineSurface& surface) {
     return mesh;
 }
 
-std::unique_ptr<FootMethod> meshMethod(const BSplineSurface& surface,
+std::unique_ptr<SearchMethod> meshMethod(const BSplineSurface& surface,
                                        std::unique_ptr<MeshLocator> locator) {
     return std::make_unique<MeshMethod>(surface, std::move(locator));
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/surface/FootMethod.h"
+#include "bench/surface/SearchMethod.h"
 #include "core/surface/BSplineSurface.h"
 
 #include <array>
@@ -31,7 +31,7 @@ public:
 };
 
 /// The locator's answer, brought to the spline surface by Newton's method.
-[[nodiscard]] std::unique_ptr<FootMethod> meshMethod(const BSplineSurface& surface,
+[[nodiscard]] std::unique_ptr<SearchMethod> meshMethod(const BSplineSurface& surface,
                                                      std::unique_ptr<MeshLocator> locator);
 
 }  // namespace asperity

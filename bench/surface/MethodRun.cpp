@@ -24,23 +24,23 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// One method's answers and best times so far.
 struct Course {
-    FootMethod* method = nullptr;
-    std::vector<FootAnswer> answers;
+    SearchMethod* method = nullptr;
+    std::vector<SearchAnswer> answers;
     std::vector<double> times;   ///< of each query [ns]
     std::vector<double> blocks;  ///< of a query, mean over each block of them [ns]
 };
 
-Course courseOf(FootMethod& method, std::size_t queries) {
+Course courseOf(SearchMethod& method, std::size_t queries) {
     const std::size_t most = method.mostQueries();
     const std::size_t count = most == 0 ? queries : std::min(most, queries);
     return {.method = &method,
-            .answers = std::vector<FootAnswer>(count),
+            .answers = std::vector<SearchAnswer>(count),
             .times = std::vector<double>(count, kNever),
             .blocks = std::vector<double>((count + kBlock - 1) / kBlock, kNever)};
 }
 
-void passInBlocks(const FootWork& work, const Vector2& firstFoot, Course& course) {
-    course.method->start(firstFoot);
+void passInBlocks(const SearchWork& work, const Vector2& firstPoint, Course& course) {
+    course.method->start(firstPoint);
     for (std::size_t block = 0; block < course.blocks.size(); ++block) {
         const std::size_t first = block * kBlock;
         const std::size_t last = std::min(first + kBlock, course.answers.size());
@@ -54,8 +54,8 @@ void passInBlocks(const FootWork& work, const Vector2& firstFoot, Course& course
     }
 }
 
-void pass(const FootWork& work, const Vector2& firstFoot, double clock, Course& course) {
-    course.method->start(firstFoot);
+void pass(const SearchWork& work, const Vector2& firstPoint, double clock, Course& course) {
+    course.method->start(firstPoint);
     for (std::size_t i = 0; i < course.times.size(); ++i) {
         const auto begin = Clock::now();
         course.answers[i] = course.method->next(work.centers[i]);
@@ -69,7 +69,7 @@ double medianOf(const Course& course) {
     return single < kSlow ? summaryOf(course.blocks).median : single;
 }
 
-MethodResult resultOf(const FootWork& work, std::span<const GlobalReference::Nearest> truth,
+MethodResult resultOf(const SearchWork& work, std::span<const GlobalReference::Nearest> truth,
                       const Course& course) {
     MethodResult result{.name = course.method->name(),
                         .median = medianOf(course),
@@ -101,7 +101,7 @@ TimeSummary summaryOf(std::vector<double> times) {
     return {.median = times[times.size() / 2], .p99 = times[times.size() * 99 / 100]};
 }
 
-std::vector<GlobalReference::Nearest> referenceOf(const FootWork& work) {
+std::vector<GlobalReference::Nearest> referenceOf(const SearchWork& work) {
     const GlobalReference reference(*work.surface);
     std::vector<GlobalReference::Nearest> truth;
     truth.reserve(work.centers.size());
@@ -111,7 +111,7 @@ std::vector<GlobalReference::Nearest> referenceOf(const FootWork& work) {
     return truth;
 }
 
-double referenceDoubt(const FootWork& work, std::span<const GlobalReference::Nearest> truth,
+double referenceDoubt(const SearchWork& work, std::span<const GlobalReference::Nearest> truth,
                       std::size_t stride) {
     const GlobalReference finer(*work.surface, {.samplesPerCell = 17, .skipsCells = false});
     double doubt = 0.0;
@@ -121,7 +121,7 @@ double referenceDoubt(const FootWork& work, std::span<const GlobalReference::Nea
     return doubt;
 }
 
-void judge(const FootWork& work, std::size_t query, const FootAnswer& answer,
+void judge(const SearchWork& work, std::size_t query, const SearchAnswer& answer,
            const GlobalReference::Nearest& truth, MethodResult& result) {
     const Vector3& center = work.centers[query];
     const HeightSample sample = work.surface->at(answer.place.x(), answer.place.y());
@@ -136,9 +136,9 @@ void judge(const FootWork& work, std::size_t query, const FootAnswer& answer,
     result.certifiedWrong += answer.certified && wrong ? 1 : 0;
 }
 
-std::vector<MethodResult> runMethods(const FootWork& work,
+std::vector<MethodResult> runMethods(const SearchWork& work,
                                      std::span<const GlobalReference::Nearest> truth,
-                                     std::span<const std::unique_ptr<FootMethod>> methods,
+                                     std::span<const std::unique_ptr<SearchMethod>> methods,
                                      int passes) {
     const double clock = clockCost();
     std::vector<Course> courses;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bench/surface/FootMethod.h"
-#include "bench/surface/FootWork.h"
+#include "bench/surface/SearchMethod.h"
+#include "bench/surface/SearchWork.h"
 #include "bench/surface/GlobalReference.h"
 
 #include <memory>
@@ -28,23 +28,23 @@ struct MethodResult {
 };
 
 /// The reference's answer to each query of a work.
-[[nodiscard]] std::vector<GlobalReference::Nearest> referenceOf(const FootWork& work);
+[[nodiscard]] std::vector<GlobalReference::Nearest> referenceOf(const SearchWork& work);
 
 /// How far denser samples in every cell in reach, none skipped, get below the answers, for one
 /// query in `stride` [m]: what the reference may be off.
-[[nodiscard]] double referenceDoubt(const FootWork& work,
+[[nodiscard]] double referenceDoubt(const SearchWork& work,
                                     std::span<const GlobalReference::Nearest> truth,
                                     std::size_t stride);
 
 /// Takes up one answer.
-void judge(const FootWork& work, std::size_t query, const FootAnswer& answer,
+void judge(const SearchWork& work, std::size_t query, const SearchAnswer& answer,
            const GlobalReference::Nearest& truth, MethodResult& result);
 
 /// Runs all methods over the work, taking turns; a time is the best of `passes`, so that what else
 /// the machine does stays out of it.
 [[nodiscard]] std::vector<MethodResult>
-runMethods(const FootWork& work, std::span<const GlobalReference::Nearest> truth,
-           std::span<const std::unique_ptr<FootMethod>> methods, int passes);
+runMethods(const SearchWork& work, std::span<const GlobalReference::Nearest> truth,
+           std::span<const std::unique_ptr<SearchMethod>> methods, int passes);
 
 /// Sorts the times: their median and 99th percentile.
 struct TimeSummary {

@@ -47,17 +47,17 @@ gp_Pnt scaled(const Vector3& point) {
     return {point.x() / kUnit, point.y() / kUnit, point.z() / kUnit};
 }
 
-/// GenLocateExtPS from the foot of the query before.
-class OpenCascadeWarm : public FootMethod {
+/// GenLocateExtPS from the closest point of the query before.
+class OpenCascadeWarm : public SearchMethod {
 public:
     explicit OpenCascadeWarm(const BSplineSurface& surface)
         : surface_(splineOf(surface)), search_(surface_) {}
 
     [[nodiscard]] std::string name() const override { return "OpenCASCADE GenLocateExtPS, warm"; }
 
-    void start(const Vector2& foot) override { last_ = foot / kUnit; }
+    void start(const Vector2& closest) override { last_ = closest / kUnit; }
 
-    [[nodiscard]] FootAnswer next(const Vector3& query) override {
+    [[nodiscard]] SearchAnswer next(const Vector3& query) override {
         search_.Perform(scaled(query), last_.x(), last_.y());
         if (search_.IsDone()) {
             search_.Point().Parameter(last_.x(), last_.y());
@@ -72,7 +72,7 @@ private:
 };
 
 /// ProjectPointOnSurf over a window around the tip.
-class OpenCascadeWindow : public FootMethod {
+class OpenCascadeWindow : public SearchMethod {
 public:
     explicit OpenCascadeWindow(const BSplineSurface& surface) : surface_(splineOf(surface)) {}
 
@@ -81,9 +81,9 @@ public:
     }
     [[nodiscard]] std::size_t mostQueries() const override { return kMaxQueries; }
 
-    void start(const Vector2& foot) override { last_ = foot / kUnit; }
+    void start(const Vector2& closest) override { last_ = closest / kUnit; }
 
-    [[nodiscard]] FootAnswer next(const Vector3& query) override {
+    [[nodiscard]] SearchAnswer next(const Vector3& query) override {
         const Vector2 center = query.head<2>() / kUnit;
         GeomAPI_ProjectPointOnSurf search(scaled(query), surface_, center.x() - kReach,
                                           center.x() + kReach, center.y() - kReach,
@@ -104,11 +104,11 @@ private:
 
 }  // namespace
 
-std::unique_ptr<FootMethod> openCascadeMethod(const BSplineSurface& surface) {
+std::unique_ptr<SearchMethod> openCascadeMethod(const BSplineSurface& surface) {
     return std::make_unique<OpenCascadeWarm>(surface);
 }
 
-std::unique_ptr<FootMethod> openCascadeWindowMethod(const BSplineSurface& surface) {
+std::unique_ptr<SearchMethod> openCascadeWindowMethod(const BSplineSurface& surface) {
     return std::make_unique<OpenCascadeWindow>(surface);
 }
 

@@ -1,51 +1,51 @@
 #include "bench/surface/OurQuery.h"
 
-#include "bench/surface/FootNewton.h"
-#include "core/surface/foot/ClosestPoint.h"
+#include "bench/surface/NewtonSearch.h"
+#include "core/surface/closest/ClosestPointSearch.h"
 
 namespace asperity {
 
 namespace {
 
 /// The product along a path.
-class OurMethod : public FootMethod {
+class OurMethod : public SearchMethod {
 public:
-    OurMethod(const BSplineSurface& surface, FootEffort effort)
+    OurMethod(const BSplineSurface& surface, SearchEffort effort)
         : surface_(surface), effort_(effort) {}
 
     [[nodiscard]] std::string name() const override {
         return std::string("Asperity, ") + keyOf(effort_);
     }
 
-    void start(const Vector2& foot) override {
-        guess_ = {foot.x(), foot.y(), true};
+    void start(const Vector2& closest) override {
+        guess_ = {closest.x(), closest.y(), true};
         tracker_ = {};
     }
 
-    [[nodiscard]] FootAnswer next(const Vector3& query) override {
-        const SurfaceFoot foot = closestPoint(surface_, query, guess_, tracker_, effort_);
-        guess_ = foot.guess();
-        return {.place = foot.point.head<2>(), .certified = foot.certified()};
+    [[nodiscard]] SearchAnswer next(const Vector3& query) override {
+        const ClosestPoint closest = closestPoint(surface_, query, guess_, tracker_, effort_);
+        guess_ = closest.guess();
+        return {.place = closest.point.head<2>(), .certified = closest.certified()};
     }
 
 private:
     const BSplineSurface& surface_;
-    FootEffort effort_;
-    FootGuess guess_;
-    FootTracker tracker_;
+    SearchEffort effort_;
+    SearchGuess guess_;
+    ClosestPointTracker tracker_;
 };
 
-class WarmNewton : public FootMethod {
+class WarmNewton : public SearchMethod {
 public:
     explicit WarmNewton(const BSplineSurface& surface)
         : surface_(surface), end_{1e-3 * surface.grid().pitchX} {}
 
     [[nodiscard]] std::string name() const override { return "warm Newton alone"; }
 
-    void start(const Vector2& foot) override { last_ = foot; }
+    void start(const Vector2& closest) override { last_ = closest; }
 
-    [[nodiscard]] FootAnswer next(const Vector3& query) override {
-        last_ = newtonFoot(surface_, query, last_, end_);
+    [[nodiscard]] SearchAnswer next(const Vector3& query) override {
+        last_ = newtonPoint(surface_, query, last_, end_);
         return {.place = last_};
     }
 
@@ -57,11 +57,11 @@ private:
 
 }  // namespace
 
-std::unique_ptr<FootMethod> ourMethod(const BSplineSurface& surface, FootEffort effort) {
+std::unique_ptr<SearchMethod> ourMethod(const BSplineSurface& surface, SearchEffort effort) {
     return std::make_unique<OurMethod>(surface, effort);
 }
 
-std::unique_ptr<FootMethod> warmNewtonMethod(const BSplineSurface& surface) {
+std::unique_ptr<SearchMethod> warmNewtonMethod(const BSplineSurface& surface) {
     return std::make_unique<WarmNewton>(surface);
 }
 

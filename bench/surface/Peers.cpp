@@ -6,7 +6,7 @@ namespace {
 
 struct Peer {
     const char* name;
-    std::unique_ptr<FootMethod> (*make)(const BSplineSurface& surface);  ///< null: not found
+    std::unique_ptr<SearchMethod> (*make)(const BSplineSurface& surface);  ///< null: not found
 };
 
 constexpr Peer kPeers[] = {
@@ -36,8 +36,8 @@ constexpr Peer kPeers[] = {
 
 }  // namespace
 
-std::vector<std::unique_ptr<FootMethod>> peerMethods(const BSplineSurface& surface) {
-    std::vector<std::unique_ptr<FootMethod>> methods;
+std::vector<std::unique_ptr<SearchMethod>> peerMethods(const BSplineSurface& surface) {
+    std::vector<std::unique_ptr<SearchMethod>> methods;
     for (const Peer& peer : kPeers) {
         if (peer.make != nullptr) {
             methods.push_back(peer.make(surface));

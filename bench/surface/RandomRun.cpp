@@ -3,7 +3,7 @@
 #include "bench/surface/MethodRun.h"
 #include "core/Random.h"
 #include "core/Units.h"
-#include "core/surface/foot/ClosestPoint.h"
+#include "core/surface/closest/ClosestPointSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr std::size_t kRestartEvery = 100;
 constexpr int kRestarts = 10;
 constexpr double kSamePlace = 1.0_pm;
 
-FootGuess guessFor(const FootWork& work, const Vector3& center, int restart, Random& random) {
+SearchGuess guessFor(const SearchWork& work, const Vector3& center, int restart, Random& random) {
     constexpr double kAround = 3.0 * kBenchTipRadius;
     if (restart % 2 == 0) {
         return {center.x() + random.uniform(-kAround, kAround),
@@ -26,12 +26,12 @@ FootGuess guessFor(const FootWork& work, const Vector3& center, int restart, Ran
             true};
 }
 
-void restart(const FootWork& work, const Vector3& center, const SurfaceFoot& first, Random& random,
+void restart(const SearchWork& work, const Vector3& center, const ClosestPoint& first, Random& random,
              RandomResult& result) {
     bool different = false;
     bool tied = true;
     for (int i = 0; i < kRestarts; ++i) {
-        const SurfaceFoot other =
+        const ClosestPoint other =
             closestPoint(*work.surface, center, guessFor(work, center, i, random));
         different = different || (other.point - first.point).norm() > kSamePlace;
         tied = tied && std::abs(std::abs(other.distance) - std::abs(first.distance)) <= kWrong;
@@ -43,7 +43,7 @@ void restart(const FootWork& work, const Vector3& center, const SurfaceFoot& fir
 
 }  // namespace
 
-RandomResult runRandom(const FootWork& work, std::uint64_t seed) {
+RandomResult runRandom(const SearchWork& work, std::uint64_t seed) {
     constexpr std::size_t kDoubted = 100;  // queries that are looked at again
     const auto truth = referenceOf(work);
     Random random(seed);
@@ -52,11 +52,11 @@ RandomResult runRandom(const FootWork& work, std::uint64_t seed) {
                         .referenceDoubt = referenceDoubt(
                             work, truth, std::max<std::size_t>(truth.size() / kDoubted, 1))};
     for (std::size_t i = 0; i < work.centers.size(); ++i) {
-        const SurfaceFoot foot = closestPoint(*work.surface, work.centers[i], {});
-        judge(work, i, {.place = foot.point.head<2>(), .certified = foot.certified()}, truth[i],
+        const ClosestPoint closest = closestPoint(*work.surface, work.centers[i], {});
+        judge(work, i, {.place = closest.point.head<2>(), .certified = closest.certified()}, truth[i],
               judged);
         if (i % kRestartEvery == 0) {
-            restart(work, work.centers[i], foot, random, result);
+            restart(work, work.centers[i], closest, random, result);
         }
     }
     result.queries = judged.queries;

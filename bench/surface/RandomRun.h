@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/surface/FootWork.h"
+#include "bench/surface/SearchWork.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,11 +18,11 @@ struct RandomResult {
     std::size_t certified = 0;
     std::size_t certifiedWrong = 0;
     std::size_t restarted = 0;  ///< queries that were asked again from other starts
-    std::size_t different = 0;  ///< of these: some start led to another foot
-    std::size_t tied = 0;       ///< of the different: all feet are equally near
+    std::size_t different = 0;  ///< of these: some start led to another closest point
+    std::size_t tied = 0;       ///< of the different: all closest points are equally near
 };
 
 /// Ten starts for one query in a hundred: half of them around the tip, half anywhere on the scan.
-[[nodiscard]] RandomResult runRandom(const FootWork& work, std::uint64_t seed);
+[[nodiscard]] RandomResult runRandom(const SearchWork& work, std::uint64_t seed);
 
 }  // namespace asperity

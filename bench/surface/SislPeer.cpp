@@ -29,7 +29,7 @@ SISLSurf* splineOf(const BSplineSurface& surface) {
                    poles.data(), kPolynomial, 3, kCopied);
 }
 
-class Sisl : public FootMethod {
+class Sisl : public SearchMethod {
 public:
     explicit Sisl(const BSplineSurface& surface)
         : surface_(splineOf(surface), freeSurf)
@@ -38,9 +38,9 @@ public:
 
     [[nodiscard]] std::string name() const override { return "SISL s1775, warm"; }
 
-    void start(const Vector2& foot) override { last_ = foot / kUnit; }
+    void start(const Vector2& closest) override { last_ = closest / kUnit; }
 
-    [[nodiscard]] FootAnswer next(const Vector3& query) override {
+    [[nodiscard]] SearchAnswer next(const Vector3& query) override {
         constexpr double kResolution = 1e-9;  // [nm]
         Vector3 point = query / kUnit;
         Vector2 found = last_;
@@ -62,7 +62,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<FootMethod> sislMethod(const BSplineSurface& surface) {
+std::unique_ptr<SearchMethod> sislMethod(const BSplineSurface& surface) {
     return std::make_unique<Sisl>(surface);
 }
 

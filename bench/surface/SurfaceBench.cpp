@@ -38,11 +38,11 @@ constexpr int kPasses = 5;
 
 WorkResult runSlide(const std::string& name, const HeightMap& map, const Options& options) {
     const BSplineSurface surface = fitSurface(map);
-    const FootWork work{name, &surface,
+    const SearchWork work{name, &surface,
                         slidingTip(surface, options.queriesOr(kSlideSteps), Vector2::Zero())};
     const auto truth = referenceOf(work);
-    std::vector<std::unique_ptr<FootMethod>> methods;
-    for (const FootEffort effort : {FootEffort::Certified, FootEffort::Global, FootEffort::Local}) {
+    std::vector<std::unique_ptr<SearchMethod>> methods;
+    for (const SearchEffort effort : {SearchEffort::Certified, SearchEffort::Global, SearchEffort::Local}) {
         methods.push_back(ourMethod(surface, effort));
     }
     methods.push_back(warmNewtonMethod(surface));
@@ -55,10 +55,10 @@ WorkResult runSlide(const std::string& name, const HeightMap& map, const Options
 }
 
 MethodResult oursOnSlide(const BSplineSurface& surface, std::size_t steps, const Vector2& corner) {
-    const FootWork work{"slide", &surface, slidingTip(surface, steps, corner)};
+    const SearchWork work{"slide", &surface, slidingTip(surface, steps, corner)};
     const auto truth = referenceOf(work);
-    std::vector<std::unique_ptr<FootMethod>> methods;
-    methods.push_back(ourMethod(surface, FootEffort::Certified));
+    std::vector<std::unique_ptr<SearchMethod>> methods;
+    methods.push_back(ourMethod(surface, SearchEffort::Certified));
     return runMethods(work, truth, methods, kPasses).front();
 }
 
@@ -108,7 +108,7 @@ std::vector<RandomResult> runRandoms(const Options& options) {
     std::vector<RandomResult> results;
     for (const SampleScan& scan : scansFor(options)) {
         const BSplineSurface surface = fitSurface(scan.map);
-        const FootWork work{scan.fileName, &surface,
+        const SearchWork work{scan.fileName, &surface,
                             randomTips(surface, options.queriesOr(kRandomTips), kSeed)};
         results.push_back(runRandom(work, kSeed));
     }

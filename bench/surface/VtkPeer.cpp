@@ -55,7 +55,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<FootMethod> vtkMethod(const BSplineSurface& surface) {
+std::unique_ptr<SearchMethod> vtkMethod(const BSplineSurface& surface) {
     return meshMethod(surface, std::make_unique<VtkLocator>(meshOf(surface)));
 }
 

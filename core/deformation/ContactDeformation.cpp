@@ -30,8 +30,8 @@ std::shared_ptr<const RadialTable> displacementTable(const Scene& scene, const T
 
 TipContact tipContact(const Scene& scene, const TipState& state) {
     const double radius = scene.belief.tipRadius();
-    return {.foot = state.foot.point,
-            .normal = state.foot.normal,
+    return {.closest = state.closest.point,
+            .normal = state.closest.normal,
             .tipCenter = state.tip + Vector3(0.0, 0.0, radius),
             .tipRadius = radius,
             .contactRadius = state.contact.contactRadius,

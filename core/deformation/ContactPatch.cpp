@@ -32,9 +32,9 @@ SurfacePatch halfSpacePatch(const Scene& scene, const HalfSpaceAnswer& answer,
                          halfSpaceField(contact, answer.field, share));
 }
 
-Vector3 displacedFoot(const Scene& scene, const TipState& state, DeformationTier tier) {
-    return state.foot.point -
-           shareOfSample(scene, tier) * state.contact.indentation * state.foot.normal;
+Vector3 displacedPoint(const Scene& scene, const TipState& state, DeformationTier tier) {
+    return state.closest.point -
+           shareOfSample(scene, tier) * state.contact.indentation * state.closest.normal;
 }
 
 }  // namespace asperity

@@ -22,8 +22,8 @@ namespace asperity {
 [[nodiscard]] SurfacePatch halfSpacePatch(const Scene& scene, const HalfSpaceAnswer& answer,
                                           const PatchGrid& grid);
 
-/// Where the foot lies once the surface has moved, world [m].
-[[nodiscard]] Vector3 displacedFoot(const Scene& scene, const TipState& state,
+/// Where the closest point lies once the surface has moved, world [m].
+[[nodiscard]] Vector3 displacedPoint(const Scene& scene, const TipState& state,
                                     DeformationTier tier);
 
 }  // namespace asperity

@@ -43,7 +43,7 @@ double HalfSpaceField::at(double along, double across) const {
 
 DisplacementField halfSpaceField(const TipContact& contact,
                                  std::shared_ptr<const HalfSpaceField> field, double share) {
-    return [frame = tangentFrame(contact.foot, contact.normal), field = std::move(field),
+    return [frame = tangentFrame(contact.closest, contact.normal), field = std::move(field),
             share](const Vector3& rest) -> Vector3 {
         const Vector3 place = frame.local(rest);
         return -share * field->at(place.x(), place.y()) * frame.normal;

@@ -25,7 +25,7 @@ private:
 };
 
 /// Every point moves by its part `share` of the field against the normal of a contact, around its
-/// foot.
+/// closest point.
 [[nodiscard]] DisplacementField halfSpaceField(const TipContact& contact,
                                                std::shared_ptr<const HalfSpaceField> field,
                                                double share);

@@ -19,7 +19,7 @@ constexpr double kMinRoom = 1.8;
 constexpr double kMaxRoom = 4.0;
 constexpr double kWiden = 1.6;            // where the contact on real topography is wider
 constexpr double kWidestPatch = 2.0;      // half width in tip radii
-constexpr double kSeveralFeetRoom = 1.0;  // in tip radii: other feet may lie so far away
+constexpr double kSeveralPointsRoom = 1.0;  // in tip radii: other closest points may lie so far away
 
 /// Whether the law's adhesion has no range that a half-space could take for its own: JKR's has
 /// none, DMT's reaches everywhere.
@@ -82,7 +82,7 @@ bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now) {
     const double width = then.cohesiveRadius;
     return answer.valid() && now.contact.region() == then.region() &&
            std::abs(now.contact.cohesiveRadius - width) < kSameWidth * width &&
-           (now.foot.point - answer.state.foot.point).norm() < width;
+           (now.closest.point - answer.state.closest.point).norm() < width;
 }
 
 std::string sentenceOf(const HalfSpaceAnswer& answer) {
@@ -100,7 +100,7 @@ HalfSpaceModel::HalfSpaceModel(int samples, HalfSpaceLimits limits)
 /// The patch before, where it still suits: only on the same pixels is its pressure a start.
 double HalfSpaceModel::halfWidthFor(const TipState& state, double tipRadius) const {
     const double radius = state.contact.cohesiveRadius;
-    const double least = state.feet > 1 ? kSeveralFeetRoom * tipRadius : 0.0;
+    const double least = state.points > 1 ? kSeveralPointsRoom * tipRadius : 0.0;
     const double before = kept_ ? kept_->halfWidth : 0.0;
     const bool suits = before >= std::max(least, kMinRoom * radius) &&
                        before <= std::max(least, kMaxRoom * radius);

@@ -44,7 +44,7 @@ inline constexpr auto kEnumTable<HalfSpaceVerdict> = std::to_array<NamedRow<Half
 struct HalfSpaceAnswer {
     HalfSpaceVerdict verdict = HalfSpaceVerdict::NotBonded;
     TipState state;              ///< that was asked about
-    double force = 0.0;          ///< on the tip along the foot's normal, > 0 repulsive [N]
+    double force = 0.0;          ///< on the tip along the closest point's normal, > 0 repulsive [N]
     double contactRadius = 0.0;  ///< of the circle of the contact's area [m]
     int iterations = 0;
     std::shared_ptr<const HalfSpaceField> field;  ///< of both bodies together; null unless valid
@@ -60,7 +60,7 @@ struct HalfSpaceAnswer {
 [[nodiscard]] std::string sentenceOf(const HalfSpaceAnswer& answer);
 
 /// Solves for the deformed surface around the tip, on the scan's own topography in the tangent
-/// plane at the foot and with the exact sphere as tip, at the indentation of the tick's state. Each
+/// plane at the closest point and with the exact sphere as tip, at the indentation of the tick's state. Each
 /// answer starts from the one before where that fits, else from the closed form. The cohesive zone
 /// is the contact law's; of a law that adheres without one (DMT, JKR) nothing is solved, since with
 /// any zone of finite range the half-space would answer for another law.

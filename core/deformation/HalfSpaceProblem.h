@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// A square patch of pixels around the foot, in its tangent plane.
+/// A square patch of pixels around the closest point, in its tangent plane.
 struct HalfSpacePatch {
     int samples = 0;         ///< per side
     double halfWidth = 0.0;  ///< [m]

@@ -63,8 +63,8 @@ ForceDifference differenceOf(const ModelRun& run, const ModelRun& reference) {
             std::max(difference.contactRadius,
                      std::abs(state.contact.contactRadius - exact.contact.contactRadius));
         if (exact.contact.contactRadius > 0.0 && state.contact.contactRadius > 0.0) {
-            difference.foot =
-                std::max(difference.foot, (state.foot.point - exact.foot.point).norm());
+            difference.closest =
+                std::max(difference.closest, (state.closest.point - exact.closest.point).norm());
         }
     }
     difference.rms = std::sqrt(sum / static_cast<double>(run.states.size()));

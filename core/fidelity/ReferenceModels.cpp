@@ -6,7 +6,7 @@ namespace asperity {
 
 ForceModelOptions wholeModel(SceneDescription scene) {
     scene.choices = {.solver = SolverTier::Exact,
-                     .footSearch = FootEffort::Certified,
+                     .closestPointSearch = SearchEffort::Certified,
                      .decoupling = scene.choices.decoupling,
                      .deformation = scene.choices.deformation};
     return usualModel(scene);

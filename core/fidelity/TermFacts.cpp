@@ -12,8 +12,8 @@ namespace {
 
 std::string curvatureFact(const Scene& scene, const ModelRun& run) {
     const double curvature = largestOf(run, [](const TipState& state) {
-        return std::max(std::abs(state.foot.curvatures.largest),
-                        std::abs(state.foot.curvatures.smallest));
+        return std::max(std::abs(state.closest.curvatures.largest),
+                        std::abs(state.closest.curvatures.smallest));
     });
     return formatted("the sample is curved by up to %.2g of the tip's own curvature",
                      curvature * scene.belief.tipRadius());

@@ -29,11 +29,11 @@ ProxyLoad loadOn(const ProxyMemory& memory, const Settings& settings, double for
             .restSpeed = kRestSpeed / settings.positionGain};
 }
 
-/// The most that friction gives at all feet [N].
+/// The most that friction gives at all closest points [N].
 double largestFriction(const EquilibriumMemory& memory) {
     double friction = 0.0;
-    for (std::size_t i = 0; i < memory.footCount; ++i) {
-        friction += memory.feet.at(i).friction;
+    for (std::size_t i = 0; i < memory.pointCount; ++i) {
+        friction += memory.points.at(i).friction;
     }
     return friction;
 }
@@ -60,14 +60,14 @@ ProxyStep moveProxy(const TickInput& input, const Vector3& handMotion, const Gui
 }
 
 ProxyMemory proxyAfter(const TickInput& input, const ProxyStep& step, const TipState& state,
-                       const EquilibriumMemory& feet, const Vector3& correction) noexcept {
+                       const EquilibriumMemory& points, const Vector3& correction) noexcept {
     ProxyMemory memory{.stretch = step.coupling.stretch,
                        .gains = input.settings.coupling,
                        .forceGain = step.forceGain};
     if (state.converged && !state.locked) {
         memory.load = state.normalForce * state.normal + correction;
         memory.normal = state.normal;
-        memory.friction = largestFriction(feet);
+        memory.friction = largestFriction(points);
     }
     return memory;
 }

@@ -34,7 +34,7 @@ struct ProxyStep {
 /// What the next tick starts from; a state without an equilibrium is no load.
 /// @param correction slow part of estimate minus model [N]
 [[nodiscard]] ProxyMemory proxyAfter(const TickInput& input, const ProxyStep& step,
-                                     const TipState& state, const EquilibriumMemory& feet,
+                                     const TipState& state, const EquilibriumMemory& points,
                                      const Vector3& correction) noexcept;
 
 }  // namespace asperity

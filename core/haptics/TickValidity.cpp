@@ -18,7 +18,7 @@ bool snapsSoon(const Scene& scene, const TipState& model) {
         return false;
     }
     const double compliance =
-        model.foot.normal.dot(scene.belief.cantilever.compliance() * model.foot.normal);
+        model.closest.normal.dot(scene.belief.cantilever.compliance() * model.closest.normal);
     const ContactModel law = contactModelAt(scene, model);
     const double jumpIn = law.jumpInApproach(compliance);
     const double now = contact.indentation + (compliance * contact.force);
@@ -29,24 +29,24 @@ bool snapsSoon(const Scene& scene, const TipState& model) {
 
 ValidityFlags tickValidity(const Scene& scene, const TickOutput& out,
                            const InnovationVerdict& verdict) noexcept {
-    const Vector3& foot = out.model.foot.point;
+    const Vector3& closest = out.model.closest.point;
     ValidityFlags flags;
     flags.set(Validity::LargeContact, isLargeContact(out.model.contactRatio, 1.0));
     // A shape goes on beyond the window.
     flags.set(Validity::OutsideScan,
-              !out.model.foot.insideScan || !scene.surface.contains(foot.x(), foot.y()));
-    flags.set(Validity::FilledPixel, !scene.surface.isMeasured(foot.x(), foot.y()));
-    flags.set(Validity::FootNotFound, !out.model.foot.converged);
+              !out.model.closest.insideScan || !scene.surface.contains(closest.x(), closest.y()));
+    flags.set(Validity::FilledPixel, !scene.surface.isMeasured(closest.x(), closest.y()));
+    flags.set(Validity::ClosestPointNotFound, !out.model.closest.converged);
     flags.set(Validity::NotInEquilibrium, !out.model.converged || !out.model.contact.solved());
     flags.set(Validity::FrictionLock, out.model.locked);
     flags.set(Validity::ModelContradicted, verdict.modelContradicted);
     flags.set(Validity::EstimateInconsistent, verdict.estimateInconsistent);
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
-    flags.set(Validity::UncertainPixel, bonded && scene.certainty.isUncertain(foot.x(), foot.y()));
+    flags.set(Validity::UncertainPixel, bonded && scene.certainty.isUncertain(closest.x(), closest.y()));
     flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
     flags.set(Validity::SharpValley, bonded && !out.model.fits);
-    flags.set(Validity::SeveralFeet, out.model.feet > 1);
-    flags.set(Validity::FeetUnproven, mayMissFeet(out.model.proof));
+    flags.set(Validity::SeveralContactPoints, out.model.points > 1);
+    flags.set(Validity::SearchNotExhaustive, mayMissPoints(out.model.proof));
     if (out.model.contact.contactRadius > 0.0) {
         flags.add(contactValidity(contactModelAt(scene, out.model), out.model.contact,
                                   scene.description.sample.material));

@@ -12,7 +12,7 @@ struct ProbeSystem {
     ContactModel contact;
     Cantilever cantilever;
     Friction friction;
-    bool curvature = true;  ///< whether the sample's curvature at the foot counts
+    bool curvature = true;  ///< whether the sample's curvature at the closest point counts
 
     [[nodiscard]] double tipRadius() const noexcept { return contact.pair().tipRadius; }  ///< [m]
 };

@@ -4,7 +4,7 @@
 #include "core/contact/Within.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/Sliding.h"
-#include "core/surface/foot/TipFeet.h"
+#include "core/surface/closest/ContactPoints.h"
 #include "core/surface/touched/TouchedSurface.h"
 
 #include <Eigen/LU>
@@ -25,14 +25,14 @@ constexpr double kPositionTolerance =
 constexpr double kSameRadius = 1e-6;  // relative change of R_eff that needs no new solution
 constexpr double kFlatEnough = 0.1;   // relative change of R_eff that a flat sample may stand for
 constexpr double kReach = 10e-9;      // [m]: attraction across a wider gap is below a piconewton
-constexpr double kSameSlot = 0.25;    // of the tip's radius: a foot moves less from tick to tick
-constexpr double kMainFoot = 1.5;     // another foot becomes the main one with so much more force
-constexpr double kBears = 1e-3;       // share of the main foot's force from which a foot counts
+constexpr double kSameSlot = 0.25;    // of the tip's radius: a closest point moves less from tick to tick
+constexpr double kMainPoint = 1.5;     // another closest point becomes the main one with so much more force
+constexpr double kBears = 1e-3;       // share of the main closest point's force from which a closest point counts
 
-/// One foot with the contact law of its place and the force it bears.
-struct Foot {
-    SurfaceFoot place;
-    FootMemory memory;
+/// One closest point with the contact law of its place and the force it bears.
+struct ClosestPoint {
+    ClosestPoint place;
+    ClosestPointMemory memory;
     ContactModel model;
     EffectiveRadius radius;
     ContactState contact;
@@ -75,7 +75,7 @@ EffectiveRadius takenAsFlat(EffectiveRadius curved, double tipRadius) {
     return {.radius = tipRadius, .fits = curved.fits, .elongated = curved.elongated || isCurved};
 }
 
-/// Search for the tip's place between a lever of given compliance and all its feet, one foot at a
+/// Search for the tip's place between a lever of given compliance and all its closest points, one closest point at a
 /// time while the others answer to first order.
 class Balance {
 public:
@@ -85,66 +85,66 @@ public:
 
     TipState solve(EquilibriumMemory& memory) {
         deflection_ = memory.deflection;
-        findFeet(memory);
+        findPoints(memory);
         for (int i = 0; i < kMaxSweeps && !state_.converged; ++i) {
             const Vector3 before = deflection_;
             state_.locked = false;
-            for (Foot& foot : feet_) {
-                settle(foot);
+            for (ClosestPoint& closest : points_) {
+                settle(closest);
             }
-            dropDoubledFeet();
+            dropDoubledPoints();
             const bool still = (deflection_ - before).norm() <= kPositionTolerance;
-            state_.converged = still && !followCurvature() && !findMoreFeet(memory);
+            state_.converged = still && !followCurvature() && !findMorePoints(memory);
         }
-        putMainFootFirst();
+        putMainPointFirst();
         report();
         remember(memory);
         return state_;
     }
 
 private:
-    /// The lever as one foot meets it: stiffened by the other feet, and moved by them.
+    /// The lever as one closest point meets it: stiffened by the other closest points, and moved by them.
     struct Lever {
         Matrix3 compliance;
-        Vector3 offset;  ///< of the tip when the foot bears no force [m]
+        Vector3 offset;  ///< of the tip when the closest point bears no force [m]
     };
 
     [[nodiscard]] Vector3 center() const {
         return base_.position + deflection_ + Vector3(0.0, 0.0, system_.tipRadius());
     }
 
-    void findFeet(EquilibriumMemory& memory) {
-        boost::container::static_vector<FootGuess, kMaxFeet> known;
-        for (std::size_t i = 0; i < memory.footCount; ++i) {
-            known.push_back(memory.feet[i].guess);
+    void findPoints(EquilibriumMemory& memory) {
+        boost::container::static_vector<SearchGuess, kMaxContactPoints> known;
+        for (std::size_t i = 0; i < memory.pointCount; ++i) {
+            known.push_back(memory.points[i].guess);
         }
-        addFeet({known.data(), known.size()}, memory);
+        addPoints({known.data(), known.size()}, memory);
         followCurvature();
     }
 
-    /// Where the tip has moved by much since the last look, there may be feet that nobody saw.
-    bool findMoreFeet(EquilibriumMemory& memory) {
-        if ((center() - lookedFrom_).norm() <= kSameFoot * system_.tipRadius()) {
+    /// Where the tip has moved by much since the last look, there may be closest points that nobody saw.
+    bool findMorePoints(EquilibriumMemory& memory) {
+        if ((center() - lookedFrom_).norm() <= kSamePoint * system_.tipRadius()) {
             return false;
         }
-        boost::container::static_vector<FootGuess, kMaxFeet> known;
-        for (const Foot& foot : feet_) {
-            known.push_back(foot.place.guess());
+        boost::container::static_vector<SearchGuess, kMaxContactPoints> known;
+        for (const ClosestPoint& closest : points_) {
+            known.push_back(closest.place.guess());
         }
-        const std::size_t before = feet_.size();
-        addFeet({known.data(), known.size()}, memory);
+        const std::size_t before = points_.size();
+        addPoints({known.data(), known.size()}, memory);
         followCurvature();
-        return feet_.size() > before;
+        return points_.size() > before;
     }
 
-    void addFeet(std::span<const FootGuess> known, EquilibriumMemory& memory) {
+    void addPoints(std::span<const SearchGuess> known, EquilibriumMemory& memory) {
         lookedFrom_ = center();
-        const TipFeet found =
-            surface_.tipFeet({lookedFrom_, system_.tipRadius()}, kReach, known, memory.tracker);
+        const ContactPoints found =
+            surface_.contactPoints({lookedFrom_, system_.tipRadius()}, kReach, known, memory.tracker);
         state_.proof = found.proof;
-        for (const SurfaceFoot& place : found.list.all()) {
-            if (feet_.size() < kMaxFeet && !isKnown(place, feet_.size())) {
-                feet_.push_back({.place = place,
+        for (const ClosestPoint& place : found.list.all()) {
+            if (points_.size() < kMaxContactPoints && !isKnown(place, points_.size())) {
+                points_.push_back({.place = place,
                                  .memory = takeMemory(place, memory),
                                  .model = system_.contact,
                                  .radius = {},
@@ -153,65 +153,65 @@ private:
         }
     }
 
-    /// Whether one of the first `count` feet stands there.
-    [[nodiscard]] bool isKnown(const SurfaceFoot& place, std::size_t count) const {
-        const double same = kSameFoot * system_.tipRadius();
+    /// Whether one of the first `count` closest points stands there.
+    [[nodiscard]] bool isKnown(const ClosestPoint& place, std::size_t count) const {
+        const double same = kSamePoint * system_.tipRadius();
         return std::any_of(
-            feet_.begin(), feet_.begin() + static_cast<std::ptrdiff_t>(count),
-            [&](const Foot& foot) { return (foot.place.point - place.point).norm() <= same; });
+            points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(count),
+            [&](const ClosestPoint& closest) { return (closest.place.point - place.point).norm() <= same; });
     }
 
-    /// What was known of a foot: of the nearest one remembered that no other foot has taken. The
-    /// first foot is always known.
-    [[nodiscard]] FootMemory takeMemory(const SurfaceFoot& place, const EquilibriumMemory& memory) {
-        std::size_t best = feet_.empty() ? 0 : memory.footCount;
+    /// What was known of a closest point: of the nearest one remembered that no other closest point has taken. The
+    /// first closest point is always known.
+    [[nodiscard]] ClosestPointMemory takeMemory(const ClosestPoint& place, const EquilibriumMemory& memory) {
+        std::size_t best = points_.empty() ? 0 : memory.pointCount;
         double nearest = kSameSlot * system_.tipRadius();
-        for (std::size_t i = 0; i < memory.footCount; ++i) {
-            const FootGuess& guess = memory.feet[i].guess;
+        for (std::size_t i = 0; i < memory.pointCount; ++i) {
+            const SearchGuess& guess = memory.points[i].guess;
             const double away = std::hypot(guess.x - place.point.x(), guess.y - place.point.y());
             if (!taken_[i] && away < nearest) {
                 nearest = away;
                 best = i;
             }
         }
-        if (best >= memory.footCount) {
+        if (best >= memory.pointCount) {
             return {};
         }
         taken_[best] = true;
-        return memory.feet[best];
+        return memory.points[best];
     }
 
-    [[nodiscard]] EffectiveRadius radiusAt(const SurfaceFoot& place) const {
+    [[nodiscard]] EffectiveRadius radiusAt(const ClosestPoint& place) const {
         const PrincipalCurvatures bend =
             system_.curvature ? place.curvatures : PrincipalCurvatures{};
         return effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
     }
 
-    /// Gives each foot the effective radius of its place; whether one of them changed.
+    /// Gives each closest point the effective radius of its place; whether one of them changed.
     bool followCurvature() {
         bool changed = false;
-        for (Foot& foot : feet_) {
-            foot.radius = radiusAt(foot.place);
+        for (ClosestPoint& closest : points_) {
+            closest.radius = radiusAt(closest.place);
             if (isSphere(system_.contact.law())) {
-                foot.radius = takenAsFlat(foot.radius, system_.tipRadius());
+                closest.radius = takenAsFlat(closest.radius, system_.tipRadius());
             }
-            const double used = foot.model.pair().tipRadius;
-            if (std::abs(foot.radius.radius - used) > kSameRadius * used) {
-                foot.model = system_.contact.withTipRadius(foot.radius.radius);
+            const double used = closest.model.pair().tipRadius;
+            if (std::abs(closest.radius.radius - used) > kSameRadius * used) {
+                closest.model = system_.contact.withTipRadius(closest.radius.radius);
                 changed = true;
             }
         }
         return changed;
     }
 
-    [[nodiscard]] Lever leverOf(const Foot& foot) const {
-        if (feet_.size() == 1) {
+    [[nodiscard]] Lever leverOf(const ClosestPoint& closest) const {
+        if (points_.size() == 1) {
             return {compliance_, Vector3::Zero()};
         }
         Matrix3 stiffness = Matrix3::Zero();
         Vector3 force = Vector3::Zero();
-        for (const Foot& other : feet_) {
-            if (&other != &foot) {
+        for (const ClosestPoint& other : points_) {
+            if (&other != &closest) {
                 const Vector3& normal = other.place.normal;
                 stiffness += other.stiffness() * normal * normal.transpose();
                 force += other.force;
@@ -222,67 +222,67 @@ private:
         return {stiffened, stiffened * (force + stiffness * deflection_)};
     }
 
-    /// Balances lever and contact at one foot.
-    void settle(Foot& foot) {
-        foot.place = surface_.localFoot(center(), foot.place.guess());
-        const Vector3& normal = foot.place.normal;
-        foot.slip = slidingOf(normal, base_.velocity).slip();
-        const Lever lever = leverOf(foot);
+    /// Balances lever and contact at one closest point.
+    void settle(ClosestPoint& closest) {
+        closest.place = surface_.localClosestPoint(center(), closest.place.guess());
+        const Vector3& normal = closest.place.normal;
+        closest.slip = slidingOf(normal, base_.velocity).slip();
+        const Lever lever = leverOf(closest);
         const double along = normal.dot(lever.compliance * normal);
-        const double across = normal.dot(lever.compliance * foot.slip);
+        const double across = normal.dot(lever.compliance * closest.slip);
         const double withFriction = along + system_.friction.coefficient * across;
         // Friction that drags the tip deeper faster than the lever lifts it locks it.
         const bool locks = along > 0.0 && withFriction <= 0.0;
         state_.locked |= locks;
         // The part mu N of friction is solved with N, as a change of the lever's compliance
         // (1 / k_n of docs/theory.md 7.2); the rest, of the area, is that of the last sweep.
-        const bool slides = foot.memory.friction > 0.0 && !locks;
-        const double ofLoad = slides ? system_.friction.coefficient * foot.contact.force : 0.0;
-        // Approach of the undeflected tip towards the tangent plane of the present foot.
-        const double approach = system_.tipRadius() - foot.place.distance +
+        const bool slides = closest.memory.friction > 0.0 && !locks;
+        const double ofLoad = slides ? system_.friction.coefficient * closest.contact.force : 0.0;
+        // Approach of the undeflected tip towards the tangent plane of the present closest point.
+        const double approach = system_.tipRadius() - closest.place.distance +
                                 normal.dot(deflection_ - lever.offset) -
-                                across * (foot.memory.friction - ofLoad);
-        foot.contact =
-            foot.model.equilibrium(approach, slides ? withFriction : along, foot.memory.contact);
-        foot.memory.contact.coordinate = foot.contact.coordinate;
-        foot.memory.friction = frictionForce(system_.friction, foot.contact);
-        foot.force = foot.contact.force * normal + foot.memory.friction * foot.slip;
-        deflection_ = lever.offset + lever.compliance * foot.force;
+                                across * (closest.memory.friction - ofLoad);
+        closest.contact =
+            closest.model.equilibrium(approach, slides ? withFriction : along, closest.memory.contact);
+        closest.memory.contact.coordinate = closest.contact.coordinate;
+        closest.memory.friction = frictionForce(system_.friction, closest.contact);
+        closest.force = closest.contact.force * normal + closest.memory.friction * closest.slip;
+        deflection_ = lever.offset + lever.compliance * closest.force;
     }
 
-    /// Two valleys' feet may slide into one: it must not bear its force twice.
-    void dropDoubledFeet() {
-        for (std::size_t i = feet_.size(); i-- > 1;) {
-            if (isKnown(feet_[i].place, i)) {
-                feet_.erase(feet_.begin() + static_cast<std::ptrdiff_t>(i));
+    /// Two valleys' closest points may slide into one: it must not bear its force twice.
+    void dropDoubledPoints() {
+        for (std::size_t i = points_.size(); i-- > 1;) {
+            if (isKnown(points_[i].place, i)) {
+                points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(i));
             }
         }
     }
 
-    void putMainFootFirst() {
-        for (std::size_t i = 1; i < feet_.size(); ++i) {
-            if (std::abs(feet_[i].contact.force) > kMainFoot * std::abs(feet_[0].contact.force)) {
-                std::swap(feet_[0], feet_[i]);
+    void putMainPointFirst() {
+        for (std::size_t i = 1; i < points_.size(); ++i) {
+            if (std::abs(points_[i].contact.force) > kMainPoint * std::abs(points_[0].contact.force)) {
+                std::swap(points_[0], points_[i]);
             }
         }
     }
 
     void report() {
-        const Foot& main = feet_.front();
+        const ClosestPoint& main = points_.front();
         Vector3 normalForce = Vector3::Zero();
-        state_.feet = 0;
-        for (const Foot& foot : feet_) {
-            const bool bears = std::abs(foot.contact.force) > kBears * std::abs(main.contact.force);
-            state_.feet += bears ? 1 : 0;
-            normalForce += foot.contact.force * foot.place.normal;
-            state_.force += foot.force;
-            state_.contactArea += areaOf(foot.contact);
+        state_.points = 0;
+        for (const ClosestPoint& closest : points_) {
+            const bool bears = std::abs(closest.contact.force) > kBears * std::abs(main.contact.force);
+            state_.points += bears ? 1 : 0;
+            normalForce += closest.contact.force * closest.place.normal;
+            state_.force += closest.force;
+            state_.contactArea += areaOf(closest.contact);
             state_.contactRatio =
-                std::max(state_.contactRatio, foot.contact.contactRadius / foot.radius.radius);
+                std::max(state_.contactRatio, closest.contact.contactRadius / closest.radius.radius);
         }
-        state_.feet = std::max(1, state_.feet);
+        state_.points = std::max(1, state_.points);
         state_.tip = base_.position + deflection_;
-        state_.foot = main.place;
+        state_.closest = main.place;
         state_.contact = main.contact;
         state_.slip = main.slip;
         state_.effectiveRadius = main.radius.radius;
@@ -290,7 +290,7 @@ private:
         state_.radiusIsRough = main.radius.elongated;
         state_.normal = main.place.normal;
         state_.normalForce = main.contact.force;
-        if (feet_.size() > 1 && normalForce.norm() > 0.0) {
+        if (points_.size() > 1 && normalForce.norm() > 0.0) {
             const double sign = normalForce.dot(main.place.normal) < 0.0 ? -1.0 : 1.0;
             state_.normalForce = sign * normalForce.norm();
             state_.normal = normalForce / state_.normalForce;
@@ -299,16 +299,16 @@ private:
 
     void remember(EquilibriumMemory& memory) const {
         memory.deflection = deflection_;
-        memory.footCount = 0;
-        for (const Foot& foot : feet_) {
-            const bool isFar = foot.contact.branch == ContactBranch::Far &&
-                               foot.place.distance > system_.tipRadius() + kReach;
-            if (memory.footCount > 0 && isFar) {
+        memory.pointCount = 0;
+        for (const ClosestPoint& closest : points_) {
+            const bool isFar = closest.contact.branch == ContactBranch::Far &&
+                               closest.place.distance > system_.tipRadius() + kReach;
+            if (memory.pointCount > 0 && isFar) {
                 continue;
             }
-            memory.feet[memory.footCount++] = {.guess = foot.place.guess(),
-                                               .contact = foot.contact.memory(),
-                                               .friction = foot.memory.friction};
+            memory.points[memory.pointCount++] = {.guess = closest.place.guess(),
+                                               .contact = closest.contact.memory(),
+                                               .friction = closest.memory.friction};
         }
     }
 
@@ -317,9 +317,9 @@ private:
     const BaseMotion& base_;
     const Matrix3& compliance_;
     Vector3 deflection_ = Vector3::Zero();
-    std::array<bool, kMaxFeet> taken_{};   ///< which of the remembered feet have been found again
-    Vector3 lookedFrom_ = Vector3::Zero();  ///< the tip's center when feet were last looked for
-    boost::container::static_vector<Foot, kMaxFeet> feet_;
+    std::array<bool, kMaxContactPoints> taken_{};   ///< which of the remembered closest points have been found again
+    Vector3 lookedFrom_ = Vector3::Zero();  ///< the tip's center when closest points were last looked for
+    boost::container::static_vector<ClosestPoint, kMaxContactPoints> points_;
     TipState state_;
 };
 

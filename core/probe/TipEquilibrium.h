@@ -2,7 +2,7 @@
 
 #include "core/Vector.h"
 #include "core/contact/ContactState.h"
-#include "core/surface/foot/FootTracker.h"
+#include "core/surface/closest/ClosestPointTracker.h"
 
 #include <array>
 #include <cstddef>
@@ -19,36 +19,36 @@ struct BaseMotion {
     Vector3 velocity = Vector3::Zero();  ///< [m/s]
 };
 
-/// What is kept of one foot of the tip.
-struct FootMemory {
-    FootGuess guess;
+/// What is kept of one closest point of the tip.
+struct ClosestPointMemory {
+    SearchGuess guess;
     ContactMemory contact;
     double friction = 0.0;  ///< tangential force [N]
 };
 
 /// What one equilibrium hands to the next on the same surface: warm starts and adhesion branches.
 struct EquilibriumMemory {
-    std::array<FootMemory, kMaxFeet> feet{};
-    std::size_t footCount = 0;             ///< 0: nothing is known yet
+    std::array<ClosestPointMemory, kMaxContactPoints> points{};
+    std::size_t pointCount = 0;             ///< 0: nothing is known yet
     Vector3 deflection = Vector3::Zero();  ///< of the tip, lab frame [m]
-    FootTracker tracker;                   ///< saves time, changes nothing
+    ClosestPointTracker tracker;                   ///< saves time, changes nothing
 };
 
 /// The tip in quasi-static equilibrium between lever and sample; lab frame. In a valley that the
-/// tip does not fit `force` is the sum over its feet; the rest describes the main one.
+/// tip does not fit `force` is the sum over its closest points; the rest describes the main one.
 struct TipState {
     Vector3 tip = Vector3::Zero();      ///< apex [m]
     Vector3 force = Vector3::Zero();    ///< of the sample on the tip [N]
     Vector3 slip = Vector3::Zero();     ///< direction of the friction force on the tip, length <= 1
     Vector3 normal = Vector3::UnitZ();  ///< direction of the sum of normal forces, unit, outward
     double normalForce = 0.0;           ///< that sum along `normal`, > 0 repulsive [N]
-    SurfaceFoot foot;                   ///< of the center of the tip's sphere
-    ContactState contact;               ///< along foot.normal
-    double contactArea = 0.0;           ///< of all feet [m^2]
-    double contactRatio = 0.0;          ///< largest contact radius over effective radius of a foot
+    ClosestPoint closest;                   ///< of the center of the tip's sphere
+    ContactState contact;               ///< along closest point.normal
+    double contactArea = 0.0;           ///< of all closest points [m^2]
+    double contactRatio = 0.0;          ///< largest contact radius over effective radius of a closest point
     double effectiveRadius = 0.0;       ///< of tip and curved sample together [m]
-    int feet = 1;                       ///< that bear a force
-    FootProof proof = FootProof::NotSought;  ///< whether all feet are known
+    int points = 1;                       ///< that bear a force
+    SearchProof proof = SearchProof::NotSought;  ///< whether all closest points are known
     bool fits = true;                        ///< false: the sample is as sharply hollow as the tip
     bool radiusIsRough = false;  ///< the sample is curved so that effectiveRadius is a rough word
     bool converged = false;      ///< tip position found to rounding
@@ -56,7 +56,7 @@ struct TipState {
 };
 
 /// Solves tip = base + C F(tip) for the position of the tip, C the lever's compliance, F the sum
-/// over all feet, each with the effective radius of its place.
+/// over all closest points, each with the effective radius of its place.
 /// A base beyond 500 m along an axis or at no number has the contact status ApproachOutOfRange,
 /// does not converge and leaves the memory as it is. Allocation-free, bounded, never throws.
 /// Source: docs/theory.md 1, 7.1-7.2.

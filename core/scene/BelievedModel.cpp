@@ -53,7 +53,7 @@ SceneDescription settled(SceneDescription scene, const ForceModelOptions& model)
         }
     }
     choices.solver = model.solver;
-    choices.footSearch = model.footSearch;
+    choices.closestPointSearch = model.closestPointSearch;
     choices.decoupling = model.decoupling;
     choices.deformation = model.deformation;
     return scene;

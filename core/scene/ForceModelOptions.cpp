@@ -14,7 +14,7 @@ std::string nameOf(const ForceModelOptions& options) {
     std::string text = nameOf(options.law);
     text += options.solver == SolverTier::Table ? ", table" : "";
     text += options.solver == SolverTier::Exact ? ", afresh" : "";
-    text += std::string(", ") + keyOf(options.footSearch) + " feet";
+    text += std::string(", ") + keyOf(options.closestPointSearch) + " feet";
     text += options.decoupling == DecouplingTier::Planar ? ", planar" : "";
     const char* before = ", without ";
     for (const ModelTerm term : kSwitchedTerms) {

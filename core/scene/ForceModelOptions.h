@@ -4,7 +4,7 @@
 #include "core/contact/laws/ContactLaw.h"
 #include "core/probe/DecouplingTier.h"
 #include "core/surface/deformation/DeformationTier.h"
-#include "core/surface/foot/SurfaceFoot.h"
+#include "core/surface/closest/ClosestPoint.h"
 
 #include <string>
 
@@ -15,13 +15,13 @@ namespace asperity {
 struct ForceModelOptions {
     ContactLaw law = ContactLaw::Split;
     SolverTier solver = SolverTier::Newton;
-    FootEffort footSearch = FootEffort::Certified;
+    SearchEffort closestPointSearch = SearchEffort::Certified;
     DecouplingTier decoupling = DecouplingTier::Estimator;
     DeformationTier deformation = DeformationTier::ClosedForm;  ///< of the surface; no force
     bool friction = true;                                       ///< of the tip on the sample
     bool torsion = true;    ///< of the lever, under a force across it
     bool mountTilt = true;  ///< of the lever against the scan's plane
-    bool curvature = true;  ///< of the sample at the foot: effective radius
+    bool curvature = true;  ///< of the sample at the closest point: effective radius
 
     bool operator==(const ForceModelOptions&) const = default;
 };
@@ -30,7 +30,7 @@ struct ForceModelOptions {
 /// curvature under a law that takes the sample as flat. Equal ones give the same force.
 [[nodiscard]] ForceModelOptions ofForce(ForceModelOptions options) noexcept;
 
-/// Of the force, for people: "Maugis-Dugdale, table, certified feet, without friction".
+/// Of the force, for people: "Maugis-Dugdale, table, certified closest points, without friction".
 [[nodiscard]] std::string nameOf(const ForceModelOptions& options);
 
 }  // namespace asperity

@@ -37,7 +37,7 @@ ForceModelOptions optionsOf(const ModelChoices& choices) noexcept {
     ForceModelOptions options;
     options.law = choices.law.value_or(options.law);
     options.solver = choices.solver;
-    options.footSearch = choices.footSearch.value_or(options.footSearch);
+    options.closestPointSearch = choices.closestPointSearch.value_or(options.closestPointSearch);
     options.decoupling = choices.decoupling;
     options.deformation = choices.deformation.value_or(options.deformation);
     for (const ModelTerm term : kSwitchedTerms) {
@@ -57,7 +57,7 @@ bool isSettled(ModelTerm term, const ModelChoices& choices) noexcept {
     if (const auto member = traitsOf(term).choice) {
         return (isOfLaw(term) && choices.law) || choices.*member;
     }
-    return isOfSurface(term) ? choices.deformation.has_value() : choices.footSearch.has_value();
+    return isOfSurface(term) ? choices.deformation.has_value() : choices.closestPointSearch.has_value();
 }
 
 ModelChoices withChoice(ModelChoices choices, ModelTerm term, std::optional<bool> on) noexcept {
@@ -76,7 +76,7 @@ ModelChoices withChoice(ModelChoices choices, ModelTerm term, std::optional<bool
     if (isOfSurface(term)) {
         choices.deformation = on ? std::optional(chosen.deformation) : std::nullopt;
     } else {
-        choices.footSearch = on ? std::optional(chosen.footSearch) : std::nullopt;
+        choices.closestPointSearch = on ? std::optional(chosen.closestPointSearch) : std::nullopt;
     }
     return choices;
 }
@@ -84,7 +84,7 @@ ModelChoices withChoice(ModelChoices choices, ModelTerm term, std::optional<bool
 ModelChoices withForce(ModelChoices choices, const ForceModelOptions& options) noexcept {
     choices = {.law = options.law,
                .solver = options.solver,
-               .footSearch = options.footSearch,
+               .closestPointSearch = options.closestPointSearch,
                .decoupling = choices.decoupling,
                .deformation = choices.deformation};
     for (const ModelTerm term : kSwitchedTerms) {

@@ -14,7 +14,7 @@ enum class ModelTerm : std::uint8_t;
 struct ModelChoices {
     std::optional<ContactLaw> law;
     SolverTier solver = SolverTier::Newton;
-    std::optional<FootEffort> footSearch;
+    std::optional<SearchEffort> closestPointSearch;
     DecouplingTier decoupling = DecouplingTier::Estimator;
     std::optional<DeformationTier> deformation;
     // Terms, see ModelTerm; the first four are a matter of the law where that is given.

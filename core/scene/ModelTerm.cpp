@@ -36,7 +36,7 @@ ForceModelOptions switched(ForceModelOptions model, ModelTerm term, bool on) {
     } else if (isOfLaw(term)) {
         model.law = switched(model.law, term, on);
     } else if (term == ModelTerm::GlobalSearch) {
-        model.footSearch = on ? FootEffort::Certified : FootEffort::Local;
+        model.closestPointSearch = on ? SearchEffort::Certified : SearchEffort::Local;
     } else if (term == ModelTerm::OutsideDisplacement) {
         model.deformation = on ? DeformationTier::ClosedForm : DeformationTier::ContactRadius;
     } else {
@@ -82,7 +82,7 @@ bool has(const ForceModelOptions& model, ModelTerm term) noexcept {
     case ModelTerm::SampleCurvature:
         return model.curvature && !isSphere(model.law);
     case ModelTerm::GlobalSearch:
-        return model.footSearch != FootEffort::Local;
+        return model.closestPointSearch != SearchEffort::Local;
     case ModelTerm::OutsideDisplacement:
         return sharesDisplacement(model.deformation);
     case ModelTerm::HalfSpaceSolve:

@@ -18,11 +18,11 @@ enum class ModelTerm : std::uint8_t {
     VanDerWaalsTail,      ///< attraction across a gap
     SphereCorrection,     ///< the exact sphere in place of its paraboloid
     FilmBase,             ///< rigid, under a film: the film stiffens
-    SampleCurvature,      ///< effective radius at the foot
+    SampleCurvature,      ///< effective radius at the closest point
     Friction,             ///< of the tip on the sample
     Torsion,              ///< of the lever, under a force across it
     MountTilt,            ///< of the lever against the scan
-    GlobalSearch,         ///< for feet elsewhere than downhill
+    GlobalSearch,         ///< for closest points elsewhere than downhill
     OutsideDisplacement,  ///< of the surface, outside the contact
     HalfSpaceSolve,       ///< on the real topography, in place of the closed form
 };
@@ -32,9 +32,9 @@ struct ModelTermTraits {
     ModelTerm value;
     const char* key;   ///< in scene files, which say one thing of the two last
     const char* name;  ///< for people
-    /// What a scene says of it; null where it is a matter of foot search or deformation.
+    /// What a scene says of it; null where it is a matter of closest point search or deformation.
     std::optional<bool> ModelChoices::*choice = nullptr;
-    /// What a model has of it; null where it follows from law, foot search or deformation.
+    /// What a model has of it; null where it follows from law, closest point search or deformation.
     bool ForceModelOptions::*option = nullptr;
 };
 

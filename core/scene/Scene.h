@@ -33,7 +33,7 @@ struct Scene {
     /// What the tip is believed to touch, as hard as the model says to look; the scene must outlive
     /// it.
     [[nodiscard]] TouchedSurface felt() const noexcept {
-        return shape ? TouchedSurface(*shape) : TouchedSurface(surface, model.footSearch);
+        return shape ? TouchedSurface(*shape) : TouchedSurface(surface, model.closestPointSearch);
     }
     /// What the tip touches; the scene must outlive it.
     [[nodiscard]] TouchedSurface touched() const noexcept {

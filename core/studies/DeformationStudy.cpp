@@ -46,7 +46,7 @@ Scene sceneOf(Scene scene, const SampleMaterial& material) {
     const ModelChoices& said = scene.description.choices;
     scene.description.choices = {.law = ContactLaw::SphereMaugis,  // it settles its terms
                                  .solver = said.solver,
-                                 .footSearch = said.footSearch,
+                                 .closestPointSearch = said.closestPointSearch,
                                  .decoupling = said.decoupling,
                                  .deformation = said.deformation};
     return withMaterial(std::move(scene), material);

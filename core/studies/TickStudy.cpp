@@ -129,7 +129,7 @@ TickResult TickStudy::resultOf(const ForceModelOptions& tier) {
             .forceErrorRms = difference.rms,
             .forceErrorMax = difference.largest,
             .contactRadiusError = difference.contactRadius,
-            .footError = difference.foot,
+            .closestPointError = difference.closest,
             .estimateErrorRms = estimateError(done, runs_)};
 }
 

@@ -10,7 +10,7 @@ namespace asperity {
 
 /// Measures ways for a tick on the same recorded inputs. The reference has every term that a law
 /// has room for, whatever the scene overrules: the law of its materials, afresh, with certified
-/// feet; the film's where its base matters more than adhesion; the exact sphere's where contacts
+/// closest points; the film's where its base matters more than adhesion; the exact sphere's where contacts
 /// are wider than 0.3 tip radii and the sample is about flat.
 class TickStudy {
 public:

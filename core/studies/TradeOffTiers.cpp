@@ -54,9 +54,9 @@ std::vector<ForceModelOptions> tickTiers(const Scene& scene) {
             if (solver == SolverTier::Table && !hasTable(scene, law)) {
                 continue;
             }
-            for (const FootEffort effort :
-                 {FootEffort::Local, FootEffort::Global, FootEffort::Certified}) {
-                tiers.push_back({.law = law, .solver = solver, .footSearch = effort});
+            for (const SearchEffort effort :
+                 {SearchEffort::Local, SearchEffort::Global, SearchEffort::Certified}) {
+                tiers.push_back({.law = law, .solver = solver, .closestPointSearch = effort});
             }
         }
     }

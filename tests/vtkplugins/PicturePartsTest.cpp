@@ -140,9 +140,9 @@ SurfacePatch slope() {
 TEST(Stretch, MovesAlongItsDirectionOnASlope) {
     const Vector3 outward = Vector3(-0.3, 0.0, 1.0).normalized();
     const Stretch stretch(slope(), outward, 5.0);
-    const Vector3 foot(2.0_nm, 1.0_nm, 0.6_nm);
-    EXPECT_LT((stretch.point(foot + 0.1_nm * outward) - (foot + 0.5_nm * outward)).norm(), 1e-18);
-    EXPECT_LT((stretch.point(foot) - foot).norm(), 1e-18);
+    const Vector3 closest(2.0_nm, 1.0_nm, 0.6_nm);
+    EXPECT_LT((stretch.point(closest + 0.1_nm * outward) - (closest + 0.5_nm * outward)).norm(), 1e-18);
+    EXPECT_LT((stretch.point(closest) - closest).norm(), 1e-18);
 }
 
 TEST(Stretch, TurnsNormalsWithTheSurface) {
@@ -166,12 +166,12 @@ TEST(Stretch, TurnsNormalsWithTheSurface) {
     }
 }
 
-TEST(RestingPatch, FindsTheFootAndWhatMovedWithIt) {
+TEST(RestingPatch, FindsTheClosestPointAndWhatMovedWithIt) {
     const SurfacePatch patch = test::hertzDent().patch;
     const RestingPatch resting(patch);
-    const Vector3 foot = resting.foot(Vector3(500.0_nm, 400.0_nm, 9.0_nm), Vector3::UnitZ());
-    EXPECT_LT((foot - Vector3(500.0_nm, 400.0_nm, 5.0_nm)).norm(), 1e-20);
-    EXPECT_NEAR(resting.at(patch.points, foot.x(), foot.y()).z(), 5.0_nm - 0.6_nm, 1e-18);
+    const Vector3 closest = resting.closest(Vector3(500.0_nm, 400.0_nm, 9.0_nm), Vector3::UnitZ());
+    EXPECT_LT((closest - Vector3(500.0_nm, 400.0_nm, 5.0_nm)).norm(), 1e-20);
+    EXPECT_NEAR(resting.at(patch.points, closest.x(), closest.y()).z(), 5.0_nm - 0.6_nm, 1e-18);
 }
 
 TEST(RestingPatch, KeepsItsBordersNormalBeyondThem) {

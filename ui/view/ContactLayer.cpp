@@ -215,7 +215,7 @@ void ContactLayer::showRim(const Scene& scene, const ContactShape& shape, double
     for (int i = 0; i <= kPoints; ++i) {
         const double angle = 2.0 * std::numbers::pi * (i % kPoints) / kPoints;
         const Vector3 arm = std::cos(angle) * across + std::sin(angle) * third;
-        const Vector3 place = contact.foot + contact.contactRadius * arm;
+        const Vector3 place = contact.closest + contact.contactRadius * arm;
         rim.push_back(drawnAt(
             shape, {place.x(), place.y(), scene.surface.at(place.x(), place.y()).height}, factor));
     }

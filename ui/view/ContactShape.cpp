@@ -65,7 +65,7 @@ double roomAlong(double low, double middle, double high) {
 
 bool isDrawable(const TipState& state) {
     const ContactState& contact = state.contact;
-    return state.tip.allFinite() && state.foot.point.allFinite() && state.foot.normal.allFinite() &&
+    return state.tip.allFinite() && state.closest.point.allFinite() && state.closest.normal.allFinite() &&
            std::isfinite(contact.contactRadius) && std::isfinite(contact.indentation) &&
            std::isfinite(contact.force);
 }
@@ -79,8 +79,8 @@ ContactShape::ContactShape(const Scene& scene, const TipState& state, const Scan
 }
 
 void ContactShape::sample(const BSplineSurface& surface, int samples) {
-    const double middleX = std::clamp(contact().foot.x(), area_.left, area_.right);
-    const double middleY = std::clamp(contact().foot.y(), area_.bottom, area_.top);
+    const double middleX = std::clamp(contact().closest.x(), area_.left, area_.right);
+    const double middleY = std::clamp(contact().closest.y(), area_.bottom, area_.top);
     const std::vector<double> across = crowded(area_.left, middleX, area_.right, samples);
     const std::vector<double> up = crowded(area_.bottom, middleY, area_.top, samples);
     patch_.columns = samples;
@@ -111,11 +111,11 @@ double ContactShape::largestDisplacement() const {
 /// From the contact to where the surface must be at rest, along the shorter side; at most what the
 /// rectangle holds [m].
 double ContactShape::room() const {
-    const Vector3& foot = contact().foot;
+    const Vector3& closest = contact().closest;
     const double x =
-        roomAlong(rest_.left, std::clamp(foot.x(), area_.left, area_.right), rest_.right);
+        roomAlong(rest_.left, std::clamp(closest.x(), area_.left, area_.right), rest_.right);
     const double y =
-        roomAlong(rest_.bottom, std::clamp(foot.y(), area_.bottom, area_.top), rest_.top);
+        roomAlong(rest_.bottom, std::clamp(closest.y(), area_.bottom, area_.top), rest_.top);
     return std::min({x, y, std::hypot(area_.right - area_.left, area_.top - area_.bottom)});
 }
 
@@ -139,6 +139,6 @@ Vector3 ContactShape::moved(const Vector3& rest) const {
     return weight > 0.0 ? Vector3(rest + weight * deformation_.field()(rest)) : rest;
 }
 
-Vector3 ContactShape::contactPoint() const { return moved(contact().foot); }
+Vector3 ContactShape::contactPoint() const { return moved(contact().closest); }
 
 }  // namespace asperity

@@ -128,7 +128,7 @@ void TipLayer::showDrop(const ContactShape& shape, const Vector3& apex) {
         return;
     }
     vtkPolyDataMapper::SafeDownCast(drop_->GetMapper())
-        ->SetInputData(polyline({apex, contact.foot}));
+        ->SetInputData(polyline({apex, contact.closest}));
     drop_->VisibilityOn();
 }
 

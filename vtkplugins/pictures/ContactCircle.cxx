@@ -29,7 +29,7 @@ std::vector<MovedPoint> aroundContact(const SurfacePatch& patch, const ContactEd
     for (int i = 0; i < kPoints; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / kPoints;
         const Vector3 arm = std::cos(angle) * across + std::sin(angle) * third;
-        const Vector3 rest = resting.foot(edge.center + edge.radius * arm, edge.outward);
+        const Vector3 rest = resting.closest(edge.center + edge.radius * arm, edge.outward);
         const Vector3 point = resting.at(patch.points, rest.x(), rest.y());
         around.push_back({rest, (point - rest).dot(edge.outward)});
     }

@@ -219,10 +219,10 @@ void DeformationScene::addScaleBars() {
                          bottom_);
     const Vector3 rise = magnification_ * verticalBar_ * outward_;
     constexpr double kLabelRoom = 1.8;  // gaps: half of the label lies on the block's side
-    const Vector3 foot = corner + (kLabelRoom * gap + std::max(0.0, -rise.dot(right))) * right;
-    const Vector3 top = foot + rise;
+    const Vector3 closest = corner + (kLabelRoom * gap + std::max(0.0, -rise.dot(right))) * right;
+    const Vector3 top = closest + rise;
     verticalBarAt_ = top;
-    solid_->AddActor(lines(polyline({foot, top}), palette::kInk, 3.0));
+    solid_->AddActor(lines(polyline({closest, top}), palette::kInk, 3.0));
 }
 
 void DeformationScene::paintLabels(Painter& painter) const {

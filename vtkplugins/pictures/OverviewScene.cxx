@@ -164,9 +164,9 @@ void OverviewScene::addPin() {
         addRimmedLine(through_, draped(x - arm, y, x + arm, y), palette::kMarker);
         addRimmedLine(through_, draped(x, y - arm, x, y + arm), palette::kMarker);
     }
-    const Vector3 foot(x, y, magnification_ * data_.surface.at(x, y).height);
-    const Vector3 head = foot + kPinHeight * side_ * Vector3::UnitZ();
-    through_->AddActor(lines(polyline({foot, head}), palette::kMarker, 2.5));
+    const Vector3 closest(x, y, magnification_ * data_.surface.at(x, y).height);
+    const Vector3 head = closest + kPinHeight * side_ * Vector3::UnitZ();
+    through_->AddActor(lines(polyline({closest, head}), palette::kMarker, 2.5));
     vtkNew<vtkSphereSource> ball;
     ball->SetCenter(head.x(), head.y(), head.z());
     ball->SetRadius(kPinHead * side_);

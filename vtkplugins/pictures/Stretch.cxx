@@ -72,7 +72,7 @@ Vector3 RestingPatch::normal(double x, double y) const {
     return alongX.stableNormalized().cross(alongY.stableNormalized()).normalized();
 }
 
-Vector3 RestingPatch::foot(const Vector3& point, const Vector3& direction) const {
+Vector3 RestingPatch::closest(const Vector3& point, const Vector3& direction) const {
     // Each step moves along the line by the height that is left; it shrinks with the surface's
     // slope against the plane normal to the line, which is small around a contact.
     constexpr int kSteps = 12;
@@ -90,18 +90,18 @@ Stretch::Stretch(const SurfacePatch& patch, Vector3 direction, double factor)
     : resting_(patch), direction_(std::move(direction)), factor_(factor) {}
 
 Vector3 Stretch::point(const Vector3& point) const {
-    const Vector3 foot = resting_.foot(point, direction_);
-    return foot + factor_ * (point - foot);
+    const Vector3 closest = resting_.closest(point, direction_);
+    return closest + factor_ * (point - closest);
 }
 
 Vector3 Stretch::normal(const Vector3& point, const Vector3& normal) const {
-    return normalAbove(resting_.foot(point, direction_), normal);
+    return normalAbove(resting_.closest(point, direction_), normal);
 }
 
-Vector3 Stretch::normalAbove(const Vector3& foot, const Vector3& normal) const {
+Vector3 Stretch::normalAbove(const Vector3& closest, const Vector3& normal) const {
     // The inverse transpose of the stretch's Jacobian, the resting surface taken as its tangent
-    // plane at the foot.
-    const Vector3 rest = resting_.normal(foot.x(), foot.y());
+    // plane at the closest point.
+    const Vector3 rest = resting_.normal(closest.x(), closest.y());
     const double share = (factor_ - 1.0) / factor_ * normal.dot(direction_) / rest.dot(direction_);
     return (normal - share * rest).normalized();
 }
@@ -120,10 +120,10 @@ vtkSmartPointer<vtkPolyData> Stretch::apply(vtkPolyData* data) const {
     vtkDataArray* oldNormals = data->GetPointData()->GetNormals();
     for (vtkIdType id = 0; id < count; ++id) {
         const Vector3 place(data->GetPoint(id));
-        const Vector3 foot = resting_.foot(place, direction_);
-        points->SetPoint(id, Vector3(foot + factor_ * (place - foot)).data());
+        const Vector3 closest = resting_.closest(place, direction_);
+        points->SetPoint(id, Vector3(closest + factor_ * (place - closest)).data());
         if (oldNormals != nullptr) {
-            normals->SetTuple(id, normalAbove(foot, Vector3(oldNormals->GetTuple(id))).data());
+            normals->SetTuple(id, normalAbove(closest, Vector3(oldNormals->GetTuple(id))).data());
         }
     }
     stretched->SetPoints(points);

@@ -23,7 +23,7 @@ public:
     /// Unit normal of the surface at rest; beyond the border that of the border.
     [[nodiscard]] Vector3 normal(double x, double y) const;
     /// Where the line through `point` along the unit vector `direction` meets the surface at rest.
-    [[nodiscard]] Vector3 foot(const Vector3& point, const Vector3& direction) const;
+    [[nodiscard]] Vector3 closest(const Vector3& point, const Vector3& direction) const;
 
 private:
     std::vector<double> x_;  ///< columns [m]
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] vtkSmartPointer<vtkPolyData> apply(vtkPolyData* data) const;
 
 private:
-    [[nodiscard]] Vector3 normalAbove(const Vector3& foot, const Vector3& normal) const;
+    [[nodiscard]] Vector3 normalAbove(const Vector3& closest, const Vector3& normal) const;
 
     RestingPatch resting_;
     Vector3 direction_;

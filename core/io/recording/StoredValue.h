@@ -32,7 +32,7 @@ bool standsFor(double number) {
         return std::ranges::any_of(
             kValues<Value>, [number](Value value) { return number == static_cast<double>(value); });
     } else if constexpr (std::is_same_v<Value, std::size_t>) {
-        return isWhole(number, 0.0, static_cast<double>(kMaxFeet));
+        return isWhole(number, 0.0, static_cast<double>(kMaxContactPoints));
     } else if constexpr (std::is_same_v<Value, int>) {
         return isWhole(number, kNoButton, kLastButton);
     } else {

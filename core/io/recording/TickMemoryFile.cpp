@@ -17,16 +17,16 @@ namespace {
 
 template <class Memory, class Cell>
 void listModel(Memory& memory, const Cell& cell) {
-    cell({"feet"}, memory.model.footCount);
-    for (std::size_t i = 0; i < memory.model.feet.size(); ++i) {
-        const std::string foot = "foot" + std::to_string(i);
-        auto& kept = memory.model.feet[i];
-        cell({foot, "_x_m"}, kept.guess.x);
-        cell({foot, "_y_m"}, kept.guess.y);
-        cell({foot, "_valid"}, kept.guess.valid);
-        cell({foot, "_branch"}, kept.contact.branch);
-        cell({foot, "_coordinate"}, kept.contact.coordinate);
-        cell({foot, "_friction_n"}, kept.friction);
+    cell({"feet"}, memory.model.pointCount);
+    for (std::size_t i = 0; i < memory.model.points.size(); ++i) {
+        const std::string closest = "foot" + std::to_string(i);
+        auto& kept = memory.model.points[i];
+        cell({closest, "_x_m"}, kept.guess.x);
+        cell({closest, "_y_m"}, kept.guess.y);
+        cell({closest, "_valid"}, kept.guess.valid);
+        cell({closest, "_branch"}, kept.contact.branch);
+        cell({closest, "_coordinate"}, kept.contact.coordinate);
+        cell({closest, "_friction_n"}, kept.friction);
     }
     listVector(cell, "deflection_", memory.model.deflection, "_m");
 }

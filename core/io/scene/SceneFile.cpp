@@ -148,7 +148,7 @@ void readFidelity(TomlSection section, SceneDescription& scene) {
     model.solver = choice(section, "contact_solver", model.solver);
     model.decoupling = choice(section, "decoupling", model.decoupling);
     model.deformation = choiceOrNone(section, "deformation", model.deformation);
-    model.footSearch = choiceOrNone(section, "foot_search", model.footSearch);
+    model.closestPointSearch = choiceOrNone(section, "foot_search", model.closestPointSearch);
     for (const ModelTermTraits& term : kEnumTable<ModelTerm>) {
         if (term.choice != nullptr) {
             std::optional<bool>& value = model.*term.choice;
@@ -242,7 +242,7 @@ toml::table fidelityTable(const SceneDescription& scene) {
                       {"contact_solver", keyOf(model.solver)},
                       {"decoupling", keyOf(model.decoupling)},
                       {"deformation", keyOf(model.deformation)},
-                      {"foot_search", keyOf(model.footSearch)}};
+                      {"foot_search", keyOf(model.closestPointSearch)}};
     for (const ModelTermTraits& term : kEnumTable<ModelTerm>) {
         if (term.choice != nullptr) {
             table.insert(term.key, keyOf(model.*term.choice));

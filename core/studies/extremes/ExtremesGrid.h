@@ -48,7 +48,7 @@ struct CouplingGrid {
     [[nodiscard]] long holds() const noexcept;     ///< that are evaluated
 };
 
-/// All states that are evaluated, each once: with every law and solver, or every foot search; on
+/// All states that are evaluated, each once: with every law and solver, or every closest point search; on
 /// the bench.
 struct ExtremesGrid {
     ContactGrid contact;

@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::array kEfforts{FootEffort::Certified, FootEffort::Global, FootEffort::Local};
+constexpr std::array kEfforts{SearchEffort::Certified, SearchEffort::Global, SearchEffort::Local};
 
 /// A scan some tips wide, whose waves are as long as the tip is wide and shorter.
 HeightMap roughMap(const RoughPlace& place) {
@@ -80,7 +80,7 @@ ValidityFlags doubts(ValidityFlags flags, bool referenceHolds) {
     ValidityFlags left;
     for (const ValidityTraits& one : kValidityTraits) {
         const bool counts = one.severity == Severity::Doubt &&
-                            (referenceHolds || one.flag != Validity::FeetUnproven);
+                            (referenceHolds || one.flag != Validity::SearchNotExhaustive);
         left.set(one.flag, counts && flags.has(one.flag));
     }
     return left;
@@ -107,7 +107,7 @@ class RoughPlaceStudy {
 public:
     RoughPlaceStudy(const TickGrid& grid, const RoughPlace& place, const CancelCheck& check)
         : grid_(grid), place_(place), check_(check) {
-        for (const FootEffort effort : kEfforts) {
+        for (const SearchEffort effort : kEfforts) {
             findings_.regions.emplace_back(RegionPlace{.model = "tick",
                                                        .tier = keyOf(effort),
                                                        .sample = "rough",
@@ -123,7 +123,7 @@ public:
         findings_.states += grid_.ticks;
         for (std::size_t i = 0; i < kEfforts.size(); ++i) {
             check_();
-            scene.model.footSearch = kEfforts[i];
+            scene.model.closestPointSearch = kEfforts[i];
             const std::vector<TickOutput> outputs = ticksOf(scene, setting.depth, grid_.ticks);
             if (i == 0) {
                 reference = outputs;
@@ -151,7 +151,7 @@ private:
             region.refuse(refusal);
             return;
         }
-        const bool referenceHolds = !reference.flags.has(Validity::FeetUnproven);
+        const bool referenceHolds = !reference.flags.has(Validity::SearchNotExhaustive);
         const double radius = output.model.contact.contactRadius;
         const double force = (output.model.force - reference.model.force).norm();
         const double size =

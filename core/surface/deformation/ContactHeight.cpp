@@ -1,7 +1,7 @@
 #include "core/surface/deformation/ContactHeight.h"
 
 #include "core/Error.h"
-#include "core/surface/foot/BoxNewton.h"
+#include "core/surface/closest/BoxNewton.h"
 
 #include <algorithm>
 #include <cmath>

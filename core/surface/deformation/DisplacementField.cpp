@@ -10,9 +10,9 @@ SplinePatch netAroundContact(const BSplineSurface& surface, const TipContact& co
     // A slope stretches the net along the surface; past this much the picture gains nothing.
     constexpr double kSteepest = 0.1;
     const double flatness = std::max(contact.normal.z(), kSteepest);
-    const Vector2 foot = contact.foot.head<2>();
+    const Vector2 closest = contact.closest.head<2>();
     const Vector2 reach = Vector2::Constant(contact.contactRadius + 3.0 * spacing);
-    return refined(surface, {.low = foot - reach, .high = foot + reach}, spacing * flatness);
+    return refined(surface, {.low = closest - reach, .high = closest + reach}, spacing * flatness);
 }
 
 DisplacementField fieldOf(SplinePatch displacements) {
@@ -25,7 +25,7 @@ DisplacementField fieldOf(SplinePatch displacements) {
 }
 
 double distanceFromAxis(const TipContact& contact, const Vector3& point) {
-    const Vector3 arm = point - contact.foot;
+    const Vector3 arm = point - contact.closest;
     return (arm - arm.dot(contact.normal) * contact.normal).norm();
 }
 

@@ -5,7 +5,7 @@
 
 namespace asperity {
 
-/// The four control points around the foot move by the indentation against the normal.
+/// The four control points around the closest point move by the indentation against the normal.
 [[nodiscard]] DisplacementField fourPointField(const BSplineSurface& surface,
                                                const TipContact& contact);
 
@@ -26,7 +26,7 @@ namespace asperity {
                                                   const RadialDisplacement& displacement);
 
 /// The surface around the contact, refined to `spacing` along its slope, and wide enough that
-/// control points within the contact radius or beside the foot shape no point at its edge.
+/// control points within the contact radius or beside the closest point shape no point at its edge.
 [[nodiscard]] SplinePatch netAroundContact(const BSplineSurface& surface, const TipContact& contact,
                                            double spacing);
 

@@ -17,8 +17,8 @@ int controlBefore(const SplinePatch::Axis& axis, double place) {
 
 DisplacementField fourPointField(const BSplineSurface& surface, const TipContact& contact) {
     SplinePatch net = netAroundContact(surface, contact, contact.contactRadius);
-    const int column = controlBefore(net.x, contact.foot.x());
-    const int row = controlBefore(net.y, contact.foot.y());
+    const int column = controlBefore(net.x, contact.closest.x());
+    const int row = controlBefore(net.y, contact.closest.y());
     std::fill(net.controls.begin(), net.controls.end(), Vector3::Zero());
     for (const int j : {row, row + 1}) {
         for (const int i : {column, column + 1}) {

@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/surface/deformation/DisplacementField.h"
-#include "core/surface/foot/BoxNewton.h"
+#include "core/surface/closest/BoxNewton.h"
 
 #include <Eigen/Geometry>
 
@@ -14,7 +14,7 @@ namespace asperity {
 namespace {
 
 void requireUsable(const TipContact& contact, const PatchGrid& grid) {
-    const bool finite = contact.foot.allFinite() && contact.normal.allFinite() &&
+    const bool finite = contact.closest.allFinite() && contact.normal.allFinite() &&
                         contact.tipCenter.allFinite() && std::isfinite(contact.tipRadius) &&
                         std::isfinite(contact.contactRadius) && std::isfinite(contact.indentation);
     if (!finite) {
@@ -97,7 +97,7 @@ SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& cont
 SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
                            const PatchGrid& grid, const DisplacementField& field) {
     requireUsable(contact, grid);
-    SurfacePatch patch = restPatch(surface, contact.foot.head<2>(), grid);
+    SurfacePatch patch = restPatch(surface, contact.closest.head<2>(), grid);
     patch.points.reserve(patch.rest.size());
     for (const Vector3& rest : patch.rest) {
         patch.points.emplace_back(rest + field(rest));

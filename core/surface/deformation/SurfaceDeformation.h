@@ -29,7 +29,7 @@ struct SurfacePatch {
 
 /// Where tip and surface meet; world frame.
 struct TipContact {
-    Vector3 foot = Vector3::Zero();       ///< of the tip's center on the undeformed surface [m]
+    Vector3 closest = Vector3::Zero();       ///< of the tip's center on the undeformed surface [m]
     Vector3 normal = Vector3::UnitZ();    ///< of the undeformed surface there, unit
     Vector3 tipCenter = Vector3::Zero();  ///< [m]
     double tipRadius = 0.0;               ///< [m]
@@ -43,7 +43,7 @@ using RadialDisplacement = std::function<double(double)>;
 /// By how much a point of the undeformed surface moves; world [m].
 using DisplacementField = std::function<Vector3(const Vector3&)>;
 
-/// Where a patch is sampled: a square around the foot, cut off at the scan's edges.
+/// Where a patch is sampled: a square around the closest point, cut off at the scan's edges.
 struct PatchGrid {
     double halfWidth = 0.0;  ///< along x and y [m]
     int samples = 0;         ///< per side, at least 2

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/foot/BoxNewton.h"
+#include "core/surface/closest/BoxNewton.h"
 
 #include <cstddef>
 #include <vector>

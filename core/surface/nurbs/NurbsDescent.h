@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/surface/foot/BoxNewton.h"
+#include "core/surface/closest/BoxNewton.h"
 #include "core/surface/nurbs/NurbsSurface.h"
 
 namespace asperity {

@@ -1,9 +1,9 @@
 #include "core/surface/touched/TouchedSurface.h"
 
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/foot/LocalFoot.h"
-#include "core/surface/foot/TipFeet.h"
-#include "core/surface/nurbs/NurbsFoot.h"
+#include "core/surface/closest/LocalClosestPoint.h"
+#include "core/surface/closest/ContactPoints.h"
+#include "core/surface/nurbs/NurbsClosestPoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,61 +12,61 @@ namespace asperity {
 
 namespace {
 
-/// Hollows this much wider than a query's distance hold no second foot.
+/// Hollows this much wider than a query's distance hold no second closest point.
 constexpr double kShallow = 0.5;
-/// A foot that bears a force lies no farther than this, in distances of the nearest one.
-constexpr double kFartherFoot = 2.0;
+/// A closest point that bears a force lies no farther than this, in distances of the nearest one.
+constexpr double kFartherPoint = 2.0;
 
-SurfaceFoot localFootOn(const NurbsSurface& surface, const Vector3& query,
-                        const FootGuess& guess) noexcept {
-    SurfaceFoot nearest = closestPoint(surface, query, guess);
+ClosestPoint localPointOn(const NurbsSurface& surface, const Vector3& query,
+                        const SearchGuess& guess) noexcept {
+    ClosestPoint nearest = closestPoint(surface, query, guess);
     if (!guess.valid || surface.concavity() * std::abs(nearest.distance) < kShallow) {
         return nearest;
     }
-    const NurbsFeet feet =
-        nearestFeet(surface, query, {.within = kFartherFoot * std::abs(nearest.distance)});
-    const auto away = [&](const NurbsFoot& foot) {
-        return std::hypot(foot.foot.point.x() - guess.x, foot.foot.point.y() - guess.y);
+    const NurbsClosestPoints points =
+        nearestPoints(surface, query, {.within = kFartherPoint * std::abs(nearest.distance)});
+    const auto away = [&](const NurbsClosestPoint& closest) {
+        return std::hypot(closest.closest.point.x() - guess.x, closest.closest.point.y() - guess.y);
     };
     return std::min_element(
-               feet.all().begin(), feet.all().end(),
-               [&](const NurbsFoot& a, const NurbsFoot& b) { return away(a) < away(b); })
-        ->foot;
+               points.all().begin(), points.all().end(),
+               [&](const NurbsClosestPoint& a, const NurbsClosestPoint& b) { return away(a) < away(b); })
+        ->closest;
 }
 
-TipFeet tipFeetOn(const NurbsSurface& surface, const TipSphere& tip, double reach) noexcept {
+ContactPoints tipPointsOn(const NurbsSurface& surface, const TipSphere& tip, double reach) noexcept {
     const double within = tip.radius + reach;
     // A valley that is wider than the tip holds it at one place.
     const bool several = surface.concavity() * within > 1.0;
-    const double same = kSameFoot * tip.radius;
-    const NurbsFeet found =
-        nearestFeet(surface, tip.center, {.within = several ? within : 0.0, .sameWithin = same});
-    TipFeet feet;
-    for (const NurbsFoot& foot : found.all()) {
-        feet.list.add(foot.foot, same);
+    const double same = kSamePoint * tip.radius;
+    const NurbsClosestPoints found =
+        nearestPoints(surface, tip.center, {.within = several ? within : 0.0, .sameWithin = same});
+    ContactPoints points;
+    for (const NurbsClosestPoint& closest : found.all()) {
+        points.list.add(closest.closest, same);
     }
-    const bool isFar = found.nearest().foot.distance > within;
-    feet.proof =
-        found.proof() == FootProof::Nearest && isFar ? FootProof::OutOfReach : found.proof();
-    return feet;
+    const bool isFar = found.nearest().closest.distance > within;
+    points.proof =
+        found.proof() == SearchProof::Nearest && isFar ? SearchProof::OutOfReach : found.proof();
+    return points;
 }
 
 }  // namespace
 
-TipFeet TouchedSurface::tipFeet(const TipSphere& tip, double reach,
-                                std::span<const FootGuess> known,
-                                FootTracker& tracker) const noexcept {
+ContactPoints TouchedSurface::contactPoints(const TipSphere& tip, double reach,
+                                std::span<const SearchGuess> known,
+                                ClosestPointTracker& tracker) const noexcept {
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
-        return asperity::tipFeet(**field, tip, {reach, effort_}, known, tracker);
+        return asperity::contactPoints(**field, tip, {reach, effort_}, known, tracker);
     }
-    return tipFeetOn(*std::get<const NurbsSurface*>(surface_), tip, reach);
+    return tipPointsOn(*std::get<const NurbsSurface*>(surface_), tip, reach);
 }
 
-SurfaceFoot TouchedSurface::localFoot(const Vector3& query, const FootGuess& guess) const noexcept {
+ClosestPoint TouchedSurface::localClosestPoint(const Vector3& query, const SearchGuess& guess) const noexcept {
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
-        return asperity::localFoot(**field, query, guess);
+        return asperity::localClosestPoint(**field, query, guess);
     }
-    return localFootOn(*std::get<const NurbsSurface*>(surface_), query, guess);
+    return localPointOn(*std::get<const NurbsSurface*>(surface_), query, guess);
 }
 
 }  // namespace asperity

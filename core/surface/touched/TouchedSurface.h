@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/surface/foot/SurfaceFoot.h"
+#include "core/surface/closest/ClosestPoint.h"
 
 #include <span>
 #include <variant>
@@ -8,36 +8,36 @@
 namespace asperity {
 
 class BSplineSurface;
-class FootTracker;
+class ClosestPointTracker;
 class NurbsSurface;
-struct TipFeet;
+struct ContactPoints;
 struct TipSphere;
 
-/// What a tip touches, a height field or a NURBS surface, and how hard its feet are looked for
+/// What a tip touches, a height field or a NURBS surface, and how hard its closest points are looked for
 /// there. A view: the surface must outlive it.
 class TouchedSurface {
 public:
     // NOLINTBEGIN(google-explicit-constructor): either surface can be touched as it is
-    TouchedSurface(const BSplineSurface& field, FootEffort effort = FootEffort::Certified) noexcept
+    TouchedSurface(const BSplineSurface& field, SearchEffort effort = SearchEffort::Certified) noexcept
         : surface_(&field), effort_(effort) {}
     /// Looked at with all effort.
     TouchedSurface(const NurbsSurface& shape) noexcept : surface_(&shape) {}
     // NOLINTEND(google-explicit-constructor)
 
-    /// The feet of a tip, as on a height field (TipFeet.h). On a NURBS surface neither guesses nor
-    /// tracker are needed, and of the feet beside the nearest one some may be missing.
-    [[nodiscard]] TipFeet tipFeet(const TipSphere& tip, double reach,
-                                  std::span<const FootGuess> known,
-                                  FootTracker& tracker) const noexcept;
+    /// The closest points of a tip, as on a height field (ContactPoints.h). On a NURBS surface neither guesses nor
+    /// tracker are needed, and of the closest points beside the nearest one some may be missing.
+    [[nodiscard]] ContactPoints contactPoints(const TipSphere& tip, double reach,
+                                  std::span<const SearchGuess> known,
+                                  ClosestPointTracker& tracker) const noexcept;
 
-    /// A foot of `query`, as on a height field (LocalFoot.h); on a NURBS surface the one that lies
+    /// A closest point of `query`, as on a height field (LocalClosestPoint.h); on a NURBS surface the one that lies
     /// nearest to the guess as seen from above.
-    [[nodiscard]] SurfaceFoot localFoot(const Vector3& query,
-                                        const FootGuess& guess) const noexcept;
+    [[nodiscard]] ClosestPoint localClosestPoint(const Vector3& query,
+                                        const SearchGuess& guess) const noexcept;
 
 private:
     std::variant<const BSplineSurface*, const NurbsSurface*> surface_;
-    FootEffort effort_ = FootEffort::Certified;
+    SearchEffort effort_ = SearchEffort::Certified;
 };
 
 }  // namespace asperity

@@ -41,7 +41,7 @@ TEST(Project, DoesNotWriteOverItsInput) {
     }
 }
 
-TEST(Project, GivesFeetOnTheSurfaceAlongItsNormal) {
+TEST(Project, GivesClosestPointsOnTheSurfaceAlongItsNormal) {
     const test::ScratchFolder scratch;
     const auto points = scratch.write("points.csv", kPoints);
     const CsvTable out = projected(sample("self_affine.gsf") + " --points " + points.string());
@@ -52,11 +52,11 @@ TEST(Project, GivesFeetOnTheSurfaceAlongItsNormal) {
         EXPECT_EQ(out.text(row, "proof"), "nearest");
         EXPECT_EQ(out.text(row, "inside"), "true");
         const double distance = out.number(row, "distance_m");
-        for (const auto& [point, foot, normal] : {std::tuple{"x_m", "foot_x_m", "nx"},
+        for (const auto& [point, closest, normal] : {std::tuple{"x_m", "foot_x_m", "nx"},
                                                   {"y_m", "foot_y_m", "ny"},
                                                   {"z_m", "foot_z_m", "nz"}}) {
             EXPECT_NEAR(out.number(row, point),
-                        out.number(row, foot) + distance * out.number(row, normal), 1e-18);
+                        out.number(row, closest) + distance * out.number(row, normal), 1e-18);
         }
     }
     EXPECT_LT(out.number(1, "distance_m"), out.number(0, "distance_m"));
@@ -76,14 +76,14 @@ TEST(Project, FindsTheExactDistanceOfASphere) {
     for (std::size_t row = 0; row < 2; ++row) {
         EXPECT_EQ(out.text(row, "certified"), "true");
         EXPECT_NEAR(out.number(row, "curvature_1_per_m"), 1.0 / 50e-9, 1e-3);
-        // Foot and point lie on one ray from the center, which is the foot less R along the normal.
+        // ClosestPoint and point lie on one ray from the center, which is the closest point less R along the normal.
         const double distance = out.number(row, "distance_m");
         EXPECT_NEAR(out.number(row, "x_m") - out.number(row, "foot_x_m"),
                     distance * out.number(row, "nx"), 1e-20);
     }
 }
 
-TEST(Project, SaysOfWhatIsNoPlaceThatItHasNoFoot) {
+TEST(Project, SaysOfWhatIsNoPlaceThatItHasNoClosestPoint) {
     const test::ScratchFolder scratch;
     const auto points = scratch.write(
         "points.csv", "x_m,y_m,z_m\nnan,1e-9,1e-9\n1e-9,inf,1e-9\n1e-9,1e-9,-1e300\n");

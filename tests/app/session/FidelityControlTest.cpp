@@ -26,9 +26,9 @@ TEST_F(FidelityControlTest, ATermIsOverruledAndGivenBack) {
 TEST_F(FidelityControlTest, ATierIsPickedAndTheChartStays) {
     panel().showTradeOff(TradeOff{});
     ForceModelOptions tier = ofForce(scene().model);
-    tier.footSearch = FootEffort::Local;
+    tier.closestPointSearch = SearchEffort::Local;
     Q_EMIT panel().tierPicked(tier);
-    EXPECT_EQ(scene().model.footSearch, FootEffort::Local);
+    EXPECT_EQ(scene().model.closestPointSearch, SearchEffort::Local);
     EXPECT_TRUE(panel().tradeOff().has_value());
     useFlatScene();
     EXPECT_FALSE(panel().tradeOff().has_value()) << "of another scene";

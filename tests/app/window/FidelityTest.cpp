@@ -19,13 +19,13 @@ namespace {
 TradeOff twoWays() {
     TradeOff study;
     study.reference.forceScale = 1e-8;
-    study.ticks = {{.tier = {.law = ContactLaw::Hertz, .footSearch = FootEffort::Local},
+    study.ticks = {{.tier = {.law = ContactLaw::Hertz, .closestPointSearch = SearchEffort::Local},
                     .median = 2e-6,
                     .forceErrorRms = 1e-9,
                     .onFront = true},
                    {.tier = {.law = ContactLaw::Jkr,
                              .solver = SolverTier::Table,
-                             .footSearch = FootEffort::Global},
+                             .closestPointSearch = SearchEffort::Global},
                     .median = 4e-6,
                     .forceErrorRms = 1e-10,
                     .onFront = true}};
@@ -83,9 +83,9 @@ TEST_F(Fidelity, ATermOverruledIsOutAndTheRunGoesOn) {
     EXPECT_FALSE(scene().description.choices.friction.has_value());
 }
 
-TEST_F(Fidelity, FeetAndDeformationAreChosenByTheirTerms) {
+TEST_F(Fidelity, ClosestPointsAndDeformationAreChosenByTheirTerms) {
     choose(ModelTerm::GlobalSearch, QStringLiteral("off"));
-    EXPECT_EQ(scene().description.choices.footSearch, FootEffort::Local);
+    EXPECT_EQ(scene().description.choices.closestPointSearch, SearchEffort::Local);
     choose(ModelTerm::OutsideDisplacement, QStringLiteral("off"));
     EXPECT_EQ(scene().model.deformation, DeformationTier::ContactRadius);
     EXPECT_EQ(choiceOf(ModelTerm::HalfSpaceSolve)->currentText(), QStringLiteral("off"))

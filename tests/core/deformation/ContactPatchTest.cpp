@@ -51,7 +51,7 @@ Scene sceneOfMaterial(const std::string& material) {
 TipState stateOf(const test::ReferenceTable& table, std::size_t row) {
     TipState state;
     state.tip = {64.0_nm, 64.0_nm, -table.number(row, "delta_m")};
-    state.foot.point = {64.0_nm, 64.0_nm, 0.0};
+    state.closest.point = {64.0_nm, 64.0_nm, 0.0};
     state.contact.indentation = table.number(row, "delta_m");
     state.contact.contactRadius = table.number(row, "a_m");
     state.contact.cohesiveRadius = table.number(row, "c_m");
@@ -90,7 +90,7 @@ TEST_F(ContactPatchOnAFlatSample, ContactRadiusLeavesTheSurfaceOutsideAlone) {
     double outside = 0.0;
     double inside = 0.0;
     for (std::size_t i = 0; i < patch.points.size(); ++i) {
-        const Vector3 flat = patch.rest[i] - state.foot.point;
+        const Vector3 flat = patch.rest[i] - state.closest.point;
         const double radius = std::hypot(flat.x(), flat.y());
         const double depth = std::abs(patch.points[i].z() - patch.rest[i].z());
         if (radius > 1.5 * state.contact.contactRadius) {
@@ -112,12 +112,12 @@ TEST(ContactPatch, SampleAndTipMeetInTheContactWhateverTheirShares) {
     const BaseMotion base{.position = {64.0_nm, 64.0_nm, -3.0_nm}};
     const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
     const ContactDeformation deformation(scene, state, DeformationTier::ClosedForm);
-    const Vector3 foot = displacedFoot(scene, state, DeformationTier::ClosedForm);
+    const Vector3 closest = displacedPoint(scene, state, DeformationTier::ClosedForm);
     const double half = 0.5 * state.contact.indentation;  // two bodies of one material
-    EXPECT_NEAR(state.foot.point.z() - foot.z(), half, 1e-9 * half);
+    EXPECT_NEAR(state.closest.point.z() - closest.z(), half, 1e-9 * half);
     EXPECT_NEAR(deformation.tipDisplacement(0.0), half, 1e-9 * half);
     // The sphere, deformed by its share, touches the sample at the middle of the contact.
-    EXPECT_NEAR(state.tip.z() + deformation.tipDisplacement(0.0), foot.z(), 1e-9 * half);
+    EXPECT_NEAR(state.tip.z() + deformation.tipDisplacement(0.0), closest.z(), 1e-9 * half);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST(HalfSpaceModel, IsTheSameOnAnInclinedPlane) {
     const Scene steep = sceneOn(test::slopedMap(0.8));
     const TipState above = pressed(level, 0.3_nm);
     TipState aside = pressed(steep, 0.3_nm);
-    ASSERT_LT(aside.foot.normal.z(), 0.79);
+    ASSERT_LT(aside.closest.normal.z(), 0.79);
     aside.contact = above.contact;  // the same depth along the normal
     const HalfSpaceAnswer first = HalfSpaceModel().solve(level, above);
     const HalfSpaceAnswer second = HalfSpaceModel().solve(steep, aside);
@@ -110,7 +110,7 @@ TEST(HalfSpaceModel, PutsRealTopographyOntoTheTip) {
     const SurfacePatch patch = halfSpacePatch(scene, answer, {.halfWidth = 6.0_nm, .samples = 81});
     const TipContact contact = tipContact(scene, state);
     const Vector3 center =
-        contact.foot + (contact.tipRadius - contact.indentation) * contact.normal;
+        contact.closest + (contact.tipRadius - contact.indentation) * contact.normal;
     double touching = 0.0;
     for (std::size_t i = 0; i < patch.points.size(); ++i) {
         const double gap = (patch.points[i] - center).norm() - contact.tipRadius;

@@ -48,7 +48,7 @@ void addRarities(SceneDescription& description, Random& random) {
         description.choices.adhesion = false;
     }
     if (random.uniform() < 0.1) {
-        description.choices.footSearch = FootEffort::Global;
+        description.choices.closestPointSearch = SearchEffort::Global;
     }
 }
 

@@ -20,7 +20,7 @@ bool isDecidedByRuns(const SceneNeeds& needs, ModelTerm term) {
     return !isOfSurface(term) && has(needs.full, term) && !needOf(needs, term).overruled;
 }
 
-/// The search for feet also stays by a bound, without any effect on the runs.
+/// The search for closest points also stays by a bound, without any effect on the runs.
 bool mayStayWithoutEffect(ModelTerm term) { return term == ModelTerm::GlobalSearch; }
 
 void expectSurfaceDecided(const SceneNeeds& needs) {

@@ -37,21 +37,21 @@ TEST(SceneNeeds, ATipThatDoesNotFitItsHollowsLooksEverywhere) {
     Scene scene = buildScene(test::plainScene(), test::ridgedMap(25.0_nm));
     const SceneNeeds needs = fitModel(scene);
     EXPECT_TRUE(needOf(needs, ModelTerm::GlobalSearch).on);
-    EXPECT_EQ(scene.model.footSearch, FootEffort::Certified);
+    EXPECT_EQ(scene.model.closestPointSearch, SearchEffort::Certified);
 }
 
 TEST(SceneNeeds, WhatTheSceneSaysStays) {
     SceneDescription description = test::plainScene();
     description.choices.law = ContactLaw::Hertz;
     description.choices.deformation = DeformationTier::FourPoint;
-    description.choices.footSearch = FootEffort::Global;
+    description.choices.closestPointSearch = SearchEffort::Global;
     description.choices.torsion = true;
     description.choices.friction = false;
     Scene scene = buildScene(description, test::hillyMap());
     const SceneNeeds needs = fitModel(scene);
     EXPECT_EQ(scene.model.law, ContactLaw::Hertz);
     EXPECT_EQ(scene.model.deformation, DeformationTier::FourPoint);
-    EXPECT_EQ(scene.model.footSearch, FootEffort::Global);
+    EXPECT_EQ(scene.model.closestPointSearch, SearchEffort::Global);
     EXPECT_TRUE(scene.model.torsion);
     EXPECT_FALSE(scene.model.friction);
     EXPECT_TRUE(needOf(needs, ModelTerm::Friction).overruled);

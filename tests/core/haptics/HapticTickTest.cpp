@@ -184,7 +184,7 @@ TEST(HapticTick, FlagsSamplesTooCurvedForOneEffectiveRadius) {
     TickMemory inGroove;
     const Scene grooves = buildScene(test::plainScene(), test::ridgedMap(25.0_nm));
     const auto groove = tick(grooves, inputAt({45.0_nm, 64.0_nm, -18.0_nm}), inGroove).flags;
-    EXPECT_TRUE(groove.has(Validity::SeveralFeet));
+    EXPECT_TRUE(groove.has(Validity::SeveralContactPoints));
 }
 
 TEST(HapticTick, FlagsAPitOfTheTipsOwnShape) {
@@ -203,25 +203,25 @@ TEST(HapticTick, FlagsAPitOfTheTipsOwnShape) {
     TickMemory memory;
     const auto seated =
         tick(scene, inputAt({0.5 * pit.sizeX(), 0.5 * pit.sizeY(), -0.4 * radius}), memory).flags;
-    EXPECT_TRUE(seated.has(Validity::FeetUnproven));
+    EXPECT_TRUE(seated.has(Validity::SearchNotExhaustive));
     TickMemory beside;
     EXPECT_FALSE(
-        tick(scene, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), beside).flags.has(Validity::FeetUnproven));
+        tick(scene, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), beside).flags.has(Validity::SearchNotExhaustive));
 }
 
-TEST(HapticTick, FlagsFeetThatNobodyProved) {
+TEST(HapticTick, FlagsClosestPointsThatNobodyProved) {
     SceneDescription description = test::plainScene();
-    for (const FootEffort effort : {FootEffort::Local, FootEffort::Global, FootEffort::Certified}) {
-        description.choices.footSearch = effort;
+    for (const SearchEffort effort : {SearchEffort::Local, SearchEffort::Global, SearchEffort::Certified}) {
+        description.choices.closestPointSearch = effort;
         const Scene scene = buildScene(description, test::ridgedMap(25.0_nm));
         TickMemory memory;
         const TickOutput out = tick(scene, inputAt({15.0_nm, 20.0_nm, 25.1_nm}), memory);
-        EXPECT_EQ(out.flags.has(Validity::FeetUnproven), effort != FootEffort::Certified)
+        EXPECT_EQ(out.flags.has(Validity::SearchNotExhaustive), effort != SearchEffort::Certified)
             << keyOf(effort);
         const Scene level = buildScene(description, test::flatMap());
         TickMemory above;
         EXPECT_FALSE(tick(level, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), above)
-                         .flags.has(Validity::FeetUnproven))
+                         .flags.has(Validity::SearchNotExhaustive))
             << "there is but one";
     }
 }

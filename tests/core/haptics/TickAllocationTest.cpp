@@ -98,7 +98,7 @@ TEST(TickAllocation, NorDoesAGovernorWhateverBecomesOfTheForce) {
     EXPECT_EQ(states.size(), 8U) << "all but Waiting";
 }
 
-TEST(TickAllocation, NorDoSeveralFeet) {
+TEST(TickAllocation, NorDoSeveralClosestPoints) {
     const Scene scene = buildScene(test::plainScene(), test::ridgedMap(25.0_nm));
     TickMemory memory;
     TickInput input;
@@ -108,7 +108,7 @@ TEST(TickAllocation, NorDoSeveralFeet) {
         const std::size_t before = test::allocationCount();
         const TickOutput output = tick(scene, input, memory);
         ASSERT_EQ(test::allocationCount(), before) << "tick " << i;
-        several = several || output.flags.has(Validity::SeveralFeet);
+        several = several || output.flags.has(Validity::SeveralContactPoints);
     }
     EXPECT_TRUE(several);
 }

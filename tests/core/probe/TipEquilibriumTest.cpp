@@ -107,7 +107,7 @@ TEST(TipEquilibrium, AHillIsMetWithItsEffectiveRadius) {
     const ContactState flat = onHill.equilibrium(state.contact.indentation, 0.0,
                                                  ContactMemory{ContactBranch::Bonded, 0.0});
     EXPECT_NEAR(state.contact.force, flat.force, 1e-9 * std::abs(flat.force) + 1e-15);
-    EXPECT_EQ(state.feet, 1);
+    EXPECT_EQ(state.points, 1);
     expectBalanced(scene, base, state);
 }
 
@@ -136,7 +136,7 @@ TEST(TipEquilibrium, RestsOnBothFlanksOfAGrooveItDoesNotFit) {
             state = tipEquilibrium(scene.surface, scene.belief, base, memory);
         }
         ASSERT_TRUE(state.converged);
-        EXPECT_EQ(state.feet, 2);
+        EXPECT_EQ(state.points, 2);
         expectBalanced(scene, base, state);
         // Held at the same place by a rigid lever, the sample pushes the same way.
         const TipState held = heldTip(scene.surface, scene.belief, {.position = state.tip}, memory);
@@ -154,9 +154,9 @@ TEST(TipEquilibrium, FlanksOfAGrooveShareTheLoad) {
     EquilibriumMemory memory;
     const BaseMotion base{.position = {45.0_nm, 64.0_nm, -17.0_nm}};
     const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
-    ASSERT_EQ(state.feet, 2);
+    ASSERT_EQ(state.points, 2);
     EXPECT_LT(std::abs(state.force.x()), 1e-3 * state.force.z());
-    EXPECT_NEAR(state.force.z(), 2.0 * state.contact.force * state.foot.normal.z(),
+    EXPECT_NEAR(state.force.z(), 2.0 * state.contact.force * state.closest.normal.z(),
                 1e-3 * state.force.z());
 }
 
@@ -179,7 +179,7 @@ TEST(TipEquilibrium, SlidesDownASteepSlopeUnderStrongFriction) {
             ASSERT_FALSE(state.locked);
             expectBalanced(scene, base, state);
         }
-        EXPECT_EQ(memory.feet[0].contact.branch, ContactBranch::Bonded);
+        EXPECT_EQ(memory.points[0].contact.branch, ContactBranch::Bonded);
     }
 }
 
@@ -229,15 +229,15 @@ TEST(TipEquilibrium, PullsOffALittleLaterOrEarlierUnderAreaFriction) {
         const double across = -direction * scene.belief.cantilever.compliance()(2, 0);
         const double expected = pullOffWithAreaFriction(scene, across);
         EquilibriumMemory memory;
-        memory.feet[0].contact.branch = ContactBranch::Bonded;
-        memory.footCount = 1;
+        memory.points[0].contact.branch = ContactBranch::Bonded;
+        memory.pointCount = 1;
         double left = 0.0;
         for (double height = 0.0; height < 2.0_nm; height += 0.1_pm) {
             const BaseMotion base{.position = {64.0_nm, 64.0_nm, height},
                                   .velocity = {direction * 1e-3, 0.0, 0.0}};
             const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
             EXPECT_TRUE(state.converged || across > 0.0) << height;
-            if (memory.feet[0].contact.branch == ContactBranch::Far) {
+            if (memory.points[0].contact.branch == ContactBranch::Far) {
                 left = -height;
                 break;
             }
@@ -246,7 +246,7 @@ TEST(TipEquilibrium, PullsOffALittleLaterOrEarlierUnderAreaFriction) {
     }
 }
 
-TEST(TipEquilibrium, AddsUpTheAreasOfItsFeet) {
+TEST(TipEquilibrium, AddsUpTheAreasOfItsClosestPoints) {
     SceneDescription description = test::plainScene();
     description.sample.material.friction = {};
     description.probe.azimuth = std::numbers::pi / 2.0;
@@ -254,15 +254,15 @@ TEST(TipEquilibrium, AddsUpTheAreasOfItsFeet) {
     EquilibriumMemory memory;
     const TipState state = tipEquilibrium(scene.surface, scene.belief,
                                           {.position = {45.0_nm, 64.0_nm, -17.0_nm}}, memory);
-    ASSERT_EQ(state.feet, 2);
+    ASSERT_EQ(state.points, 2);
     const double radius = state.contact.contactRadius;
     EXPECT_NEAR(state.contactArea, 2.0 * std::numbers::pi * radius * radius,
                 1e-3 * state.contactArea);
 }
 
-/// A soft lever lifts the tip by much: its feet are others than those of the undeflected tip, and
+/// A soft lever lifts the tip by much: its closest points are others than those of the undeflected tip, and
 /// none of them may wait for the next tick.
-TEST(TipEquilibrium, FindsItsFeetWithinOneTickHoweverFarItMoves) {
+TEST(TipEquilibrium, FindsItsClosestPointsWithinOneTickHoweverFarItMoves) {
     SceneDescription description = test::plainScene();
     description.sample.material.friction = {};
     description.sample.material.workOfAdhesion = 0.0;

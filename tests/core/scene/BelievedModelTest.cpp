@@ -52,7 +52,7 @@ TEST(BelievedModel, WithoutTorsionTheLeverOnlyBendsAcross) {
         rigid.compliance().isApprox(rigid.rotation().transpose() * left * rigid.rotation(), 1e-14));
 }
 
-TEST(BelievedModel, WithoutCurvatureEveryFootIsFlat) {
+TEST(BelievedModel, WithoutCurvatureEveryClosestPointIsFlat) {
     Scene scene = buildScene(test::plainScene(), test::ridgedMap(5.0_nm));
     const auto radiusOnTheCrest = [&] {
         return heldTip(scene.felt(), scene.belief, {.position = {15.0_nm, 60.0_nm, 5.0_nm}}, {})

@@ -12,7 +12,7 @@ TEST(ForceModelOptions, AreNamedByWhatDiffersFromTheUsual) {
               std::string(nameOf(ContactLaw::Hertz)) + ", certified feet");
     EXPECT_EQ(nameOf({.law = ContactLaw::Jkr,
                       .solver = SolverTier::Table,
-                      .footSearch = FootEffort::Local,
+                      .closestPointSearch = SearchEffort::Local,
                       .decoupling = DecouplingTier::Planar,
                       .friction = false,
                       .curvature = false}),

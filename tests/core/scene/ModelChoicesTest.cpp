@@ -54,7 +54,7 @@ TEST(ModelChoices, AForceThatIsTakenLeavesDeformationAndDecouplingAlone) {
     const ModelChoices taken = withForce(before, {.law = ContactLaw::Jkr, .friction = false});
     EXPECT_EQ(taken.law, ContactLaw::Jkr);
     EXPECT_EQ(taken.solver, SolverTier::Newton);
-    EXPECT_EQ(taken.footSearch, FootEffort::Certified);
+    EXPECT_EQ(taken.closestPointSearch, SearchEffort::Certified);
     EXPECT_EQ(taken.friction, false);
     EXPECT_EQ(taken.curvature, true);
     EXPECT_FALSE(taken.adhesion.has_value()) << "the law says it";
@@ -67,7 +67,7 @@ TEST(ModelChoices, AForceThatIsTakenLeavesDeformationAndDecouplingAlone) {
 TEST(ModelChoices, AutomaticLeavesNothingSettled) {
     const ModelChoices open = allAutomatic({.law = ContactLaw::Jkr,
                                             .solver = SolverTier::Table,
-                                            .footSearch = FootEffort::Local,
+                                            .closestPointSearch = SearchEffort::Local,
                                             .decoupling = DecouplingTier::Planar,
                                             .deformation = DeformationTier::FourPoint,
                                             .torsion = false});

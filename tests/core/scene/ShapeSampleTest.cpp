@@ -34,10 +34,10 @@ TEST(ShapeSample, IsDrawnWhereItIsTouched) {
                 const double x = shape.size * (0.02 + 0.96 * i / 20.0);
                 const double y = shape.size * (0.02 + 0.96 * j / 20.0);
                 const HeightSample drawn = scene.surface.at(x, y);
-                const SurfaceFoot foot =
-                    scene.touched().localFoot(Vector3(x, y, drawn.height), FootGuess{});
-                ASSERT_NEAR(foot.distance, 0.0, 1e-6 * shape.size);
-                ASSERT_LT((foot.normal - drawn.normal()).norm(), 2e-4);
+                const ClosestPoint closest =
+                    scene.touched().localClosestPoint(Vector3(x, y, drawn.height), SearchGuess{});
+                ASSERT_NEAR(closest.distance, 0.0, 1e-6 * shape.size);
+                ASSERT_LT((closest.normal - drawn.normal()).norm(), 2e-4);
             }
         }
     }
@@ -54,11 +54,11 @@ TEST(ShapeSample, ABallIsTouchedAsABall) {
         const BaseMotion held{.position = tipCenter - Vector3(0.0, 0.0, tipRadius)};
         const TipState state = heldTip(scene.touched(), scene.belief, held, {});
         EXPECT_TRUE(state.converged);
-        EXPECT_LT((state.foot.normal - direction).norm(), 1e-12);
-        EXPECT_NEAR(state.foot.distance, tipRadius - 1.0_nm, 1e-13 * kRadius);
+        EXPECT_LT((state.closest.normal - direction).norm(), 1e-12);
+        EXPECT_NEAR(state.closest.distance, tipRadius - 1.0_nm, 1e-13 * kRadius);
         EXPECT_NEAR(state.effectiveRadius, kRadius * tipRadius / (kRadius + tipRadius),
                     1e-9 * tipRadius);
-        EXPECT_TRUE(state.foot.insideScan);
+        EXPECT_TRUE(state.closest.insideScan);
     }
 }
 
@@ -70,9 +70,9 @@ TEST(ShapeSample, ASlopeIsTouchedAcrossIt) {
         Vector3(0.5 * kSlope.size, 0.4 * kSlope.size, 0.0) + (tipRadius - 1.0_nm) * normal;
     const TipState state = heldTip(scene.touched(), scene.belief,
                                    {.position = tipCenter - Vector3(0.0, 0.0, tipRadius)}, {});
-    EXPECT_LT((state.foot.normal - normal).norm(), 1e-14);
+    EXPECT_LT((state.closest.normal - normal).norm(), 1e-14);
     EXPECT_NEAR(state.effectiveRadius, tipRadius, 1e-9 * tipRadius);
-    EXPECT_EQ(state.feet, 1);
+    EXPECT_EQ(state.points, 1);
 }
 
 TEST(ShapeSample, RunsStartOnTopOfIt) {

@@ -70,11 +70,11 @@ TEST(ContactShape, ShowsTheHalfSpaceWhereItStillHoldsAndElseTheClosedForm) {
     }
     EXPECT_GT(differences, 1e-10) << "the two do differ on hills";
     TipState elsewhere = state;
-    elsewhere.foot.point.x() += 10.0_nm;
+    elsewhere.closest.point.x() += 10.0_nm;
     EXPECT_FALSE(stillHolds(answer, elsewhere));
     const ContactShape late(scene, elsewhere, area, kSamples, &answer);
     const ContactShape there(scene, elsewhere, area, kSamples);
-    EXPECT_EQ(late.moved(state.foot.point), there.moved(state.foot.point));
+    EXPECT_EQ(late.moved(state.closest.point), there.moved(state.closest.point));
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryTier, ContactShapeOnHills,
@@ -107,10 +107,10 @@ TEST(ContactShape, IsNotAtRestAlongTheScansEdge) {
         const ScanWindow scan{.left = 0.0, .right = 128.0_nm, .bottom = 0.0, .top = 128.0_nm};
         const ScanWindow area = windowAround(state.tip.head<2>(), reach, scan);
         const ContactShape shape(scene, state, area, kSamples);
-        EXPECT_NEAR((state.foot.point - shape.contactPoint()).z(), state.contact.indentation,
+        EXPECT_NEAR((state.closest.point - shape.contactPoint()).z(), state.contact.indentation,
                     0.05 * state.contact.indentation);
-        const Vector3 goesOn(area.left == 0.0 ? area.right : area.left, state.foot.point.y(),
-                             state.foot.point.z());
+        const Vector3 goesOn(area.left == 0.0 ? area.right : area.left, state.closest.point.y(),
+                             state.closest.point.z());
         EXPECT_EQ(shape.moved(goesOn), goesOn) << "at rest where the surface goes on";
         for (int i = 1; i < kSamples; ++i) {
             const SurfacePatch& patch = shape.patch();
@@ -125,7 +125,7 @@ TEST(ContactShape, FillsAScanSmallerThanTheView) {
     const TipState state = test::momentsOf(scene).deep.sample.output.model;
     const ScanWindow scan{.left = 0.0, .right = 128.0_nm, .bottom = 0.0, .top = 128.0_nm};
     const ContactShape shape(scene, state, scan, kSamples);
-    EXPECT_NEAR((state.foot.point - shape.contactPoint()).z(), state.contact.indentation,
+    EXPECT_NEAR((state.closest.point - shape.contactPoint()).z(), state.contact.indentation,
                 0.05 * state.contact.indentation);
 }
 
@@ -137,7 +137,7 @@ TEST(ContactShape, SamplesTheContactMostFinely) {
     int inContact = 0;
     for (int column = 0; column < kSamples; ++column) {
         const Vector3& rest = patch.rest[patch.index(kSamples / 2, column)];
-        inContact += std::abs(rest.x() - state.foot.point.x()) <= state.contact.contactRadius;
+        inContact += std::abs(rest.x() - state.closest.point.x()) <= state.contact.contactRadius;
         EXPECT_TRUE(column == 0 ||
                     rest.x() > patch.rest[patch.index(kSamples / 2, column - 1)].x());
     }
@@ -152,7 +152,7 @@ TEST(ContactShape, GivesTheTipItsShareOfTheDisplacement) {
     const ContactShape shape(scene, state, around(state.tip, 30.0_nm), kSamples);
     EXPECT_NEAR(shape.tipDisplacement(0.0), 0.5 * state.contact.indentation,
                 0.02 * state.contact.indentation);
-    EXPECT_NEAR((shape.contact().foot - shape.contactPoint()).z(), shape.tipDisplacement(0.0),
+    EXPECT_NEAR((shape.contact().closest - shape.contactPoint()).z(), shape.tipDisplacement(0.0),
                 1e-15);
 }
 

@@ -29,7 +29,7 @@ ViewMoments momentsOf(const Scene& scene) {
 Snapshot movedBy(Snapshot snapshot, const Vector3& way) {
     TipState& state = snapshot.sample.output.model;
     state.tip += way;
-    state.foot.point += Vector3(way.x(), way.y(), 0.0);
+    state.closest.point += Vector3(way.x(), way.y(), 0.0);
     state.contact.indentation -= way.z();
     return snapshot;
 }

@@ -36,7 +36,7 @@ ScanWindow around(const Vector3& place, double reach) {
 
 /// From the contact's axis, of a sample of the surface at rest [m].
 double distanceOf(const ContactShape& shape, std::size_t index) {
-    return (shape.patch().rest[index] - shape.contact().foot).head<2>().norm();
+    return (shape.patch().rest[index] - shape.contact().closest).head<2>().norm();
 }
 
 /// Largest displacement among the samples from a distance on [m].

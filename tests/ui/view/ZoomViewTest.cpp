@@ -61,14 +61,14 @@ TEST_F(ZoomViewTest, ShowsTheDentInBlueAndTheNeckInOrange) {
     const TipState& state = moments.deep.sample.output.model;
     // Beside the arrow, inside of the rim.
     const Vector3 inDent =
-        state.foot.point - 0.6 * state.contact.contactRadius * view->camera().right();
+        state.closest.point - 0.6 * state.contact.contactRadius * view->camera().right();
     const QColor rest = colorAt(pictureOf(moments.away), inDent);
     const QColor dent = colorAt(pictureOf(moments.deep), inDent);
     EXPECT_GT(difference(rest, dent), 60);
     EXPECT_GT(dent.blue(), dent.red() + 30);
 
     const TipState& pulled = moments.neck.sample.output.model;
-    const Vector3 onNeck = pulled.foot.point - 2.0_nm * view->camera().right();
+    const Vector3 onNeck = pulled.closest.point - 2.0_nm * view->camera().right();
     const QColor neck = colorAt(pictureOf(moments.neck), onNeck);
     EXPECT_GT(neck.red(), neck.blue() + 30);
 }
@@ -79,7 +79,7 @@ TEST_F(ZoomViewTest, ShowsTheDentAtTheScansEdge) {
     const TipState state = movedBy(moments.deep, way).sample.output.model;
     const double radius = state.contact.contactRadius;
     const Vector3 inDent =
-        state.foot.point - 0.6 * radius * view->camera().right() + Vector3(0.0, 0.3 * radius, 0.0);
+        state.closest.point - 0.6 * radius * view->camera().right() + Vector3(0.0, 0.3 * radius, 0.0);
     const QColor rest = colorAt(pictureOf(movedBy(moments.away, way)), inDent);
     const QColor dent = colorAt(pictureOf(movedBy(moments.deep, way)), inDent);
     EXPECT_GT(difference(rest, dent), 60);
@@ -168,11 +168,11 @@ TEST_F(ZoomViewTest, LeavesNoCrackInTheSurface) {
     // No paper shines through where patch and terrain join.
     const QImage picture = pictureOf(moments.deep);
     const ScanWindow window = view->window().value();
-    const Vector3 foot = moments.deep.sample.output.model.foot.point;
+    const Vector3 closest = moments.deep.sample.output.model.closest.point;
     for (int step = 10; step < 490; ++step) {
         const double part = step / 500.0;
         const Vector3 place(std::lerp(window.left, window.right, part),
-                            std::lerp(window.bottom, window.top, 0.3), foot.z());
+                            std::lerp(window.bottom, window.top, 0.3), closest.z());
         EXPECT_LT(colorAt(picture, place).lightness(), 240) << part;
     }
 }

@@ -14,11 +14,11 @@ namespace {
 
 TickMemory someMemory() {
     TickMemory memory;
-    memory.model.feet[0] = {.guess = {.x = 1.0 / 3.0, .y = 2e-7 / 3.0, .valid = true},
+    memory.model.points[0] = {.guess = {.x = 1.0 / 3.0, .y = 2e-7 / 3.0, .valid = true},
                             .contact = {ContactBranch::Bonded, 0.1 + 0.2},
                             .friction = 1.1e-9};
-    memory.model.feet[1].guess = {.x = 2.0 / 3.0, .y = -1e-7 / 3.0, .valid = true};
-    memory.model.footCount = 2;
+    memory.model.points[1].guess = {.x = 2.0 / 3.0, .y = -1e-7 / 3.0, .valid = true};
+    memory.model.pointCount = 2;
     memory.model.deflection = {1e-9 / 3.0, -2e-9, 3e-9};
     memory.compensation = {1e-9 / 7.0, 0.0, -2e-9};
     memory.control = PositionControl::Tip;
@@ -67,15 +67,15 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     const TickMemory written = someMemory();
     writeTickMemory(folder.path() / "memory.csv", written);
     const TickMemory read = readTickMemory(folder.path() / "memory.csv");
-    EXPECT_EQ(read.model.footCount, written.model.footCount);
-    for (std::size_t i = 0; i < written.model.feet.size(); ++i) {
-        const FootMemory& foot = written.model.feet[i];
-        EXPECT_EQ(read.model.feet[i].guess.x, foot.guess.x);
-        EXPECT_EQ(read.model.feet[i].guess.y, foot.guess.y);
-        EXPECT_EQ(read.model.feet[i].guess.valid, foot.guess.valid);
-        EXPECT_EQ(read.model.feet[i].contact.branch, foot.contact.branch);
-        EXPECT_EQ(read.model.feet[i].contact.coordinate, foot.contact.coordinate);
-        EXPECT_EQ(read.model.feet[i].friction, foot.friction);
+    EXPECT_EQ(read.model.pointCount, written.model.pointCount);
+    for (std::size_t i = 0; i < written.model.points.size(); ++i) {
+        const ClosestPointMemory& closest = written.model.points[i];
+        EXPECT_EQ(read.model.points[i].guess.x, closest.guess.x);
+        EXPECT_EQ(read.model.points[i].guess.y, closest.guess.y);
+        EXPECT_EQ(read.model.points[i].guess.valid, closest.guess.valid);
+        EXPECT_EQ(read.model.points[i].contact.branch, closest.contact.branch);
+        EXPECT_EQ(read.model.points[i].contact.coordinate, closest.contact.coordinate);
+        EXPECT_EQ(read.model.points[i].friction, closest.friction);
     }
     EXPECT_EQ(read.model.deflection, written.model.deflection);
     EXPECT_EQ(read.compensation, written.compensation);

@@ -138,7 +138,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.sample.erode = true;
     scene.choices.law = ContactLaw::Hertz;
     scene.choices.deformation = DeformationTier::HalfSpace;
-    scene.choices.footSearch = FootEffort::Local;
+    scene.choices.closestPointSearch = SearchEffort::Local;
     scene.choices.decoupling = DecouplingTier::Planar;
     scene.choices.mountTilt = false;
     scene.choices.torsion = true;
@@ -170,7 +170,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     EXPECT_EQ(again.sample.imagingTipRadius, 8e-9);
     EXPECT_TRUE(again.sample.erode);
     EXPECT_EQ(again.choices.deformation, scene.choices.deformation);
-    EXPECT_EQ(again.choices.footSearch, scene.choices.footSearch);
+    EXPECT_EQ(again.choices.closestPointSearch, scene.choices.closestPointSearch);
     EXPECT_EQ(again.choices.decoupling, scene.choices.decoupling);
     EXPECT_EQ(again.choices.mountTilt, scene.choices.mountTilt);
     EXPECT_EQ(again.choices.torsion, scene.choices.torsion);

@@ -169,7 +169,7 @@ std::vector<ExtremesRegion> roughTicks(double tipRadius) {
     return ticks;
 }
 
-TEST_F(ExtremesStudy, ALocalFootSearchDiffersFromACertifiedOneOnRoughGroundAndSaysSo) {
+TEST_F(ExtremesStudy, ALocalClosestPointSearchDiffersFromACertifiedOneOnRoughGroundAndSaysSo) {
     for (const ExtremesRegion& region : roughTicks(100.0_nm)) {
         if (region.place().tier == "local") {
             EXPECT_LT(region.unflagged().force.error, kExactWithin);

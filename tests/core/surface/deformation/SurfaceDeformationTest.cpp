@@ -4,7 +4,7 @@
 #include "core/Units.h"
 #include "core/surface/deformation/DisplacementField.h"
 #include "core/surface/fit/BSplineFit.h"
-#include "core/surface/foot/ClosestPoint.h"
+#include "core/surface/closest/ClosestPointSearch.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <Eigen/Geometry>
@@ -38,14 +38,14 @@ BSplineSurface eggBox() {
         sampledMap(kScan, EggBox{.amplitude = 5.0_nm, .periodX = 60.0_nm, .periodY = 40.0_nm}));
 }
 
-/// The tip pushed into the surface by `indentation` at the foot below (x, y).
+/// The tip pushed into the surface by `indentation` at the closest point below (x, y).
 TipContact contactAt(const BSplineSurface& surface, double x, double y, double indentation,
                      double contactRadius) {
     const HeightSample s = surface.at(x, y);
     TipContact contact;
-    contact.foot = Vector3(x, y, s.height);
+    contact.closest = Vector3(x, y, s.height);
     contact.normal = s.normal();
-    contact.tipCenter = contact.foot + (kTip - indentation) * contact.normal;
+    contact.tipCenter = contact.closest + (kTip - indentation) * contact.normal;
     contact.tipRadius = kTip;
     contact.contactRadius = contactRadius;
     contact.indentation = indentation;
@@ -53,7 +53,7 @@ TipContact contactAt(const BSplineSurface& surface, double x, double y, double i
 }
 
 double fromAxis(const TipContact& contact, const Vector3& point) {
-    return (point - contact.foot).cross(contact.normal).norm();
+    return (point - contact.closest).cross(contact.normal).norm();
 }
 
 SurfacePatch patchOf(const BSplineSurface& surface, const TipContact& contact,
@@ -176,7 +176,7 @@ TEST(ContactRadiusTier, HasARoundRim) {
         for (int i = 0; i < 200; ++i) {
             const double angle = 0.01 * std::numbers::pi * i;
             const Vector3 arm(std::cos(angle), std::sin(angle), 0.0);
-            const double depth = -field(contact.foot + distance * arm).z();
+            const double depth = -field(contact.closest + distance * arm).z();
             deepest = std::max(deepest, depth);
             shallowest = std::min(shallowest, depth);
         }
@@ -195,7 +195,7 @@ TEST(ContactRadiusTier, StaysFiniteWhereTheContactIsWiderThanTheTip) {
     EXPECT_NEAR(deepest.z(), -20.0_nm, 0.5_nm);
 }
 
-TEST(FourPointTier, MovesTheSurfaceAlongTheNormalAroundTheFoot) {
+TEST(FourPointTier, MovesTheSurfaceAlongTheNormalAroundTheClosestPoint) {
     for (const double indentation : {0.8_nm, -0.5_nm}) {
         const BSplineSurface surface = plane(0.4);
         const TipContact contact = contactAt(surface, 61.3_nm, 57.1_nm, indentation, 2.0_nm);
@@ -264,7 +264,7 @@ TEST(SurfaceDeformation, RefusesWhatCannotBeDrawn) {
         (void)deformedPatch(surface, contact, grid, DeformationTier::ContactRadius);
     };
     TipContact bad = good;
-    bad.foot.x() = std::numeric_limits<double>::quiet_NaN();
+    bad.closest.x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(draw(bad, kGrid), Error);
     bad = good;
     bad.contactRadius = -1.0_nm;

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/surface/closest/ClosestPoint.h"
+
+#include <boost/container/static_vector.hpp>
+#include <cstddef>
+#include <span>
+
+namespace asperity {
+
+/// More minima of the distance than these are not kept apart: several may stand so near to each
+/// other that they are one closest point.
+inline constexpr std::size_t kMaxMinima = 12;
+
+/// Minima of the distance of one query, the nearest first; where there are more than kMaxMinima,
+/// the nearest of them.
+class ClosestPointList {
+public:
+    /// Takes a closest point up unless it stands nearer than `sameWithin` [m] to one that does already.
+    void add(const ClosestPoint& closest, double sameWithin) noexcept;
+
+    [[nodiscard]] std::span<const ClosestPoint> all() const noexcept {
+        return {points_.data(), points_.size()};
+    }
+
+    /// Drops all but the nearest ones.
+    void keepNearest(std::size_t count) noexcept;
+    /// Whether a closest point had no room.
+    [[nodiscard]] bool hasLeftOut() const noexcept { return hasLeftOut_; }
+
+private:
+    boost::container::static_vector<ClosestPoint, kMaxMinima> points_;
+    bool hasLeftOut_ = false;
+};
+
+}  // namespace asperity

@@ -1,0 +1,92 @@
+#include "core/surface/closest/ClosestPointTracker.h"
+
+#include "core/surface/BSplineSurface.h"
+#include "core/surface/closest/ClosestPointList.h"
+#include "core/surface/closest/LocalClosestPoint.h"
+#include "core/surface/closest/NearestSample.h"
+#include "core/surface/closest/PartSearch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+/// Radius of the balls that are tried: in larger ones a closest point stands alone less often [pixel].
+constexpr double kBall = 0.125;
+/// Queries after which another ball is tried where none was proven. A try costs about as much as it
+/// spares each of the queries after it.
+constexpr int kLongestRest = 31;
+
+/// Whether the scan as a whole leaves no place for a closest point but the one that is known: all of it lies
+/// so far below the query that nothing is within reach, or the distance bends up everywhere.
+bool isProvenByScan(const BSplineSurface& surface, const Vector3& query, const SearchReach& reach) {
+    constexpr double kSurely = 1.0 - 1e-6;
+    const BoxBounds scan = surface.bounds().all();
+    const double above = query.z() - scan.highest;
+    return above > reach.farthest ||
+           (above >= 0.0 && scan.concavity * (query.z() - scan.lowest) < kSurely);
+}
+
+/// Whether a search from `place` would most likely end at one of the closest points.
+bool isBesideOneOf(const ClosestPointList& points, const Vector2& place, const BSplineSurface& surface) {
+    constexpr double kBeside = 1.0;  // pixel
+    const BSplineSurface::Grid& grid = surface.grid();
+    return std::ranges::any_of(points.all(), [&](const ClosestPoint& closest) {
+        return std::abs(closest.point.x() - place.x()) <= kBeside * grid.pitchX &&
+               std::abs(closest.point.y() - place.y()) <= kBeside * grid.pitchY;
+    });
+}
+
+/// Adds the closest point that the nearest sample leads to.
+void addLikelyPoint(const BSplineSurface& surface, const Vector3& query, const SearchReach& reach,
+                   ClosestPointList& points) {
+    const double limit = reach.limit(points.all().front());
+    const auto place = nearestSample(surface, query, limit);
+    if (!place || isBesideOneOf(points, *place, surface)) {
+        return;
+    }
+    const ClosestPoint closest = localClosestPoint(surface, query, {place->x(), place->y(), true});
+    if (closest.converged && std::abs(closest.distance) <= limit) {
+        points.add(closest, sameMinimum(surface));
+    }
+}
+
+}  // namespace
+
+SearchProof ClosestPointTracker::completePoints(const BSplineSurface& surface, const Vector3& query,
+                                    const SearchReach& reach, SearchEffort effort,
+                                    ClosestPointList& points) noexcept {
+    if (points.all().front().converged && isProvenByScan(surface, query, reach)) {
+        return SearchProof::Nearest;
+    }
+    switch (effort) {
+    case SearchEffort::Local:
+        return SearchProof::NotSought;
+    case SearchEffort::Global:
+        addLikelyPoint(surface, query, reach, points);
+        return SearchProof::Likely;
+    case SearchEffort::Certified:
+        return provePoints(surface, query, reach, points);
+    }
+    return SearchProof::NotSought;
+}
+
+SearchProof ClosestPointTracker::provePoints(const BSplineSurface& surface, const Vector3& query,
+                                 const SearchReach& reach, ClosestPointList& points) noexcept {
+    if (ball_.settles(query, reach, points.all().front())) {
+        return SearchProof::Nearest;
+    }
+    if (untilNextTry_ > 0) {
+        --untilNextTry_;
+        return asperity::completePoints(surface, query, reach, points);
+    }
+    const double radius = kBall * std::min(surface.grid().pitchX, surface.grid().pitchY);
+    const SearchProof proof = asperity::completePoints(surface, {query, radius}, reach, points, ball_);
+    rest_ = ball_.queries.radius > 0.0 ? 0 : std::min(2 * rest_ + 1, kLongestRest);
+    untilNextTry_ = rest_;
+    return proof;
+}
+
+}  // namespace asperity

@@ -1,0 +1,87 @@
+#include "core/surface/closest/ContactPoints.h"
+
+#include "core/surface/closest/ExhaustiveSearch.h"
+#include "core/surface/closest/LocalClosestPoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+/// A closest point that lies farther than the nearest one by more than this bears too little of the force to
+/// matter: across a gap of 3 nm van der Waals attraction is a hundredth of that in contact [m].
+constexpr double kBehindNearest = 3e-9;
+
+/// The closest point, and those of the others that lie within `farthest` [m]. Minima nearer to each
+/// other than `same` [m] bear one contact, which must not be counted twice.
+ClosestPointList bearing(const ClosestPointList& points, double same, double farthest) {
+    ClosestPointList apart;
+    apart.add(points.all().front(), same);
+    for (const ClosestPoint& closest : points.all().subspan(1)) {
+        if (std::abs(closest.distance) <= farthest) {
+            apart.add(closest, same);
+        }
+    }
+    return apart;
+}
+
+/// How far from its center a tip is to have closest points [m]. Below the surface there is no out of reach:
+/// however deep the center lies, the nearest way out is what pushes it.
+double farthestPoint(const BSplineSurface& surface, const TipSphere& tip, double reach) {
+    const Vector3& center = tip.center;
+    return center.z() < surface.at(center.x(), center.y()).height
+               ? std::numeric_limits<double>::infinity()
+               : tip.radius + reach;
+}
+
+/// @param complete completes the minima of the distance from the tip's center
+template <class Complete>
+ContactPoints pointsOf(const BSplineSurface& surface, const TipSphere& tip, double reach,
+               std::span<const SearchGuess> known, const Complete& complete) {
+    ContactPoints points;
+    const double same = kSamePoint * tip.radius;
+    for (const SearchGuess& guess : known) {
+        points.list.add(localClosestPoint(surface, tip.center, guess), same);
+    }
+    if (known.empty()) {
+        points.list.add(localClosestPoint(surface, tip.center, {}), same);
+    }
+    if (!isUsableQuery(tip.center)) {
+        points.proof = SearchProof::NotConverged;
+        return points;
+    }
+    const double within = farthestPoint(surface, tip, reach);
+    ClosestPointList minima = points.list;
+    points.proof = complete({.farthest = within, .behindNearest = kBehindNearest}, minima);
+    const double nearest = std::abs(minima.all().front().distance);
+    points.list = bearing(minima, same, std::min(within, nearest + kBehindNearest));
+    if (minima.hasLeftOut() || points.list.all().size() > kMaxContactPoints) {
+        points.proof = SearchProof::TooManyPoints;
+        points.list.keepNearest(kMaxContactPoints);
+    }
+    if (nearest > within && points.proof == SearchProof::Nearest) {
+        points.proof = SearchProof::OutOfReach;
+    }
+    return points;
+}
+
+}  // namespace
+
+ContactPoints contactPoints(const BSplineSurface& surface, const TipSphere& tip, double reach,
+                std::span<const SearchGuess> known) noexcept {
+    return pointsOf(surface, tip, reach, known, [&](const SearchReach& within, ClosestPointList& minima) {
+        return completePoints(surface, tip.center, within, minima);
+    });
+}
+
+ContactPoints contactPoints(const BSplineSurface& surface, const TipSphere& tip, const ContactPointSearch& sought,
+                std::span<const SearchGuess> known, ClosestPointTracker& tracker) noexcept {
+    return pointsOf(surface, tip, sought.reach, known, [&](const SearchReach& reach, ClosestPointList& minima) {
+        return tracker.completePoints(surface, tip.center, reach, sought.effort, minima);
+    });
+}
+
+}  // namespace asperity

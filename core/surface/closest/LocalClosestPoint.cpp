@@ -1,0 +1,185 @@
+#include "core/surface/closest/LocalClosestPoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+/// Beyond this a square would overflow; no instrument reaches as far. [m]
+constexpr double kFarthest = 1e100;
+/// A search that ended properly is preferred to one as near that did not. [relative]
+constexpr double kAsNear = 1e-12;
+/// A Hessian this near to singular is left to the careful search. [relative]
+constexpr double kNearlySingular = 1e-6;
+
+/// The answer to a query that is no point: a surface point, and the word that it means nothing.
+ClosestPoint meaninglessPoint(const BSplineSurface& surface) {
+    const Vector2 middle(0.5 * surface.sizeX(), 0.5 * surface.sizeY());
+    const HeightSample sample = surface.at(middle.x(), middle.y());
+    ClosestPoint closest;
+    closest.point = Vector3(middle.x(), middle.y(), sample.height);
+    closest.normal = sample.normal();
+    closest.insideScan = false;
+    closest.proof = SearchProof::NotConverged;
+    return closest;
+}
+
+/// The surface beside a sample, to second order.
+void moveSample(HeightSample& s, const Vector2& step) {
+    s.height += (s.dx + 0.5 * (s.dxx * step.x() + s.dxy * step.y())) * step.x() +
+                (s.dy + 0.5 * (s.dxy * step.x() + s.dyy * step.y())) * step.y();
+    s.dx += s.dxx * step.x() + s.dxy * step.y();
+    s.dy += s.dxy * step.x() + s.dyy * step.y();
+}
+
+/// Newton's method from a start that is close to a minimum, without the care that BoxNewton takes:
+/// whether it ended there. The place of `minimum` is the start.
+bool dash(const HalfSquaredDistance& objective, const BSplineSurface& surface,
+          BoxMinimum& minimum) {
+    constexpr int kMaxSteps = 6;
+    constexpr double kCloser = 0.25;  // by which each gradient must beat the last, squared
+    // After a step this short the surface's second order says as much as another look: the third
+    // changes the gradient by less than rounding does. [pixel]
+    constexpr double kLastStep = 2e-6;
+    const BSplineSurface::Grid& grid = surface.grid();
+    const double lastStep = kLastStep * std::min(grid.pitchX, grid.pitchY);
+    const double longestStep = std::max(grid.pitchX, grid.pitchY);
+    double last = std::numeric_limits<double>::max();
+    for (minimum.iterations = 1; minimum.iterations <= kMaxSteps; ++minimum.iterations) {
+        objective.expand(minimum.place, minimum.model);
+        const Matrix2& h = minimum.model.hessian;
+        const Vector2& g = minimum.model.gradient;
+        const double determinant = h(0, 0) * h(1, 1) - h(0, 1) * h(0, 1);
+        if (h(0, 0) <= 0.0 || determinant <= kNearlySingular * h(0, 0) * h(1, 1)) {
+            return false;
+        }
+        const Vector2 step((h(0, 1) * g.y() - h(1, 1) * g.x()) / determinant,
+                           (h(0, 1) * g.x() - h(0, 0) * g.y()) / determinant);
+        minimum.place += step;
+        const double steepness = g.squaredNorm();
+        if (steepness > kCloser * last || step.cwiseAbs().maxCoeff() > longestStep ||
+            !surface.contains(minimum.place.x(), minimum.place.y())) {
+            return false;
+        }
+        if (step.cwiseAbs().maxCoeff() <= lastStep) {
+            moveSample(minimum.model.surface, step);
+            minimum.converged = true;
+            return true;
+        }
+        last = steepness;
+    }
+    return false;
+}
+
+/// One search: keeps the closest point of all starts tried so far.
+class LocalSearch {
+public:
+    LocalSearch(const BSplineSurface& surface, const Vector3& query)
+        : objective_(surface, query)
+        , newton_(objective_, scanBox(surface),
+                  0.25 * std::min(surface.grid().pitchX, surface.grid().pitchY)) {}
+
+    /// Whether the closest point so far is a minimum.
+    bool tryFrom(const Vector2& start) {
+        const BoxMinimum found = newton_.minimize(start);
+        iterations_ += found.iterations;
+        const double allowance = found.converged ? kAsNear : 0.0;
+        if (!tried_ || found.model.value <= best_.model.value * (1.0 + allowance)) {
+            best_ = found;
+        }
+        tried_ = true;
+        return best_.converged;
+    }
+
+    void tryAround(const Vector2& center, const Vector2& reach) {
+        for (int i = -1; i <= 1; ++i) {
+            for (int j = -1; j <= 1; ++j) {
+                const bool isCenter = i == 0 && j == 0;
+                if (!isCenter && tryFrom(center + Vector2(i * reach.x(), j * reach.y()))) {
+                    return;
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] const BoxMinimum& best() const { return best_; }
+    [[nodiscard]] int iterations() const { return iterations_; }
+
+private:
+    HalfSquaredDistance objective_;
+    BoxNewton<HalfSquaredDistance> newton_;
+    BoxMinimum best_;
+    int iterations_ = 0;
+    bool tried_ = false;
+};
+
+}  // namespace
+
+void HalfSquaredDistance::expand(const Vector2& place, LocalModel& model) const noexcept {
+    const HeightSample s = surface_.at(place.x(), place.y());
+    const Vector3 r(place.x() - query_.x(), place.y() - query_.y(), s.height - query_.z());
+    model.surface = s;
+    model.value = 0.5 * r.squaredNorm();
+    model.gradient = Vector2(r.x() + r.z() * s.dx, r.y() + r.z() * s.dy);
+    model.convex << 1.0 + s.dx * s.dx, s.dx * s.dy, s.dx * s.dy, 1.0 + s.dy * s.dy;
+    model.hessian << model.convex(0, 0) + r.z() * s.dxx, model.convex(0, 1) + r.z() * s.dxy,
+        model.convex(0, 1) + r.z() * s.dxy, model.convex(1, 1) + r.z() * s.dyy;
+    // Rounding of the place, of the height and of the slopes, as they enter value and gradient.
+    const double steepness = model.convex(0, 0) + model.convex(1, 1);
+    const double bend = std::abs(s.dxx) + std::abs(s.dxy) + std::abs(s.dyy);
+    const double common =
+        rounding_.place * steepness + std::abs(r.z()) * (rounding_.slope + bend * rounding_.place);
+    model.gradientNoise = Vector2(common + rounding_.height * std::abs(s.dx),
+                                  common + rounding_.height * std::abs(s.dy));
+    model.valueNoise = r.lpNorm<1>() * (rounding_.place * steepness + rounding_.height);
+}
+
+bool isUsableQuery(const Vector3& query) noexcept {
+    return std::isless(std::abs(query.x()), kFarthest) &&
+           std::isless(std::abs(query.y()), kFarthest) &&
+           std::isless(std::abs(query.z()), kFarthest);
+}
+
+ClosestPoint closestPointOf(const BoxMinimum& minimum, const Vector3& query) noexcept {
+    ClosestPoint closest;
+    closest.point = Vector3(minimum.place.x(), minimum.place.y(), minimum.model.surface.height);
+    closest.normal = minimum.model.surface.normal();
+    const Vector3 towardsQuery = query - closest.point;
+    closest.distance = std::copysign(towardsQuery.norm(), towardsQuery.dot(closest.normal));
+    closest.curvatures = principalCurvatures(minimum.model.surface);
+    closest.iterations = minimum.iterations;
+    closest.converged = minimum.converged;
+    closest.proof = closest.converged ? SearchProof::NotSought : SearchProof::NotConverged;
+    closest.insideScan = !minimum.pushedOut;
+    return closest;
+}
+
+ClosestPoint localClosestPoint(const BSplineSurface& surface, const Vector3& query,
+                      const SearchGuess& guess) noexcept {
+    if (!isUsableQuery(query)) {
+        return meaninglessPoint(surface);
+    }
+    const bool isGuided = guess.valid && surface.contains(guess.x, guess.y);
+    if (isGuided) {
+        BoxMinimum minimum;
+        minimum.place = Vector2(guess.x, guess.y);
+        if (dash(HalfSquaredDistance(surface, query), surface, minimum)) {
+            return closestPointOf(minimum, query);
+        }
+    }
+    LocalSearch search(surface, query);
+    const bool warm = isGuided && search.tryFrom(Vector2(guess.x, guess.y));
+    if (!warm && !search.tryFrom(query.head<2>())) {
+        // Two pixels away the spline is another polynomial.
+        search.tryAround(search.best().place,
+                         Vector2(2.0 * surface.grid().pitchX, 2.0 * surface.grid().pitchY));
+    }
+    ClosestPoint closest = closestPointOf(search.best(), query);
+    closest.iterations = search.iterations();
+    return closest;
+}
+
+}  // namespace asperity

@@ -1,0 +1,172 @@
+#include "core/surface/closest/PartSearch.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+/// Parts of cells that are looked into before a search gives up.
+constexpr int kMaxParts = 2048;
+/// A part of a cell smaller than this says no more than rounding does [pixel].
+constexpr double kMinPart = 0x1p-14;
+/// Half the size below which a part that holds one minimum at most is searched for it; quartering
+/// a larger one mostly shows sooner that it holds none [pixel].
+constexpr double kWorthASearch = 0.2;
+/// As BoxNewton allows.
+constexpr double kEdgeNoise = 32.0;
+
+}  // namespace
+
+PartSearch::PartSearch(const BSplineSurface& surface, const Vector3& query, const SearchReach& reach,
+                       ClosestPointList& points) noexcept
+    : surface_(surface)
+    , query_(query)
+    , reach_(reach)
+    , points_(points)
+    , pitch_(surface.grid().pitchX, surface.grid().pitchY)
+    , objective_(surface, query)
+    , rounding_(roundingOf(surface, query)) {}
+
+double PartSearch::nearest() const {
+    return std::min(std::abs(points_.all().front().distance), nearestPlace());
+}
+
+/// No closest point that is nearest lies farther [m]. It may lie as near as the place, to any rounding.
+double PartSearch::nearestPlace() const {
+    constexpr double kRoom = 1.0 + 1e-6;
+    return nearestPlace_ ? kRoom * std::sqrt(2.0 * nearestPlace_->model.value)
+                         : std::numeric_limits<double>::infinity();
+}
+
+double PartSearch::limit() const noexcept { return reach_.limit(nearest()); }
+
+bool PartSearch::isComplete() const noexcept {
+    return complete_ && (std::abs(points_.all().front().distance) <= nearestPlace() ||
+                         nearestPlace() > reach_.farthest);
+}
+
+bool PartSearch::mayLook() noexcept {
+    ++looks_;
+    return !hasGivenUp();
+}
+
+bool PartSearch::hasGivenUp() noexcept {
+    const bool givenUp = looks_ > kMaxParts || evaluations_ >= kMaxEvaluations;
+    complete_ = complete_ && !givenUp;
+    return givenUp;
+}
+
+BoxMinimum PartSearch::descend(const Box& box, const Vector2& start, double escapeStep) {
+    BoxMinimum minimum =
+        BoxNewton<HalfSquaredDistance>(objective_, box, escapeStep).minimize(start);
+    evaluations_ += minimum.evaluations;
+    return minimum;
+}
+
+void PartSearch::lookInto(const PartBatch& batch, unsigned lanes) noexcept {
+    for (unsigned left = unclearIn(batch, lanes); left != 0 && mayLook(); left &= left - 1) {
+        PartBatch quarters;
+        quarter(batch, std::countr_zero(left), quarters);
+        lookInto(quarters, PartBatch::kAllLanes);
+    }
+}
+
+/// Looks at the parts of a batch; @return those that need a closer look.
+unsigned PartSearch::unclearIn(const PartBatch& batch, unsigned lanes) {
+    constexpr double kNearEnough = 1.0 - 2.0 * kSameDistance;
+    PartFacts facts;
+    examine(batch,
+            {.point = query_ - Vector3(0.0, 0.0, surface_.grid().datum),
+             .rounding = rounding_,
+             .limit = 0.5 * limit() * limit() * kNearEnough},
+            facts);
+    unsigned unclear = 0;
+    for (unsigned left = lanes & ~facts.far; left != 0 && !hasGivenUp(); left &= left - 1) {
+        const Part part(batch, facts, std::countr_zero(left));
+        lowerLimit(part);
+        const Box box = boxOf(part, surface_);
+        const MinimaIn minima = minimaIn(part, box, surface_);
+        const bool oneAtMost = minima == MinimaIn::OneAtMost;
+        if (minima == MinimaIn::None || (oneAtMost && holdsKnownPoint(part))) {
+            continue;
+        }
+        const double size = part.half.cwiseQuotient(pitch_).maxCoeff();
+        if (oneAtMost && size < kWorthASearch) {
+            findIn(part, box);
+        } else if (size < 0.5 * kMinPart) {
+            complete_ = false;
+        } else {
+            unclear |= left & -left;
+        }
+    }
+    return unclear;
+}
+
+/// A place nearer than the closest point known leads to a closest point that rules out more.
+void PartSearch::lowerLimit(const Part& part) {
+    constexpr double kWorthwhile = 0.999;
+    if (part.value >= kWorthwhile * 0.5 * nearest() * nearest()) {
+        return;
+    }
+    take(descend(scanBox(surface_), part.center, 0.25 * pitch_.minCoeff()));
+}
+
+/// Between walls a descent creeps until its steps run out. Where it got to is no closest point, but rules
+/// out what is farther, and spares the descents from all other parts that would end no nearer.
+void PartSearch::take(const BoxMinimum& minimum) {
+    if (minimum.converged) {
+        points_.add(closestPointOf(minimum, query_), sameMinimum(surface_));
+    } else if (!nearestPlace_ || minimum.model.value < nearestPlace_->model.value) {
+        nearestPlace_ = minimum;
+    }
+}
+
+void PartSearch::settleForNearest(const Vector2& start) noexcept {
+    take(descend(scanBox(surface_), start, 0.25 * pitch_.minCoeff()));
+    if (nearestPlace() < std::abs(points_.all().front().distance)) {
+        points_.add(closestPointOf(*nearestPlace_, query_), 0.0);
+    }
+}
+
+bool PartSearch::holdsKnownPoint(const Part& part) const {
+    return std::ranges::any_of(points_.all(), [&](const ClosestPoint& closest) {
+        return closest.converged && part.contains(closest.point.head<2>(), sameMinimum(surface_));
+    });
+}
+
+/// Takes up the only minimum that a part can hold, if it does hold one.
+void PartSearch::findIn(const Part& part, const Box& box) {
+    const BoxMinimum minimum = descend(box, part.center, 0.0);
+    if (!minimum.converged) {
+        complete_ = false;
+        return;
+    }
+    if (minimum.pushedOut && !isPushedOutOfScan(minimum, box)) {
+        return;
+    }
+    if (minimum.model.value <= 0.5 * limit() * limit()) {
+        points_.add(closestPointOf(minimum, query_), sameMinimum(surface_));
+    }
+}
+
+/// Whether every side of `box` that holds the minimum back is a side of the scan.
+bool PartSearch::isPushedOutOfScan(const BoxMinimum& minimum, const Box& box) const {
+    const Box scan = scanBox(surface_);
+    for (int axis = 0; axis < 2; ++axis) {
+        const double slope = minimum.model.gradient[axis];
+        const bool pushes = std::abs(slope) > kEdgeNoise * minimum.model.gradientNoise[axis];
+        const bool low = slope > 0.0 && minimum.place[axis] <= box.low[axis];
+        const bool high = slope < 0.0 && minimum.place[axis] >= box.high[axis];
+        if (pushes && ((low && box.low[axis] > scan.low[axis]) ||
+                       (high && box.high[axis] < scan.high[axis]))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace asperity
