@@ -1,7 +1,7 @@
 // Frames per second of the zoomed view with the haptic loop running, camera still and moving,
 // beside four nearly empty QVTK widgets. Display: xvfb-run -a -s "-screen 0 1600x1000x24" PROGRAM.
 #include "core/haptics/HapticLoop.h"
-#include "core/haptics/ScriptedHand.h"
+#include "core/haptics/ScriptedDevice.h"
 #include "core/scene/SceneTruth.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "ui/view/ZoomView.h"
@@ -170,7 +170,7 @@ void measureAll() {
     const double empty = fourEmptyViews();
 
     const Scene scene = benchScene();
-    ScriptedHand hand(rasterPath(scene, {.duration = 60.0}), 1.0);
+    ScriptedDevice hand(rasterPath(scene, {.duration = 60.0}), 1.0);
     SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, hand, afm);
     loop.start();

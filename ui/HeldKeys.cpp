@@ -6,7 +6,7 @@ namespace asperity {
 
 namespace {
 
-bool movesTheHand(int key) {
+bool movesTheDevice(int key) {
     static const QSet<int> kKeys{Qt::Key_Left, Qt::Key_Right,  Qt::Key_Up,
                                  Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown};
     return kKeys.contains(key);
@@ -43,7 +43,7 @@ bool HeldKeys::eventFilter(QObject* watched, QEvent* event) {
     }
     const auto* key = static_cast<QKeyEvent*>(event);
     modifiers_ = key->modifiers();
-    if (!movesTheHand(key->key())) {
+    if (!movesTheDevice(key->key())) {
         return QObject::eventFilter(watched, event);
     }
     if (event->type() == QEvent::KeyPress) {

@@ -13,10 +13,10 @@
 #include "app/reports/RunSummary.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 #include "core/haptics/RunEvents.h"
 #include "core/haptics/VirtualRun.h"
-#include "core/io/scene/HandPathFile.h"
+#include "core/io/scene/DevicePathFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/SceneTruth.h"
@@ -45,7 +45,7 @@ struct ExploreOptions {
 };
 
 struct PlannedRun {
-    HandPath hand;
+    DevicePath hand;
     double duration = 0.0;  // [s]
 };
 
@@ -61,7 +61,7 @@ PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
     if (options.path == "scratch") {
         return {scratchPath(scene, plan), plan.duration};
     }
-    HandPath hand = readHandPath(options.path);
+    DevicePath hand = readDevicePath(options.path);
     const double duration = options.duration > 0.0 ? options.duration : hand.back().time;
     if (!(duration <= kLongestDuration)) {
         throw InputError(options.path, "",

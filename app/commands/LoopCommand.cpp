@@ -9,10 +9,10 @@
 #include "app/reports/AlternatingBlocks.h"
 #include "app/reports/BeginningRun.h"
 #include "app/reports/LoopReport.h"
-#include "app/session/HandControl.h"
+#include "app/session/ActiveDevice.h"
 #include "app/session/LiveWindow.h"
 #include "core/Error.h"
-#include "core/haptics/ScriptedHand.h"
+#include "core/haptics/ScriptedDevice.h"
 #include "hardware/led/LedDrivers.h"
 
 #include <CLI/CLI.hpp>
@@ -55,11 +55,11 @@ LoadedScene loadForLoop(const LoopOptions& options) {
 }
 
 /// The same approach again and again; the way back from its end leads high over the sample.
-HandPath repeatedApproach(const Scene& scene, double duration) {
-    const HandPath once = approachPath(scene, {.duration = kOnePath});
-    HandPath path = once;
+DevicePath repeatedApproach(const Scene& scene, double duration) {
+    const DevicePath once = approachPath(scene, {.duration = kOnePath});
+    DevicePath path = once;
     while (path.back().time < duration) {
-        const HandPath back =
+        const DevicePath back =
             journey(scene, path.back().position, once.front().position.head<2>(), 1.0);
         const double leave = path.back().time;
         for (std::size_t i = 1; i < back.size(); ++i) {
@@ -131,16 +131,16 @@ double finish(RecordingThread& recording) {
 void runBare(const LoopOptions& options) {
     requireFreeFolder(options);
     LoadedScene loaded = loadForLoop(options);
-    const HandPath path = repeatedApproach(loaded.scene, options.duration);
+    const DevicePath path = repeatedApproach(loaded.scene, options.duration);
     LiveRun run(std::move(loaded), path.front().position);
-    HandControl device;
+    ActiveDevice device;
     if (options.simulatedDevice) {
         device.attach(run);
         device.use(simulatedDriver());
         device.leadAlong(path);
     } else {
-        run.takeHand(
-            [&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
+        run.takeDevice(
+            [&] { return std::make_unique<ScriptedDevice>(path, run.settings().positionGain); });
     }
     const CancelOnSignal cancel;
     const std::unique_ptr<RecordingThread> recording = startRecording(options, run);
@@ -177,7 +177,7 @@ void runInWindow(const LoopOptions& options) {
     session.runs().use(loadForLoop(options));
     LiveRun& run = *session.run();
     live.window().lock();  // another scene would end the run that is measured
-    const HandPath path = repeatedApproach(run.scene(), options.duration);
+    const DevicePath path = repeatedApproach(run.scene(), options.duration);
     options.simulatedDevice ? session.devices().leadDevice(path) : session.paths().follow(path);
     if (!options.record.empty()) {
         recordings.start({options.record, options.force});

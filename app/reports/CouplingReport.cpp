@@ -11,7 +11,7 @@ namespace asperity {
 
 namespace {
 
-/// Hands with and without a coupling.
+/// Devices with and without a coupling.
 struct HoldCounts {
     std::array<long, kValues<HoldVerdict>.size()> coupled{};
     std::array<long, kValues<HoldVerdict>.size()> direct{};

@@ -45,8 +45,8 @@ DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
         names << (driver != nullptr ? tr(driver->label) : tr("Scripted path"));
     }
     ControlBar& controls = window.controls();
-    controls.setHands(names);
-    connect(&controls, &ControlBar::handChosen, this, &DeviceControl::choose);
+    controls.setDevices(names);
+    connect(&controls, &ControlBar::deviceChosen, this, &DeviceControl::choose);
     connect(&controls, &ControlBar::knobTurned, this, &DeviceControl::turnKnob);
     connect(&window.view(), &ZoomView::tipDragged, this, [this](double dx, double dy, double dz) {
         hand_.displace({dx, dy, dz});
@@ -112,12 +112,12 @@ void DeviceControl::use(const DeviceDriver& driver) {
     show();
 }
 
-void DeviceControl::follow(const HandPath& path) {
+void DeviceControl::follow(const DevicePath& path) {
     hand_.follow(path);
     show();
 }
 
-void DeviceControl::leadDevice(const HandPath& path) {
+void DeviceControl::leadDevice(const DevicePath& path) {
     hand_.use(simulatedDriver());
     hand_.leadAlong(path);
     show();
@@ -180,10 +180,10 @@ void DeviceControl::turnAxes(double seconds) {
     const ViewCamera& camera = window_.view().camera();
     const auto axes = turns ? viewAxes(camera.right(), camera.up()) : std::nullopt;
     const Vector3 wanted = axes ? turnOf(*axes) : Vector3(Vector3::Zero());
-    const Vector3& now = runs_.run()->settings().handTurn;
+    const Vector3& now = runs_.run()->settings().deviceTurn;
     const Vector3 turned = turnedTowards(now, wanted, kTurnSpeed * seconds);
     if (turned != now) {
-        runs_.turn([&turned](Settings& settings) { settings.handTurn = turned; });
+        runs_.turn([&turned](Settings& settings) { settings.deviceTurn = turned; });
     }
 }
 
@@ -192,7 +192,7 @@ void DeviceControl::followDelay() {
         return;
     }
     show();
-    const CoupledHand& hand = *runs_.run()->coupling().hand();
+    const CoupledDevice& hand = *runs_.run()->coupling().hand();
     if (hand.holds()) {
         tell();
     } else {
@@ -203,13 +203,13 @@ void DeviceControl::followDelay() {
 void DeviceControl::show() {
     const bool isListed = hand_.driver() != nullptr || hand_.followsPath();
     const auto found = std::find(list_.begin(), list_.end(), hand_.driver());
-    window_.controls().setHand(isListed ? static_cast<int>(found - list_.begin()) : -1);
+    window_.controls().setDevice(isListed ? static_cast<int>(found - list_.begin()) : -1);
     runs_.showKnobs();
 }
 
 /// Of one with motors: its scale, and what is felt; so short that the bottom line has room for it.
 void DeviceControl::tell() {
-    if (const CoupledHand* const hand = runs_.run()->coupling().hand()) {
+    if (const CoupledDevice* const hand = runs_.run()->coupling().hand()) {
         const Settings& settings = runs_.run()->settings();
         window_.tell(tr("%1; the hand feels %2 of %3")
                          .arg(QString::fromStdString(

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/HandControl.h"
+#include "app/session/ActiveDevice.h"
 #include "app/session/RunControl.h"
 
 #include <string>
@@ -11,7 +11,7 @@ namespace asperity {
 class HeldKeys;
 
 /// Which hand has the tip, as the window shows and a person chooses it, and what mouse, keys and
-/// the Hand menu do meanwhile.
+/// the Device menu do meanwhile.
 class DeviceControl : public QObject {
     Q_OBJECT
 
@@ -19,9 +19,9 @@ public:
     DeviceControl(MainWindow& window, RunControl& runs);
 
     /// The hand follows a path of the base from its start. There is a run.
-    void follow(const HandPath& path);
+    void follow(const DevicePath& path);
     /// A person at the simulated device leads the base along a path from its start. There is a run.
-    void leadDevice(const HandPath& path);
+    void leadDevice(const DevicePath& path);
     /// Once a frame, before its ticks: moves the hand on [s]. There is a run.
     void advance(double seconds);
 
@@ -47,12 +47,12 @@ private:
 
     MainWindow& window_;
     RunControl& runs_;
-    HandControl hand_;
+    ActiveDevice hand_;
     HeldKeys* keys_;
     std::vector<const DeviceDriver*> list_;  ///< as the window shows it; null: a path
     std::string told_;                       ///< what the device said last
     const DeviceDriver* before_ = nullptr;   ///< of the device that led last; null: none did
-    HandScale scaleBefore_;
+    DeviceScale scaleBefore_;
 };
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
 #include "app/session/LiveRun.h"
 
-#include "core/haptics/device/PointerHand.h"
+#include "core/haptics/device/PointerDevice.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/SceneTruth.h"
 
@@ -22,7 +22,7 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument&
     , start_(start)
     , settings_(loaded_.scene.settings)
     , instrument_(makeInstrument(loaded_.scene))
-    , hand_(std::make_unique<PointerHand>(start / settings_.positionGain))
+    , hand_(std::make_unique<PointerDevice>(start / settings_.positionGain))
     , halfSpace_(loaded_.scene.model.deformation == DeformationTier::HalfSpace
                      ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
                      : nullptr)
@@ -73,7 +73,7 @@ bool LiveRun::followDelay() {
     return changed.has_value();
 }
 
-void LiveRun::takeHand(const MakeHand& make) {
+void LiveRun::takeDevice(const MakeDevice& make) {
     const bool running = loop_.running();
     const CouplingKeeper coupling = coupling_;
     const Settings settings = settings_;
@@ -103,12 +103,12 @@ void LiveRun::seat(std::unique_ptr<HapticDevice> hand) {
         loop_.step();
     }
     apply(settings);
-    loop_.setHand(*hand);
+    loop_.setDevice(*hand);
     hand_ = std::move(hand);
     energy_ = newEnergyWatch();
 }
 
-Vector3 LiveRun::handPosition() noexcept {
+Vector3 LiveRun::devicePosition() noexcept {
     const Snapshot& latest = loop_.snapshot();
     return latest.statistics.ticks > 0 ? latest.sample.input.hand.position
                                        : Vector3(start_ / settings_.positionGain);

@@ -57,12 +57,12 @@ public:
     /// The knobs with the gains that hands have which only sense.
     [[nodiscard]] Settings sensingSettings() const;
 
-    using MakeHand = std::function<std::unique_ptr<HapticDevice>()>;
+    using MakeDevice = std::function<std::unique_ptr<HapticDevice>()>;
     /// Another hand takes over; one with motors gets a coupling and a scale that hold, and when it
     /// goes the earlier gains return. `make` is called while the loop rests, with the gains of
     /// hands that only sense: what it reads of the present hand and base is exact.
     /// @throw what `make` throws, or Error where no scale holds; the present hand stays then
-    void takeHand(const MakeHand& make);
+    void takeDevice(const MakeDevice& make);
     [[nodiscard]] HapticDevice& hand() noexcept { return *hand_; }
     /// What is known of a hand with motors.
     [[nodiscard]] const CouplingKeeper& coupling() const noexcept { return coupling_; }
@@ -71,7 +71,7 @@ public:
     /// Once a frame: has the gains follow the hand's delay. @return whether knobs changed
     bool followDelay();
     /// Where the hand is, in its own frame [m].
-    [[nodiscard]] Vector3 handPosition() noexcept;
+    [[nodiscard]] Vector3 devicePosition() noexcept;
     /// Where the base is [m].
     [[nodiscard]] Vector3 basePosition() noexcept;
 

@@ -2,7 +2,7 @@
 
 #include "app/recording/RecordedRun.h"
 #include "core/Error.h"
-#include "core/io/scene/HandPathFile.h"
+#include "core/io/scene/DevicePathFile.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/window/MainWindow.h"
@@ -18,7 +18,7 @@ namespace {
 
 struct PlannedPath {
     const char* name;
-    HandPath (*plan)(const Scene&, const PathPlan&);
+    DevicePath (*plan)(const Scene&, const PathPlan&);
 };
 
 constexpr std::array<PlannedPath, 3> kPaths{
@@ -26,7 +26,7 @@ constexpr std::array<PlannedPath, 3> kPaths{
 
 /// A path in other units than meters would lead the tip far away, and take as long.
 /// @throw InputError when the path leaves the scan by more than its width
-void requireNear(const Scene& scene, const HandPath& path, const std::string& file) {
+void requireNear(const Scene& scene, const DevicePath& path, const std::string& file) {
     const double reach = 2.0 * std::max(scene.surface.sizeX(), scene.surface.sizeY());
     for (const PathPoint& point : path) {
         const Vector2 place = point.position.head<2>();
@@ -39,7 +39,7 @@ void requireNear(const Scene& scene, const HandPath& path, const std::string& fi
 }
 
 /// A path from above, thin enough to draw [m].
-QPolygonF outline(const HandPath& path) {
+QPolygonF outline(const DevicePath& path) {
     constexpr std::size_t kPoints = 1000;
     QPolygonF way;
     const std::size_t step = 1 + path.size() / kPoints;
@@ -61,12 +61,12 @@ PathControl::PathControl(MainWindow& window, RunControl& runs, DeviceControl& de
     connect(&window.controls(), &ControlBar::pathChosen, this, &PathControl::choose);
     connect(&devices, &DeviceControl::pathWanted, this, [this] { choose(0); });
     connect(&window, &MainWindow::pathFileChosen, this,
-            [this](const QString& file) { followFile(file, readHandPath); });
+            [this](const QString& file) { followFile(file, readDevicePath); });
     connect(&window, &MainWindow::recordingChosen, this,
             [this](const QString& file) { repeatRecording(file.toStdString()); });
 }
 
-void PathControl::follow(const HandPath& path) {
+void PathControl::follow(const DevicePath& path) {
     devices_.follow(path);
     window_.overview().showPath(outline(path));
 }
@@ -86,7 +86,7 @@ bool PathControl::followFile(const QString& file, const ReadPath& read) {
         return false;
     }
     try {
-        const HandPath path = read(file.toStdString());
+        const DevicePath path = read(file.toStdString());
         requireNear(runs_.run()->scene(), path, file.toStdString());
         window_.controls().setPath(-1);
         follow(path);

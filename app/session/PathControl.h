@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/session/DeviceControl.h"
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 
 #include <filesystem>
 #include <functional>
@@ -14,11 +14,11 @@ public:
     PathControl(MainWindow& window, RunControl& runs, DeviceControl& devices);
 
     /// The hand follows a path of the base from its start. There is a run.
-    void follow(const HandPath& path);
+    void follow(const DevicePath& path);
 
 private:
     void choose(int index);
-    using ReadPath = std::function<HandPath(const std::filesystem::path&)>;
+    using ReadPath = std::function<DevicePath(const std::filesystem::path&)>;
     bool followFile(const QString& file, const ReadPath& read);
     void repeatRecording(const std::filesystem::path& forceLog);
 

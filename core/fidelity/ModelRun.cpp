@@ -19,7 +19,7 @@ void throwIfCanceled(const Progress* progress) {
 
 }  // namespace
 
-RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration,
+RecordedRun recordRun(const Scene& scene, const DevicePath& path, double duration,
                       const Progress* progress) {
     SimulatedAfm afm(scene.touched(), truthOf(scene));
     RecordedRun run;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/Progress.h"
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 #include "core/haptics/HapticTick.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct RecordedRun {
 };
 
 /// @param progress likewise  @throw Canceled
-[[nodiscard]] RecordedRun recordRun(const Scene& scene, const HandPath& path, double duration,
+[[nodiscard]] RecordedRun recordRun(const Scene& scene, const DevicePath& path, double duration,
                                     const Progress* progress = nullptr);
 
 /// What a model made of recorded runs, a tick an element.

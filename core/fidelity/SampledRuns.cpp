@@ -39,7 +39,7 @@ SampledRuns::SampledRuns(Scene& scene, double longestTick) : scene_(scene) {
     setModel(scene, usualModel(scene.description));  // the runs are the same whatever the reference
     const double duration = kTicksAPath * scene.timeStep();
     const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
-    const auto record = [&](const HandPath& path) {
+    const auto record = [&](const DevicePath& path) {
         runs_.push_back(recordRun(scene, path, duration));
     };
     record(approachPath(scene, {.duration = duration}));

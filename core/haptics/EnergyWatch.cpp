@@ -13,7 +13,7 @@ void EnergyWatch::take(const TickSample& sample) {
         gains_ = gains;
         starts_ = sample.input.starts;
     }
-    observer_->observe(sample.input.hand.position, sample.output.handForce);
+    observer_->observe(sample.input.hand.position, sample.output.deviceForce);
 }
 
 }  // namespace asperity

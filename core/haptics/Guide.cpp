@@ -23,7 +23,7 @@ GuideStep stepGuide(const TickInput& input, const Vector3& place,
     }
     const double more = std::min(input.timeStep, kLongestStep) / kComesOnIn;
     step.share = std::min(1.0, memory.share + more);
-    VirtualFixture fixture = atHandScale(settings.guide, settings.positionGain);
+    VirtualFixture fixture = atDeviceScale(settings.guide, settings.positionGain);
     fixture.forceLimit *= step.share;
     step.force = guide(fixture, place / settings.positionGain, memory.velocity).force;
     return step;

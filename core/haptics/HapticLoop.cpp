@@ -36,7 +36,7 @@ void HapticLoop::start() {
     }
 }
 
-void HapticLoop::setHand(HapticDevice& hand) noexcept {
+void HapticLoop::setDevice(HapticDevice& hand) noexcept {
     hand_ = &hand;
     device_ = hand.specification();
 }
@@ -84,7 +84,7 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     const BaseCommand command = commandBase(scene_, input, latest_.memory);
     input.measurement = afm_.exchange(command.base);
     sample.output = tick(scene_, input, command, latest_.memory);
-    tellForce(sample.output.handForce);
+    tellForce(sample.output.deviceForce);
 }
 
 /// What no governor guards is never told a force.

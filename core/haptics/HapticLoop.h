@@ -41,7 +41,7 @@ public:
     /// where the present hand has it, before another one takes over that may be anywhere.
     void step();
     /// Another hand takes over; only while the loop does not run. It outlives the loop.
-    void setHand(HapticDevice& hand) noexcept;
+    void setDevice(HapticDevice& hand) noexcept;
     /// Lets the present tick end; the hand feels nothing from then on.
     void stop();
     [[nodiscard]] bool running() const noexcept { return thread_.has_value(); }

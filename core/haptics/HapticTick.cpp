@@ -85,7 +85,7 @@ Vector3 slowCorrection(const TickInput& input, const TickOutput& out, const Vect
 
 bool allFinite(const TickOutput& out) {
     return out.base.position.allFinite() && out.model.force.allFinite() && out.tip.allFinite() &&
-           out.estimate.force.allFinite() && out.handForce.allFinite() &&
+           out.estimate.force.allFinite() && out.deviceForce.allFinite() &&
            out.estimate.kind != DecouplingCase::InvalidInput;
 }
 
@@ -118,7 +118,7 @@ Fault faultOf(const TickInput& input, const TickOutput& out, double unsolved) {
 /// Where there is no equilibrium the last force of the search means nothing.
 ForceRequest requestOf(const TickInput& input, const TickOutput& out, const BaseCommand& command,
                        Fault fault) {
-    return {.force = isSolved(out.model) ? out.handForce : Vector3(Vector3::Zero()),
+    return {.force = isSolved(out.model) ? out.deviceForce : Vector3(Vector3::Zero()),
             .mismatch = input.settings.coupling.stiffness * command.proxy.coupling.stretch.norm(),
             .edge = command.hand.edgeForce,
             .fault = fault};
@@ -126,17 +126,17 @@ ForceRequest requestOf(const TickInput& input, const TickOutput& out, const Base
 
 MappingSettings mappingSettings(const TickInput& input) {
     return {.positionGain = input.settings.positionGain,
-            .axes = axesOf(input.settings.handTurn),
+            .axes = axesOf(input.settings.deviceTurn),
             .clutched = input.clutched()};
 }
 
 /// A handle with motors may have been moved while the loop rested, and another one is elsewhere:
 /// the motion up to the first tick after a start counts for nothing. Nor does one that comes back
 /// elsewhere after it was lost.
-MappingStep mappedHand(const TickInput& input, const TickMemory& memory) {
+MappingStep mappedDevice(const TickInput& input, const TickMemory& memory) {
     const bool restarted = input.hand.rendersForce() && input.starts != memory.governor.starts;
     MappingStep step =
-        mapHand(input.settings.workspace, input.hand.position, mappingSettings(input),
+        mapDevice(input.settings.workspace, input.hand.position, mappingSettings(input),
                 restarted ? MappingMemory{} : memory.mapping);
     step.memory.follows = step.memory.follows && input.hand.connected;
     return step;
@@ -152,7 +152,7 @@ Vector3 commandedPlace(const TickMemory& memory) {
 Vector3 wantedForce(const TickInput& input, const TickOutput& out, const BaseCommand& command,
                     const Vector3& correction) {
     const Settings& settings = input.settings;
-    return forceOnHand(mappingSettings(input),
+    return forceOnDevice(mappingSettings(input),
                        settings.coupling.couples()
                            ? command.proxy.coupling.hand
                            : Vector3(settings.forceGain * (out.model.force + correction)));
@@ -190,7 +190,7 @@ void judgeSignals(const Scene& scene, const TickInput& input, const BaseCommand&
     if (answers) {
         memory.correction = slowCorrection(input, out, memory.correction);
     }
-    out.handForce = wantedForce(input, out, command, memory.correction);
+    out.deviceForce = wantedForce(input, out, command, memory.correction);
     out.flags = tickValidity(scene, out, verdict);
     out.flags.set(Validity::TipNotHeld, !command.tipHeld);
     out.flags.set(Validity::StaleSignals, isStale(scene, input, staleness));
@@ -217,8 +217,8 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     const bool tipControl = settings.positionControl == PositionControl::Tip;
     BaseCommand command;
     command.base.position =
-        settings.positionGain * (axesOf(settings.handTurn) * input.hand.position);
-    command.hand = mappedHand(input, memory);
+        settings.positionGain * (axesOf(settings.deviceTurn) * input.hand.position);
+    command.hand = mappedDevice(input, memory);
     command.proxy.forceGain = settings.forceGain;
     if (memory.started) {
         command.guide = stepGuide(input, commandedPlace(memory), memory.guide);
@@ -266,7 +266,7 @@ TickOutput tick(const Scene& scene, const TickInput& input, const BaseCommand& c
     const GovernedForce governed = governForce(input, request, memory.governor);
     memory.governor = governed.memory;
     memory.fault = governed.fault;
-    out.handForce = governed.force;
+    out.deviceForce = governed.force;
     out.forceState = governed.state;
     out.fault = governed.fault;
     return out;

@@ -40,12 +40,12 @@ double largestFriction(const EquilibriumMemory& memory) {
 
 }  // namespace
 
-ProxyStep moveProxy(const TickInput& input, const Vector3& handMotion, const GuideStep& guide,
+ProxyStep moveProxy(const TickInput& input, const Vector3& deviceMotion, const GuideStep& guide,
                     const ProxyMemory& memory) noexcept {
     const Settings& settings = input.settings;
     const CouplingGains& gains = settings.coupling;
     if (!gains.couples()) {
-        return {.coupling = {.motion = handMotion}, .forceGain = settings.forceGain};
+        return {.coupling = {.motion = deviceMotion}, .forceGain = settings.forceGain};
     }
     const bool sameSpring = memory.gains == gains && !guide.changed;
     const double forceGain =
@@ -55,7 +55,7 @@ ProxyStep moveProxy(const TickInput& input, const Vector3& handMotion, const Gui
     const Vector3 rescaled =
         memory.stretch - (forceGain - memory.forceGain) / gains.stiffness * memory.load;
     const Vector3 stretch = sameSpring ? rescaled : Vector3(-load.force / gains.stiffness);
-    return {.coupling = stepCoupling(gains, handMotion, stretch, load, input.timeStep),
+    return {.coupling = stepCoupling(gains, deviceMotion, stretch, load, input.timeStep),
             .forceGain = forceGain};
 }
 

@@ -27,8 +27,8 @@ struct ProxyStep {
 /// coupling or guide that changed seats the spring so that it just bears the load: nothing moves by
 /// itself. A force gain that changed is neared by a factor of e in 0.1 s, and the spring with it,
 /// so that the force neither steps nor moves anything.
-/// @param handMotion in this tick, world axes, at the hand [m]
-[[nodiscard]] ProxyStep moveProxy(const TickInput& input, const Vector3& handMotion,
+/// @param deviceMotion in this tick, world axes, at the hand [m]
+[[nodiscard]] ProxyStep moveProxy(const TickInput& input, const Vector3& deviceMotion,
                                   const GuideStep& guide, const ProxyMemory& memory) noexcept;
 
 /// What the next tick starts from; a state without an equilibrium is no load.

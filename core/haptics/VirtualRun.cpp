@@ -2,7 +2,7 @@
 
 namespace asperity {
 
-void runVirtually(const Scene& scene, const HandPath& hand, AfmController& afm, long ticks,
+void runVirtually(const Scene& scene, const DevicePath& hand, AfmController& afm, long ticks,
                   const TickSink& sink) {
     TickMemory memory;
     TickSample sample;

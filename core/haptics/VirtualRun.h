@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 #include "core/haptics/HapticTick.h"
 #include "core/probe/AfmController.h"
 
@@ -19,7 +19,7 @@ using TickSink = std::function<void(const TickSample&)>;
 
 /// Runs the tick on a virtual clock: `hand` along its path, `afm` answering. Every tick goes to
 /// `sink`, in order, without a gap.
-void runVirtually(const Scene& scene, const HandPath& hand, AfmController& afm, long ticks,
+void runVirtually(const Scene& scene, const DevicePath& hand, AfmController& afm, long ticks,
                   const TickSink& sink);
 
 }  // namespace asperity

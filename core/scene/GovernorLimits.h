@@ -10,8 +10,8 @@ inline constexpr int kLastButton = 31;
 struct GovernorLimits {
     double maxForce = 3.0;          ///< the most that the hand shall feel [N]
     double engageTime = 1.0;        ///< in which the force comes on [s], > 0
-    double maxHandSpeed = 1.5;      ///< above it the device runs away [m/s]
-    int deadManButton = kNoButton;  ///< bit of HandState::buttons that must be held
+    double maxDeviceSpeed = 1.5;      ///< above it the device runs away [m/s]
+    int deadManButton = kNoButton;  ///< bit of DeviceState::buttons that must be held
 
     bool operator==(const GovernorLimits&) const = default;
 };

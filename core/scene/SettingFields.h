@@ -66,9 +66,9 @@ void listGuide(Guide& guide, const Visitor& field) {
 template <class Knobs, class Visitor>
 void listDevice(Knobs& settings, const Visitor& field) {
     auto& workspace = settings.workspace;
-    field({.column = "hand_turn_x_rad", .key = nullptr}, settings.handTurn.x());
-    field({.column = "hand_turn_y_rad", .key = nullptr}, settings.handTurn.y());
-    field({.column = "hand_turn_z_rad", .key = nullptr}, settings.handTurn.z());
+    field({.column = "hand_turn_x_rad", .key = nullptr}, settings.deviceTurn.x());
+    field({.column = "hand_turn_y_rad", .key = nullptr}, settings.deviceTurn.y());
+    field({.column = "hand_turn_z_rad", .key = nullptr}, settings.deviceTurn.z());
     field({.column = "workspace_x_m", .key = nullptr}, workspace.center.x());
     field({.column = "workspace_y_m", .key = nullptr}, workspace.center.y());
     field({.column = "workspace_z_m", .key = nullptr}, workspace.center.z());
@@ -95,7 +95,7 @@ void listGovernor(Governor& governor, const Visitor& field) {
     field({.column = "engage_s", .limits = {0.5, 2.0, "lie between 0.5 and 2"}},
           governor.engageTime);
     field({.column = "max_hand_speed_m_s", .limits = {0.01, 10.0, "lie between 0.01 and 10"}},
-          governor.maxHandSpeed);
+          governor.maxDeviceSpeed);
     field({.column = "dead_man_button"}, governor.deadManButton);
 }
 

@@ -30,7 +30,7 @@ struct Settings {
     CouplingGains coupling;   ///< of the hand and what it commands
     GovernorLimits governor;  ///< of the force, where the hand renders it
     /// Turn from the device's axes to the world's: along its axis, as long as its angle [rad].
-    Vector3 handTurn = Vector3::Zero();
+    Vector3 deviceTurn = Vector3::Zero();
     Workspace workspace;           ///< of the device
     bool clutched = false;         ///< the hand moves, what it commands stays
     int clutchButton = kNoButton;  ///< that does so while it is held

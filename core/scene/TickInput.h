@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// What the device knows of the hand; the hand's frame is the lab's frame scaled.
-struct HandState {
+struct DeviceState {
     Vector3 position = Vector3::Zero();  ///< [m]
     std::uint32_t buttons = 0;           ///< bit i: button i is down
     bool connected = true;               ///< false: the device is lost, the position its last
@@ -27,7 +27,7 @@ struct HandState {
 
 /// All that one tick depends on besides the scene and its memory: what a recording holds.
 struct TickInput {
-    HandState hand;
+    DeviceState hand;
     AfmMeasurement measurement;
     Settings settings;
     double timeStep = 1e-3;    ///< [s]

@@ -65,7 +65,7 @@ struct TickOutput {
     TipState model;                       ///< equilibrium of the believed system
     ForceEstimate estimate;               ///< from the measured signals
     Vector3 tip = Vector3::Zero();        ///< apex, from base and estimated force [m]
-    Vector3 handForce = Vector3::Zero();  ///< for the device, its axes [N]
+    Vector3 deviceForce = Vector3::Zero();  ///< for the device, its axes [N]
     ValidityFlags flags;
     Fault fault = Fault::None;
     ForceState forceState = ForceState::On;

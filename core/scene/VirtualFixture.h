@@ -24,7 +24,7 @@ inline constexpr auto
                                                                    {FixtureKind::Point, "point"}});
 
 /// A guide that helps a hand to hold a target. Forces are those at the hand; lengths are those of
-/// the world in Settings, and for guide() those of the hand, see atHandScale().
+/// the world in Settings, and for guide() those of the hand, see atDeviceScale().
 struct VirtualFixture {
     FixtureKind kind = FixtureKind::None;
     Vector3 point = Vector3::Zero();  ///< of the guide, world axes [m]

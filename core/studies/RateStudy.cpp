@@ -15,7 +15,7 @@ constexpr double kFinestRate = 16e3;   // [Hz]
 
 /// How a run goes, whatever its rate.
 struct Course {
-    HandPath path;
+    DevicePath path;
     double duration = 0.0;  ///< [s]
     const Progress* progress = nullptr;
 };

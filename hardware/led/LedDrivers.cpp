@@ -1,7 +1,7 @@
 #include "hardware/led/LedDrivers.h"
 
 #include "core/haptics/bench/SimulatedDevice.h"
-#include "core/haptics/device/PointerHand.h"
+#include "core/haptics/device/PointerDevice.h"
 
 namespace asperity {
 
@@ -11,7 +11,7 @@ const DeviceDriver& pointerDriver() {
         .label = "Mouse and keyboard",
         .senses = {"x", "y", "z", "buttons"},
         .open = [](const DeviceSite& site) -> std::unique_ptr<HapticDevice> {
-            return std::make_unique<PointerHand>(site.start);
+            return std::make_unique<PointerDevice>(site.start);
         }};
     return driver;
 }

@@ -71,7 +71,7 @@ SpaceMouse::SpaceMouse(HidTransport& transport, Vector3 start, double fullSpeed)
 
 SpaceMouse::~SpaceMouse() = default;
 
-HandState SpaceMouse::advance(double timeStep) noexcept {
+DeviceState SpaceMouse::advance(double timeStep) noexcept {
     const Reading& reading = reading_.read();
     const double step = fullSpeed_.load(std::memory_order_relaxed) * timeStep;
     position_ += step * reading.state.translation.unaryExpr(&speedShare);

@@ -29,7 +29,7 @@ public:
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
         return kSensesOnly;
     }
-    HandState advance(double timeStep) noexcept override;
+    DeviceState advance(double timeStep) noexcept override;
 
     /// The hand's speed at full deflection [m/s]. Any thread; wait-free.
     void setSpeed(double fullSpeed) noexcept {

@@ -62,7 +62,7 @@ DeviceStatus WoodenHaptics::status() const {
     return status;
 }
 
-HandState WoodenHaptics::advance(double /*timeStep*/) noexcept {
+DeviceState WoodenHaptics::advance(double /*timeStep*/) noexcept {
     const Reading& reading = reading_.read();
     taken_ = reading.connected ? reading.time : kNever;
     return {.position = reading.position,
@@ -105,7 +105,7 @@ bool WoodenHaptics::listen(Link& link) {
             link.uncounted = std::max(0, *link.uncounted - 1);
         }
         awaitsCalibration_ = !link.uncounted;
-        latest_ = {.position = inHandFrame(handlePosition(description_, *link.angles)),
+        latest_ = {.position = inDeviceFrame(handlePosition(description_, *link.angles)),
                    .button = newest->button,
                    .connected = link.calibrated(),
                    .time = monotonicSeconds()};

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
         return description_.specification;
     }
-    HandState advance(double timeStep) noexcept override;
+    DeviceState advance(double timeStep) noexcept override;
     void setForce(const Vector3& force) noexcept override;
     /// The longest of about the last two seconds, from the reading that a force answers until the
     /// device has taken the force.

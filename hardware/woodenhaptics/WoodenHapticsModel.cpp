@@ -47,12 +47,12 @@ Vector3 motorCurrents(const WoodenHapticsDescription& device, const Vector3& tor
                                        : currents;
 }
 
-Vector3 inHandFrame(const Vector3& inDevice) noexcept {
+Vector3 inDeviceFrame(const Vector3& inDevice) noexcept {
     return {inDevice.y(), -inDevice.x(), inDevice.z()};
 }
 
-Vector3 inDeviceFrame(const Vector3& inHand) noexcept {
-    return {-inHand.y(), inHand.x(), inHand.z()};
+Vector3 inDeviceFrame(const Vector3& inDevice) noexcept {
+    return {-inDevice.y(), inDevice.x(), inDevice.z()};
 }
 
 }  // namespace asperity

@@ -33,8 +33,8 @@ using EncoderCounts = std::array<std::int16_t, 3>;
                                     const Vector3& torques) noexcept;
 
 /// From the device frame to the hand's, which is the lab's: x right, y away from the person, z up.
-[[nodiscard]] Vector3 inHandFrame(const Vector3& inDevice) noexcept;
+[[nodiscard]] Vector3 inDeviceFrame(const Vector3& inDevice) noexcept;
 /// And back.
-[[nodiscard]] Vector3 inDeviceFrame(const Vector3& inHand) noexcept;
+[[nodiscard]] Vector3 inDeviceFrame(const Vector3& inDevice) noexcept;
 
 }  // namespace asperity

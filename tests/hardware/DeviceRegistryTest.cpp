@@ -78,7 +78,7 @@ TEST(DeviceRegistry, EachDriverIsOnItsOwnInReportsAndInTheList) {
     EXPECT_FALSE(labels.contains(""));
 }
 
-TEST(DeviceRegistry, EachDriverOpensAHandThatIsWhatItsRowSays) {
+TEST(DeviceRegistry, EachDriverOpensADeviceThatIsWhatItsRowSays) {
     FakeHid hid;
     const DeviceSite site = {.hid = [&hid]() -> HidTransport& { return hid; },
                              .data = ASPERITY_DATA_DIR,

@@ -21,7 +21,7 @@ constexpr double kDepth = 4e-9;        // of the base below first touch [m]
 constexpr double kPressing = 0.3;      // force at the hand [N]
 constexpr double kPictureAfter = 2.0;  // the guide is there [s]
 
-HandPath pathDown(const Scene& scene) {
+DevicePath pathDown(const Scene& scene) {
     PathPlan plan{.duration = 4.0 * kWay, .indentation = kDepth, .slideLength = 12e-9};
     plan.place = startPlace(scene).head<2>();
     return approachPath(scene, plan);
@@ -39,7 +39,7 @@ int run(char** argv) {
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, [&] {
         const TickSample sample = session.run()->loop().snapshot().sample;
-        if (guided == 0.0 && sample.output.handForce.z() > kPressing) {
+        if (guided == 0.0 && sample.output.deviceForce.z() > kPressing) {
             Q_EMIT live.window().menus().guideChosen(FixtureKind::Plane);
             guided = sample.time;
         }

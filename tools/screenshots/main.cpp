@@ -21,7 +21,7 @@ constexpr double kIndent = 3.0;  // time to go in, and again to come out [s]
 constexpr double kDepth = 4e-9;  // of the base below first touch [m]
 
 /// Straight down in the middle of the scan, a slide, and slowly up again.
-HandPath path(const Scene& scene) {
+DevicePath path(const Scene& scene) {
     const Vector3 above = startPlace(scene);
     PathPlan plan{.duration = 4.0 * kIndent, .indentation = kDepth, .slideLength = 12e-9};
     plan.place = above.head<2>();

@@ -160,20 +160,20 @@ void ControlBar::connectPerson() {
     });
     // activated() and clicked() come from people only.
     connect(material_, qOverload<int>(&QComboBox::activated), this, &ControlBar::materialChosen);
-    connect(hand_, qOverload<int>(&QComboBox::activated), this, &ControlBar::handChosen);
+    connect(hand_, qOverload<int>(&QComboBox::activated), this, &ControlBar::deviceChosen);
     connect(path_, qOverload<int>(&QComboBox::activated), this, &ControlBar::pathChosen);
     connect(pathFile_, &QToolButton::clicked, this, &ControlBar::pathFileRequested);
 }
 
 void ControlBar::setMaterials(const QStringList& names) { setNames(*material_, names); }
 
-void ControlBar::setHands(const QStringList& names) { setNames(*hand_, names); }
+void ControlBar::setDevices(const QStringList& names) { setNames(*hand_, names); }
 
 void ControlBar::setPaths(const QStringList& names) { setNames(*path_, names); }
 
 void ControlBar::setMaterial(int index) { material_->setCurrentIndex(index); }
 
-void ControlBar::setHand(int index) { hand_->setCurrentIndex(index); }
+void ControlBar::setDevice(int index) { hand_->setCurrentIndex(index); }
 
 void ControlBar::setPath(int index) { path_->setCurrentIndex(index); }
 

@@ -26,12 +26,12 @@ public:
     explicit ControlBar(QWidget* parent = nullptr);
 
     void setMaterials(const QStringList& names);
-    void setHands(const QStringList& names);
+    void setDevices(const QStringList& names);
     void setPaths(const QStringList& names);
 
     /// @param index into the names set before; -1: none of them
     void setMaterial(int index);
-    void setHand(int index);
+    void setDevice(int index);
     void setPath(int index);
     void setRunning(bool running);
     void setForcesOn(bool on);
@@ -42,7 +42,7 @@ Q_SIGNALS:
     void runningChosen(bool running);
     void forcesChosen(bool on);
     void materialChosen(int index);
-    void handChosen(int index);
+    void deviceChosen(int index);
     void pathChosen(int index);
     void pathFileRequested();  ///< a path shall be read from a file
     /// @param column of the knob, see listSettings()

@@ -64,7 +64,7 @@ void giveFocusBack(ControlBar& controls, ZoomView& view) {
     give(&ControlBar::runningChosen);
     give(&ControlBar::forcesChosen);
     give(&ControlBar::materialChosen);
-    give(&ControlBar::handChosen);
+    give(&ControlBar::deviceChosen);
     give(&ControlBar::pathChosen);
     give(&ControlBar::recordingChosen);
     for (QLineEdit* number : controls.findChildren<QLineEdit*>()) {

@@ -10,7 +10,7 @@ namespace asperity {
 WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
     addFileMenu(bar);
     addRunMenu(bar);
-    addHandMenu(bar);
+    addDeviceMenu(bar);
     addViewMenu(bar);
     addHelpMenu(bar);
 }

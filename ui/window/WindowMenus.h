@@ -58,7 +58,7 @@ Q_SIGNALS:
 private:
     void addFileMenu(QMenuBar& bar);
     void addRunMenu(QMenuBar& bar);
-    void addHandMenu(QMenuBar& bar);
+    void addDeviceMenu(QMenuBar& bar);
     void addGuides(QMenu& menu);
     void addViewMenu(QMenuBar& bar);
     void addMagnifications(QMenu& menu);

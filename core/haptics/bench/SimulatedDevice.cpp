@@ -17,9 +17,9 @@ Vector3 shortened(const Vector3& way, double most) {
 }  // namespace
 
 SimulatedDevice::SimulatedDevice(const Vector3& start, const BenchSetup& setup)
-    : LedHand(start), bench_(setup, start), reach_(start) {}
+    : PilotedDevice(start), bench_(setup, start), reach_(start) {}
 
-HandState SimulatedDevice::advance(double timeStep) noexcept {
+DeviceState SimulatedDevice::advance(double timeStep) noexcept {
     reach_ += shortened(lead(timeStep) - reach_, kReachSpeed * timeStep);
     reach_ = shortened(reach_, bench_.specification().workspaceRadius);
     bench_.reachFor(reach_);

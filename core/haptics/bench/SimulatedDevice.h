@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/haptics/bench/VirtualBench.h"
-#include "core/haptics/device/LedHand.h"
+#include "core/haptics/device/PilotedDevice.h"
 
 namespace asperity {
 
@@ -9,7 +9,7 @@ namespace asperity {
 /// in a normal grip and reaches for where mouse and keyboard lead, at most by 0.5 m/s and no
 /// farther than to the edge of its workspace. The force that comes back moves the handle away from
 /// there, as it does a hand.
-class SimulatedDevice final : public LedHand {
+class SimulatedDevice final : public PilotedDevice {
 public:
     /// @param start where handle and hand rest at first, in the device's own frame [m]
     explicit SimulatedDevice(const Vector3& start, const BenchSetup& setup = {.arm = kNormalGrip});
@@ -18,7 +18,7 @@ public:
         return bench_.specification();
     }
     [[nodiscard]] double delay() const noexcept override { return bench_.delay(); }
-    HandState advance(double timeStep) noexcept override;
+    DeviceState advance(double timeStep) noexcept override;
     void setForce(const Vector3& force) noexcept override { bench_.setForce(force); }
 
 private:

@@ -34,7 +34,7 @@ DeviceSpecification VirtualBench::specification() const noexcept {
             .streams = true};
 }
 
-HandState VirtualBench::advance(double timeStep) noexcept {
+DeviceState VirtualBench::advance(double timeStep) noexcept {
     time_ += timeStep;
     for (const auto due = std::llround(time_ / kSubstep); substeps_ < due; ++substeps_) {
         substep();

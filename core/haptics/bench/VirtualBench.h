@@ -29,7 +29,7 @@ struct ArmImpedance {
 inline constexpr HandlePhysics kPhantomClass{};
 inline constexpr ArmImpedance kLightGrip{.stiffness = 80.0, .damping = 0.5};
 inline constexpr ArmImpedance kNormalGrip{.stiffness = 150.0, .damping = 2.0};
-inline constexpr ArmImpedance kNoHand{};
+inline constexpr ArmImpedance kNoDevice{};
 
 struct BenchSetup {
     HandlePhysics handle = kPhantomClass;
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] DeviceSpecification specification() const noexcept override;
     [[nodiscard]] double delay() const noexcept override { return delay_; }
     /// The position as the encoders tell it.
-    HandState advance(double timeStep) noexcept override;
+    DeviceState advance(double timeStep) noexcept override;
     void setForce(const Vector3& force) noexcept override { command_ = force; }
 
     /// Where the handle really is [m].

@@ -29,9 +29,9 @@ double roundedUp(double delay) {
     return kDelayStep * std::ceil(delay / kDelayStep - kRounding);
 }
 
-HandScale scaleOf(const Settings& knobs) { return {knobs.positionGain, knobs.forceGain}; }
+DeviceScale scaleOf(const Settings& knobs) { return {knobs.positionGain, knobs.forceGain}; }
 
-Settings withScale(Settings knobs, const HandScale& scale) {
+Settings withScale(Settings knobs, const DeviceScale& scale) {
     knobs.positionGain = scale.positionGain;
     knobs.forceGain = scale.forceGain;
     return knobs;
@@ -45,7 +45,7 @@ GuideLoad guideLoad(const VirtualFixture& guide) {
 
 }  // namespace
 
-HandRequest CouplingKeeper::request(const Led& led, const Settings& knobs) const {
+DeviceRequest CouplingKeeper::request(const Led& led, const Settings& knobs) const {
     return {.device = led.device,
             .timing = {.timeStep = scene_->timeStep(), .delay = led.delay},
             .scale = scaleOf(knobs),
@@ -55,8 +55,8 @@ HandRequest CouplingKeeper::request(const Led& led, const Settings& knobs) const
             .control = knobs.positionControl};
 }
 
-CoupledHand CouplingKeeper::couple(const Led& led, const Settings& knobs) const {
-    return coupleHand(scene_->belief, request(led, knobs));
+CoupledDevice CouplingKeeper::couple(const Led& led, const Settings& knobs) const {
+    return coupleDevice(scene_->belief, request(led, knobs));
 }
 
 Settings CouplingKeeper::take(Led led, Settings knobs) {
@@ -69,7 +69,7 @@ Settings CouplingKeeper::take(Led led, Settings knobs) {
 
 /// The scene's scale, or the largest standard one that holds.
 Settings CouplingKeeper::fitted(const Led& led, Settings knobs) const {
-    const HandScale own = scaleOf(scene_->settings);
+    const DeviceScale own = scaleOf(scene_->settings);
     knobs = withScale(knobs, own);
     if (own.positionGain <= kCoarsestPosition && couple(led, knobs).holds()) {
         return knobs;
@@ -144,14 +144,14 @@ std::optional<Settings> CouplingKeeper::follow(Settings knobs, double delay) {
 
 void CouplingKeeper::requireHolding(const ProbeSystem& tip, const Settings& knobs) const {
     if (led_) {
-        const CoupledHand hand = coupleHand(tip, request(*led_, knobs));
+        const CoupledDevice hand = coupleDevice(tip, request(*led_, knobs));
         if (!hand.holds()) {
             throw Error(hand.refusal);
         }
     }
 }
 
-std::string scaleWords(const HandScale& scale) {
+std::string scaleWords(const DeviceScale& scale) {
     return "1 mm : " + formatSi(1e-3 * scale.positionGain, "m") +
            ", 1 N : " + formatSi(1.0 / scale.forceGain, "N");
 }

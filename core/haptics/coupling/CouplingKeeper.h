@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/haptics/coupling/CoupledHand.h"
+#include "core/haptics/coupling/CoupledDevice.h"
 #include "core/scene/Scene.h"
 
 #include <optional>
@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// Sees to it that no hand with motors leads the tip of a run but with a coupling, a scale and an
-/// edge of its workspace that hold. Hands that only sense are left alone. Knobs go in and come out;
+/// edge of its workspace that hold. Devices that only sense are left alone. Knobs go in and come out;
 /// who calls it turns them.
 class CouplingKeeper {
 public:
@@ -41,21 +41,21 @@ public:
     void requireHolding(const ProbeSystem& tip, const Settings& knobs) const;
 
     /// The hand with motors that leads, and what it feels; null where none does.
-    [[nodiscard]] const CoupledHand* hand() const noexcept { return led_ ? &led_->hand : nullptr; }
+    [[nodiscard]] const CoupledDevice* hand() const noexcept { return led_ ? &led_->hand : nullptr; }
 
 private:
     /// A hand with motors that leads.
     struct Led {
         DeviceSpecification device;
         double delay = 0.0;  ///< designed for [s]
-        CoupledHand hand;
-        HandScale scale;
-        HandScale before;              ///< of the hands that only sense
+        CoupledDevice hand;
+        DeviceScale scale;
+        DeviceScale before;              ///< of the hands that only sense
         CouplingGains couplingBefore;  ///< likewise
     };
 
-    [[nodiscard]] HandRequest request(const Led& led, const Settings& knobs) const;
-    [[nodiscard]] CoupledHand couple(const Led& led, const Settings& knobs) const;
+    [[nodiscard]] DeviceRequest request(const Led& led, const Settings& knobs) const;
+    [[nodiscard]] CoupledDevice couple(const Led& led, const Settings& knobs) const;
     [[nodiscard]] Settings fitted(const Led& led, Settings knobs) const;
     [[nodiscard]] Settings take(Led led, Settings knobs);
 
@@ -64,6 +64,6 @@ private:
 };
 
 /// "1 mm : 1 nm, 1 N : 10 nN", for people.
-[[nodiscard]] std::string scaleWords(const HandScale& scale);
+[[nodiscard]] std::string scaleWords(const DeviceScale& scale);
 
 }  // namespace asperity

@@ -54,7 +54,7 @@ std::string sentenceFor(const ScaleJudgment& judged) {
 
 }  // namespace
 
-ScaleJudgment judgeScale(const TipLoad& tip, const HandScale& scale,
+ScaleJudgment judgeScale(const TipLoad& tip, const DeviceScale& scale,
                           const std::optional<CouplingGains>& coupling, const ScaleBounds& bounds,
                           const GuideLoad& guide) {
     const double contact = tip.stiffness * scale.forceGain * scale.positionGain;

@@ -9,11 +9,11 @@
 namespace asperity {
 
 /// How the hand's world and the tip's are scaled to each other.
-struct HandScale {
+struct DeviceScale {
     double positionGain = 1.0;  ///< displacement at the tip per displacement of the hand
     double forceGain = 1.0;     ///< force at the hand per force at the tip
 
-    bool operator==(const HandScale&) const = default;
+    bool operator==(const DeviceScale&) const = default;
 };
 
 /// A guide (virtual fixture) that pulls at the proxy beside the contact, at the hand's scale.
@@ -57,7 +57,7 @@ struct ScaleJudgment {
 /// only drives the proxy into the jump, which loses energy and ends on the positive stiffness
 /// judged here. What the jump brings to the hand is a force, of at most the adhesion.
 /// Source: docs/haptics.md.
-[[nodiscard]] ScaleJudgment judgeScale(const TipLoad& tip, const HandScale& scale,
+[[nodiscard]] ScaleJudgment judgeScale(const TipLoad& tip, const DeviceScale& scale,
                                         const std::optional<CouplingGains>& coupling,
                                         const ScaleBounds& bounds, const GuideLoad& guide = {});
 

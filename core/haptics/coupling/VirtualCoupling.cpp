@@ -40,20 +40,20 @@ Vector3 proxyVelocity(const Vector3& push, double resistance, const ProxyLoad& l
 
 }  // namespace
 
-CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& handMotion,
+CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& deviceMotion,
                           const Vector3& stretch, const ProxyLoad& load, double timeStep) noexcept {
-    // F = Kc (stretch + handMotion - T vp) + Bc (handMotion / T - vp) put into the balance leaves
+    // F = Kc (stretch + deviceMotion - T vp) + Bc (deviceMotion / T - vp) put into the balance leaves
     // resistance * vp = push + friction.
     const double resistance =
         gains.proxyDamping + gains.damping + gains.stiffness * timeStep;  // [N s/m]
-    const Vector3 push = gains.stiffness * (stretch + handMotion) +
-                         (gains.damping / timeStep) * handMotion + load.force;
+    const Vector3 push = gains.stiffness * (stretch + deviceMotion) +
+                         (gains.damping / timeStep) * deviceMotion + load.force;
     const Vector3 velocity = proxyVelocity(push, resistance, load);
     const Vector3 friction = resistance * velocity - push;
     const Vector3 motion = timeStep * velocity;
     return {.hand = load.force + friction - gains.proxyDamping * velocity,
             .motion = motion,
-            .stretch = stretch + handMotion - motion};
+            .stretch = stretch + deviceMotion - motion};
 }
 
 }  // namespace asperity

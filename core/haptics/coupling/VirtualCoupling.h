@@ -30,15 +30,15 @@ struct CouplingStep {
 /// friction * |vp_t| / sqrt(|vp_t|^2 + v0^2) (docs/theory.md 6.2): that of the last tick would
 /// throw a proxy at rest to and fro.
 ///
-/// The hand's velocity is v = handMotion / T of the positions as they were sampled, with nothing
+/// The hand's velocity is v = deviceMotion / T of the positions as they were sampled, with nothing
 /// smoothed: an encoder's step D then changes F by Bc D / T for one tick, whose impulse Bc D is
 /// the same at any rate and moves a handle of mass m by Bc D / m a second.
 /// Source: Colgate, Stanley, Brown (1995); Adams, Hannaford (1999); docs/haptics.md.
 ///
-/// @param handMotion since the last step [m]
+/// @param deviceMotion since the last step [m]
 /// @param stretch    hand less proxy at the end of the last step [m]
 /// @param timeStep   T [s]
-[[nodiscard]] CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& handMotion,
+[[nodiscard]] CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& deviceMotion,
                                         const Vector3& stretch, const ProxyLoad& load,
                                         double timeStep) noexcept;
 

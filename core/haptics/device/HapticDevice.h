@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-class LedHand;
+class PilotedDevice;
 
 /// The hand as the loop sees it: a haptic device, a mouse, a script. Blocking input and output
 /// belong on a thread of the device's own; what is here never waits and never throws.
@@ -21,7 +21,7 @@ public:
 
     /// Where the hand is after one more time step [s]; the loop adds what the specification says.
     /// Loop thread only.
-    virtual HandState advance(double timeStep) noexcept = 0;
+    virtual DeviceState advance(double timeStep) noexcept = 0;
 
     /// The force that the hand shall feel [N]. Loop thread only. A device with motors lets go by
     /// itself when it is not told a force for a while, for a program that crashed tells it none.
@@ -44,7 +44,7 @@ public:
     virtual void setSeenHalfWidth(double /*halfWidth*/) noexcept {}
 
     /// The hand as one that mouse and keyboard lead; null: it moves by itself.
-    [[nodiscard]] virtual LedHand* led() noexcept { return nullptr; }
+    [[nodiscard]] virtual PilotedDevice* led() noexcept { return nullptr; }
 };
 
 /// A hand that only senses.

@@ -16,7 +16,7 @@ bool isFinite(const TickInput& input, const ForceRequest& request) {
            std::isfinite(request.mismatch) && input.hand.position.allFinite() &&
            std::isfinite(input.hand.maxForce) && std::isfinite(input.hand.age) &&
            std::isfinite(limits.maxForce) && std::isfinite(limits.engageTime) &&
-           std::isfinite(limits.maxHandSpeed);
+           std::isfinite(limits.maxDeviceSpeed);
 }
 
 /// The most that device and scene allow [N].
@@ -35,7 +35,7 @@ bool holdsDeadMan(const TickInput& input) {
 }
 
 /// Share of the force that the silence of the device leaves: 1 while it reports.
-double shareInSilence(const HandState& hand) {
+double shareInSilence(const DeviceState& hand) {
     if (!hand.streams) {
         return 1.0;
     }
@@ -51,20 +51,20 @@ Fault faultOf(const TickInput& input, const ForceRequest& request, const Governo
         return Fault::DeviceSilent;
     }
     const bool acts = memory.share > 0.0 || (memory.edgeShare > 0.0 && !request.edge.isZero(0.0));
-    return acts && memory.speed.speed > input.settings.governor.maxHandSpeed ? Fault::VelocityTrip
+    return acts && memory.speed.speed > input.settings.governor.maxDeviceSpeed ? Fault::VelocityTrip
                                                                              : Fault::None;
 }
 
 /// Share of a force that acts in this tick, given that nothing forbids it.
 /// @param before  that acted in the last one
 /// @param wanted  what must be small for the force to come on: the force itself, a mismatch [N]
-double nextShare(const TickInput& input, double before, double wanted, double handSpeed) {
+double nextShare(const TickInput& input, double before, double wanted, double deviceSpeed) {
     const double alive = shareInSilence(input.hand);
     if (alive < 1.0) {
         return std::min(before, alive);
     }
     const bool mayComeOn = wanted <= kSmallShare * largestForce(input) &&
-                           handSpeed <= input.settings.governor.maxHandSpeed;
+                           deviceSpeed <= input.settings.governor.maxDeviceSpeed;
     if (before == 0.0 && !mayComeOn) {
         return 0.0;
     }

@@ -72,7 +72,7 @@ Workspace workspaceOf(double radius, double age) noexcept {
             .forceLimit = kEdgeForce};
 }
 
-MappingStep mapHand(const Workspace& workspace, const Vector3& hand,
+MappingStep mapDevice(const Workspace& workspace, const Vector3& hand,
                     const MappingSettings& settings, const MappingMemory& before) noexcept {
     MappingStep step;
     if (!isValid(hand, settings)) {
@@ -88,7 +88,7 @@ MappingStep mapHand(const Workspace& workspace, const Vector3& hand,
     return step;
 }
 
-Vector3 forceOnHand(const MappingSettings& settings, const Vector3& force) noexcept {
+Vector3 forceOnDevice(const MappingSettings& settings, const Vector3& force) noexcept {
     return settings.axes.transpose() * force;
 }
 

@@ -42,7 +42,7 @@ struct MappingStep {
 /// @return nothing where these are not finite, zero or parallel
 [[nodiscard]] std::optional<Matrix3> viewAxes(const Vector3& right, const Vector3& up) noexcept;
 
-/// Axes as Settings::handTurn has them, and back.
+/// Axes as Settings::deviceTurn has them, and back.
 [[nodiscard]] Matrix3 axesOf(const Vector3& turn) noexcept;
 [[nodiscard]] Vector3 turnOf(const Matrix3& axes) noexcept;
 
@@ -56,13 +56,13 @@ struct MappingStep {
 /// move nothing by themselves. With a coupling it is `motion` that the proxy follows, and the
 /// proxy's own motion times the gain that the command follows. Wait-free.
 /// @param hand its position, the device's axes [m]
-[[nodiscard]] MappingStep mapHand(const Workspace& workspace, const Vector3& hand,
+[[nodiscard]] MappingStep mapDevice(const Workspace& workspace, const Vector3& hand,
                                   const MappingSettings& settings,
                                   const MappingMemory& before) noexcept;
 
 /// A force in world axes, at the hand's scale, as the hand feels it in the device's axes [N]: by
 /// the transpose of the axes, so that force times motion is the same power in both.
-[[nodiscard]] Vector3 forceOnHand(const MappingSettings& settings, const Vector3& force) noexcept;
+[[nodiscard]] Vector3 forceOnDevice(const MappingSettings& settings, const Vector3& force) noexcept;
 
 /// The workspace of a device, with a spring that a light grip keeps at rest: nothing but the arm
 /// damps it, by 0.5 N s/m at least, and a force of the given age takes k * age of that away

@@ -35,7 +35,7 @@ void listLog(const TickSample& sample, const Cell& cell) {
     listVector(cell, "est_f", out.estimate.force, "_n");
     listVector(cell, "est_sigma_f", standardDeviation(out.estimate.covariance), "_n");
     listVector(cell, "model_f", out.model.force, "_n");
-    listVector(cell, "hand_f", out.handForce, "_n");
+    listVector(cell, "hand_f", out.deviceForce, "_n");
     cell({"alpha_rad"}, sample.input.measurement.signals.bending);
     cell({"theta_rad"}, sample.input.measurement.signals.torsion);
     cell({"gap_m"}, -out.model.contact.indentation);

@@ -69,7 +69,7 @@ public:
 
     /// Opens the hand, then as goTo().
     double letGo() {
-        bench_.grip(kNoHand);
+        bench_.grip(kNoDevice);
         return settle();
     }
 
@@ -106,7 +106,7 @@ private:
         const BaseCommand command = commandBase(scene_, input_, memory_);
         input_.measurement = afm_.exchange(command.base);
         const TickOutput output = tick(scene_, input_, command, memory_);
-        bench_.setForce(output.handForce);
+        bench_.setForce(output.deviceForce);
         finite_ = finite_ && output.fault == Fault::None;
     }
 

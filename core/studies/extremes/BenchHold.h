@@ -20,7 +20,7 @@ inline constexpr double kPatience = 2.0;
 
 /// How a hand is put on the bench.
 struct BenchHold {
-    HandScale scale;
+    DeviceScale scale;
     CouplingGains coupling;  ///< without stiffness: the hand moves the base itself
     double delay = 0.0;      ///< [s]
     Grip grip = Grip::Light;

@@ -42,7 +42,7 @@ struct HoldSetting {
     double leverStiffness = 0.0;  ///< [N/m]
     double tickRate = 0.0;        ///< [Hz]
     double delay = 0.0;           ///< from a motion to its force, without the hold [s]
-    HandScale scale;
+    DeviceScale scale;
     Grip grip = Grip::Light;
     bool coupled = false;  ///< with the gains of designCoupling(); else the hand moves the base
 };

@@ -79,7 +79,7 @@ TEST_F(Replay, IsBitIdentical) {
               test::contentOf(scratch.path() / "again/force_log.csv"));
 }
 
-TEST_F(Replay, NamesTheTickOfAnAlteredHandSample) {
+TEST_F(Replay, NamesTheTickOfAnAlteredDeviceSample) {
     alter(217, "hand_z_m", "1.0000000001e-8");
     const auto again = replay();
     EXPECT_EQ(again.exitCode, 1);

@@ -1,6 +1,6 @@
 #include "app/recording/Recording.h"
 #include "core/Units.h"
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 #include "core/io/scene/SceneFile.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/core/haptics/governor/GuardedBench.h"
@@ -47,7 +47,7 @@ constexpr KnobTurn kKnobs[] = {
     {54.0, [](Settings& knobs) { knobs.forceGain /= 3.1; }},
 };
 
-void loseDeviceForAMoment(HandState& hand, double time) {
+void loseDeviceForAMoment(DeviceState& hand, double time) {
     hand.connected = time < 40.0 || time > 40.1;
 }
 
@@ -56,7 +56,7 @@ class LongSession {
 public:
     explicit LongSession(const LoadedScene& loaded)
         : path_(rasterPath(loaded.scene, {.duration = kSession, .indentation = 8.0_nm}))
-        , bench_(loaded.scene, handAt(0.0)) {
+        , bench_(loaded.scene, deviceAt(0.0)) {
         bench_.tamper = loseDeviceForAMoment;
     }
 
@@ -65,7 +65,7 @@ public:
         for (; next_ != std::end(kKnobs) && next_->time <= now; ++next_) {
             next_->turn(bench_.input.settings);
         }
-        bench_.reachFor(handAt(now));
+        bench_.reachFor(deviceAt(now));
         return bench_.run(bench_.input.timeStep).front();
     }
     [[nodiscard]] double now() const { return bench_.now(); }
@@ -73,11 +73,11 @@ public:
 
 private:
     /// Where the path is at the scale that the session begins with [m].
-    [[nodiscard]] Vector3 handAt(double time) const {
+    [[nodiscard]] Vector3 deviceAt(double time) const {
         return positionAt(path_, time) / (1.0_nm / 1e-3);
     }
 
-    HandPath path_;
+    DevicePath path_;
     test::GuardedBench bench_;
     const KnobTurn* next_ = std::begin(kKnobs);
 };

@@ -1,6 +1,6 @@
 #include "app/recording/RecordingThread.h"
 #include "app/session/LiveRun.h"
-#include "core/haptics/ScriptedHand.h"
+#include "core/haptics/ScriptedDevice.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ScratchFolder.h"
@@ -19,14 +19,14 @@ namespace {
 TEST(SlowInstrumentRun, IsRecordedAndReplaysToTheSameBits) {
     const test::ScratchFolder folder;
     LoadedScene loaded = loadScene(test::shippedScene("polystyrene"), {});
-    const HandPath path = approachPath(loaded.scene, {.duration = 1.5});
+    const DevicePath path = approachPath(loaded.scene, {.duration = 1.5});
     test::SlowAfm* instrument = nullptr;
     LiveRun run(std::move(loaded), path.front().position, [&](const Scene& scene) {
         auto slow = std::make_unique<test::SlowAfm>(scene.touched(), truthOf(scene), 20e-3);
         instrument = slow.get();
         return slow;
     });
-    run.takeHand([&] { return std::make_unique<ScriptedHand>(path, run.settings().positionGain); });
+    run.takeDevice([&] { return std::make_unique<ScriptedDevice>(path, run.settings().positionGain); });
     RecordingThread recording({folder.path() / "run"}, run.loaded(), run.loop().memory(), 0.0);
     long stale = 0;
     long lost = 0;

@@ -1,6 +1,6 @@
 #include "app/program/LoadedScene.h"
 #include "core/Error.h"
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 #include "core/haptics/RunEvents.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/support/ReferenceTable.h"

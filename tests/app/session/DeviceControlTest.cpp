@@ -13,12 +13,12 @@ class DeviceControlTest : public ControlFixture {
 protected:
     QComboBox& list() { return *window.findChild<QComboBox*>("hand"); }
     std::string shown() { return list().currentText().toStdString(); }
-    void choose(const char* name) { Q_EMIT window.controls().handChosen(list().findText(name)); }
+    void choose(const char* name) { Q_EMIT window.controls().deviceChosen(list().findText(name)); }
 
     DeviceControl devices{window, runs};
 };
 
-TEST_F(DeviceControlTest, OffersEveryHandInTheOrderOfTheList) {
+TEST_F(DeviceControlTest, OffersEveryDeviceInTheOrderOfTheList) {
     QStringList names;
     for (int i = 0; i < list().count(); ++i) {
         names << list().itemText(i);

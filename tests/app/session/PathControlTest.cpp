@@ -37,7 +37,7 @@ TEST_F(PathControlTest, FollowsTheFileThatIsChosen) {
         [this] { return (run().basePosition() - Vector3(50e-9, 60e-9, 9e-9)).norm() < 1e-15; }));
 }
 
-TEST_F(PathControlTest, RefusesAPathInOtherUnitsAndKeepsTheHand) {
+TEST_F(PathControlTest, RefusesAPathInOtherUnitsAndKeepsTheDevice) {
     useFlatScene();
     const auto file = folder.write("path.csv", "time_s,x_m,y_m,z_m\n0,50,60,3\n1,51,60,3\n");
     Q_EMIT window.pathFileChosen(QString::fromStdString(file.string()));

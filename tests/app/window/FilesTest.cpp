@@ -240,7 +240,7 @@ TEST_F(Window, RepeatsARecording) {
     EXPECT_TRUE(eventually([this] { return far(); })) << state();
 }
 
-TEST_F(Window, SaysWhatIsWrongWithAPathAndKeepsTheHand) {
+TEST_F(Window, SaysWhatIsWrongWithAPathAndKeepsTheDevice) {
     openFlatScene();
     const std::filesystem::path bad = folder.write("path.csv", "time_s,x_m,y_m\n0,0,0\n");
     Q_EMIT window.pathFileChosen(QString::fromStdString(bad.string()));

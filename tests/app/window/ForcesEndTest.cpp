@@ -34,7 +34,7 @@ public:
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
         return {.maxForce = 5.0, .maxStiffness = 800.0, .maxDamping = 8.0};
     }
-    HandState advance(double /*timeStep*/) noexcept override {
+    DeviceState advance(double /*timeStep*/) noexcept override {
         return {.position = kHeld / kPositionGain};
     }
     void setForce(const Vector3& force) noexcept override { newest_ = force.norm(); }
@@ -66,7 +66,7 @@ TEST(ForcesEnd, WhenASignalEndsTheProgram) {
                                .sha256 = "",
                                .notes = {}};
             LiveRun run(std::move(loaded), kHeld);
-            run.takeHand([&newest] { return std::make_unique<MotorDevice>(newest); });
+            run.takeDevice([&newest] { return std::make_unique<MotorDevice>(newest); });
             run.loop().start();
             sendWhenFelt(signal, newest);
             EXPECT_TRUE(run.loop().running());

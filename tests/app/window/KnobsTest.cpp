@@ -59,7 +59,7 @@ TEST_F(Window, TheForceGainReachesTheLoop) {
     EXPECT_DOUBLE_EQ(session.run()->settings().forceGain, 250.0);
 }
 
-TEST_F(Window, TheMenuGivesTheHandTheTipAndTakesItBack) {
+TEST_F(Window, TheMenuGivesTheDeviceTheTipAndTakesItBack) {
     openFlatScene();
     QAction* tip = window.menus().tipControl;
     EXPECT_FALSE(tip->isChecked());

@@ -20,7 +20,7 @@ TickSample tickOf(double height, double force) {
     sample.input.settings.coupling = {.stiffness = 300.0, .damping = 2.0, .proxyDamping = 3.0};
     sample.input.timeStep = kTick;
     sample.input.starts = 1;
-    sample.output.handForce.z() = force;
+    sample.output.deviceForce.z() = force;
     return sample;
 }
 
@@ -31,7 +31,7 @@ void push(EnergyWatch& watch, double from) {
     }
 }
 
-TEST(EnergyWatch, SeesAHandThatIsGivenEnergy) {
+TEST(EnergyWatch, SeesADeviceThatIsGivenEnergy) {
     EnergyWatch watch(kTick, 0.0);
     EXPECT_FALSE(watch.active());
     push(watch, 0.0);
@@ -59,7 +59,7 @@ TEST(EnergyWatch, ADelayMovesTheForceToTheMotionThatItMeets) {
     EXPECT_LT(least(6.0_ms), -10e-3);
 }
 
-TEST(EnergyWatch, AHandWithoutMotorsOrCouplingIsNotWatched) {
+TEST(EnergyWatch, ADeviceWithoutMotorsOrCouplingIsNotWatched) {
     EnergyWatch watch(kTick, 0.0);
     push(watch, 0.0);
     TickSample mouse = tickOf(0.0, 1.0);

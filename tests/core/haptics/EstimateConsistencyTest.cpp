@@ -36,7 +36,7 @@ Honesty honestyOf(const Friction& friction) {
     SceneDescription description = test::plainScene();
     description.truth.material.friction = friction;
     Scene scene = buildScene(description, test::flatMap());
-    const HandPath path = approachPath(scene, {.duration = 10.0, .indentation = 1.0_nm});
+    const DevicePath path = approachPath(scene, {.duration = 10.0, .indentation = 1.0_nm});
     Honesty honesty;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         InstrumentTruth truth = truthOf(scene);
@@ -95,7 +95,7 @@ TEST(EstimateConsistency, IsNotCertainOfALawThatNothingTests) {
         description.truth.material.friction = {.coefficient = believed + 0.05};
         const Scene scene = buildScene(description, test::flatMap());
         SimulatedAfm afm(scene.surface, truthOf(scene));
-        const HandPath path{{0.0, {30.0_nm, 64.0_nm, 10.0_nm}},
+        const DevicePath path{{0.0, {30.0_nm, 64.0_nm, 10.0_nm}},
                             {1.0, {30.0_nm, 64.0_nm, -1.0_nm}},
                             {3.0, {80.0_nm, 64.0_nm, -1.0_nm}}};
         double farthest = 0.0;  // of the error, in standard deviations
@@ -118,7 +118,7 @@ TEST(EstimateConsistency, IsNotCertainOfALawThatNothingTests) {
 TEST(EstimateConsistency, FlashesNotOnceInFreeAir) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     SimulatedAfm afm(scene.surface, truthOf(scene));
-    const HandPath path{{0.0, {64.0_nm, 64.0_nm, 50.0_nm}}};
+    const DevicePath path{{0.0, {64.0_nm, 64.0_nm, 50.0_nm}}};
     long flagged = 0;
     runVirtually(scene, path, afm, 1'000'000, [&](const TickSample& sample) {
         const ValidityFlags flags = sample.output.flags;
@@ -135,7 +135,7 @@ TEST(EstimateConsistency, ContradictsAModelThatStillAdheresAtOnce) {
     description.truth.material.workOfAdhesion = 0.02;
     const Scene scene = buildScene(description, test::flatMap());
     SimulatedAfm afm(scene.surface, truthOf(scene));
-    const HandPath path = approachPath(scene, {.duration = 10.0, .indentation = 1.0_nm});
+    const DevicePath path = approachPath(scene, {.duration = 10.0, .indentation = 1.0_nm});
     std::optional<double> alone;  // since when only the model is bonded
     std::optional<double> noticed;
     runVirtually(scene, path, afm, 10001, [&](const TickSample& sample) {

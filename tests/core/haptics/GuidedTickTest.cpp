@@ -1,4 +1,4 @@
-#include "tests/core/haptics/GuidedHand.h"
+#include "tests/core/haptics/GuidedDevice.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-using test::GuidedHand;
+using test::GuidedDevice;
 using test::kGains;
 
 constexpr double kFar = 1e-4;                // of what the sample pulls from there [N]
@@ -24,9 +24,9 @@ VirtualFixture guideTo(FixtureKind kind, const Vector3& point) {
             .captureDistance = 50e-9};
 }
 
-TEST(GuidedTick, AGuidePullsTheBaseToItsTargetAndTheHandFeelsIt) {
+TEST(GuidedTick, AGuidePullsTheBaseToItsTargetAndTheDeviceFeelsIt) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand(scene);
+    GuidedDevice hand(scene);
     hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
     hand.moveTo(kHigh, 1000);
     const Vector3 aside(1e-3, 0.0, 2e-3);
@@ -36,29 +36,29 @@ TEST(GuidedTick, AGuidePullsTheBaseToItsTargetAndTheHandFeelsIt) {
     const Vector3 way = (out.base.position - kTarget) / 1e-6;
     EXPECT_LT(way.norm(), 0.72 * aside.norm());
     EXPECT_GT(way.norm(), 0.66 * aside.norm());
-    EXPECT_LT((out.handForce + kGains.stiffness * (aside - way)).norm(), 1e-6);
-    EXPECT_LT(out.handForce.normalized().dot(aside.normalized()), -1.0 + 1e-9);
+    EXPECT_LT((out.deviceForce + kGains.stiffness * (aside - way)).norm(), 1e-6);
+    EXPECT_LT(out.deviceForce.normalized().dot(aside.normalized()), -1.0 + 1e-9);
 }
 
-TEST(GuidedTick, APlaneLeavesTheHandFreeWithinIt) {
+TEST(GuidedTick, APlaneLeavesTheDeviceFreeWithinIt) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand(scene);
+    GuidedDevice hand(scene);
     hand.settings.guide = guideTo(FixtureKind::Plane, kTarget);
     hand.moveTo(kHigh, 1000);
     const TickOutput within = hand.moveTo(kHigh + Vector3(15e-3, -10e-3, 0.0), 4000);
-    EXPECT_LT(within.handForce.norm(), kFar);
-    EXPECT_LT(hand.moveTo(kHigh + Vector3(15e-3, -10e-3, 3e-3), 4000).handForce.z(), -0.3);
+    EXPECT_LT(within.deviceForce.norm(), kFar);
+    EXPECT_LT(hand.moveTo(kHigh + Vector3(15e-3, -10e-3, 3e-3), 4000).deviceForce.z(), -0.3);
 }
 
 TEST(GuidedTick, AGuideThatIsSwitchedOnComesOnByAndBy) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand(scene);
+    GuidedDevice hand(scene);
     const Vector3 place = kHigh + Vector3(5e-3, 0.0, 0.0);
-    Vector3 last = hand.moveTo(place, 100).handForce;
+    Vector3 last = hand.moveTo(place, 100).deviceForce;
     hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
     double steepest = 0.0;
     for (int i = 0; i < 1000; ++i) {
-        const Vector3 now = hand.moveTo(place).handForce;
+        const Vector3 now = hand.moveTo(place).deviceForce;
         steepest = std::max(steepest, (now - last).norm());
         last = now;
     }
@@ -68,21 +68,21 @@ TEST(GuidedTick, AGuideThatIsSwitchedOnComesOnByAndBy) {
 
 TEST(GuidedTick, NeitherZoomNorAnotherGuideMovesTheBaseByItself) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand(scene);
+    GuidedDevice hand(scene);
     hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
     hand.moveTo(kHigh, 1000);
     const Vector3 place = kHigh + Vector3(3e-3, 0.0, 0.0);
     const TickOutput before = hand.moveTo(place, 4000);
-    ASSERT_GT(before.handForce.norm(), 0.2);
+    ASSERT_GT(before.deviceForce.norm(), 0.2);
     hand.settings.positionGain = 2e-6;
     const TickOutput zoomed = hand.moveTo(place);
     EXPECT_LT((zoomed.base.position - before.base.position).norm(), 1e-15);
-    EXPECT_LT(zoomed.handForce.norm(), kFar) << "the guide comes on anew";
+    EXPECT_LT(zoomed.deviceForce.norm(), kFar) << "the guide comes on anew";
     const TickOutput held = hand.moveTo(place, 4000);
     hand.settings.guide = {};
     const TickOutput without = hand.moveTo(place);
     EXPECT_LT((without.base.position - held.base.position).norm(), 1e-15);
-    EXPECT_LT(without.handForce.norm(), kFar);
+    EXPECT_LT(without.deviceForce.norm(), kFar);
 }
 
 TEST(GuidedTick, WithTheTipUnderControlItIsTheTipThatIsGuided) {
@@ -90,7 +90,7 @@ TEST(GuidedTick, WithTheTipUnderControlItIsTheTipThatIsGuided) {
     scene.settings.positionGain = 1e-6;
     scene.settings.forceGain = 1e8;
     scene.settings.coupling = kGains;
-    GuidedHand hand(scene);
+    GuidedDevice hand(scene);
     const Vector3 pressed(64e-3, 64e-3, -2e-3);
     hand.settings.positionControl = PositionControl::Tip;
     hand.moveTo({64e-3, 64e-3, 5e-3});
@@ -99,16 +99,16 @@ TEST(GuidedTick, WithTheTipUnderControlItIsTheTipThatIsGuided) {
     ASSERT_LT(before.base.position.z(), before.model.tip.z() - 0.1e-9) << "the base is ahead";
     hand.settings.guide = guideTo(FixtureKind::Plane, before.model.tip);
     const TickOutput atTip = hand.moveTo(pressed, 4000);
-    EXPECT_LT((atTip.handForce - before.handForce).norm(), 0.01 * before.handForce.norm());
+    EXPECT_LT((atTip.deviceForce - before.deviceForce).norm(), 0.01 * before.deviceForce.norm());
     hand.settings.guide = guideTo(FixtureKind::Plane, before.base.position);
     const TickOutput atBase = hand.moveTo(pressed, 4000);
     EXPECT_LT(atBase.base.position.z(), before.base.position.z()) << "pulled deeper";
-    EXPECT_LT(atBase.handForce.z(), 0.99 * before.handForce.z());
+    EXPECT_LT(atBase.deviceForce.z(), 0.99 * before.deviceForce.z());
 }
 
 TEST(GuidedTick, WithoutACouplingAGuideHasNothingToPullAt) {
     const Scene scene = test::coupledScene({});
-    GuidedHand hand(scene);
+    GuidedDevice hand(scene);
     hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
     hand.moveTo(kHigh, 1000);
     const Vector3 place = kHigh + Vector3(3e-3, 0.0, 0.0);

@@ -1,8 +1,8 @@
 #include "core/haptics/HapticLoop.h"
 
 #include "core/Units.h"
-#include "core/haptics/ScriptedHand.h"
-#include "core/haptics/device/PointerHand.h"
+#include "core/haptics/ScriptedDevice.h"
+#include "core/haptics/device/PointerDevice.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/support/TestScenes.h"
 
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
         return {.maxForce = 5.0};
     }
-    HandState advance(double /*timeStep*/) noexcept override {
+    DeviceState advance(double /*timeStep*/) noexcept override {
         return {.position = position_, .connected = connected.load()};
     }
     void setForce(const Vector3& force) noexcept override { forceZ = force.z(); }
@@ -78,8 +78,8 @@ TEST(HapticLoop, AStepIsATickWithoutTheClock) {
 
 TEST(HapticLoop, MakesTheSameTicksAsAVirtualRun) {
     const Scene scene = flatScene();
-    const HandPath path{{0.0, middleAbove(scene, 3.0_nm)}, {0.2, middleAbove(scene, -2.0_nm)}};
-    ScriptedHand hand(path, scene.settings.positionGain);
+    const DevicePath path{{0.0, middleAbove(scene, 3.0_nm)}, {0.2, middleAbove(scene, -2.0_nm)}};
+    ScriptedDevice hand(path, scene.settings.positionGain);
     SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, hand, afm);
     loop.start();
@@ -92,7 +92,7 @@ TEST(HapticLoop, MakesTheSameTicksAsAVirtualRun) {
     TickMemory memory;
     for (const TickSample& sample : live) {
         const TickOutput again = tick(scene, sample.input, memory);
-        ASSERT_EQ(again.handForce, sample.output.handForce);
+        ASSERT_EQ(again.deviceForce, sample.output.deviceForce);
         ASSERT_EQ(again.tip, sample.output.tip);
         const Vector3 wanted = positionAt(path, sample.time);
         ASSERT_NEAR((sample.output.base.position - wanted).norm(), 0.0, 1e-18);
@@ -118,7 +118,7 @@ TEST(HapticLoop, TimeIsThatOfTheSteps) {
     EXPECT_EQ(statistics.lostSamples, 0);
 }
 
-TEST(HapticLoop, PushesTheHandAndLetsGoWhenStopped) {
+TEST(HapticLoop, PushesTheDeviceAndLetsGoWhenStopped) {
     Bench bench;
     bench.loop.start();
     waitForTicks(bench.loop, 50);
@@ -210,13 +210,13 @@ TEST(HapticLoop, TellsHowItKeepsTimeOnceASecond) {
 }
 
 /// A hand that holds the loop up once.
-class SlowHand final : public HapticDevice {
+class SlowDevice final : public HapticDevice {
 public:
-    explicit SlowHand(const Vector3& position) : position_(position) {}
+    explicit SlowDevice(const Vector3& position) : position_(position) {}
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
         return kSensesOnly;
     }
-    HandState advance(double /*timeStep*/) noexcept override {
+    DeviceState advance(double /*timeStep*/) noexcept override {
         if (++steps_ == 20) {
             std::this_thread::sleep_for(std::chrono::milliseconds(6));
         }
@@ -230,7 +230,7 @@ private:
 
 TEST(HapticLoop, TakesOneLongStepOverWhatItMissed) {
     const Scene scene = flatScene();
-    SlowHand hand(middleAbove(scene, 5.0_nm));
+    SlowDevice hand(middleAbove(scene, 5.0_nm));
     SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, hand, afm);
     loop.start();
@@ -268,8 +268,8 @@ TEST(HapticLoop, StartsAndStopsOverAndOver) {
     EXPECT_FALSE(bench.loop.running());
 }
 
-TEST(PointerHand, FollowsItsTargetWithoutOvershoot) {
-    PointerHand hand(Vector3::Zero());
+TEST(PointerDevice, FollowsItsTargetWithoutOvershoot) {
+    PointerDevice hand(Vector3::Zero());
     hand.moveTo({1.0_nm, 0.0, -2.0_nm});
     double last = 0.0;
     for (int i = 0; i < 500; ++i) {
@@ -281,9 +281,9 @@ TEST(PointerHand, FollowsItsTargetWithoutOvershoot) {
     EXPECT_NEAR(last, 1.0_nm, 1e-6 * 1.0_nm);
 }
 
-TEST(PointerHand, MovesAsFarInOneLongStepAsInManyShortOnes) {
-    PointerHand coarse(Vector3::Zero());
-    PointerHand fine(Vector3::Zero());
+TEST(PointerDevice, MovesAsFarInOneLongStepAsInManyShortOnes) {
+    PointerDevice coarse(Vector3::Zero());
+    PointerDevice fine(Vector3::Zero());
     coarse.moveTo({1.0_nm, 0.0, 0.0});
     fine.moveTo({1.0_nm, 0.0, 0.0});
     const double once = coarse.advance(0.05).position.x();
@@ -294,16 +294,16 @@ TEST(PointerHand, MovesAsFarInOneLongStepAsInManyShortOnes) {
     EXPECT_NEAR(once, often, 1e-9 * often);
 }
 
-TEST(ScriptedHand, LeadsTheBaseAlongItsPathWhateverTheGain) {
-    ScriptedHand hand({{0.0, {0.0, 0.0, 0.0}}, {1.0, {4.0_nm, 0.0, 0.0}}}, 2.0);
+TEST(ScriptedDevice, LeadsTheBaseAlongItsPathWhateverTheGain) {
+    ScriptedDevice hand({{0.0, {0.0, 0.0, 0.0}}, {1.0, {4.0_nm, 0.0, 0.0}}}, 2.0);
     EXPECT_EQ(hand.advance(0.5).position.x(), 0.0);
     EXPECT_NEAR(hand.advance(0.5).position.x(), 1.0_nm, 1e-18);
     EXPECT_NEAR(hand.advance(0.5).position.x(), 2.0_nm, 1e-18);
     EXPECT_NEAR(hand.advance(0.5).position.x(), 2.0_nm, 1e-18);
 }
 
-TEST(ScriptedHand, TakesOverFromWhereAnotherHandIs) {
-    ScriptedHand hand({{0.0, {7.0_nm, 0.0, 0.0}}, {1.0, {9.0_nm, 0.0, 0.0}}}, 2.0,
+TEST(ScriptedDevice, TakesOverFromWhereAnotherDeviceIs) {
+    ScriptedDevice hand({{0.0, {7.0_nm, 0.0, 0.0}}, {1.0, {9.0_nm, 0.0, 0.0}}}, 2.0,
                       {100.0_nm, 0.0, 0.0});
     EXPECT_EQ(hand.advance(0.5).position.x(), 100.0_nm);
     EXPECT_NEAR(hand.advance(1.0).position.x(), 101.0_nm, 1e-18);

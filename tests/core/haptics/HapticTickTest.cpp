@@ -19,7 +19,7 @@ std::vector<TickSample> approachAndRetract(const Scene& scene, double depth) {
     const double x = 0.5 * scene.surface.sizeX();
     const double y = 0.5 * scene.surface.sizeY();
     const double ground = scene.surface.at(x, y).height;
-    const HandPath path{{0.0, {x, y, ground + 4.0_nm}},
+    const DevicePath path{{0.0, {x, y, ground + 4.0_nm}},
                         {1.0, {x, y, ground - depth}},
                         {2.0, {x, y, ground + 4.0_nm}}};
     SimulatedAfm afm(scene.surface, truthOf(scene));
@@ -59,16 +59,16 @@ TEST(HapticTick, ALostDeviceIsAFaultUntilAPersonTakesItBack) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     TickMemory memory;
     TickInput input = inputAt({50.0_nm, 50.0_nm, -1.0_nm});
-    EXPECT_NE(tick(scene, input, memory).handForce, Vector3::Zero());
+    EXPECT_NE(tick(scene, input, memory).deviceForce, Vector3::Zero());
     input.hand.connected = false;
     EXPECT_EQ(tick(scene, input, memory).fault, Fault::DeviceLost);
     input.settings.rearms = 1;
     EXPECT_EQ(tick(scene, input, memory).fault, Fault::DeviceLost) << "it is still lost";
     input.hand.connected = true;
-    EXPECT_EQ(tick(scene, input, memory).handForce, Vector3::Zero()) << "latched";
+    EXPECT_EQ(tick(scene, input, memory).deviceForce, Vector3::Zero()) << "latched";
     input.settings.rearms = 2;
     EXPECT_EQ(tick(scene, input, memory).fault, Fault::None);
-    EXPECT_NE(tick(scene, input, memory).handForce, Vector3::Zero());
+    EXPECT_NE(tick(scene, input, memory).deviceForce, Vector3::Zero());
 }
 
 TEST(HapticTick, SnapsInAndPullsOffWithHysteresis) {
@@ -107,16 +107,16 @@ TEST(HapticTick, FeelsTheModelAtOnceAndTheEstimateSlowly) {
     const Scene scene = buildScene(description, test::flatMap());
     SimulatedAfm afm(scene.surface, truthOf(scene));
     const Vector3 start(64.0_nm, 64.0_nm, 5.0_nm);
-    const HandPath path{{0.0, start}, {0.1, {64.0_nm, 64.0_nm, -2.0_nm}}};
+    const DevicePath path{{0.0, start}, {0.1, {64.0_nm, 64.0_nm, -2.0_nm}}};
     std::vector<TickSample> samples;
     runVirtually(scene, path, afm, 1001, [&](const TickSample& s) { samples.push_back(s); });
     // At rest the hand feels what the instrument feels, though the model believes otherwise.
     const TickOutput& rest = samples.back().output;
     EXPECT_GT((rest.estimate.force - rest.model.force).norm(), 0.5_nN);
-    EXPECT_LT((rest.handForce - rest.estimate.force).norm(), 0.01_nN);
+    EXPECT_LT((rest.deviceForce - rest.estimate.force).norm(), 0.01_nN);
 }
 
-TEST(HapticTick, MovesTheBaseByTheHandTimesThePositionGain) {
+TEST(HapticTick, MovesTheBaseByTheDeviceTimesThePositionGain) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     TickMemory memory;
     TickInput input = inputAt({64.0, 64.0, 5.0});
@@ -130,25 +130,25 @@ TEST(HapticTick, SwitchesTheForceOffOnRequest) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     TickMemory memory;
     TickInput input = inputAt({64.0_nm, 64.0_nm, -1.0_nm});
-    EXPECT_GT(tick(scene, input, memory).handForce.norm(), 1.0_nN);
+    EXPECT_GT(tick(scene, input, memory).deviceForce.norm(), 1.0_nN);
     input.settings.forcesOn = false;
-    EXPECT_EQ(tick(scene, input, memory).handForce, Vector3::Zero());
+    EXPECT_EQ(tick(scene, input, memory).deviceForce, Vector3::Zero());
 }
 
-TEST(HapticTick, LatchesAFaultOnANonFiniteHand) {
+TEST(HapticTick, LatchesAFaultOnANonFiniteDevice) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
     TickMemory memory;
     const TickInput good = inputAt({64.0_nm, 64.0_nm, -1.0_nm});
-    EXPECT_GT(tick(scene, good, memory).handForce.norm(), 1.0_nN);
+    EXPECT_GT(tick(scene, good, memory).deviceForce.norm(), 1.0_nN);
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         const TickOutput faulted = tick(scene, inputAt({64.0_nm, bad, 0.0}), memory);
         EXPECT_EQ(faulted.fault, Fault::NotFinite);
-        EXPECT_EQ(faulted.handForce, Vector3::Zero());
+        EXPECT_EQ(faulted.deviceForce, Vector3::Zero());
     }
-    EXPECT_EQ(tick(scene, good, memory).handForce, Vector3::Zero()) << "latched";
+    EXPECT_EQ(tick(scene, good, memory).deviceForce, Vector3::Zero()) << "latched";
     TickMemory fresh;
-    EXPECT_GT(tick(scene, good, fresh).handForce.norm(), 1.0_nN) << "of a run without a fault";
+    EXPECT_GT(tick(scene, good, fresh).deviceForce.norm(), 1.0_nN) << "of a run without a fault";
 }
 
 TEST(HapticTick, IsAPureFunctionOfSceneInputAndMemory) {
@@ -157,7 +157,7 @@ TEST(HapticTick, IsAPureFunctionOfSceneInputAndMemory) {
     TickMemory memory;
     for (const TickSample& sample : samples) {
         const TickOutput again = tick(scene, sample.input, memory);
-        ASSERT_EQ(again.handForce, sample.output.handForce);
+        ASSERT_EQ(again.deviceForce, sample.output.deviceForce);
         ASSERT_EQ(again.estimate.covariance, sample.output.estimate.covariance);
     }
 }

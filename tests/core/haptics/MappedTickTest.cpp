@@ -1,4 +1,4 @@
-#include "tests/core/haptics/GuidedHand.h"
+#include "tests/core/haptics/GuidedDevice.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-using test::GuidedHand;
+using test::GuidedDevice;
 using test::kGains;
 
 const Vector3 kHigh(64e-3, 64e-3, 4e-3);
@@ -16,8 +16,8 @@ const Vector3 kPressed(64e-3, 64e-3, -3e-3);
 constexpr double kFar = 0.02;  // of what the sample pulls from 4 nm [N]
 
 /// Engaged, in the air.
-GuidedHand engagedHand(const Scene& scene) {
-    GuidedHand hand(scene);
+GuidedDevice engagedDevice(const Scene& scene) {
+    GuidedDevice hand(scene);
     hand.device.maxForce = 8.5;
     hand.moveTo(kHigh, 1500);
     return hand;
@@ -27,24 +27,24 @@ Workspace workspaceAround(const Vector3& center) {
     return {.center = center, .radius = 50e-3, .stiffness = 200.0, .forceLimit = 2.0};
 }
 
-TEST(MappedTick, AClutchedHandMovesNothingAndFeelsNothing) {
+TEST(MappedTick, AClutchedDeviceMovesNothingAndFeelsNothing) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand = engagedHand(scene);
+    GuidedDevice hand = engagedDevice(scene);
     const TickOutput before = hand.glideTo(kPressed, 2000);
-    ASSERT_GT(before.handForce.norm(), 0.1);
+    ASSERT_GT(before.deviceForce.norm(), 0.1);
     hand.settings.clutched = true;
     const TickOutput first = hand.moveTo(kPressed);
-    EXPECT_EQ(first.handForce, Vector3::Zero()) << "in the same tick";
+    EXPECT_EQ(first.deviceForce, Vector3::Zero()) << "in the same tick";
     EXPECT_EQ(first.forceState, ForceState::Clutched);
     EXPECT_EQ(first.fault, Fault::None);
     const TickOutput away = hand.glideTo({30e-3, 90e-3, 40e-3}, 400);
     EXPECT_LT((away.base.position - before.base.position).norm(), 1e-15);
-    EXPECT_EQ(away.handForce, Vector3::Zero());
+    EXPECT_EQ(away.deviceForce, Vector3::Zero());
 }
 
 TEST(MappedTick, AfterAClutchTheCommandGoesOnFromWhereItWas) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand = engagedHand(scene);
+    GuidedDevice hand = engagedDevice(scene);
     const TickOutput before = hand.moveTo(kHigh);
     hand.settings.clutchButton = 2;
     hand.device.buttons = 1U << 2U;
@@ -61,7 +61,7 @@ TEST(MappedTick, AfterAClutchTheCommandGoesOnFromWhereItWas) {
 
 TEST(MappedTick, AForceThatAClutchTookAwayComesOnByAndBy) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand = engagedHand(scene);
+    GuidedDevice hand = engagedDevice(scene);
     hand.settings.clutched = true;
     hand.moveTo(kHigh, 20);
     hand.settings.clutched = false;
@@ -71,75 +71,75 @@ TEST(MappedTick, AForceThatAClutchTookAwayComesOnByAndBy) {
 
 TEST(MappedTick, ATurnedViewTurnsMotionAndForceAlike) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand straight = engagedHand(scene);
-    GuidedHand turned(scene);
-    turned.settings.handTurn = {0.3, -0.5, 0.8};
-    const Matrix3 axes = axesOf(turned.settings.handTurn);
+    GuidedDevice straight = engagedDevice(scene);
+    GuidedDevice turned(scene);
+    turned.settings.deviceTurn = {0.3, -0.5, 0.8};
+    const Matrix3 axes = axesOf(turned.settings.deviceTurn);
     turned.device.maxForce = 8.5;
     const auto asSeen = [&](const Vector3& place) -> Vector3 { return axes.transpose() * place; };
     turned.moveTo(asSeen(kHigh), 1500);
     const TickOutput one = straight.glideTo(kPressed, 4000);
     const TickOutput other = turned.glideTo(asSeen(kPressed), 4000);
     EXPECT_LT((one.base.position - other.base.position).norm(), 1e-15);
-    EXPECT_LT((asSeen(one.handForce) - other.handForce).norm(), 1e-6 * one.handForce.norm());
+    EXPECT_LT((asSeen(one.deviceForce) - other.deviceForce).norm(), 1e-6 * one.deviceForce.norm());
 }
 
 TEST(MappedTick, AViewThatTurnsMovesNothing) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand = engagedHand(scene);
+    GuidedDevice hand = engagedDevice(scene);
     const TickOutput before = hand.glideTo(kPressed, 4000);
     for (int i = 1; i <= 100; ++i) {
-        hand.settings.handTurn = {0.0, 0.0, 0.01 * i};
+        hand.settings.deviceTurn = {0.0, 0.0, 0.01 * i};
         const TickOutput now = hand.moveTo(kPressed);
         ASSERT_LT((now.base.position - before.base.position).norm(), 1e-15) << i;
-        ASSERT_NEAR(now.handForce.norm(), before.handForce.norm(), 1e-6) << i;
+        ASSERT_NEAR(now.deviceForce.norm(), before.deviceForce.norm(), 1e-6) << i;
     }
 }
 
 TEST(MappedTick, TheEdgeOfTheWorkspacePushesBack) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand = engagedHand(scene);
+    GuidedDevice hand = engagedDevice(scene);
     hand.settings.workspace = workspaceAround(kHigh);
-    EXPECT_LT(hand.glideTo(kHigh + Vector3(44e-3, 0.0, 0.0), 1000).handForce.norm(), kFar);
+    EXPECT_LT(hand.glideTo(kHigh + Vector3(44e-3, 0.0, 0.0), 1000).deviceForce.norm(), kFar);
     const TickOutput out = hand.glideTo(kHigh + Vector3(48e-3, 0.0, 0.0), 4000);
-    EXPECT_NEAR(out.handForce.x(), -0.6 / std::hypot(1.0, 0.6 / 2.0), kFar);
-    EXPECT_NEAR(out.handForce.z(), 0.0, kFar);
+    EXPECT_NEAR(out.deviceForce.x(), -0.6 / std::hypot(1.0, 0.6 / 2.0), kFar);
+    EXPECT_NEAR(out.deviceForce.z(), 0.0, kFar);
 }
 
-TEST(MappedTick, AClutchedHandStillFeelsTheEdge) {
+TEST(MappedTick, AClutchedDeviceStillFeelsTheEdge) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand = engagedHand(scene);
+    GuidedDevice hand = engagedDevice(scene);
     hand.settings.workspace = workspaceAround(kHigh);
     hand.settings.clutched = true;
-    EXPECT_LT(hand.glideTo(kHigh + Vector3(0.0, 48e-3, 0.0), 200).handForce.y(), -0.5);
+    EXPECT_LT(hand.glideTo(kHigh + Vector3(0.0, 48e-3, 0.0), 200).deviceForce.y(), -0.5);
     hand.settings.forcesOn = false;
-    EXPECT_EQ(hand.moveTo(kHigh + Vector3(0.0, 48e-3, 0.0)).handForce, Vector3::Zero());
+    EXPECT_EQ(hand.moveTo(kHigh + Vector3(0.0, 48e-3, 0.0)).deviceForce, Vector3::Zero());
 }
 
-TEST(MappedTick, AHandThatStartsBeyondTheEdgeIsNotPushedUntilItComesIn) {
+TEST(MappedTick, ADeviceThatStartsBeyondTheEdgeIsNotPushedUntilItComesIn) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand(scene);
+    GuidedDevice hand(scene);
     hand.device.maxForce = 8.5;
     hand.settings.workspace = workspaceAround(kHigh);
     const Vector3 beyond = kHigh + Vector3(50e-3, 0.0, 0.0);
-    EXPECT_LT(hand.moveTo(beyond, 2000).handForce.norm(), kFar);
+    EXPECT_LT(hand.moveTo(beyond, 2000).deviceForce.norm(), kFar);
     hand.glideTo(kHigh, 1500);
-    EXPECT_LT(hand.glideTo(beyond, 500).handForce.x(), -0.5);
+    EXPECT_LT(hand.glideTo(beyond, 500).deviceForce.x(), -0.5);
 }
 
 TEST(MappedTick, CouplingAndEdgeTogetherStayWithinTheLimit) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand = engagedHand(scene);
+    GuidedDevice hand = engagedDevice(scene);
     hand.settings.workspace = workspaceAround(kHigh);
     hand.settings.workspace.forceLimit = 3.0;
     const TickOutput out = hand.glideTo(kHigh - Vector3(0.0, 0.0, 90e-3), 2000);
     EXPECT_EQ(out.forceState, ForceState::Limited);
-    EXPECT_NEAR(out.handForce.norm(), scene.settings.governor.maxForce, 1e-12);
+    EXPECT_NEAR(out.deviceForce.norm(), scene.settings.governor.maxForce, 1e-12);
 }
 
 TEST(MappedTick, AHandleThatComesBackElsewhereAfterItWasLostMovesNothing) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand = engagedHand(scene);
+    GuidedDevice hand = engagedDevice(scene);
     const TickOutput before = hand.moveTo(kHigh);
     hand.device.connected = false;
     hand.moveTo(kHigh, 20);
@@ -151,7 +151,7 @@ TEST(MappedTick, AHandleThatComesBackElsewhereAfterItWasLostMovesNothing) {
 
 TEST(MappedTick, AHandleThatWasMovedWhileTheLoopRestedMovesNothing) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedHand hand = engagedHand(scene);
+    GuidedDevice hand = engagedDevice(scene);
     const TickOutput before = hand.moveTo(kHigh);
     ++hand.starts;
     const TickOutput after = hand.moveTo(kHigh + Vector3(20e-3, 0.0, -50e-3), 10);

@@ -139,7 +139,7 @@ TEST(PositionControl, SaysWhereASoftLeverLosesTheTip) {
             ASSERT_LT((out.model.tip - target).norm(), 0.02_nm) << i;
         }
         if (out.flags.has(Validity::NotInEquilibrium)) {
-            ASSERT_EQ(out.handForce, Vector3::Zero()) << i;
+            ASSERT_EQ(out.deviceForce, Vector3::Zero()) << i;
         }
         ASSERT_LT((out.base.position - target).norm(), 1e-3) << i;
     }

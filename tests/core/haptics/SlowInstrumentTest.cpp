@@ -19,7 +19,7 @@ protected:
     Scene scene = buildScene(description, test::hillyMap());
     SimulatedAfm now{scene.touched(), truthOf(scene)};  ///< what is true in this tick
     test::SlowAfm slow{scene.touched(), truthOf(scene), kPeriod};
-    HandPath path = approachPath(scene, {.duration = 10.0, .slideLength = 60.0_nm});
+    DevicePath path = approachPath(scene, {.duration = 10.0, .slideLength = 60.0_nm});
 };
 
 TEST_F(SlowInstrument, LosesWeightAndTheEstimateStaysTrue) {
@@ -64,11 +64,11 @@ TEST_F(SlowInstrument, IsAFaultOnceItIsLost) {
         return tick(scene, input, command, memory);
     };
     EXPECT_EQ(step().fault, Fault::None);
-    EXPECT_NE(step().handForce, Vector3::Zero());
+    EXPECT_NE(step().deviceForce, Vector3::Zero());
     slow.lost = true;
     const TickOutput lost = step();
     EXPECT_EQ(lost.fault, Fault::InstrumentLost);
-    EXPECT_EQ(lost.handForce, Vector3::Zero());
+    EXPECT_EQ(lost.deviceForce, Vector3::Zero());
     EXPECT_TRUE(lost.base.position.allFinite());
     EXPECT_TRUE(memory.correction.allFinite());
     slow.lost = false;

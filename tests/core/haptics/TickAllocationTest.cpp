@@ -1,7 +1,7 @@
 #include "core/Units.h"
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/HapticTick.h"
-#include "core/haptics/ScriptedHand.h"
+#include "core/haptics/ScriptedDevice.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/scene/SceneTruth.h"
 #include "tests/support/AllocationCounter.h"
@@ -17,7 +17,7 @@ namespace {
 
 /// Runs the approach of a scene and watches every tick of it.
 void expectNoAllocation(const Scene& scene) {
-    const HandPath path = approachPath(scene, {.duration = 2.0});
+    const DevicePath path = approachPath(scene, {.duration = 2.0});
     SimulatedAfm afm(scene.surface, truthOf(scene));
     TickMemory memory;
     TickInput input;
@@ -80,7 +80,7 @@ TEST(TickAllocation, NorDoesAGovernorWhateverBecomesOfTheForce) {
     input.settings = scene.settings;
     input.settings.workspace = {.radius = 60.0_nm, .stiffness = 200.0, .forceLimit = 2.0};
     input.settings.clutchButton = 1;
-    input.settings.handTurn = {0.1, 0.2, 0.3};
+    input.settings.deviceTurn = {0.1, 0.2, 0.3};
     std::set<ForceState> states;
     for (int i = 0; i <= 3000; ++i) {
         input.hand = {.position = {64.0_nm, 64.0_nm, i < 1500 ? 5.0_nm : -2.0_nm},
@@ -115,7 +115,7 @@ TEST(TickAllocation, NorDoSeveralClosestPoints) {
 
 TEST(TickAllocation, TheRunningLoopAllocatesNothing) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
-    ScriptedHand hand(approachPath(scene, {.duration = 0.5}), scene.settings.positionGain);
+    ScriptedDevice hand(approachPath(scene, {.duration = 0.5}), scene.settings.positionGain);
     SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, hand, afm);
     loop.start();

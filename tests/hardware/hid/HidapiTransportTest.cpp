@@ -137,7 +137,7 @@ TEST_F(HidapiWithVirtualDevice, NamesTheRulesFileWhenPermissionIsMissing) {
     EXPECT_EQ(whyNotOpened(transport, path), path + ": " + kNoPermission);
 }
 
-TEST_F(HidapiWithVirtualDevice, TheHandFollowsTheDevice) {
+TEST_F(HidapiWithVirtualDevice, TheDeviceFollowsTheDevice) {
     SpaceMouse mouse(transport, Vector3::Zero(), 1e-6);
     EXPECT_TRUE(mouse.advance(1.0).connected);
     device.send({kFullLeft, kFullLeft, kFullRight, {3, 2, 0}});
@@ -145,7 +145,7 @@ TEST_F(HidapiWithVirtualDevice, TheHandFollowsTheDevice) {
     EXPECT_TRUE(mouse.advance(1.0).position.isApprox(Vector3(1e-6, 0.0, 0.0), 1e-9));
 }
 
-TEST_F(HidapiWithVirtualDevice, TheHandSurvivesUnplugAndReplugAgainAndAgain) {
+TEST_F(HidapiWithVirtualDevice, TheDeviceSurvivesUnplugAndReplugAgainAndAgain) {
     SpaceMouse mouse(transport, Vector3::Zero(), 1e-6);
     for (int i = 0; i < 3; ++i) {
         ASSERT_TRUE(eventually([&mouse] { return mouse.advance(0.0).connected; }));
@@ -160,7 +160,7 @@ TEST_F(HidapiWithVirtualDevice, TheHandSurvivesUnplugAndReplugAgainAndAgain) {
     EXPECT_TRUE(eventually([&mouse] { return mouse.advance(0.0).connected; }));
 }
 
-TEST_F(HidapiWithVirtualDevice, TheHandPutsTheLightOut) {
+TEST_F(HidapiWithVirtualDevice, TheDevicePutsTheLightOut) {
     const std::vector<Report> on = {{4, 1}};
     const std::vector<Report> onAndOff = {{4, 1}, {4, 0}};
     {
@@ -170,7 +170,7 @@ TEST_F(HidapiWithVirtualDevice, TheHandPutsTheLightOut) {
     EXPECT_EQ(device.written(), onAndOff);
 }
 
-TEST_F(HidapiWithVirtualDevice, ListingGoesOnWhileTheHandSearches) {
+TEST_F(HidapiWithVirtualDevice, ListingGoesOnWhileTheDeviceSearches) {
     SpaceMouse mouse(transport, Vector3::Zero());
     for (int i = 0; i < 20; ++i) {
         const bool plugged = i % 2 == 1;

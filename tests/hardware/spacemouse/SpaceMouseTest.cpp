@@ -19,7 +19,7 @@ Vector3 velocityShare(SpaceMouse& mouse) {
     return (mouse.advance(1.0).position - from) / kSpeed;
 }
 
-class SpaceMouseHand : public ::testing::Test {
+class SpaceMouseDevice : public ::testing::Test {
 protected:
     /// Sends all at once, with a mark in the buttons last, and waits until the hand has that.
     void send(std::vector<Report> reports) {
@@ -42,15 +42,15 @@ private:
     std::uint8_t marks_ = 0;
 };
 
-TEST_F(SpaceMouseHand, IsConnectedAtOnceAndRestsWhereItStarts) {
-    const HandState hand = mouse.advance(1.0);
+TEST_F(SpaceMouseDevice, IsConnectedAtOnceAndRestsWhereItStarts) {
+    const DeviceState hand = mouse.advance(1.0);
     EXPECT_TRUE(hand.connected);
     EXPECT_EQ(hand.position, kStart);
     EXPECT_EQ(hand.buttons, 0U);
     EXPECT_EQ(wordsOf(mouse.status()), "SpaceMouse Compact at /dev/hidraw7");
 }
 
-TEST_F(SpaceMouseHand, FullDeflectionIsFullSpeedAlongTheAxesOfTheLab) {
+TEST_F(SpaceMouseDevice, FullDeflectionIsFullSpeedAlongTheAxesOfTheLab) {
     send({motionReport(kFull, 0, 0)});
     EXPECT_TRUE(velocityShare(mouse).isApprox(Vector3(1.0, 0.0, 0.0), 1e-9));
     send({motionReport(0, -kFull, 0)});
@@ -59,7 +59,7 @@ TEST_F(SpaceMouseHand, FullDeflectionIsFullSpeedAlongTheAxesOfTheLab) {
     EXPECT_TRUE(velocityShare(mouse).isApprox(Vector3(0.0, 0.0, -1.0), 1e-9));
 }
 
-TEST_F(SpaceMouseHand, GoesAsFarInManyStepsAsInOne) {
+TEST_F(SpaceMouseDevice, GoesAsFarInManyStepsAsInOne) {
     send({motionReport(kFull, kFull, 0)});
     for (int i = 0; i < 500; ++i) {
         (void)mouse.advance(2e-3);
@@ -68,45 +68,45 @@ TEST_F(SpaceMouseHand, GoesAsFarInManyStepsAsInOne) {
     EXPECT_TRUE(way.isApprox(kSpeed * Vector3(1.0, -1.0, 0.0), 1e-9));
 }
 
-TEST_F(SpaceMouseHand, RestsInTheDeadZoneAndStartsSmoothlyOutOfIt) {
+TEST_F(SpaceMouseDevice, RestsInTheDeadZoneAndStartsSmoothlyOutOfIt) {
     EXPECT_EQ(speedShareAt(17), 0.0);
     EXPECT_EQ(speedShareAt(-17), 0.0);
     EXPECT_GT(speedShareAt(18), 0.0);
     EXPECT_LT(speedShareAt(18), 1e-3);
 }
 
-TEST_F(SpaceMouseHand, IsGentleToALightTouch) {
+TEST_F(SpaceMouseDevice, IsGentleToALightTouch) {
     EXPECT_LT(speedShareAt(kFull / 10), 0.02);
     EXPECT_LT(speedShareAt(kFull / 2), 0.25);
     EXPECT_GT(speedShareAt(kFull / 2), 0.1);
     EXPECT_NEAR(speedShareAt(-kFull / 2), -speedShareAt(kFull / 2), 1e-9);
 }
 
-TEST_F(SpaceMouseHand, APushStraightDownStaysStraightWhenTheKnobTiltsALittle) {
+TEST_F(SpaceMouseDevice, APushStraightDownStaysStraightWhenTheKnobTiltsALittle) {
     send({motionReport(15, -12, kFull)});
     EXPECT_TRUE(velocityShare(mouse).isApprox(Vector3(0.0, 0.0, -1.0), 1e-9));
 }
 
-TEST_F(SpaceMouseHand, StopsWhenTheKnobIsLetGo) {
+TEST_F(SpaceMouseDevice, StopsWhenTheKnobIsLetGo) {
     send({motionReport(kFull, 0, 0)});
     EXPECT_GT(velocityShare(mouse).x(), 0.0);
     send({motionReport(0, 0, 0)});
     EXPECT_EQ(velocityShare(mouse), Vector3::Zero());
 }
 
-TEST_F(SpaceMouseHand, TakesANewSpeedWhileItIsMoved) {
+TEST_F(SpaceMouseDevice, TakesANewSpeedWhileItIsMoved) {
     send({motionReport(kFull, 0, 0)});
     mouse.setSpeed(3.0 * kSpeed);
     EXPECT_NEAR(velocityShare(mouse).x(), 3.0, 1e-9);
 }
 
-TEST_F(SpaceMouseHand, TheTipIsAsFastOnTheScreenWhateverIsSeen) {
+TEST_F(SpaceMouseDevice, TheTipIsAsFastOnTheScreenWhateverIsSeen) {
     send({motionReport(kFull, 0, 0)});
     mouse.setSeenHalfWidth(8.0 * kSpeed);
     EXPECT_NEAR(velocityShare(mouse).x(), 4.0, 1e-9);
 }
 
-TEST_F(SpaceMouseHand, OfManyReportsTheNewestCounts) {
+TEST_F(SpaceMouseDevice, OfManyReportsTheNewestCounts) {
     for (const std::size_t count : {40U, 200U}) {
         std::vector<Report> flood(count, motionReport(-kFull, kFull, kFull));
         flood.push_back(motionReport(kFull, 0, 0));
@@ -115,14 +115,14 @@ TEST_F(SpaceMouseHand, OfManyReportsTheNewestCounts) {
     }
 }
 
-TEST_F(SpaceMouseHand, WhereTheSystemMayHaveDroppedReportsTheKnobCountsAsLetGo) {
+TEST_F(SpaceMouseDevice, WhereTheSystemMayHaveDroppedReportsTheKnobCountsAsLetGo) {
     send(std::vector<Report>(62, motionReport(kFull, 0, 0)));  // 63 with the mark: a full queue
     EXPECT_EQ(velocityShare(mouse), Vector3::Zero());
     send({motionReport(kFull, 0, 0)});
     EXPECT_GT(velocityShare(mouse).x(), 0.0);
 }
 
-TEST_F(SpaceMouseHand, IsNotMovedByGarbage) {
+TEST_F(SpaceMouseDevice, IsNotMovedByGarbage) {
     send({{},
           {1},
           {1, 0x5E},
@@ -134,12 +134,12 @@ TEST_F(SpaceMouseHand, IsNotMovedByGarbage) {
     EXPECT_TRUE(mouse.advance(0.0).connected);
 }
 
-TEST_F(SpaceMouseHand, LosesTheDeviceAtAnUnplugAndFindsItAgain) {
+TEST_F(SpaceMouseDevice, LosesTheDeviceAtAnUnplugAndFindsItAgain) {
     send({motionReport(kFull, 0, 0)});
     const Vector3 reached = mouse.advance(1.0).position;
     hid.unplug();
     ASSERT_TRUE(eventually([this] { return !mouse.advance(0.0).connected; }));
-    const HandState lost = mouse.advance(1.0);
+    const DeviceState lost = mouse.advance(1.0);
     EXPECT_EQ(lost.position, reached);
     EXPECT_EQ(lost.buttons, 0U);
 

@@ -88,7 +88,7 @@ TEST_F(Unplugged, TheFirstTickThatKnowsIsAFaultAndFeelsNothing) {
     ASSERT_NE(first, all.begin());
     const Fault before = (first - 1)->output.fault;  // it may have been silent first
     EXPECT_EQ(first->output.fault, before == Fault::None ? Fault::DeviceLost : before);
-    EXPECT_EQ(first->output.handForce, Vector3::Zero());
+    EXPECT_EQ(first->output.deviceForce, Vector3::Zero());
 }
 
 TEST_F(Unplugged, PluggedInAgainTheMotorsRestUntilAPersonTakesTheFaultBack) {

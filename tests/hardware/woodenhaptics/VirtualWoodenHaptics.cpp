@@ -13,7 +13,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr double kTimeOut = 0.5;           // of the firmware without a message [s]
-constexpr double kHandStep = 0.1e-3;       // of the handle in a millisecond [m]
+constexpr double kDeviceStep = 0.1e-3;       // of the handle in a millisecond [m]
 constexpr std::size_t kReportSize = 64;    // [byte]
 constexpr std::size_t kCurrentsBegin = 1;  // in a message: after the place of the report id
 constexpr std::size_t kCurrentsEnd = 7;
@@ -44,7 +44,7 @@ void VirtualWoodenHaptics::hold(const Vector3& handle) {
 
 void VirtualWoodenHaptics::moveTo(const Vector3& handle) {
     const Vector3 from = handle_;
-    const double steps = std::ceil((handle - from).norm() / kHandStep);
+    const double steps = std::ceil((handle - from).norm() / kDeviceStep);
     for (double step = 1.0; step <= steps; ++step) {
         hold(from + (step / steps) * (handle - from));
         std::this_thread::sleep_for(milliseconds(1));

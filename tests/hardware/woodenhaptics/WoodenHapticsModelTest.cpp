@@ -51,7 +51,7 @@ TEST(WoodenHapticsModel, ThePositionIsWhereTheLawOfCosinesPutsTheHandle) {
     for (const Vector3& position :
          {Vector3(0.0, 0.0, 0.0), Vector3(0.05, 0.03, -0.02), Vector3(-0.06, 0.05, 0.04)}) {
         const Vector3 angles = jointAngles(shippedDevice(), countsAt(position));
-        const Vector3 found = inHandFrame(handlePosition(shippedDevice(), angles));
+        const Vector3 found = inDeviceFrame(handlePosition(shippedDevice(), angles));
         EXPECT_LT((found - position).norm(), 0.1e-3) << "a count moves the handle by 0.06 mm";
     }
 }
@@ -64,7 +64,7 @@ TEST(WoodenHapticsModel, TorqueIsTheTransposedJacobianTimesTheForce) {
     }
 }
 
-TEST(WoodenHapticsModel, WhatTheMotorsGiveTheHandTakes) {
+TEST(WoodenHapticsModel, WhatTheMotorsGiveTheDeviceTakes) {
     WoodenHapticsDescription device = shippedDevice();
     device.joints[1].sign = -1.0;
     device.maxCurrent = 30.0;
@@ -105,10 +105,10 @@ TEST(WoodenHapticsModel, TorquesThatAreNotFiniteDriveNoMotor) {
 }
 
 TEST(WoodenHapticsModel, RightOfThePersonIsRightInTheLab) {
-    EXPECT_EQ(inHandFrame(Vector3::UnitY()), Vector3::UnitX());
-    EXPECT_EQ(inHandFrame(Vector3::UnitX()), Vector3(-Vector3::UnitY())) << "to the person";
-    EXPECT_EQ(inHandFrame(Vector3::UnitZ()), Vector3::UnitZ());
-    EXPECT_EQ(inDeviceFrame(inHandFrame(kForce)), kForce);
+    EXPECT_EQ(inDeviceFrame(Vector3::UnitY()), Vector3::UnitX());
+    EXPECT_EQ(inDeviceFrame(Vector3::UnitX()), Vector3(-Vector3::UnitY())) << "to the person";
+    EXPECT_EQ(inDeviceFrame(Vector3::UnitZ()), Vector3::UnitZ());
+    EXPECT_EQ(inDeviceFrame(inDeviceFrame(kForce)), kForce);
 }
 
 }  // namespace

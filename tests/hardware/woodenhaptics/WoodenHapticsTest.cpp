@@ -48,9 +48,9 @@ Report currentsFor(const Vector3& handle, const Vector3& force) {
 }
 
 /// A hand at a device in memory that speaks whenever it is told to.
-class WoodenHapticsHand : public ::testing::Test {
+class WoodenHapticsDevice : public ::testing::Test {
 protected:
-    WoodenHapticsHand() {
+    WoodenHapticsDevice() {
         hid.send({readingReport(kHandle)});
         hand = std::make_unique<WoodenHaptics>(hid, shippedDevice());
         calibrate();
@@ -62,9 +62,9 @@ protected:
     }
 
     /// One tick of a loop that wants the hand to feel the force.
-    HandState tick(const Vector3& force) {
+    DeviceState tick(const Vector3& force) {
         hid.send({readingReport(kHandle)});
-        const HandState state = hand->advance(1e-3);
+        const DeviceState state = hand->advance(1e-3);
         hand->setForce(force);
         return state;
     }
@@ -101,8 +101,8 @@ TEST(WoodenHaptics, BeforeItIsCalibratedItIsNotConnectedAndPushesNothing) {
     }
 }
 
-TEST_F(WoodenHapticsHand, IsWhereTheHandleIsAtOnce) {
-    const HandState state = hand->advance(1e-3);
+TEST_F(WoodenHapticsDevice, IsWhereTheHandleIsAtOnce) {
+    const DeviceState state = hand->advance(1e-3);
     EXPECT_TRUE(state.connected);
     EXPECT_LT((state.position - kHandle).norm(), 0.1e-3);
     EXPECT_EQ(state.buttons, 0U);
@@ -110,18 +110,18 @@ TEST_F(WoodenHapticsHand, IsWhereTheHandleIsAtOnce) {
     EXPECT_EQ(wordsOf(hand->status()), "Polhem at /dev/hidraw7");
 }
 
-TEST_F(WoodenHapticsHand, IsWhatItsDeviceFileSays) {
+TEST_F(WoodenHapticsDevice, IsWhatItsDeviceFileSays) {
     const DeviceSpecification specification = hand->specification();
     EXPECT_EQ(specification.maxForce, 5.0);
     EXPECT_TRUE(specification.streams);
 }
 
-TEST_F(WoodenHapticsHand, TheButtonOfPolhemIsButtonZero) {
+TEST_F(WoodenHapticsDevice, TheButtonOfPolhemIsButtonZero) {
     hid.send({readingReport(kHandle, true)});
     EXPECT_TRUE(eventually([this] { return hand->advance(1e-3).buttons == 1U; }));
 }
 
-TEST_F(WoodenHapticsHand, OfManyReadingsTheNewestCounts) {
+TEST_F(WoodenHapticsDevice, OfManyReadingsTheNewestCounts) {
     const Vector3 newest(-0.03, 0.05, 0.0);
     std::vector<Report> reports(40, readingReport(kHandle));
     reports.push_back(readingReport(newest));
@@ -130,12 +130,12 @@ TEST_F(WoodenHapticsHand, OfManyReadingsTheNewestCounts) {
         eventually([&] { return (hand->advance(1e-3).position - newest).norm() < 0.1e-3; }));
 }
 
-TEST_F(WoodenHapticsHand, PushesAsTheArmStands) {
+TEST_F(WoodenHapticsDevice, PushesAsTheArmStands) {
     EXPECT_NE(currentsFor(kHandle, kForce), kZeroCurrents);
     pushUntilItIsFelt();
 }
 
-TEST_F(WoodenHapticsHand, NoCurrentFlowsBeforeAForceIsTold) {
+TEST_F(WoodenHapticsDevice, NoCurrentFlowsBeforeAForceIsTold) {
     const std::size_t before = hid.written().size();
     ASSERT_TRUE(eventually([&] {
         hid.send({readingReport(kHandle)});
@@ -147,7 +147,7 @@ TEST_F(WoodenHapticsHand, NoCurrentFlowsBeforeAForceIsTold) {
         static_cast<std::ptrdiff_t>(all.size() - before));
 }
 
-TEST_F(WoodenHapticsHand, ALoopThatHangsLetsGo) {
+TEST_F(WoodenHapticsDevice, ALoopThatHangsLetsGo) {
     pushUntilItIsFelt();
     EXPECT_TRUE(eventually([this] {
         hid.send({readingReport(kHandle)});
@@ -155,7 +155,7 @@ TEST_F(WoodenHapticsHand, ALoopThatHangsLetsGo) {
     }));
 }
 
-TEST_F(WoodenHapticsHand, ADeviceThatFallsSilentLetsGoAndTheHandGrowsOld) {
+TEST_F(WoodenHapticsDevice, ADeviceThatFallsSilentLetsGoAndTheDeviceGrowsOld) {
     pushUntilItIsFelt();
     EXPECT_TRUE(eventually([this] {
         const double age = hand->advance(1e-3).age;
@@ -167,7 +167,7 @@ TEST_F(WoodenHapticsHand, ADeviceThatFallsSilentLetsGoAndTheHandGrowsOld) {
     EXPECT_TRUE(eventually([&] { return hand->advance(1e-3).age < old; }));
 }
 
-TEST_F(WoodenHapticsHand, ADeviceThatComesBackIsHeldByNoForceFromBefore) {
+TEST_F(WoodenHapticsDevice, ADeviceThatComesBackIsHeldByNoForceFromBefore) {
     pushUntilItIsFelt();
     hid.unplug();
     ASSERT_TRUE(eventually([this] { return !hand->advance(1e-3).connected; }));
@@ -188,7 +188,7 @@ TEST_F(WoodenHapticsHand, ADeviceThatComesBackIsHeldByNoForceFromBefore) {
     pushUntilItIsFelt();
 }
 
-TEST_F(WoodenHapticsHand, ALostDeviceIsNotConnectedAndStaysWhereItWas) {
+TEST_F(WoodenHapticsDevice, ALostDeviceIsNotConnectedAndStaysWhereItWas) {
     const Vector3 reached = hand->advance(1e-3).position;
     hid.unplug();
     ASSERT_TRUE(eventually([this] { return !hand->advance(1e-3).connected; }));
@@ -200,21 +200,21 @@ TEST_F(WoodenHapticsHand, ALostDeviceIsNotConnectedAndStaysWhereItWas) {
     }));
 }
 
-TEST_F(WoodenHapticsHand, ADeviceThatTakesNoMessageIsLost) {
+TEST_F(WoodenHapticsDevice, ADeviceThatTakesNoMessageIsLost) {
     hid.refuseToWrite(true);
     ASSERT_TRUE(eventually([this] { return !hand->advance(1e-3).connected; }));
     hid.refuseToWrite(false);
     calibrate();
 }
 
-TEST_F(WoodenHapticsHand, LetsGoInTheEnd) {
+TEST_F(WoodenHapticsDevice, LetsGoInTheEnd) {
     pushUntilItIsFelt();
     hand.reset();
     EXPECT_EQ(hid.written().back(), kZeroCurrents);
     EXPECT_EQ(hid.opened(), 0);
 }
 
-TEST_F(WoodenHapticsHand, CalibrationTellsTheEncodersOfTheRestPoseOnce) {
+TEST_F(WoodenHapticsDevice, CalibrationTellsTheEncodersOfTheRestPoseOnce) {
     const auto message = encodersMessage(WoodenHapticsBoard::Mbed, {0, 0, 6000});
     const Report expected(message.report().begin(), message.report().end());
     EXPECT_TRUE(wrote(expected));
@@ -223,7 +223,7 @@ TEST_F(WoodenHapticsHand, CalibrationTellsTheEncodersOfTheRestPoseOnce) {
     EXPECT_EQ(std::count(all.begin(), all.end(), expected), 1);
 }
 
-TEST_F(WoodenHapticsHand, DelayIsFromTheReadingToTheWrittenForce) {
+TEST_F(WoodenHapticsDevice, DelayIsFromTheReadingToTheWrittenForce) {
     EXPECT_EQ(hand->delay(), 0.0);
     hid.holdWrites(std::chrono::milliseconds(5));
     pushUntilItIsFelt();

@@ -30,7 +30,7 @@ class ControlBarTest : public ::testing::Test {
 protected:
     void SetUp() override {
         bar.setMaterials({QStringLiteral("polystyrene"), QStringLiteral("silicon")});
-        bar.setHands({QStringLiteral("mouse and keyboard"), QStringLiteral("scripted")});
+        bar.setDevices({QStringLiteral("mouse and keyboard"), QStringLiteral("scripted")});
         bar.setPaths({QStringLiteral("approach"), QStringLiteral("raster")});
     }
 
@@ -48,7 +48,7 @@ TEST_F(ControlBarTest, WhatAProgramSetsEmitsNothing) {
     const QSignalSpy running(&bar, &ControlBar::runningChosen);
     const QSignalSpy forces(&bar, &ControlBar::forcesChosen);
     const QSignalSpy material(&bar, &ControlBar::materialChosen);
-    const QSignalSpy hand(&bar, &ControlBar::handChosen);
+    const QSignalSpy hand(&bar, &ControlBar::deviceChosen);
     const QSignalSpy path(&bar, &ControlBar::pathChosen);
     const QSignalSpy knob(&bar, &ControlBar::knobTurned);
     const QSignalSpy recording(&bar, &ControlBar::recordingChosen);
@@ -56,7 +56,7 @@ TEST_F(ControlBarTest, WhatAProgramSetsEmitsNothing) {
     bar.setRunning(true);
     bar.setForcesOn(false);
     bar.setMaterial(1);
-    bar.setHand(1);
+    bar.setDevice(1);
     bar.setPath(1);
     bar.setKnobs({.positionGain = 2e-6, .forceGain = 1e8});
     bar.setRecording(true);
@@ -100,7 +100,7 @@ TEST_F(ControlBarTest, AClickSwitchesForcesAndRecording) {
 
 TEST_F(ControlBarTest, AChoiceWithTheKeyboardIsThePersons) {
     QSignalSpy material(&bar, &ControlBar::materialChosen);
-    QSignalSpy hand(&bar, &ControlBar::handChosen);
+    QSignalSpy hand(&bar, &ControlBar::deviceChosen);
     QSignalSpy path(&bar, &ControlBar::pathChosen);
     QSignalSpy file(&bar, &ControlBar::pathFileRequested);
     QTest::keyClick(&child<QComboBox>("material"), Qt::Key_Down);

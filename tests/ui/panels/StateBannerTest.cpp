@@ -194,7 +194,7 @@ TEST(StateBanner, FlagsThatDoNotFitAreWholeInTheToolTip) {
     EXPECT_TRUE(flags->toolTip().contains("beyond half-space theory"));
 }
 
-TEST(StateBanner, WarnsWhileTheHandIsGivenEnergy) {
+TEST(StateBanner, WarnsWhileTheDeviceIsGivenEnergy) {
     StateBanner banner;
     const auto* flags = banner.findChild<QLabel*>(QStringLiteral("flags"));
     ASSERT_NE(flags, nullptr);

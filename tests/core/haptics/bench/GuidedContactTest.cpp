@@ -42,7 +42,7 @@ TEST(GuidedContact, EveryGuideHoldsALightGripStill) {
     }
 }
 
-TEST(GuidedContact, AGuideBringsTheHandToItsTarget) {
+TEST(GuidedContact, AGuideBringsTheDeviceToItsTarget) {
     const Scene scene = test::hapticScene("silicone_rubber", test::flatMap());
     test::Hold hold{
         .bench = {.arm = kLightGrip}, .coupling = designed(scene, 1.0_ms), .goal = 6e-3};

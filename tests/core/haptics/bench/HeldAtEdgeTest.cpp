@@ -23,7 +23,7 @@ double motionAtEdge(const Workspace& workspace, double delay) {
     double low = kReach;
     double high = 0.0;
     for (int i = 0; i < 3000; ++i) {
-        const HandState hand = bench.advance(kTimeStep);
+        const DeviceState hand = bench.advance(kTimeStep);
         bench.setForce(edgeForce(workspace, hand.position));
         if (i >= 2000) {
             low = std::min(low, bench.position().x());

@@ -32,10 +32,10 @@ public:
     }
 
     /// The force for the hand.
-    Vector3 moveTo(const HandState& hand) {
+    Vector3 moveTo(const DeviceState& hand) {
         input_.hand = hand;
         input_.measurement = afm_.exchange(commandBase(scene_, input_, memory_).base);
-        return tick(scene_, input_, memory_).handForce;
+        return tick(scene_, input_, memory_).deviceForce;
     }
 
     [[nodiscard]] const Vector3& tipForce() const { return afm_.trueState().force; }
@@ -75,9 +75,9 @@ HeldTip holdTip(const Scene& scene, const Hold& hold, const PortWatch& watch) {
         const double lift = time >= kTurn ? hold.lift : 0.0;
         bench.reachFor(above(kStart + way * (hold.goal - kStart) + lift));
         if (hold.letGo && time >= kTurn) {
-            bench.grip(kNoHand);
+            bench.grip(kNoDevice);
         }
-        const HandState hand = bench.advance(scene.timeStep());
+        const DeviceState hand = bench.advance(scene.timeStep());
         const Vector3 force = loop.moveTo(hand);
         bench.setForce(force);
         if (watch) {

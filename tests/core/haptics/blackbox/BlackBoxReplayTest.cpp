@@ -55,7 +55,7 @@ void expectReplays(const Scene& scene, const BlackBox& box) {
         const TickOutput again = tick(scene, read[i].input, memory);
         ASSERT_EQ(again.fault, lived.fault);
         ASSERT_EQ(again.forceState, lived.forceState);
-        expectSameBits(again.handForce, lived.handForce);
+        expectSameBits(again.deviceForce, lived.deviceForce);
         expectSameBits(again.model.force, lived.model.force);
         expectSameBits(again.estimate.force, lived.estimate.force);
         expectSameBits(again.estimate.covariance.diagonal(), lived.estimate.covariance.diagonal());
@@ -64,7 +64,7 @@ void expectReplays(const Scene& scene, const BlackBox& box) {
 }
 
 /// Presses, then something goes wrong: the last two seconds up to that tick replay.
-void expectReplaysUpTo(Fault fault, void (*tamper)(HandState&, double)) {
+void expectReplaysUpTo(Fault fault, void (*tamper)(DeviceState&, double)) {
     GuardedBench bench;
     BlackBox box(bench.scene().timeStep(), 2.0);
     live(bench, box, 1.2);
@@ -77,20 +77,20 @@ void expectReplaysUpTo(Fault fault, void (*tamper)(HandState&, double)) {
     EXPECT_EQ(box.samples().back().output.fault, fault);
     EXPECT_GT(box.samples().front().time, 0.5) << "the replay must begin in the middle";
     EXPECT_GE(box.samples().size(), 2000U);
-    EXPECT_GT(box.samples()[box.samples().size() - 2].output.handForce.norm(), 0.1);
+    EXPECT_GT(box.samples()[box.samples().size() - 2].output.deviceForce.norm(), 0.1);
     expectReplays(bench.scene(), box);
 }
 
 TEST(BlackBoxReplay, RepeatsALostDeviceToTheSameBits) {
-    expectReplaysUpTo(Fault::DeviceLost, [](HandState& hand, double) { hand.connected = false; });
+    expectReplaysUpTo(Fault::DeviceLost, [](DeviceState& hand, double) { hand.connected = false; });
 }
 
 TEST(BlackBoxReplay, RepeatsASilentDeviceToTheSameBits) {
-    expectReplaysUpTo(Fault::DeviceSilent, [](HandState& hand, double) { hand.age = 0.05; });
+    expectReplaysUpTo(Fault::DeviceSilent, [](DeviceState& hand, double) { hand.age = 0.05; });
 }
 
 TEST(BlackBoxReplay, RepeatsANonFinitePositionToTheSameBits) {
-    expectReplaysUpTo(Fault::NotFinite, [](HandState& hand, double) {
+    expectReplaysUpTo(Fault::NotFinite, [](DeviceState& hand, double) {
         hand.position.x() = std::numeric_limits<double>::quiet_NaN();
     });
 }

@@ -36,7 +36,7 @@ std::string refusal(const std::function<void()>& ask) {
     return {};
 }
 
-TEST(CouplingKeeper, LeavesAHandThatOnlySensesAlone) {
+TEST(CouplingKeeper, LeavesADeviceThatOnlySensesAlone) {
     const Scene scene = plain();
     CouplingKeeper keeper(scene);
     Settings knobs = keeper.takeOver(kMouse, 0.0, scene.settings);
@@ -105,7 +105,7 @@ TEST(CouplingKeeper, AnAdhesionThatNoScaleMakesHoldableIsRefusedWithTheNumber) {
     EXPECT_EQ(keeper.hand(), nullptr);
 }
 
-TEST(CouplingKeeper, TheEarlierGainsReturnWithAHandThatSenses) {
+TEST(CouplingKeeper, TheEarlierGainsReturnWithADeviceThatSenses) {
     const Scene scene = plain();
     CouplingKeeper keeper(scene);
     Settings knobs = scene.settings;
@@ -160,7 +160,7 @@ TEST(CouplingKeeper, AGuideIsJudgedBesideTheContact) {
     EXPECT_NE(refusal([&] { static_cast<void>(keeper.turned(knobs, 1.0_ms)); }), "");
 }
 
-TEST(CouplingKeeper, TheDeviceGetsTheEdgeOfItsWorkspaceAndOtherHandsNone) {
+TEST(CouplingKeeper, TheDeviceGetsTheEdgeOfItsWorkspaceAndOtherDevicesNone) {
     const Scene scene = plain();
     CouplingKeeper keeper(scene);
     DeviceSpecification device = kPhantom;
@@ -201,7 +201,7 @@ TEST(CouplingKeeper, ADelayThatNoCouplingHoldsTakesTheForcesAwayUntilItIsShorter
     EXPECT_TRUE(keeper.hand()->holds());
 }
 
-TEST(CouplingKeeper, ASampleThatTheHandCouldNotHoldIsRefused) {
+TEST(CouplingKeeper, ASampleThatTheDeviceCouldNotHoldIsRefused) {
     const Scene scene = plain();
     CouplingKeeper keeper(scene);
     SceneDescription sticky = scene.description;

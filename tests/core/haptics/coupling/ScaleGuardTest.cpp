@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-constexpr HandScale kCommon{.positionGain = 1e-6, .forceGain = 1e8};  // 1 mm: 1 nm, 1 N: 10 nN
+constexpr DeviceScale kCommon{.positionGain = 1e-6, .forceGain = 1e8};  // 1 mm: 1 nm, 1 N: 10 nN
 constexpr ScaleBounds kPhantom{.stiffness = 800.0, .force = 3.0, .timeStep = 1e-3};
 constexpr TipLoad kLever{.stiffness = 14.0};  // on a hard sample
 const CouplingGains kSoft{.stiffness = 300.0, .damping = 2.0, .proxyDamping = 3.0};
@@ -20,7 +20,7 @@ TEST(ScaleGuard, RefusesTheUncoupledLeverWithTheNumber) {
     EXPECT_NE(judged.sentence.find("800 N/m"), std::string::npos) << judged.sentence;
 }
 
-TEST(ScaleGuard, TheHandFeelsContactAndCouplingInSeries) {
+TEST(ScaleGuard, TheDeviceFeelsContactAndCouplingInSeries) {
     const ScaleJudgment judged = judgeScale(kLever, kCommon, kSoft, kPhantom);
     EXPECT_NEAR(judged.felt, 300.0 * 1400.0 / 1700.0, 1e-9);
     EXPECT_TRUE(judged.holds());
@@ -34,7 +34,7 @@ TEST(ScaleGuard, ASoftSampleLetsAStiffLeverPass) {
 
 TEST(ScaleGuard, ACouplingDoesNotMakeUpForAContactThatTheProxyCannotBear) {
     // bp > K T / 2: 6000 N/m at 1 kHz, 24000 N/m at 4 kHz.
-    const HandScale magnified{.positionGain = 1e-6, .forceGain = 6e8};
+    const DeviceScale magnified{.positionGain = 1e-6, .forceGain = 6e8};
     const ScaleJudgment slow = judgeScale(kLever, magnified, kSoft, kPhantom);
     EXPECT_NEAR(slow.contactBound, 6000.0, 1e-9);
     EXPECT_FALSE(slow.holds());
@@ -50,7 +50,7 @@ TEST(ScaleGuard, AnAdhesionStrongerThanTheMotorsIsRefusedWithBothForces) {
     const ScaleJudgment held = judgeScale(sticky, kCommon, kSoft, kPhantom);
     EXPECT_NEAR(held.adhesion, 2.9, 1e-12);
     EXPECT_TRUE(held.holds());
-    const HandScale larger{.positionGain = 1e-7, .forceGain = 1.1e8};
+    const DeviceScale larger{.positionGain = 1e-7, .forceGain = 1.1e8};
     const ScaleJudgment judged = judgeScale(sticky, larger, kSoft, kPhantom);
     EXPECT_FALSE(judged.holds());
     EXPECT_NE(judged.sentence.find("3.19 N"), std::string::npos) << judged.sentence;
@@ -63,7 +63,7 @@ TEST(ScaleGuard, AGuideTakesItsPartOfWhatTheProxyBears) {
     const ScaleJudgment beside = judgeScale(kLever, kCommon, kSoft, kPhantom, guide);
     EXPECT_NEAR(beside.contactBound, 4800.0, 1e-9);
     EXPECT_TRUE(beside.holds());
-    const HandScale magnified{.positionGain = 1e-6, .forceGain = 4e8};
+    const DeviceScale magnified{.positionGain = 1e-6, .forceGain = 4e8};
     EXPECT_TRUE(judgeScale(kLever, magnified, kSoft, kPhantom).holds());
     const ScaleJudgment judged = judgeScale(kLever, magnified, kSoft, kPhantom, guide);
     EXPECT_FALSE(judged.holds());
@@ -79,13 +79,13 @@ TEST(ScaleGuard, AGuideThatTheProxyCannotBearIsRefusedInTheAir) {
 }
 
 TEST(ScaleGuard, ARefusedScaleHoldsWithTheRemedyThatIsNamed) {
-    const HandScale magnified{.positionGain = 1e-6, .forceGain = 6e8};
+    const DeviceScale magnified{.positionGain = 1e-6, .forceGain = 6e8};
     const ScaleJudgment judged = judgeScale(kLever, magnified, kSoft, kPhantom);
     ASSERT_FALSE(judged.holds());
     EXPECT_NE(judged.sentence.find("a smaller force gain or a smaller position gain"),
               std::string::npos)
         << judged.sentence;
-    for (const HandScale& remedied : {HandScale{1e-6, 3e8}, HandScale{0.5e-6, 6e8}}) {
+    for (const DeviceScale& remedied : {DeviceScale{1e-6, 3e8}, DeviceScale{0.5e-6, 6e8}}) {
         EXPECT_TRUE(judgeScale(kLever, remedied, kSoft, kPhantom).holds());
     }
 }

@@ -24,7 +24,7 @@ ProbeSystem systemOf(const SceneDescription& scene) {
 
 double leverOf(const ProbeSystem& system) { return 1.0 / system.cantilever.compliance()(2, 2); }
 
-TEST(TipLoad, WithTheTipUnderControlTheHandMeetsTheContactAlone) {
+TEST(TipLoad, WithTheTipUnderControlTheDeviceMeetsTheContactAlone) {
     const ProbeSystem system = systemOf(sceneWith(ContactLaw::Hertz));
     const double lever = 1.0 / system.cantilever.compliance()(2, 2);
     const double base = tipLoad(system, 10.0_nN).stiffness;

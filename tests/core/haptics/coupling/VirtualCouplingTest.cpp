@@ -13,9 +13,9 @@ constexpr CouplingGains kGains{.stiffness = 300.0, .damping = 2.0, .proxyDamping
 constexpr double kTick = 1e-3;  // [s]
 
 /// A hand that starts at 0, with its proxy.
-class CoupledHand {
+class CoupledDevice {
 public:
-    explicit CoupledHand(const CouplingGains& gains = kGains, double tick = kTick)
+    explicit CoupledDevice(const CouplingGains& gains = kGains, double tick = kTick)
         : gains_(gains), tick_(tick) {}
 
     CouplingStep moveTo(const Vector3& hand, const ProxyLoad& load = {}) {
@@ -33,8 +33,8 @@ private:
     Vector3 stretch_ = Vector3::Zero();
 };
 
-TEST(VirtualCoupling, TheHandFeelsContactAndCouplingInSeries) {
-    CoupledHand coupled;
+TEST(VirtualCoupling, TheDeviceFeelsContactAndCouplingInSeries) {
+    CoupledDevice coupled;
     const Vector3 hand(0.3e-3, -0.4e-3, 2e-3);
     Vector3 force = Vector3::Zero();
     for (int i = 0; i < 1000; ++i) {
@@ -44,8 +44,8 @@ TEST(VirtualCoupling, TheHandFeelsContactAndCouplingInSeries) {
     EXPECT_LT((force + series * hand).norm(), 1e-9 * force.norm());
 }
 
-TEST(VirtualCoupling, AtRestTheHandFeelsTheLoadItself) {
-    CoupledHand coupled;
+TEST(VirtualCoupling, AtRestTheDeviceFeelsTheLoadItself) {
+    CoupledDevice coupled;
     const Vector3 load(0.1, -0.2, 1.5);
     Vector3 force = Vector3::Zero();
     for (int i = 0; i < 1000; ++i) {
@@ -56,7 +56,7 @@ TEST(VirtualCoupling, AtRestTheHandFeelsTheLoadItself) {
 }
 
 TEST(VirtualCoupling, DragInFreeAirIsTheProxysDamping) {
-    CoupledHand air;
+    CoupledDevice air;
     const Vector3 velocity(0.0, 0.05, -0.1);
     Vector3 force = Vector3::Zero();
     for (int i = 0; i < 1000; ++i) {
@@ -68,7 +68,7 @@ TEST(VirtualCoupling, DragInFreeAirIsTheProxysDamping) {
 TEST(VirtualCoupling, SettlesAtAnyRateAndGain) {
     for (const double tick : {0.05e-3, 1e-3, 0.1}) {
         for (const double stiffness : {10.0, 300.0, 1e6}) {
-            CoupledHand air({.stiffness = stiffness, .damping = 0.01, .proxyDamping = 3.0}, tick);
+            CoupledDevice air({.stiffness = stiffness, .damping = 0.01, .proxyDamping = 3.0}, tick);
             Vector3 force = Vector3::Zero();
             for (int i = 0; i < std::lround(10.0 / tick); ++i) {
                 force = air.moveTo({0.0, 0.0, 1e-3}).hand;
@@ -99,7 +99,7 @@ TEST(VirtualCoupling, SlidingMeetsTheFrictionOfItsSpeed) {
     const Vector3 normal = Vector3(0.3, 0.0, 1.0).normalized();
     const Vector3 velocity = 0.02 * normal.cross(Vector3::UnitY());
     for (const double friction : {0.0, 0.01, 0.3, 30.0}) {
-        CoupledHand coupled;
+        CoupledDevice coupled;
         CouplingStep step;
         for (int i = 0; i < 20000; ++i) {
             step = coupled.moveTo(i * kTick * velocity, rubbing(normal, friction));
@@ -113,7 +113,7 @@ TEST(VirtualCoupling, SlidingMeetsTheFrictionOfItsSpeed) {
 
 TEST(VirtualCoupling, FrictionNeverThrowsAProxyBack) {
     // Stuck by far more friction than pulls at it, it creeps towards the hand, tick by tick less.
-    CoupledHand coupled;
+    CoupledDevice coupled;
     const ProxyLoad load = rubbing(Vector3::UnitZ(), 5.0);
     double last = 1.0;
     double way = 0.0;

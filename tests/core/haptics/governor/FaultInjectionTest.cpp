@@ -17,7 +17,7 @@ constexpr double kEngaged = 1.2;   // after so long the force acts fully [s]
 using Samples = std::vector<TickSample>;
 using test::GuardedBench;
 
-bool isOff(const TickSample& sample) { return sample.output.handForce == Vector3::Zero(); }
+bool isOff(const TickSample& sample) { return sample.output.deviceForce == Vector3::Zero(); }
 
 /// Time from the event to the tick from which on there is no force.
 double timeUntilOff(const Samples& samples, double event) {
@@ -44,7 +44,7 @@ void expectLatchedUntilTakenBack(GuardedBench& bench, Fault fault) {
     EXPECT_EQ(after.back().output.forceState, ForceState::On);
     bench.reachFor(
         -8e-3);  // a place that was not finite, and the return from it, count for nothing
-    EXPECT_GT(bench.run(0.8).back().output.handForce.norm(), kPressing);
+    EXPECT_GT(bench.run(0.8).back().output.deviceForce.norm(), kPressing);
 }
 
 TEST(FaultInjection, WithoutAFaultTheTipIsHeldWithAForce) {
@@ -60,7 +60,7 @@ TEST(FaultInjection, ANonFinitePositionTakesTheForceAtOnce) {
     GuardedBench bench;
     ASSERT_GT(bench.pressDown(), kPressing);
     const double event = bench.now();
-    bench.tamper = [](HandState& hand, double) { hand.position.x() = kNan; };
+    bench.tamper = [](DeviceState& hand, double) { hand.position.x() = kNan; };
     const Samples samples = bench.run(0.1);
     EXPECT_LE(timeUntilOff(samples, event), kSoon);
     expectFault(samples, Fault::NotFinite);
@@ -71,7 +71,7 @@ TEST(FaultInjection, AnUnpluggedDeviceGetsNoForceAtOnce) {
     GuardedBench bench;
     ASSERT_GT(bench.pressDown(), kPressing);
     const double event = bench.now();
-    bench.tamper = [](HandState& hand, double) { hand.connected = false; };
+    bench.tamper = [](DeviceState& hand, double) { hand.connected = false; };
     const Samples samples = bench.run(0.1);
     EXPECT_LE(timeUntilOff(samples, event), kSoon);
     expectFault(samples, Fault::DeviceLost);
@@ -84,7 +84,7 @@ TEST(FaultInjection, ARunawayTripsWithinFiveMilliseconds) {
         ASSERT_GT(bench.pressDown(), kPressing);
         bench.run(phase);
         const double event = bench.now();
-        bench.tamper = [event](HandState& hand, double time) {
+        bench.tamper = [event](DeviceState& hand, double time) {
             hand.position.z() += 1.6 * (time - event);  // the limit is 1.5 m/s
         };
         const Samples samples = bench.run(0.1);
@@ -94,11 +94,11 @@ TEST(FaultInjection, ARunawayTripsWithinFiveMilliseconds) {
     }
 }
 
-TEST(FaultInjection, AFastHandThatIsNoRunawayDoesNotTrip) {
+TEST(FaultInjection, AFastDeviceThatIsNoRunawayDoesNotTrip) {
     GuardedBench bench;
     ASSERT_GT(bench.pressDown(), kPressing);
     const double event = bench.now();
-    bench.tamper = [event](HandState& hand, double time) {
+    bench.tamper = [event](DeviceState& hand, double time) {
         hand.position.z() += 1.3 * (time - event);
     };
     for (const TickSample& sample : bench.run(0.1)) {
@@ -109,7 +109,7 @@ TEST(FaultInjection, AFastHandThatIsNoRunawayDoesNotTrip) {
 /// The device sends nothing any more from `event` on: the place stays its last, the age grows.
 void fallSilent(GuardedBench& bench, double event) {
     const Vector3 last = bench.input.hand.position;
-    bench.tamper = [last, event](HandState& hand, double time) {
+    bench.tamper = [last, event](DeviceState& hand, double time) {
         hand.position = last;
         hand.age = time - event;
     };
@@ -153,11 +153,11 @@ TEST(FaultInjection, AReleasedDeadManSwitchTakesTheForceWithinATickAndNeedsNoRea
     GuardedBench bench;
     bench.input.settings.governor.deadManButton = 2;
     EXPECT_EQ(bench.run(0.1).back().output.forceState, ForceState::Released);
-    const auto hold = [](HandState& hand, double) { hand.buttons = 1U << 2U; };
+    const auto hold = [](DeviceState& hand, double) { hand.buttons = 1U << 2U; };
     bench.tamper = hold;
     ASSERT_GT(bench.pressDown(), kPressing);
     const double event = bench.now();
-    bench.tamper = [](HandState& hand, double) { hand.buttons = 3U; };
+    bench.tamper = [](DeviceState& hand, double) { hand.buttons = 3U; };
     const Samples released = bench.run(0.5);
     EXPECT_LE(timeUntilOff(released, event), kSoon);
     EXPECT_EQ(released.back().output.forceState, ForceState::Released);

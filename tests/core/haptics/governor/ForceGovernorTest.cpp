@@ -114,7 +114,7 @@ TEST(ForceGovernor, SaysThatTheForceWaitsComesOnAndIsOn) {
     EXPECT_EQ(governForce(motors(), wanting(2.0), {.share = 1.0}).state, ForceState::On);
 }
 
-TEST(ForceGovernor, BeginsToActOnlyWithASmallForceAProxyNearTheHandAndASlowHand) {
+TEST(ForceGovernor, BeginsToActOnlyWithASmallForceAProxyNearTheDeviceAndASlowDevice) {
     const double small = kSmallShare * 3.0;
     const double below = small * (1.0 - 1e-12);
     const double above = small * (1.0 + 1e-12);
@@ -186,7 +186,7 @@ TEST(ForceGovernor, ADeviceThatReportsOnChangeOnlyMayBeSilent) {
     EXPECT_EQ(govern(input, wanting(2.0)).force.z(), 2.0);
 }
 
-TEST(ForceGovernor, AHandFasterThanItsLimitIsAFaultWhileTheForceActs) {
+TEST(ForceGovernor, ADeviceFasterThanItsLimitIsAFaultWhileTheForceActs) {
     TickInput input = motors();
     input.timeStep = 2e-3;
     input.hand.position.x() = 1.499 * input.timeStep;
@@ -231,7 +231,7 @@ TEST(ForceGovernor, AStartOfTheLoopBringsTheForceOnAnew) {
         << "where another hand was says nothing of the speed of this one";
 }
 
-TEST(ForceGovernor, AHandThatOnlySensesGetsWhatIsWantedOrNothing) {
+TEST(ForceGovernor, ADeviceThatOnlySensesGetsWhatIsWantedOrNothing) {
     TickInput input;
     input.hand.streams = true;
     input.hand.age = 1.0;

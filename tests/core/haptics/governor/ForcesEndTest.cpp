@@ -20,7 +20,7 @@ public:
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
         return {.maxForce = 5.0};
     }
-    HandState advance(double /*timeStep*/) noexcept override { return {.position = position_}; }
+    DeviceState advance(double /*timeStep*/) noexcept override { return {.position = position_}; }
     void setForce(const Vector3& force) noexcept override { newest = force.norm(); }
 
     std::atomic<double> newest{0.0};  ///< [N]
@@ -42,7 +42,7 @@ protected:
     }
     /// How much of the wanted force acts.
     [[nodiscard]] static double share(const TickSample& sample) {
-        return sample.output.handForce.norm() / sample.output.model.force.norm();
+        return sample.output.deviceForce.norm() / sample.output.model.force.norm();
     }
 
     Scene scene = buildScene(test::plainScene(), test::flatMap());
@@ -61,10 +61,10 @@ TEST_F(ForcesEnd, WhenTheLoopIsDestroyed) {
     EXPECT_EQ(hand.newest, 0.0);
 }
 
-TEST_F(ForcesEnd, ForTheHandThatAnotherOneTakesOverFrom) {
+TEST_F(ForcesEnd, ForTheDeviceThatAnotherOneTakesOverFrom) {
     MotorDevice other(Vector3(64.0_nm, 64.0_nm, -2.0_nm));
     loop->stop();
-    loop->setHand(other);
+    loop->setDevice(other);
     loop->start();
     while (!(other.newest > 0.0)) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));

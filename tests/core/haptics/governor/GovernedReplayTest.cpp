@@ -11,7 +11,7 @@ namespace asperity {
 namespace {
 
 /// A device that hesitates now and then and at last falls silent; with a dead-man switch.
-void hesitate(HandState& hand, double time) {
+void hesitate(DeviceState& hand, double time) {
     const double rest = time - 0.4 * std::floor(time / 0.4);
     hand.buttons = time > 0.1 && (time < 2.0 || time > 2.1) ? 1U : 0U;
     hand.age = time > 2.7 ? time - 2.7 : std::max(0.0, 0.02 - rest);
@@ -20,7 +20,7 @@ void hesitate(HandState& hand, double time) {
 TEST(GovernedReplay, ARecordedRunReplaysToTheSameBitsFromItsMiddle) {
     test::GuardedBench bench;
     bench.input.settings.governor = {
-        .maxForce = 0.3, .engageTime = 0.5, .maxHandSpeed = 1.2, .deadManButton = 0};
+        .maxForce = 0.3, .engageTime = 0.5, .maxDeviceSpeed = 1.2, .deadManButton = 0};
     bench.input.starts = 3;
     bench.tamper = hesitate;
     bench.run(0.3);
@@ -45,7 +45,7 @@ TEST(GovernedReplay, ARecordedRunReplaysToTheSameBitsFromItsMiddle) {
     ASSERT_EQ(read.size(), lived.size());
     for (std::size_t i = 0; i < read.size(); ++i) {
         const TickOutput again = tick(bench.scene(), read[i].input, memory);
-        ASSERT_EQ(again.handForce, lived[i].output.handForce) << i;
+        ASSERT_EQ(again.deviceForce, lived[i].output.deviceForce) << i;
         ASSERT_EQ(again.forceState, lived[i].output.forceState) << i;
         ASSERT_EQ(again.fault, lived[i].output.fault) << i;
     }

@@ -46,7 +46,7 @@ TickSample GuardedBench::step() {
     }
     input.measurement = afm_.exchange(commandBase(scene_, input, memory).base);
     const TickOutput output = tick(scene_, input, memory);
-    bench_.setForce(output.handForce);
+    bench_.setForce(output.deviceForce);
     return {.time = time_, .input = input, .output = output};
 }
 
@@ -61,7 +61,7 @@ std::vector<TickSample> GuardedBench::run(double duration) {
 double GuardedBench::pressDown() {
     run(1.2);
     reachFor(kDeep);
-    return run(0.8).back().output.handForce.norm();
+    return run(0.8).back().output.deviceForce.norm();
 }
 
 }  // namespace asperity::test

@@ -50,7 +50,7 @@ TEST(SolverFault, IsLatchedAfterFiftyMillisecondsWithoutAnEquilibrium) {
     const TickOutput failing = tip.draw(kStep, 49);
     EXPECT_TRUE(failing.flags.has(Validity::FrictionLock));
     EXPECT_EQ(failing.fault, Fault::None);
-    EXPECT_EQ(failing.handForce, Vector3::Zero());
+    EXPECT_EQ(failing.deviceForce, Vector3::Zero());
     EXPECT_EQ(tip.draw(kStep, 1).fault, Fault::SolverFailed);
     const TickOutput solved = tip.draw(0.0, 100);
     EXPECT_FALSE(solved.flags.has(Validity::FrictionLock));
@@ -75,14 +75,14 @@ TEST(SolverFault, IsNotAStallOfTheLoop) {
     EXPECT_EQ(tip.draw(kStep, 1).fault, Fault::None);
 }
 
-TEST(SolverFault, DoesNotStopAHandThatOnlySenses) {
+TEST(SolverFault, DoesNotStopADeviceThatOnlySenses) {
     Drawn tip;
     tip.input.hand.maxForce = 0.0;
     tip.draw(0.0, 10);
     const TickOutput failing = tip.draw(kStep, 200);
     EXPECT_TRUE(failing.flags.has(Validity::FrictionLock));
     EXPECT_EQ(failing.fault, Fault::None);
-    EXPECT_EQ(failing.handForce, Vector3::Zero());
+    EXPECT_EQ(failing.deviceForce, Vector3::Zero());
 }
 
 }  // namespace

@@ -68,9 +68,9 @@ TEST(WorkspaceEdge, IsTheGradientOfAnEnergy) {
     }
 }
 
-TEST(WorkspaceEdge, ActsOnAClutchedHandToo) {
+TEST(WorkspaceEdge, ActsOnAClutchedDeviceToo) {
     const Vector3 hand = kTouch.center + 0.1 * kWayOut;
-    const MappingStep step = mapHand(kTouch, hand, {.clutched = true}, {});
+    const MappingStep step = mapDevice(kTouch, hand, {.clutched = true}, {});
     EXPECT_EQ(step.edgeForce, edgeForce(kTouch, hand));
     EXPECT_GT(step.edgeForce.norm(), 0.5);
 }
@@ -79,7 +79,7 @@ TEST(WorkspaceEdge, PushesInTheDevicesAxesWhateverTheView) {
     const MappingSettings turned{
         .axes = Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3::UnitZ()).toRotationMatrix()};
     const Vector3 hand = kTouch.center + 0.1 * kWayOut;
-    EXPECT_EQ(mapHand(kTouch, hand, turned, {}).edgeForce, mapHand(kTouch, hand, {}, {}).edgeForce);
+    EXPECT_EQ(mapDevice(kTouch, hand, turned, {}).edgeForce, mapDevice(kTouch, hand, {}, {}).edgeForce);
 }
 
 TEST(WorkspaceEdge, AWorkspaceThatNobodyKnowsHasNoEdge) {

@@ -19,12 +19,12 @@ Matrix3 turned(double angle, const Vector3& axis) {
 }
 
 /// A hand and the place that it commands, which starts at the world's origin.
-class MappedHand {
+class MappedDevice {
 public:
     MappingSettings settings{.positionGain = 1e-6};  // 1 mm: 1 nm
 
     MappingStep moveTo(const Vector3& hand) {
-        MappingStep step = mapHand({}, hand, settings, memory_);
+        MappingStep step = mapDevice({}, hand, settings, memory_);
         memory_ = step.memory;
         command_ += step.displacement;
         return step;
@@ -41,21 +41,21 @@ void expectNear(const Vector3& value, const Vector3& expected, double scale) {
         << value.transpose() << " and not " << expected.transpose();
 }
 
-TEST(WorkspaceMapping, WhereTheHandIsFirstSeenMovesNothing) {
-    MappedHand mapped;
+TEST(WorkspaceMapping, WhereTheDeviceIsFirstSeenMovesNothing) {
+    MappedDevice mapped;
     EXPECT_EQ(mapped.moveTo({0.1, -0.2, 0.3}).status, MappingStatus::Following);
     EXPECT_EQ(mapped.command(), Vector3::Zero());
 }
 
-TEST(WorkspaceMapping, TheCommandFollowsTheHandTimesTheGain) {
-    MappedHand mapped;
+TEST(WorkspaceMapping, TheCommandFollowsTheDeviceTimesTheGain) {
+    MappedDevice mapped;
     mapped.moveTo({0.02, 0.0, 0.0});
     mapped.moveTo({0.021, 0.002, -0.003});
     expectNear(mapped.command(), {1.0_nm, 2.0_nm, -3.0_nm}, 1.0_nm);
 }
 
 TEST(WorkspaceMapping, AZoomInMidMotionChangesTheSpeedButNotThePlace) {
-    MappedHand mapped;
+    MappedDevice mapped;
     const Vector3 step(0.1e-3, 0.0, -0.2e-3);  // of the hand in a tick, far from its origin
     Vector3 hand(0.05, 0.05, 0.05);
     Vector3 last = Vector3::Zero();
@@ -70,8 +70,8 @@ TEST(WorkspaceMapping, AZoomInMidMotionChangesTheSpeedButNotThePlace) {
     }
 }
 
-TEST(WorkspaceMapping, ZoomAndTurnedViewMoveNothingUnderAHandAtRest) {
-    MappedHand mapped;
+TEST(WorkspaceMapping, ZoomAndTurnedViewMoveNothingUnderADeviceAtRest) {
+    MappedDevice mapped;
     const Vector3 hand(0.05, -0.04, 0.03);
     mapped.moveTo(hand);
     mapped.settings.positionGain = 1e-3;
@@ -81,8 +81,8 @@ TEST(WorkspaceMapping, ZoomAndTurnedViewMoveNothingUnderAHandAtRest) {
     EXPECT_EQ(mapped.command(), Vector3::Zero());
 }
 
-TEST(WorkspaceMapping, AClutchedHandLeavesTheCommandAndGoesOnFromThere) {
-    MappedHand mapped;
+TEST(WorkspaceMapping, AClutchedDeviceLeavesTheCommandAndGoesOnFromThere) {
+    MappedDevice mapped;
     mapped.moveTo({0.0, 0.0, 0.0});
     mapped.moveTo({0.01, 0.0, 0.0});
     const Vector3 held = mapped.command();
@@ -100,7 +100,7 @@ TEST(WorkspaceMapping, AClutchedHandLeavesTheCommandAndGoesOnFromThere) {
 }
 
 TEST(WorkspaceMapping, ClutchingReachesBeyondTheWorkspace) {
-    MappedHand mapped;
+    MappedDevice mapped;
     for (int stroke = 0; stroke < 10; ++stroke) {
         mapped.settings.clutched = false;
         mapped.moveTo({-0.05, 0.0, 0.0});
@@ -112,22 +112,22 @@ TEST(WorkspaceMapping, ClutchingReachesBeyondTheWorkspace) {
     expectNear(mapped.command(), {1000.0_nm, 0.0, 0.0}, 1000.0_nm);
 }
 
-TEST(WorkspaceMapping, PowerIsTheSameInTheHandsAxesAndTheWorlds) {
+TEST(WorkspaceMapping, PowerIsTheSameInTheDevicesAxesAndTheWorlds) {
     for (int i = 0; i < 50; ++i) {
-        MappedHand mapped;
+        MappedDevice mapped;
         mapped.settings.axes = turned(0.3 * i, {std::cos(i), std::sin(2.0 * i), 0.5});
         const Vector3 velocity(0.1, -0.02 * i, 0.3);
         const Vector3 force(std::sin(i), 1.0, -0.1 * i);
         mapped.moveTo(Vector3::Zero());
         const Vector3 inWorld = mapped.moveTo(velocity).motion;
-        const Vector3 felt = forceOnHand(mapped.settings, force);
+        const Vector3 felt = forceOnDevice(mapped.settings, force);
         const double scale = force.norm() * velocity.norm();
         EXPECT_NEAR(felt.dot(velocity), force.dot(inWorld), 1e-12 * scale);
         EXPECT_NEAR(felt.norm(), force.norm(), 1e-12 * force.norm());
     }
 }
 
-TEST(WorkspaceMapping, TheHandFollowsTheScreen) {
+TEST(WorkspaceMapping, TheDeviceFollowsTheScreen) {
     // Looking along +y, z up: the device's own axes. From above: up in the image is a hand's rise.
     EXPECT_TRUE(viewAxes(Vector3::UnitX(), Vector3::UnitZ())->isIdentity(1e-15));
     const Matrix3 above = viewAxes(2.0 * Vector3::UnitX(), 3.0 * Vector3::UnitY()).value();
@@ -147,9 +147,9 @@ TEST(WorkspaceMapping, AViewWithNoUpHasNoAxes) {
     EXPECT_FALSE(viewAxes({kInfinity, 0.0, 0.0}, Vector3::UnitZ()));
 }
 
-TEST(WorkspaceMapping, AHandThatIsNoNumberStopsTheCommandAndDoesNotThrowItAfterwards) {
+TEST(WorkspaceMapping, ADeviceThatIsNoNumberStopsTheCommandAndDoesNotThrowItAfterwards) {
     for (const double bad : {kNan, kInfinity, -kInfinity}) {
-        MappedHand mapped;
+        MappedDevice mapped;
         mapped.moveTo(Vector3::Zero());
         EXPECT_EQ(mapped.moveTo({0.0, bad, 0.0}).status, MappingStatus::Invalid);
         EXPECT_EQ(mapped.moveTo({0.1, 0.1, 0.1}).status, MappingStatus::Following);
@@ -159,13 +159,13 @@ TEST(WorkspaceMapping, AHandThatIsNoNumberStopsTheCommandAndDoesNotThrowItAfterw
 
 TEST(WorkspaceMapping, RefusesGainsAndAxesThatAreNone) {
     for (const double gain : {0.0, -1e-6, kNan, kInfinity}) {
-        EXPECT_EQ(mapHand({}, Vector3::Zero(), {.positionGain = gain}, {}).status,
+        EXPECT_EQ(mapDevice({}, Vector3::Zero(), {.positionGain = gain}, {}).status,
                   MappingStatus::Invalid);
     }
     const Matrix3 mirror = Vector3(-1.0, 1.0, 1.0).asDiagonal();
     const Matrix3 none = Matrix3::Constant(kNan);
     for (const Matrix3& axes : {Matrix3(2.0 * Matrix3::Identity()), mirror, none}) {
-        EXPECT_EQ(mapHand({}, Vector3::Zero(), {.axes = axes}, {}).status, MappingStatus::Invalid);
+        EXPECT_EQ(mapDevice({}, Vector3::Zero(), {.axes = axes}, {}).status, MappingStatus::Invalid);
     }
 }
 

@@ -1,7 +1,7 @@
 #include "core/io/recording/TickLog.h"
 
 #include "core/Error.h"
-#include "core/io/scene/HandPathFile.h"
+#include "core/io/scene/DevicePathFile.h"
 #include "core/io/tables/CsvTable.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -34,9 +34,9 @@ TickSample sampleOf(double time) {
         .coupling = {.stiffness = 1e3 / 3.0, .damping = 0.1 + 0.2, .proxyDamping = 3.0},
         .governor = {.maxForce = 1.0 / 3.0,
                      .engageTime = 0.7,
-                     .maxHandSpeed = 1.1,
+                     .maxDeviceSpeed = 1.1,
                      .deadManButton = 31},
-        .handTurn = {0.1 / 3.0, -0.2, 2.5},
+        .deviceTurn = {0.1 / 3.0, -0.2, 2.5},
         .workspace = {.center = {0.1, -0.2, 0.3},
                       .radius = 0.1 / 3.0,
                       .freeShare = 0.7,
@@ -232,20 +232,20 @@ TEST(TickLog, HoldsWhatWasFlushedAndReadsUpToTheLastWholeLine) {
     }
 }
 
-TEST(HandPathFile, ReadsPlacesAndRefusesTimeThatStandsStill) {
+TEST(DevicePathFile, ReadsPlacesAndRefusesTimeThatStandsStill) {
     const test::ScratchFolder scratch;
     const auto path = scratch.path() / "path.csv";
     std::ofstream(path) << "# a path\ntime_s,x_m,y_m,z_m\n0,1e-9,2e-9,3e-9\n1,0,0,-1e-9\n";
-    const HandPath hand = readHandPath(path);
+    const DevicePath hand = readDevicePath(path);
     ASSERT_EQ(hand.size(), 2U);
     EXPECT_EQ(hand[1].position.z(), -1e-9);
     for (const char* rows :
          {"0,0,0,0\n0,1,1,1\n", "-1,0,0,0\n", "0,nan,0,0\n", "inf,0,0,0\n", ""}) {
         std::ofstream(path) << "time_s,x_m,y_m,z_m\n" << rows;
-        EXPECT_THROW((void)readHandPath(path), InputError) << rows;
+        EXPECT_THROW((void)readDevicePath(path), InputError) << rows;
     }
     std::ofstream(path) << "time_s,x_m,y_m\n0,0,0\n";
-    EXPECT_THROW((void)readHandPath(path), InputError) << "z_m is missing";
+    EXPECT_THROW((void)readDevicePath(path), InputError) << "z_m is missing";
 }
 
 }  // namespace

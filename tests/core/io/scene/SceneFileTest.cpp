@@ -145,7 +145,7 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.tolerance = 0.125;
     scene.settings.coupling = {.stiffness = 1e3 / 3.0, .damping = 2.5, .proxyDamping = 3.0};
     scene.settings.governor = {
-        .maxForce = 10.0 / 3.0, .engageTime = 0.7, .maxHandSpeed = 1.1, .deadManButton = 3};
+        .maxForce = 10.0 / 3.0, .engageTime = 0.7, .maxDeviceSpeed = 1.1, .deadManButton = 3};
     scene.settings.clutchButton = 1;
     scene.settings.guide = {.kind = FixtureKind::Line,
                             .point = {1e-9 / 3.0, 2e-9, -3e-9},

@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-/// Hands at 1 mm : 1 nm and 1 N : 10 nN under a stiff lever.
+/// Devices at 1 mm : 1 nm and 1 N : 10 nN under a stiff lever.
 CouplingGrid gridOf(double tickRate, double delay, double forceGain = 1e8) {
     return {.leverStiffnesses = {14.0},
             .tickRates = {tickRate},
@@ -35,7 +35,7 @@ long count(const std::vector<HoldOutcome>& holds, bool coupled, HoldVerdict verd
     });
 }
 
-TEST(CouplingExtremes, TheCouplingHoldsWhatADirectHandShakes) {
+TEST(CouplingExtremes, TheCouplingHoldsWhatADirectDeviceShakes) {
     const std::vector<HoldOutcome> holds = holdsOf(gridOf(1000.0, 5.0_ms));
     EXPECT_EQ(count(holds, true, HoldVerdict::Still), static_cast<long>(holds.size()) / 2);
     EXPECT_GT(count(holds, false, HoldVerdict::Shakes), 0);
@@ -80,7 +80,7 @@ TEST(CouplingExtremes, AnAdhesionStrongerThanTheMotorsIsRefusedWhateverTheStiffn
     }
 }
 
-TEST(CouplingExtremes, AHandThatFeelsThePiconewtonsOfAStiffLeverFeelsTheDetectorsNoise) {
+TEST(CouplingExtremes, ADeviceThatFeelsThePiconewtonsOfAStiffLeverFeelsTheDetectorsNoise) {
     CouplingGrid grid = gridOf(1000.0, 1.0_ms, 1e10);
     grid.positionGains = {1e-7};
     const std::vector<HoldOutcome> holds = holdsOf(grid);

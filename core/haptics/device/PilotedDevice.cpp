@@ -1,4 +1,4 @@
-#include "core/haptics/device/LedHand.h"
+#include "core/haptics/device/PilotedDevice.h"
 
 #include <cmath>
 
@@ -10,10 +10,10 @@ constexpr double kResponse = 50.0;  // natural frequency of the follower [rad/s]
 
 }  // namespace
 
-LedHand::LedHand(const Vector3& start) : start_(start), target_(start), position_(start) {}
+PilotedDevice::PilotedDevice(const Vector3& start) : start_(start), target_(start), position_(start) {}
 
 // The exact solution of x'' = w^2 (target - x) - 2 w x' over one step: stable at any step.
-const Vector3& LedHand::lead(double timeStep) noexcept {
+const Vector3& PilotedDevice::lead(double timeStep) noexcept {
     const Vector3& target = target_.read();
     const double decay = std::exp(-kResponse * timeStep);
     const Vector3 error = position_ - target;

@@ -1,19 +1,19 @@
 #pragma once
 
-#include "core/haptics/device/LedHand.h"
+#include "core/haptics/device/PilotedDevice.h"
 
 namespace asperity {
 
 /// Mouse and keyboard as the hand itself.
-class PointerHand final : public LedHand {
+class PointerDevice final : public PilotedDevice {
 public:
     /// @param start where the hand rests at first [m]
-    explicit PointerHand(const Vector3& start) : LedHand(start) {}
+    explicit PointerDevice(const Vector3& start) : PilotedDevice(start) {}
 
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
         return kSensesOnly;
     }
-    HandState advance(double timeStep) noexcept override { return {.position = lead(timeStep)}; }
+    DeviceState advance(double timeStep) noexcept override { return {.position = lead(timeStep)}; }
 };
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "core/haptics/HandPilot.h"
+#include "core/haptics/DevicePilot.h"
 
 #include "core/Units.h"
 
@@ -7,23 +7,23 @@
 namespace asperity {
 namespace {
 
-TEST(HandPilot, AddsUpWhatTheMouseMoves) {
-    HandPilot pilot({1.0_nm, 0.0, 5.0_nm});
+TEST(DevicePilot, AddsUpWhatTheMouseMoves) {
+    DevicePilot pilot({1.0_nm, 0.0, 5.0_nm});
     pilot.displace({2.0_nm, 0.0, 0.0});
     pilot.displace({0.0, 0.0, -1.0_nm});
     EXPECT_TRUE(pilot.advance(0.0, {}).isApprox(Vector3(3.0_nm, 0.0, 4.0_nm)));
 }
 
-TEST(HandPilot, MovesWhileKeysAreHeld) {
-    HandPilot pilot(Vector3::Zero());
+TEST(DevicePilot, MovesWhileKeysAreHeld) {
+    DevicePilot pilot(Vector3::Zero());
     pilot.setVelocity({0.0, 0.0, -2.0_nm});
     pilot.advance(0.5, {});
     pilot.setVelocity(Vector3::Zero());
     EXPECT_NEAR(pilot.advance(10.0, {}).z(), -1.0_nm, 1e-18);
 }
 
-TEST(HandPilot, TravelsAndStays) {
-    HandPilot pilot({5.0_nm, 0.0, 0.0});
+TEST(DevicePilot, TravelsAndStays) {
+    DevicePilot pilot({5.0_nm, 0.0, 0.0});
     pilot.follow({{2.0, {1.0_nm, 0.0, 0.0}}, {3.0, {1.0_nm, 8.0_nm, 0.0}}});
     EXPECT_NEAR(pilot.advance(0.5, {}).y(), 4.0_nm, 1e-18);
     EXPECT_TRUE(pilot.traveling());
@@ -32,20 +32,20 @@ TEST(HandPilot, TravelsAndStays) {
     EXPECT_TRUE(pilot.advance(1.0, {}).isApprox(Vector3(1.0_nm, 8.0_nm, 0.0)));
 }
 
-TEST(HandPilot, BringsTheBaseToItsPlaceWhereverTheHandIsAndWhateverTheGain) {
-    HandPilot pilot({5.0_nm, 0.0, 0.0});
+TEST(DevicePilot, BringsTheBaseToItsPlaceWhereverTheDeviceIsAndWhateverTheGain) {
+    DevicePilot pilot({5.0_nm, 0.0, 0.0});
     pilot.follow({{0.0, {0.0, 0.0, 0.0}}, {1.0, {0.0, 8.0_nm, 0.0}}});
     // A hand that lags behind, and a gain that has just become 2.
-    const HandMapping now{
+    const DeviceMapping now{
         .hand = {5.0_nm, 1.0_nm, 0.0}, .base = {0.0, 2.0_nm, 0.0}, .positionGain = 2.0};
     const Vector3 hand = pilot.advance(1.0, now);
     const Vector3 base = now.base + now.positionGain * (hand - now.hand);
     EXPECT_TRUE(base.isApprox(Vector3(0.0, 8.0_nm, 0.0)));
 }
 
-TEST(HandPilot, ThePersonEndsAJourney) {
-    HandPilot pilot(Vector3::Zero());
-    const HandPath far{{0.0, {0.0, 0.0, 0.0}}, {1.0, {0.0, 8.0_nm, 0.0}}};
+TEST(DevicePilot, ThePersonEndsAJourney) {
+    DevicePilot pilot(Vector3::Zero());
+    const DevicePath far{{0.0, {0.0, 0.0, 0.0}}, {1.0, {0.0, 8.0_nm, 0.0}}};
     pilot.follow(far);
     pilot.displace({1.0_nm, 0.0, 0.0});
     EXPECT_FALSE(pilot.traveling());

@@ -1,43 +1,43 @@
 #pragma once
 
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 
 #include <utility>
 
 namespace asperity {
 
 /// Which place of the hand stands for which place of the base, from one tick on.
-struct HandMapping {
+struct DeviceMapping {
     Vector3 hand = Vector3::Zero();  ///< of one tick [m]
     Vector3 base = Vector3::Zero();  ///< of the same one, world [m]
     double positionGain = 1.0;       ///< base displacement per hand displacement
 
     /// Where the hand must be for the base to be at `place` [m].
-    [[nodiscard]] Vector3 handFor(const Vector3& place) const {
+    [[nodiscard]] Vector3 deviceFor(const Vector3& place) const {
         return hand + (place - base) / positionGain;
     }
 };
 
 /// Turns what mouse and keyboard ask for into a place for the hand, once a frame.
-class HandPilot {
+class DevicePilot {
 public:
-    explicit HandPilot(Vector3 start) : target_(std::move(start)) {}
+    explicit DevicePilot(Vector3 start) : target_(std::move(start)) {}
 
     /// The mouse moved the hand by so much [m]. Ends a journey.
     void displace(const Vector3& displacement);
     /// Keys are held that move the hand so fast [m/s]. A velocity ends a journey.
     void setVelocity(const Vector3& velocity);
     /// The base shall go this way, world; also when the gain changes on the way.
-    void follow(HandPath journey);
+    void follow(DevicePath journey);
     [[nodiscard]] bool traveling() const noexcept { return !journey_.empty(); }
 
     /// Where the hand shall be after a frame of so many seconds.
-    Vector3 advance(double seconds, const HandMapping& mapping);
+    Vector3 advance(double seconds, const DeviceMapping& mapping);
 
 private:
     Vector3 target_;
     Vector3 velocity_ = Vector3::Zero();
-    HandPath journey_;
+    DevicePath journey_;
     double journeyTime_ = 0.0;  ///< [s]
 };
 

@@ -7,7 +7,7 @@ namespace asperity {
 
 /// A hand that mouse and keyboard lead. They come some sixty times a second and in steps; it is led
 /// smoothly, critically damped, so that nothing ever jumps.
-class LedHand : public HapticDevice {
+class PilotedDevice : public HapticDevice {
 public:
     /// Where the hand shall go [m]. One thread, not the loop's; wait-free.
     void moveTo(const Vector3& target) noexcept { target_.write(target); }
@@ -15,10 +15,10 @@ public:
     /// Where it is led to at first [m].
     [[nodiscard]] const Vector3& start() const noexcept { return start_; }
 
-    [[nodiscard]] LedHand* led() noexcept final { return this; }
+    [[nodiscard]] PilotedDevice* led() noexcept final { return this; }
 
 protected:
-    explicit LedHand(const Vector3& start);
+    explicit PilotedDevice(const Vector3& start);
 
     /// Where it is led to after one more time step [s]. Loop thread only.
     const Vector3& lead(double timeStep) noexcept;

@@ -15,9 +15,9 @@ inline constexpr CouplingGains kGains{.stiffness = 400.0, .damping = 3.0, .proxy
 [[nodiscard]] Scene coupledScene(const CouplingGains& gains);
 
 /// A hand that goes where it is told, with tick and instrument.
-class GuidedHand {
+class GuidedDevice {
 public:
-    explicit GuidedHand(const Scene& scene)
+    explicit GuidedDevice(const Scene& scene)
         : settings(scene.settings), scene_(scene), afm_(scene.touched(), truthOf(scene)) {}
 
     TickOutput moveTo(const Vector3& hand, int ticks = 1);
@@ -25,7 +25,7 @@ public:
     TickOutput glideTo(const Vector3& hand, int ticks);
 
     Settings settings;
-    HandState device;  ///< what it is; the place is that of moveTo()
+    DeviceState device;  ///< what it is; the place is that of moveTo()
     std::uint32_t starts = 0;
 
 private:

@@ -1,4 +1,4 @@
-#include "core/haptics/coupling/CoupledHand.h"
+#include "core/haptics/coupling/CoupledDevice.h"
 
 #include "core/Error.h"
 
@@ -8,10 +8,10 @@ namespace asperity {
 
 namespace {
 
-CoupledHand judged(const ProbeSystem& tip, const HandRequest& request, const CouplingGains& gains) {
+CoupledDevice judged(const ProbeSystem& tip, const DeviceRequest& request, const CouplingGains& gains) {
     const double force = std::min(request.device.maxForce, request.maxForce);
     const TipLoad load = tipLoad(tip, force / request.scale.forceGain, request.control);
-    CoupledHand hand{.gains = gains,
+    CoupledDevice hand{.gains = gains,
                      .judgment = judgeScale(load, request.scale, gains,
                                              {.stiffness = request.device.maxStiffness,
                                               .force = force,
@@ -26,10 +26,10 @@ CoupledHand judged(const ProbeSystem& tip, const HandRequest& request, const Cou
 
 }  // namespace
 
-CoupledHand coupleHand(const ProbeSystem& tip, const HandRequest& request) {
+CoupledDevice coupleDevice(const ProbeSystem& tip, const DeviceRequest& request) {
     try {
         if (request.own.couples() && holdsHandle(request.own, request.device, request.timing)) {
-            if (CoupledHand own = judged(tip, request, request.own); own.holds()) {
+            if (CoupledDevice own = judged(tip, request, request.own); own.holds()) {
                 return own;
             }
         }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 #include "core/io/tables/CsvTable.h"
 
 #include <filesystem>
@@ -9,9 +9,9 @@ namespace asperity {
 
 /// Reads a hand's path from CSV with the columns time_s, x_m, y_m, z_m (world frame).
 /// @throw InputError when a value is missing or not finite, or time does not rise
-[[nodiscard]] HandPath readHandPath(const std::filesystem::path& path);
+[[nodiscard]] DevicePath readDevicePath(const std::filesystem::path& path);
 
-/// The way of the base in a recorded force log. @throw InputError as readHandPath()
-[[nodiscard]] HandPath readRecordedPath(const CsvTable& forceLog);
+/// The way of the base in a recorded force log. @throw InputError as readDevicePath()
+[[nodiscard]] DevicePath readRecordedPath(const CsvTable& forceLog);
 
 }  // namespace asperity

@@ -1,8 +1,8 @@
-#include "app/session/HandControl.h"
+#include "app/session/ActiveDevice.h"
 
 #include "app/program/DataFolder.h"
-#include "core/haptics/ScriptedHand.h"
-#include "core/haptics/device/LedHand.h"
+#include "core/haptics/ScriptedDevice.h"
+#include "core/haptics/device/PilotedDevice.h"
 #include "hardware/led/LedDrivers.h"
 
 #include <memory>
@@ -16,86 +16,86 @@ constexpr double kJourney = 1.5;  // [s]
 
 }  // namespace
 
-void HandControl::attach(LiveRun& run) {
+void ActiveDevice::attach(LiveRun& run) {
     run_ = &run;
     use(pointerDriver());
 }
 
-void HandControl::use(const DeviceDriver& driver) {
+void ActiveDevice::use(const DeviceDriver& driver) {
     take(&driver, [this, &driver] {
         return driver.open({.hid = [this]() -> HidTransport& { return hid(); },
                             .data = dataFolder(),
-                            .start = run_->handPosition()});
+                            .start = run_->devicePosition()});
     });
 }
 
-void HandControl::take(const DeviceDriver* driver, const LiveRun::MakeHand& make) {
-    run_->takeHand(make);
+void ActiveDevice::take(const DeviceDriver* driver, const LiveRun::MakeDevice& make) {
+    run_->takeDevice(make);
     hand_ = &run_->hand();
     driver_ = driver;
-    if (const LedHand* const led = run_->hand().led()) {
-        pilot_ = HandPilot(led->start());
+    if (const PilotedDevice* const led = run_->hand().led()) {
+        pilot_ = DevicePilot(led->start());
     }
 }
 
-HandPath HandControl::leadIn(const Vector3& start) {
-    HandPath path = journey(run_->scene(), run_->basePosition(), start.head<2>(), kJourney);
+DevicePath ActiveDevice::leadIn(const Vector3& start) {
+    DevicePath path = journey(run_->scene(), run_->basePosition(), start.head<2>(), kJourney);
     path.push_back({path.back().time + 0.1 * kJourney, start});
     return path;
 }
 
-void HandControl::follow(const HandPath& path) {
+void ActiveDevice::follow(const DevicePath& path) {
     take(nullptr, [this, &path] {
-        HandPath way = leadIn(path.front().position);
+        DevicePath way = leadIn(path.front().position);
         const double begin = way.back().time - path.front().time;
         for (std::size_t i = 1; i < path.size(); ++i) {
             way.push_back({begin + path[i].time, path[i].position});
         }
-        return std::make_unique<ScriptedHand>(std::move(way), run_->settings().positionGain,
-                                              run_->handPosition());
+        return std::make_unique<ScriptedDevice>(std::move(way), run_->settings().positionGain,
+                                              run_->devicePosition());
     });
 }
 
-HidTransport& HandControl::hid() {
+HidTransport& ActiveDevice::hid() {
     if (!transport_) {
         transport_.emplace();
     }
     return *transport_;
 }
 
-LedHand* HandControl::led() const {
+PilotedDevice* ActiveDevice::led() const {
     return isOurs() && run_->loop().running() ? run_->hand().led() : nullptr;
 }
 
-bool HandControl::isDevice() const {
+bool ActiveDevice::isDevice() const {
     return run_ != nullptr && run_->hand().led() == nullptr && !followsPath();
 }
 
-double HandControl::reach() const {
+double ActiveDevice::reach() const {
     return driver() == &pointerDriver() ? 1.0 : 1.0 / run_->settings().positionGain;
 }
 
-void HandControl::displace(const Vector3& displacement) {
+void ActiveDevice::displace(const Vector3& displacement) {
     if (led() != nullptr) {
         pilot_.displace(reach() * displacement);
     }
 }
 
-void HandControl::setVelocity(const Vector3& velocity) {
+void ActiveDevice::setVelocity(const Vector3& velocity) {
     if (run_ != nullptr) {
         pilot_.setVelocity(reach() * velocity);
     }
 }
 
-void HandControl::travelTo(const Vector2& place) {
+void ActiveDevice::travelTo(const Vector2& place) {
     if (led() != nullptr) {
         pilot_.follow(journey(run_->scene(), run_->basePosition(), place, kJourney));
     }
 }
 
-void HandControl::advance(double seconds, double halfWidth) {
-    if (LedHand* const hand = led()) {
-        const HandMapping now{.hand = run_->handPosition(),
+void ActiveDevice::advance(double seconds, double halfWidth) {
+    if (PilotedDevice* const hand = led()) {
+        const DeviceMapping now{.hand = run_->devicePosition(),
                               .base = run_->basePosition(),
                               .positionGain = run_->settings().positionGain};
         hand->moveTo(pilot_.advance(seconds, now));

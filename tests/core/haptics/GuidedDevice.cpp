@@ -1,4 +1,4 @@
-#include "tests/core/haptics/GuidedHand.h"
+#include "tests/core/haptics/GuidedDevice.h"
 
 #include "core/Units.h"
 #include "tests/support/TestScenes.h"
@@ -19,7 +19,7 @@ Scene coupledScene(const CouplingGains& gains, const HeightMap& map) {
 
 Scene coupledScene(const CouplingGains& gains) { return coupledScene(gains, flatMap()); }
 
-TickOutput GuidedHand::moveTo(const Vector3& hand, int ticks) {
+TickOutput GuidedDevice::moveTo(const Vector3& hand, int ticks) {
     TickInput input{.hand = device, .settings = settings, .starts = starts};
     input.hand.position = hand;
     place_ = hand;
@@ -31,7 +31,7 @@ TickOutput GuidedHand::moveTo(const Vector3& hand, int ticks) {
     return out;
 }
 
-TickOutput GuidedHand::glideTo(const Vector3& hand, int ticks) {
+TickOutput GuidedDevice::glideTo(const Vector3& hand, int ticks) {
     const Vector3 from = place_;
     const int moving = ticks / 2;
     for (int i = 1; i < moving; ++i) {

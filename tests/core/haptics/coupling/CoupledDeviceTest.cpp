@@ -1,4 +1,4 @@
-#include "core/haptics/coupling/CoupledHand.h"
+#include "core/haptics/coupling/CoupledDevice.h"
 
 #include "core/Units.h"
 #include "core/scene/BelievedModel.h"
@@ -15,7 +15,7 @@ ProbeSystem polystyrene() {
 }
 
 /// 1 mm : 1 nm and 1 N : 10 nN at a device of the Phantom class, felt up to 3 N.
-HandRequest common() {
+DeviceRequest common() {
     return {.device = {.maxForce = 8.5,
                        .maxStiffness = 800.0,
                        .maxDamping = 8.0,
@@ -26,8 +26,8 @@ HandRequest common() {
             .maxForce = 3.0};
 }
 
-TEST(CoupledHand, GetsTheDesignedGainsAndFeelsLeverContactAndCouplingInSeries) {
-    const CoupledHand hand = coupleHand(polystyrene(), common());
+TEST(CoupledDevice, GetsTheDesignedGainsAndFeelsLeverContactAndCouplingInSeries) {
+    const CoupledDevice hand = coupleDevice(polystyrene(), common());
     ASSERT_TRUE(hand.holds()) << hand.refusal;
     EXPECT_EQ(hand.gains, designCoupling(common().device, common().timing));
     const double tip = tipLoad(polystyrene(), 30.0_nN).stiffness;
@@ -35,36 +35,36 @@ TEST(CoupledHand, GetsTheDesignedGainsAndFeelsLeverContactAndCouplingInSeries) {
     EXPECT_NEAR(hand.judgment.felt, felt, 1e-9 * felt);
 }
 
-TEST(CoupledHand, TheScenesOwnCouplingCountsWhereItHolds) {
-    HandRequest request = common();
+TEST(CoupledDevice, TheScenesOwnCouplingCountsWhereItHolds) {
+    DeviceRequest request = common();
     request.own = {.stiffness = 300.0, .damping = 1.0, .proxyDamping = 2.0};
-    EXPECT_EQ(coupleHand(polystyrene(), request).gains, request.own);
+    EXPECT_EQ(coupleDevice(polystyrene(), request).gains, request.own);
     request.timing.delay = 6.0_ms;  // now Kc tau is 1.95, more than its damping
-    EXPECT_EQ(coupleHand(polystyrene(), request).gains,
+    EXPECT_EQ(coupleDevice(polystyrene(), request).gains,
               designCoupling(request.device, request.timing));
 }
 
-TEST(CoupledHand, AnOwnCouplingTooLittleDampedForTheContactGivesWayToTheDesignedOne) {
-    HandRequest request = common();
+TEST(CoupledDevice, AnOwnCouplingTooLittleDampedForTheContactGivesWayToTheDesignedOne) {
+    DeviceRequest request = common();
     request.own = {.stiffness = 300.0, .damping = 1.0, .proxyDamping = 0.2};  // bears 400 N/m
-    EXPECT_EQ(coupleHand(polystyrene(), request).gains.proxyDamping, 3.0);
+    EXPECT_EQ(coupleDevice(polystyrene(), request).gains.proxyDamping, 3.0);
 }
 
-TEST(CoupledHand, TheLesserOfTheMotorsAndTheScenesLimitMustHoldTheAdhesion) {
-    HandRequest request = common();
+TEST(CoupledDevice, TheLesserOfTheMotorsAndTheScenesLimitMustHoldTheAdhesion) {
+    DeviceRequest request = common();
     request.maxForce = 0.5;  // polystyrene pulls with 6 nN
-    const CoupledHand limited = coupleHand(polystyrene(), request);
+    const CoupledDevice limited = coupleDevice(polystyrene(), request);
     EXPECT_NE(limited.refusal.find("(500 mN)"), std::string::npos) << limited.refusal;
     request = common();
     request.device.maxForce = 0.4;
-    const CoupledHand weak = coupleHand(polystyrene(), request);
+    const CoupledDevice weak = coupleDevice(polystyrene(), request);
     EXPECT_NE(weak.refusal.find("(400 mN)"), std::string::npos) << weak.refusal;
 }
 
-TEST(CoupledHand, ADelayThatNoCouplingHoldsIsRefusedInTheWordsOfTheDesign) {
-    HandRequest request = common();
+TEST(CoupledDevice, ADelayThatNoCouplingHoldsIsRefusedInTheWordsOfTheDesign) {
+    DeviceRequest request = common();
     request.timing.delay = 8.0_ms;
-    const CoupledHand late = coupleHand(polystyrene(), request);
+    const CoupledDevice late = coupleDevice(polystyrene(), request);
     EXPECT_FALSE(late.holds());
     EXPECT_NE(late.refusal.find("173 N/m"), std::string::npos) << late.refusal;
 }

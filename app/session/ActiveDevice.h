@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/session/LiveRun.h"
-#include "core/haptics/HandPilot.h"
+#include "core/haptics/DevicePilot.h"
 #include "hardware/hid/DeviceDriver.h"
 #include "hardware/hid/HidapiTransport.h"
 
@@ -11,7 +11,7 @@ namespace asperity {
 
 /// Which hand moves the tip of a run, and what the person does with mouse and keyboard meanwhile.
 /// Displacements and velocities are those of the hand.
-class HandControl {
+class ActiveDevice {
 public:
     /// A new run begins with mouse and keyboard. `run` outlives its use here.
     void attach(LiveRun& run);
@@ -21,7 +21,7 @@ public:
     /// @throw Error why it cannot: no way to HID devices at all, or no scale at which it holds
     void use(const DeviceDriver& driver);
     /// Goes to where the path begins, well above the sample, and follows it.
-    void follow(const HandPath& path);
+    void follow(const DevicePath& path);
 
     /// Of the device that has the tip; null: a path has it, or a hand that was taken elsewhere.
     [[nodiscard]] const DeviceDriver* driver() const { return isOurs() ? driver_ : nullptr; }
@@ -35,27 +35,27 @@ public:
     void setVelocity(const Vector3& velocity);
     void travelTo(const Vector2& place);
     /// In the place of mouse and keyboard: leads the base along a path, as well as the hand can.
-    void leadAlong(const HandPath& path) { pilot_.follow(path); }
+    void leadAlong(const DevicePath& path) { pilot_.follow(path); }
 
     /// Moves the hand on by a frame. @param halfWidth of the view: the scale of what is seen [m]
     void advance(double seconds, double halfWidth);
 
 private:
-    void take(const DeviceDriver* driver, const LiveRun::MakeHand& make);
+    void take(const DeviceDriver* driver, const LiveRun::MakeDevice& make);
     /// The way to HID devices. @throw Error when there is none
     [[nodiscard]] HidTransport& hid();
     /// Whether the run has the hand that it got here.
     [[nodiscard]] bool isOurs() const { return run_ != nullptr && hand_ == &run_->hand(); }
     /// The hand that mouse and keyboard lead here; null: none, or the run pauses.
-    [[nodiscard]] LedHand* led() const;
+    [[nodiscard]] PilotedDevice* led() const;
     /// Way of the hand per way that mouse and keyboard ask for.
     [[nodiscard]] double reach() const;
     /// From the present place of the base to the start of a path.
-    [[nodiscard]] HandPath leadIn(const Vector3& start);
+    [[nodiscard]] DevicePath leadIn(const Vector3& start);
 
     LiveRun* run_ = nullptr;
     std::optional<HidapiTransport> transport_;
-    HandPilot pilot_{Vector3::Zero()};      ///< where mouse and keyboard lead
+    DevicePilot pilot_{Vector3::Zero()};      ///< where mouse and keyboard lead
     const HapticDevice* hand_ = nullptr;    ///< that was taken last; only compared
     const DeviceDriver* driver_ = nullptr;  ///< its own; null: it follows a path
 };

@@ -9,10 +9,10 @@
 namespace asperity {
 
 /// A device with motors that shall lead a tip.
-struct HandRequest {
+struct DeviceRequest {
     DeviceSpecification device;
     LoopTiming timing;
-    HandScale scale;
+    DeviceScale scale;
     CouplingGains own;      ///< that the scene asks for; none: those that are designed
     double maxForce = 0.0;  ///< that the hand shall feel at most [N]
     GuideLoad guide;
@@ -20,7 +20,7 @@ struct HandRequest {
 };
 
 /// The coupling of such a hand, and what it feels; or why there is none.
-struct CoupledHand {
+struct CoupledDevice {
     CouplingGains gains;
     ScaleJudgment judgment;
     std::string refusal;  ///< one sentence with the numbers; empty: it holds
@@ -31,6 +31,6 @@ struct CoupledHand {
 /// The scene's own coupling where it keeps the handle at rest and bears the contact, else the
 /// designed one where that does: a hand with motors is never without.
 /// Source: docs/haptics.md, Gains and Scale.
-[[nodiscard]] CoupledHand coupleHand(const ProbeSystem& tip, const HandRequest& request);
+[[nodiscard]] CoupledDevice coupleDevice(const ProbeSystem& tip, const DeviceRequest& request);
 
 }  // namespace asperity

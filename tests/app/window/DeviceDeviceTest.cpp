@@ -1,6 +1,6 @@
 #include "core/Error.h"
 #include "core/Units.h"
-#include "core/haptics/device/PointerHand.h"
+#include "core/haptics/device/PointerDevice.h"
 #include "core/io/tables/CsvTable.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
         return {.maxForce = 5.0, .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
     }
-    HandState advance(double /*timeStep*/) noexcept override { return {.connected = connected_}; }
+    DeviceState advance(double /*timeStep*/) noexcept override { return {.connected = connected_}; }
 
 private:
     const std::atomic<bool>& connected_;
@@ -45,7 +45,7 @@ protected:
         choose("hand", kSimulated);
     }
     const Settings& knobs() { return session.run()->settings(); }
-    double handForce() { return session.run()->loop().snapshot().sample.output.handForce.norm(); }
+    double deviceForce() { return session.run()->loop().snapshot().sample.output.deviceForce.norm(); }
     /// What must be read; closes it. Empty: nothing.
     std::string complaint() {
         auto* box = window.findChild<QMessageBox*>();
@@ -53,12 +53,12 @@ protected:
         delete box;
         return text;
     }
-    std::string handShown() { return child<QComboBox>("hand")->currentText().toStdString(); }
+    std::string deviceShown() { return child<QComboBox>("hand")->currentText().toStdString(); }
 };
 
 TEST_F(WindowWithDevice, IsCoupledAtAScaleThatHoldsAndThePersonIsToldWhatIsFelt) {
     leadWithDevice();
-    EXPECT_EQ(handShown(), kSimulated);
+    EXPECT_EQ(deviceShown(), kSimulated);
     EXPECT_TRUE(knobs().coupling.couples());
     EXPECT_EQ(knobs().positionGain, 1e-6);
     EXPECT_EQ(knobs().forceGain, 1e8);
@@ -70,12 +70,12 @@ TEST_F(WindowWithDevice, FeelsTheSampleAndLetsGo) {
     leadWithDevice();
     ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
     press(Qt::Key_PageDown);
-    ASSERT_TRUE(eventually([this] { return inContact() && handForce() > 0.5; })) << state();
+    ASSERT_TRUE(eventually([this] { return inContact() && deviceForce() > 0.5; })) << state();
     release(Qt::Key_PageDown);
     live(500);
     // At rest the hand feels the force on the tip at the scale.
     const TickOutput& latest = session.run()->loop().snapshot().sample.output;
-    EXPECT_NEAR(latest.handForce.z(), 1e8 * latest.model.force.z(), 0.1) << state();
+    EXPECT_NEAR(latest.deviceForce.z(), 1e8 * latest.model.force.z(), 0.1) << state();
     press(Qt::Key_PageUp);
     EXPECT_TRUE(eventually([this] { return far(); })) << state();
     release(Qt::Key_PageUp);
@@ -124,7 +124,7 @@ TEST_F(WindowWithDevice, GoesOnLeadingOverAnotherMaterialUnlessThatDoesNotHold) 
     EXPECT_NE(refusal.find("more than the motors may give (3 N)"), std::string::npos) << refusal;
     choose("material", "silicone rubber");
     EXPECT_EQ(child<QComboBox>("material")->currentText().toStdString(), "silicone rubber");
-    EXPECT_EQ(handShown(), kSimulated);
+    EXPECT_EQ(deviceShown(), kSimulated);
     EXPECT_EQ(knobs().forceGain, 4e8);
     EXPECT_EQ(knobs().positionGain, 1e-6);
     EXPECT_TRUE(knobs().coupling.couples());
@@ -137,7 +137,7 @@ TEST_F(WindowWithDevice, GoesOnLeadingOverAnotherMaterialUnlessThatDoesNotHold) 
 TEST_F(WindowWithDevice, ALatchedFaultKeepsForcesOffOverAnotherMaterialToo) {
     openFlatScene();
     std::atomic<bool> connected{true};
-    session.run()->takeHand([&] { return std::make_unique<PulledDevice>(connected); });
+    session.run()->takeDevice([&] { return std::make_unique<PulledDevice>(connected); });
     connected = false;
     ASSERT_TRUE(eventually([this] { return state().starts_with("fault"); })) << state();
     choose("material", "silicone rubber");
@@ -150,26 +150,26 @@ TEST_F(WindowWithDevice, ARecordingThatBeginsInContactTakesNoForceAway) {
     leadWithDevice();
     ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
     press(Qt::Key_PageDown);
-    ASSERT_TRUE(eventually([this] { return inContact() && handForce() > 0.5; })) << state();
+    ASSERT_TRUE(eventually([this] { return inContact() && deviceForce() > 0.5; })) << state();
     release(Qt::Key_PageDown);
     live(300);
-    const double before = handForce();
+    const double before = deviceForce();
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
     for (int i = 0; i < 10; ++i) {
         live(20);
-        EXPECT_GT(handForce(), 0.7 * before);
+        EXPECT_GT(deviceForce(), 0.7 * before);
     }
     QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
 }
 
-TEST_F(WindowWithDevice, ARecordingHoldsTheEnergyAtTheHand) {
+TEST_F(WindowWithDevice, ARecordingHoldsTheEnergyAtTheDevice) {
     leadWithDevice();
     ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
     QSignalSpy finished(&session.recordings(), &RecordingControl::finished);
     auto* record = child<QPushButton>("record");
     QTest::mouseClick(record, Qt::LeftButton);
     press(Qt::Key_PageDown);
-    ASSERT_TRUE(eventually([this] { return inContact() && handForce() > 0.5; })) << state();
+    ASSERT_TRUE(eventually([this] { return inContact() && deviceForce() > 0.5; })) << state();
     release(Qt::Key_PageDown);
     QTest::mouseClick(record, Qt::LeftButton);
     ASSERT_EQ(finished.count(), 1);
@@ -218,7 +218,7 @@ public:
         return {.maxForce = 5.0, .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
     }
     [[nodiscard]] double delay() const noexcept override { return 5.5e-3; }
-    HandState advance(double timeStep) noexcept override {
+    DeviceState advance(double timeStep) noexcept override {
         time_ += shaken_ ? timeStep : 0.0;
         return {.position = {2e-3 * std::sin(2.0 * std::numbers::pi * 60.0 * time_), 0.0, 0.0}};
     }
@@ -228,17 +228,17 @@ private:
     double time_ = 0.0;  ///< since it is shaken [s]
 };
 
-TEST_F(WindowWithDevice, ThePersonIsToldWhenTheHandIsGivenEnergy) {
+TEST_F(WindowWithDevice, ThePersonIsToldWhenTheDeviceIsGivenEnergy) {
     std::atomic<bool> shaken{false};
     openFlatScene();
-    session.run()->takeHand([&shaken] { return std::make_unique<ShakenDevice>(shaken); });
+    session.run()->takeDevice([&shaken] { return std::make_unique<ShakenDevice>(shaken); });
     ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
     EXPECT_EQ(text("flags").find("begin to shake"), std::string::npos);
     shaken = true;
     EXPECT_TRUE(eventually([this] {
         return text("flags").find("begin to shake") != std::string::npos;
     })) << session.run()->energy().observer()->energy();
-    session.run()->takeHand([] { return std::make_unique<PointerHand>(Vector3::Zero()); });
+    session.run()->takeDevice([] { return std::make_unique<PointerDevice>(Vector3::Zero()); });
 }
 
 /// A device with motors at rest whose delay is what a test says.
@@ -249,7 +249,7 @@ public:
         return {.maxForce = 5.0, .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
     }
     [[nodiscard]] double delay() const noexcept override { return delay_; }
-    HandState advance(double /*timeStep*/) noexcept override { return {}; }
+    DeviceState advance(double /*timeStep*/) noexcept override { return {}; }
 
 private:
     const std::atomic<double>& delay_;  ///< [s]
@@ -258,7 +258,7 @@ private:
 TEST_F(WindowWithDevice, TheCouplingFollowsTheDelayAndWithoutOneTheForcesGoOff) {
     std::atomic<double> delay{1.0_ms};
     openFlatScene();
-    session.run()->takeHand([&delay] { return std::make_unique<LateDevice>(delay); });
+    session.run()->takeDevice([&delay] { return std::make_unique<LateDevice>(delay); });
     const double stiffness = knobs().coupling.stiffness;
     delay = 5.0_ms;
     ASSERT_TRUE(eventually([&] { return knobs().coupling.stiffness < 0.8 * stiffness; }));
@@ -275,13 +275,13 @@ TEST_F(WindowWithDevice, TheCouplingFollowsTheDelayAndWithoutOneTheForcesGoOff) 
     delay = 2.0_ms;
     QTest::mouseClick(child<QPushButton>("forces"), Qt::LeftButton);
     EXPECT_TRUE(knobs().forcesOn);
-    session.run()->takeHand([] { return std::make_unique<PointerHand>(Vector3::Zero()); });
+    session.run()->takeDevice([] { return std::make_unique<PointerDevice>(Vector3::Zero()); });
 }
 
 TEST_F(WindowWithDevice, ADeviceThatNoScaleHoldsIsRefusedAndTheMouseStays) {
     std::atomic<double> delay{20.0_ms};
     openFlatScene();
-    EXPECT_THROW(session.run()->takeHand([&delay] { return std::make_unique<LateDevice>(delay); }),
+    EXPECT_THROW(session.run()->takeDevice([&delay] { return std::make_unique<LateDevice>(delay); }),
                  Error);
     EXPECT_FALSE(knobs().coupling.couples());
     const double start = session.run()->basePosition().x();
@@ -291,23 +291,23 @@ TEST_F(WindowWithDevice, ADeviceThatNoScaleHoldsIsRefusedAndTheMouseStays) {
     release(Qt::Key_Right);
 }
 
-TEST_F(WindowWithDevice, AHandTakenBehindTheSessionIsNotLedByTheMouse) {
+TEST_F(WindowWithDevice, ADeviceTakenBehindTheSessionIsNotLedByTheMouse) {
     openFlatScene();
-    const Vector3 here = session.run()->handPosition();
-    session.run()->takeHand([&here] { return std::make_unique<PointerHand>(here); });
+    const Vector3 here = session.run()->devicePosition();
+    session.run()->takeDevice([&here] { return std::make_unique<PointerDevice>(here); });
     const Vector3 before = session.run()->basePosition();
     press(Qt::Key_Right);
     live(300);
     release(Qt::Key_Right);
     EXPECT_LT((session.run()->basePosition() - before).norm(), 1e-15);
     std::atomic<double> delay{0.0};
-    session.run()->takeHand([&delay] { return std::make_unique<LateDevice>(delay); });
+    session.run()->takeDevice([&delay] { return std::make_unique<LateDevice>(delay); });
     const Vector2 place(90e-9, 40e-9);
     Q_EMIT window.overview().placeChosen(place.x(), place.y());
     EXPECT_TRUE(eventually([&] {
         return (session.run()->basePosition().head<2>() - place).norm() < 0.05e-9;
     })) << "the mouse takes the tip first";
-    EXPECT_EQ(handShown(), kMouse);
+    EXPECT_EQ(deviceShown(), kMouse);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 
 #include "core/Units.h"
 #include "core/surface/deformation/ContactHeight.h"
@@ -11,19 +11,19 @@
 namespace asperity {
 namespace {
 
-TEST(HandPath, MovesInStraightLinesAndRestsAtTheEnds) {
-    const HandPath path{{1.0, {0.0, 0.0, 0.0}}, {2.0, {4.0_nm, 0.0, -2.0_nm}}};
+TEST(DevicePath, MovesInStraightLinesAndRestsAtTheEnds) {
+    const DevicePath path{{1.0, {0.0, 0.0, 0.0}}, {2.0, {4.0_nm, 0.0, -2.0_nm}}};
     EXPECT_EQ(positionAt(path, 0.0), path[0].position);
     EXPECT_LT((positionAt(path, 1.25) - Vector3(1.0_nm, 0.0, -0.5_nm)).norm(), 1e-24);
     EXPECT_EQ(positionAt(path, 9.0), path[1].position);
 }
 
-class PlannedPath : public ::testing::TestWithParam<HandPath (*)(const Scene&, const PathPlan&)> {};
+class PlannedPath : public ::testing::TestWithParam<DevicePath (*)(const Scene&, const PathPlan&)> {};
 
 TEST_P(PlannedPath, RisesInTimeStaysInTheScanAndLeavesTheSampleAtTheEnd) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
     const PathPlan plan{.duration = 3.0};
-    const HandPath path = GetParam()(scene, plan);
+    const DevicePath path = GetParam()(scene, plan);
     for (std::size_t i = 1; i < path.size(); ++i) {
         ASSERT_GT(path[i].time, path[i - 1].time);
     }
@@ -44,10 +44,10 @@ TEST_P(PlannedPath, RisesInTimeStaysInTheScanAndLeavesTheSampleAtTheEnd) {
 INSTANTIATE_TEST_SUITE_P(All, PlannedPath,
                          ::testing::Values(&approachPath, &rasterPath, &scratchPath));
 
-TEST(HandPath, AJourneyClearsTheHillsOnItsWay) {
+TEST(DevicePath, AJourneyClearsTheHillsOnItsWay) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
     const Vector3 from = waitingPlace(scene, {15.0_nm, 15.0_nm});
-    const HandPath path = journey(scene, from, {110.0_nm, 80.0_nm}, 2.0);
+    const DevicePath path = journey(scene, from, {110.0_nm, 80.0_nm}, 2.0);
     EXPECT_EQ(path.front().position, from);
     EXPECT_EQ(path.back().position, waitingPlace(scene, {110.0_nm, 80.0_nm}));
     EXPECT_NEAR(path.back().time, 2.0, 1e-12);
@@ -58,20 +58,20 @@ TEST(HandPath, AJourneyClearsTheHillsOnItsWay) {
     }
 }
 
-TEST(HandPath, ApproachesTheHighestFeature) {
+TEST(DevicePath, ApproachesTheHighestFeature) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
-    const HandPath path = approachPath(scene, {});
+    const DevicePath path = approachPath(scene, {});
     const Vector3& start = path.front().position;
     EXPECT_NEAR(scene.surface.at(start.x(), start.y()).height, 6.0_nm, 0.05_nm);
 }
 
-TEST(HandPath, UnderABluntTipASlideHasFewSteps) {
+TEST(DevicePath, UnderABluntTipASlideHasFewSteps) {
     SceneDescription description = test::plainScene();
     description.tip.radius = 10.0_um;
     HeightMap map = test::flatMap();
     map.pitchX = map.pitchY = 2.0_um;
     const Scene scene = buildScene(description, map);
-    const HandPath path = approachPath(scene, {.slideLength = 20.0_um});
+    const DevicePath path = approachPath(scene, {.slideLength = 20.0_um});
     EXPECT_GT(path.size(), 50U);
     EXPECT_LT(path.size(), 100U) << "steps of half a nanometer took minutes to lay out";
 }

@@ -1,4 +1,4 @@
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 
 #include "core/surface/deformation/ContactHeight.h"
 
@@ -76,14 +76,14 @@ public:
     }
 
     [[nodiscard]] const Vector3& position() const { return path_.back().position; }
-    [[nodiscard]] HandPath take() { return std::move(path_); }
+    [[nodiscard]] DevicePath take() { return std::move(path_); }
 
 private:
     void append(double time, const Vector3& position) { path_.push_back({time, position}); }
 
     const Scene& scene_;
     double duration_;
-    HandPath path_;
+    DevicePath path_;
 };
 
 Vector3 above(const Scene& scene, double x, double y, double height) {
@@ -92,7 +92,7 @@ Vector3 above(const Scene& scene, double x, double y, double height) {
 
 }  // namespace
 
-Vector3 positionAt(const HandPath& path, double time) {
+Vector3 positionAt(const DevicePath& path, double time) {
     const auto next =
         std::upper_bound(path.begin(), path.end(), time,
                          [](double value, const PathPoint& point) { return value < point.time; });
@@ -107,7 +107,7 @@ Vector3 positionAt(const HandPath& path, double time) {
     return before.position + share * (next->position - before.position);
 }
 
-HandPath approachPath(const Scene& scene, const PathPlan& plan) {
+DevicePath approachPath(const Scene& scene, const PathPlan& plan) {
     const Vector2 top = featureFor(scene, plan);
     const double clearance = clearanceFor(scene, plan);
     PathBuilder path(scene, plan, above(scene, top.x(), top.y(), clearance));
@@ -123,7 +123,7 @@ HandPath approachPath(const Scene& scene, const PathPlan& plan) {
     return path.take();
 }
 
-HandPath rasterPath(const Scene& scene, const PathPlan& plan) {
+DevicePath rasterPath(const Scene& scene, const PathPlan& plan) {
     const Vector2 top = featureFor(scene, plan);
     const double half = 0.5 * plan.slideLength;
     const double left = inside(top.x() - half, scene.surface.sizeX());
@@ -146,7 +146,7 @@ HandPath rasterPath(const Scene& scene, const PathPlan& plan) {
     return path.take();
 }
 
-HandPath scratchPath(const Scene& scene, const PathPlan& plan) {
+DevicePath scratchPath(const Scene& scene, const PathPlan& plan) {
     const double length = std::min(5.0 * plan.slideLength, 0.8 * scene.surface.sizeX());
     const Vector2 middle =
         plan.place.value_or(0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
@@ -165,7 +165,7 @@ Vector3 waitingPlace(const Scene& scene, const Vector2& place) {
     return above(scene, place.x(), place.y(), clearanceFor(scene, {}));
 }
 
-HandPath journey(const Scene& scene, const Vector3& from, const Vector2& to, double duration) {
+DevicePath journey(const Scene& scene, const Vector3& from, const Vector2& to, double duration) {
     const Vector3 end = waitingPlace(scene, to);
     const Vector2 way = to - from.head<2>();
     const int steps = 1 + static_cast<int>(way.norm() / scene.description.tip.radius);

@@ -1,4 +1,4 @@
-#include "core/io/scene/HandPathFile.h"
+#include "core/io/scene/DevicePathFile.h"
 
 #include "core/Error.h"
 
@@ -10,12 +10,12 @@ namespace asperity {
 namespace {
 
 /// @param prefix of the columns of the place: "" or "base_"
-HandPath readPath(const CsvTable& table, const std::string& prefix) {
+DevicePath readPath(const CsvTable& table, const std::string& prefix) {
     const std::string& path = table.file();
     if (table.rows() == 0) {
         throw InputError(path, "", "holds no row of a path");
     }
-    HandPath hand(table.rows());
+    DevicePath hand(table.rows());
     for (std::size_t row = 0; row < hand.size(); ++row) {
         hand[row] = {table.number(row, "time_s"),
                      {table.number(row, prefix + "x_m"), table.number(row, prefix + "y_m"),
@@ -33,8 +33,8 @@ HandPath readPath(const CsvTable& table, const std::string& prefix) {
 
 }  // namespace
 
-HandPath readHandPath(const std::filesystem::path& path) { return readPath(readCsv(path), ""); }
+DevicePath readDevicePath(const std::filesystem::path& path) { return readPath(readCsv(path), ""); }
 
-HandPath readRecordedPath(const CsvTable& forceLog) { return readPath(forceLog, "base_"); }
+DevicePath readRecordedPath(const CsvTable& forceLog) { return readPath(forceLog, "base_"); }
 
 }  // namespace asperity

@@ -1,28 +1,28 @@
 #pragma once
 
-#include "core/haptics/HandPath.h"
+#include "core/haptics/DevicePath.h"
 #include "core/haptics/device/HapticDevice.h"
 
 namespace asperity {
 
 /// A hand that follows a path, then rests at its end.
-class ScriptedHand final : public HapticDevice {
+class ScriptedDevice final : public HapticDevice {
 public:
     /// For a run that begins with it.
     /// @param path         of the base, world [m]
     /// @param positionGain base displacement per hand displacement while the path runs
-    ScriptedHand(HandPath path, double positionGain);
+    ScriptedDevice(DevicePath path, double positionGain);
     /// For a hand that takes over from another one.
     /// @param start where that one is, in the hand's frame, while the base is where `path` begins
-    ScriptedHand(HandPath path, double positionGain, Vector3 start);
+    ScriptedDevice(DevicePath path, double positionGain, Vector3 start);
 
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
         return kSensesOnly;
     }
-    HandState advance(double timeStep) noexcept override;
+    DeviceState advance(double timeStep) noexcept override;
 
 private:
-    HandPath path_;
+    DevicePath path_;
     double positionGain_;
     Vector3 start_;         ///< of the hand [m]
     double time_ = 0.0;     ///< along the path [s]

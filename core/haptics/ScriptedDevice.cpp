@@ -1,18 +1,18 @@
-#include "core/haptics/ScriptedHand.h"
+#include "core/haptics/ScriptedDevice.h"
 
 #include <utility>
 
 namespace asperity {
 
-ScriptedHand::ScriptedHand(HandPath path, double positionGain)
+ScriptedDevice::ScriptedDevice(DevicePath path, double positionGain)
     : path_(std::move(path))
     , positionGain_(positionGain)
     , start_(path_.front().position / positionGain) {}
 
-ScriptedHand::ScriptedHand(HandPath path, double positionGain, Vector3 start)
+ScriptedDevice::ScriptedDevice(DevicePath path, double positionGain, Vector3 start)
     : path_(std::move(path)), positionGain_(positionGain), start_(std::move(start)) {}
 
-HandState ScriptedHand::advance(double timeStep) noexcept {
+DeviceState ScriptedDevice::advance(double timeStep) noexcept {
     if (started_) {
         time_ += timeStep;
     }

@@ -16,10 +16,10 @@ struct PathPoint {
 };
 
 /// The movement of a scripted hand: times rise strictly, at least one point.
-using HandPath = std::vector<PathPoint>;
+using DevicePath = std::vector<PathPoint>;
 
 /// Position at a time; before the first point and after the last the hand rests there.
-[[nodiscard]] Vector3 positionAt(const HandPath& path, double time);
+[[nodiscard]] Vector3 positionAt(const DevicePath& path, double time);
 
 /// How far a scripted hand goes; lengths are those of the base.
 struct PathPlan {
@@ -31,19 +31,19 @@ struct PathPlan {
 };
 
 /// Approach, indent, slide and retract; by itself at the highest feature of the scan.
-[[nodiscard]] HandPath approachPath(const Scene& scene, const PathPlan& plan);
+[[nodiscard]] DevicePath approachPath(const Scene& scene, const PathPlan& plan);
 
 /// Lines to and fro over a square, in contact; by itself around the highest feature.
-[[nodiscard]] HandPath rasterPath(const Scene& scene, const PathPlan& plan);
+[[nodiscard]] DevicePath rasterPath(const Scene& scene, const PathPlan& plan);
 
 /// One long line along x, ever deeper; by itself across the middle of the scan.
-[[nodiscard]] HandPath scratchPath(const Scene& scene, const PathPlan& plan);
+[[nodiscard]] DevicePath scratchPath(const Scene& scene, const PathPlan& plan);
 
 /// Where the base waits above a place of the scan (x, y), out of the sample's reach [m].
 [[nodiscard]] Vector3 waitingPlace(const Scene& scene, const Vector2& place);
 
 /// Up over everything on the way, across, and down to the waiting place above (x, y) [m].
-[[nodiscard]] HandPath journey(const Scene& scene, const Vector3& from, const Vector2& to,
+[[nodiscard]] DevicePath journey(const Scene& scene, const Vector3& from, const Vector2& to,
                                double duration);
 
 }  // namespace asperity

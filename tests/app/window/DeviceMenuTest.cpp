@@ -1,4 +1,4 @@
-// What the Hand menu does: clutch, guides; and the edge of a device's workspace.
+// What the Device menu does: clutch, guides; and the edge of a device's workspace.
 
 #include "tests/app/window/WindowFixture.h"
 #include "ui/window/WindowMenus.h"
@@ -11,7 +11,7 @@
 namespace asperity::test {
 namespace {
 
-class HandMenu : public Window {
+class DeviceMenu : public Window {
 protected:
     void SetUp() override {
         Window::SetUp();
@@ -23,8 +23,8 @@ protected:
     }
     WindowMenus& menus() { return window.menus(); }
     Vector3 base() { return session.run()->basePosition(); }
-    Vector3 hand() { return session.run()->handPosition(); }
-    Vector3 handForce() { return session.run()->loop().snapshot().sample.output.handForce; }
+    Vector3 hand() { return session.run()->devicePosition(); }
+    Vector3 deviceForce() { return session.run()->loop().snapshot().sample.output.deviceForce; }
     /// By the entry's name, as a person would.
     void chooseGuide(const QString& name) {
         for (QAction* const action : window.menuBar()->findChildren<QAction*>()) {
@@ -37,7 +37,7 @@ protected:
     }
 };
 
-TEST_F(HandMenu, AClutchLetsTheHandMoveAndTheTipStay) {
+TEST_F(DeviceMenu, AClutchLetsTheDeviceMoveAndTheTipStay) {
     leadWithDevice();
     menus().clutch->trigger();
     ASSERT_TRUE(eventually([this] { return state().starts_with("clutch"); })) << state();
@@ -53,29 +53,29 @@ TEST_F(HandMenu, AClutchLetsTheHandMoveAndTheTipStay) {
     EXPECT_LT((base() - tip).norm(), 0.05e-9) << "an encoder's step or two";
 }
 
-TEST_F(HandMenu, AGuideHoldsTheTipBack) {
+TEST_F(DeviceMenu, AGuideHoldsTheTipBack) {
     leadWithDevice();
     const double height = base().z();
     chooseGuide("Level plane through the tip");
     live(700);
     press(Qt::Key_PageUp);
-    ASSERT_TRUE(eventually([this] { return handForce().z() < -0.3; })) << handForce().z();
+    ASSERT_TRUE(eventually([this] { return deviceForce().z() < -0.3; })) << deviceForce().z();
     release(Qt::Key_PageUp);
     live(500);
     // The guide's 200 N/m and the grip's 150 N/m part the way; without a guide the tip rises with
     // the hand.
-    const double asked = -handForce().z() / 200.0 * 1e-6;
+    const double asked = -deviceForce().z() / 200.0 * 1e-6;
     EXPECT_NEAR(base().z() - height, asked, 0.3 * asked);
     chooseGuide("None");
-    EXPECT_TRUE(eventually([this] { return handForce().norm() < 0.05; })) << handForce().norm();
+    EXPECT_TRUE(eventually([this] { return deviceForce().norm() < 0.05; })) << deviceForce().norm();
 }
 
-TEST_F(HandMenu, SaysWhatAGuideNeeds) {
+TEST_F(DeviceMenu, SaysWhatAGuideNeeds) {
     chooseGuide("Point where the tip is");
     EXPECT_TRUE(told().starts_with("A guide pulls at a hand with a coupling")) << told();
 }
 
-TEST_F(HandMenu, TheEdgeOfTheWorkspaceIsFeltAndToldAndAClutchLeadsOn) {
+TEST_F(DeviceMenu, TheEdgeOfTheWorkspaceIsFeltAndToldAndAClutchLeadsOn) {
     leadWithDevice();
     press(Qt::Key_Right, Qt::ControlModifier);
     ASSERT_TRUE(eventually([this] {

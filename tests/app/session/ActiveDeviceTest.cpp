@@ -1,6 +1,6 @@
-#include "app/session/HandControl.h"
+#include "app/session/ActiveDevice.h"
 
-#include "core/haptics/device/PointerHand.h"
+#include "core/haptics/device/PointerDevice.h"
 #include "hardware/led/LedDrivers.h"
 #include "tests/support/TestScenes.h"
 
@@ -13,9 +13,9 @@
 namespace asperity::test {
 namespace {
 
-class HandControlTest : public ::testing::Test {
+class DeviceControlTest : public ::testing::Test {
 protected:
-    HandControlTest()
+    DeviceControlTest()
         : run({.scene = buildScene(plainScene(), flatMap()),
                .format = "made for the test",
                .sha256 = "",
@@ -34,10 +34,10 @@ protected:
     }
 
     LiveRun run;
-    HandControl hand;
+    ActiveDevice hand;
 };
 
-TEST_F(HandControlTest, BeginsWithMouseAndKeyboardThatMoveTheTip) {
+TEST_F(DeviceControlTest, BeginsWithMouseAndKeyboardThatMoveTheTip) {
     EXPECT_EQ(hand.driver(), &pointerDriver());
     EXPECT_FALSE(hand.isDevice());
     const Vector3 before = run.basePosition();
@@ -46,7 +46,7 @@ TEST_F(HandControlTest, BeginsWithMouseAndKeyboardThatMoveTheTip) {
     EXPECT_NEAR(run.basePosition().x() - before.x(), 5e-9, 0.1e-9);
 }
 
-TEST_F(HandControlTest, TheHandleOfALedDeviceGoesAsFarAsTheTipAsks) {
+TEST_F(DeviceControlTest, TheHandleOfALedDeviceGoesAsFarAsTheTipAsks) {
     hand.use(simulatedDriver());
     EXPECT_EQ(hand.driver(), &simulatedDriver());
     live(30);
@@ -56,16 +56,16 @@ TEST_F(HandControlTest, TheHandleOfALedDeviceGoesAsFarAsTheTipAsks) {
     EXPECT_NEAR(run.basePosition().x() - before.x(), 5e-9, 0.5e-9);
 }
 
-TEST_F(HandControlTest, APathHasNoDriver) {
+TEST_F(DeviceControlTest, APathHasNoDriver) {
     hand.follow({{0.0, {40e-9, 60e-9, 30e-9}}, {0.1, {45e-9, 60e-9, 30e-9}}});
     EXPECT_TRUE(hand.followsPath());
     EXPECT_EQ(hand.driver(), nullptr);
     EXPECT_FALSE(hand.isDevice());
 }
 
-TEST_F(HandControlTest, AHandTakenElsewhereIsNotLedHere) {
-    const Vector3 here = run.handPosition();
-    run.takeHand([&here] { return std::make_unique<PointerHand>(here); });
+TEST_F(DeviceControlTest, ADeviceTakenElsewhereIsNotLedHere) {
+    const Vector3 here = run.devicePosition();
+    run.takeDevice([&here] { return std::make_unique<PointerDevice>(here); });
     EXPECT_EQ(hand.driver(), nullptr);
     EXPECT_FALSE(hand.followsPath());
     const Vector3 before = run.basePosition();
@@ -74,8 +74,8 @@ TEST_F(HandControlTest, AHandTakenElsewhereIsNotLedHere) {
     EXPECT_LT((run.basePosition() - before).norm(), 1e-15);
 }
 
-TEST(HandControl, WithoutARunNothingHappens) {
-    HandControl hand;
+TEST(ActiveDevice, WithoutARunNothingHappens) {
+    ActiveDevice hand;
     hand.displace({5e-9, 0.0, 0.0});
     hand.setVelocity({5e-9, 0.0, 0.0});
     hand.travelTo({0.0, 0.0});
@@ -85,7 +85,7 @@ TEST(HandControl, WithoutARunNothingHappens) {
     EXPECT_FALSE(hand.isDevice());
 }
 
-TEST_F(HandControlTest, ADeviceThatCannotBeOpenedLeavesTheHandBefore) {
+TEST_F(DeviceControlTest, ADeviceThatCannotBeOpenedLeavesTheDeviceBefore) {
     const DeviceDriver broken{.key = "broken",
                               .label = "Broken",
                               .open = [](const DeviceSite&) -> std::unique_ptr<HapticDevice> {
