@@ -170,9 +170,9 @@ void measureAll() {
     const double empty = fourEmptyViews();
 
     const Scene scene = benchScene();
-    ScriptedDevice hand(rasterPath(scene, {.duration = 60.0}), 1.0);
+    ScriptedDevice device(rasterPath(scene, {.duration = 60.0}), 1.0);
     SimulatedAfm afm(scene.surface, truthOf(scene));
-    HapticLoop loop(scene, hand, afm);
+    HapticLoop loop(scene, device, afm);
     loop.start();
     ZoomView view;
     view.resize(kWidth, kHeight);

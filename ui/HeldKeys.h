@@ -5,14 +5,14 @@
 
 namespace asperity {
 
-/// Where held keys send the hand, as seen on the screen; each part is a share of full speed.
+/// Where held keys send the device, as seen on the screen; each part is a share of full speed.
 struct KeyDirection {
     double right = 0.0;
     double forward = 0.0;  ///< away from the person, in the horizontal plane
     double up = 0.0;
 };
 
-/// Keeps track of the keys that move the hand while they are held on one widget: arrows along the
+/// Keeps track of the keys that move the device while they are held on one widget: arrows along the
 /// sample, Page Up and Page Down away from it and into it; Shift: a tenth of the speed, Ctrl: five
 /// times as fast. Losing the focus lets go of all of them.
 class HeldKeys : public QObject {

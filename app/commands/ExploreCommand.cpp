@@ -45,7 +45,7 @@ struct ExploreOptions {
 };
 
 struct PlannedRun {
-    DevicePath hand;
+    DevicePath device;
     double duration = 0.0;  // [s]
 };
 
@@ -61,13 +61,13 @@ PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
     if (options.path == "scratch") {
         return {scratchPath(scene, plan), plan.duration};
     }
-    DevicePath hand = readDevicePath(options.path);
-    const double duration = options.duration > 0.0 ? options.duration : hand.back().time;
+    DevicePath device = readDevicePath(options.path);
+    const double duration = options.duration > 0.0 ? options.duration : device.back().time;
     if (!(duration <= kLongestDuration)) {
         throw InputError(options.path, "",
                          "the path lasts longer than an hour; give a shorter --duration");
     }
-    return {std::move(hand), duration};
+    return {std::move(device), duration};
 }
 
 /// Everything that is kept of a run while it goes on.
@@ -122,7 +122,7 @@ void run(const Scene& scene, const PlannedRun& plan, AfmController& afm, RunKeep
     constexpr long kReports = 50;
     long done = 0;
     ProgressLine line("running");
-    runVirtually(scene, plan.hand, afm, ticks, [&](const TickSample& sample) {
+    runVirtually(scene, plan.device, afm, ticks, [&](const TickSample& sample) {
         if (done % (ticks / kReports + 1) == 0) {
             reportTo(&line, static_cast<double>(done) / static_cast<double>(ticks));
         }
@@ -131,7 +131,7 @@ void run(const Scene& scene, const PlannedRun& plan, AfmController& afm, RunKeep
     });
 }
 
-/// A scene and what its hand is to do.
+/// A scene and what its device is to do.
 struct Prepared {
     LoadedScene loaded;
     PlannedRun plan;

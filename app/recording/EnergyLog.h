@@ -8,12 +8,12 @@
 
 namespace asperity {
 
-/// Writes energy_log.csv: the trace of the passivity observer, one row a tick that a hand with
+/// Writes energy_log.csv: the trace of the passivity observer, one row a tick that a device with
 /// motors led. Without such a tick there is no file.
 class EnergyLog {
 public:
     /// @param timeStep from tick to tick [s]
-    /// @param delay    of the hand's device [s]
+    /// @param delay    of the device [s]
     EnergyLog(std::filesystem::path path, double timeStep, double delay);
 
     /// @throw Error when the file is there or cannot be made

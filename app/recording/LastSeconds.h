@@ -18,7 +18,7 @@ struct LastSeconds {
 /// Writes it on a thread of its own.
 /// @param box holds ticks
 /// @param loaded outlives the writing
-/// @param delay  of the hand's device [s]
+/// @param delay  of the device [s]
 /// @return throws Error where the folder cannot be written; its destructor waits
 [[nodiscard]] std::future<LastSeconds> writeLastSeconds(std::filesystem::path folder,
                                                         const LoadedScene& loaded, BlackBox box,

@@ -23,7 +23,7 @@ struct RecordingPlace {
 class Recording {
 public:
     /// @param memory what its first tick starts from
-    /// @param delay  of the hand's device [s]
+    /// @param delay  of the device [s]
     /// @throw Error when the folder cannot be made or written, or holds a run
     Recording(const RecordingPlace& place, const LoadedScene& loaded, const TickMemory& memory,
               double delay);

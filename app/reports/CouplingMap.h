@@ -7,8 +7,8 @@
 
 namespace asperity {
 
-/// What becomes of a hand with and without a coupling, over the loop's rate: by the delay and by
-/// the decade of the contact's stiffness at the hand.
+/// What becomes of a device with and without a coupling, over the loop's rate: by the delay and by
+/// the decade of the contact's stiffness at the device.
 [[nodiscard]] ShareMapPage couplingMap(const std::vector<HoldOutcome>& holds);
 
 }  // namespace asperity

@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// One row a hand: what it was, how it was judged and how far the handle moved.
+/// One row a device: what it was, how it was judged and how far the handle moved.
 /// @throw Error when the file cannot be written
 void writeHolds(const std::filesystem::path& path, const std::vector<HoldOutcome>& holds);
 

@@ -31,9 +31,9 @@ void ActiveDevice::use(const DeviceDriver& driver) {
 
 void ActiveDevice::take(const DeviceDriver* driver, const LiveRun::MakeDevice& make) {
     run_->takeDevice(make);
-    hand_ = &run_->hand();
+    device_ = &run_->device();
     driver_ = driver;
-    if (const PilotedDevice* const led = run_->hand().led()) {
+    if (const PilotedDevice* const led = run_->device().led()) {
         pilot_ = DevicePilot(led->start());
     }
 }
@@ -64,11 +64,11 @@ HidTransport& ActiveDevice::hid() {
 }
 
 PilotedDevice* ActiveDevice::led() const {
-    return isOurs() && run_->loop().running() ? run_->hand().led() : nullptr;
+    return isOurs() && run_->loop().running() ? run_->device().led() : nullptr;
 }
 
 bool ActiveDevice::isDevice() const {
-    return run_ != nullptr && run_->hand().led() == nullptr && !followsPath();
+    return run_ != nullptr && run_->device().led() == nullptr && !followsPath();
 }
 
 double ActiveDevice::reach() const {
@@ -94,14 +94,14 @@ void ActiveDevice::travelTo(const Vector2& place) {
 }
 
 void ActiveDevice::advance(double seconds, double halfWidth) {
-    if (PilotedDevice* const hand = led()) {
-        const DeviceMapping now{.hand = run_->devicePosition(),
+    if (PilotedDevice* const device = led()) {
+        const DeviceMapping now{.device = run_->devicePosition(),
                               .base = run_->basePosition(),
                               .positionGain = run_->settings().positionGain};
-        hand->moveTo(pilot_.advance(seconds, now));
+        device->moveTo(pilot_.advance(seconds, now));
     }
     if (run_ != nullptr) {
-        run_->hand().setSeenHalfWidth(halfWidth);
+        run_->device().setSeenHalfWidth(halfWidth);
     }
 }
 

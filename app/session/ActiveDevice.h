@@ -9,46 +9,46 @@
 
 namespace asperity {
 
-/// Which hand moves the tip of a run, and what the person does with mouse and keyboard meanwhile.
-/// Displacements and velocities are those of the hand.
+/// Which device moves the tip of a run, and what the person does with mouse and keyboard meanwhile.
+/// Displacements and velocities are those of the device.
 class ActiveDevice {
 public:
     /// A new run begins with mouse and keyboard. `run` outlives its use here.
     void attach(LiveRun& run);
     void detach() { run_ = nullptr; }
 
-    /// A device takes the tip; the present hand stays where that one cannot have it.
+    /// A device takes the tip; the present device stays where that one cannot have it.
     /// @throw Error why it cannot: no way to HID devices at all, or no scale at which it holds
     void use(const DeviceDriver& driver);
     /// Goes to where the path begins, well above the sample, and follows it.
     void follow(const DevicePath& path);
 
-    /// Of the device that has the tip; null: a path has it, or a hand that was taken elsewhere.
+    /// Of the device that has the tip; null: a path has it, or a device that was taken elsewhere.
     [[nodiscard]] const DeviceDriver* driver() const { return isOurs() ? driver_ : nullptr; }
     [[nodiscard]] bool followsPath() const { return isOurs() && driver_ == nullptr; }
     /// Whether a person moves it by itself: a device whose axes are not those of the screen.
     [[nodiscard]] bool isDevice() const;
 
-    /// What mouse and keyboard do; nothing while a hand has the tip that they do not lead, or the
+    /// What mouse and keyboard do; nothing while a device has the tip that they do not lead, or the
     /// run pauses. A device's handle is moved so far that its tip goes this way.
     void displace(const Vector3& displacement);
     void setVelocity(const Vector3& velocity);
     void travelTo(const Vector2& place);
-    /// In the place of mouse and keyboard: leads the base along a path, as well as the hand can.
+    /// In the place of mouse and keyboard: leads the base along a path, as well as the device can.
     void leadAlong(const DevicePath& path) { pilot_.follow(path); }
 
-    /// Moves the hand on by a frame. @param halfWidth of the view: the scale of what is seen [m]
+    /// Moves the device on by a frame. @param halfWidth of the view: the scale of what is seen [m]
     void advance(double seconds, double halfWidth);
 
 private:
     void take(const DeviceDriver* driver, const LiveRun::MakeDevice& make);
     /// The way to HID devices. @throw Error when there is none
     [[nodiscard]] HidTransport& hid();
-    /// Whether the run has the hand that it got here.
-    [[nodiscard]] bool isOurs() const { return run_ != nullptr && hand_ == &run_->hand(); }
-    /// The hand that mouse and keyboard lead here; null: none, or the run pauses.
+    /// Whether the run has the device that it got here.
+    [[nodiscard]] bool isOurs() const { return run_ != nullptr && device_ == &run_->device(); }
+    /// The device that mouse and keyboard lead here; null: none, or the run pauses.
     [[nodiscard]] PilotedDevice* led() const;
-    /// Way of the hand per way that mouse and keyboard ask for.
+    /// Way of the device per way that mouse and keyboard ask for.
     [[nodiscard]] double reach() const;
     /// From the present place of the base to the start of a path.
     [[nodiscard]] DevicePath leadIn(const Vector3& start);
@@ -56,7 +56,7 @@ private:
     LiveRun* run_ = nullptr;
     std::optional<HidapiTransport> transport_;
     DevicePilot pilot_{Vector3::Zero()};      ///< where mouse and keyboard lead
-    const HapticDevice* hand_ = nullptr;    ///< that was taken last; only compared
+    const HapticDevice* device_ = nullptr;    ///< that was taken last; only compared
     const DeviceDriver* driver_ = nullptr;  ///< its own; null: it follows a path
 };
 

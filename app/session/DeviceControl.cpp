@@ -26,7 +26,7 @@ constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half wi
 constexpr double kTurnSpeed = 1.0;    // of a device's axes: the force turns with them [rad/s]
 constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
 
-/// Where held keys send the hand, world frame [half widths/s].
+/// Where held keys send the device, world frame [half widths/s].
 Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
     const Vector3 forward = Vector3::UnitZ().cross(camera.right());
     return kKeySpeed * (keys.right * camera.right() + keys.forward * forward) +
@@ -49,14 +49,14 @@ DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
     connect(&controls, &ControlBar::deviceChosen, this, &DeviceControl::choose);
     connect(&controls, &ControlBar::knobTurned, this, &DeviceControl::turnKnob);
     connect(&window.view(), &ZoomView::tipDragged, this, [this](double dx, double dy, double dz) {
-        hand_.displace({dx, dy, dz});
+        device_.displace({dx, dy, dz});
     });
     connect(&window.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
         travelTo({x, y});
     });
     connect(window.menus().calibrate, &QAction::triggered, this, [this] {
         if (runs_.run() != nullptr) {
-            runs_.run()->hand().calibrate();
+            runs_.run()->device().calibrate();
         }
     });
     connect(&window.menus(), &WindowMenus::guideChosen, this, &DeviceControl::chooseGuide);
@@ -66,15 +66,15 @@ DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
 }
 
 void DeviceControl::attach() {
-    hand_.attach(*runs_.run());
+    device_.attach(*runs_.run());
     show();
 }
 
 void DeviceControl::detach() {
     const LiveRun& run = *runs_.run();
-    before_ = run.coupling().hand() != nullptr ? hand_.driver() : nullptr;
+    before_ = run.coupling().device() != nullptr ? device_.driver() : nullptr;
     scaleBefore_ = {run.settings().positionGain, run.settings().forceGain};
-    hand_.detach();
+    device_.detach();
 }
 
 void DeviceControl::takeUp() {
@@ -82,7 +82,7 @@ void DeviceControl::takeUp() {
         return;
     }
     use(*before_);
-    if (hand_.driver() == before_) {
+    if (device_.driver() == before_) {
         runs_.turn([this](Settings& settings) {
             settings.positionGain = scaleBefore_.positionGain;
             settings.forceGain = scaleBefore_.forceGain;
@@ -104,7 +104,7 @@ void DeviceControl::choose(int index) {
 
 void DeviceControl::use(const DeviceDriver& driver) {
     try {
-        hand_.use(driver);
+        device_.use(driver);
         tell();
     } catch (const Error& error) {
         window_.complain(QString::fromUtf8(error.what()));
@@ -113,13 +113,13 @@ void DeviceControl::use(const DeviceDriver& driver) {
 }
 
 void DeviceControl::follow(const DevicePath& path) {
-    hand_.follow(path);
+    device_.follow(path);
     show();
 }
 
 void DeviceControl::leadDevice(const DevicePath& path) {
-    hand_.use(simulatedDriver());
-    hand_.leadAlong(path);
+    device_.use(simulatedDriver());
+    device_.leadAlong(path);
     show();
 }
 
@@ -127,15 +127,15 @@ void DeviceControl::travelTo(const Vector2& place) {
     if (runs_.run() == nullptr) {
         return;
     }
-    if (hand_.driver() != &pointerDriver()) {
-        hand_.use(pointerDriver());
+    if (device_.driver() != &pointerDriver()) {
+        device_.use(pointerDriver());
         show();
     }
-    hand_.travelTo(place);
+    device_.travelTo(place);
 }
 
 void DeviceControl::turnKnob(const QString& column, double value) {
-    if (column == QLatin1String("position_gain") && hand_.followsPath()) {
+    if (column == QLatin1String("position_gain") && device_.followsPath()) {
         window_.controls().setKnobs(runs_.run()->settings());
         window_.tell(tr("A path is in places of the scan: the position gain waits for a hand"));
         return;
@@ -165,10 +165,10 @@ void DeviceControl::chooseGuide(FixtureKind kind) {
 
 void DeviceControl::advance(double seconds) {
     const double halfWidth = window_.view().halfWidth();
-    hand_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
-    hand_.advance(seconds, halfWidth);
+    device_.setVelocity(halfWidth * keyVelocity(keys_->direction(), window_.view().camera()));
+    device_.advance(seconds, halfWidth);
     turnAxes(seconds);
-    const std::string words = wordsOf(runs_.run()->hand().status());
+    const std::string words = wordsOf(runs_.run()->device().status());
     if (words != std::exchange(told_, words) && !words.empty()) {
         window_.tell(QString::fromStdString(words));
     }
@@ -176,7 +176,7 @@ void DeviceControl::advance(double seconds) {
 }
 
 void DeviceControl::turnAxes(double seconds) {
-    const bool turns = window_.menus().followsView->isChecked() && hand_.isDevice();
+    const bool turns = window_.menus().followsView->isChecked() && device_.isDevice();
     const ViewCamera& camera = window_.view().camera();
     const auto axes = turns ? viewAxes(camera.right(), camera.up()) : std::nullopt;
     const Vector3 wanted = axes ? turnOf(*axes) : Vector3(Vector3::Zero());
@@ -192,30 +192,30 @@ void DeviceControl::followDelay() {
         return;
     }
     show();
-    const CoupledDevice& hand = *runs_.run()->coupling().hand();
-    if (hand.holds()) {
+    const CoupledDevice& device = *runs_.run()->coupling().device();
+    if (device.holds()) {
         tell();
     } else {
-        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(hand.refusal)));
+        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(device.refusal)));
     }
 }
 
 void DeviceControl::show() {
-    const bool isListed = hand_.driver() != nullptr || hand_.followsPath();
-    const auto found = std::find(list_.begin(), list_.end(), hand_.driver());
+    const bool isListed = device_.driver() != nullptr || device_.followsPath();
+    const auto found = std::find(list_.begin(), list_.end(), device_.driver());
     window_.controls().setDevice(isListed ? static_cast<int>(found - list_.begin()) : -1);
     runs_.showKnobs();
 }
 
 /// Of one with motors: its scale, and what is felt; so short that the bottom line has room for it.
 void DeviceControl::tell() {
-    if (const CoupledDevice* const hand = runs_.run()->coupling().hand()) {
+    if (const CoupledDevice* const device = runs_.run()->coupling().device()) {
         const Settings& settings = runs_.run()->settings();
         window_.tell(tr("%1; the hand feels %2 of %3")
                          .arg(QString::fromStdString(
                                   scaleWords({settings.positionGain, settings.forceGain})),
-                              QString::fromStdString(formatSi(hand->judgment.felt, "N/m")),
-                              QString::fromStdString(formatSi(hand->judgment.contact, "N/m"))));
+                              QString::fromStdString(formatSi(device->judgment.felt, "N/m")),
+                              QString::fromStdString(formatSi(device->judgment.contact, "N/m"))));
     }
 }
 

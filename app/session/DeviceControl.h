@@ -10,7 +10,7 @@ namespace asperity {
 
 class HeldKeys;
 
-/// Which hand has the tip, as the window shows and a person chooses it, and what mouse, keys and
+/// Which device has the tip, as the window shows and a person chooses it, and what mouse, keys and
 /// the Device menu do meanwhile.
 class DeviceControl : public QObject {
     Q_OBJECT
@@ -18,15 +18,15 @@ class DeviceControl : public QObject {
 public:
     DeviceControl(MainWindow& window, RunControl& runs);
 
-    /// The hand follows a path of the base from its start. There is a run.
+    /// The device follows a path of the base from its start. There is a run.
     void follow(const DevicePath& path);
     /// A person at the simulated device leads the base along a path from its start. There is a run.
     void leadDevice(const DevicePath& path);
-    /// Once a frame, before its ticks: moves the hand on [s]. There is a run.
+    /// Once a frame, before its ticks: moves the device on [s]. There is a run.
     void advance(double seconds);
 
 Q_SIGNALS:
-    /// The person wants the hand to follow a path.
+    /// The person wants the device to follow a path.
     void pathWanted();
 
 private:
@@ -47,7 +47,7 @@ private:
 
     MainWindow& window_;
     RunControl& runs_;
-    ActiveDevice hand_;
+    ActiveDevice device_;
     HeldKeys* keys_;
     std::vector<const DeviceDriver*> list_;  ///< as the window shows it; null: a path
     std::string told_;                       ///< what the device said last

@@ -22,15 +22,15 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument&
     , start_(start)
     , settings_(loaded_.scene.settings)
     , instrument_(makeInstrument(loaded_.scene))
-    , hand_(std::make_unique<PointerDevice>(start / settings_.positionGain))
+    , device_(std::make_unique<PointerDevice>(start / settings_.positionGain))
     , halfSpace_(loaded_.scene.model.deformation == DeformationTier::HalfSpace
                      ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
                      : nullptr)
-    , loop_(loaded_.scene, *hand_, *instrument_)
+    , loop_(loaded_.scene, *device_, *instrument_)
     , blackBox_(loaded_.scene.timeStep())
     , energy_(newEnergyWatch()) {}
 
-EnergyWatch LiveRun::newEnergyWatch() const { return {loaded_.scene.timeStep(), hand_->delay()}; }
+EnergyWatch LiveRun::newEnergyWatch() const { return {loaded_.scene.timeStep(), device_->delay()}; }
 
 void LiveRun::fetch(const TickSink& sink) {
     const double begin = processorSeconds();
@@ -50,7 +50,7 @@ void LiveRun::apply(const Settings& settings) noexcept {
 }
 
 void LiveRun::setSettings(const Settings& settings) {
-    apply(coupling_.turned(settings, hand_->delay()));
+    apply(coupling_.turned(settings, device_->delay()));
 }
 
 Settings LiveRun::sensingSettings() const {
@@ -59,13 +59,13 @@ Settings LiveRun::sensingSettings() const {
 }
 
 void LiveRun::requireHolding(const SceneDescription& scene) const {
-    if (coupling_.hand() != nullptr) {
+    if (coupling_.device() != nullptr) {
         coupling_.requireHolding(believedSystem(scene, usualModel(scene)), settings_);
     }
 }
 
 bool LiveRun::followDelay() {
-    const std::optional<Settings> changed = coupling_.follow(settings_, hand_->delay());
+    const std::optional<Settings> changed = coupling_.follow(settings_, device_->delay());
     if (changed) {
         apply(*changed);
         energy_ = newEnergyWatch();
@@ -104,13 +104,13 @@ void LiveRun::seat(std::unique_ptr<HapticDevice> hand) {
     }
     apply(settings);
     loop_.setDevice(*hand);
-    hand_ = std::move(hand);
+    device_ = std::move(hand);
     energy_ = newEnergyWatch();
 }
 
 Vector3 LiveRun::devicePosition() noexcept {
     const Snapshot& latest = loop_.snapshot();
-    return latest.statistics.ticks > 0 ? latest.sample.input.hand.position
+    return latest.statistics.ticks > 0 ? latest.sample.input.device.position
                                        : Vector3(start_ / settings_.positionGain);
 }
 

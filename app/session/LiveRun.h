@@ -26,7 +26,7 @@ struct FetchCost {
 /// An AFM that answers at once, as the scene's [truth] says.
 [[nodiscard]] std::unique_ptr<AfmController> simulatedInstrument(const Scene& scene);
 
-/// A scene with its instrument, its hand and its loop: everything that lives and ends together.
+/// A scene with its instrument, its device and its loop: everything that lives and ends together.
 class LiveRun {
 public:
     /// The instrument of a run; the scene outlives it.
@@ -45,32 +45,32 @@ public:
     [[nodiscard]] const FetchCost& fetchCost() const noexcept { return fetchCost_; }
     /// The last seconds, for when a fault comes.
     [[nodiscard]] BlackBox& blackBox() noexcept { return blackBox_; }
-    /// Supervises a hand with motors.
+    /// Supervises a force-feedback device.
     [[nodiscard]] const EnergyWatch& energy() const noexcept { return energy_; }
     /// What solves the half-space beside the loop; null where the scene does not ask for it.
     [[nodiscard]] HalfSpaceWorker* halfSpace() noexcept { return halfSpace_.get(); }
 
     /// The knobs as they are now; they begin as the scene says.
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
-    /// @throw Error where the hand has motors and could not be held so; nothing has changed then
+    /// @throw Error where the device has motors and could not be held so; nothing has changed then
     void setSettings(const Settings& settings);
     /// The knobs with the gains that hands have which only sense.
     [[nodiscard]] Settings sensingSettings() const;
 
     using MakeDevice = std::function<std::unique_ptr<HapticDevice>()>;
-    /// Another hand takes over; one with motors gets a coupling and a scale that hold, and when it
+    /// Another device takes over; one with motors gets a coupling and a scale that hold, and when it
     /// goes the earlier gains return. `make` is called while the loop rests, with the gains of
-    /// hands that only sense: what it reads of the present hand and base is exact.
-    /// @throw what `make` throws, or Error where no scale holds; the present hand stays then
+    /// hands that only sense: what it reads of the present device and base is exact.
+    /// @throw what `make` throws, or Error where no scale holds; the present device stays then
     void takeDevice(const MakeDevice& make);
-    [[nodiscard]] HapticDevice& hand() noexcept { return *hand_; }
-    /// What is known of a hand with motors.
+    [[nodiscard]] HapticDevice& device() noexcept { return *device_; }
+    /// What is known of a force-feedback device.
     [[nodiscard]] const CouplingKeeper& coupling() const noexcept { return coupling_; }
-    /// Makes sure that a hand with motors could hold the tip of this scene. @throw Error why not
+    /// Makes sure that a force-feedback device could hold the tip of this scene. @throw Error why not
     void requireHolding(const SceneDescription& scene) const;
-    /// Once a frame: has the gains follow the hand's delay. @return whether knobs changed
+    /// Once a frame: has the gains follow the device's delay. @return whether knobs changed
     bool followDelay();
-    /// Where the hand is, in its own frame [m].
+    /// Where the device is, in its own frame [m].
     [[nodiscard]] Vector3 devicePosition() noexcept;
     /// Where the base is [m].
     [[nodiscard]] Vector3 basePosition() noexcept;
@@ -80,7 +80,7 @@ public:
 
 private:
     void apply(const Settings& settings) noexcept;
-    void seat(std::unique_ptr<HapticDevice> hand);
+    void seat(std::unique_ptr<HapticDevice> device);
     [[nodiscard]] EnergyWatch newEnergyWatch() const;
 
     LoadedScene loaded_;
@@ -88,7 +88,7 @@ private:
     Vector3 start_;  ///< of the base [m]
     Settings settings_;
     std::unique_ptr<AfmController> instrument_;
-    std::unique_ptr<HapticDevice> hand_;
+    std::unique_ptr<HapticDevice> device_;
     std::unique_ptr<HalfSpaceWorker> halfSpace_;
     HapticLoop loop_;
     BlackBox blackBox_;

@@ -80,7 +80,7 @@ void PathControl::choose(int index) {
     }
 }
 
-/// @return whether the hand follows it
+/// @return whether the device follows it
 bool PathControl::followFile(const QString& file, const ReadPath& read) {
     if (runs_.run() == nullptr) {
         return false;

@@ -8,12 +8,12 @@
 
 namespace asperity {
 
-/// Which paths the hand follows: planned ones, those of files, those of recordings.
+/// Which paths the device follows: planned ones, those of files, those of recordings.
 class PathControl : public QObject {
 public:
     PathControl(MainWindow& window, RunControl& runs, DeviceControl& devices);
 
-    /// The hand follows a path of the base from its start. There is a run.
+    /// The device follows a path of the base from its start. There is a run.
     void follow(const DevicePath& path);
 
 private:

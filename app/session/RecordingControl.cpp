@@ -83,7 +83,7 @@ void RecordingControl::start(const RecordingPlace& place) {
     after_ = before.statistics.ticks > 0 ? before.sample.time : -1.0;
     try {
         recording_ = std::make_unique<RecordingThread>(place, run.loaded(), before.memory,
-                                                       run.hand().delay());
+                                                       run.device().delay());
     } catch (const std::exception& error) {
         failure_ = QString::fromUtf8(error.what());
         window_.complain(failure_);
@@ -164,7 +164,7 @@ void RecordingControl::saveLastSeconds() {
             window_.tell(tr("There are no last seconds to save yet"));
         } else {
             lastSeconds_ = writeLastSeconds(folderOfThisMoment(folder_), run.loaded(),
-                                            std::move(box), run.hand().delay());
+                                            std::move(box), run.device().delay());
         }
     } catch (const std::exception& error) {
         window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));

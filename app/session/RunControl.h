@@ -38,7 +38,7 @@ public:
 
     void start();
     void pause();
-    /// Turns knobs; one that the hand refuses goes back, and the window says why.
+    /// Turns knobs; one that the device refuses goes back, and the window says why.
     void turn(const std::function<void(Settings&)>& knobs);
     void setForces(bool on);
     /// Shows how the knobs are. There is a run.

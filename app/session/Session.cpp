@@ -11,7 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr int kFramePeriod = 25;       // [ms]
-constexpr double kLongestFrame = 0.1;  // that a held key moves the hand for [s]
+constexpr double kLongestFrame = 0.1;  // that a held key moves the device for [s]
 
 }  // namespace
 

@@ -9,19 +9,19 @@
 
 namespace asperity {
 
-/// A place of the hand at a time; between two of them the hand moves in a straight line.
+/// A place of the device at a time; between two of them the device moves in a straight line.
 struct PathPoint {
     double time = 0.0;                   ///< [s]
     Vector3 position = Vector3::Zero();  ///< world [m]
 };
 
-/// The movement of a scripted hand: times rise strictly, at least one point.
+/// The movement of a scripted device: times rise strictly, at least one point.
 using DevicePath = std::vector<PathPoint>;
 
-/// Position at a time; before the first point and after the last the hand rests there.
+/// Position at a time; before the first point and after the last the device rests there.
 [[nodiscard]] Vector3 positionAt(const DevicePath& path, double time);
 
-/// How far a scripted hand goes; lengths are those of the base.
+/// How far a scripted device goes; lengths are those of the base.
 struct PathPlan {
     double duration = 10.0;             ///< [s]
     double clearance = 6e-9;            ///< above first geometric contact, at start and end [m]

@@ -4,7 +4,7 @@ namespace asperity {
 
 void EnergyWatch::take(const TickSample& sample) {
     const CouplingGains& gains = sample.input.settings.coupling;
-    if (!sample.input.hand.rendersForce() || !gains.couples()) {
+    if (!sample.input.device.rendersForce() || !gains.couples()) {
         observer_.reset();
         return;
     }
@@ -13,7 +13,7 @@ void EnergyWatch::take(const TickSample& sample) {
         gains_ = gains;
         starts_ = sample.input.starts;
     }
-    observer_->observe(sample.input.hand.position, sample.output.deviceForce);
+    observer_->observe(sample.input.device.position, sample.output.deviceForce);
 }
 
 }  // namespace asperity

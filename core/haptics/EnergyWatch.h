@@ -8,22 +8,22 @@
 
 namespace asperity {
 
-/// The passivity observer over the ticks of a run, while a hand with motors leads by a coupling. It
+/// The passivity observer over the ticks of a run, while a force-feedback device leads by a coupling. It
 /// begins anew with another coupling and each time the loop starts.
 class EnergyWatch {
 public:
     /// @param timeStep from tick to tick [s]
-    /// @param delay    of the hand's device [s]
+    /// @param delay    of the device [s]
     EnergyWatch(double timeStep, double delay) : timeStep_(timeStep), delay_(delay) {}
 
     /// Every tick, in order.
     void take(const TickSample& sample);
 
-    /// As of the last tick; null: no such hand leads.
+    /// As of the last tick; null: no such device leads.
     [[nodiscard]] const PassivityObserver* observer() const noexcept {
         return observer_ ? &*observer_ : nullptr;
     }
-    /// Whether the hand is given energy that nobody put in: the person must be told.
+    /// Whether the device is given energy that nobody put in: the person must be told.
     [[nodiscard]] bool active() const noexcept { return observer_ && observer_->active(); }
 
 private:

@@ -17,11 +17,11 @@ std::size_t ringSize(const Scene& scene) {
 
 }  // namespace
 
-HapticLoop::HapticLoop(const Scene& scene, HapticDevice& hand, AfmController& afm)
+HapticLoop::HapticLoop(const Scene& scene, HapticDevice& device, AfmController& afm)
     : settings_(scene.settings)
     , scene_(scene)
-    , hand_(&hand)
-    , device_(hand.specification())
+    , hand_(&device)
+    , device_(device.specification())
     , afm_(afm)
     , samples_(ringSize(scene)) {}
 
@@ -36,9 +36,9 @@ void HapticLoop::start() {
     }
 }
 
-void HapticLoop::setDevice(HapticDevice& hand) noexcept {
-    hand_ = &hand;
-    device_ = hand.specification();
+void HapticLoop::setDevice(HapticDevice& device) noexcept {
+    hand_ = &device;
+    device_ = device.specification();
 }
 
 void HapticLoop::stop() {
@@ -78,9 +78,9 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     TickInput& input = sample.input;
     input.settings = settings_.read();
     input.timeStep = timeStep;
-    input.hand = hand_->advance(timeStep);
-    input.hand.maxForce = device_.maxForce;
-    input.hand.streams = device_.streams;
+    input.device = hand_->advance(timeStep);
+    input.device.maxForce = device_.maxForce;
+    input.device.streams = device_.streams;
     const BaseCommand command = commandBase(scene_, input, latest_.memory);
     input.measurement = afm_.exchange(command.base);
     sample.output = tick(scene_, input, command, latest_.memory);

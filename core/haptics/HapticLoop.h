@@ -24,13 +24,13 @@ struct LoopTimes {
     }
 };
 
-/// The real-time loop: hand, instrument and tick at the scene's rate on a thread of its own. One
+/// The real-time loop: device, instrument and tick at the scene's rate on a thread of its own. One
 /// other thread (the owner's) starts and stops it, turns the knobs and fetches what it made.
 /// Time is that of the ticks: a skipped due time makes the next step longer, a stop adds none.
 class HapticLoop {
 public:
     /// All three must outlive the loop.
-    HapticLoop(const Scene& scene, HapticDevice& hand, AfmController& afm);
+    HapticLoop(const Scene& scene, HapticDevice& device, AfmController& afm);
     ~HapticLoop();
     HapticLoop(const HapticLoop&) = delete;
     HapticLoop& operator=(const HapticLoop&) = delete;
@@ -38,11 +38,11 @@ public:
     /// Starts, or goes on from where it stopped. @throw Error when there can be no more threads
     void start();
     /// One tick without waiting for its time; only while the loop does not run. The base is then
-    /// where the present hand has it, before another one takes over that may be anywhere.
+    /// where the present device has it, before another one takes over that may be anywhere.
     void step();
-    /// Another hand takes over; only while the loop does not run. It outlives the loop.
-    void setDevice(HapticDevice& hand) noexcept;
-    /// Lets the present tick end; the hand feels nothing from then on.
+    /// Another device takes over; only while the loop does not run. It outlives the loop.
+    void setDevice(HapticDevice& device) noexcept;
+    /// Lets the present tick end; the device feels nothing from then on.
     void stop();
     [[nodiscard]] bool running() const noexcept { return thread_.has_value(); }
 
@@ -74,7 +74,7 @@ private:
 
     const Scene& scene_;
     HapticDevice* hand_;
-    DeviceSpecification device_;  ///< that the hand is
+    DeviceSpecification device_;  ///< that the device is
     AfmController& afm_;
 
     // The loop thread's own while it runs.

@@ -104,14 +104,14 @@ Fault faultOf(const TickInput& input, const TickOutput& out, double unsolved) {
     if (!allFinite(out)) {
         return Fault::NotFinite;
     }
-    if (!input.hand.connected) {
+    if (!input.device.connected) {
         return Fault::DeviceLost;
     }
     if (!input.measurement.connected) {
         return Fault::InstrumentLost;
     }
     // A script or a mouse is pushed by nothing when a force comes back.
-    const bool isOver = input.hand.rendersForce() && unsolved >= kUnsolvedAllowed;
+    const bool isOver = input.device.rendersForce() && unsolved >= kUnsolvedAllowed;
     return isOver ? Fault::SolverFailed : Fault::None;
 }
 
@@ -120,7 +120,7 @@ ForceRequest requestOf(const TickInput& input, const TickOutput& out, const Base
                        Fault fault) {
     return {.force = isSolved(out.model) ? out.deviceForce : Vector3(Vector3::Zero()),
             .mismatch = input.settings.coupling.stiffness * command.proxy.coupling.stretch.norm(),
-            .edge = command.hand.edgeForce,
+            .edge = command.device.edgeForce,
             .fault = fault};
 }
 
@@ -134,27 +134,27 @@ MappingSettings mappingSettings(const TickInput& input) {
 /// the motion up to the first tick after a start counts for nothing. Nor does one that comes back
 /// elsewhere after it was lost.
 MappingStep mappedDevice(const TickInput& input, const TickMemory& memory) {
-    const bool restarted = input.hand.rendersForce() && input.starts != memory.governor.starts;
+    const bool restarted = input.device.rendersForce() && input.starts != memory.governor.starts;
     MappingStep step =
-        mapDevice(input.settings.workspace, input.hand.position, mappingSettings(input),
+        mapDevice(input.settings.workspace, input.device.position, mappingSettings(input),
                 restarted ? MappingMemory{} : memory.mapping);
-    step.memory.follows = step.memory.follows && input.hand.connected;
+    step.memory.follows = step.memory.follows && input.device.connected;
     return step;
 }
 
-/// What the hand commanded in the last tick.
+/// What the device commanded in the last tick.
 Vector3 commandedPlace(const TickMemory& memory) {
     return memory.control == PositionControl::Tip ? Vector3(memory.base + memory.compensation)
                                                   : memory.base;
 }
 
-/// What the hand would feel if nothing governed it, the device's axes [N].
+/// What the device would feel if nothing governed it, the device's axes [N].
 Vector3 wantedForce(const TickInput& input, const TickOutput& out, const BaseCommand& command,
                     const Vector3& correction) {
     const Settings& settings = input.settings;
     return forceOnDevice(mappingSettings(input),
                        settings.coupling.couples()
-                           ? command.proxy.coupling.hand
+                           ? command.proxy.coupling.device
                            : Vector3(settings.forceGain * (out.model.force + correction)));
 }
 
@@ -202,7 +202,7 @@ void remember(const TickInput& input, const BaseCommand& command, const TickOutp
     memory.base = out.base.position;
     memory.compensation = command.compensation;
     memory.control = input.settings.positionControl;
-    memory.mapping = command.hand.memory;
+    memory.mapping = command.device.memory;
     memory.guide = guideAfter(input, command.guide, command.proxy.coupling.motion);
     memory.proxy = proxyAfter(input, command.proxy, out.model, memory.model, memory.correction);
     memory.started = true;
@@ -217,12 +217,12 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     const bool tipControl = settings.positionControl == PositionControl::Tip;
     BaseCommand command;
     command.base.position =
-        settings.positionGain * (axesOf(settings.deviceTurn) * input.hand.position);
-    command.hand = mappedDevice(input, memory);
+        settings.positionGain * (axesOf(settings.deviceTurn) * input.device.position);
+    command.device = mappedDevice(input, memory);
     command.proxy.forceGain = settings.forceGain;
     if (memory.started) {
         command.guide = stepGuide(input, commandedPlace(memory), memory.guide);
-        command.proxy = moveProxy(input, command.hand.motion, command.guide, memory.proxy);
+        command.proxy = moveProxy(input, command.device.motion, command.guide, memory.proxy);
         const Vector3 step = settings.positionGain * command.proxy.coupling.motion;
         command.base = {memory.base + step, step / input.timeStep};
     }

@@ -32,16 +32,16 @@ struct TickMemory {
     std::uint32_t rearms = 0;   ///< as the last tick's settings had them
 };
 
-/// Where the hand sends the cantilever's base in this tick. The base, or the tip, follows the
-/// displacements of the hand, or of the proxy that it is coupled to, times the gain, so that a
+/// Where the device sends the cantilever's base in this tick. The base, or the tip, follows the
+/// displacements of the device, or of the proxy that it is coupled to, times the gain, so that a
 /// changed gain, coupling, view or control and a clutch move nothing by themselves.
 struct BaseCommand {
-    BaseMotion base;                         ///< with the velocity that the hand gives
+    BaseMotion base;                         ///< with the velocity that the device gives
     Vector3 compensation = Vector3::Zero();  ///< commanded place of the tip less the base [m]
     bool tipHeld = true;  ///< false: no place of the base can hold the tip where it shall be
-    MappingStep hand;     ///< what led there, and what the workspace does to the hand
+    MappingStep device;     ///< what led there, and what the workspace does to the device
     GuideStep guide;      ///< what pulled at the proxy
-    ProxyStep proxy;      ///< where it went, and the force of the coupling on the hand
+    ProxyStep proxy;      ///< where it went, and the force of the coupling on the device
 };
 
 /// With the tip under control, the base goes ahead by the deflection C F that the model expects at

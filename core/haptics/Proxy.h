@@ -7,14 +7,14 @@
 
 namespace asperity {
 
-/// What one tick hands to the next about the proxy, which leads the base in the hand's place.
+/// What one tick hands to the next about the proxy, which leads the base in the device's place.
 struct ProxyMemory {
-    Vector3 stretch = Vector3::Zero();  ///< hand less proxy, world axes, at the hand [m]
+    Vector3 stretch = Vector3::Zero();  ///< device less proxy, world axes, at the device [m]
     Vector3 load = Vector3::Zero();     ///< of the sample on the tip, all but friction [N]
     Vector3 normal = Vector3::UnitZ();  ///< of the surface, unit
     double friction = 0.0;              ///< the most that it gives at the tip [N]
     CouplingGains gains;                ///< that the spring was stretched by
-    double forceGain = 0.0;  ///< that the hand feels the sample with, on its way to the knob's
+    double forceGain = 0.0;  ///< that the device feels the sample with, on its way to the knob's
 };
 
 /// What one tick makes of the proxy.
@@ -23,11 +23,11 @@ struct ProxyStep {
     double forceGain = 0.0;  ///< in this tick
 };
 
-/// Moves the proxy in one tick; without a coupling it goes with the hand and there is no force. A
+/// Moves the proxy in one tick; without a coupling it goes with the device and there is no force. A
 /// coupling or guide that changed seats the spring so that it just bears the load: nothing moves by
 /// itself. A force gain that changed is neared by a factor of e in 0.1 s, and the spring with it,
 /// so that the force neither steps nor moves anything.
-/// @param deviceMotion in this tick, world axes, at the hand [m]
+/// @param deviceMotion in this tick, world axes, at the device [m]
 [[nodiscard]] ProxyStep moveProxy(const TickInput& input, const Vector3& deviceMotion,
                                   const GuideStep& guide, const ProxyMemory& memory) noexcept;
 

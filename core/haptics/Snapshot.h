@@ -8,7 +8,7 @@ namespace asperity {
 
 /// How well the loop keeps its time. Quantiles are those of the last full second.
 struct LoopStatistics {
-    LatencyQuantiles tickTime;  ///< from the hand's position to its force [s]
+    LatencyQuantiles tickTime;  ///< from the device's position to its force [s]
     LatencyQuantiles lateness;  ///< begin of a tick after its due time [s]
     long ticks = 0;             ///< since the loop began
     long overruns = 0;          ///< due times missed and skipped since then

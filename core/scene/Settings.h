@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// What the hand commands.
+/// What the device commands.
 enum class PositionControl : std::uint8_t {
     Base,  ///< the cantilever's base; the tip stays behind by the lever's deflection
     Tip,   ///< the tip: the base goes ahead by the deflection that the model expects
@@ -23,19 +23,19 @@ inline constexpr auto kEnumTable<PositionControl> = std::to_array<EnumRow<Positi
 
 /// Knobs that may change from one tick to the next.
 struct Settings {
-    double positionGain = 1.0;          ///< base displacement per hand displacement
-    double forceGain = 1.0;             ///< force at the hand per force at the tip
+    double positionGain = 1.0;          ///< base displacement per device displacement
+    double forceGain = 1.0;             ///< device force per force at the tip
     double correctionBandwidth = 20.0;  ///< of the slow correction from the estimate [Hz]
     PositionControl positionControl = PositionControl::Base;
-    CouplingGains coupling;   ///< of the hand and what it commands
-    GovernorLimits governor;  ///< of the force, where the hand renders it
+    CouplingGains coupling;   ///< of the device and what it commands
+    GovernorLimits governor;  ///< of the force, where the device renders it
     /// Turn from the device's axes to the world's: along its axis, as long as its angle [rad].
     Vector3 deviceTurn = Vector3::Zero();
     Workspace workspace;           ///< of the device
-    bool clutched = false;         ///< the hand moves, what it commands stays
+    bool clutched = false;         ///< the device moves, what it commands stays
     int clutchButton = kNoButton;  ///< that does so while it is held
     VirtualFixture guide;          ///< lengths of the world
-    bool forcesOn = true;          ///< false: the hand feels nothing
+    bool forcesOn = true;          ///< false: the device feels nothing
     std::uint32_t rearms = 0;      ///< how often a person has taken back a fault
 
     bool operator==(const Settings&) const = default;

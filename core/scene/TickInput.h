@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// What the device knows of the hand; the hand's frame is the lab's frame scaled.
+/// What the device knows of the device; the device's frame is the lab's frame scaled.
 struct DeviceState {
     Vector3 position = Vector3::Zero();  ///< [m]
     std::uint32_t buttons = 0;           ///< bit i: button i is down
@@ -17,7 +17,7 @@ struct DeviceState {
     bool streams = false;  ///< it reports all the time: that it falls silent is a fault
     double age = 0.0;      ///< of its newest report [s]
 
-    /// Whether the force governor stands between tick and hand.
+    /// Whether the force governor stands between tick and device.
     [[nodiscard]] bool rendersForce() const noexcept { return maxForce > 0.0; }
     /// Whether a button is down; kNoButton never is.
     [[nodiscard]] bool holds(int button) const noexcept {
@@ -27,15 +27,15 @@ struct DeviceState {
 
 /// All that one tick depends on besides the scene and its memory: what a recording holds.
 struct TickInput {
-    DeviceState hand;
+    DeviceState device;
     AfmMeasurement measurement;
     Settings settings;
     double timeStep = 1e-3;    ///< [s]
     std::uint32_t starts = 0;  ///< of the loop: after each the force comes on anew
 
-    /// Whether the hand moves without commanding anything.
+    /// Whether the device moves without commanding anything.
     [[nodiscard]] bool clutched() const noexcept {
-        return settings.clutched || hand.holds(settings.clutchButton);
+        return settings.clutched || device.holds(settings.clutchButton);
     }
 };
 

@@ -10,14 +10,14 @@
 
 namespace asperity {
 
-/// Why the force at the hand was switched off; latched until a person takes
+/// Why the device force was switched off; latched until a person takes
 /// it back.
 enum class Fault : std::uint8_t {
     None,
     NotFinite,       ///< a value of the input or of the result was NaN or infinite
-    DeviceLost,      ///< the hand's device was unplugged
+    DeviceLost,      ///< the device was unplugged
     DeviceSilent,    ///< a device that streams sent no report any more
-    VelocityTrip,    ///< the hand moved faster than a hand does while the force acted
+    VelocityTrip,    ///< the device moved faster than a device does while the force acted
     SolverFailed,    ///< for a while no equilibrium of the tip was found
     InstrumentLost,  ///< the connection to the instrument broke
 };
@@ -33,12 +33,12 @@ inline constexpr auto kEnumTable<Fault> = std::to_array<EnumRow<Fault>>(
      {Fault::SolverFailed, "solver_failed", "no equilibrium of the tip was found: forces are off"},
      {Fault::InstrumentLost, "instrument_lost", "the instrument is not there: forces are off"}});
 
-/// What becomes of the force on its way to the hand. A hand that only senses knows On, Off, Fault.
+/// What becomes of the force on its way to the device. A device that only senses knows On, Off, Fault.
 enum class ForceState : std::uint8_t {
     Off,       ///< a person switched it off
     Released,  ///< the dead-man switch is not held
-    Clutched,  ///< the hand moves and commands nothing: it feels no more than its workspace's edge
-    Waiting,   ///< until it may come on: little force, and the proxy near the hand
+    Clutched,  ///< the device moves and commands nothing: it feels no more than its workspace's edge
+    Waiting,   ///< until it may come on: little force, and the proxy near the device
     Engaging,  ///< comes on
     On,
     Limited,  ///< on, and more is wanted than device and scene allow

@@ -20,7 +20,7 @@ enum class Validity : std::uint32_t {
     CurvedSample = 1U << 8U,       ///< no single effective radius stands for the sample's curvature
     SharpValley = 1U << 9U,        ///< the sample is hollow about as sharply as the tip, or more
     SeveralContactPoints = 1U << 10U,       ///< the tip touches at several places; their forces are summed
-    TipNotHeld = 1U << 11U,        ///< no place of the base holds the tip where the hand wants it
+    TipNotHeld = 1U << 11U,        ///< no place of the base holds the tip where the device wants it
     ElasticLimit = 1U << 12U,      ///< peak pressure above the onset of yield, see yieldPressure()
     ThinFilm = 1U << 13U,        ///< contact too wide for the film and the law: see ContactValidity
     SnapInAhead = 1U << 14U,     ///< the lever is so soft that the tip will jump within 1 nm

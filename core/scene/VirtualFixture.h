@@ -23,14 +23,14 @@ inline constexpr auto
                                                                    {FixtureKind::Line, "line"},
                                                                    {FixtureKind::Point, "point"}});
 
-/// A guide that helps a hand to hold a target. Forces are those at the hand; lengths are those of
-/// the world in Settings, and for guide() those of the hand, see atDeviceScale().
+/// A guide that helps a device to hold a target. Forces are those at the device; lengths are those of
+/// the world in Settings, and for guide() those of the device, see atDeviceScale().
 struct VirtualFixture {
     FixtureKind kind = FixtureKind::None;
     Vector3 point = Vector3::Zero();  ///< of the guide, world axes [m]
     Vector3 axis = Vector3::UnitZ();  ///< normal of a plane, direction of a line; world, unit
-    double stiffness = 0.0;           ///< k, to the guide, per way of the hand [N/m], >= 0
-    double damping = 0.0;             ///< b, of the hand to and from the guide [N s/m], >= 0
+    double stiffness = 0.0;           ///< k, to the guide, per way of the device [N/m], >= 0
+    double damping = 0.0;             ///< b, of the device to and from the guide [N s/m], >= 0
     double forceLimit = 0.0;          ///< that the force nears smoothly [N], >= 0
     /// Distance c from the guide beyond which it lets go [m], > 0.
     double captureDistance = std::numeric_limits<double>::infinity();

@@ -4,7 +4,7 @@
 
 namespace asperity {
 
-/// The ball in which a device can be moved, and the spring that tells the hand of its edge; the
+/// The ball in which a device can be moved, and the spring that tells the device of its edge; the
 /// device's axes and units.
 struct Workspace {
     Vector3 center = Vector3::Zero();  ///< [m]

@@ -8,7 +8,7 @@ namespace asperity {
 namespace {
 
 constexpr double kFrameRate = 60.0;     // [Hz]
-constexpr double kHapticRate = 1000.0;  // that a hand needs to feel a stiff contact [Hz]
+constexpr double kHapticRate = 1000.0;  // that a device needs to feel a stiff contact [Hz]
 
 double share(double error, double scale) { return scale > 0.0 ? error / scale : 0.0; }
 

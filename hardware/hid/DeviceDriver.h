@@ -16,7 +16,7 @@ struct DeviceSite {
     /// The way to HID devices; outlives the device. @throw Error where there is none
     std::function<HidTransport&()> hid;
     std::filesystem::path data;       ///< the folder `data` that belongs to the program
-    Vector3 start = Vector3::Zero();  ///< where the hand before it is [m]
+    Vector3 start = Vector3::Zero();  ///< where the device before it is [m]
 };
 
 /// One kind of device, and all in which it differs from others. The folder of each driver has one,
@@ -28,7 +28,7 @@ struct DeviceDriver {
     bool rendersForce = false;        ///< it has motors
     /// Whether a HID device is of this kind.
     bool (*drives)(const HidDeviceInfo& device) = [](const HidDeviceInfo&) { return false; };
-    /// The hand at such a device. @throw Error where there cannot be one; one whose device is not
+    /// The device at such a device. @throw Error where there cannot be one; one whose device is not
     /// there waits for it
     std::unique_ptr<HapticDevice> (*open)(const DeviceSite& site) = {};
 };

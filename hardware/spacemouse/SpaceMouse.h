@@ -9,17 +9,17 @@
 
 namespace asperity {
 
-/// A hand led by a SpaceMouse: the knob's deflection is the hand's velocity. It senses only and
+/// A device led by a SpaceMouse: the knob's deflection is the device's velocity. It senses only and
 /// renders no force. A thread of its own reads the device, and without one looks for it twice a
-/// second; meanwhile the hand rests and is not connected.
+/// second; meanwhile the device rests and is not connected.
 class SpaceMouse final : public HapticDevice {
 public:
     static constexpr double kDefaultSpeed = 20e-9;  ///< [m/s]
 
     /// Takes the first SpaceMouse that can be opened; one that is there is connected at once.
-    /// @param transport must outlive the hand
-    /// @param start     where the hand is at first [m]
-    /// @param fullSpeed of the hand when the knob is pushed to its end [m/s]
+    /// @param transport must outlive the device
+    /// @param start     where the device is at first [m]
+    /// @param fullSpeed of the device when the knob is pushed to its end [m/s]
     SpaceMouse(HidTransport& transport, Vector3 start, double fullSpeed = kDefaultSpeed);
     /// Puts the light out and joins the thread, in some hundredths of a second.
     ~SpaceMouse() override;
@@ -31,7 +31,7 @@ public:
     }
     DeviceState advance(double timeStep) noexcept override;
 
-    /// The hand's speed at full deflection [m/s]. Any thread; wait-free.
+    /// The device's speed at full deflection [m/s]. Any thread; wait-free.
     void setSpeed(double fullSpeed) noexcept {
         fullSpeed_.store(fullSpeed, std::memory_order_relaxed);
     }
@@ -49,7 +49,7 @@ private:
 
     void follow(HidConnection& device, const std::stop_token& stop);
 
-    Vector3 position_;  ///< of the hand; the loop thread's own [m]
+    Vector3 position_;  ///< of the device; the loop thread's own [m]
     std::atomic<double> fullSpeed_;
     TripleBuffer<Reading> reading_;
     HidFollower follower_;  ///< last: its thread uses all the others

@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// A hand at a WoodenHaptics or Polhem: three joints with motors, over USB HID. A thread of its own
+/// A device at a WoodenHaptics or Polhem: three joints with motors, over USB HID. A thread of its own
 /// exchanges reports with the device, and without one looks for it twice a second. Positions and
 /// forces are in the lab's frame, from the workspace's origin.
 ///
@@ -24,7 +24,7 @@ namespace asperity {
 class WoodenHaptics final : public HapticDevice {
 public:
     /// Takes the first one that can be opened, and waits up to 0.2 s for its first answer.
-    /// @param transport must outlive the hand
+    /// @param transport must outlive the device
     WoodenHaptics(HidTransport& transport, WoodenHapticsDescription description);
     /// Sends zero currents and joins the thread, in some hundredths of a second unless a write
     /// hangs.

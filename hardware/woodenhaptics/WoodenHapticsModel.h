@@ -21,7 +21,7 @@ using EncoderCounts = std::array<std::int16_t, 3>;
 [[nodiscard]] Vector3 handlePosition(const WoodenHapticsDescription& device,
                                      const Vector3& angles) noexcept;
 
-/// Torques of the joints with which the handle pushes the hand by `force` [N]: the transposed
+/// Torques of the joints with which the handle pushes the device by `force` [N]: the transposed
 /// Jacobian of the position times the force [N m].
 [[nodiscard]] Vector3 jointTorques(const WoodenHapticsDescription& device, const Vector3& angles,
                                    const Vector3& force) noexcept;
@@ -32,7 +32,7 @@ using EncoderCounts = std::array<std::int16_t, 3>;
 [[nodiscard]] Vector3 motorCurrents(const WoodenHapticsDescription& device,
                                     const Vector3& torques) noexcept;
 
-/// From the device frame to the hand's, which is the lab's: x right, y away from the person, z up.
+/// From the device frame to the device's, which is the lab's: x right, y away from the person, z up.
 [[nodiscard]] Vector3 inDeviceFrame(const Vector3& inDevice) noexcept;
 /// And back.
 [[nodiscard]] Vector3 inDeviceFrame(const Vector3& inDevice) noexcept;

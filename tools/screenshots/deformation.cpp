@@ -81,7 +81,7 @@ SceneDescription sceneOf(const std::string& material) {
     return readScene(dataFolder() / "scenes" / (material + ".toml"));
 }
 
-/// The tip's way down to the sample, along it and away, by the scripted hand.
+/// The tip's way down to the sample, along it and away, by the scripted device.
 RunEvents approached(const Scene& scene, const PathPlan& plan) {
     RunEventRecorder recorder;
     SimulatedAfm afm(scene.touched(), truthOf(scene));

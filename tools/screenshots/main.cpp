@@ -1,4 +1,4 @@
-/// Opens the live window, lets a scripted hand indent and retract, and saves what the window shows
+/// Opens the live window, lets a scripted device indent and retract, and saves what the window shows
 /// at the deepest indentation and shortly before pull-off.
 /// Usage: asperity_screenshots SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX
 

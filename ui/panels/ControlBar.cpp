@@ -72,7 +72,7 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(
     forces_->setToolTip(QStringLiteral("Whether the hand feels forces (Esc: off)"));
     addSeparator(*row_);
     material_ = addCombo("material", QStringLiteral("Material"));
-    hand_ = addCombo("hand", QStringLiteral("Hand"));
+    device_ = addCombo("hand", QStringLiteral("Hand"));
     path_ = addCombo("path", QStringLiteral("Path"));
     addKnobs();
     row_->addStretch(0);
@@ -160,20 +160,20 @@ void ControlBar::connectPerson() {
     });
     // activated() and clicked() come from people only.
     connect(material_, qOverload<int>(&QComboBox::activated), this, &ControlBar::materialChosen);
-    connect(hand_, qOverload<int>(&QComboBox::activated), this, &ControlBar::deviceChosen);
+    connect(device_, qOverload<int>(&QComboBox::activated), this, &ControlBar::deviceChosen);
     connect(path_, qOverload<int>(&QComboBox::activated), this, &ControlBar::pathChosen);
     connect(pathFile_, &QToolButton::clicked, this, &ControlBar::pathFileRequested);
 }
 
 void ControlBar::setMaterials(const QStringList& names) { setNames(*material_, names); }
 
-void ControlBar::setDevices(const QStringList& names) { setNames(*hand_, names); }
+void ControlBar::setDevices(const QStringList& names) { setNames(*device_, names); }
 
 void ControlBar::setPaths(const QStringList& names) { setNames(*path_, names); }
 
 void ControlBar::setMaterial(int index) { material_->setCurrentIndex(index); }
 
-void ControlBar::setDevice(int index) { hand_->setCurrentIndex(index); }
+void ControlBar::setDevice(int index) { device_->setCurrentIndex(index); }
 
 void ControlBar::setPath(int index) { path_->setCurrentIndex(index); }
 

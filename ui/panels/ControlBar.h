@@ -60,7 +60,7 @@ private:
     QPushButton* startPause_;
     QPushButton* forces_;
     QComboBox* material_;
-    QComboBox* hand_;
+    QComboBox* device_;
     QComboBox* path_;
     QToolButton* pathFile_;
     std::map<std::string, GainSpinBox*> knobs_;  ///< by column

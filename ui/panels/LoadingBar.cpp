@@ -28,7 +28,7 @@ LoadingBar::LoadingBar(QWidget* parent)
     bar_->setFont(theme::textFont(theme::kSmallSize));
     auto* cancel = new QPushButton(tr("Cancel"), this);
     cancel->setObjectName(QStringLiteral("cancelLoading"));
-    cancel->setFocusPolicy(Qt::NoFocus);  // it comes and goes; the keys lead the hand meanwhile
+    cancel->setFocusPolicy(Qt::NoFocus);  // it comes and goes; the keys lead the device meanwhile
     cancel->setToolTip(tr("Stop loading; the scene stays as it is"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 0, 10, 0);

@@ -11,7 +11,7 @@
 namespace asperity {
 
 /// The scan from above, aspect ratio kept, with the tip's place, the zoomed view's frame, the path
-/// of a scripted hand and a scale bar. Places are world x, y [m], y up.
+/// of a scripted device and a scale bar. Places are world x, y [m], y up.
 class OverviewMap : public QWidget {
     Q_OBJECT
 

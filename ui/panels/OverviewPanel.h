@@ -29,7 +29,7 @@ public:
     void setScanNote(const QString& words, const QString& whole);
     /// Where the zoomed view looks.
     void showFrame(const QRectF& frame);
-    /// The way a scripted hand goes; empty: none.
+    /// The way a scripted device goes; empty: none.
     void showPath(const QPolygonF& path);
     /// Takes the tip's mark away.
     void clear() override;

@@ -113,7 +113,7 @@ QString StateBanner::stateWords() const {
         words << force;
     }
     const TickInput& input = latest_.sample.input;
-    if (!edgeForce(input.settings.workspace, input.hand.position).isZero(0.0)) {
+    if (!edgeForce(input.settings.workspace, input.device.position).isZero(0.0)) {
         words << QStringLiteral("edge of the workspace: clutch (C)");
     }
     words << wordsOf(output.region());

@@ -9,7 +9,7 @@ class vtkRenderer;
 
 namespace asperity {
 
-/// The guide that helps the hand to hold a target: a small cross for a point, a line, a framed
+/// The guide that helps the device to hold a target: a small cross for a point, a line, a framed
 /// square with its middle lines for a plane.
 class GuideLayer {
 public:

@@ -57,7 +57,7 @@ QStackedLayout* newBottomLine(QWidget* window, QWidget* loading) {
     return line;
 }
 
-/// The keys that move the hand work again once a knob is turned.
+/// The keys that move the device work again once a knob is turned.
 void giveFocusBack(ControlBar& controls, ZoomView& view) {
     const auto toView = [&view] { view.setFocus(); };
     const auto give = [&](auto chosen) { QObject::connect(&controls, chosen, &view, toView); };

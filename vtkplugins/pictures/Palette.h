@@ -23,7 +23,7 @@ inline constexpr Color kForce{200, 40, 60};     ///< forces
 inline constexpr Color kMarker{222, 30, 90};    ///< the tip's place
 inline constexpr Color kPath{31, 41, 51};       ///< the way the tip went
 inline constexpr Color kZoom{213, 94, 0};       ///< frame of the zoomed view
-inline constexpr Color kGuide{213, 94, 0};      ///< what helps the hand to hold a target
+inline constexpr Color kGuide{213, 94, 0};      ///< what helps the device to hold a target
 inline constexpr Color kContact{20, 20, 24};    ///< the edge of the contact
 inline constexpr Color kNoData{150, 150, 150};  ///< of a surface where the scan holds no data
 

@@ -14,12 +14,12 @@ struct DeviceRequest {
     LoopTiming timing;
     DeviceScale scale;
     CouplingGains own;      ///< that the scene asks for; none: those that are designed
-    double maxForce = 0.0;  ///< that the hand shall feel at most [N]
+    double maxForce = 0.0;  ///< that the device shall feel at most [N]
     GuideLoad guide;
     PositionControl control = PositionControl::Base;
 };
 
-/// The coupling of such a hand, and what it feels; or why there is none.
+/// The coupling of such a device, and what it feels; or why there is none.
 struct CoupledDevice {
     CouplingGains gains;
     ScaleJudgment judgment;
@@ -29,7 +29,7 @@ struct CoupledDevice {
 };
 
 /// The scene's own coupling where it keeps the handle at rest and bears the contact, else the
-/// designed one where that does: a hand with motors is never without.
+/// designed one where that does: a force-feedback device is never without.
 /// Source: docs/haptics.md, Gains and Scale.
 [[nodiscard]] CoupledDevice coupleDevice(const ProbeSystem& tip, const DeviceRequest& request);
 

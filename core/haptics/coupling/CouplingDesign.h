@@ -35,7 +35,7 @@ inline constexpr double kSoftestCoupling = 250.0;  ///< softer, a surface is no 
 [[nodiscard]] bool holdsHandle(const CouplingGains& gains, const DeviceSpecification& device,
                                const LoopTiming& timing);
 
-/// The stiffest contact, as seen from the hand, that a proxy meets without gaining energy [N/m]:
+/// The stiffest contact, as seen from the device, that a proxy meets without gaining energy [N/m]:
 /// the force is a tick old, and Colgate's bound b > K T / 2 holds for the proxy and its damper.
 [[nodiscard]] double stiffestContact(const CouplingGains& gains, double timeStep) noexcept;
 

@@ -61,7 +61,7 @@ CoupledDevice CouplingKeeper::couple(const Led& led, const Settings& knobs) cons
 
 Settings CouplingKeeper::take(Led led, Settings knobs) {
     led.scale = scaleOf(knobs);
-    knobs.coupling = led.hand.gains;
+    knobs.coupling = led.device.gains;
     knobs.workspace = workspaceOf(led.device.workspaceRadius, 0.5 * scene_->timeStep() + led.delay);
     led_ = std::move(led);
     return knobs;
@@ -97,14 +97,14 @@ Settings CouplingKeeper::takeOver(const DeviceSpecification& device, double dela
     }
     Led led{.device = device,
             .delay = roundedUp(delay),
-            .hand = {},
+            .device = {},
             .scale = {},
             .before = scaleOf(knobs),
             .couplingBefore = knobs.coupling};
     knobs = fitted(led, knobs);
-    led.hand = couple(led, knobs);
-    if (!led.hand.holds()) {
-        throw Error(led.hand.refusal);
+    led.device = couple(led, knobs);
+    if (!led.device.holds()) {
+        throw Error(led.device.refusal);
     }
     return take(led, knobs);
 }
@@ -115,12 +115,12 @@ Settings CouplingKeeper::turned(Settings wanted, double delay) {
     }
     Led led = *led_;
     led.delay = roundedUp(delay);
-    led.hand = couple(led, wanted);
-    if (!led.hand.holds()) {
+    led.device = couple(led, wanted);
+    if (!led.device.holds()) {
         if (wanted.forcesOn || scaleOf(wanted) != led_->scale) {
-            throw Error(led.hand.refusal);
+            throw Error(led.device.refusal);
         }
-        wanted.coupling = led_->hand.gains;
+        wanted.coupling = led_->device.gains;
         return wanted;
     }
     return take(led, wanted);
@@ -132,12 +132,12 @@ std::optional<Settings> CouplingKeeper::follow(Settings knobs, double delay) {
     }
     Led led = *led_;
     led.delay = roundedUp(delay);
-    led.hand = couple(led, knobs);
-    if (led.hand.holds()) {
+    led.device = couple(led, knobs);
+    if (led.device.holds()) {
         return take(led, knobs);
     }
     led_->delay = led.delay;
-    led_->hand.refusal = led.hand.refusal;
+    led_->device.refusal = led.device.refusal;
     knobs.forcesOn = false;
     return knobs;
 }

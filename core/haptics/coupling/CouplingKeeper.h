@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// Sees to it that no hand with motors leads the tip of a run but with a coupling, a scale and an
+/// Sees to it that no force-feedback device leads the tip of a run but with a coupling, a scale and an
 /// edge of its workspace that hold. Devices that only sense are left alone. Knobs go in and come out;
 /// who calls it turns them.
 class CouplingKeeper {
@@ -16,10 +16,10 @@ public:
     /// @param scene outlives the keeper
     explicit CouplingKeeper(const Scene& scene) : scene_(&scene) {}
 
-    /// The hand that leads lets go: the knobs as hands that only sense had them.
+    /// The device that leads lets go: the knobs as hands that only sense had them.
     [[nodiscard]] Settings release(Settings knobs);
 
-    /// A hand takes over, after release(). One with motors gets the scene's scale where that is one
+    /// A device takes over, after release(). One with motors gets the scene's scale where that is one
     /// for hands in millimeters and holds; else 1 mm : 1 nm with the largest force gain that holds,
     /// of 1 N : 10 nN and those below it in steps of a fifth.
     /// @param delay as the device has it so far [s]
@@ -32,19 +32,19 @@ public:
     [[nodiscard]] Settings turned(Settings wanted, double delay);
 
     /// A delay that has grown beyond what the gains are designed for has them designed anew; where
-    /// none hold any more the forces go off, and hand()->refusal says why.
+    /// none hold any more the forces go off, and device()->refusal says why.
     /// @return the knobs that changed; none: as they were
     [[nodiscard]] std::optional<Settings> follow(Settings knobs, double delay);
 
-    /// Whether the hand could be held on another sample or with another model under these knobs.
+    /// Whether the device could be held on another sample or with another model under these knobs.
     /// @throw Error with the refusal
     void requireHolding(const ProbeSystem& tip, const Settings& knobs) const;
 
-    /// The hand with motors that leads, and what it feels; null where none does.
-    [[nodiscard]] const CoupledDevice* hand() const noexcept { return led_ ? &led_->hand : nullptr; }
+    /// The force-feedback device that leads, and what it feels; null where none does.
+    [[nodiscard]] const CoupledDevice* hand() const noexcept { return led_ ? &led_->device : nullptr; }
 
 private:
-    /// A hand with motors that leads.
+    /// A force-feedback device that leads.
     struct Led {
         DeviceSpecification device;
         double delay = 0.0;  ///< designed for [s]

@@ -17,15 +17,15 @@ PassivityObserver::PassivityObserver(double stiffness, double timeStep, double d
     , keptShare_(std::exp(-timeStep / kLeakTime))
     , sent_(1 + static_cast<std::size_t>(std::lround(delay / timeStep)), Vector3::Zero()) {}
 
-void PassivityObserver::observe(const Vector3& hand, const Vector3& force) noexcept {
+void PassivityObserver::observe(const Vector3& device, const Vector3& force) noexcept {
     const Vector3 acting = sent_[oldest_];
-    const Vector3 motion = started_ ? Vector3(hand - hand_) : Vector3::Zero();
+    const Vector3 motion = started_ ? Vector3(device - device_) : Vector3::Zero();
     const double taken = -acting.dot(motion) - (stored(acting) - stored(acting_));
     energy_ = keptShare_ * energy_ + taken;
     sent_[oldest_] = force;
     oldest_ = (oldest_ + 1) % sent_.size();
     acting_ = acting;
-    hand_ = hand;
+    device_ = device;
     started_ = true;
 }
 

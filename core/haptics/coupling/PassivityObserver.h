@@ -6,10 +6,10 @@
 
 namespace asperity {
 
-/// Watches the energy that goes through the port between hand and coupling, as the handle has it:
+/// Watches the energy that goes through the port between device and coupling, as the handle has it:
 /// with the force that really acts when a motion is sampled, which is the delay old. A passive
 /// coupling takes energy or gives back what its spring has stored; one that gives more shakes the
-/// hand. Energy leaks away within half a second: else what drag and hysteresis took in a minute
+/// device. Energy leaks away within half a second: else what drag and hysteresis took in a minute
 /// would cover for a vibration that begins now. It supervises, it changes no force.
 /// Source: Hannaford, Ryu (2002); docs/haptics.md.
 class PassivityObserver {
@@ -19,8 +19,8 @@ public:
     /// @param delay     from a sampled motion to its force at the handle [s]
     PassivityObserver(double stiffness, double timeStep, double delay);
 
-    /// One tick: where the hand is [m] and the force that is now sent to it [N]. Wait-free.
-    void observe(const Vector3& hand, const Vector3& force) noexcept;
+    /// One tick: where the device is [m] and the force that is now sent to it [N]. Wait-free.
+    void observe(const Vector3& device, const Vector3& force) noexcept;
 
     /// Dissipated less what leaked, below 0 when the port has given energy: the trace [J].
     [[nodiscard]] double energy() const noexcept { return energy_; }
@@ -37,7 +37,7 @@ private:
     std::vector<Vector3> sent_;  ///< a ring of forces as long as the delay [N]
     std::size_t oldest_ = 0;
     Vector3 acting_ = Vector3::Zero();  ///< force at the handle since the last tick [N]
-    Vector3 hand_ = Vector3::Zero();    ///< at the last tick [m]
+    Vector3 device_ = Vector3::Zero();    ///< at the last tick [m]
     bool started_ = false;
     double energy_ = 0.0;
 };

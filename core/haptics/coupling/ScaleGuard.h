@@ -8,15 +8,15 @@
 
 namespace asperity {
 
-/// How the hand's world and the tip's are scaled to each other.
+/// How the device's world and the tip's are scaled to each other.
 struct DeviceScale {
-    double positionGain = 1.0;  ///< displacement at the tip per displacement of the hand
-    double forceGain = 1.0;     ///< force at the hand per force at the tip
+    double positionGain = 1.0;  ///< displacement at the tip per displacement of the device
+    double forceGain = 1.0;     ///< device force per force at the tip
 
     bool operator==(const DeviceScale&) const = default;
 };
 
-/// A guide (virtual fixture) that pulls at the proxy beside the contact, at the hand's scale.
+/// A guide (virtual fixture) that pulls at the proxy beside the contact, at the device's scale.
 struct GuideLoad {
     double stiffness = 0.0;  ///< k [N/m]
     double damping = 0.0;    ///< b [N s/m]
@@ -31,11 +31,11 @@ struct ScaleBounds {
 
 /// A scale, judged.
 struct ScaleJudgment {
-    double contact = 0.0;       ///< stiffness of lever and contact, at the hand [N/m]
+    double contact = 0.0;       ///< stiffness of lever and contact, at the device [N/m]
     double contactBound = 0.0;  ///< that the proxy meets without gaining energy [N/m]
     double felt = 0.0;          ///< stiffness in series with the coupling [N/m]
     double feltBound = 0.0;     ///< that the device renders [N/m]
-    double adhesion = 0.0;      ///< of the sample, at the hand [N]
+    double adhesion = 0.0;      ///< of the sample, at the device [N]
     double forceBound = 0.0;    ///< that the motors may give [N]
     bool guided = false;        ///< a guide takes its part of `contactBound`
     std::string sentence;       ///< for people: what is felt, or what is too much and the remedy
@@ -45,9 +45,9 @@ struct ScaleJudgment {
     }
 };
 
-/// Judges three things; without a coupling the hand feels the contact itself, and no guide acts:
+/// Judges three things; without a coupling the device feels the contact itself, and no guide acts:
 ///
-/// - the stiffness that the hand feels against the device's;
+/// - the stiffness that the device feels against the device's;
 /// - the contact K that the proxy meets, with the guide beside it: (K + k) T/2 + b must stay below
 ///   bp, for the force of both is a tick old;
 /// - the adhesion against what the motors may give: one that pulls harder is not held, the handle
@@ -55,7 +55,7 @@ struct ScaleJudgment {
 ///
 /// Before snap-in and pull-off the stiffness is negative and has no bound, but it needs none: it
 /// only drives the proxy into the jump, which loses energy and ends on the positive stiffness
-/// judged here. What the jump brings to the hand is a force, of at most the adhesion.
+/// judged here. What the jump brings to the device is a force, of at most the adhesion.
 /// Source: docs/haptics.md.
 [[nodiscard]] ScaleJudgment judgeScale(const TipLoad& tip, const DeviceScale& scale,
                                         const std::optional<CouplingGains>& coupling,

@@ -51,7 +51,7 @@ CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& deviceMotio
     const Vector3 velocity = proxyVelocity(push, resistance, load);
     const Vector3 friction = resistance * velocity - push;
     const Vector3 motion = timeStep * velocity;
-    return {.hand = load.force + friction - gains.proxyDamping * velocity,
+    return {.device = load.force + friction - gains.proxyDamping * velocity,
             .motion = motion,
             .stretch = stretch + deviceMotion - motion};
 }

@@ -9,21 +9,21 @@ namespace asperity {
 
 class PilotedDevice;
 
-/// The hand as the loop sees it: a haptic device, a mouse, a script. Blocking input and output
+/// The device as the loop sees it: a haptic device, a mouse, a script. Blocking input and output
 /// belong on a thread of the device's own; what is here never waits and never throws.
 class HapticDevice {
 public:
     virtual ~HapticDevice() = default;
 
     /// Constant while the device lives. Only one that says here what its motors render is ever
-    /// told a force, and by it the governor guards the hand.
+    /// told a force, and by it the governor guards the device.
     [[nodiscard]] virtual DeviceSpecification specification() const noexcept = 0;
 
-    /// Where the hand is after one more time step [s]; the loop adds what the specification says.
+    /// Where the device is after one more time step [s]; the loop adds what the specification says.
     /// Loop thread only.
     virtual DeviceState advance(double timeStep) noexcept = 0;
 
-    /// The force that the hand shall feel [N]. Loop thread only. A device with motors lets go by
+    /// The force that the device shall feel [N]. Loop thread only. A device with motors lets go by
     /// itself when it is not told a force for a while, for a program that crashed tells it none.
     virtual void setForce(const Vector3& /*force*/) noexcept {}
 
@@ -31,11 +31,11 @@ public:
     /// Any thread; wait-free.
     virtual void calibrate() noexcept {}
 
-    /// How long it takes from a motion of the hand to the force that answers it, as measured so
+    /// How long it takes from a motion of the device to the force that answers it, as measured so
     /// far, without the hold of half a tick [s]. Any thread but the loop's.
     [[nodiscard]] virtual double delay() const noexcept { return 0.0; }
 
-    /// What the window wants to know of the device; of a hand without one, nothing. Any thread but
+    /// What the window wants to know of the device; of a device without one, nothing. Any thread but
     /// the loop's.
     [[nodiscard]] virtual DeviceStatus status() const { return {}; }
 
@@ -43,11 +43,11 @@ public:
     /// the tip is as fast on the screen whatever is seen. Any thread; wait-free.
     virtual void setSeenHalfWidth(double /*halfWidth*/) noexcept {}
 
-    /// The hand as one that mouse and keyboard lead; null: it moves by itself.
+    /// The device as one that mouse and keyboard lead; null: it moves by itself.
     [[nodiscard]] virtual PilotedDevice* led() noexcept { return nullptr; }
 };
 
-/// A hand that only senses.
+/// A device that only senses.
 inline constexpr DeviceSpecification kSensesOnly{};
 
 }  // namespace asperity

@@ -5,11 +5,11 @@
 
 namespace asperity {
 
-/// A hand that mouse and keyboard lead. They come some sixty times a second and in steps; it is led
+/// A device that mouse and keyboard lead. They come some sixty times a second and in steps; it is led
 /// smoothly, critically damped, so that nothing ever jumps.
 class PilotedDevice : public HapticDevice {
 public:
-    /// Where the hand shall go [m]. One thread, not the loop's; wait-free.
+    /// Where the device shall go [m]. One thread, not the loop's; wait-free.
     void moveTo(const Vector3& target) noexcept { target_.write(target); }
 
     /// Where it is led to at first [m].

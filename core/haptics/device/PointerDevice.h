@@ -4,10 +4,10 @@
 
 namespace asperity {
 
-/// Mouse and keyboard as the hand itself.
+/// Mouse and keyboard as the device itself.
 class PointerDevice final : public PilotedDevice {
 public:
-    /// @param start where the hand rests at first [m]
+    /// @param start where the device rests at first [m]
     explicit PointerDevice(const Vector3& start) : PilotedDevice(start) {}
 
     [[nodiscard]] DeviceSpecification specification() const noexcept override {

@@ -13,15 +13,15 @@ constexpr double kLongestStep = 10e-3;  // [s]
 bool isFinite(const TickInput& input, const ForceRequest& request) {
     const GovernorLimits& limits = input.settings.governor;
     return request.force.allFinite() && request.edge.allFinite() &&
-           std::isfinite(request.mismatch) && input.hand.position.allFinite() &&
-           std::isfinite(input.hand.maxForce) && std::isfinite(input.hand.age) &&
+           std::isfinite(request.mismatch) && input.device.position.allFinite() &&
+           std::isfinite(input.device.maxForce) && std::isfinite(input.device.age) &&
            std::isfinite(limits.maxForce) && std::isfinite(limits.engageTime) &&
            std::isfinite(limits.maxDeviceSpeed);
 }
 
 /// The most that device and scene allow [N].
 double largestForce(const TickInput& input) {
-    return std::min(input.hand.maxForce, input.settings.governor.maxForce);
+    return std::min(input.device.maxForce, input.settings.governor.maxForce);
 }
 
 Vector3 saturated(const Vector3& force, double largest) {
@@ -31,23 +31,23 @@ Vector3 saturated(const Vector3& force, double largest) {
 
 bool holdsDeadMan(const TickInput& input) {
     const int button = input.settings.governor.deadManButton;
-    return button == kNoButton || input.hand.holds(button);
+    return button == kNoButton || input.device.holds(button);
 }
 
 /// Share of the force that the silence of the device leaves: 1 while it reports.
-double shareInSilence(const DeviceState& hand) {
-    if (!hand.streams) {
+double shareInSilence(const DeviceState& device) {
+    if (!device.streams) {
         return 1.0;
     }
-    return std::clamp((kSilenceEnd - hand.age) / (kSilenceEnd - kSilenceAllowed), 0.0, 1.0);
+    return std::clamp((kSilenceEnd - device.age) / (kSilenceEnd - kSilenceAllowed), 0.0, 1.0);
 }
 
-/// The fault of the request, which came first, or one that shows in the hand.
+/// The fault of the request, which came first, or one that shows in the device.
 Fault faultOf(const TickInput& input, const ForceRequest& request, const GovernorMemory& memory) {
     if (request.fault != Fault::None) {
         return request.fault;
     }
-    if (shareInSilence(input.hand) == 0.0) {
+    if (shareInSilence(input.device) == 0.0) {
         return Fault::DeviceSilent;
     }
     const bool acts = memory.share > 0.0 || (memory.edgeShare > 0.0 && !request.edge.isZero(0.0));
@@ -59,7 +59,7 @@ Fault faultOf(const TickInput& input, const ForceRequest& request, const Governo
 /// @param before  that acted in the last one
 /// @param wanted  what must be small for the force to come on: the force itself, a mismatch [N]
 double nextShare(const TickInput& input, double before, double wanted, double deviceSpeed) {
-    const double alive = shareInSilence(input.hand);
+    const double alive = shareInSilence(input.device);
     if (alive < 1.0) {
         return std::min(before, alive);
     }
@@ -80,7 +80,7 @@ ForceState permission(const TickInput& input, Fault fault) {
     if (!input.settings.forcesOn) {
         return ForceState::Off;
     }
-    if (input.hand.rendersForce() && !holdsDeadMan(input)) {
+    if (input.device.rendersForce() && !holdsDeadMan(input)) {
         return ForceState::Released;
     }
     return input.clutched() ? ForceState::Clutched : ForceState::On;
@@ -93,7 +93,7 @@ ForceState stateOf(const TickInput& input, double share, bool limited) {
     if (share == 0.0) {
         return ForceState::Waiting;
     }
-    if (shareInSilence(input.hand) < 1.0) {
+    if (shareInSilence(input.device) < 1.0) {
         return ForceState::Fading;
     }
     if (share < 1.0) {
@@ -102,7 +102,7 @@ ForceState stateOf(const TickInput& input, double share, bool limited) {
     return limited ? ForceState::Limited : ForceState::On;
 }
 
-/// For a hand that only senses: there is nothing to guard.
+/// For a device that only senses: there is nothing to guard.
 GovernedForce passed(const TickInput& input, const ForceRequest& request) {
     const ForceState state = permission(input, request.fault);
     return {.force = state == ForceState::On ? request.force : Vector3(Vector3::Zero()),
@@ -118,12 +118,12 @@ GovernedForce governForce(const TickInput& input, const ForceRequest& request,
         const Fault first = request.fault != Fault::None ? request.fault : Fault::NotFinite;
         return {.state = ForceState::Fault, .fault = first};
     }
-    if (!input.hand.rendersForce()) {
+    if (!input.device.rendersForce()) {
         return passed(input, request);
     }
     GovernorMemory memory =
         before.starts == input.starts ? before : GovernorMemory{.starts = input.starts};
-    memory.speed = watchSpeed(memory.speed, input.hand.position, input.timeStep);
+    memory.speed = watchSpeed(memory.speed, input.device.position, input.timeStep);
     const Fault fault = faultOf(input, request, memory);
     const ForceState allowed = permission(input, fault);
     if (allowed != ForceState::On && allowed != ForceState::Clutched) {

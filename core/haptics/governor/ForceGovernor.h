@@ -17,10 +17,10 @@ inline constexpr double kSilenceEnd = 40e-3;
 /// Share of the largest force up to which a force may come on.
 inline constexpr double kSmallShare = 0.1;
 
-/// What a tick wants the hand to feel; the device's axes.
+/// What a tick wants the device to feel; the device's axes.
 struct ForceRequest {
     Vector3 force = Vector3::Zero();  ///< of the coupling, or of the sample itself [N]
-    double mismatch = 0.0;            ///< Kc |hand less proxy|, 0 without a coupling [N]
+    double mismatch = 0.0;            ///< Kc |device less proxy|, 0 without a coupling [N]
     Vector3 edge = Vector3::Zero();   ///< of the device's workspace, which a clutch leaves [N]
     Fault fault = Fault::None;        ///< latched before, or found by this tick
 };
@@ -30,7 +30,7 @@ struct GovernorMemory {
     double share = 0.0;        ///< of the wanted force that acts, 0 to 1
     double edgeShare = 0.0;    ///< likewise of the edge's
     std::uint32_t starts = 0;  ///< as the last tick had them
-    SpeedWatch speed;          ///< of the hand
+    SpeedWatch speed;          ///< of the device
 };
 
 struct GovernedForce {
@@ -40,13 +40,13 @@ struct GovernedForce {
     GovernorMemory memory;
 };
 
-/// The last step between the tick and a hand that renders force. In order: values that are not
+/// The last step between the tick and a device that renders force. In order: values that are not
 /// finite; saturation, which keeps the direction; the force comes on, linearly in engageTime, once
-/// it is small (kSmallShare), the proxy near the hand and the hand slow; dead-man switch; watchdog
+/// it is small (kSmallShare), the proxy near the device and the device slow; dead-man switch; watchdog
 /// on the age of the device's newest report; velocity trip, while the force acts. A fault, a
 /// released switch, a start and forces off take the force away in the same tick, and it comes on
 /// anew afterwards; a clutch does so to all but the force of the workspace's edge. In normal
-/// running the wanted force passes unchanged: nothing is smoothed. A hand that only senses gets its
+/// running the wanted force passes unchanged: nothing is smoothed. A device that only senses gets its
 /// force as wanted, or none. Source: docs/haptics.md, Governor.
 [[nodiscard]] GovernedForce governForce(const TickInput& input, const ForceRequest& request,
                                         const GovernorMemory& before) noexcept;

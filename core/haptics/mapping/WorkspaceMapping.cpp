@@ -19,13 +19,13 @@ bool isRotation(const Matrix3& axes) {
     return axes.allFinite() && axes.isUnitary(kRotationAccuracy) && axes.determinant() > 0.0;
 }
 
-bool isValid(const Vector3& hand, const MappingSettings& settings) {
-    return hand.allFinite() && std::isfinite(settings.positionGain) &&
+bool isValid(const Vector3& device, const MappingSettings& settings) {
+    return device.allFinite() && std::isfinite(settings.positionGain) &&
            settings.positionGain > 0.0 && isRotation(settings.axes);
 }
 
-bool isValid(const Workspace& workspace, const Vector3& hand) {
-    return hand.allFinite() && workspace.center.allFinite() && std::isfinite(workspace.radius) &&
+bool isValid(const Workspace& workspace, const Vector3& device) {
+    return device.allFinite() && workspace.center.allFinite() && std::isfinite(workspace.radius) &&
            std::isfinite(workspace.freeShare) && std::isfinite(workspace.stiffness) &&
            std::isfinite(workspace.forceLimit);
 }
@@ -72,17 +72,17 @@ Workspace workspaceOf(double radius, double age) noexcept {
             .forceLimit = kEdgeForce};
 }
 
-MappingStep mapDevice(const Workspace& workspace, const Vector3& hand,
+MappingStep mapDevice(const Workspace& workspace, const Vector3& device,
                     const MappingSettings& settings, const MappingMemory& before) noexcept {
     MappingStep step;
-    if (!isValid(hand, settings)) {
+    if (!isValid(device, settings)) {
         return step;
     }
     step.status = settings.clutched ? MappingStatus::Clutched : MappingStatus::Following;
-    step.edgeForce = edgeForce(workspace, hand);
-    step.memory = {.hand = hand, .follows = !settings.clutched};
+    step.edgeForce = edgeForce(workspace, device);
+    step.memory = {.device = device, .follows = !settings.clutched};
     if (before.follows && step.memory.follows) {
-        step.motion = settings.axes * (hand - before.hand);
+        step.motion = settings.axes * (device - before.device);
         step.displacement = settings.positionGain * step.motion;
     }
     return step;
@@ -92,11 +92,11 @@ Vector3 forceOnDevice(const MappingSettings& settings, const Vector3& force) noe
     return settings.axes.transpose() * force;
 }
 
-Vector3 edgeForce(const Workspace& workspace, const Vector3& hand) noexcept {
-    if (!isValid(workspace, hand) || !(workspace.radius > 0.0 && workspace.stiffness > 0.0)) {
+Vector3 edgeForce(const Workspace& workspace, const Vector3& device) noexcept {
+    if (!isValid(workspace, device) || !(workspace.radius > 0.0 && workspace.stiffness > 0.0)) {
         return Vector3::Zero();
     }
-    const Vector3 way = hand - workspace.center;
+    const Vector3 way = device - workspace.center;
     const double distance = lengthOf(way);
     const double beyond = distance - workspace.freeShare * workspace.radius;
     if (!(beyond > 0.0 && distance > 0.0)) {

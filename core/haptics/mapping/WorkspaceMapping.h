@@ -9,35 +9,35 @@ namespace asperity {
 
 /// What a person may change while the loop runs; none of it moves anything by itself.
 struct MappingSettings {
-    double positionGain = 1.0;           ///< displacement at the tip per displacement of the hand
+    double positionGain = 1.0;           ///< displacement at the tip per displacement of the device
     Matrix3 axes = Matrix3::Identity();  ///< rotation from the device's axes to the world's
-    bool clutched = false;               ///< the hand moves, what it commands stays
+    bool clutched = false;               ///< the device moves, what it commands stays
 };
 
 /// What one step hands to the next.
 struct MappingMemory {
-    Vector3 hand = Vector3::Zero();  ///< its last position, the device's axes [m]
-    bool follows = false;            ///< the hand commanded there, so that its next motion counts
+    Vector3 device = Vector3::Zero();  ///< its last position, the device's axes [m]
+    bool follows = false;            ///< the device commanded there, so that its next motion counts
 };
 
 enum class MappingStatus {
-    Following,  ///< the command goes with the hand
-    Clutched,   ///< it stays, and the hand shall feel no force of the contact
+    Following,  ///< the command goes with the device
+    Clutched,   ///< it stays, and the device shall feel no force of the contact
     Invalid,    ///< a value is not finite, a gain not above 0, or the axes are no rotation
 };
 
 /// What one step makes.
 struct MappingStep {
     MappingStatus status = MappingStatus::Invalid;
-    Vector3 motion = Vector3::Zero();        ///< of the hand, world axes, its own scale [m]
+    Vector3 motion = Vector3::Zero();        ///< of the device, world axes, its own scale [m]
     Vector3 displacement = Vector3::Zero();  ///< of what it commands, world axes and scale [m]
-    Vector3 edgeForce = Vector3::Zero();     ///< of the workspace on the hand, device's axes [N]
+    Vector3 edgeForce = Vector3::Zero();     ///< of the workspace on the device, device's axes [N]
     MappingMemory memory;
 };
 
-/// Axes that go with a view: right, away from the person and up of the hand (its x, y, z) are
+/// Axes that go with a view: right, away from the person and up of the device (its x, y, z) are
 /// right, into the picture and up on the screen. For a view from above, up in the image is then a
-/// hand that rises, and a hand that moves away goes down to the sample.
+/// device that rises, and a device that moves away goes down to the sample.
 /// @param right, up of the view in world axes, any length; `up` is made orthogonal to `right`
 /// @return nothing where these are not finite, zero or parallel
 [[nodiscard]] std::optional<Matrix3> viewAxes(const Vector3& right, const Vector3& up) noexcept;
@@ -50,17 +50,17 @@ struct MappingStep {
 [[nodiscard]] Vector3 turnedTowards(const Vector3& turn, const Vector3& wanted,
                                     double most) noexcept;
 
-/// From the hand to what it commands. The motion since the last step counts if the hand commanded
+/// From the device to what it commands. The motion since the last step counts if the device commanded
 /// at both its ends; it is turned by the axes, and the command moves by it times the gain. So a
 /// changed gain or view, a clutch pressed or released, a first step and one after invalid input
 /// move nothing by themselves. With a coupling it is `motion` that the proxy follows, and the
 /// proxy's own motion times the gain that the command follows. Wait-free.
-/// @param hand its position, the device's axes [m]
-[[nodiscard]] MappingStep mapDevice(const Workspace& workspace, const Vector3& hand,
+/// @param device its position, the device's axes [m]
+[[nodiscard]] MappingStep mapDevice(const Workspace& workspace, const Vector3& device,
                                   const MappingSettings& settings,
                                   const MappingMemory& before) noexcept;
 
-/// A force in world axes, at the hand's scale, as the hand feels it in the device's axes [N]: by
+/// A force in world axes, at the device's scale, as the device feels it in the device's axes [N]: by
 /// the transpose of the axes, so that force times motion is the same power in both.
 [[nodiscard]] Vector3 forceOnDevice(const MappingSettings& settings, const Vector3& force) noexcept;
 
@@ -71,9 +71,9 @@ struct MappingStep {
 /// @param age    of the force that answers a motion: half a tick and the delay [s]
 [[nodiscard]] Workspace workspaceOf(double radius, double age) noexcept;
 
-/// Force of the workspace's spring on the hand, the device's axes [N]: zero up to the free share of
+/// Force of the workspace's spring on the device, the device's axes [N]: zero up to the free share of
 /// the radius, from there k (r - r0) towards the center, which nears the force limit smoothly. It
-/// depends on the place alone: what it takes from a hand it gives back. Zero for invalid values.
-[[nodiscard]] Vector3 edgeForce(const Workspace& workspace, const Vector3& hand) noexcept;
+/// depends on the place alone: what it takes from a device it gives back. Zero for invalid values.
+[[nodiscard]] Vector3 edgeForce(const Workspace& workspace, const Vector3& device) noexcept;
 
 }  // namespace asperity

@@ -67,16 +67,16 @@ void listInput(Sample& sample, const Cell& cell) {
     };
     cell(InputColumn{{"time_s"}, Holds::Finite}, sample.time);
     cell(InputColumn{{"time_step_s"}, Holds::Positive}, input.timeStep);
-    listVector(told, "hand_", input.hand.position, "_m");
-    cell(InputColumn{{"buttons"}}, input.hand.buttons);
-    cell(InputColumn{{"connected"}}, input.hand.connected);
+    listVector(told, "hand_", input.device.position, "_m");
+    cell(InputColumn{{"buttons"}}, input.device.buttons);
+    cell(InputColumn{{"connected"}}, input.device.connected);
     told({"alpha_rad"}, input.measurement.signals.bending);
     told({"theta_rad"}, input.measurement.signals.torsion);
     told({"age_s"}, input.measurement.age);
     cell(InputColumn{{"starts"}, Holds::Stored, true}, input.starts);
-    cell(InputColumn{{"hand_max_force_n"}, Holds::Finite, true}, input.hand.maxForce);
-    cell(InputColumn{{"hand_streams"}, Holds::Stored, true}, input.hand.streams);
-    cell(InputColumn{{"hand_age_s"}, Holds::Told, true}, input.hand.age);
+    cell(InputColumn{{"hand_max_force_n"}, Holds::Finite, true}, input.device.maxForce);
+    cell(InputColumn{{"hand_streams"}, Holds::Stored, true}, input.device.streams);
+    cell(InputColumn{{"hand_age_s"}, Holds::Told, true}, input.device.age);
     cell(InputColumn{{"instrument_connected"}, Holds::Stored, true}, input.measurement.connected);
     listSettings(input.settings, [&cell](const SettingField& field, auto& value) {
         const Holds holds = std::isinf(field.limits.high) ? Holds::Endless : Holds::Stored;

@@ -52,7 +52,7 @@ void listSignals(Memory& memory, const Cell& cell) {
 
 template <class Memory, class Cell>
 void listCoupling(Memory& memory, const Cell& cell) {
-    listVector(cell, "hand_", memory.mapping.hand, "_m");
+    listVector(cell, "hand_", memory.mapping.device, "_m");
     cell({"mapping_follows"}, memory.mapping.follows);
     listVector(cell, "proxy_stretch_", memory.proxy.stretch, "_m");
     listVector(cell, "proxy_load_", memory.proxy.load, "_n");

@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// Reads a hand's path from CSV with the columns time_s, x_m, y_m, z_m (world frame).
+/// Reads a device's path from CSV with the columns time_s, x_m, y_m, z_m (world frame).
 /// @throw InputError when a value is missing or not finite, or time does not rise
 [[nodiscard]] DevicePath readDevicePath(const std::filesystem::path& path);
 

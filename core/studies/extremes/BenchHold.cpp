@@ -11,14 +11,14 @@ namespace asperity {
 
 namespace {
 
-constexpr double kStart = 4e-3;     // height of the hand [m]
+constexpr double kStart = 4e-3;     // height of the device [m]
 constexpr double kTapTime = 10e-3;  // from one goal to the next [s]
 constexpr double kPressed = -3e-3;
 constexpr double kPressedHard = -8e-3;
-constexpr std::array kGoals{kPressed, 0.5e-3, kPressedHard};  // heights of the hand [m]
+constexpr std::array kGoals{kPressed, 0.5e-3, kPressedHard};  // heights of the device [m]
 
 ArmImpedance armOf(Grip grip) {
-    return grip == Grip::Normal ? kNormalGrip : kLightGrip;  // before a hand opens it is light
+    return grip == Grip::Normal ? kNormalGrip : kLightGrip;  // before a device opens it is light
 }
 
 /// How far the handle goes to and fro along any axis: the lesser of its largest rise and its
@@ -40,7 +40,7 @@ private:
     Vector3 fall_ = Vector3::Zero();
 };
 
-/// A hand, the bench, the tick and the instrument.
+/// A device, the bench, the tick and the instrument.
 class HeldTip {
 public:
     HeldTip(const Scene& scene, const BenchHold& hold, const CancelCheck& check)
@@ -67,7 +67,7 @@ public:
         return settle();
     }
 
-    /// Opens the hand, then as goTo().
+    /// Opens the device, then as goTo().
     double letGo() {
         bench_.grip(kNoDevice);
         return settle();
@@ -102,7 +102,7 @@ private:
 
     void step(double height) {
         bench_.reachFor(above(height, input_.settings.positionGain));
-        input_.hand = bench_.advance(input_.timeStep);
+        input_.device = bench_.advance(input_.timeStep);
         const BaseCommand command = commandBase(scene_, input_, memory_);
         input_.measurement = afm_.exchange(command.base);
         const TickOutput output = tick(scene_, input_, command, memory_);

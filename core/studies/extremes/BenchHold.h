@@ -18,15 +18,15 @@ inline constexpr double kRestWindow = 0.2;
 /// How long each hold may take to come to rest [s].
 inline constexpr double kPatience = 2.0;
 
-/// How a hand is put on the bench.
+/// How a device is put on the bench.
 struct BenchHold {
     DeviceScale scale;
-    CouplingGains coupling;  ///< without stiffness: the hand moves the base itself
+    CouplingGains coupling;  ///< without stiffness: the device moves the base itself
     double delay = 0.0;      ///< [s]
     Grip grip = Grip::Light;
 };
 
-/// A hand taps the tip on the middle of the scene's flat sample, then holds it pressed, just off
+/// A device taps the tip on the middle of the scene's flat sample, then holds it pressed, just off
 /// the surface, and pressed hard; with `Grip::None` it lets go when it has pressed hard. Each time
 /// the handle is watched until it rests or kPatience has passed. On the virtual clock, with
 /// the real tick and a simulated instrument: reproducible.

@@ -40,8 +40,8 @@ struct CouplingGrid {
     std::vector<double> leverStiffnesses;  ///< [N/m]
     std::vector<double> tickRates;         ///< [Hz]
     std::vector<double> delays;            ///< from a motion to its force, without the hold [s]
-    std::vector<double> positionGains;     ///< displacement at the tip per that of the hand
-    std::vector<double> forceGains;        ///< force at the hand per force at the tip
+    std::vector<double> positionGains;     ///< displacement at the tip per that of the device
+    std::vector<double> forceGains;        ///< device force per force at the tip
     long stride = 1;
 
     [[nodiscard]] long settings() const noexcept;  ///< without the stride

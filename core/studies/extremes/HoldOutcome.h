@@ -16,7 +16,7 @@ inline constexpr auto kEnumTable<Grip> = std::to_array<EnumRow<Grip>>({{Grip::No
                                                                        {Grip::Light, "light"},
                                                                        {Grip::Normal, "normal"}});
 
-/// What becomes of a hand at a device that holds a tip on a sample, best first.
+/// What becomes of a device at a device that holds a tip on a sample, best first.
 enum class HoldVerdict : std::uint8_t {
     Still,         ///< the handle comes to rest
     Noisy,         ///< at rest but for the detector's noise, which the force gain makes felt
@@ -44,14 +44,14 @@ struct HoldSetting {
     double delay = 0.0;           ///< from a motion to its force, without the hold [s]
     DeviceScale scale;
     Grip grip = Grip::Light;
-    bool coupled = false;  ///< with the gains of designCoupling(); else the hand moves the base
+    bool coupled = false;  ///< with the gains of designCoupling(); else the device moves the base
 };
 
 /// What became of it.
 struct HoldOutcome {
     HoldSetting setting;
     HoldVerdict verdict = HoldVerdict::Still;
-    double contact = 0.0;     ///< largest stiffness of lever and contact, at the hand [N/m]
+    double contact = 0.0;     ///< largest stiffness of lever and contact, at the device [N/m]
     double felt = 0.0;        ///< the same in series with the coupling [N/m]
     bool guardHolds = false;  ///< whether judgeScale() accepts the scale
     double swing = 0.0;       ///< of the handle in the end, to and fro [m]; 0 where refused

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSession = 60.0;  // [s]
 
-/// The scene that ships with the program, led by a coupled hand: 1 mm is 1 nm, 1 N is 10 nN.
+/// The scene that ships with the program, led by a coupled device: 1 mm is 1 nm, 1 N is 10 nN.
 SceneDescription coupledScene() {
     SceneDescription scene = readScene(test::shippedScene("polystyrene"));
     scene.settings.positionGain = 1.0_nm / 1e-3;
@@ -47,8 +47,8 @@ constexpr KnobTurn kKnobs[] = {
     {54.0, [](Settings& knobs) { knobs.forceGain /= 3.1; }},
 };
 
-void loseDeviceForAMoment(DeviceState& hand, double time) {
-    hand.connected = time < 40.0 || time > 40.1;
+void loseDeviceForAMoment(DeviceState& device, double time) {
+    device.connected = time < 40.0 || time > 40.1;
 }
 
 /// A person at work: rasters in contact, turns knobs, loses the device and takes the fault back.

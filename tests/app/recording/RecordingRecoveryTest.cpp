@@ -25,10 +25,10 @@ protected:
         input.timeStep = loaded.scene.timeStep();
         input.settings = loaded.scene.settings;
         input.settings.forceGain = 3.0;  // not as in the scene
-        input.hand.connected = true;
+        input.device.connected = true;
         for (long i = 0; i < ticks; ++i) {
             const double time = static_cast<double>(i) * input.timeStep;
-            input.hand.position = Vector3(2e-7 + 1e-9 * time, 2e-7, 1e-8);
+            input.device.position = Vector3(2e-7 + 1e-9 * time, 2e-7, 1e-8);
             recording->take({time, input, tick(loaded.scene, input, memory)});
         }
         recording->flush();

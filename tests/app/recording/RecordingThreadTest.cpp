@@ -23,7 +23,7 @@ protected:
         sample.time = static_cast<double>(count++) * loaded.scene.timeStep();
         sample.input.timeStep = loaded.scene.timeStep();
         sample.input.settings = loaded.scene.settings;
-        sample.input.hand.position.x() = 1e-9 * sample.time;
+        sample.input.device.position.x() = 1e-9 * sample.time;
         return sample;
     }
     void give(RecordingThread& recording, long ticks) {
@@ -38,7 +38,7 @@ protected:
         for (long i = 0; i < ticks; ++i) {
             const TickSample& sample = read[static_cast<std::size_t>(i)];
             ASSERT_EQ(sample.time, static_cast<double>(i) * loaded.scene.timeStep());
-            ASSERT_EQ(sample.input.hand.position.x(), 1e-9 * sample.time);
+            ASSERT_EQ(sample.input.device.position.x(), 1e-9 * sample.time);
         }
     }
 

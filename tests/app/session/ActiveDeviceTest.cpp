@@ -21,7 +21,7 @@ protected:
                .sha256 = "",
                .notes = {}},
               Vector3(50e-9, 60e-9, 30e-9)) {
-        hand.attach(run);
+        device.attach(run);
         run.loop().start();
     }
 
@@ -29,60 +29,60 @@ protected:
     void live(int frames) {
         for (int i = 0; i < frames; ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
-            hand.advance(0.01, 50e-9);
+            device.advance(0.01, 50e-9);
         }
     }
 
     LiveRun run;
-    ActiveDevice hand;
+    ActiveDevice device;
 };
 
 TEST_F(DeviceControlTest, BeginsWithMouseAndKeyboardThatMoveTheTip) {
-    EXPECT_EQ(hand.driver(), &pointerDriver());
-    EXPECT_FALSE(hand.isDevice());
+    EXPECT_EQ(device.driver(), &pointerDriver());
+    EXPECT_FALSE(device.isDevice());
     const Vector3 before = run.basePosition();
-    hand.displace({5e-9, 0.0, 0.0});
+    device.displace({5e-9, 0.0, 0.0});
     live(40);
     EXPECT_NEAR(run.basePosition().x() - before.x(), 5e-9, 0.1e-9);
 }
 
 TEST_F(DeviceControlTest, TheHandleOfALedDeviceGoesAsFarAsTheTipAsks) {
-    hand.use(simulatedDriver());
-    EXPECT_EQ(hand.driver(), &simulatedDriver());
+    device.use(simulatedDriver());
+    EXPECT_EQ(device.driver(), &simulatedDriver());
     live(30);
     const Vector3 before = run.basePosition();
-    hand.displace({5e-9, 0.0, 0.0});
+    device.displace({5e-9, 0.0, 0.0});
     live(60);
     EXPECT_NEAR(run.basePosition().x() - before.x(), 5e-9, 0.5e-9);
 }
 
 TEST_F(DeviceControlTest, APathHasNoDriver) {
-    hand.follow({{0.0, {40e-9, 60e-9, 30e-9}}, {0.1, {45e-9, 60e-9, 30e-9}}});
-    EXPECT_TRUE(hand.followsPath());
-    EXPECT_EQ(hand.driver(), nullptr);
-    EXPECT_FALSE(hand.isDevice());
+    device.follow({{0.0, {40e-9, 60e-9, 30e-9}}, {0.1, {45e-9, 60e-9, 30e-9}}});
+    EXPECT_TRUE(device.followsPath());
+    EXPECT_EQ(device.driver(), nullptr);
+    EXPECT_FALSE(device.isDevice());
 }
 
 TEST_F(DeviceControlTest, ADeviceTakenElsewhereIsNotLedHere) {
     const Vector3 here = run.devicePosition();
     run.takeDevice([&here] { return std::make_unique<PointerDevice>(here); });
-    EXPECT_EQ(hand.driver(), nullptr);
-    EXPECT_FALSE(hand.followsPath());
+    EXPECT_EQ(device.driver(), nullptr);
+    EXPECT_FALSE(device.followsPath());
     const Vector3 before = run.basePosition();
-    hand.displace({5e-9, 0.0, 0.0});
+    device.displace({5e-9, 0.0, 0.0});
     live(20);
     EXPECT_LT((run.basePosition() - before).norm(), 1e-15);
 }
 
 TEST(ActiveDevice, WithoutARunNothingHappens) {
-    ActiveDevice hand;
-    hand.displace({5e-9, 0.0, 0.0});
-    hand.setVelocity({5e-9, 0.0, 0.0});
-    hand.travelTo({0.0, 0.0});
-    hand.advance(0.01, 50e-9);
-    EXPECT_EQ(hand.driver(), nullptr);
-    EXPECT_FALSE(hand.followsPath());
-    EXPECT_FALSE(hand.isDevice());
+    ActiveDevice device;
+    device.displace({5e-9, 0.0, 0.0});
+    device.setVelocity({5e-9, 0.0, 0.0});
+    device.travelTo({0.0, 0.0});
+    device.advance(0.01, 50e-9);
+    EXPECT_EQ(device.driver(), nullptr);
+    EXPECT_FALSE(device.followsPath());
+    EXPECT_FALSE(device.isDevice());
 }
 
 TEST_F(DeviceControlTest, ADeviceThatCannotBeOpenedLeavesTheDeviceBefore) {
@@ -91,8 +91,8 @@ TEST_F(DeviceControlTest, ADeviceThatCannotBeOpenedLeavesTheDeviceBefore) {
                               .open = [](const DeviceSite&) -> std::unique_ptr<HapticDevice> {
                                   throw std::runtime_error("no such luck");
                               }};
-    EXPECT_THROW(hand.use(broken), std::runtime_error);
-    EXPECT_EQ(hand.driver(), &pointerDriver());
+    EXPECT_THROW(device.use(broken), std::runtime_error);
+    EXPECT_EQ(device.driver(), &pointerDriver());
     EXPECT_TRUE(run.loop().running());
 }
 

@@ -23,7 +23,7 @@ protected:
     }
     WindowMenus& menus() { return window.menus(); }
     Vector3 base() { return session.run()->basePosition(); }
-    Vector3 hand() { return session.run()->devicePosition(); }
+    Vector3 device() { return session.run()->devicePosition(); }
     Vector3 deviceForce() { return session.run()->loop().snapshot().sample.output.deviceForce; }
     /// By the entry's name, as a person would.
     void chooseGuide(const QString& name) {
@@ -42,9 +42,9 @@ TEST_F(DeviceMenu, AClutchLetsTheDeviceMoveAndTheTipStay) {
     menus().clutch->trigger();
     ASSERT_TRUE(eventually([this] { return state().starts_with("clutch"); })) << state();
     const Vector3 tip = base();
-    const Vector3 before = hand();
+    const Vector3 before = device();
     press(Qt::Key_Right);
-    ASSERT_TRUE(eventually([&] { return (hand() - before).norm() > 5e-3; }));
+    ASSERT_TRUE(eventually([&] { return (device() - before).norm() > 5e-3; }));
     release(Qt::Key_Right);
     live(300);
     EXPECT_LT((base() - tip).norm(), 0.05e-9);
@@ -63,7 +63,7 @@ TEST_F(DeviceMenu, AGuideHoldsTheTipBack) {
     release(Qt::Key_PageUp);
     live(500);
     // The guide's 200 N/m and the grip's 150 N/m part the way; without a guide the tip rises with
-    // the hand.
+    // the device.
     const double asked = -deviceForce().z() / 200.0 * 1e-6;
     EXPECT_NEAR(base().z() - height, asked, 0.3 * asked);
     chooseGuide("None");
@@ -83,13 +83,13 @@ TEST_F(DeviceMenu, TheEdgeOfTheWorkspaceIsFeltAndToldAndAClutchLeadsOn) {
     })) << state();
     live(500);
     release(Qt::Key_Right);
-    const double edge = hand().norm();
+    const double edge = device().norm();
     EXPECT_GT(edge, 0.09);
     EXPECT_LT(edge, 0.1);
     const Vector3 tip = base();
     menus().clutch->trigger();
     press(Qt::Key_Left, Qt::ControlModifier);
-    ASSERT_TRUE(eventually([this] { return hand().norm() < 0.05; }));
+    ASSERT_TRUE(eventually([this] { return device().norm() < 0.05; }));
     release(Qt::Key_Left);
     live(300);
     menus().clutch->trigger();

@@ -99,10 +99,10 @@ TEST_F(Window, ADoubleClickOnTheScanTravelsThere) {
 
 TEST_F(Window, AScriptedPathGoesIntoContactAndBack) {
     openFlatScene();
-    auto* hand = child<QComboBox>("hand");
-    hand->setFocus();
-    QTest::keyClick(hand, Qt::Key_Down);
-    EXPECT_EQ(hand->currentText().toStdString(), "Scripted path");
+    auto* device = child<QComboBox>("hand");
+    device->setFocus();
+    QTest::keyClick(device, Qt::Key_Down);
+    EXPECT_EQ(device->currentText().toStdString(), "Scripted path");
     ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
     EXPECT_TRUE(eventually([this] { return far(); })) << state();
 }

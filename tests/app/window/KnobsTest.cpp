@@ -103,9 +103,9 @@ TEST_F(Window, EscTakesTheForcesAwayWhateverHasTheFocus) {
 
 TEST_F(Window, TheViewHasTheKeysAgainOnceAKnobIsTurned) {
     openFlatScene();
-    auto* hand = child<QComboBox>("hand");
-    hand->setFocus();
-    QTest::keyClick(hand, Qt::Key_Down);
+    auto* device = child<QComboBox>("hand");
+    device->setFocus();
+    QTest::keyClick(device, Qt::Key_Down);
     EXPECT_TRUE(window.view().hasFocus());
 }
 

@@ -19,12 +19,12 @@ using test::kGains;
 TEST(CoupledTick, TheProxyCommandsTheBaseAndTheDeviceFeelsTheCoupling) {
     const Scene scene = coupledScene(kGains);
     GuidedDevice guided(scene);
-    const Vector3 hand(64e-3, 64e-3, -3e-3);
+    const Vector3 device(64e-3, 64e-3, -3e-3);
     guided.moveTo({64e-3, 64e-3, 4e-3});
-    const TickOutput out = guided.moveTo(hand, 4000);
+    const TickOutput out = guided.moveTo(device, 4000);
     const Vector3 proxy = out.base.position / scene.settings.positionGain;
-    EXPECT_GT(proxy.z(), hand.z() + 1e-3) << "held up by the sample";
-    const Vector3 coupling = kGains.stiffness * (proxy - hand);
+    EXPECT_GT(proxy.z(), device.z() + 1e-3) << "held up by the sample";
+    const Vector3 coupling = kGains.stiffness * (proxy - device);
     EXPECT_LT((out.deviceForce - coupling).norm(), 1e-6 * coupling.norm());
     const Vector3 contact = scene.settings.forceGain * out.model.force;
     EXPECT_LT((out.deviceForce - contact).norm(), 1e-3 * contact.norm());
@@ -34,18 +34,18 @@ TEST(CoupledTick, WithoutACouplingTheDeviceCommandsTheBase) {
     const Scene scene = coupledScene({});
     GuidedDevice guided(scene);
     guided.moveTo({64e-3, 64e-3, 4e-3});
-    const Vector3 hand(64e-3, 64e-3, -1e-3);
-    EXPECT_LT((guided.moveTo(hand).base.position - 1e-6 * hand).norm(), 1e-20);
+    const Vector3 device(64e-3, 64e-3, -1e-3);
+    EXPECT_LT((guided.moveTo(device).base.position - 1e-6 * device).norm(), 1e-20);
 }
 
 TEST(CoupledTick, ChangedGainsMoveNothingByThemselves) {
     const Scene scene = coupledScene(kGains);
     GuidedDevice guided(scene);
-    const Vector3 hand(64e-3, 64e-3, -3e-3);
+    const Vector3 device(64e-3, 64e-3, -3e-3);
     guided.moveTo({64e-3, 64e-3, 4e-3});
-    const TickOutput before = guided.moveTo(hand, 4000);
+    const TickOutput before = guided.moveTo(device, 4000);
     const auto expectStill = [&](const char* what, double forceScale) {
-        const TickOutput after = guided.moveTo(hand, 100);
+        const TickOutput after = guided.moveTo(device, 100);
         EXPECT_LT((after.base.position - before.base.position).norm(), 1e-15) << what;
         const Vector3 force = forceScale * before.deviceForce;
         EXPECT_LT((after.deviceForce - force).norm(), 2e-3 * force.norm()) << what;
@@ -66,14 +66,14 @@ TEST(CoupledTick, AForceGainThatIsTurnedUpNeitherStepsNorMovesTheBase) {
     const Scene scene = coupledScene(kGains);
     GuidedDevice guided(scene);
     guided.settings.forceGain = 1e6;
-    const Vector3 hand(64e-3, 64e-3, -3e-3);
+    const Vector3 device(64e-3, 64e-3, -3e-3);
     guided.moveTo({64e-3, 64e-3, 4e-3});
-    const TickOutput before = guided.moveTo(hand, 4000);
+    const TickOutput before = guided.moveTo(device, 4000);
     guided.settings.forceGain = 1e8;
     Vector3 last = before.deviceForce;
     double steepest = 0.0;
     for (int i = 0; i < 1000; ++i) {
-        const TickOutput now = guided.moveTo(hand);
+        const TickOutput now = guided.moveTo(device);
         steepest = std::max(steepest, (now.deviceForce - last).norm() / now.deviceForce.norm());
         EXPECT_LT((now.base.position - before.base.position).norm(), 1e-13) << i;
         last = now.deviceForce;
@@ -99,11 +99,11 @@ TEST(CoupledTick, FreeAirDragsNoMoreThanADeviceCanBear) {
 TEST(CoupledTick, ForcesOffLeaveTheProxyWhereItIs) {
     const Scene scene = coupledScene(kGains);
     GuidedDevice guided(scene);
-    const Vector3 hand(64e-3, 64e-3, -3e-3);
+    const Vector3 device(64e-3, 64e-3, -3e-3);
     guided.moveTo({64e-3, 64e-3, 4e-3});
-    const TickOutput before = guided.moveTo(hand, 4000);
+    const TickOutput before = guided.moveTo(device, 4000);
     guided.settings.forcesOn = false;
-    const TickOutput after = guided.moveTo(hand, 100);
+    const TickOutput after = guided.moveTo(device, 100);
     EXPECT_EQ(after.deviceForce, Vector3::Zero());
     EXPECT_LT((after.base.position - before.base.position).norm(), 1e-15);
 }
@@ -125,7 +125,7 @@ TEST(CoupledTick, ASlidingTipFeelsFrictionWithoutChatter) {
         }
     }
     const double load = scene.settings.forceGain * out.model.normalForce;
-    const double share = kSpeed / std::hypot(kSpeed, 1e-3);  // v0 = 1 nm/s, 1 mm/s of the hand
+    const double share = kSpeed / std::hypot(kSpeed, 1e-3);  // v0 = 1 nm/s, 1 mm/s of the device
     const double friction = scene.description.sample.material.friction.coefficient * load * share;
     const double drag = kGains.proxyDamping * kSpeed;
     EXPECT_NEAR(out.deviceForce.x(), -friction - drag, 0.01 * friction);

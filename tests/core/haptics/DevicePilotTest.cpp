@@ -35,11 +35,11 @@ TEST(DevicePilot, TravelsAndStays) {
 TEST(DevicePilot, BringsTheBaseToItsPlaceWhereverTheDeviceIsAndWhateverTheGain) {
     DevicePilot pilot({5.0_nm, 0.0, 0.0});
     pilot.follow({{0.0, {0.0, 0.0, 0.0}}, {1.0, {0.0, 8.0_nm, 0.0}}});
-    // A hand that lags behind, and a gain that has just become 2.
+    // A device that lags behind, and a gain that has just become 2.
     const DeviceMapping now{
-        .hand = {5.0_nm, 1.0_nm, 0.0}, .base = {0.0, 2.0_nm, 0.0}, .positionGain = 2.0};
-    const Vector3 hand = pilot.advance(1.0, now);
-    const Vector3 base = now.base + now.positionGain * (hand - now.hand);
+        .device = {5.0_nm, 1.0_nm, 0.0}, .base = {0.0, 2.0_nm, 0.0}, .positionGain = 2.0};
+    const Vector3 device = pilot.advance(1.0, now);
+    const Vector3 base = now.base + now.positionGain * (device - now.device);
     EXPECT_TRUE(base.isApprox(Vector3(0.0, 8.0_nm, 0.0)));
 }
 

@@ -15,8 +15,8 @@ constexpr double kTick = 1.0_ms;
 /// A tick of a device at a height, told a force.
 TickSample tickOf(double height, double force) {
     TickSample sample;
-    sample.input.hand.position.z() = height;
-    sample.input.hand.maxForce = 5.0;
+    sample.input.device.position.z() = height;
+    sample.input.device.maxForce = 5.0;
     sample.input.settings.coupling = {.stiffness = 300.0, .damping = 2.0, .proxyDamping = 3.0};
     sample.input.timeStep = kTick;
     sample.input.starts = 1;
@@ -24,7 +24,7 @@ TickSample tickOf(double height, double force) {
     return sample;
 }
 
-/// Pushes the hand along by 1 N for 20 ms at 1 m/s: 20 mJ that nobody put in.
+/// Pushes the device along by 1 N for 20 ms at 1 m/s: 20 mJ that nobody put in.
 void push(EnergyWatch& watch, double from) {
     for (int i = 0; i < 20; ++i) {
         watch.take(tickOf(from + 1e-3 * i, 1.0));
@@ -63,7 +63,7 @@ TEST(EnergyWatch, ADeviceWithoutMotorsOrCouplingIsNotWatched) {
     EnergyWatch watch(kTick, 0.0);
     push(watch, 0.0);
     TickSample mouse = tickOf(0.0, 1.0);
-    mouse.input.hand.maxForce = 0.0;
+    mouse.input.device.maxForce = 0.0;
     watch.take(mouse);
     EXPECT_EQ(watch.observer(), nullptr);
     push(watch, 0.0);

@@ -20,8 +20,8 @@ Scene coupledScene(const CouplingGains& gains, const HeightMap& map) {
 Scene coupledScene(const CouplingGains& gains) { return coupledScene(gains, flatMap()); }
 
 TickOutput GuidedDevice::moveTo(const Vector3& hand, int ticks) {
-    TickInput input{.hand = device, .settings = settings, .starts = starts};
-    input.hand.position = hand;
+    TickInput input{.device = device, .settings = settings, .starts = starts};
+    input.device.position = hand;
     place_ = hand;
     TickOutput out;
     for (int i = 0; i < ticks; ++i) {

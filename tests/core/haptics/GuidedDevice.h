@@ -9,19 +9,19 @@ namespace asperity::test {
 
 inline constexpr CouplingGains kGains{.stiffness = 400.0, .damping = 3.0, .proxyDamping = 3.0};
 
-/// Silicon oxide without noise under a hand for which 1 mm is 1 nm and 1 N is 10 nN.
+/// Silicon oxide without noise under a device for which 1 mm is 1 nm and 1 N is 10 nN.
 [[nodiscard]] Scene coupledScene(const CouplingGains& gains, const HeightMap& map);
 /// The same on flat ground.
 [[nodiscard]] Scene coupledScene(const CouplingGains& gains);
 
-/// A hand that goes where it is told, with tick and instrument.
+/// A device that goes where it is told, with tick and instrument.
 class GuidedDevice {
 public:
     explicit GuidedDevice(const Scene& scene)
         : settings(scene.settings), scene_(scene), afm_(scene.touched(), truthOf(scene)) {}
 
     TickOutput moveTo(const Vector3& hand, int ticks = 1);
-    /// At a speed that a hand has, in half of the ticks; then it stays.
+    /// At a speed that a device has, in half of the ticks; then it stays.
     TickOutput glideTo(const Vector3& hand, int ticks);
 
     Settings settings;

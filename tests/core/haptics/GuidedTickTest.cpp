@@ -12,7 +12,7 @@ using test::GuidedDevice;
 using test::kGains;
 
 constexpr double kFar = 1e-4;                // of what the sample pulls from there [N]
-const Vector3 kHigh(64e-3, 64e-3, 40e-3);    // of the hand [m]
+const Vector3 kHigh(64e-3, 64e-3, 40e-3);    // of the device [m]
 const Vector3 kTarget(64e-9, 64e-9, 40e-9);  // where that sends the base [m]
 
 VirtualFixture guideTo(FixtureKind kind, const Vector3& point) {
@@ -26,11 +26,11 @@ VirtualFixture guideTo(FixtureKind kind, const Vector3& point) {
 
 TEST(GuidedTick, AGuidePullsTheBaseToItsTargetAndTheDeviceFeelsIt) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand(scene);
-    hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
-    hand.moveTo(kHigh, 1000);
+    GuidedDevice device(scene);
+    device.settings.guide = guideTo(FixtureKind::Point, kTarget);
+    device.moveTo(kHigh, 1000);
     const Vector3 aside(1e-3, 0.0, 2e-3);
-    const TickOutput out = hand.moveTo(kHigh + aside, 4000);
+    const TickOutput out = device.moveTo(kHigh + aside, 4000);
     // Coupling and guide in series: the base comes to Kc / (Kc + k) of the way. The guide gives
     // less than k e by its fading towards the capture distance and towards its limit.
     const Vector3 way = (out.base.position - kTarget) / 1e-6;
@@ -42,23 +42,23 @@ TEST(GuidedTick, AGuidePullsTheBaseToItsTargetAndTheDeviceFeelsIt) {
 
 TEST(GuidedTick, APlaneLeavesTheDeviceFreeWithinIt) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand(scene);
-    hand.settings.guide = guideTo(FixtureKind::Plane, kTarget);
-    hand.moveTo(kHigh, 1000);
-    const TickOutput within = hand.moveTo(kHigh + Vector3(15e-3, -10e-3, 0.0), 4000);
+    GuidedDevice device(scene);
+    device.settings.guide = guideTo(FixtureKind::Plane, kTarget);
+    device.moveTo(kHigh, 1000);
+    const TickOutput within = device.moveTo(kHigh + Vector3(15e-3, -10e-3, 0.0), 4000);
     EXPECT_LT(within.deviceForce.norm(), kFar);
-    EXPECT_LT(hand.moveTo(kHigh + Vector3(15e-3, -10e-3, 3e-3), 4000).deviceForce.z(), -0.3);
+    EXPECT_LT(device.moveTo(kHigh + Vector3(15e-3, -10e-3, 3e-3), 4000).deviceForce.z(), -0.3);
 }
 
 TEST(GuidedTick, AGuideThatIsSwitchedOnComesOnByAndBy) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand(scene);
+    GuidedDevice device(scene);
     const Vector3 place = kHigh + Vector3(5e-3, 0.0, 0.0);
-    Vector3 last = hand.moveTo(place, 100).deviceForce;
-    hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
+    Vector3 last = device.moveTo(place, 100).deviceForce;
+    device.settings.guide = guideTo(FixtureKind::Point, kTarget);
     double steepest = 0.0;
     for (int i = 0; i < 1000; ++i) {
-        const Vector3 now = hand.moveTo(place).deviceForce;
+        const Vector3 now = device.moveTo(place).deviceForce;
         steepest = std::max(steepest, (now - last).norm());
         last = now;
     }
@@ -68,19 +68,19 @@ TEST(GuidedTick, AGuideThatIsSwitchedOnComesOnByAndBy) {
 
 TEST(GuidedTick, NeitherZoomNorAnotherGuideMovesTheBaseByItself) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand(scene);
-    hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
-    hand.moveTo(kHigh, 1000);
+    GuidedDevice device(scene);
+    device.settings.guide = guideTo(FixtureKind::Point, kTarget);
+    device.moveTo(kHigh, 1000);
     const Vector3 place = kHigh + Vector3(3e-3, 0.0, 0.0);
-    const TickOutput before = hand.moveTo(place, 4000);
+    const TickOutput before = device.moveTo(place, 4000);
     ASSERT_GT(before.deviceForce.norm(), 0.2);
-    hand.settings.positionGain = 2e-6;
-    const TickOutput zoomed = hand.moveTo(place);
+    device.settings.positionGain = 2e-6;
+    const TickOutput zoomed = device.moveTo(place);
     EXPECT_LT((zoomed.base.position - before.base.position).norm(), 1e-15);
     EXPECT_LT(zoomed.deviceForce.norm(), kFar) << "the guide comes on anew";
-    const TickOutput held = hand.moveTo(place, 4000);
-    hand.settings.guide = {};
-    const TickOutput without = hand.moveTo(place);
+    const TickOutput held = device.moveTo(place, 4000);
+    device.settings.guide = {};
+    const TickOutput without = device.moveTo(place);
     EXPECT_LT((without.base.position - held.base.position).norm(), 1e-15);
     EXPECT_LT(without.deviceForce.norm(), kFar);
 }
@@ -90,29 +90,29 @@ TEST(GuidedTick, WithTheTipUnderControlItIsTheTipThatIsGuided) {
     scene.settings.positionGain = 1e-6;
     scene.settings.forceGain = 1e8;
     scene.settings.coupling = kGains;
-    GuidedDevice hand(scene);
+    GuidedDevice device(scene);
     const Vector3 pressed(64e-3, 64e-3, -2e-3);
-    hand.settings.positionControl = PositionControl::Tip;
-    hand.moveTo({64e-3, 64e-3, 5e-3});
-    const TickOutput before = hand.glideTo(pressed, 6000);
+    device.settings.positionControl = PositionControl::Tip;
+    device.moveTo({64e-3, 64e-3, 5e-3});
+    const TickOutput before = device.glideTo(pressed, 6000);
     ASSERT_EQ(before.region(), TipRegion::Contact);
     ASSERT_LT(before.base.position.z(), before.model.tip.z() - 0.1e-9) << "the base is ahead";
-    hand.settings.guide = guideTo(FixtureKind::Plane, before.model.tip);
-    const TickOutput atTip = hand.moveTo(pressed, 4000);
+    device.settings.guide = guideTo(FixtureKind::Plane, before.model.tip);
+    const TickOutput atTip = device.moveTo(pressed, 4000);
     EXPECT_LT((atTip.deviceForce - before.deviceForce).norm(), 0.01 * before.deviceForce.norm());
-    hand.settings.guide = guideTo(FixtureKind::Plane, before.base.position);
-    const TickOutput atBase = hand.moveTo(pressed, 4000);
+    device.settings.guide = guideTo(FixtureKind::Plane, before.base.position);
+    const TickOutput atBase = device.moveTo(pressed, 4000);
     EXPECT_LT(atBase.base.position.z(), before.base.position.z()) << "pulled deeper";
     EXPECT_LT(atBase.deviceForce.z(), 0.99 * before.deviceForce.z());
 }
 
 TEST(GuidedTick, WithoutACouplingAGuideHasNothingToPullAt) {
     const Scene scene = test::coupledScene({});
-    GuidedDevice hand(scene);
-    hand.settings.guide = guideTo(FixtureKind::Point, kTarget);
-    hand.moveTo(kHigh, 1000);
+    GuidedDevice device(scene);
+    device.settings.guide = guideTo(FixtureKind::Point, kTarget);
+    device.moveTo(kHigh, 1000);
     const Vector3 place = kHigh + Vector3(3e-3, 0.0, 0.0);
-    EXPECT_LT((hand.moveTo(place, 1000).base.position - 1e-6 * place).norm(), 1e-18);
+    EXPECT_LT((device.moveTo(place, 1000).base.position - 1e-6 * place).norm(), 1e-18);
 }
 
 }  // namespace

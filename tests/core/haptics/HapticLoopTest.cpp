@@ -59,9 +59,9 @@ private:
 /// One scene, one hand, its loop.
 struct Bench {
     Scene scene = flatScene();
-    FakeDevice hand{middleAbove(scene, -2.0_nm)};
+    FakeDevice device{middleAbove(scene, -2.0_nm)};
     SimulatedAfm afm{scene.surface, truthOf(scene)};
-    HapticLoop loop{scene, hand, afm};
+    HapticLoop loop{scene, device, afm};
 };
 
 TEST(HapticLoop, AStepIsATickWithoutTheClock) {
@@ -79,9 +79,9 @@ TEST(HapticLoop, AStepIsATickWithoutTheClock) {
 TEST(HapticLoop, MakesTheSameTicksAsAVirtualRun) {
     const Scene scene = flatScene();
     const DevicePath path{{0.0, middleAbove(scene, 3.0_nm)}, {0.2, middleAbove(scene, -2.0_nm)}};
-    ScriptedDevice hand(path, scene.settings.positionGain);
+    ScriptedDevice device(path, scene.settings.positionGain);
     SimulatedAfm afm(scene.surface, truthOf(scene));
-    HapticLoop loop(scene, hand, afm);
+    HapticLoop loop(scene, device, afm);
     loop.start();
     waitForTicks(loop, 250);
     loop.stop();
@@ -122,9 +122,9 @@ TEST(HapticLoop, PushesTheDeviceAndLetsGoWhenStopped) {
     Bench bench;
     bench.loop.start();
     waitForTicks(bench.loop, 50);
-    EXPECT_GT(bench.hand.forceZ, 1e-9);
+    EXPECT_GT(bench.device.forceZ, 1e-9);
     bench.loop.stop();
-    EXPECT_EQ(bench.hand.forceZ, 0.0);
+    EXPECT_EQ(bench.device.forceZ, 0.0);
 }
 
 TEST(HapticLoop, GoesOnWhereItStopped) {
@@ -149,27 +149,27 @@ TEST(HapticLoop, TurnsKnobsWhileItRuns) {
     Bench bench;
     bench.loop.start();
     waitForTicks(bench.loop, 50);
-    const double force = bench.hand.forceZ;
+    const double force = bench.device.forceZ;
     Settings settings = bench.scene.settings;
     settings.forceGain = 10.0;
     bench.loop.setSettings(settings);
     waitForTicks(bench.loop, bench.loop.snapshot().statistics.ticks + 2);
-    EXPECT_NEAR(bench.hand.forceZ, 10.0 * force, 0.5 * force);
+    EXPECT_NEAR(bench.device.forceZ, 10.0 * force, 0.5 * force);
     settings.forcesOn = false;
     bench.loop.setSettings(settings);
     waitForTicks(bench.loop, bench.loop.snapshot().statistics.ticks + 2);
-    EXPECT_EQ(bench.hand.forceZ, 0.0);
+    EXPECT_EQ(bench.device.forceZ, 0.0);
 }
 
 TEST(HapticLoop, ALostDeviceFeelsNothingUntilAPersonTakesItBack) {
     Bench bench;
     bench.loop.start();
     waitForTicks(bench.loop, 20);
-    bench.hand.connected = false;
+    bench.device.connected = false;
     waitForTicks(bench.loop, bench.loop.snapshot().statistics.ticks + 2);
     EXPECT_EQ(bench.loop.snapshot().sample.output.fault, Fault::DeviceLost);
-    EXPECT_EQ(bench.hand.forceZ, 0.0);
-    bench.hand.connected = true;
+    EXPECT_EQ(bench.device.forceZ, 0.0);
+    bench.device.connected = true;
     waitForTicks(bench.loop, bench.loop.snapshot().statistics.ticks + 2);
     EXPECT_EQ(bench.loop.snapshot().sample.output.fault, Fault::DeviceLost);
     Settings settings = bench.scene.settings;
@@ -177,16 +177,16 @@ TEST(HapticLoop, ALostDeviceFeelsNothingUntilAPersonTakesItBack) {
     bench.loop.setSettings(settings);
     waitForTicks(bench.loop, bench.loop.snapshot().statistics.ticks + 2);
     EXPECT_EQ(bench.loop.snapshot().sample.output.fault, Fault::None);
-    EXPECT_GT(bench.hand.forceZ, 1e-9);
+    EXPECT_GT(bench.device.forceZ, 1e-9);
 }
 
 TEST(HapticLoop, CountsSamplesThatNobodyFetched) {
     SceneDescription description = test::plainScene();
     description.tickRate = 10000.0;
     const Scene scene = buildScene(description, test::flatMap());
-    FakeDevice hand(middleAbove(scene, 1.0_nm));
+    FakeDevice device(middleAbove(scene, 1.0_nm));
     SimulatedAfm afm(scene.surface, truthOf(scene));
-    HapticLoop loop(scene, hand, afm);
+    HapticLoop loop(scene, device, afm);
     loop.start();
     while (loop.snapshot().statistics.lostSamples == 0) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -209,7 +209,7 @@ TEST(HapticLoop, TellsHowItKeepsTimeOnceASecond) {
     EXPECT_GT(statistics.lateness.largest, 0.0);
 }
 
-/// A hand that holds the loop up once.
+/// A device that holds the loop up once.
 class SlowDevice final : public HapticDevice {
 public:
     explicit SlowDevice(const Vector3& position) : position_(position) {}
@@ -230,9 +230,9 @@ private:
 
 TEST(HapticLoop, TakesOneLongStepOverWhatItMissed) {
     const Scene scene = flatScene();
-    SlowDevice hand(middleAbove(scene, 5.0_nm));
+    SlowDevice device(middleAbove(scene, 5.0_nm));
     SimulatedAfm afm(scene.surface, truthOf(scene));
-    HapticLoop loop(scene, hand, afm);
+    HapticLoop loop(scene, device, afm);
     loop.start();
     waitForTicks(loop, 40);
     loop.stop();
@@ -269,11 +269,11 @@ TEST(HapticLoop, StartsAndStopsOverAndOver) {
 }
 
 TEST(PointerDevice, FollowsItsTargetWithoutOvershoot) {
-    PointerDevice hand(Vector3::Zero());
-    hand.moveTo({1.0_nm, 0.0, -2.0_nm});
+    PointerDevice device(Vector3::Zero());
+    device.moveTo({1.0_nm, 0.0, -2.0_nm});
     double last = 0.0;
     for (int i = 0; i < 500; ++i) {
-        const double x = hand.advance(1e-3).position.x();
+        const double x = device.advance(1e-3).position.x();
         EXPECT_GE(x, last);
         EXPECT_LE(x, 1.0_nm);
         last = x;
@@ -295,18 +295,18 @@ TEST(PointerDevice, MovesAsFarInOneLongStepAsInManyShortOnes) {
 }
 
 TEST(ScriptedDevice, LeadsTheBaseAlongItsPathWhateverTheGain) {
-    ScriptedDevice hand({{0.0, {0.0, 0.0, 0.0}}, {1.0, {4.0_nm, 0.0, 0.0}}}, 2.0);
-    EXPECT_EQ(hand.advance(0.5).position.x(), 0.0);
-    EXPECT_NEAR(hand.advance(0.5).position.x(), 1.0_nm, 1e-18);
-    EXPECT_NEAR(hand.advance(0.5).position.x(), 2.0_nm, 1e-18);
-    EXPECT_NEAR(hand.advance(0.5).position.x(), 2.0_nm, 1e-18);
+    ScriptedDevice device({{0.0, {0.0, 0.0, 0.0}}, {1.0, {4.0_nm, 0.0, 0.0}}}, 2.0);
+    EXPECT_EQ(device.advance(0.5).position.x(), 0.0);
+    EXPECT_NEAR(device.advance(0.5).position.x(), 1.0_nm, 1e-18);
+    EXPECT_NEAR(device.advance(0.5).position.x(), 2.0_nm, 1e-18);
+    EXPECT_NEAR(device.advance(0.5).position.x(), 2.0_nm, 1e-18);
 }
 
 TEST(ScriptedDevice, TakesOverFromWhereAnotherDeviceIs) {
-    ScriptedDevice hand({{0.0, {7.0_nm, 0.0, 0.0}}, {1.0, {9.0_nm, 0.0, 0.0}}}, 2.0,
+    ScriptedDevice device({{0.0, {7.0_nm, 0.0, 0.0}}, {1.0, {9.0_nm, 0.0, 0.0}}}, 2.0,
                       {100.0_nm, 0.0, 0.0});
-    EXPECT_EQ(hand.advance(0.5).position.x(), 100.0_nm);
-    EXPECT_NEAR(hand.advance(1.0).position.x(), 101.0_nm, 1e-18);
+    EXPECT_EQ(device.advance(0.5).position.x(), 100.0_nm);
+    EXPECT_NEAR(device.advance(1.0).position.x(), 101.0_nm, 1e-18);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::vector<TickSample> approachAndRetract(const Scene& scene, double depth) {
     return samples;
 }
 
-TickInput inputAt(const Vector3& hand) { return {.hand = {.position = hand}, .timeStep = 1e-3}; }
+TickInput inputAt(const Vector3& device) { return {.device = {.position = device}, .timeStep = 1e-3}; }
 
 TEST(HapticTick, LoadsTheLeverOnAFlatSample) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
@@ -51,7 +51,7 @@ TEST(HapticTick, AChangedGainMovesNothingByItself) {
     const BaseMotion still = tick(scene, input, memory).base;
     EXPECT_EQ(still.position, start);
     EXPECT_EQ(still.velocity, Vector3::Zero());
-    input.hand.position.x() += 4.0_nm;
+    input.device.position.x() += 4.0_nm;
     EXPECT_NEAR(tick(scene, input, memory).base.position.x() - start.x(), 1.0_nm, 1e-18);
 }
 
@@ -60,11 +60,11 @@ TEST(HapticTick, ALostDeviceIsAFaultUntilAPersonTakesItBack) {
     TickMemory memory;
     TickInput input = inputAt({50.0_nm, 50.0_nm, -1.0_nm});
     EXPECT_NE(tick(scene, input, memory).deviceForce, Vector3::Zero());
-    input.hand.connected = false;
+    input.device.connected = false;
     EXPECT_EQ(tick(scene, input, memory).fault, Fault::DeviceLost);
     input.settings.rearms = 1;
     EXPECT_EQ(tick(scene, input, memory).fault, Fault::DeviceLost) << "it is still lost";
-    input.hand.connected = true;
+    input.device.connected = true;
     EXPECT_EQ(tick(scene, input, memory).deviceForce, Vector3::Zero()) << "latched";
     input.settings.rearms = 2;
     EXPECT_EQ(tick(scene, input, memory).fault, Fault::None);
@@ -110,7 +110,7 @@ TEST(HapticTick, FeelsTheModelAtOnceAndTheEstimateSlowly) {
     const DevicePath path{{0.0, start}, {0.1, {64.0_nm, 64.0_nm, -2.0_nm}}};
     std::vector<TickSample> samples;
     runVirtually(scene, path, afm, 1001, [&](const TickSample& s) { samples.push_back(s); });
-    // At rest the hand feels what the instrument feels, though the model believes otherwise.
+    // At rest the device feels what the instrument feels, though the model believes otherwise.
     const TickOutput& rest = samples.back().output;
     EXPECT_GT((rest.estimate.force - rest.model.force).norm(), 0.5_nN);
     EXPECT_LT((rest.deviceForce - rest.estimate.force).norm(), 0.01_nN);
@@ -281,7 +281,7 @@ TickOutput slid(const Scene& scene, const Vector3& direction) {
     input.settings = scene.settings;
     TickOutput out;
     for (int i = 0; i < 50; ++i) {
-        input.hand.position = Vector3(64.0_nm, 64.0_nm, -2.0_nm) + (i * 0.1_nm) * direction;
+        input.device.position = Vector3(64.0_nm, 64.0_nm, -2.0_nm) + (i * 0.1_nm) * direction;
         input.measurement = afm.exchange(commandBase(scene, input, memory).base);
         out = tick(scene, input, memory);
     }

@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-/// A hand, the tick and a simulated instrument, ticked one place of the hand at a time.
+/// A device, the tick and a simulated instrument, ticked one place of the device at a time.
 class Bench {
 public:
     explicit Bench(const Scene& scene) : scene_(scene), afm_(scene.surface, truthOf(scene)) {
@@ -21,7 +21,7 @@ public:
     }
 
     TickOutput moveTo(const Vector3& place) {
-        input_.hand.position = place;
+        input_.device.position = place;
         input_.measurement = afm_.exchange(commandBase(scene_, input_, memory_).base);
         return tick(scene_, input_, memory_);
     }
@@ -49,7 +49,7 @@ Vector3 indenting(const Scene& scene, double x, double y, double depth) {
            Vector3(0.0, 0.0, radius);
 }
 
-/// Largest distance of the true tip from where the hand wants it, on a raster of 50 nm in contact.
+/// Largest distance of the true tip from where the device wants it, on a raster of 50 nm in contact.
 double rasterError(PositionControl control) {
     const Scene scene = buildScene(described(control), test::hillyMap());
     Bench bench(scene);
@@ -149,15 +149,15 @@ TEST(PositionControl, SaysWhereASoftLeverLosesTheTip) {
 TEST(PositionControl, SwitchingItMovesNothing) {
     const Scene scene = buildScene(described(PositionControl::Base), test::hillyMap());
     Bench bench(scene);
-    const Vector3 hand(64.0_nm, 60.0_nm, -2.0_nm);
+    const Vector3 device(64.0_nm, 60.0_nm, -2.0_nm);
     TickOutput before;
     for (int i = 0; i < 5; ++i) {
-        before = bench.moveTo(hand);
+        before = bench.moveTo(device);
     }
     ASSERT_GT(before.model.force.norm(), 1.0_nN);
     for (const PositionControl control : {PositionControl::Tip, PositionControl::Base}) {
         bench.control(control);
-        const TickOutput after = bench.moveTo(hand);
+        const TickOutput after = bench.moveTo(device);
         EXPECT_LT((after.base.position - before.base.position).norm(), 1e-14);
         EXPECT_LT((after.model.force - before.model.force).norm(), 1e-12);
     }

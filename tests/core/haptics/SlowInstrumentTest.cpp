@@ -57,7 +57,7 @@ TEST_F(SlowInstrument, IsAFaultOnceItIsLost) {
     TickInput input;
     input.settings = scene.settings;
     input.timeStep = scene.timeStep();
-    input.hand.position = Vector3(64.0_nm, 64.0_nm, -1.0_nm) / scene.settings.positionGain;
+    input.device.position = Vector3(64.0_nm, 64.0_nm, -1.0_nm) / scene.settings.positionGain;
     const auto step = [&] {
         const BaseCommand command = commandBase(scene, input, memory);
         input.measurement = slow.exchange(command.base);

@@ -25,7 +25,7 @@ void expectNoAllocation(const Scene& scene) {
     bool touched = false;
     bool released = false;
     for (int i = 0; i <= 2000; ++i) {
-        input.hand.position = positionAt(path, i * 1e-3);
+        input.device.position = positionAt(path, i * 1e-3);
         const std::size_t before = test::allocationCount();
         input.measurement = afm.exchange(commandBase(scene, input, memory).base);
         const TickOutput output = tick(scene, input, memory);
@@ -83,7 +83,7 @@ TEST(TickAllocation, NorDoesAGovernorWhateverBecomesOfTheForce) {
     input.settings.deviceTurn = {0.1, 0.2, 0.3};
     std::set<ForceState> states;
     for (int i = 0; i <= 3000; ++i) {
-        input.hand = {.position = {64.0_nm, 64.0_nm, i < 1500 ? 5.0_nm : -2.0_nm},
+        input.device = {.position = {64.0_nm, 64.0_nm, i < 1500 ? 5.0_nm : -2.0_nm},
                       .buttons = i > 100 && i < 110 ? 3U : (i > 10 ? 1U : 0U),
                       .maxForce = i < 2000 ? 5.0 : 1e-12,
                       .streams = true,
@@ -104,7 +104,7 @@ TEST(TickAllocation, NorDoSeveralClosestPoints) {
     TickInput input;
     bool several = false;
     for (int i = 0; i <= 400; ++i) {
-        input.hand.position = {40.0_nm + i * 25.0_pm, 64.0_nm, -17.0_nm};
+        input.device.position = {40.0_nm + i * 25.0_pm, 64.0_nm, -17.0_nm};
         const std::size_t before = test::allocationCount();
         const TickOutput output = tick(scene, input, memory);
         ASSERT_EQ(test::allocationCount(), before) << "tick " << i;
@@ -115,9 +115,9 @@ TEST(TickAllocation, NorDoSeveralClosestPoints) {
 
 TEST(TickAllocation, TheRunningLoopAllocatesNothing) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
-    ScriptedDevice hand(approachPath(scene, {.duration = 0.5}), scene.settings.positionGain);
+    ScriptedDevice device(approachPath(scene, {.duration = 0.5}), scene.settings.positionGain);
     SimulatedAfm afm(scene.surface, truthOf(scene));
-    HapticLoop loop(scene, hand, afm);
+    HapticLoop loop(scene, device, afm);
     loop.start();
     while (loop.snapshot().statistics.ticks == 0) {
     }

@@ -13,7 +13,7 @@ const Vector3 kStart(1e-6, 2e-6, 3e-6);
 constexpr double kSpeed = 100e-9;  // [m/s]
 constexpr int kFull = 350;         // [count]
 
-/// How fast the hand goes, as a share of the full speed.
+/// How fast the device goes, as a share of the full speed.
 Vector3 velocityShare(SpaceMouse& mouse) {
     const Vector3 from = mouse.advance(0.0).position;
     return (mouse.advance(1.0).position - from) / kSpeed;
@@ -21,7 +21,7 @@ Vector3 velocityShare(SpaceMouse& mouse) {
 
 class SpaceMouseDevice : public ::testing::Test {
 protected:
-    /// Sends all at once, with a mark in the buttons last, and waits until the hand has that.
+    /// Sends all at once, with a mark in the buttons last, and waits until the device has that.
     void send(std::vector<Report> reports) {
         const std::uint8_t mark = ++marks_;
         reports.push_back({3, mark, 0});

@@ -4,17 +4,17 @@
 
 namespace asperity::test {
 
-bool waitsForCalibration(const WoodenHaptics& hand) { return !hand.status().calibrated; }
+bool waitsForCalibration(const WoodenHaptics& device) { return !device.status().calibrated; }
 
-bool calibrateWhenItWaits(WoodenHaptics& hand, const std::function<void()>& speak) {
+bool calibrateWhenItWaits(WoodenHaptics& device, const std::function<void()>& speak) {
     const bool waits = eventually([&] {
         speak();
-        return waitsForCalibration(hand);
+        return waitsForCalibration(device);
     });
-    hand.calibrate();
+    device.calibrate();
     return waits && eventually([&] {
                speak();
-               return hand.advance(0.0).connected;
+               return device.advance(0.0).connected;
            });
 }
 

@@ -22,11 +22,11 @@ Scene coupledScene() {
 
 Vector3 handleAt(double height) { return {64e-3, 64e-3, height}; }
 
-CoupledTip::CoupledTip(HapticDevice& hand)
+CoupledTip::CoupledTip(HapticDevice& device)
     : scene_(coupledScene())
     , afm_(scene_.touched(), truthOf(scene_))
     , settings_(scene_.settings)
-    , loop(scene_, hand, afm_) {}
+    , loop(scene_, device, afm_) {}
 
 void CoupledTip::takeBackFault() {
     if (now().output.fault != Fault::None) {

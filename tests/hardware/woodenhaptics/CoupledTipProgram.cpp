@@ -1,5 +1,5 @@
 /// A program that holds a tip with the first WoodenHaptics that it finds, until SIGTERM ends it.
-/// Says "engaged" once the hand feels the tip.
+/// Says "engaged" once the device feels the tip.
 
 #include "hardware/hid/HidapiTransport.h"
 #include "hardware/woodenhaptics/WoodenHaptics.h"
@@ -20,11 +20,11 @@ int main() {
     pthread_sigmask(SIG_BLOCK, &end, nullptr);
 
     HidapiTransport transport;
-    WoodenHaptics hand(transport, shippedDevice());
-    if (!calibrateWhenItWaits(hand)) {
+    WoodenHaptics device(transport, shippedDevice());
+    if (!calibrateWhenItWaits(device)) {
         return 1;
     }
-    CoupledTip tip(hand);
+    CoupledTip tip(device);
     tip.loop.start();
     const auto engaged = [&tip] {
         tip.takeBackFault();

@@ -65,7 +65,7 @@ protected:
             return isDriven(device);
         });
     }
-    bool isConnected() { return tip.now().input.hand.connected; }
+    bool isConnected() { return tip.now().input.device.connected; }
     std::vector<TickSample> ticks() {
         std::vector<TickSample> all;
         tip.loop.drain([&all](const TickSample& sample) { all.push_back(sample); });
@@ -83,7 +83,7 @@ TEST_F(Unplugged, TheFirstTickThatKnowsIsAFaultAndFeelsNothing) {
     ASSERT_TRUE(eventually([this] { return !isConnected(); }));
     const std::vector<TickSample> all = ticks();
     const auto first = std::find_if(
-        all.begin(), all.end(), [](const TickSample& tick) { return !tick.input.hand.connected; });
+        all.begin(), all.end(), [](const TickSample& tick) { return !tick.input.device.connected; });
     ASSERT_NE(first, all.end());
     ASSERT_NE(first, all.begin());
     const Fault before = (first - 1)->output.fault;  // it may have been silent first

@@ -47,25 +47,25 @@ Report currentsFor(const Vector3& handle, const Vector3& force) {
     return {message.report().begin(), message.report().end()};
 }
 
-/// A hand at a device in memory that speaks whenever it is told to.
+/// A device at a device in memory that speaks whenever it is told to.
 class WoodenHapticsDevice : public ::testing::Test {
 protected:
     WoodenHapticsDevice() {
         hid.send({readingReport(kHandle)});
-        hand = std::make_unique<WoodenHaptics>(hid, shippedDevice());
+        device = std::make_unique<WoodenHaptics>(hid, shippedDevice());
         calibrate();
     }
 
     void calibrate() {
         const auto speak = [this] { hid.send({readingReport(kHandle)}); };
-        EXPECT_TRUE(calibrateWhenItWaits(*hand, speak));
+        EXPECT_TRUE(calibrateWhenItWaits(*device, speak));
     }
 
-    /// One tick of a loop that wants the hand to feel the force.
+    /// One tick of a loop that wants the device to feel the force.
     DeviceState tick(const Vector3& force) {
         hid.send({readingReport(kHandle)});
-        const DeviceState state = hand->advance(1e-3);
-        hand->setForce(force);
+        const DeviceState state = device->advance(1e-3);
+        device->setForce(force);
         return state;
     }
     bool wrote(const Report& message) const {
@@ -80,20 +80,20 @@ protected:
     }
 
     FakeHid hid{{mbedInfo()}};
-    std::unique_ptr<WoodenHaptics> hand;
+    std::unique_ptr<WoodenHaptics> device;
 };
 
 TEST(WoodenHaptics, BeforeItIsCalibratedItIsNotConnectedAndPushesNothing) {
     FakeHid hid({mbedInfo()});
     hid.send({readingReport(kHandle)});
-    WoodenHaptics hand(hid, shippedDevice());
-    EXPECT_FALSE(hand.status().calibrated);
-    EXPECT_EQ(wordsOf(hand.status()),
+    WoodenHaptics device(hid, shippedDevice());
+    EXPECT_FALSE(device.status().calibrated);
+    EXPECT_EQ(wordsOf(device.status()),
               "Polhem at /dev/hidraw7: put the handle into its rest pose, then Hand > Calibrate");
     for (int i = 0; i < 20; ++i) {
         hid.send({readingReport(kHandle)});
-        EXPECT_FALSE(hand.advance(1e-3).connected);
-        hand.setForce(kForce);
+        EXPECT_FALSE(device.advance(1e-3).connected);
+        device.setForce(kForce);
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     for (const Report& message : hid.written()) {
@@ -102,23 +102,23 @@ TEST(WoodenHaptics, BeforeItIsCalibratedItIsNotConnectedAndPushesNothing) {
 }
 
 TEST_F(WoodenHapticsDevice, IsWhereTheHandleIsAtOnce) {
-    const DeviceState state = hand->advance(1e-3);
+    const DeviceState state = device->advance(1e-3);
     EXPECT_TRUE(state.connected);
     EXPECT_LT((state.position - kHandle).norm(), 0.1e-3);
     EXPECT_EQ(state.buttons, 0U);
-    EXPECT_TRUE(hand->status().calibrated);
-    EXPECT_EQ(wordsOf(hand->status()), "Polhem at /dev/hidraw7");
+    EXPECT_TRUE(device->status().calibrated);
+    EXPECT_EQ(wordsOf(device->status()), "Polhem at /dev/hidraw7");
 }
 
 TEST_F(WoodenHapticsDevice, IsWhatItsDeviceFileSays) {
-    const DeviceSpecification specification = hand->specification();
+    const DeviceSpecification specification = device->specification();
     EXPECT_EQ(specification.maxForce, 5.0);
     EXPECT_TRUE(specification.streams);
 }
 
 TEST_F(WoodenHapticsDevice, TheButtonOfPolhemIsButtonZero) {
     hid.send({readingReport(kHandle, true)});
-    EXPECT_TRUE(eventually([this] { return hand->advance(1e-3).buttons == 1U; }));
+    EXPECT_TRUE(eventually([this] { return device->advance(1e-3).buttons == 1U; }));
 }
 
 TEST_F(WoodenHapticsDevice, OfManyReadingsTheNewestCounts) {
@@ -127,7 +127,7 @@ TEST_F(WoodenHapticsDevice, OfManyReadingsTheNewestCounts) {
     reports.push_back(readingReport(newest));
     hid.send(reports);
     EXPECT_TRUE(
-        eventually([&] { return (hand->advance(1e-3).position - newest).norm() < 0.1e-3; }));
+        eventually([&] { return (device->advance(1e-3).position - newest).norm() < 0.1e-3; }));
 }
 
 TEST_F(WoodenHapticsDevice, PushesAsTheArmStands) {
@@ -158,43 +158,43 @@ TEST_F(WoodenHapticsDevice, ALoopThatHangsLetsGo) {
 TEST_F(WoodenHapticsDevice, ADeviceThatFallsSilentLetsGoAndTheDeviceGrowsOld) {
     pushUntilItIsFelt();
     EXPECT_TRUE(eventually([this] {
-        const double age = hand->advance(1e-3).age;
-        hand->setForce(kForce);
+        const double age = device->advance(1e-3).age;
+        device->setForce(kForce);
         return age > 40e-3 && hid.written().back() == kZeroCurrents;
     }));
     hid.send({readingReport(kHandle)});
-    const double old = hand->advance(1e-3).age;
-    EXPECT_TRUE(eventually([&] { return hand->advance(1e-3).age < old; }));
+    const double old = device->advance(1e-3).age;
+    EXPECT_TRUE(eventually([&] { return device->advance(1e-3).age < old; }));
 }
 
 TEST_F(WoodenHapticsDevice, ADeviceThatComesBackIsHeldByNoForceFromBefore) {
     pushUntilItIsFelt();
     hid.unplug();
-    ASSERT_TRUE(eventually([this] { return !hand->advance(1e-3).connected; }));
-    hand->setForce(kForce);
+    ASSERT_TRUE(eventually([this] { return !device->advance(1e-3).connected; }));
+    device->setForce(kForce);
     const std::size_t before = hid.written().size();
     hid.plug(mbedInfo());
     ASSERT_TRUE(eventually([&] {
         hid.send({readingReport(kHandle)});
-        hand->setForce(kForce);  // answers the reading from before
+        device->setForce(kForce);  // answers the reading from before
         return hid.written().size() > before + 20;
     }));
     const std::vector<Report> all = hid.written();
     EXPECT_EQ(
         std::count(all.begin() + static_cast<std::ptrdiff_t>(before), all.end(), kZeroCurrents),
         static_cast<std::ptrdiff_t>(all.size() - before));
-    EXPECT_FALSE(hand->advance(1e-3).connected) << "it may have lost its power";
+    EXPECT_FALSE(device->advance(1e-3).connected) << "it may have lost its power";
     calibrate();
     pushUntilItIsFelt();
 }
 
 TEST_F(WoodenHapticsDevice, ALostDeviceIsNotConnectedAndStaysWhereItWas) {
-    const Vector3 reached = hand->advance(1e-3).position;
+    const Vector3 reached = device->advance(1e-3).position;
     hid.unplug();
-    ASSERT_TRUE(eventually([this] { return !hand->advance(1e-3).connected; }));
-    EXPECT_EQ(hand->advance(1e-3).position, reached);
+    ASSERT_TRUE(eventually([this] { return !device->advance(1e-3).connected; }));
+    EXPECT_EQ(device->advance(1e-3).position, reached);
     EXPECT_TRUE(eventually([this] {
-        const std::string words = wordsOf(hand->status());
+        const std::string words = wordsOf(device->status());
         return words == "the WoodenHaptics was unplugged" ||
                words == "no WoodenHaptics is plugged in";
     }));
@@ -202,14 +202,14 @@ TEST_F(WoodenHapticsDevice, ALostDeviceIsNotConnectedAndStaysWhereItWas) {
 
 TEST_F(WoodenHapticsDevice, ADeviceThatTakesNoMessageIsLost) {
     hid.refuseToWrite(true);
-    ASSERT_TRUE(eventually([this] { return !hand->advance(1e-3).connected; }));
+    ASSERT_TRUE(eventually([this] { return !device->advance(1e-3).connected; }));
     hid.refuseToWrite(false);
     calibrate();
 }
 
 TEST_F(WoodenHapticsDevice, LetsGoInTheEnd) {
     pushUntilItIsFelt();
-    hand.reset();
+    device.reset();
     EXPECT_EQ(hid.written().back(), kZeroCurrents);
     EXPECT_EQ(hid.opened(), 0);
 }
@@ -224,28 +224,28 @@ TEST_F(WoodenHapticsDevice, CalibrationTellsTheEncodersOfTheRestPoseOnce) {
 }
 
 TEST_F(WoodenHapticsDevice, DelayIsFromTheReadingToTheWrittenForce) {
-    EXPECT_EQ(hand->delay(), 0.0);
+    EXPECT_EQ(device->delay(), 0.0);
     hid.holdWrites(std::chrono::milliseconds(5));
     pushUntilItIsFelt();
-    ASSERT_TRUE(eventually([this] { return hand->delay() > 0.0; }));
-    EXPECT_GE(hand->delay(), 5e-3);
+    ASSERT_TRUE(eventually([this] { return device->delay() > 0.0; }));
+    EXPECT_GE(device->delay(), 5e-3);
 }
 
 TEST(WoodenHaptics, AsksADeviceThatIsSilentWithZeroCurrents) {
     FakeHid hid({mbedInfo()});
-    WoodenHaptics hand(hid, shippedDevice());
+    WoodenHaptics device(hid, shippedDevice());
     EXPECT_TRUE(eventually([&] { return hid.written().size() > 3; }));
     EXPECT_EQ(hid.written().front(), kZeroCurrents);
-    EXPECT_FALSE(hand.advance(1e-3).connected);
+    EXPECT_FALSE(device.advance(1e-3).connected);
 }
 
 TEST(WoodenHaptics, IsNotMovedByReportsOfAnotherLength) {
     FakeHid hid({mbedInfo()});
-    WoodenHaptics hand(hid, shippedDevice());
+    WoodenHaptics device(hid, shippedDevice());
     hid.send({Report(13, 1), Report(15, 1), Report(64, 1), {}});
     const std::size_t before = hid.written().size();
     ASSERT_TRUE(eventually([&] { return hid.written().size() > before + 3; }));
-    EXPECT_FALSE(hand.advance(1e-3).connected);
+    EXPECT_FALSE(device.advance(1e-3).connected);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST_F(ControlBarTest, WhatAProgramSetsEmitsNothing) {
     const QSignalSpy running(&bar, &ControlBar::runningChosen);
     const QSignalSpy forces(&bar, &ControlBar::forcesChosen);
     const QSignalSpy material(&bar, &ControlBar::materialChosen);
-    const QSignalSpy hand(&bar, &ControlBar::deviceChosen);
+    const QSignalSpy device(&bar, &ControlBar::deviceChosen);
     const QSignalSpy path(&bar, &ControlBar::pathChosen);
     const QSignalSpy knob(&bar, &ControlBar::knobTurned);
     const QSignalSpy recording(&bar, &ControlBar::recordingChosen);
@@ -60,7 +60,7 @@ TEST_F(ControlBarTest, WhatAProgramSetsEmitsNothing) {
     bar.setPath(1);
     bar.setKnobs({.positionGain = 2e-6, .forceGain = 1e8});
     bar.setRecording(true);
-    for (const QSignalSpy* spy : {&running, &forces, &material, &hand, &path, &knob, &recording}) {
+    for (const QSignalSpy* spy : {&running, &forces, &material, &device, &path, &knob, &recording}) {
         EXPECT_EQ(spy->count(), 0);
     }
     EXPECT_EQ(child<QPushButton>("startPause").text(), QStringLiteral("Pause"));
@@ -100,14 +100,14 @@ TEST_F(ControlBarTest, AClickSwitchesForcesAndRecording) {
 
 TEST_F(ControlBarTest, AChoiceWithTheKeyboardIsThePersons) {
     QSignalSpy material(&bar, &ControlBar::materialChosen);
-    QSignalSpy hand(&bar, &ControlBar::deviceChosen);
+    QSignalSpy device(&bar, &ControlBar::deviceChosen);
     QSignalSpy path(&bar, &ControlBar::pathChosen);
     QSignalSpy file(&bar, &ControlBar::pathFileRequested);
     QTest::keyClick(&child<QComboBox>("material"), Qt::Key_Down);
     QTest::keyClick(&child<QComboBox>("hand"), Qt::Key_Down);
     QTest::keyClick(&child<QComboBox>("path"), Qt::Key_Down);
     QTest::mouseClick(&child<QToolButton>("pathFile"), Qt::LeftButton);
-    for (QSignalSpy* spy : {&material, &hand, &path}) {
+    for (QSignalSpy* spy : {&material, &device, &path}) {
         ASSERT_EQ(spy->count(), 1);
         EXPECT_EQ((*spy)[0][0].toInt(), 1);
     }

@@ -23,8 +23,8 @@ double motionAtEdge(const Workspace& workspace, double delay) {
     double low = kReach;
     double high = 0.0;
     for (int i = 0; i < 3000; ++i) {
-        const DeviceState hand = bench.advance(kTimeStep);
-        bench.setForce(edgeForce(workspace, hand.position));
+        const DeviceState device = bench.advance(kTimeStep);
+        bench.setForce(edgeForce(workspace, device.position));
         if (i >= 2000) {
             low = std::min(low, bench.position().x());
             high = std::max(high, bench.position().x());

@@ -32,8 +32,8 @@ public:
     }
 
     /// The force for the hand.
-    Vector3 moveTo(const DeviceState& hand) {
-        input_.hand = hand;
+    Vector3 moveTo(const DeviceState& device) {
+        input_.device = device;
         input_.measurement = afm_.exchange(commandBase(scene_, input_, memory_).base);
         return tick(scene_, input_, memory_).deviceForce;
     }
@@ -77,11 +77,11 @@ HeldTip holdTip(const Scene& scene, const Hold& hold, const PortWatch& watch) {
         if (hold.letGo && time >= kTurn) {
             bench.grip(kNoDevice);
         }
-        const DeviceState hand = bench.advance(scene.timeStep());
-        const Vector3 force = loop.moveTo(hand);
+        const DeviceState device = bench.advance(scene.timeStep());
+        const Vector3 force = loop.moveTo(device);
         bench.setForce(force);
         if (watch) {
-            watch(hand.position, force);
+            watch(device.position, force);
         }
         if (time >= kSettled) {
             low = std::min(low, bench.position().z());

@@ -33,7 +33,7 @@ struct HeldTip {
 };
 
 /// Where the handle is as sensed [m] and the force sent to it [N], tick by tick.
-using PortWatch = std::function<void(const Vector3& hand, const Vector3& force)>;
+using PortWatch = std::function<void(const Vector3& device, const Vector3& force)>;
 
 [[nodiscard]] HeldTip holdTip(const Scene& scene, const Hold& hold, const PortWatch& watch = {});
 

@@ -29,8 +29,8 @@ Supervision supervise(const CouplingGains& gains) {
     Supervision seen;
     const test::HeldTip held = test::holdTip(
         scene, {.bench = {.arm = kLightGrip, .delay = kDelay}, .coupling = gains, .goal = -8e-3},
-        [&](const Vector3& hand, const Vector3& force) {
-            observer.observe(hand, force);
+        [&](const Vector3& device, const Vector3& force) {
+            observer.observe(device, force);
             seen.leastEnergy = std::min(seen.leastEnergy, observer.energy());
             seen.active = seen.active || observer.active();
         });

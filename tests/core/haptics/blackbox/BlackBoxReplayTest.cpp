@@ -82,16 +82,16 @@ void expectReplaysUpTo(Fault fault, void (*tamper)(DeviceState&, double)) {
 }
 
 TEST(BlackBoxReplay, RepeatsALostDeviceToTheSameBits) {
-    expectReplaysUpTo(Fault::DeviceLost, [](DeviceState& hand, double) { hand.connected = false; });
+    expectReplaysUpTo(Fault::DeviceLost, [](DeviceState& device, double) { device.connected = false; });
 }
 
 TEST(BlackBoxReplay, RepeatsASilentDeviceToTheSameBits) {
-    expectReplaysUpTo(Fault::DeviceSilent, [](DeviceState& hand, double) { hand.age = 0.05; });
+    expectReplaysUpTo(Fault::DeviceSilent, [](DeviceState& device, double) { device.age = 0.05; });
 }
 
 TEST(BlackBoxReplay, RepeatsANonFinitePositionToTheSameBits) {
-    expectReplaysUpTo(Fault::NotFinite, [](DeviceState& hand, double) {
-        hand.position.x() = std::numeric_limits<double>::quiet_NaN();
+    expectReplaysUpTo(Fault::NotFinite, [](DeviceState& device, double) {
+        device.position.x() = std::numeric_limits<double>::quiet_NaN();
     });
 }
 

@@ -21,7 +21,7 @@ public:
             now.sample.input.timeStep = kStep;
             now.sample.output.fault = fault;
             now.memory.started = true;
-            now.memory.mapping.hand.x() = now.sample.time;  // tells the memories apart
+            now.memory.mapping.device.x() = now.sample.time;  // tells the memories apart
             box_.take(now.sample);
             if (++ticks_ % markedEvery == 0) {
                 box_.mark(now);
@@ -45,7 +45,7 @@ void expectReplayable(const BlackBox& box) {
     for (std::size_t i = 1; i < box.samples().size(); ++i) {
         ASSERT_NEAR(box.samples()[i].time - box.samples()[i - 1].time, kStep, 1e-9 * kStep);
     }
-    EXPECT_NEAR(box.memory().mapping.hand.x(), box.samples().front().time - kStep, 1e-9 * kStep);
+    EXPECT_NEAR(box.memory().mapping.device.x(), box.samples().front().time - kStep, 1e-9 * kStep);
 }
 
 double heldSeconds(const BlackBox& box) {

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kStiffness = 300.0;  // [N/m]
 constexpr double kTick = 1e-3;        // [s]
-constexpr double kPeriod = 0.1;       // of the hand's motion [s]
+constexpr double kPeriod = 0.1;       // of the device's motion [s]
 
-/// The least energy seen while a hand moves by 5 mm to and fro for a second against a spring and
+/// The least energy seen while a device moves by 5 mm to and fro for a second against a spring and
 /// damper whose force is `late` [s], watched as if it were `assumed` late.
 double leastEnergy(double damping, double late, double assumed) {
     PassivityObserver observer(kStiffness, kTick, assumed);

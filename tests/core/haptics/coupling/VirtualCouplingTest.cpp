@@ -12,36 +12,36 @@ namespace {
 constexpr CouplingGains kGains{.stiffness = 300.0, .damping = 2.0, .proxyDamping = 3.0};
 constexpr double kTick = 1e-3;  // [s]
 
-/// A hand that starts at 0, with its proxy.
+/// A device that starts at 0, with its proxy.
 class CoupledDevice {
 public:
     explicit CoupledDevice(const CouplingGains& gains = kGains, double tick = kTick)
         : gains_(gains), tick_(tick) {}
 
-    CouplingStep moveTo(const Vector3& hand, const ProxyLoad& load = {}) {
-        const CouplingStep step = stepCoupling(gains_, hand - hand_, stretch_, load, tick_);
-        hand_ = hand;
+    CouplingStep moveTo(const Vector3& device, const ProxyLoad& load = {}) {
+        const CouplingStep step = stepCoupling(gains_, device - device_, stretch_, load, tick_);
+        device_ = device;
         stretch_ = step.stretch;
         return step;
     }
-    [[nodiscard]] Vector3 proxy() const { return hand_ - stretch_; }
+    [[nodiscard]] Vector3 proxy() const { return device_ - stretch_; }
 
 private:
     CouplingGains gains_;
     double tick_;
-    Vector3 hand_ = Vector3::Zero();
+    Vector3 device_ = Vector3::Zero();
     Vector3 stretch_ = Vector3::Zero();
 };
 
 TEST(VirtualCoupling, TheDeviceFeelsContactAndCouplingInSeries) {
     CoupledDevice coupled;
-    const Vector3 hand(0.3e-3, -0.4e-3, 2e-3);
+    const Vector3 device(0.3e-3, -0.4e-3, 2e-3);
     Vector3 force = Vector3::Zero();
     for (int i = 0; i < 1000; ++i) {
-        force = coupled.moveTo(hand, {.force = -1400.0 * coupled.proxy()}).hand;
+        force = coupled.moveTo(device, {.force = -1400.0 * coupled.proxy()}).device;
     }
     const double series = 1.0 / (1.0 / 300.0 + 1.0 / 1400.0);
-    EXPECT_LT((force + series * hand).norm(), 1e-9 * force.norm());
+    EXPECT_LT((force + series * device).norm(), 1e-9 * force.norm());
 }
 
 TEST(VirtualCoupling, AtRestTheDeviceFeelsTheLoadItself) {
@@ -49,7 +49,7 @@ TEST(VirtualCoupling, AtRestTheDeviceFeelsTheLoadItself) {
     const Vector3 load(0.1, -0.2, 1.5);
     Vector3 force = Vector3::Zero();
     for (int i = 0; i < 1000; ++i) {
-        force = coupled.moveTo(Vector3::Zero(), {.force = load}).hand;
+        force = coupled.moveTo(Vector3::Zero(), {.force = load}).device;
     }
     EXPECT_LT((force - load).norm(), 1e-9);
     EXPECT_LT((coupled.proxy() - load / kGains.stiffness).norm(), 1e-12);
@@ -60,7 +60,7 @@ TEST(VirtualCoupling, DragInFreeAirIsTheProxysDamping) {
     const Vector3 velocity(0.0, 0.05, -0.1);
     Vector3 force = Vector3::Zero();
     for (int i = 0; i < 1000; ++i) {
-        force = air.moveTo(i * kTick * velocity).hand;
+        force = air.moveTo(i * kTick * velocity).device;
     }
     EXPECT_LT((force + kGains.proxyDamping * velocity).norm(), 1e-9);
 }
@@ -71,7 +71,7 @@ TEST(VirtualCoupling, SettlesAtAnyRateAndGain) {
             CoupledDevice air({.stiffness = stiffness, .damping = 0.01, .proxyDamping = 3.0}, tick);
             Vector3 force = Vector3::Zero();
             for (int i = 0; i < std::lround(10.0 / tick); ++i) {
-                force = air.moveTo({0.0, 0.0, 1e-3}).hand;
+                force = air.moveTo({0.0, 0.0, 1e-3}).device;
                 ASSERT_LE(air.proxy().z(), 1e-3 * (1.0 + 1e-12)) << tick << " " << stiffness;
             }
             EXPECT_LT(force.norm(), 1e-9) << tick << " " << stiffness;
@@ -85,7 +85,7 @@ TEST(VirtualCoupling, AnEncoderStepKicksWithTheSameImpulseAtAnyRate) {
         // The proxy cannot move and the spring is slack: the damper alone is left.
         const CouplingGains damper{.stiffness = 1e-9, .damping = 2.0, .proxyDamping = 1e12};
         const Vector3 kick =
-            stepCoupling(damper, {kStep, 0.0, 0.0}, Vector3::Zero(), {}, tick).hand;
+            stepCoupling(damper, {kStep, 0.0, 0.0}, Vector3::Zero(), {}, tick).device;
         EXPECT_NEAR(-kick.x() * tick, damper.damping * kStep, 1e-6 * damper.damping * kStep);
     }
 }
@@ -107,12 +107,12 @@ TEST(VirtualCoupling, SlidingMeetsTheFrictionOfItsSpeed) {
         const double share = 0.02 / std::hypot(0.02, 1e-3);
         const double drag = kGains.proxyDamping * 0.02 + friction * share;
         const Vector3 expected = normal - drag * velocity.normalized();
-        EXPECT_LT((step.hand - expected).norm(), 1e-9 * expected.norm()) << friction;
+        EXPECT_LT((step.device - expected).norm(), 1e-9 * expected.norm()) << friction;
     }
 }
 
 TEST(VirtualCoupling, FrictionNeverThrowsAProxyBack) {
-    // Stuck by far more friction than pulls at it, it creeps towards the hand, tick by tick less.
+    // Stuck by far more friction than pulls at it, it creeps towards the device, tick by tick less.
     CoupledDevice coupled;
     const ProxyLoad load = rubbing(Vector3::UnitZ(), 5.0);
     double last = 1.0;

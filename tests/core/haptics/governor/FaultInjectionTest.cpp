@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSoon = 5e-3;     // [s]
-constexpr double kPressing = 0.1;  // force of a hand that presses, at least [N]
+constexpr double kPressing = 0.1;  // force of a device that presses, at least [N]
 constexpr double kEngaged = 1.2;   // after so long the force acts fully [s]
 
 using Samples = std::vector<TickSample>;
@@ -60,7 +60,7 @@ TEST(FaultInjection, ANonFinitePositionTakesTheForceAtOnce) {
     GuardedBench bench;
     ASSERT_GT(bench.pressDown(), kPressing);
     const double event = bench.now();
-    bench.tamper = [](DeviceState& hand, double) { hand.position.x() = kNan; };
+    bench.tamper = [](DeviceState& device, double) { device.position.x() = kNan; };
     const Samples samples = bench.run(0.1);
     EXPECT_LE(timeUntilOff(samples, event), kSoon);
     expectFault(samples, Fault::NotFinite);
@@ -71,7 +71,7 @@ TEST(FaultInjection, AnUnpluggedDeviceGetsNoForceAtOnce) {
     GuardedBench bench;
     ASSERT_GT(bench.pressDown(), kPressing);
     const double event = bench.now();
-    bench.tamper = [](DeviceState& hand, double) { hand.connected = false; };
+    bench.tamper = [](DeviceState& device, double) { device.connected = false; };
     const Samples samples = bench.run(0.1);
     EXPECT_LE(timeUntilOff(samples, event), kSoon);
     expectFault(samples, Fault::DeviceLost);
@@ -84,8 +84,8 @@ TEST(FaultInjection, ARunawayTripsWithinFiveMilliseconds) {
         ASSERT_GT(bench.pressDown(), kPressing);
         bench.run(phase);
         const double event = bench.now();
-        bench.tamper = [event](DeviceState& hand, double time) {
-            hand.position.z() += 1.6 * (time - event);  // the limit is 1.5 m/s
+        bench.tamper = [event](DeviceState& device, double time) {
+            device.position.z() += 1.6 * (time - event);  // the limit is 1.5 m/s
         };
         const Samples samples = bench.run(0.1);
         EXPECT_LE(timeUntilOff(samples, event), kSoon) << phase;
@@ -98,8 +98,8 @@ TEST(FaultInjection, AFastDeviceThatIsNoRunawayDoesNotTrip) {
     GuardedBench bench;
     ASSERT_GT(bench.pressDown(), kPressing);
     const double event = bench.now();
-    bench.tamper = [event](DeviceState& hand, double time) {
-        hand.position.z() += 1.3 * (time - event);
+    bench.tamper = [event](DeviceState& device, double time) {
+        device.position.z() += 1.3 * (time - event);
     };
     for (const TickSample& sample : bench.run(0.1)) {
         ASSERT_EQ(sample.output.fault, Fault::None);
@@ -108,10 +108,10 @@ TEST(FaultInjection, AFastDeviceThatIsNoRunawayDoesNotTrip) {
 
 /// The device sends nothing any more from `event` on: the place stays its last, the age grows.
 void fallSilent(GuardedBench& bench, double event) {
-    const Vector3 last = bench.input.hand.position;
-    bench.tamper = [last, event](DeviceState& hand, double time) {
-        hand.position = last;
-        hand.age = time - event;
+    const Vector3 last = bench.input.device.position;
+    bench.tamper = [last, event](DeviceState& device, double time) {
+        device.position = last;
+        device.age = time - event;
     };
 }
 
@@ -153,11 +153,11 @@ TEST(FaultInjection, AReleasedDeadManSwitchTakesTheForceWithinATickAndNeedsNoRea
     GuardedBench bench;
     bench.input.settings.governor.deadManButton = 2;
     EXPECT_EQ(bench.run(0.1).back().output.forceState, ForceState::Released);
-    const auto hold = [](DeviceState& hand, double) { hand.buttons = 1U << 2U; };
+    const auto hold = [](DeviceState& device, double) { device.buttons = 1U << 2U; };
     bench.tamper = hold;
     ASSERT_GT(bench.pressDown(), kPressing);
     const double event = bench.now();
-    bench.tamper = [](DeviceState& hand, double) { hand.buttons = 3U; };
+    bench.tamper = [](DeviceState& device, double) { device.buttons = 3U; };
     const Samples released = bench.run(0.5);
     EXPECT_LE(timeUntilOff(released, event), kSoon);
     EXPECT_EQ(released.back().output.forceState, ForceState::Released);

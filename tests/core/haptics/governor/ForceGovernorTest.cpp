@@ -15,13 +15,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A device of 5 N that streams, under the default limits, of which 3 N is the least.
 TickInput motors() {
     TickInput input;
-    input.hand.maxForce = 5.0;
-    input.hand.streams = true;
+    input.device.maxForce = 5.0;
+    input.device.streams = true;
     input.timeStep = kStep;
     return input;
 }
 
-/// A force that acts fully, at a hand that rests in the origin.
+/// A force that acts fully, at a device that rests in the origin.
 GovernorMemory engaged() { return {.share = 1.0, .speed = {.started = true}}; }
 
 ForceRequest wanting(double newtons) { return {.force = {0.0, 0.0, newtons}}; }
@@ -46,11 +46,11 @@ TEST(ForceGovernor, PassesWhatIsWantedUnchangedInNormalRunning) {
 TEST(ForceGovernor, AValueThatIsNotFiniteIsAFault) {
     for (const double bad : {kNan, kInfinity, -kInfinity}) {
         TickInput place = motors();
-        place.hand.position.y() = bad;
+        place.device.position.y() = bad;
         TickInput age = motors();
-        age.hand.age = bad;
+        age.device.age = bad;
         TickInput motor = motors();
-        motor.hand.maxForce = bad;
+        motor.device.maxForce = bad;
         TickInput limit = motors();
         limit.settings.governor.maxForce = bad;
         for (const TickInput& input : {place, age, motor, limit}) {
@@ -86,7 +86,7 @@ TEST(ForceGovernor, TheWeakerOfDeviceAndSceneSetsTheLimit) {
     TickInput input = motors();
     input.settings.governor.maxForce = 20.0;
     EXPECT_NEAR(govern(input, wanting(30.0)).force.z(), 5.0, 1e-12);
-    input.hand.maxForce = 0.5;
+    input.device.maxForce = 0.5;
     EXPECT_NEAR(govern(input, wanting(30.0)).force.z(), 0.5, 1e-12);
 }
 
@@ -139,14 +139,14 @@ TEST(ForceGovernor, AStallBringsTheForceOnNoFasterThanTenMillisecondsDo) {
 TEST(ForceGovernor, AReleasedDeadManSwitchTakesTheForceAndIsNoFault) {
     TickInput input = motors();
     input.settings.governor.deadManButton = 31;
-    input.hand.buttons = 0x80000000U;
+    input.device.buttons = 0x80000000U;
     EXPECT_EQ(govern(input, wanting(1.0)).force.z(), 1.0);
-    input.hand.buttons = 0x7fffffffU;
+    input.device.buttons = 0x7fffffffU;
     const GovernedForce released = govern(input, wanting(1.0));
     EXPECT_EQ(released.force, Vector3::Zero());
     EXPECT_EQ(released.state, ForceState::Released);
     EXPECT_EQ(released.fault, Fault::None);
-    input.hand.buttons = 0x80000000U;
+    input.device.buttons = 0x80000000U;
     const GovernedForce again = governForce(input, wanting(0.2), released.memory);
     EXPECT_NEAR(again.force.z(), 0.2 * kStep, 1e-12) << "held again, it comes on";
 }
@@ -154,7 +154,7 @@ TEST(ForceGovernor, AReleasedDeadManSwitchTakesTheForceAndIsNoFault) {
 TEST(ForceGovernor, SilenceFadesTheForceAndThenIsAFault) {
     TickInput input = motors();
     const auto at = [&input](double age) {
-        input.hand.age = age;
+        input.device.age = age;
         return govern(input, wanting(2.0));
     };
     EXPECT_EQ(at(10e-3).force.z(), 2.0);
@@ -170,10 +170,10 @@ TEST(ForceGovernor, SilenceFadesTheForceAndThenIsAFault) {
 
 TEST(ForceGovernor, AfterAMomentOfSilenceTheForceComesOnFromWhereItFadedTo) {
     TickInput input = motors();
-    input.hand.age = 16e-3;
+    input.device.age = 16e-3;
     const GovernorMemory faded = govern(input, wanting(2.0)).memory;
     EXPECT_NEAR(faded.share, 0.8, 1e-12);
-    input.hand.age = 0.0;
+    input.device.age = 0.0;
     const GovernedForce after = governForce(input, wanting(2.0), faded);
     EXPECT_NEAR(after.memory.share, 0.8 + kStep, 1e-12);
     EXPECT_EQ(after.state, ForceState::Engaging);
@@ -181,17 +181,17 @@ TEST(ForceGovernor, AfterAMomentOfSilenceTheForceComesOnFromWhereItFadedTo) {
 
 TEST(ForceGovernor, ADeviceThatReportsOnChangeOnlyMayBeSilent) {
     TickInput input = motors();
-    input.hand.streams = false;
-    input.hand.age = 3600.0;
+    input.device.streams = false;
+    input.device.age = 3600.0;
     EXPECT_EQ(govern(input, wanting(2.0)).force.z(), 2.0);
 }
 
 TEST(ForceGovernor, ADeviceFasterThanItsLimitIsAFaultWhileTheForceActs) {
     TickInput input = motors();
     input.timeStep = 2e-3;
-    input.hand.position.x() = 1.499 * input.timeStep;
+    input.device.position.x() = 1.499 * input.timeStep;
     EXPECT_EQ(govern(input, wanting(1.0)).fault, Fault::None);
-    input.hand.position.x() = 1.501 * input.timeStep;
+    input.device.position.x() = 1.501 * input.timeStep;
     EXPECT_EQ(govern(input, wanting(1.0)).fault, Fault::VelocityTrip);
     EXPECT_EQ(govern(input, wanting(1.0)).force, Vector3::Zero());
     const GovernorMemory off{.speed = {.started = true}};
@@ -200,7 +200,7 @@ TEST(ForceGovernor, ADeviceFasterThanItsLimitIsAFaultWhileTheForceActs) {
 
 TEST(ForceGovernor, TheFirstReasonStays) {
     TickInput input = motors();
-    input.hand.age = 1.0;
+    input.device.age = 1.0;
     for (const Fault first : {Fault::NotFinite, Fault::DeviceLost, Fault::VelocityTrip}) {
         EXPECT_EQ(govern(input, {.fault = first}).fault, first);
         EXPECT_EQ(govern(input, {.force = {kNan, 0.0, 0.0}, .fault = first}).fault, first);
@@ -224,7 +224,7 @@ TEST(ForceGovernor, AStartOfTheLoopBringsTheForceOnAnew) {
     input.starts = 1;
     const GovernedForce first = govern(input, wanting(0.2));
     EXPECT_NEAR(first.force.z(), 0.2 * input.timeStep, 1e-12);
-    input.hand.position.x() = 1.0;
+    input.device.position.x() = 1.0;
     EXPECT_EQ(governForce(input, wanting(0.2), first.memory).fault, Fault::VelocityTrip);
     input.starts = 2;
     EXPECT_EQ(governForce(input, wanting(0.2), first.memory).fault, Fault::None)
@@ -233,8 +233,8 @@ TEST(ForceGovernor, AStartOfTheLoopBringsTheForceOnAnew) {
 
 TEST(ForceGovernor, ADeviceThatOnlySensesGetsWhatIsWantedOrNothing) {
     TickInput input;
-    input.hand.streams = true;
-    input.hand.age = 1.0;
+    input.device.streams = true;
+    input.device.age = 1.0;
     input.settings.governor.deadManButton = 0;
     const GovernedForce passed = governForce(input, wanting(1e9), {});
     EXPECT_EQ(passed.force.z(), 1e9);

@@ -29,14 +29,14 @@ private:
     Vector3 position_;
 };
 
-/// A loop whose hand feels a force.
+/// A loop whose device feels a force.
 class ForcesEnd : public ::testing::Test {
 protected:
-    ForcesEnd() : loop(std::make_unique<HapticLoop>(scene, hand, afm)) { startAndFeel(); }
+    ForcesEnd() : loop(std::make_unique<HapticLoop>(scene, device, afm)) { startAndFeel(); }
 
     void startAndFeel() {
         loop->start();
-        while (!(hand.newest > 0.0)) {
+        while (!(device.newest > 0.0)) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
     }
@@ -46,19 +46,19 @@ protected:
     }
 
     Scene scene = buildScene(test::plainScene(), test::flatMap());
-    MotorDevice hand{Vector3(64.0_nm, 64.0_nm, -2.0_nm)};
+    MotorDevice device{Vector3(64.0_nm, 64.0_nm, -2.0_nm)};
     SimulatedAfm afm{scene.surface, truthOf(scene)};
     std::unique_ptr<HapticLoop> loop;
 };
 
 TEST_F(ForcesEnd, WhenTheLoopStops) {
     loop->stop();
-    EXPECT_EQ(hand.newest, 0.0);
+    EXPECT_EQ(device.newest, 0.0);
 }
 
 TEST_F(ForcesEnd, WhenTheLoopIsDestroyed) {
     loop.reset();
-    EXPECT_EQ(hand.newest, 0.0);
+    EXPECT_EQ(device.newest, 0.0);
 }
 
 TEST_F(ForcesEnd, ForTheDeviceThatAnotherOneTakesOverFrom) {
@@ -69,8 +69,8 @@ TEST_F(ForcesEnd, ForTheDeviceThatAnotherOneTakesOverFrom) {
     while (!(other.newest > 0.0)) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    EXPECT_EQ(hand.newest, 0.0);
-    loop.reset();  // before the hand that it leads now goes
+    EXPECT_EQ(device.newest, 0.0);
+    loop.reset();  // before the device that it leads now goes
     EXPECT_EQ(other.newest, 0.0);
 }
 

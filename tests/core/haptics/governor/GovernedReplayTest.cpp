@@ -11,10 +11,10 @@ namespace asperity {
 namespace {
 
 /// A device that hesitates now and then and at last falls silent; with a dead-man switch.
-void hesitate(DeviceState& hand, double time) {
+void hesitate(DeviceState& device, double time) {
     const double rest = time - 0.4 * std::floor(time / 0.4);
-    hand.buttons = time > 0.1 && (time < 2.0 || time > 2.1) ? 1U : 0U;
-    hand.age = time > 2.7 ? time - 2.7 : std::max(0.0, 0.02 - rest);
+    device.buttons = time > 0.1 && (time < 2.0 || time > 2.1) ? 1U : 0U;
+    device.age = time > 2.7 ? time - 2.7 : std::max(0.0, 0.02 - rest);
 }
 
 TEST(GovernedReplay, ARecordedRunReplaysToTheSameBitsFromItsMiddle) {

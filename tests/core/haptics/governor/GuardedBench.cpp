@@ -11,7 +11,7 @@ namespace {
 constexpr double kHigh = 4e-3;   // [m]
 constexpr double kDeep = -5e-3;  // [m]
 
-/// The middle of the test map, in the hand's frame.
+/// The middle of the test map, in the device's frame.
 Vector3 above(double height) { return {64e-3, 64e-3, height}; }
 
 Scene coupledScene() {
@@ -38,11 +38,11 @@ void GuardedBench::reachFor(const Vector3& place) { bench_.reachFor(place); }
 
 TickSample GuardedBench::step() {
     time_ += input.timeStep;
-    input.hand = bench_.advance(input.timeStep);
-    input.hand.maxForce = kPhantomClass.maxForce;
-    input.hand.streams = true;
+    input.device = bench_.advance(input.timeStep);
+    input.device.maxForce = kPhantomClass.maxForce;
+    input.device.streams = true;
     if (tamper) {
-        tamper(input.hand, time_);
+        tamper(input.device, time_);
     }
     input.measurement = afm_.exchange(commandBase(scene_, input, memory).base);
     const TickOutput output = tick(scene_, input, memory);

@@ -10,18 +10,18 @@
 namespace asperity::test {
 
 /// A person at a Phantom class device with motors, coupled to a tip over flat polystyrene, at 1
-/// kHz of virtual time: 1 mm of the hand is 1 nm, 1 N is 10 nN. What the device tells can be
+/// kHz of virtual time: 1 mm of the device is 1 nm, 1 N is 10 nN. What the device tells can be
 /// tampered with, to inject faults.
 class GuardedBench {
 public:
     GuardedBench();
     /// The same person and device at another scene.
-    /// @param start of the handle, the hand's frame [m]
+    /// @param start of the handle, the device's frame [m]
     GuardedBench(const Scene& scene, const Vector3& start);
 
     /// Where the person wants the handle from now on: height over the sample [m].
     void reachFor(double height);
-    /// The same anywhere; the hand's frame [m].
+    /// The same anywhere; the device's frame [m].
     void reachFor(const Vector3& place);
     /// @return the ticks of this time [s], whose samples tell the time since the beginning
     std::vector<TickSample> run(double duration);

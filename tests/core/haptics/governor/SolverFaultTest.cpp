@@ -18,18 +18,18 @@ Scene lockingScene() {
 class Drawn {
 public:
     Drawn() {
-        input.hand.position = {64.0_nm, 64.0_nm, -1.0_nm};
-        input.hand.maxForce = 5.0;
+        input.device.position = {64.0_nm, 64.0_nm, -1.0_nm};
+        input.device.maxForce = 5.0;
         input.timeStep = 1e-3;
         input.settings = scene_.settings;
     }
 
-    /// @param step of the hand in each tick, along x [m]
+    /// @param step of the device in each tick, along x [m]
     /// @return the last tick
     TickOutput draw(double step, int ticks) {
         TickOutput last;
         for (int i = 0; i < ticks; ++i) {
-            input.hand.position.x() += step;
+            input.device.position.x() += step;
             last = tick(scene_, input, memory_);
         }
         return last;
@@ -77,7 +77,7 @@ TEST(SolverFault, IsNotAStallOfTheLoop) {
 
 TEST(SolverFault, DoesNotStopADeviceThatOnlySenses) {
     Drawn tip;
-    tip.input.hand.maxForce = 0.0;
+    tip.input.device.maxForce = 0.0;
     tip.draw(0.0, 10);
     const TickOutput failing = tip.draw(kStep, 200);
     EXPECT_TRUE(failing.flags.has(Validity::FrictionLock));

@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-/// The speeds told of a hand that moves evenly, tick by tick.
+/// The speeds told of a device that moves evenly, tick by tick.
 template <typename See>
 void moveEvenly(double speed, double rate, const See& see) {
     SpeedWatch watch;

@@ -48,8 +48,8 @@ TEST(WorkspaceEdge, PushesBackEverHarderUpToItsLimit) {
 }
 
 /// Energy that the spring holds [J]: the integral of f / sqrt(1 + f^2/L^2) over the way.
-double storedAt(const Vector3& hand) {
-    const double beyond = std::max(0.0, (hand - kTouch.center).norm() - kEdge);
+double storedAt(const Vector3& device) {
+    const double beyond = std::max(0.0, (device - kTouch.center).norm() - kEdge);
     const double limit = kTouch.forceLimit;
     return limit * limit / kTouch.stiffness *
            (std::hypot(1.0, kTouch.stiffness * beyond / limit) - 1.0);
@@ -58,28 +58,28 @@ double storedAt(const Vector3& hand) {
 TEST(WorkspaceEdge, IsTheGradientOfAnEnergy) {
     constexpr double kStep = 1e-6;
     for (int i = 0; i < 20; ++i) {
-        const Vector3 hand = 0.09 * Vector3(std::sin(i), std::cos(1.3 * i), std::sin(2.1 * i));
+        const Vector3 device = 0.09 * Vector3(std::sin(i), std::cos(1.3 * i), std::sin(2.1 * i));
         Vector3 slope;
         for (int axis = 0; axis < 3; ++axis) {
             const Vector3 along = kStep * Vector3::Unit(axis);
-            slope[axis] = (storedAt(hand + along) - storedAt(hand - along)) / (2.0 * kStep);
+            slope[axis] = (storedAt(device + along) - storedAt(device - along)) / (2.0 * kStep);
         }
-        EXPECT_LT((edgeForce(kTouch, hand) + slope).norm(), 1e-6) << hand.transpose();
+        EXPECT_LT((edgeForce(kTouch, device) + slope).norm(), 1e-6) << device.transpose();
     }
 }
 
 TEST(WorkspaceEdge, ActsOnAClutchedDeviceToo) {
-    const Vector3 hand = kTouch.center + 0.1 * kWayOut;
-    const MappingStep step = mapDevice(kTouch, hand, {.clutched = true}, {});
-    EXPECT_EQ(step.edgeForce, edgeForce(kTouch, hand));
+    const Vector3 device = kTouch.center + 0.1 * kWayOut;
+    const MappingStep step = mapDevice(kTouch, device, {.clutched = true}, {});
+    EXPECT_EQ(step.edgeForce, edgeForce(kTouch, device));
     EXPECT_GT(step.edgeForce.norm(), 0.5);
 }
 
 TEST(WorkspaceEdge, PushesInTheDevicesAxesWhateverTheView) {
     const MappingSettings turned{
         .axes = Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3::UnitZ()).toRotationMatrix()};
-    const Vector3 hand = kTouch.center + 0.1 * kWayOut;
-    EXPECT_EQ(mapDevice(kTouch, hand, turned, {}).edgeForce, mapDevice(kTouch, hand, {}, {}).edgeForce);
+    const Vector3 device = kTouch.center + 0.1 * kWayOut;
+    EXPECT_EQ(mapDevice(kTouch, device, turned, {}).edgeForce, mapDevice(kTouch, device, {}, {}).edgeForce);
 }
 
 TEST(WorkspaceEdge, AWorkspaceThatNobodyKnowsHasNoEdge) {

@@ -18,13 +18,13 @@ Matrix3 turned(double angle, const Vector3& axis) {
     return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-/// A hand and the place that it commands, which starts at the world's origin.
+/// A device and the place that it commands, which starts at the world's origin.
 class MappedDevice {
 public:
     MappingSettings settings{.positionGain = 1e-6};  // 1 mm: 1 nm
 
-    MappingStep moveTo(const Vector3& hand) {
-        MappingStep step = mapDevice({}, hand, settings, memory_);
+    MappingStep moveTo(const Vector3& device) {
+        MappingStep step = mapDevice({}, device, settings, memory_);
         memory_ = step.memory;
         command_ += step.displacement;
         return step;
@@ -56,28 +56,28 @@ TEST(WorkspaceMapping, TheCommandFollowsTheDeviceTimesTheGain) {
 
 TEST(WorkspaceMapping, AZoomInMidMotionChangesTheSpeedButNotThePlace) {
     MappedDevice mapped;
-    const Vector3 step(0.1e-3, 0.0, -0.2e-3);  // of the hand in a tick, far from its origin
-    Vector3 hand(0.05, 0.05, 0.05);
+    const Vector3 step(0.1e-3, 0.0, -0.2e-3);  // of the device in a tick, far from its origin
+    Vector3 device(0.05, 0.05, 0.05);
     Vector3 last = Vector3::Zero();
-    mapped.moveTo(hand);
+    mapped.moveTo(device);
     for (int i = 0; i < 400; ++i) {
         mapped.settings.positionGain = 1e-6 * std::exp2(std::sin(0.1 * i) * 5.0);
-        hand += step;
-        mapped.moveTo(hand);
+        device += step;
+        mapped.moveTo(device);
         expectNear(mapped.command() - last, mapped.settings.positionGain * step,
-                   mapped.settings.positionGain * hand.norm());
+                   mapped.settings.positionGain * device.norm());
         last = mapped.command();
     }
 }
 
 TEST(WorkspaceMapping, ZoomAndTurnedViewMoveNothingUnderADeviceAtRest) {
     MappedDevice mapped;
-    const Vector3 hand(0.05, -0.04, 0.03);
-    mapped.moveTo(hand);
+    const Vector3 device(0.05, -0.04, 0.03);
+    mapped.moveTo(device);
     mapped.settings.positionGain = 1e-3;
-    mapped.moveTo(hand);
+    mapped.moveTo(device);
     mapped.settings.axes = turned(1.0, {1.0, 2.0, 3.0});
-    mapped.moveTo(hand);
+    mapped.moveTo(device);
     EXPECT_EQ(mapped.command(), Vector3::Zero());
 }
 
@@ -128,7 +128,7 @@ TEST(WorkspaceMapping, PowerIsTheSameInTheDevicesAxesAndTheWorlds) {
 }
 
 TEST(WorkspaceMapping, TheDeviceFollowsTheScreen) {
-    // Looking along +y, z up: the device's own axes. From above: up in the image is a hand's rise.
+    // Looking along +y, z up: the device's own axes. From above: up in the image is a device's rise.
     EXPECT_TRUE(viewAxes(Vector3::UnitX(), Vector3::UnitZ())->isIdentity(1e-15));
     const Matrix3 above = viewAxes(2.0 * Vector3::UnitX(), 3.0 * Vector3::UnitY()).value();
     expectNear(above * Vector3::UnitZ(), Vector3::UnitY(), 1.0);

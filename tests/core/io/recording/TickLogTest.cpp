@@ -20,7 +20,7 @@ TickSample sampleOf(double time) {
     TickSample sample;
     sample.time = time;
     sample.input.timeStep = 1.0 / 3.0e3;
-    sample.input.hand = {.position = {1.0 / 3.0, -2e-9 / 7.0, 5e-324},
+    sample.input.device = {.position = {1.0 / 3.0, -2e-9 / 7.0, 5e-324},
                          .buttons = 5,
                          .maxForce = 8.5 / 3.0,
                          .streams = true,
@@ -72,15 +72,15 @@ TEST(TickLog, InputsReadBackToTheSameBits) {
     const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
     EXPECT_EQ(bits(read[0].time), bits(written.time));
     EXPECT_EQ(bits(read[0].input.timeStep), bits(written.input.timeStep));
-    EXPECT_EQ(read[0].input.hand.position, written.input.hand.position);
-    EXPECT_EQ(read[0].input.hand.buttons, 5U);
+    EXPECT_EQ(read[0].input.device.position, written.input.device.position);
+    EXPECT_EQ(read[0].input.device.buttons, 5U);
     EXPECT_EQ(bits(read[0].input.measurement.signals.bending),
               bits(written.input.measurement.signals.bending));
     EXPECT_EQ(read[0].input.measurement.signals.torsion, -1e-300);
     EXPECT_EQ(read[0].input.settings, written.input.settings);
-    EXPECT_EQ(bits(read[0].input.hand.maxForce), bits(written.input.hand.maxForce));
-    EXPECT_TRUE(read[0].input.hand.streams);
-    EXPECT_EQ(bits(read[0].input.hand.age), bits(written.input.hand.age));
+    EXPECT_EQ(bits(read[0].input.device.maxForce), bits(written.input.device.maxForce));
+    EXPECT_TRUE(read[0].input.device.streams);
+    EXPECT_EQ(bits(read[0].input.device.age), bits(written.input.device.age));
     EXPECT_EQ(read[0].input.starts, 2U);
 }
 
@@ -123,7 +123,7 @@ TEST(TickLog, ReadsInputsFromBeforeThereWasAGovernor) {
                            "tip_control,forces_on,rearms\n"
                            "0,0.001,1,2,3,0,1,0,0,0,1,1,20,0,1,0\n";
     const TickInput input = readTickInputs(path).at(0).input;
-    EXPECT_FALSE(input.hand.rendersForce());
+    EXPECT_FALSE(input.device.rendersForce());
     EXPECT_EQ(input.settings, Settings{});
 }
 
@@ -201,15 +201,15 @@ TEST(TickLog, KeepsANanOfTheDeviceWhichIsAFault) {
     const test::ScratchFolder scratch;
     const auto path = scratch.path() / "tick_input.csv";
     TickSample sample = sampleOf(0.0);
-    sample.input.hand.position.y() = std::numeric_limits<double>::quiet_NaN();
-    sample.input.hand.age = std::numeric_limits<double>::infinity();
+    sample.input.device.position.y() = std::numeric_limits<double>::quiet_NaN();
+    sample.input.device.age = std::numeric_limits<double>::infinity();
     TickInputWriter writer(path);
     writer.take(sample);
     writer.close();
     const TickInput read = readTickInputs(path).front().input;
-    EXPECT_TRUE(std::isnan(read.hand.position.y()));
-    EXPECT_EQ(read.hand.position.x(), sample.input.hand.position.x());
-    EXPECT_EQ(read.hand.age, sample.input.hand.age);
+    EXPECT_TRUE(std::isnan(read.device.position.y()));
+    EXPECT_EQ(read.device.position.x(), sample.input.device.position.x());
+    EXPECT_EQ(read.device.age, sample.input.device.age);
 }
 
 TEST(TickLog, HoldsWhatWasFlushedAndReadsUpToTheLastWholeLine) {
@@ -236,9 +236,9 @@ TEST(DevicePathFile, ReadsPlacesAndRefusesTimeThatStandsStill) {
     const test::ScratchFolder scratch;
     const auto path = scratch.path() / "path.csv";
     std::ofstream(path) << "# a path\ntime_s,x_m,y_m,z_m\n0,1e-9,2e-9,3e-9\n1,0,0,-1e-9\n";
-    const DevicePath hand = readDevicePath(path);
-    ASSERT_EQ(hand.size(), 2U);
-    EXPECT_EQ(hand[1].position.z(), -1e-9);
+    const DevicePath device = readDevicePath(path);
+    ASSERT_EQ(device.size(), 2U);
+    EXPECT_EQ(device[1].position.z(), -1e-9);
     for (const char* rows :
          {"0,0,0,0\n0,1,1,1\n", "-1,0,0,0\n", "0,nan,0,0\n", "inf,0,0,0\n", ""}) {
         std::ofstream(path) << "time_s,x_m,y_m,z_m\n" << rows;

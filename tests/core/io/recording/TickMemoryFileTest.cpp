@@ -34,7 +34,7 @@ TickMemory someMemory() {
                          .contradicted = true,
                          .frictionWrong = true,
                          .noisy = true};
-    memory.mapping = {.hand = {7.0, 8.0, 9.0}, .follows = true};
+    memory.mapping = {.device = {7.0, 8.0, 9.0}, .follows = true};
     memory.proxy = {.stretch = {1e-3 / 3.0, 0.0, -2e-3},
                     .load = {1e-9, -2e-9, 1e-8 / 7.0},
                     .normal = {0.6, 0.0, 0.8},
@@ -83,7 +83,7 @@ TEST(TickMemoryFile, ReadsBackToTheSameBits) {
     EXPECT_EQ(read.base, written.base);
     EXPECT_EQ(read.correction, written.correction);
     EXPECT_EQ(read.innovation, written.innovation);
-    EXPECT_EQ(read.mapping.hand, written.mapping.hand);
+    EXPECT_EQ(read.mapping.device, written.mapping.device);
     EXPECT_EQ(read.mapping.follows, written.mapping.follows);
     EXPECT_EQ(read.proxy.stretch, written.proxy.stretch);
     EXPECT_EQ(read.proxy.load, written.proxy.load);
