@@ -1,7 +1,7 @@
 // Closest points of a scan to places above it: closest_points SCAN
 #include "core/io/heightmap/ScanFile.h"
-#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/closest/ClosestPointSearch.h"
+#include "core/surface/fit/BSplineFit.h"
 
 #include <cstdio>
 #include <exception>
@@ -18,8 +18,8 @@ void printClosestPoints(const char* file) {
         const double y = 0.5 * surface.sizeY();
         const Vector3 place(x, y, surface.at(x, y).height + 10e-9);
         const ClosestPoint closest = closestPoint(surface, place, {});
-        std::printf("%.6e,%.6e,%.6e,%.4e,%.4f,%s\n", closest.point.x(), closest.point.y(), closest.point.z(),
-                    closest.distance, closest.normal.z(), keyOf(closest.proof));
+        std::printf("%.6e,%.6e,%.6e,%.4e,%.4f,%s\n", closest.point.x(), closest.point.y(),
+                    closest.point.z(), closest.distance, closest.normal.z(), keyOf(closest.proof));
     }
 }
 

@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 constexpr double kMinStiffness = 1e-6;  // [N/m]
-constexpr double kMaxStiffness = 1e12;   // [N/m]
+constexpr double kMaxStiffness = 1e12;  // [N/m]
 
 /// A material by the path of its file or by its name in the data folder.
 SampleMaterial findMaterial(const std::string& given) {

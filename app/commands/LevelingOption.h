@@ -17,8 +17,7 @@ void addLevelingOption(CLI::App& command, Target& leveling, const std::string& w
     }
     command
         .add_option_function<std::string>(
-            "--level",
-            [&leveling](const std::string& key) { leveling = *fromKey<Leveling>(key); },
+            "--level", [&leveling](const std::string& key) { leveling = *fromKey<Leveling>(key); },
             "leveling: none, plane (least squares) or rows (median of each); " + whenAbsent)
         ->check(CLI::IsMember(keys));
 }

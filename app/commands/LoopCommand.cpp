@@ -105,7 +105,8 @@ std::unique_ptr<RecordingThread> startRecording(const LoopOptions& options, Live
     }
     run.fetch([](const TickSample&) {});  // what a device begins with is not of the recording
     return std::make_unique<RecordingThread>(RecordingPlace{options.record, options.force},
-                                             run.loaded(), run.loop().memory(), run.device().delay());
+                                             run.loaded(), run.loop().memory(),
+                                             run.device().delay());
 }
 
 [[noreturn]] void failRecording(const std::string& folder, const std::string& reason) {

@@ -53,11 +53,11 @@ struct Projection {
 Projection nowhere() {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     return {.closest = {.point = Vector3::Constant(kNan),
-                     .normal = Vector3::Constant(kNan),
-                     .distance = kNan,
-                     .curvatures = {.largest = kNan, .smallest = kNan},
-                     .insideScan = false,
-                     .proof = SearchProof::NotConverged},
+                        .normal = Vector3::Constant(kNan),
+                        .distance = kNan,
+                        .curvatures = {.largest = kNan, .smallest = kNan},
+                        .insideScan = false,
+                        .proof = SearchProof::NotConverged},
             .u = kNan,
             .v = kNan,
             .measured = false};
@@ -73,7 +73,8 @@ Projection onField(const BSplineSurface& surface, const Vector3& point) {
 
 Projection onShape(const NurbsSurface& shape, const Vector3& point) {
     const NurbsClosestPoints points = nearestPoints(shape, point, {});
-    Projection result{.closest = points.nearest().closest, .u = points.nearest().u, .v = points.nearest().v};
+    Projection result{
+        .closest = points.nearest().closest, .u = points.nearest().u, .v = points.nearest().v};
     result.closest.proof = points.proof();
     return result;
 }

@@ -52,7 +52,7 @@ void ActiveDevice::follow(const DevicePath& path) {
             way.push_back({begin + path[i].time, path[i].position});
         }
         return std::make_unique<ScriptedDevice>(std::move(way), run_->settings().positionGain,
-                                              run_->devicePosition());
+                                                run_->devicePosition());
     });
 }
 
@@ -96,8 +96,8 @@ void ActiveDevice::travelTo(const Vector2& place) {
 void ActiveDevice::advance(double seconds, double halfWidth) {
     if (PilotedDevice* const device = led()) {
         const DeviceMapping now{.device = run_->devicePosition(),
-                              .base = run_->basePosition(),
-                              .positionGain = run_->settings().positionGain};
+                                .base = run_->basePosition(),
+                                .positionGain = run_->settings().positionGain};
         device->moveTo(pilot_.advance(seconds, now));
     }
     if (run_ != nullptr) {

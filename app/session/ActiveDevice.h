@@ -55,8 +55,8 @@ private:
 
     LiveRun* run_ = nullptr;
     std::optional<HidapiTransport> transport_;
-    DevicePilot pilot_{Vector3::Zero()};      ///< where mouse and keyboard lead
-    const HapticDevice* device_ = nullptr;    ///< that was taken last; only compared
+    DevicePilot pilot_{Vector3::Zero()};    ///< where mouse and keyboard lead
+    const HapticDevice* device_ = nullptr;  ///< that was taken last; only compared
     const DeviceDriver* driver_ = nullptr;  ///< its own; null: it follows a path
 };
 

@@ -58,15 +58,16 @@ public:
     [[nodiscard]] Settings sensingSettings() const;
 
     using MakeDevice = std::function<std::unique_ptr<HapticDevice>()>;
-    /// Another device takes over; one with motors gets a coupling and a scale that hold, and when it
-    /// goes the earlier gains return. `make` is called while the loop rests, with the gains of
+    /// Another device takes over; one with motors gets a coupling and a scale that hold, and when
+    /// it goes the earlier gains return. `make` is called while the loop rests, with the gains of
     /// hands that only sense: what it reads of the present device and base is exact.
     /// @throw what `make` throws, or Error where no scale holds; the present device stays then
     void takeDevice(const MakeDevice& make);
     [[nodiscard]] HapticDevice& device() noexcept { return *device_; }
     /// What is known of a force-feedback device.
     [[nodiscard]] const CouplingKeeper& coupling() const noexcept { return coupling_; }
-    /// Makes sure that a force-feedback device could hold the tip of this scene. @throw Error why not
+    /// Makes sure that a force-feedback device could hold the tip of this scene. @throw Error why
+    /// not
     void requireHolding(const SceneDescription& scene) const;
     /// Once a frame: has the gains follow the device's delay. @return whether knobs changed
     bool followDelay();

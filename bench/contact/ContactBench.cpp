@@ -18,7 +18,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMax = 100.0;    // indentation of the tables
+constexpr double kMax = 100.0;        // indentation of the tables
 constexpr double kRadiusSpan = 2.15;  // of lambda for a tenth to ten times the effective radius
 constexpr double kDeepest = 10.0;     // indentation of a sweep
 constexpr int kRepeats = 201;
@@ -238,8 +238,7 @@ void printPeer(const char* name, const std::optional<PeerTiming>& timing) {
 void benchMaterial(const Material& material) {
     const MaugisDugdale law(material.lambda);
     const MaugisTable flat({material.lambda, material.lambda, kMax});
-    const MaugisTable curved(
-        {material.lambda / kRadiusSpan, material.lambda * kRadiusSpan, kMax});
+    const MaugisTable curved({material.lambda / kRadiusSpan, material.lambda * kRadiusSpan, kMax});
     std::vector<Way> ways{
         coldWay(law),
         warmWay(law, "warm Newton, steps of 0.1", 0.1, 800.0),

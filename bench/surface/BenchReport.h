@@ -26,7 +26,7 @@ struct SizeResult {
 
 /// ClosestPoint point, contact force and decoupling of one instant.
 struct ChainResult {
-    TimeSummary time;  ///< of the whole chain
+    TimeSummary time;     ///< of the whole chain
     TimeSummary closest;  ///< of its closest point point alone
 };
 

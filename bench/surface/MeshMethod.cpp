@@ -58,7 +58,7 @@ SurfaceMesh meshOf(const BSplineSurface& surface) {
 }
 
 std::unique_ptr<SearchMethod> meshMethod(const BSplineSurface& surface,
-                                       std::unique_ptr<MeshLocator> locator) {
+                                         std::unique_ptr<MeshLocator> locator) {
     return std::make_unique<MeshMethod>(surface, std::move(locator));
 }
 

@@ -32,6 +32,6 @@ public:
 
 /// The locator's answer, brought to the spline surface by Newton's method.
 [[nodiscard]] std::unique_ptr<SearchMethod> meshMethod(const BSplineSurface& surface,
-                                                     std::unique_ptr<MeshLocator> locator);
+                                                       std::unique_ptr<MeshLocator> locator);
 
 }  // namespace asperity

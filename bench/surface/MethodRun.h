@@ -1,8 +1,8 @@
 #pragma once
 
+#include "bench/surface/GlobalReference.h"
 #include "bench/surface/SearchMethod.h"
 #include "bench/surface/SearchWork.h"
-#include "bench/surface/GlobalReference.h"
 
 #include <memory>
 #include <span>

@@ -77,7 +77,7 @@ Vector2 insideScan(const BSplineSurface& surface, const Vector2& place) {
 }  // namespace
 
 Vector2 newtonPoint(const BSplineSurface& surface, const Vector3& query, const Vector2& start,
-                   NewtonEnd end) {
+                    NewtonEnd end) {
     Vector2 place = insideScan(surface, start);
     Expansion here = expandedAt(surface, query, place);
     for (int i = 0; i < kMaxSteps; ++i) {

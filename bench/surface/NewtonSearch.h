@@ -14,7 +14,7 @@ struct NewtonEnd {
 /// x, y), inside the scan. On its own, not the product's: it is part of what the product is
 /// compared with.
 [[nodiscard]] Vector2 newtonPoint(const BSplineSurface& surface, const Vector3& query,
-                                 const Vector2& start, NewtonEnd end);
+                                  const Vector2& start, NewtonEnd end);
 
 /// Distance from `query` to the surface point above or below `place` [m], > 0.
 [[nodiscard]] double distanceTo(const BSplineSurface& surface, const Vector3& query,

@@ -26,8 +26,8 @@ SearchGuess guessFor(const SearchWork& work, const Vector3& center, int restart,
             true};
 }
 
-void restart(const SearchWork& work, const Vector3& center, const ClosestPoint& first, Random& random,
-             RandomResult& result) {
+void restart(const SearchWork& work, const Vector3& center, const ClosestPoint& first,
+             Random& random, RandomResult& result) {
     bool different = false;
     bool tied = true;
     for (int i = 0; i < kRestarts; ++i) {
@@ -53,8 +53,8 @@ RandomResult runRandom(const SearchWork& work, std::uint64_t seed) {
                             work, truth, std::max<std::size_t>(truth.size() / kDoubted, 1))};
     for (std::size_t i = 0; i < work.centers.size(); ++i) {
         const ClosestPoint closest = closestPoint(*work.surface, work.centers[i], {});
-        judge(work, i, {.place = closest.point.head<2>(), .certified = closest.certified()}, truth[i],
-              judged);
+        judge(work, i, {.place = closest.point.head<2>(), .certified = closest.certified()},
+              truth[i], judged);
         if (i % kRestartEvery == 0) {
             restart(work, work.centers[i], closest, random, result);
         }

@@ -6,7 +6,8 @@
 
 namespace asperity {
 
-/// Where a method puts the closest point of a query; its height is read off the spline surface itself.
+/// Where a method puts the closest point of a query; its height is read off the spline surface
+/// itself.
 struct SearchAnswer {
     Vector2 place = Vector2::Zero();  ///< world x, y [m]
     bool certified = false;           ///< said to be proven the nearest

@@ -39,10 +39,11 @@ constexpr int kPasses = 5;
 WorkResult runSlide(const std::string& name, const HeightMap& map, const Options& options) {
     const BSplineSurface surface = fitSurface(map);
     const SearchWork work{name, &surface,
-                        slidingTip(surface, options.queriesOr(kSlideSteps), Vector2::Zero())};
+                          slidingTip(surface, options.queriesOr(kSlideSteps), Vector2::Zero())};
     const auto truth = referenceOf(work);
     std::vector<std::unique_ptr<SearchMethod>> methods;
-    for (const SearchEffort effort : {SearchEffort::Certified, SearchEffort::Global, SearchEffort::Local}) {
+    for (const SearchEffort effort :
+         {SearchEffort::Certified, SearchEffort::Global, SearchEffort::Local}) {
         methods.push_back(ourMethod(surface, effort));
     }
     methods.push_back(warmNewtonMethod(surface));
@@ -109,7 +110,7 @@ std::vector<RandomResult> runRandoms(const Options& options) {
     for (const SampleScan& scan : scansFor(options)) {
         const BSplineSurface surface = fitSurface(scan.map);
         const SearchWork work{scan.fileName, &surface,
-                            randomTips(surface, options.queriesOr(kRandomTips), kSeed)};
+                              randomTips(surface, options.queriesOr(kRandomTips), kSeed)};
         results.push_back(runRandom(work, kSeed));
     }
     return results;

@@ -11,11 +11,10 @@ namespace asperity {
 namespace {
 
 constexpr double kMinRange = 1e-15;  // of the cohesion [m]
-constexpr double kMaxRange = 1.0;     // [m]
+constexpr double kMaxRange = 1.0;    // [m]
 
 bool stressIsUsable(double work, double stress) noexcept {
-    return work < kMinAdhesion ||
-           isWithin(stress, work / kMaxRange, work / kMinRange);
+    return work < kMinAdhesion || isWithin(stress, work / kMaxRange, work / kMinRange);
 }
 
 }  // namespace
@@ -65,7 +64,7 @@ ContactStatus checkRequest(double approach, double compliance) noexcept {
         return ContactStatus::ApproachOutOfRange;
     }
     return isWithin(compliance, 0.0, kMaxCompliance) ? ContactStatus::Solved
-                                                         : ContactStatus::ComplianceOutOfRange;
+                                                     : ContactStatus::ComplianceOutOfRange;
 }
 
 }  // namespace asperity

@@ -43,7 +43,7 @@ inline constexpr auto kEnumTable<ContactStatus> = std::to_array<EnumRow<ContactS
       "the lever's compliance must lie between 0 and 1e6 m/N"}});
 
 inline constexpr double kMinTipRadius = 1e-12;  ///< [m]
-inline constexpr double kMaxTipRadius = 1.0;     ///< [m]
+inline constexpr double kMaxTipRadius = 1.0;    ///< [m]
 /// Adhesion below this counts as none [J/m^2].
 inline constexpr double kMinAdhesion = 1e-12;
 

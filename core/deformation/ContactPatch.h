@@ -24,6 +24,6 @@ namespace asperity {
 
 /// Where the closest point lies once the surface has moved, world [m].
 [[nodiscard]] Vector3 displacedPoint(const Scene& scene, const TipState& state,
-                                    DeformationTier tier);
+                                     DeformationTier tier);
 
 }  // namespace asperity

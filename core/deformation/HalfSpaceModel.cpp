@@ -17,9 +17,10 @@ namespace {
 constexpr double kRoom = 2.5;
 constexpr double kMinRoom = 1.8;
 constexpr double kMaxRoom = 4.0;
-constexpr double kWiden = 1.6;            // where the contact on real topography is wider
-constexpr double kWidestPatch = 2.0;      // half width in tip radii
-constexpr double kSeveralPointsRoom = 1.0;  // in tip radii: other closest points may lie so far away
+constexpr double kWiden = 1.6;        // where the contact on real topography is wider
+constexpr double kWidestPatch = 2.0;  // half width in tip radii
+constexpr double kSeveralPointsRoom =
+    1.0;  // in tip radii: other closest points may lie so far away
 
 /// Whether the law's adhesion has no range that a half-space could take for its own: JKR's has
 /// none, DMT's reaches everywhere.

@@ -60,12 +60,11 @@ struct HalfSpaceAnswer {
 [[nodiscard]] std::string sentenceOf(const HalfSpaceAnswer& answer);
 
 /// Solves for the deformed surface around the tip, on the scan's own topography in the tangent
-/// plane at the closest point and with the exact sphere as tip, at the indentation of the tick's state. Each
-/// answer starts from the one before where that fits, else from the closed form. The cohesive zone
-/// is the contact law's; of a law that adheres without one (DMT, JKR) nothing is solved, since with
-/// any zone of finite range the half-space would answer for another law.
-/// One object a thread; off the tick: allocates, takes milliseconds.
-/// Source: docs/theory.md 2, 3.4, 4.
+/// plane at the closest point and with the exact sphere as tip, at the indentation of the tick's
+/// state. Each answer starts from the one before where that fits, else from the closed form. The
+/// cohesive zone is the contact law's; of a law that adheres without one (DMT, JKR) nothing is
+/// solved, since with any zone of finite range the half-space would answer for another law. One
+/// object a thread; off the tick: allocates, takes milliseconds. Source: docs/theory.md 2, 3.4, 4.
 class HalfSpaceModel {
 public:
     static constexpr int kSamples = 128;  ///< pixels per side of a patch

@@ -31,16 +31,16 @@ HalfSpaceContact halfSpaceContact(const Scene& scene, const TipState& state,
     const ContactModel model = contactModelAt(scene, state);
     const Cohesion cohesion = cohesionOf(model);
     const double radius = scene.belief.tipRadius();
-    HalfSpaceContact contact{.samples = patch.samples,
-                             .pitch = patch.pitch(),
-                             .gap = heightsOver(scene.surface,
-                                                tangentFrame(state.closest.point, state.closest.normal),
-                                                patch.samples, patch.pitch()),
-                             .approach = contactProfile(model, state.contact).indentation,
-                             .reducedModulus = model.pair().reducedModulus,
-                             .cohesiveStress = cohesion.stress,
-                             .cohesiveRange = cohesion.range,
-                             .tipRadius = std::min(radius, model.pair().tipRadius)};
+    HalfSpaceContact contact{
+        .samples = patch.samples,
+        .pitch = patch.pitch(),
+        .gap = heightsOver(scene.surface, tangentFrame(state.closest.point, state.closest.normal),
+                           patch.samples, patch.pitch()),
+        .approach = contactProfile(model, state.contact).indentation,
+        .reducedModulus = model.pair().reducedModulus,
+        .cohesiveStress = cohesion.stress,
+        .cohesiveRange = cohesion.range,
+        .tipRadius = std::min(radius, model.pair().tipRadius)};
     auto height = contact.gap.begin();
     patch.forEachDistance([&](double distance) {
         const double up = (radius - distance) * (radius + distance);

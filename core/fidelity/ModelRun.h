@@ -48,7 +48,7 @@ struct ForceDifference {
     double rms = 0.0;            ///< of the vector [N]
     double largest = 0.0;        ///< [N]
     double contactRadius = 0.0;  ///< largest [m]
-    double closest = 0.0;           ///< largest, between the main closest points while both touch [m]
+    double closest = 0.0;        ///< largest, between the main closest points while both touch [m]
 };
 
 [[nodiscard]] ForceDifference differenceOf(const ModelRun& run, const ModelRun& reference);

@@ -45,12 +45,11 @@ struct SceneNeeds {
 /// On sampled runs (approaches at the highest feature and two more places, a raster) it leaves out
 /// one term after another, the least effect first, as long as each alone and all together stay
 /// within the tolerance. Terms that the description settles stay as they are. The search for other
-/// closest points stays wherever the scan has a hollow that the tip does not fit, whatever the runs meet.
-/// The error is that of the model against the whole model (wholeModel(), under the law that leaves
-/// out least), and that of the whole by each term that its law has no room for, weighed by the same
-/// pairs of models as in TickStudy and added as squares.
-/// Decisions are reproducible, times are of this machine. Where a tick takes longer than
-/// `longestTick` [s] everything is left on.
+/// closest points stays wherever the scan has a hollow that the tip does not fit, whatever the runs
+/// meet. The error is that of the model against the whole model (wholeModel(), under the law that
+/// leaves out least), and that of the whole by each term that its law has no room for, weighed by
+/// the same pairs of models as in TickStudy and added as squares. Decisions are reproducible, times
+/// are of this machine. Where a tick takes longer than `longestTick` [s] everything is left on.
 /// @throw Error as setModel()
 SceneNeeds fitModel(Scene& scene, double longestTick = 1e-3);
 

@@ -44,6 +44,6 @@ struct PathPlan {
 
 /// Up over everything on the way, across, and down to the waiting place above (x, y) [m].
 [[nodiscard]] DevicePath journey(const Scene& scene, const Vector3& from, const Vector2& to,
-                               double duration);
+                                 double duration);
 
 }  // namespace asperity

@@ -9,8 +9,8 @@ namespace asperity {
 /// Which place of the device stands for which place of the base, from one tick on.
 struct DeviceMapping {
     Vector3 device = Vector3::Zero();  ///< of one tick [m]
-    Vector3 base = Vector3::Zero();  ///< of the same one, world [m]
-    double positionGain = 1.0;       ///< base displacement per device displacement
+    Vector3 base = Vector3::Zero();    ///< of the same one, world [m]
+    double positionGain = 1.0;         ///< base displacement per device displacement
 
     /// Where the device must be for the base to be at `place` [m].
     [[nodiscard]] Vector3 deviceFor(const Vector3& place) const {

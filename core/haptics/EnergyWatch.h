@@ -8,8 +8,8 @@
 
 namespace asperity {
 
-/// The passivity observer over the ticks of a run, while a force-feedback device leads by a coupling. It
-/// begins anew with another coupling and each time the loop starts.
+/// The passivity observer over the ticks of a run, while a force-feedback device leads by a
+/// coupling. It begins anew with another coupling and each time the loop starts.
 class EnergyWatch {
 public:
     /// @param timeStep from tick to tick [s]

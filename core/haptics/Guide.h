@@ -21,8 +21,8 @@ struct GuideStep {
 };
 
 /// The guide of the settings as a load of the proxy. Its force limit comes on linearly in half a
-/// second: one that is switched on, moved or zoomed away from the device holds energy that nobody put
-/// in, and must not give it at once.
+/// second: one that is switched on, moved or zoomed away from the device holds energy that nobody
+/// put in, and must not give it at once.
 /// @param place     that the device commanded in the last tick, world [m]
 [[nodiscard]] GuideStep stepGuide(const TickInput& input, const Vector3& place,
                                   const GuideMemory& memory) noexcept;

@@ -7,7 +7,7 @@ namespace asperity {
 namespace {
 
 constexpr double kKeptSeconds = 5.0;       // of samples until somebody fetches them [s]
-constexpr double kMaxSamples = 50000.0;   // some 40 MB
+constexpr double kMaxSamples = 50000.0;    // some 40 MB
 constexpr double kStatisticsPeriod = 1.0;  // [s]
 
 std::size_t ringSize(const Scene& scene) {

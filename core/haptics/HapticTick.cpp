@@ -137,7 +137,7 @@ MappingStep mappedDevice(const TickInput& input, const TickMemory& memory) {
     const bool restarted = input.device.rendersForce() && input.starts != memory.governor.starts;
     MappingStep step =
         mapDevice(input.settings.workspace, input.device.position, mappingSettings(input),
-                restarted ? MappingMemory{} : memory.mapping);
+                  restarted ? MappingMemory{} : memory.mapping);
     step.memory.follows = step.memory.follows && input.device.connected;
     return step;
 }
@@ -153,9 +153,9 @@ Vector3 wantedForce(const TickInput& input, const TickOutput& out, const BaseCom
                     const Vector3& correction) {
     const Settings& settings = input.settings;
     return forceOnDevice(mappingSettings(input),
-                       settings.coupling.couples()
-                           ? command.proxy.coupling.device
-                           : Vector3(settings.forceGain * (out.model.force + correction)));
+                         settings.coupling.couples()
+                             ? command.proxy.coupling.device
+                             : Vector3(settings.forceGain * (out.model.force + correction)));
 }
 
 /// Whether a base that goes ahead by `compensation` has the tip where it was commanded: not where

@@ -42,7 +42,8 @@ ValidityFlags tickValidity(const Scene& scene, const TickOutput& out,
     flags.set(Validity::ModelContradicted, verdict.modelContradicted);
     flags.set(Validity::EstimateInconsistent, verdict.estimateInconsistent);
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
-    flags.set(Validity::UncertainPixel, bonded && scene.certainty.isUncertain(closest.x(), closest.y()));
+    flags.set(Validity::UncertainPixel,
+              bonded && scene.certainty.isUncertain(closest.x(), closest.y()));
     flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
     flags.set(Validity::SharpValley, bonded && !out.model.fits);
     flags.set(Validity::SeveralContactPoints, out.model.points > 1);

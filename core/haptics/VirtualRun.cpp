@@ -10,7 +10,8 @@ void runVirtually(const Scene& scene, const DevicePath& device, AfmController& a
     sample.input.timeStep = scene.timeStep();
     for (long i = 0; i < ticks; ++i) {
         sample.time = static_cast<double>(i) * scene.timeStep();
-        sample.input.device.position = positionAt(device, sample.time) / scene.settings.positionGain;
+        sample.input.device.position =
+            positionAt(device, sample.time) / scene.settings.positionGain;
         const BaseCommand command = commandBase(scene, sample.input, memory);
         sample.input.measurement = afm.exchange(command.base);
         sample.output = tick(scene, sample.input, command, memory);

@@ -9,9 +9,9 @@
 /// deviation. Source: docs/theory.md 6.5.
 namespace asperity::decoupling {
 
-inline constexpr double kPlanarityDefect = 0.02;    // eta_p
-inline constexpr double kFrictionLawDefect = 0.3;   // eta_f
-inline constexpr double kMinFriction = 1e-12;  // S0 [N]
+inline constexpr double kPlanarityDefect = 0.02;   // eta_p
+inline constexpr double kFrictionLawDefect = 0.3;  // eta_f
+inline constexpr double kMinFriction = 1e-12;      // S0 [N]
 
 /// Normal and sliding in the cantilever frame.
 struct ContactGeometry {

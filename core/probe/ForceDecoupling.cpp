@@ -19,14 +19,14 @@ using decoupling::ContactGeometry;
 using decoupling::frictionScale;
 using decoupling::geometryOf;
 using decoupling::kFrictionLawDefect;
-using decoupling::kPlanarityDefect;
 using decoupling::kMinFriction;
+using decoupling::kPlanarityDefect;
 
 constexpr double kNearSingularCondition = 100.0;
 constexpr double kSingularCondition = 1e15;  // what rounding leaves of an exactly singular system
-constexpr double kMaxInput = 1e12;       // in SI: far beyond any measurement, no overflow below
-constexpr double kMinSigma = 1e-30;     // likewise
-constexpr double kMinNormal = 1e-30;    // shorter ones lose their direction when squared
+constexpr double kMaxInput = 1e12;           // in SI: far beyond any measurement, no overflow below
+constexpr double kMinSigma = 1e-30;          // likewise
+constexpr double kMinNormal = 1e-30;         // shorter ones lose their direction when squared
 constexpr double kPlausibleSigmas = 3.0;
 constexpr double kUsableRest = 1e-3;  // of sigma_N: below it only the model told N
 

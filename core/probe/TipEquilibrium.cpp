@@ -25,9 +25,12 @@ constexpr double kPositionTolerance =
 constexpr double kSameRadius = 1e-6;  // relative change of R_eff that needs no new solution
 constexpr double kFlatEnough = 0.1;   // relative change of R_eff that a flat sample may stand for
 constexpr double kReach = 10e-9;      // [m]: attraction across a wider gap is below a piconewton
-constexpr double kSameSlot = 0.25;    // of the tip's radius: a closest point moves less from tick to tick
-constexpr double kMainPoint = 1.5;     // another closest point becomes the main one with so much more force
-constexpr double kBears = 1e-3;       // share of the main closest point's force from which a closest point counts
+constexpr double kSameSlot =
+    0.25;  // of the tip's radius: a closest point moves less from tick to tick
+constexpr double kMainPoint =
+    1.5;  // another closest point becomes the main one with so much more force
+constexpr double kBears =
+    1e-3;  // share of the main closest point's force from which a closest point counts
 
 /// One closest point with the contact law of its place and the force it bears.
 struct ClosestPoint {
@@ -75,8 +78,8 @@ EffectiveRadius takenAsFlat(EffectiveRadius curved, double tipRadius) {
     return {.radius = tipRadius, .fits = curved.fits, .elongated = curved.elongated || isCurved};
 }
 
-/// Search for the tip's place between a lever of given compliance and all its closest points, one closest point at a
-/// time while the others answer to first order.
+/// Search for the tip's place between a lever of given compliance and all its closest points, one
+/// closest point at a time while the others answer to first order.
 class Balance {
 public:
     Balance(const TouchedSurface& surface, const ProbeSystem& system, const BaseMotion& base,
@@ -103,7 +106,8 @@ public:
     }
 
 private:
-    /// The lever as one closest point meets it: stiffened by the other closest points, and moved by them.
+    /// The lever as one closest point meets it: stiffened by the other closest points, and moved by
+    /// them.
     struct Lever {
         Matrix3 compliance;
         Vector3 offset;  ///< of the tip when the closest point bears no force [m]
@@ -122,7 +126,8 @@ private:
         followCurvature();
     }
 
-    /// Where the tip has moved by much since the last look, there may be closest points that nobody saw.
+    /// Where the tip has moved by much since the last look, there may be closest points that nobody
+    /// saw.
     bool findMorePoints(EquilibriumMemory& memory) {
         if ((center() - lookedFrom_).norm() <= kSamePoint * system_.tipRadius()) {
             return false;
@@ -139,16 +144,16 @@ private:
 
     void addPoints(std::span<const SearchGuess> known, EquilibriumMemory& memory) {
         lookedFrom_ = center();
-        const ContactPoints found =
-            surface_.contactPoints({lookedFrom_, system_.tipRadius()}, kReach, known, memory.tracker);
+        const ContactPoints found = surface_.contactPoints({lookedFrom_, system_.tipRadius()},
+                                                           kReach, known, memory.tracker);
         state_.proof = found.proof;
         for (const ClosestPoint& place : found.list.all()) {
             if (points_.size() < kMaxContactPoints && !isKnown(place, points_.size())) {
                 points_.push_back({.place = place,
-                                 .memory = takeMemory(place, memory),
-                                 .model = system_.contact,
-                                 .radius = {},
-                                 .contact = {}});
+                                   .memory = takeMemory(place, memory),
+                                   .model = system_.contact,
+                                   .radius = {},
+                                   .contact = {}});
             }
         }
     }
@@ -156,14 +161,16 @@ private:
     /// Whether one of the first `count` closest points stands there.
     [[nodiscard]] bool isKnown(const ClosestPoint& place, std::size_t count) const {
         const double same = kSamePoint * system_.tipRadius();
-        return std::any_of(
-            points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(count),
-            [&](const ClosestPoint& closest) { return (closest.place.point - place.point).norm() <= same; });
+        return std::any_of(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(count),
+                           [&](const ClosestPoint& closest) {
+                               return (closest.place.point - place.point).norm() <= same;
+                           });
     }
 
-    /// What was known of a closest point: of the nearest one remembered that no other closest point has taken. The
-    /// first closest point is always known.
-    [[nodiscard]] ClosestPointMemory takeMemory(const ClosestPoint& place, const EquilibriumMemory& memory) {
+    /// What was known of a closest point: of the nearest one remembered that no other closest point
+    /// has taken. The first closest point is always known.
+    [[nodiscard]] ClosestPointMemory takeMemory(const ClosestPoint& place,
+                                                const EquilibriumMemory& memory) {
         std::size_t best = points_.empty() ? 0 : memory.pointCount;
         double nearest = kSameSlot * system_.tipRadius();
         for (std::size_t i = 0; i < memory.pointCount; ++i) {
@@ -242,8 +249,8 @@ private:
         const double approach = system_.tipRadius() - closest.place.distance +
                                 normal.dot(deflection_ - lever.offset) -
                                 across * (closest.memory.friction - ofLoad);
-        closest.contact =
-            closest.model.equilibrium(approach, slides ? withFriction : along, closest.memory.contact);
+        closest.contact = closest.model.equilibrium(approach, slides ? withFriction : along,
+                                                    closest.memory.contact);
         closest.memory.contact.coordinate = closest.contact.coordinate;
         closest.memory.friction = frictionForce(system_.friction, closest.contact);
         closest.force = closest.contact.force * normal + closest.memory.friction * closest.slip;
@@ -261,7 +268,8 @@ private:
 
     void putMainPointFirst() {
         for (std::size_t i = 1; i < points_.size(); ++i) {
-            if (std::abs(points_[i].contact.force) > kMainPoint * std::abs(points_[0].contact.force)) {
+            if (std::abs(points_[i].contact.force) >
+                kMainPoint * std::abs(points_[0].contact.force)) {
                 std::swap(points_[0], points_[i]);
             }
         }
@@ -272,13 +280,14 @@ private:
         Vector3 normalForce = Vector3::Zero();
         state_.points = 0;
         for (const ClosestPoint& closest : points_) {
-            const bool bears = std::abs(closest.contact.force) > kBears * std::abs(main.contact.force);
+            const bool bears =
+                std::abs(closest.contact.force) > kBears * std::abs(main.contact.force);
             state_.points += bears ? 1 : 0;
             normalForce += closest.contact.force * closest.place.normal;
             state_.force += closest.force;
             state_.contactArea += areaOf(closest.contact);
-            state_.contactRatio =
-                std::max(state_.contactRatio, closest.contact.contactRadius / closest.radius.radius);
+            state_.contactRatio = std::max(state_.contactRatio,
+                                           closest.contact.contactRadius / closest.radius.radius);
         }
         state_.points = std::max(1, state_.points);
         state_.tip = base_.position + deflection_;
@@ -307,8 +316,8 @@ private:
                 continue;
             }
             memory.points[memory.pointCount++] = {.guess = closest.place.guess(),
-                                               .contact = closest.contact.memory(),
-                                               .friction = closest.memory.friction};
+                                                  .contact = closest.contact.memory(),
+                                                  .friction = closest.memory.friction};
         }
     }
 
@@ -317,8 +326,10 @@ private:
     const BaseMotion& base_;
     const Matrix3& compliance_;
     Vector3 deflection_ = Vector3::Zero();
-    std::array<bool, kMaxContactPoints> taken_{};   ///< which of the remembered closest points have been found again
-    Vector3 lookedFrom_ = Vector3::Zero();  ///< the tip's center when closest points were last looked for
+    std::array<bool, kMaxContactPoints>
+        taken_{};  ///< which of the remembered closest points have been found again
+    Vector3 lookedFrom_ =
+        Vector3::Zero();  ///< the tip's center when closest points were last looked for
     boost::container::static_vector<ClosestPoint, kMaxContactPoints> points_;
     TipState state_;
 };

@@ -29,9 +29,9 @@ struct ClosestPointMemory {
 /// What one equilibrium hands to the next on the same surface: warm starts and adhesion branches.
 struct EquilibriumMemory {
     std::array<ClosestPointMemory, kMaxContactPoints> points{};
-    std::size_t pointCount = 0;             ///< 0: nothing is known yet
+    std::size_t pointCount = 0;            ///< 0: nothing is known yet
     Vector3 deflection = Vector3::Zero();  ///< of the tip, lab frame [m]
-    ClosestPointTracker tracker;                   ///< saves time, changes nothing
+    ClosestPointTracker tracker;           ///< saves time, changes nothing
 };
 
 /// The tip in quasi-static equilibrium between lever and sample; lab frame. In a valley that the
@@ -42,14 +42,14 @@ struct TipState {
     Vector3 slip = Vector3::Zero();     ///< direction of the friction force on the tip, length <= 1
     Vector3 normal = Vector3::UnitZ();  ///< direction of the sum of normal forces, unit, outward
     double normalForce = 0.0;           ///< that sum along `normal`, > 0 repulsive [N]
-    ClosestPoint closest;                   ///< of the center of the tip's sphere
+    ClosestPoint closest;               ///< of the center of the tip's sphere
     ContactState contact;               ///< along closest point.normal
     double contactArea = 0.0;           ///< of all closest points [m^2]
-    double contactRatio = 0.0;          ///< largest contact radius over effective radius of a closest point
-    double effectiveRadius = 0.0;       ///< of tip and curved sample together [m]
-    int points = 1;                       ///< that bear a force
+    double contactRatio = 0.0;  ///< largest contact radius over effective radius of a closest point
+    double effectiveRadius = 0.0;                ///< of tip and curved sample together [m]
+    int points = 1;                              ///< that bear a force
     SearchProof proof = SearchProof::NotSought;  ///< whether all closest points are known
-    bool fits = true;                        ///< false: the sample is as sharply hollow as the tip
+    bool fits = true;            ///< false: the sample is as sharply hollow as the tip
     bool radiusIsRough = false;  ///< the sample is curved so that effectiveRadius is a rough word
     bool converged = false;      ///< tip position found to rounding
     bool locked = false;         ///< friction would lock the lever: no quasi-static state

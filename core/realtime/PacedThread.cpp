@@ -12,10 +12,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPriority = 80;    // below the kernel's own threads, above everything of ours
-constexpr double kSpin = 40e-6;  // a sleep wakes up late by about this much [s]
+constexpr int kPriority = 80;           // below the kernel's own threads, above everything of ours
+constexpr double kSpin = 40e-6;         // a sleep wakes up late by about this much [s]
 constexpr double kMaxSpinShare = 0.25;  // of a period: the rest of the machine must live
-constexpr double kFirstBeat = 1e-3;         // after the thread has started [s]
+constexpr double kFirstBeat = 1e-3;     // after the thread has started [s]
 
 SchedulingPolicy claimRealtime() {
     sched_param parameters{};

@@ -3,8 +3,8 @@
 #include "core/contact/SolverTier.h"
 #include "core/contact/laws/ContactLaw.h"
 #include "core/probe/DecouplingTier.h"
-#include "core/surface/deformation/DeformationTier.h"
 #include "core/surface/closest/ClosestPoint.h"
+#include "core/surface/deformation/DeformationTier.h"
 
 #include <string>
 

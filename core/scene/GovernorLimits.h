@@ -10,7 +10,7 @@ inline constexpr int kLastButton = 31;
 struct GovernorLimits {
     double maxForce = 3.0;          ///< the most that the device shall feel [N]
     double engageTime = 1.0;        ///< in which the force comes on [s], > 0
-    double maxDeviceSpeed = 1.5;      ///< above it the device runs away [m/s]
+    double maxDeviceSpeed = 1.5;    ///< above it the device runs away [m/s]
     int deadManButton = kNoButton;  ///< bit of DeviceState::buttons that must be held
 
     bool operator==(const GovernorLimits&) const = default;

@@ -8,8 +8,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMaxDmt = 2.5e-4;         // lambda
-constexpr double kMinJkr = 4.8;           // lambda
+constexpr double kMaxDmt = 2.5e-4;             // lambda
+constexpr double kMinJkr = 4.8;                // lambda
 constexpr double kWidestAttraction = 0.3;      // of the tip radius
 constexpr double kAdhesionOutweighed = 280.0;  // load over pi w R
 

@@ -57,7 +57,8 @@ bool isSettled(ModelTerm term, const ModelChoices& choices) noexcept {
     if (const auto member = traitsOf(term).choice) {
         return (isOfLaw(term) && choices.law) || choices.*member;
     }
-    return isOfSurface(term) ? choices.deformation.has_value() : choices.closestPointSearch.has_value();
+    return isOfSurface(term) ? choices.deformation.has_value()
+                             : choices.closestPointSearch.has_value();
 }
 
 ModelChoices withChoice(ModelChoices choices, ModelTerm term, std::optional<bool> on) noexcept {

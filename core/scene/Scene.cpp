@@ -26,7 +26,7 @@ double datumOf(const ScanMap& map) { return map.datum; }
 template <class Map>
 void checkMap(const Map& map) {
     constexpr double kMinPitch = 1e-13;  // [m]
-    constexpr double kMaxLength = 1.0;    // [m]
+    constexpr double kMaxLength = 1.0;   // [m]
     if (!(std::min(map.pitchX, map.pitchY) >= kMinPitch) ||
         !(std::max(map.sizeX(), map.sizeY()) <= kMaxLength)) {
         throw Error("the scan's pixels must be 0.1 pm or wider and the whole at most 1 m wide");

@@ -33,11 +33,13 @@ inline constexpr auto kEnumTable<Fault> = std::to_array<EnumRow<Fault>>(
      {Fault::SolverFailed, "solver_failed", "no equilibrium of the tip was found: forces are off"},
      {Fault::InstrumentLost, "instrument_lost", "the instrument is not there: forces are off"}});
 
-/// What becomes of the force on its way to the device. A device that only senses knows On, Off, Fault.
+/// What becomes of the force on its way to the device. A device that only senses knows On, Off,
+/// Fault.
 enum class ForceState : std::uint8_t {
     Off,       ///< a person switched it off
     Released,  ///< the dead-man switch is not held
-    Clutched,  ///< the device moves and commands nothing: it feels no more than its workspace's edge
+    Clutched,  ///< the device moves and commands nothing: it feels no more than its workspace's
+               ///< edge
     Waiting,   ///< until it may come on: little force, and the proxy near the device
     Engaging,  ///< comes on
     On,
@@ -61,10 +63,10 @@ inline constexpr auto kEnumTable<ForceState> = std::to_array<NamedRow<ForceState
 
 /// What one tick makes; lab frame.
 struct TickOutput {
-    BaseMotion base;                      ///< commanded
-    TipState model;                       ///< equilibrium of the believed system
-    ForceEstimate estimate;               ///< from the measured signals
-    Vector3 tip = Vector3::Zero();        ///< apex, from base and estimated force [m]
+    BaseMotion base;                        ///< commanded
+    TipState model;                         ///< equilibrium of the believed system
+    ForceEstimate estimate;                 ///< from the measured signals
+    Vector3 tip = Vector3::Zero();          ///< apex, from base and estimated force [m]
     Vector3 deviceForce = Vector3::Zero();  ///< for the device, its axes [N]
     ValidityFlags flags;
     Fault fault = Fault::None;

@@ -23,8 +23,8 @@ inline constexpr auto
                                                                    {FixtureKind::Line, "line"},
                                                                    {FixtureKind::Point, "point"}});
 
-/// A guide that helps a device to hold a target. Forces are those at the device; lengths are those of
-/// the world in Settings, and for guide() those of the device, see atDeviceScale().
+/// A guide that helps a device to hold a target. Forces are those at the device; lengths are those
+/// of the world in Settings, and for guide() those of the device, see atDeviceScale().
 struct VirtualFixture {
     FixtureKind kind = FixtureKind::None;
     Vector3 point = Vector3::Zero();  ///< of the guide, world axes [m]

@@ -10,8 +10,8 @@ namespace asperity {
 
 /// Measures ways for a tick on the same recorded inputs. The reference has every term that a law
 /// has room for, whatever the scene overrules: the law of its materials, afresh, with certified
-/// closest points; the film's where its base matters more than adhesion; the exact sphere's where contacts
-/// are wider than 0.3 tip radii and the sample is about flat.
+/// closest points; the film's where its base matters more than adhesion; the exact sphere's where
+/// contacts are wider than 0.3 tip radii and the sample is about flat.
 class TickStudy {
 public:
     /// @param scene    has its model changed

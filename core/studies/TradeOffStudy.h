@@ -19,7 +19,7 @@ struct TickResult {
     double forceErrorRms = 0.0;       ///< of the model force's vector over the runs [N]
     double forceErrorMax = 0.0;       ///< [N]
     double contactRadiusError = 0.0;  ///< largest [m]
-    double closestPointError = 0.0;           ///< largest, of the closest point while it bears a force [m]
+    double closestPointError = 0.0;   ///< largest, of the closest point while it bears a force [m]
     double estimateErrorRms = 0.0;    ///< of the force from the signals against the true one [N]
     bool onFront = false;             ///< no tier is cheaper and as near, as far as can be told
 

@@ -19,8 +19,8 @@ struct FrameTier {
 [[nodiscard]] std::string nameOf(const FrameTier& tier);
 
 /// The models that a tick of this scene can take: each law that its sample allows, with each solver
-/// but the one afresh and each search for closest points, and all other terms; then the scene's own model,
-/// and the same with all other terms but one.
+/// but the one afresh and each search for closest points, and all other terms; then the scene's own
+/// model, and the same with all other terms but one.
 [[nodiscard]] std::vector<ForceModelOptions> tickTiers(const Scene& scene);
 
 /// All ways for its picture.

@@ -13,7 +13,8 @@ enum class Drained : std::uint8_t {
     Lost,      ///< the device is lost
 };
 
-/// Devices each report that waits to `take`, the oldest first. Waits up to `patience` for the first.
+/// Devices each report that waits to `take`, the oldest first. Waits up to `patience` for the
+/// first.
 template <typename Take>
 Drained drainReports(HidConnection& device, std::chrono::milliseconds patience, const Take& take) {
     constexpr std::size_t kLongestReport = 64;  // of a full-speed USB device [byte]

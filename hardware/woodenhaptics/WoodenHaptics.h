@@ -12,9 +12,9 @@
 
 namespace asperity {
 
-/// A device at a WoodenHaptics or Polhem: three joints with motors, over USB HID. A thread of its own
-/// exchanges reports with the device, and without one looks for it twice a second. Positions and
-/// forces are in the lab's frame, from the workspace's origin.
+/// A device at a WoodenHaptics or Polhem: three joints with motors, over USB HID. A thread of its
+/// own exchanges reports with the device, and without one looks for it twice a second. Positions
+/// and forces are in the lab's frame, from the workspace's origin.
 ///
 /// The motors get a force only while it answers a reading that is no older than 40 ms: a loop that
 /// hangs, a device that falls silent and one that comes back feel none. Its encoders count from

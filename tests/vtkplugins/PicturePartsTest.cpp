@@ -141,7 +141,8 @@ TEST(Stretch, MovesAlongItsDirectionOnASlope) {
     const Vector3 outward = Vector3(-0.3, 0.0, 1.0).normalized();
     const Stretch stretch(slope(), outward, 5.0);
     const Vector3 closest(2.0_nm, 1.0_nm, 0.6_nm);
-    EXPECT_LT((stretch.point(closest + 0.1_nm * outward) - (closest + 0.5_nm * outward)).norm(), 1e-18);
+    EXPECT_LT((stretch.point(closest + 0.1_nm * outward) - (closest + 0.5_nm * outward)).norm(),
+              1e-18);
     EXPECT_LT((stretch.point(closest) - closest).norm(), 1e-18);
 }
 

@@ -1,6 +1,6 @@
-/// Opens the live window, lets a scripted device indent and retract, and saves what the window shows
-/// at the deepest indentation and shortly before pull-off.
-/// Usage: asperity_screenshots SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX
+/// Opens the live window, lets a scripted device indent and retract, and saves what the window
+/// shows at the deepest indentation and shortly before pull-off. Usage: asperity_screenshots
+/// SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/session/LiveWindow.h"

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMinAngle = 1e-9;    ///< numbers below are shown in its prefix [rad]
 constexpr double kMinLength = 1e-12;  ///< [m]
-constexpr int kIntervals = 100;            ///< of the histories that scale the drawing
+constexpr int kIntervals = 100;       ///< of the histories that scale the drawing
 
 CurvePlotSetup angleSetup() {
     return {.title = QStringLiteral("Lever signals"),

@@ -12,16 +12,16 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSideShare = 0.66;            ///< of the width, for the side view
-constexpr double kClampWidth = 14.0;           ///< [px]
-constexpr double kCaptionHeight = 15.0;        ///< [px]
-constexpr double kThinnestBeam = 3.0;          ///< [px]
-constexpr double kLongestArrow = 26.0;         ///< [px]
-constexpr double kArrowShare = 0.28;           ///< of the height, at most
-constexpr double kDropShare = 0.55;            ///< of the height, for the resting beam and its tip
+constexpr double kSideShare = 0.66;       ///< of the width, for the side view
+constexpr double kClampWidth = 14.0;      ///< [px]
+constexpr double kCaptionHeight = 15.0;   ///< [px]
+constexpr double kThinnestBeam = 3.0;     ///< [px]
+constexpr double kLongestArrow = 26.0;    ///< [px]
+constexpr double kArrowShare = 0.28;      ///< of the height, at most
+constexpr double kDropShare = 0.55;       ///< of the height, for the resting beam and its tip
 constexpr double kMinDeflection = 2e-10;  ///< noise below this stays small [m]
 constexpr double kMinTorsion = 5e-7;      ///< [rad]
-constexpr double kMaxShownTorsion = 0.4;   ///< [rad]
+constexpr double kMaxShownTorsion = 0.4;  ///< [rad]
 constexpr int kBeamPieces = 32;
 
 /// From the cantilever's x, z to the drawing: turned by the mount tilt, free end down.

@@ -24,12 +24,12 @@ namespace asperity {
 
 namespace {
 
-constexpr int kIntervals = 400;            ///< of a history: about one a pixel
-constexpr double kCurveWidth = 1.3;        ///< [px]
-constexpr int kTickLength = 4;             ///< [px]
-constexpr int kMinTickDistance = 14;     ///< [px]
+constexpr int kIntervals = 400;       ///< of a history: about one a pixel
+constexpr double kCurveWidth = 1.3;   ///< [px]
+constexpr int kTickLength = 4;        ///< [px]
+constexpr int kMinTickDistance = 14;  ///< [px]
 constexpr int kMinCanvasHeight = 40;  ///< [px]
-constexpr int kWidestDigits = 6;           ///< letters of a label for which room is kept
+constexpr int kWidestDigits = 6;      ///< letters of a label for which room is kept
 
 /// A curve in pieces: a value that is not a number parts two of them.
 class PiecewiseCurve : public QwtPlotCurve {

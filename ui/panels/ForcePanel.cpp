@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMinForce = 10e-12;  ///< numbers below are shown in its prefix [N]
 constexpr double kMinLength = 1e-9;   ///< lengths are in nm or larger units [m]
-constexpr int kGroupDistance = 7;          ///< between groups of numbers [px]
+constexpr int kGroupDistance = 7;     ///< between groups of numbers [px]
 
 const std::array<QString, 3> kAxes = {QStringLiteral("X"), QStringLiteral("Y"),
                                       QStringLiteral("Z")};

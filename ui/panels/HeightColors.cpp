@@ -9,10 +9,10 @@ namespace asperity {
 
 ColorScale heightColors(double low, double high) {
     ColorScale scale{.quantity = QStringLiteral("height"),
-                      .unit = QStringLiteral("m"),
-                      .low = low,
-                      .high = high,
-                      .colors = {}};
+                     .unit = QStringLiteral("m"),
+                     .low = low,
+                     .high = high,
+                     .colors = {}};
     for (const Color& color : palette::kHeights) {
         scale.colors.emplace_back(color.red, color.green, color.blue);
     }

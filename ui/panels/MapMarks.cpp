@@ -17,7 +17,7 @@ constexpr double kArm = 9.5;     ///< how far its cross reaches [px]
 constexpr double kBorder = 1.0;  ///< of white around a line [px]
 
 constexpr double kMinFrame = 30.0;  ///< width that reaches beyond the tip's mark [px]
-constexpr double kBracket = 7.0;      ///< arm of a corner bracket [px]
+constexpr double kBracket = 7.0;    ///< arm of a corner bracket [px]
 
 void strokeOverWhite(QPainter& painter, QRgb color, double width, const QPainterPath& path) {
     painter.setBrush(Qt::NoBrush);

@@ -12,8 +12,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMaxSide = 512;    ///< [pixel]
-constexpr int kColors = 256;        ///< of the table that stands for the scale
+constexpr int kMaxSide = 512;        ///< [pixel]
+constexpr int kColors = 256;         ///< of the table that stands for the scale
 constexpr double kShownSlope = 0.5;  ///< slopes are scaled until this is their root mean square
 constexpr double kShadeStrength = 0.55;
 
@@ -27,8 +27,7 @@ struct Samples {
 Samples sampled(const BSplineSurface& surface) {
     const double longer = std::max(surface.sizeX(), surface.sizeY());
     const auto pixels = [longer](double size) {
-        return std::clamp(static_cast<int>(std::lround(kMaxSide * size / longer)), 1,
-                          kMaxSide);
+        return std::clamp(static_cast<int>(std::lround(kMaxSide * size / longer)), 1, kMaxSide);
     };
     Samples samples{.columns = pixels(surface.sizeX()), .rows = pixels(surface.sizeY())};
     samples.values.reserve(static_cast<std::size_t>(samples.columns) *

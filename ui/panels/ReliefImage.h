@@ -16,7 +16,7 @@ namespace asperity {
 struct ReliefImage {
     QImage image;                 ///< at most 512 pixels along either side
     std::vector<double> heights;  ///< of the pixels, top row first [m]
-    ColorScale colors;          ///< from the lowest to the highest height drawn
+    ColorScale colors;            ///< from the lowest to the highest height drawn
     bool hasFilled = false;       ///< whether the scan holds no data somewhere
 };
 

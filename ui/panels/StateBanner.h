@@ -29,7 +29,8 @@ public:
     /// What the half-space says of the contact, shown from the next tick on: its own force beside
     /// the law's, or that it does not hold; null: nothing.
     void setHalfSpace(const HalfSpaceAnswer* answer);
-    /// Whether a force-feedback device is given energy that nobody put in; shown from the next tick on.
+    /// Whether a force-feedback device is given energy that nobody put in; shown from the next tick
+    /// on.
     void setEnergyGiven(bool given) { energyGiven_ = given; }
     /// The run stands still, or goes on.
     void setPaused(bool paused);

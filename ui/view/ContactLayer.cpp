@@ -137,8 +137,8 @@ void ContactLayer::showSurface(const Scene& scene, const ContactShape& shape,
             points_->SetPoint(id, Vector3(rest + factor * (patch.points[i] - rest)).data());
             const double pushed = shape.displacements()[i];
             const Color color = scene.surface.isMeasured(rest.x(), rest.y())
-                                     ? style.colors.at(rest.z(), pushed)
-                                     : style.colors.withoutData(pushed);
+                                    ? style.colors.at(rest.z(), pushed)
+                                    : style.colors.withoutData(pushed);
             const Vector3 normal = drawnNormal(shape, row, column, factor);
             rgb_->SetTypedTuple(id, style.shading.lit(color, normal).data());
         }

@@ -65,9 +65,9 @@ double roomAlong(double low, double middle, double high) {
 
 bool isDrawable(const TipState& state) {
     const ContactState& contact = state.contact;
-    return state.tip.allFinite() && state.closest.point.allFinite() && state.closest.normal.allFinite() &&
-           std::isfinite(contact.contactRadius) && std::isfinite(contact.indentation) &&
-           std::isfinite(contact.force);
+    return state.tip.allFinite() && state.closest.point.allFinite() &&
+           state.closest.normal.allFinite() && std::isfinite(contact.contactRadius) &&
+           std::isfinite(contact.indentation) && std::isfinite(contact.force);
 }
 
 ContactShape::ContactShape(const Scene& scene, const TipState& state, const ScanWindow& area,

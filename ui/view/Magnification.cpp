@@ -7,9 +7,9 @@ namespace asperity {
 namespace {
 
 // In tip radii.
-constexpr double kShownDisplacement = 0.9;    // at most, when magnified
+constexpr double kShownDisplacement = 0.9;  // at most, when magnified
 constexpr double kMinDisplacement = 0.025;  // smaller ones are not magnified further
-constexpr double kShownGap = 2.6;             // the tip stays in the picture
+constexpr double kShownGap = 2.6;           // the tip stays in the picture
 
 }  // namespace
 

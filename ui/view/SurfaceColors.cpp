@@ -31,9 +31,9 @@ Color colorIn(vtkLookupTable* table, double value) {
 
 ColorScale scaleOf(const QString& quantity, vtkLookupTable* table) {
     ColorScale scale{.quantity = quantity,
-                      .unit = "m",
-                      .low = table->GetRange()[0],
-                      .high = table->GetRange()[1]};
+                     .unit = "m",
+                     .low = table->GetRange()[0],
+                     .high = table->GetRange()[1]};
     for (int i = 0; i < kScaleColors; ++i) {
         const int entry =
             i * (static_cast<int>(table->GetNumberOfColors()) - 1) / (kScaleColors - 1);

@@ -69,8 +69,7 @@ std::vector<Stroke> strokes(const Extent& across, const Extent& along, double sp
     return found;
 }
 
-Color groundColor(const BSplineSurface& surface, const double* place,
-                   const SurfaceColors& colors) {
+Color groundColor(const BSplineSurface& surface, const double* place, const SurfaceColors& colors) {
     return surface.isMeasured(place[0], place[1]) ? colors.at(place[2]) : colors.withoutData();
 }
 
@@ -174,8 +173,7 @@ void TerrainLayer::setPlace(const BSplineSurface& surface, const TerrainPlace& p
     survey();
 }
 
-void TerrainLayer::show(TerrainDetail detail, const SurfaceColors& colors,
-                        const Shading& shading) {
+void TerrainLayer::show(TerrainDetail detail, const SurfaceColors& colors, const Shading& shading) {
     const int finest = fineSamples();
     const bool fine = detail == TerrainDetail::Fine && finest > kCoarse;
     Mesh& mesh = fine ? *fine_ : *coarse_;

@@ -22,9 +22,9 @@ namespace asperity {
 namespace {
 
 constexpr int kFacets = 48;
-constexpr double kClear = 0.06;       // opacity of a wall that faces the eye
-constexpr double kOutline = 0.75;     // and of one seen edge-on
-constexpr double kFadeFrom = 0.35;    // part of the height
+constexpr double kClear = 0.06;     // opacity of a wall that faces the eye
+constexpr double kOutline = 0.75;   // and of one seen edge-on
+constexpr double kFadeFrom = 0.35;  // part of the height
 constexpr double kMinHeight = 0.4;  // of the tip, parts of the top's height
 constexpr double kMinDrop = 0.05;   // shorter drop lines are not drawn; part of the tip's radius
 

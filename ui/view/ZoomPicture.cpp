@@ -167,8 +167,8 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
                    .bottom = terrain_.bottom()});
     tip_.show(shape, factor, {.top = kTipTop * gear, .toEye = camera.out(), .shading = shading});
     guide_.show(sample.input.settings.guide, kGuideReach * frame_->halfWidth());
-    force_.show(sample.output.estimate, drawnAt(shape, shape.contact().closest, factor), sample.time,
-                kArrowRoom * gear);
+    force_.show(sample.output.estimate, drawnAt(shape, shape.contact().closest, factor),
+                sample.time, kArrowRoom * gear);
 }
 
 void ZoomPicture::showLabels(int height, double pixelRatio) {

@@ -33,7 +33,7 @@ void drawColorBar(Painter& painter, const ColorBar& bar, const PixelRect& area) 
     const double left = area.left + painter.textWidth(name, heading) + 24.0;
     const double lastLabel = 30.0;  // half a label sticks out at the right end
     const PixelRect colors{left, area.top() - kThickness, area.right() - lastLabel - left,
-                            kThickness};
+                           kThickness};
     painter.text({area.left, colors.bottom + 0.5 * kThickness}, name, heading);
     const int slices = static_cast<int>(colors.width);
     for (int slice = 0; slice < slices; ++slice) {

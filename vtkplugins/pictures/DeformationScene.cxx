@@ -241,8 +241,6 @@ void DeformationScene::paintLabels(Painter& painter) const {
     }
 }
 
-ColorBar DeformationScene::colorBar() const {
-    return {"displacement", "m", low_, high_, colors_};
-}
+ColorBar DeformationScene::colorBar() const { return {"displacement", "m", low_, high_, colors_}; }
 
 }  // namespace asperity

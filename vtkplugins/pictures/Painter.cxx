@@ -14,8 +14,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kLineHeight = 1.35;   // of the font's size
-constexpr double kMinFont = 9.0;  // [pixel]
+constexpr double kLineHeight = 1.35;  // of the font's size
+constexpr double kMinFont = 9.0;      // [pixel]
 constexpr unsigned char kPlateOpacity = 215;
 
 }  // namespace

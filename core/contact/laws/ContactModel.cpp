@@ -51,8 +51,7 @@ std::shared_ptr<const FilmTable> filmFor(ContactLaw law, const ContactOptions& o
 std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& pair,
                                             const ContactOptions& options) {
     const bool cohesive = traitsOf(law).table;
-    if (options.solver != SolverTier::Table || !cohesive ||
-        pair.workOfAdhesion < kMinAdhesion) {
+    if (options.solver != SolverTier::Table || !cohesive || pair.workOfAdhesion < kMinAdhesion) {
         return nullptr;
     }
     constexpr double kRadiusRange = 10.0;

@@ -13,10 +13,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPanelNodes = 16;        // of the quadrature over wave numbers
-constexpr int kPanels = 16;            // equally wide
+constexpr int kPanelNodes = 16;    // of the quadrature over wave numbers
+constexpr int kPanels = 16;        // equally wide
 constexpr double kMaxWave = 22.0;  // where L - 1 has fallen below rounding
-constexpr int kNodes = 32;             // of the quadrature over the contact
+constexpr int kNodes = 32;         // of the quadrature over the contact
 
 struct Quadrature {
     Eigen::VectorXd places;

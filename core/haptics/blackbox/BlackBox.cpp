@@ -8,7 +8,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSpare = 1.0;             // room for marks that come late [s]
+constexpr double kSpare = 1.0;            // room for marks that come late [s]
 constexpr double kMaxSamples = 110000.0;  // some 90 MB
 
 std::size_t sampleRoom(double timeStep, double seconds) {

@@ -8,16 +8,17 @@ namespace asperity {
 
 namespace {
 
-CoupledDevice judged(const ProbeSystem& tip, const DeviceRequest& request, const CouplingGains& gains) {
+CoupledDevice judged(const ProbeSystem& tip, const DeviceRequest& request,
+                     const CouplingGains& gains) {
     const double force = std::min(request.device.maxForce, request.maxForce);
     const TipLoad load = tipLoad(tip, force / request.scale.forceGain, request.control);
     CoupledDevice hand{.gains = gains,
-                     .judgment = judgeScale(load, request.scale, gains,
-                                             {.stiffness = request.device.maxStiffness,
-                                              .force = force,
-                                              .timeStep = request.timing.timeStep},
-                                             request.guide),
-                     .refusal = {}};
+                       .judgment = judgeScale(load, request.scale, gains,
+                                              {.stiffness = request.device.maxStiffness,
+                                               .force = force,
+                                               .timeStep = request.timing.timeStep},
+                                              request.guide),
+                       .refusal = {}};
     if (!hand.judgment.holds()) {
         hand.refusal = hand.judgment.sentence;
     }

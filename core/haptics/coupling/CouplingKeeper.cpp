@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kStandardPosition = 1e-6;  // 1 mm : 1 nm
 constexpr double kStandardForce = 1e8;      // 1 N : 10 nN
-constexpr double kMinForce = 1e5;         // 1 N : 10 uN: less, and nothing is felt
+constexpr double kMinForce = 1e5;           // 1 N : 10 uN: less, and nothing is felt
 constexpr double kForceStep = 0.8;
 
 // Above it an encoder's step of 30 um is more than 3 nm of the tip: such a gain is for hands in the

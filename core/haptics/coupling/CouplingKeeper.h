@@ -8,9 +8,9 @@
 
 namespace asperity {
 
-/// Sees to it that no force-feedback device leads the tip of a run but with a coupling, a scale and an
-/// edge of its workspace that hold. Devices that only sense are left alone. Knobs go in and come out;
-/// who calls it turns them.
+/// Sees to it that no force-feedback device leads the tip of a run but with a coupling, a scale and
+/// an edge of its workspace that hold. Devices that only sense are left alone. Knobs go in and come
+/// out; who calls it turns them.
 class CouplingKeeper {
 public:
     /// @param scene outlives the keeper
@@ -19,9 +19,9 @@ public:
     /// The device that leads lets go: the knobs as hands that only sense had them.
     [[nodiscard]] Settings release(Settings knobs);
 
-    /// A device takes over, after release(). One with motors gets the scene's scale where that is one
-    /// for hands in millimeters and holds; else 1 mm : 1 nm with the largest force gain that holds,
-    /// of 1 N : 10 nN and those below it in steps of a fifth.
+    /// A device takes over, after release(). One with motors gets the scene's scale where that is
+    /// one for hands in millimeters and holds; else 1 mm : 1 nm with the largest force gain that
+    /// holds, of 1 N : 10 nN and those below it in steps of a fifth.
     /// @param delay as the device has it so far [s]
     /// @throw Error with the refusal where no scale holds
     [[nodiscard]] Settings takeOver(const DeviceSpecification& device, double delay,
@@ -41,7 +41,9 @@ public:
     void requireHolding(const ProbeSystem& tip, const Settings& knobs) const;
 
     /// The force-feedback device that leads, and what it feels; null where none does.
-    [[nodiscard]] const CoupledDevice* hand() const noexcept { return led_ ? &led_->device : nullptr; }
+    [[nodiscard]] const CoupledDevice* hand() const noexcept {
+        return led_ ? &led_->device : nullptr;
+    }
 
 private:
     /// A force-feedback device that leads.
@@ -50,7 +52,7 @@ private:
         double delay = 0.0;  ///< designed for [s]
         CoupledDevice hand;
         DeviceScale scale;
-        DeviceScale before;              ///< of the hands that only sense
+        DeviceScale before;            ///< of the hands that only sense
         CouplingGains couplingBefore;  ///< likewise
     };
 

@@ -37,7 +37,7 @@ private:
     std::vector<Vector3> sent_;  ///< a ring of forces as long as the delay [N]
     std::size_t oldest_ = 0;
     Vector3 acting_ = Vector3::Zero();  ///< force at the handle since the last tick [N]
-    Vector3 device_ = Vector3::Zero();    ///< at the last tick [m]
+    Vector3 device_ = Vector3::Zero();  ///< at the last tick [m]
     bool started_ = false;
     double energy_ = 0.0;
 };

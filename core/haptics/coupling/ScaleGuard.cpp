@@ -55,17 +55,17 @@ std::string sentenceFor(const ScaleJudgment& judged) {
 }  // namespace
 
 ScaleJudgment judgeScale(const TipLoad& tip, const DeviceScale& scale,
-                          const std::optional<CouplingGains>& coupling, const ScaleBounds& bounds,
-                          const GuideLoad& guide) {
+                         const std::optional<CouplingGains>& coupling, const ScaleBounds& bounds,
+                         const GuideLoad& guide) {
     const double contact = tip.stiffness * scale.forceGain * scale.positionGain;
     ScaleJudgment judged{.contact = contact,
-                          .contactBound = coupling ? contactBound(*coupling, guide, bounds.timeStep)
-                                                   : std::numeric_limits<double>::infinity(),
-                          .felt = coupling ? inSeries(contact, coupling->stiffness) : contact,
-                          .feltBound = bounds.stiffness,
-                          .adhesion = tip.adhesion * scale.forceGain,
-                          .forceBound = bounds.force,
-                          .guided = guide.stiffness > 0.0 || guide.damping > 0.0};
+                         .contactBound = coupling ? contactBound(*coupling, guide, bounds.timeStep)
+                                                  : std::numeric_limits<double>::infinity(),
+                         .felt = coupling ? inSeries(contact, coupling->stiffness) : contact,
+                         .feltBound = bounds.stiffness,
+                         .adhesion = tip.adhesion * scale.forceGain,
+                         .forceBound = bounds.force,
+                         .guided = guide.stiffness > 0.0 || guide.damping > 0.0};
     judged.sentence = sentenceFor(judged);
     return judged;
 }

@@ -58,7 +58,7 @@ struct ScaleJudgment {
 /// judged here. What the jump brings to the device is a force, of at most the adhesion.
 /// Source: docs/haptics.md.
 [[nodiscard]] ScaleJudgment judgeScale(const TipLoad& tip, const DeviceScale& scale,
-                                        const std::optional<CouplingGains>& coupling,
-                                        const ScaleBounds& bounds, const GuideLoad& guide = {});
+                                       const std::optional<CouplingGains>& coupling,
+                                       const ScaleBounds& bounds, const GuideLoad& guide = {});
 
 }  // namespace asperity

@@ -15,9 +15,10 @@ struct TipLoad {
 [[nodiscard]] double inSeries(double first, double second) noexcept;
 
 /// Along the normal of a flat sample. With the tip under control the base makes up for the lever,
-/// and the device meets the contact alone. A contact stiffens as it is pressed, so that its stiffness
-/// is that under `largestForce` [N]; the adhesion is the pull-off force of the contact law, under a
-/// load that does not give way, with a meniscus where there is one. Source: docs/haptics.md.
+/// and the device meets the contact alone. A contact stiffens as it is pressed, so that its
+/// stiffness is that under `largestForce` [N]; the adhesion is the pull-off force of the contact
+/// law, under a load that does not give way, with a meniscus where there is one. Source:
+/// docs/haptics.md.
 [[nodiscard]] TipLoad tipLoad(const ProbeSystem& system, double largestForce,
                               PositionControl control = PositionControl::Base) noexcept;
 

@@ -42,8 +42,8 @@ Vector3 proxyVelocity(const Vector3& push, double resistance, const ProxyLoad& l
 
 CouplingStep stepCoupling(const CouplingGains& gains, const Vector3& deviceMotion,
                           const Vector3& stretch, const ProxyLoad& load, double timeStep) noexcept {
-    // F = Kc (stretch + deviceMotion - T vp) + Bc (deviceMotion / T - vp) put into the balance leaves
-    // resistance * vp = push + friction.
+    // F = Kc (stretch + deviceMotion - T vp) + Bc (deviceMotion / T - vp) put into the balance
+    // leaves resistance * vp = push + friction.
     const double resistance =
         gains.proxyDamping + gains.damping + gains.stiffness * timeStep;  // [N s/m]
     const Vector3 push = gains.stiffness * (stretch + deviceMotion) +

@@ -15,7 +15,7 @@ struct ProxyLoad {
 
 /// What one step makes; world axes, the device's units.
 struct CouplingStep {
-    Vector3 device = Vector3::Zero();     ///< force on the device [N]
+    Vector3 device = Vector3::Zero();   ///< force on the device [N]
     Vector3 motion = Vector3::Zero();   ///< of the proxy in this step [m]
     Vector3 stretch = Vector3::Zero();  ///< device less proxy at its end [m]
 };
@@ -30,10 +30,10 @@ struct CouplingStep {
 /// friction * |vp_t| / sqrt(|vp_t|^2 + v0^2) (docs/theory.md 6.2): that of the last tick would
 /// throw a proxy at rest to and fro.
 ///
-/// The device's velocity is v = deviceMotion / T of the positions as they were sampled, with nothing
-/// smoothed: an encoder's step D then changes F by Bc D / T for one tick, whose impulse Bc D is
-/// the same at any rate and moves a handle of mass m by Bc D / m a second.
-/// Source: Colgate, Stanley, Brown (1995); Adams, Hannaford (1999); docs/haptics.md.
+/// The device's velocity is v = deviceMotion / T of the positions as they were sampled, with
+/// nothing smoothed: an encoder's step D then changes F by Bc D / T for one tick, whose impulse Bc
+/// D is the same at any rate and moves a handle of mass m by Bc D / m a second. Source: Colgate,
+/// Stanley, Brown (1995); Adams, Hannaford (1999); docs/haptics.md.
 ///
 /// @param deviceMotion since the last step [m]
 /// @param stretch    device less proxy at the end of the last step [m]

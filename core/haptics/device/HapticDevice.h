@@ -35,8 +35,8 @@ public:
     /// far, without the hold of half a tick [s]. Any thread but the loop's.
     [[nodiscard]] virtual double delay() const noexcept { return 0.0; }
 
-    /// What the window wants to know of the device; of a device without one, nothing. Any thread but
-    /// the loop's.
+    /// What the window wants to know of the device; of a device without one, nothing. Any thread
+    /// but the loop's.
     [[nodiscard]] virtual DeviceStatus status() const { return {}; }
 
     /// Half the width of what the person sees [m]: for devices that are pushed, not moved, so that

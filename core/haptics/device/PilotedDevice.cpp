@@ -10,7 +10,8 @@ constexpr double kResponse = 50.0;  // natural frequency of the follower [rad/s]
 
 }  // namespace
 
-PilotedDevice::PilotedDevice(const Vector3& start) : start_(start), target_(start), position_(start) {}
+PilotedDevice::PilotedDevice(const Vector3& start)
+    : start_(start), target_(start), position_(start) {}
 
 // The exact solution of x'' = w^2 (target - x) - 2 w x' over one step: stable at any step.
 const Vector3& PilotedDevice::lead(double timeStep) noexcept {

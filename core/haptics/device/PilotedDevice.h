@@ -5,8 +5,8 @@
 
 namespace asperity {
 
-/// A device that mouse and keyboard lead. They come some sixty times a second and in steps; it is led
-/// smoothly, critically damped, so that nothing ever jumps.
+/// A device that mouse and keyboard lead. They come some sixty times a second and in steps; it is
+/// led smoothly, critically damped, so that nothing ever jumps.
 class PilotedDevice : public HapticDevice {
 public:
     /// Where the device shall go [m]. One thread, not the loop's; wait-free.

@@ -52,7 +52,7 @@ Fault faultOf(const TickInput& input, const ForceRequest& request, const Governo
     }
     const bool acts = memory.share > 0.0 || (memory.edgeShare > 0.0 && !request.edge.isZero(0.0));
     return acts && memory.speed.speed > input.settings.governor.maxDeviceSpeed ? Fault::VelocityTrip
-                                                                             : Fault::None;
+                                                                               : Fault::None;
 }
 
 /// Share of a force that acts in this tick, given that nothing forbids it.

@@ -42,12 +42,12 @@ struct GovernedForce {
 
 /// The last step between the tick and a device that renders force. In order: values that are not
 /// finite; saturation, which keeps the direction; the force comes on, linearly in engageTime, once
-/// it is small (kSmallShare), the proxy near the device and the device slow; dead-man switch; watchdog
-/// on the age of the device's newest report; velocity trip, while the force acts. A fault, a
-/// released switch, a start and forces off take the force away in the same tick, and it comes on
+/// it is small (kSmallShare), the proxy near the device and the device slow; dead-man switch;
+/// watchdog on the age of the device's newest report; velocity trip, while the force acts. A fault,
+/// a released switch, a start and forces off take the force away in the same tick, and it comes on
 /// anew afterwards; a clutch does so to all but the force of the workspace's edge. In normal
-/// running the wanted force passes unchanged: nothing is smoothed. A device that only senses gets its
-/// force as wanted, or none. Source: docs/haptics.md, Governor.
+/// running the wanted force passes unchanged: nothing is smoothed. A device that only senses gets
+/// its force as wanted, or none. Source: docs/haptics.md, Governor.
 [[nodiscard]] GovernedForce governForce(const TickInput& input, const ForceRequest& request,
                                         const GovernorMemory& before) noexcept;
 

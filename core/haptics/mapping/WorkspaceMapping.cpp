@@ -73,7 +73,7 @@ Workspace workspaceOf(double radius, double age) noexcept {
 }
 
 MappingStep mapDevice(const Workspace& workspace, const Vector3& device,
-                    const MappingSettings& settings, const MappingMemory& before) noexcept {
+                      const MappingSettings& settings, const MappingMemory& before) noexcept {
     MappingStep step;
     if (!isValid(device, settings)) {
         return step;

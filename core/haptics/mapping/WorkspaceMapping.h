@@ -17,7 +17,7 @@ struct MappingSettings {
 /// What one step hands to the next.
 struct MappingMemory {
     Vector3 device = Vector3::Zero();  ///< its last position, the device's axes [m]
-    bool follows = false;            ///< the device commanded there, so that its next motion counts
+    bool follows = false;  ///< the device commanded there, so that its next motion counts
 };
 
 enum class MappingStatus {
@@ -50,18 +50,18 @@ struct MappingStep {
 [[nodiscard]] Vector3 turnedTowards(const Vector3& turn, const Vector3& wanted,
                                     double most) noexcept;
 
-/// From the device to what it commands. The motion since the last step counts if the device commanded
-/// at both its ends; it is turned by the axes, and the command moves by it times the gain. So a
-/// changed gain or view, a clutch pressed or released, a first step and one after invalid input
-/// move nothing by themselves. With a coupling it is `motion` that the proxy follows, and the
-/// proxy's own motion times the gain that the command follows. Wait-free.
+/// From the device to what it commands. The motion since the last step counts if the device
+/// commanded at both its ends; it is turned by the axes, and the command moves by it times the
+/// gain. So a changed gain or view, a clutch pressed or released, a first step and one after
+/// invalid input move nothing by themselves. With a coupling it is `motion` that the proxy follows,
+/// and the proxy's own motion times the gain that the command follows. Wait-free.
 /// @param device its position, the device's axes [m]
 [[nodiscard]] MappingStep mapDevice(const Workspace& workspace, const Vector3& device,
-                                  const MappingSettings& settings,
-                                  const MappingMemory& before) noexcept;
+                                    const MappingSettings& settings,
+                                    const MappingMemory& before) noexcept;
 
-/// A force in world axes, at the device's scale, as the device feels it in the device's axes [N]: by
-/// the transpose of the axes, so that force times motion is the same power in both.
+/// A force in world axes, at the device's scale, as the device feels it in the device's axes [N]:
+/// by the transpose of the axes, so that force times motion is the same power in both.
 [[nodiscard]] Vector3 forceOnDevice(const MappingSettings& settings, const Vector3& force) noexcept;
 
 /// The workspace of a device, with a spring that a light grip keeps at rest: nothing but the arm
@@ -71,9 +71,10 @@ struct MappingStep {
 /// @param age    of the force that answers a motion: half a tick and the delay [s]
 [[nodiscard]] Workspace workspaceOf(double radius, double age) noexcept;
 
-/// Force of the workspace's spring on the device, the device's axes [N]: zero up to the free share of
-/// the radius, from there k (r - r0) towards the center, which nears the force limit smoothly. It
-/// depends on the place alone: what it takes from a device it gives back. Zero for invalid values.
+/// Force of the workspace's spring on the device, the device's axes [N]: zero up to the free share
+/// of the radius, from there k (r - r0) towards the center, which nears the force limit smoothly.
+/// It depends on the place alone: what it takes from a device it gives back. Zero for invalid
+/// values.
 [[nodiscard]] Vector3 edgeForce(const Workspace& workspace, const Vector3& device) noexcept;
 
 }  // namespace asperity

@@ -21,8 +21,7 @@ ImageSize checkedImageSize(long long columns, long long rows, const std::string&
     if (!good) {
         throw InputError(file, place,
                          "found " + std::to_string(columns) + " x " + std::to_string(rows) +
-                             " pixels; 1 to " + std::to_string(kMaxSide) +
-                             " a side are expected");
+                             " pixels; 1 to " + std::to_string(kMaxSide) + " a side are expected");
     }
     return {static_cast<int>(columns), static_cast<int>(rows)};
 }

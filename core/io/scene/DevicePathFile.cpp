@@ -18,8 +18,8 @@ DevicePath readPath(const CsvTable& table, const std::string& prefix) {
     DevicePath device(table.rows());
     for (std::size_t row = 0; row < device.size(); ++row) {
         device[row] = {table.number(row, "time_s"),
-                     {table.number(row, prefix + "x_m"), table.number(row, prefix + "y_m"),
-                      table.number(row, prefix + "z_m")}};
+                       {table.number(row, prefix + "x_m"), table.number(row, prefix + "y_m"),
+                        table.number(row, prefix + "z_m")}};
         const std::string place = "line " + std::to_string(table.line(row));
         if (!device[row].position.allFinite() || !std::isfinite(device[row].time)) {
             throw InputError(path, place, "time and place must be finite numbers");

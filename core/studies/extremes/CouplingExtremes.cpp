@@ -103,9 +103,9 @@ private:
                                      const std::optional<CouplingGains>& gains) const {
         const TipLoad tip = tipLoad(scene_.belief, kDevice.maxForce / hold.scale.forceGain);
         const ScaleJudgment judgment = judgeScale(tip, hold.scale, gains,
-                                                    {.stiffness = kDevice.maxStiffness,
-                                                     .force = kDevice.maxForce,
-                                                     .timeStep = scene_.timeStep()});
+                                                  {.stiffness = kDevice.maxStiffness,
+                                                   .force = kDevice.maxForce,
+                                                   .timeStep = scene_.timeStep()});
         return {.setting = hold,
                 .contact = judgment.contact,
                 .felt = judgment.felt,

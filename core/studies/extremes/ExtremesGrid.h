@@ -48,8 +48,8 @@ struct CouplingGrid {
     [[nodiscard]] long holds() const noexcept;     ///< that are evaluated
 };
 
-/// All states that are evaluated, each once: with every law and solver, or every closest point search; on
-/// the bench.
+/// All states that are evaluated, each once: with every law and solver, or every closest point
+/// search; on the bench.
 struct ExtremesGrid {
     ContactGrid contact;
     TickGrid tick;

@@ -16,9 +16,10 @@ namespace asperity {
 
 /// Where a region lies in the map.
 struct RegionPlace {
-    std::string model;   ///< key of a contact law; "tick"
-    std::string tier;    ///< of its solver, "-" where all are the same; effort of the closest point search
-    std::string sample;  ///< "adhesive", "no adhesion", "film", "rough", "out of range"
+    std::string model;  ///< key of a contact law; "tick"
+    std::string
+        tier;  ///< of its solver, "-" where all are the same; effort of the closest point search
+    std::string sample;      ///< "adhesive", "no adhesion", "film", "rough", "out of range"
     double tipRadius = 0.0;  ///< [m]
     double modulus = 0.0;    ///< E* [Pa]; 0 for the tick
     double roughness = 0.0;  ///< rms height over tip radius; of the tick only

@@ -16,9 +16,10 @@ struct RoughPlace {
     double roughness = 0.0;  ///< rms height over tip radius
 };
 
-/// Runs of the whole tick with a scripted device, with every effort of the closest point search; the reference
-/// is the certified search where it proves its closest points. The device does not give way, so that neither
-/// the loop's rate nor the force gain changes a state: both are the scene's.
+/// Runs of the whole tick with a scripted device, with every effort of the closest point search;
+/// the reference is the certified search where it proves its closest points. The device does not
+/// give way, so that neither the loop's rate nor the force gain changes a state: both are the
+/// scene's.
 /// @throw Canceled
 [[nodiscard]] ExtremesFindings tickExtremes(const TickGrid& grid, const RoughPlace& place,
                                             const CancelCheck& check);

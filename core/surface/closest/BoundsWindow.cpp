@@ -185,8 +185,9 @@ int BoundsWindow::settledAround(int row, int column) const noexcept {
         return -1;
     }
     const int widest = widestOffset(row, column);
-    // Least bend of all blocks at the same offset from the closest point's block. On the way to a block at
-    // offset k the slope of the squared distance, zero at the closest point, grows by these.
+    // Least bend of all blocks at the same offset from the closest point's block. On the way to a
+    // block at offset k the slope of the squared distance, zero at the closest point, grows by
+    // these.
     std::array<float, kMaxBlocks + 1> least;
     std::fill_n(least.begin(), widest + 2, 1.0F);
     for (int i = std::max(0, row - widest); i <= std::min(rows_.count - 1, row + widest); ++i) {

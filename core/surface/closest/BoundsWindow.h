@@ -62,7 +62,7 @@ private:
     int level_ = 0;
     BlockRun rows_;
     BlockRun columns_;
-    double rounding_ = 0.0;                            ///< of a height difference [m]
+    double rounding_ = 0.0;                           ///< of a height difference [m]
     std::array<std::uint32_t, kMaxBlocks> reaching_;  ///< of each row
     std::array<float, kMaxWindow> nearest_;           ///< squared distance, at least [m^2]
     /// The squared distance along a straight line through the block bends up at least so much, as a

@@ -12,8 +12,9 @@
 
 namespace asperity {
 
-/// Goes over the cells in which a query may have a closest point, by their bounds: leaves out those that lie
-/// too far, and those around a known closest point where the distance can only grow. Allocation-free.
+/// Goes over the cells in which a query may have a closest point, by their bounds: leaves out those
+/// that lie too far, and those around a known closest point where the distance can only grow.
+/// Allocation-free.
 class CellSweep {
 public:
     /// @param distance how far a closest point may lie to matter [m]
@@ -32,9 +33,9 @@ public:
     /// blocks from the largest down: a good guess, no more [m].
     [[nodiscard]] Vector2 likeliestPlace() const noexcept;
 
-    /// Calls search.take(CellIndex) for each cell that is left. search.limit() is how far a closest point
-    /// may lie by now [m]; search.mayLook() whether there is time to look at one more block, and
-    /// search.hasGivenUp() whether there is none for anything.
+    /// Calls search.take(CellIndex) for each cell that is left. search.limit() is how far a closest
+    /// point may lie by now [m]; search.mayLook() whether there is time to look at one more block,
+    /// and search.hasGivenUp() whether there is none for anything.
     template <class Search>
     void visit(Search& search) const {
         for (int row = 0; row < window_.rows().count; ++row) {

@@ -18,12 +18,13 @@ struct SearchGuess {
 
 /// What proves that no other surface point is nearer, or why nothing does.
 enum class SearchProof : std::uint8_t {
-    NotSought,    ///< the closest point is a local minimum; nobody looked elsewhere
-    Likely,       ///< the likeliest other places were looked at; nothing is proven
-    Nearest,      ///< every other place is farther, to kSameDistance
-    OutOfReach,   ///< nothing lies within reach; the closest point is a local minimum beyond it
-    TooManyPoints,     ///< too many places are as near: they could not all be told apart in bounded time
-    NotConverged  ///< the closest point itself is not found to rounding
+    NotSought,      ///< the closest point is a local minimum; nobody looked elsewhere
+    Likely,         ///< the likeliest other places were looked at; nothing is proven
+    Nearest,        ///< every other place is farther, to kSameDistance
+    OutOfReach,     ///< nothing lies within reach; the closest point is a local minimum beyond it
+    TooManyPoints,  ///< too many places are as near: they could not all be told apart in bounded
+                    ///< time
+    NotConverged    ///< the closest point itself is not found to rounding
 };
 
 /// How hard the closest point is looked for.
@@ -36,17 +37,17 @@ enum class SearchEffort : std::uint8_t {
 template <>
 inline constexpr auto kEnumTable<SearchProof> =
     std::to_array<EnumRow<SearchProof>>({{SearchProof::NotSought, "not_sought"},
-                                       {SearchProof::Likely, "likely"},
-                                       {SearchProof::Nearest, "nearest"},
-                                       {SearchProof::OutOfReach, "out_of_reach"},
-                                       {SearchProof::TooManyPoints, "many_feet"},
-                                       {SearchProof::NotConverged, "not_converged"}});
+                                         {SearchProof::Likely, "likely"},
+                                         {SearchProof::Nearest, "nearest"},
+                                         {SearchProof::OutOfReach, "out_of_reach"},
+                                         {SearchProof::TooManyPoints, "many_feet"},
+                                         {SearchProof::NotConverged, "not_converged"}});
 
 template <>
 inline constexpr auto kEnumTable<SearchEffort> =
     std::to_array<EnumRow<SearchEffort>>({{SearchEffort::Local, "local"},
-                                        {SearchEffort::Global, "global"},
-                                        {SearchEffort::Certified, "certified"}});
+                                          {SearchEffort::Global, "global"},
+                                          {SearchEffort::Certified, "certified"}});
 
 /// Whether a search left it open that there are other closest points than those it found.
 [[nodiscard]] inline bool mayMissPoints(SearchProof proof) noexcept {

@@ -16,7 +16,8 @@ inline constexpr std::size_t kMaxMinima = 12;
 /// the nearest of them.
 class ClosestPointList {
 public:
-    /// Takes a closest point up unless it stands nearer than `sameWithin` [m] to one that does already.
+    /// Takes a closest point up unless it stands nearer than `sameWithin` [m] to one that does
+    /// already.
     void add(const ClosestPoint& closest, double sameWithin) noexcept;
 
     [[nodiscard]] std::span<const ClosestPoint> all() const noexcept {

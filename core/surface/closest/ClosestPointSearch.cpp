@@ -10,8 +10,8 @@ namespace {
 
 /// @param complete completes the closest points of the query
 template <class Complete>
-ClosestPoint nearestPoint(const BSplineSurface& surface, const Vector3& query, const SearchGuess& guess,
-                        const Complete& complete) {
+ClosestPoint nearestPoint(const BSplineSurface& surface, const Vector3& query,
+                          const SearchGuess& guess, const Complete& complete) {
     ClosestPoint start = localClosestPoint(surface, query, guess);
     if (!isUsableQuery(query)) {
         return start;
@@ -27,13 +27,15 @@ ClosestPoint nearestPoint(const BSplineSurface& surface, const Vector3& query, c
 }  // namespace
 
 ClosestPoint closestPoint(const BSplineSurface& surface, const Vector3& query,
-                         const SearchGuess& guess) noexcept {
-    return nearestPoint(surface, query, guess,
-                       [&](ClosestPointList& points) { return completePoints(surface, query, {}, points); });
+                          const SearchGuess& guess) noexcept {
+    return nearestPoint(surface, query, guess, [&](ClosestPointList& points) {
+        return completePoints(surface, query, {}, points);
+    });
 }
 
 ClosestPoint closestPoint(const BSplineSurface& surface, const Vector3& query,
-                         const SearchGuess& guess, ClosestPointTracker& tracker, SearchEffort effort) noexcept {
+                          const SearchGuess& guess, ClosestPointTracker& tracker,
+                          SearchEffort effort) noexcept {
     return nearestPoint(surface, query, guess, [&](ClosestPointList& points) {
         return tracker.completePoints(surface, query, {}, effort, points);
     });

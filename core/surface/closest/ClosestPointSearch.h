@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/closest/ClosestPointTracker.h"
 #include "core/surface/closest/ClosestPoint.h"
+#include "core/surface/closest/ClosestPointTracker.h"
 
 namespace asperity {
 
@@ -10,12 +10,12 @@ namespace asperity {
 /// are as near (to kSameDistance) it is one of them. Its proof says whether it is certain.
 /// Allocation-free, bounded, never throws.
 [[nodiscard]] ClosestPoint closestPoint(const BSplineSurface& surface, const Vector3& query,
-                                       const SearchGuess& guess) noexcept;
+                                        const SearchGuess& guess) noexcept;
 
 /// The same for one query after another, each near the last; with less effort than Certified not
 /// whatever the guess.
 [[nodiscard]] ClosestPoint closestPoint(const BSplineSurface& surface, const Vector3& query,
-                                       const SearchGuess& guess, ClosestPointTracker& tracker,
-                                       SearchEffort effort = SearchEffort::Certified) noexcept;
+                                        const SearchGuess& guess, ClosestPointTracker& tracker,
+                                        SearchEffort effort = SearchEffort::Certified) noexcept;
 
 }  // namespace asperity

@@ -13,14 +13,16 @@ namespace asperity {
 
 namespace {
 
-/// Radius of the balls that are tried: in larger ones a closest point stands alone less often [pixel].
+/// Radius of the balls that are tried: in larger ones a closest point stands alone less often
+/// [pixel].
 constexpr double kBall = 0.125;
 /// Queries after which another ball is tried where none was proven. A try costs about as much as it
 /// spares each of the queries after it.
 constexpr int kLongestRest = 31;
 
-/// Whether the scan as a whole leaves no place for a closest point but the one that is known: all of it lies
-/// so far below the query that nothing is within reach, or the distance bends up everywhere.
+/// Whether the scan as a whole leaves no place for a closest point but the one that is known: all
+/// of it lies so far below the query that nothing is within reach, or the distance bends up
+/// everywhere.
 bool isProvenByScan(const BSplineSurface& surface, const Vector3& query, const SearchReach& reach) {
     constexpr double kSurely = 1.0 - 1e-6;
     const BoxBounds scan = surface.bounds().all();
@@ -30,7 +32,8 @@ bool isProvenByScan(const BSplineSurface& surface, const Vector3& query, const S
 }
 
 /// Whether a search from `place` would most likely end at one of the closest points.
-bool isBesideOneOf(const ClosestPointList& points, const Vector2& place, const BSplineSurface& surface) {
+bool isBesideOneOf(const ClosestPointList& points, const Vector2& place,
+                   const BSplineSurface& surface) {
     constexpr double kBeside = 1.0;  // pixel
     const BSplineSurface::Grid& grid = surface.grid();
     return std::ranges::any_of(points.all(), [&](const ClosestPoint& closest) {
@@ -41,7 +44,7 @@ bool isBesideOneOf(const ClosestPointList& points, const Vector2& place, const B
 
 /// Adds the closest point that the nearest sample leads to.
 void addLikelyPoint(const BSplineSurface& surface, const Vector3& query, const SearchReach& reach,
-                   ClosestPointList& points) {
+                    ClosestPointList& points) {
     const double limit = reach.limit(points.all().front());
     const auto place = nearestSample(surface, query, limit);
     if (!place || isBesideOneOf(points, *place, surface)) {
@@ -56,8 +59,8 @@ void addLikelyPoint(const BSplineSurface& surface, const Vector3& query, const S
 }  // namespace
 
 SearchProof ClosestPointTracker::completePoints(const BSplineSurface& surface, const Vector3& query,
-                                    const SearchReach& reach, SearchEffort effort,
-                                    ClosestPointList& points) noexcept {
+                                                const SearchReach& reach, SearchEffort effort,
+                                                ClosestPointList& points) noexcept {
     if (points.all().front().converged && isProvenByScan(surface, query, reach)) {
         return SearchProof::Nearest;
     }
@@ -74,7 +77,8 @@ SearchProof ClosestPointTracker::completePoints(const BSplineSurface& surface, c
 }
 
 SearchProof ClosestPointTracker::provePoints(const BSplineSurface& surface, const Vector3& query,
-                                 const SearchReach& reach, ClosestPointList& points) noexcept {
+                                             const SearchReach& reach,
+                                             ClosestPointList& points) noexcept {
     if (ball_.settles(query, reach, points.all().front())) {
         return SearchProof::Nearest;
     }
@@ -83,7 +87,8 @@ SearchProof ClosestPointTracker::provePoints(const BSplineSurface& surface, cons
         return asperity::completePoints(surface, query, reach, points);
     }
     const double radius = kBall * std::min(surface.grid().pitchX, surface.grid().pitchY);
-    const SearchProof proof = asperity::completePoints(surface, {query, radius}, reach, points, ball_);
+    const SearchProof proof =
+        asperity::completePoints(surface, {query, radius}, reach, points, ball_);
     rest_ = ball_.queries.radius > 0.0 ? 0 : std::min(2 * rest_ + 1, kLongestRest);
     untilNextTry_ = rest_;
     return proof;

@@ -4,21 +4,23 @@
 
 namespace asperity {
 
-/// Completes the closest points of one query after another on ONE surface. Where a closest point stands alone, this is
-/// proven for a ball of queries at once, so that the next ones need no look. Holds proofs, no
-/// answers: a fresh tracker only takes longer.
+/// Completes the closest points of one query after another on ONE surface. Where a closest point
+/// stands alone, this is proven for a ball of queries at once, so that the next ones need no look.
+/// Holds proofs, no answers: a fresh tracker only takes longer.
 class ClosestPointTracker {
 public:
-    /// As completePoints() of ExhaustiveSearch.h where `effort` is Certified. With Global only a nearer
-    /// closest point is looked for, and the proof is Likely; with Local nothing is, and it is NotSought.
-    /// Where the scan is so gentle that a closest point stands alone anyway, it is Nearest with any effort.
+    /// As completePoints() of ExhaustiveSearch.h where `effort` is Certified. With Global only a
+    /// nearer closest point is looked for, and the proof is Likely; with Local nothing is, and it
+    /// is NotSought. Where the scan is so gentle that a closest point stands alone anyway, it is
+    /// Nearest with any effort.
     [[nodiscard]] SearchProof completePoints(const BSplineSurface& surface, const Vector3& query,
-                                         const SearchReach& reach, SearchEffort effort,
-                                         ClosestPointList& points) noexcept;
+                                             const SearchReach& reach, SearchEffort effort,
+                                             ClosestPointList& points) noexcept;
 
 private:
     [[nodiscard]] SearchProof provePoints(const BSplineSurface& surface, const Vector3& query,
-                                      const SearchReach& reach, ClosestPointList& points) noexcept;
+                                          const SearchReach& reach,
+                                          ClosestPointList& points) noexcept;
 
     ProvenBall ball_;
     int rest_ = 0;  ///< queries, the last time that no ball was proven

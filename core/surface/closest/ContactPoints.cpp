@@ -11,8 +11,9 @@ namespace asperity {
 
 namespace {
 
-/// A closest point that lies farther than the nearest one by more than this bears too little of the force to
-/// matter: across a gap of 3 nm van der Waals attraction is a hundredth of that in contact [m].
+/// A closest point that lies farther than the nearest one by more than this bears too little of the
+/// force to matter: across a gap of 3 nm van der Waals attraction is a hundredth of that in contact
+/// [m].
 constexpr double kBehindNearest = 3e-9;
 
 /// The closest point, and those of the others that lie within `farthest` [m]. Minima nearer to each
@@ -28,8 +29,8 @@ ClosestPointList bearing(const ClosestPointList& points, double same, double far
     return apart;
 }
 
-/// How far from its center a tip is to have closest points [m]. Below the surface there is no out of reach:
-/// however deep the center lies, the nearest way out is what pushes it.
+/// How far from its center a tip is to have closest points [m]. Below the surface there is no out
+/// of reach: however deep the center lies, the nearest way out is what pushes it.
 double farthestPoint(const BSplineSurface& surface, const TipSphere& tip, double reach) {
     const Vector3& center = tip.center;
     return center.z() < surface.at(center.x(), center.y()).height
@@ -40,7 +41,7 @@ double farthestPoint(const BSplineSurface& surface, const TipSphere& tip, double
 /// @param complete completes the minima of the distance from the tip's center
 template <class Complete>
 ContactPoints pointsOf(const BSplineSurface& surface, const TipSphere& tip, double reach,
-               std::span<const SearchGuess> known, const Complete& complete) {
+                       std::span<const SearchGuess> known, const Complete& complete) {
     ContactPoints points;
     const double same = kSamePoint * tip.radius;
     for (const SearchGuess& guess : known) {
@@ -71,17 +72,20 @@ ContactPoints pointsOf(const BSplineSurface& surface, const TipSphere& tip, doub
 }  // namespace
 
 ContactPoints contactPoints(const BSplineSurface& surface, const TipSphere& tip, double reach,
-                std::span<const SearchGuess> known) noexcept {
-    return pointsOf(surface, tip, reach, known, [&](const SearchReach& within, ClosestPointList& minima) {
-        return completePoints(surface, tip.center, within, minima);
-    });
+                            std::span<const SearchGuess> known) noexcept {
+    return pointsOf(surface, tip, reach, known,
+                    [&](const SearchReach& within, ClosestPointList& minima) {
+                        return completePoints(surface, tip.center, within, minima);
+                    });
 }
 
-ContactPoints contactPoints(const BSplineSurface& surface, const TipSphere& tip, const ContactPointSearch& sought,
-                std::span<const SearchGuess> known, ClosestPointTracker& tracker) noexcept {
-    return pointsOf(surface, tip, sought.reach, known, [&](const SearchReach& reach, ClosestPointList& minima) {
-        return tracker.completePoints(surface, tip.center, reach, sought.effort, minima);
-    });
+ContactPoints contactPoints(const BSplineSurface& surface, const TipSphere& tip,
+                            const ContactPointSearch& sought, std::span<const SearchGuess> known,
+                            ClosestPointTracker& tracker) noexcept {
+    return pointsOf(
+        surface, tip, sought.reach, known, [&](const SearchReach& reach, ClosestPointList& minima) {
+            return tracker.completePoints(surface, tip.center, reach, sought.effort, minima);
+        });
 }
 
 }  // namespace asperity

@@ -26,20 +26,22 @@ struct ContactPointSearch {
 /// ClosestPoints of a sphere on a surface: in a valley that it does not fit there are several.
 struct ContactPoints {
     ClosestPointList list;  ///< the nearest first; at least one, which may lie out of reach
-    /// Nearest: these are all; TooManyPoints: there may be more, or are more than have room; Likely,
-    /// NotSought: there may be more, with less effort than Certified.
+    /// Nearest: these are all; TooManyPoints: there may be more, or are more than have room;
+    /// Likely, NotSought: there may be more, with less effort than Certified.
     SearchProof proof = SearchProof::NotSought;
 };
 
-/// All closest points of the sphere's center that lie within `reach` of the sphere's surface, or, where the
-/// center lies below the surface, however far; `known` guesses save time. Allocation-free, bounded,
-/// never throws.
-[[nodiscard]] ContactPoints contactPoints(const BSplineSurface& surface, const TipSphere& tip, double reach,
-                              std::span<const SearchGuess> known) noexcept;
+/// All closest points of the sphere's center that lie within `reach` of the sphere's surface, or,
+/// where the center lies below the surface, however far; `known` guesses save time.
+/// Allocation-free, bounded, never throws.
+[[nodiscard]] ContactPoints contactPoints(const BSplineSurface& surface, const TipSphere& tip,
+                                          double reach,
+                                          std::span<const SearchGuess> known) noexcept;
 
 /// The same for one sphere after another, each near the last.
 [[nodiscard]] ContactPoints contactPoints(const BSplineSurface& surface, const TipSphere& tip,
-                              const ContactPointSearch& sought, std::span<const SearchGuess> known,
-                              ClosestPointTracker& tracker) noexcept;
+                                          const ContactPointSearch& sought,
+                                          std::span<const SearchGuess> known,
+                                          ClosestPointTracker& tracker) noexcept;
 
 }  // namespace asperity

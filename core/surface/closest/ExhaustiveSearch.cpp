@@ -58,7 +58,7 @@ void settleAround(const ClosestPointList& points, CellSweep& sweep) {
 
 /// Looks at all that a sweep has left.
 SearchProof lookInto(const BSplineSurface& surface, const Vector3& query, const SearchReach& reach,
-                   const CellSweep& sweep, ClosestPointList& points) {
+                     const CellSweep& sweep, ClosestPointList& points) {
     PartSearch search(surface, query, reach, points);
     CellsInBatches cells(surface, search);
     sweep.visit(cells);
@@ -79,15 +79,16 @@ bool ProvenBall::settles(const Vector3& query, const SearchReach& within,
            within.limit(nearest) + moved <= reach;
 }
 
-SearchProof completePoints(const BSplineSurface& surface, const Vector3& query, const SearchReach& reach,
-                       ClosestPointList& points) noexcept {
+SearchProof completePoints(const BSplineSurface& surface, const Vector3& query,
+                           const SearchReach& reach, ClosestPointList& points) noexcept {
     CellSweep sweep(surface, query, reach.limit(points.all().front()));
     settleAround(points, sweep);
     return lookInto(surface, query, reach, sweep, points);
 }
 
 SearchProof completePoints(const BSplineSurface& surface, const QueryBall& queries,
-                       const SearchReach& reach, ClosestPointList& points, ProvenBall& ball) noexcept {
+                           const SearchReach& reach, ClosestPointList& points,
+                           ProvenBall& ball) noexcept {
     // A closest point follows its query, on most surfaces by little more than the query moves.
     constexpr double kWander = 3.0;
     const ClosestPoint& nearest = points.all().front();

@@ -9,15 +9,17 @@ namespace asperity {
 class BSplineSurface;
 class ClosestPointList;
 
-/// Looks everywhere for closest points of `query`: local minima of its distance from the surface within
-/// `reach`, and adds them to `closest points`, which holds at least one local closest point already.
+/// Looks everywhere for closest points of `query`: local minima of its distance from the surface
+/// within `reach`, and adds them to `closest points`, which holds at least one local closest point
+/// already.
 ///
-/// Cells that lie too far, or around a known closest point where the distance can only grow, are ruled out
-/// by their bounds; the others are quartered until the distance has no minimum in them, or one that
-/// is found. @return Nearest: the list is complete, as far as it has room; TooManyPoints: it need not
-/// be. Allocation-free, bounded, never throws.
+/// Cells that lie too far, or around a known closest point where the distance can only grow, are
+/// ruled out by their bounds; the others are quartered until the distance has no minimum in them,
+/// or one that is found. @return Nearest: the list is complete, as far as it has room;
+/// TooManyPoints: it need not be. Allocation-free, bounded, never throws.
 [[nodiscard]] SearchProof completePoints(const BSplineSurface& surface, const Vector3& query,
-                                     const SearchReach& reach, ClosestPointList& points) noexcept;
+                                         const SearchReach& reach,
+                                         ClosestPointList& points) noexcept;
 
 /// All queries within some distance of one.
 struct QueryBall {
@@ -25,8 +27,8 @@ struct QueryBall {
     double radius = -1.0;              ///< < 0: no query [m]
 };
 
-/// What is proven for all queries in a ball: one of them that has a closest point in `anchor` has no other
-/// one within `reach` of the ball's center.
+/// What is proven for all queries in a ball: one of them that has a closest point in `anchor` has
+/// no other one within `reach` of the ball's center.
 struct ProvenBall {
     QueryBall queries;
     double reach = 0.0;  ///< [m]
@@ -40,7 +42,7 @@ struct ProvenBall {
 /// The same for the query at the center of `queries`; @return in `ball` what is proven on the way
 /// for all of them. That is nothing where other closest points are near.
 [[nodiscard]] SearchProof completePoints(const BSplineSurface& surface, const QueryBall& queries,
-                                     const SearchReach& reach, ClosestPointList& points,
-                                     ProvenBall& ball) noexcept;
+                                         const SearchReach& reach, ClosestPointList& points,
+                                         ProvenBall& ball) noexcept;
 
 }  // namespace asperity

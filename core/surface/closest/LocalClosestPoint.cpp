@@ -158,7 +158,7 @@ ClosestPoint closestPointOf(const BoxMinimum& minimum, const Vector3& query) noe
 }
 
 ClosestPoint localClosestPoint(const BSplineSurface& surface, const Vector3& query,
-                      const SearchGuess& guess) noexcept {
+                               const SearchGuess& guess) noexcept {
     if (!isUsableQuery(query)) {
         return meaninglessPoint(surface);
     }

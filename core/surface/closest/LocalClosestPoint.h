@@ -36,6 +36,6 @@ private:
 /// points nearby. Allocation-free, bounded, never throws.
 /// Source: Vogl, Ma, Sitti (2005), section III.
 [[nodiscard]] ClosestPoint localClosestPoint(const BSplineSurface& surface, const Vector3& query,
-                                    const SearchGuess& guess) noexcept;
+                                             const SearchGuess& guess) noexcept;
 
 }  // namespace asperity

@@ -125,15 +125,15 @@ std::optional<Vector2> nearestSample(const BSplineSurface& surface, const Vector
     }
     const double height = (query.z() - grid.datum) / grid.pitchX;
     const Neighborhood near{.controls = grid.controlHeights.data(),
-                             .stride = grid.columns + 2,
-                             .columns = grid.columns,
-                             .x = x,
-                             .y = y,
-                             .placeX = static_cast<float>(placeX),
-                             .placeY = static_cast<float>(placeY),
-                             .height = static_cast<float>(std::clamp(height, -kHighest, kHighest)),
-                             .aspect = static_cast<float>(grid.pitchY / grid.pitchX),
-                             .perHeight = static_cast<float>(1.0 / grid.pitchX)};
+                            .stride = grid.columns + 2,
+                            .columns = grid.columns,
+                            .x = x,
+                            .y = y,
+                            .placeX = static_cast<float>(placeX),
+                            .placeY = static_cast<float>(placeY),
+                            .height = static_cast<float>(std::clamp(height, -kHighest, kHighest)),
+                            .aspect = static_cast<float>(grid.pitchY / grid.pitchX),
+                            .perHeight = static_cast<float>(1.0 / grid.pitchX)};
     const Sample best = leastPromise(near);
     return Vector2((best.column + 0.5) * grid.pitchX, (best.row + 0.5) * grid.pitchY);
 }

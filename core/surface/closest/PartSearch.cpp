@@ -21,8 +21,8 @@ constexpr double kEdgeNoise = 32.0;
 
 }  // namespace
 
-PartSearch::PartSearch(const BSplineSurface& surface, const Vector3& query, const SearchReach& reach,
-                       ClosestPointList& points) noexcept
+PartSearch::PartSearch(const BSplineSurface& surface, const Vector3& query,
+                       const SearchReach& reach, ClosestPointList& points) noexcept
     : surface_(surface)
     , query_(query)
     , reach_(reach)
@@ -35,7 +35,8 @@ double PartSearch::nearest() const {
     return std::min(std::abs(points_.all().front().distance), nearestPlace());
 }
 
-/// No closest point that is nearest lies farther [m]. It may lie as near as the place, to any rounding.
+/// No closest point that is nearest lies farther [m]. It may lie as near as the place, to any
+/// rounding.
 double PartSearch::nearestPlace() const {
     constexpr double kRoom = 1.0 + 1e-6;
     return nearestPlace_ ? kRoom * std::sqrt(2.0 * nearestPlace_->model.value)
@@ -115,8 +116,9 @@ void PartSearch::lowerLimit(const Part& part) {
     take(descend(scanBox(surface_), part.center, 0.25 * pitch_.minCoeff()));
 }
 
-/// Between walls a descent creeps until its steps run out. Where it got to is no closest point, but rules
-/// out what is farther, and spares the descents from all other parts that would end no nearer.
+/// Between walls a descent creeps until its steps run out. Where it got to is no closest point, but
+/// rules out what is farther, and spares the descents from all other parts that would end no
+/// nearer.
 void PartSearch::take(const BoxMinimum& minimum) {
     if (minimum.converged) {
         points_.add(closestPointOf(minimum, query_), sameMinimum(surface_));

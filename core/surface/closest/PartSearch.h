@@ -2,9 +2,9 @@
 
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/closest/ClosestPointList.h"
-#include "core/surface/closest/SearchReach.h"
 #include "core/surface/closest/LocalClosestPoint.h"
 #include "core/surface/closest/Part.h"
+#include "core/surface/closest/SearchReach.h"
 
 #include <algorithm>
 #include <optional>
@@ -17,8 +17,9 @@ namespace asperity {
     return kPixels * std::min(surface.grid().pitchX, surface.grid().pitchY);
 }
 
-/// Looks into parts of cells for closest points of one query: each part is quartered until the distance has
-/// no minimum in it, or one that is known or found. Allocation-free, bounded, never throws.
+/// Looks into parts of cells for closest points of one query: each part is quartered until the
+/// distance has no minimum in it, or one that is known or found. Allocation-free, bounded, never
+/// throws.
 class PartSearch {
 public:
     /// Looks at the surface that its descents may take before it gives up, but for the last one's.
@@ -38,10 +39,12 @@ public:
     [[nodiscard]] int evaluations() const noexcept { return evaluations_; }
     /// Looks into the parts of a batch, a bit a lane.
     void lookInto(const PartBatch& batch, unsigned lanes) noexcept;
-    /// Takes up the nearest place known as a closest point, though it may be none, where it is nearer than
-    /// all closest points: for a search that is not complete. `start` is one more place to descend from.
+    /// Takes up the nearest place known as a closest point, though it may be none, where it is
+    /// nearer than all closest points: for a search that is not complete. `start` is one more place
+    /// to descend from.
     void settleForNearest(const Vector2& start) noexcept;
-    /// Whether no part was left undecided, and nothing is known to be nearer than the closest point.
+    /// Whether no part was left undecided, and nothing is known to be nearer than the closest
+    /// point.
     [[nodiscard]] bool isComplete() const noexcept;
 
 private:
@@ -62,8 +65,8 @@ private:
     Vector2 pitch_;  ///< [m]
     HalfSquaredDistance objective_;
     SurfaceRounding rounding_;
-    /// Where the best of the descents that did not converge got to: no closest point, but none that is
-    /// nearest lies farther.
+    /// Where the best of the descents that did not converge got to: no closest point, but none that
+    /// is nearest lies farther.
     std::optional<BoxMinimum> nearestPlace_;
     int looks_ = 0;
     int evaluations_ = 0;

@@ -8,8 +8,8 @@
 
 namespace asperity {
 
-/// Which closest points a search is for: those no farther than `farthest`, nor farther than the nearest by
-/// more than `behindNearest`.
+/// Which closest points a search is for: those no farther than `farthest`, nor farther than the
+/// nearest by more than `behindNearest`.
 struct SearchReach {
     double farthest = std::numeric_limits<double>::infinity();  ///< [m]
     double behindNearest = 0.0;                                 ///< [m]

@@ -11,7 +11,8 @@ enum class DeformationTier : std::uint8_t {
     FourPoint,      ///< the four control points around the closest point, by the indentation: cheap
     ContactRadius,  ///< control points within the contact radius onto the tip: the paper's choice
     ClosedForm,     ///< every point by the contact model's displacement, also outside the contact
-    HalfSpace,      ///< every point by boundary elements on the real topography around the closest point
+    HalfSpace,      ///< every point by boundary elements on the real topography around the closest
+                    ///< point
 };
 
 template <>

@@ -1,8 +1,8 @@
 #include "core/surface/deformation/SurfaceDeformation.h"
 
 #include "core/Error.h"
-#include "core/surface/deformation/DisplacementField.h"
 #include "core/surface/closest/BoxNewton.h"
+#include "core/surface/deformation/DisplacementField.h"
 
 #include <Eigen/Geometry>
 

@@ -29,7 +29,7 @@ struct SurfacePatch {
 
 /// Where tip and surface meet; world frame.
 struct TipContact {
-    Vector3 closest = Vector3::Zero();       ///< of the tip's center on the undeformed surface [m]
+    Vector3 closest = Vector3::Zero();    ///< of the tip's center on the undeformed surface [m]
     Vector3 normal = Vector3::UnitZ();    ///< of the undeformed surface there, unit
     Vector3 tipCenter = Vector3::Zero();  ///< [m]
     double tipRadius = 0.0;               ///< [m]

@@ -13,7 +13,7 @@ namespace asperity {
 namespace {
 
 constexpr int kMaxPieces = 2048;          // looked at for the proof: a millisecond or so
-constexpr int kMorePieces = 256;           // looked at for other closest points
+constexpr int kMorePieces = 256;          // looked at for other closest points
 constexpr std::size_t kMaxWaiting = 112;  // pieces: two for each time that a patch can be halved
 constexpr std::size_t kMaxBoxes = 128;
 /// How much nearer another place may be unnoticed, in roundings of a place in space.
@@ -84,7 +84,8 @@ Vector2 extentOf(const BezierNet& net) {
 /// One query: keeps the closest points found so far and goes through what they do not rule out.
 class NurbsClosestPointSearch {
 public:
-    NurbsClosestPointSearch(const NurbsSurface& surface, const Vector3& query, const NurbsClosestPointWish& wish)
+    NurbsClosestPointSearch(const NurbsSurface& surface, const Vector3& query,
+                            const NurbsClosestPointWish& wish)
         : surface_(surface)
         , query_(query)
         , wish_(wish)
@@ -132,7 +133,8 @@ public:
 
 private:
     [[nodiscard]] double best() const { return minima_.front().distance; }
-    /// Squared distance from which on nothing is nearer than the best closest point, to rounding [m^2].
+    /// Squared distance from which on nothing is nearer than the best closest point, to rounding
+    /// [m^2].
     [[nodiscard]] double proven() const { return square(std::max(0.0, best() - certain_)); }
     /// Squared distance from which on nothing is of interest [m^2].
     [[nodiscard]] double beyond() const { return within_ > best() ? square(within_) : proven(); }
@@ -321,7 +323,8 @@ private:
         closest.closest.normal = surface_.normal(closest.u, closest.v);
         closest.closest.curvatures = surface_.curvatures(closest.u, closest.v);
         const Vector3 towardsQuery = query_ - closest.closest.point;
-        closest.closest.distance = std::copysign(towardsQuery.norm(), towardsQuery.dot(closest.closest.normal));
+        closest.closest.distance =
+            std::copysign(towardsQuery.norm(), towardsQuery.dot(closest.closest.normal));
         closest.closest.iterations = minimum.iterations;
         closest.closest.converged = minimum.converged;
         closest.closest.insideScan = !minimum.pushedOut;
@@ -359,7 +362,7 @@ private:
 };
 
 NurbsClosestPoints nearestPoints(const NurbsSurface& surface, const Vector3& query,
-                      const NurbsClosestPointWish& wish) noexcept {
+                                 const NurbsClosestPointWish& wish) noexcept {
     const auto isUsable = [](double coordinate) {
         return std::isless(std::abs(coordinate), kFarthestQuery);
     };
@@ -370,7 +373,7 @@ NurbsClosestPoints nearestPoints(const NurbsSurface& surface, const Vector3& que
 }
 
 ClosestPoint closestPoint(const NurbsSurface& surface, const Vector3& query,
-                         const SearchGuess& /*guess*/) noexcept {
+                          const SearchGuess& /*guess*/) noexcept {
     return nearestPoints(surface, query, {}).nearest().closest;
 }
 

@@ -23,7 +23,9 @@ struct NurbsClosestPoint {
 /// where the search for the others was cut short or found more than have room.
 class NurbsClosestPoints {
 public:
-    [[nodiscard]] std::span<const NurbsClosestPoint> all() const noexcept { return {points_.data(), count_}; }
+    [[nodiscard]] std::span<const NurbsClosestPoint> all() const noexcept {
+        return {points_.data(), count_};
+    }
     [[nodiscard]] const NurbsClosestPoint& nearest() const noexcept { return points_.front(); }
     [[nodiscard]] SearchProof proof() const noexcept { return proof_; }
     /// Pieces of the surface looked at one by one.
@@ -46,16 +48,15 @@ struct NurbsClosestPointWish {
 
 /// The surface point nearest to the query, and on request the other local minima of the distance.
 /// Global: every part of the surface is looked at or ruled out, by bounds on the squared distance
-/// over rational Bezier patches, cut until it is convex or above the best closest point. The closest point
-/// is proven to about 1e-13 of the larger of surface and query; of the others some may be missing.
-/// Allocation-free, bounded, never throws.
-/// Source: Johnson, Cohen (1998) for the branch and bound; Vogl, Ma, Sitti (2005), section III, for
-/// r.Su = 0, r.Sv = 0.
+/// over rational Bezier patches, cut until it is convex or above the best closest point. The
+/// closest point is proven to about 1e-13 of the larger of surface and query; of the others some
+/// may be missing. Allocation-free, bounded, never throws. Source: Johnson, Cohen (1998) for the
+/// branch and bound; Vogl, Ma, Sitti (2005), section III, for r.Su = 0, r.Sv = 0.
 [[nodiscard]] NurbsClosestPoints nearestPoints(const NurbsSurface& surface, const Vector3& query,
-                                    const NurbsClosestPointWish& wish) noexcept;
+                                               const NurbsClosestPointWish& wish) noexcept;
 
 /// The closest point alone. No guess is needed.
 [[nodiscard]] ClosestPoint closestPoint(const NurbsSurface& surface, const Vector3& query,
-                                       const SearchGuess& guess) noexcept;
+                                        const SearchGuess& guess) noexcept;
 
 }  // namespace asperity

@@ -11,7 +11,7 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kEscapeStep = 0.05;  // off a saddle, of the parameters' range
 constexpr double kOnEdge = 1e-9;      // of the width of a box
-constexpr int kMaxLegs = 3;          // of a way across seams and poles
+constexpr int kMaxLegs = 3;           // of a way across seams and poles
 constexpr int kMeridians = 16;
 constexpr double kBesidePole = 1e-7;  // of the parameter's range
 constexpr int kMaxMeridianSteps = 20;

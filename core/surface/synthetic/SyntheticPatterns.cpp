@@ -10,8 +10,7 @@ namespace asperity {
 
 HeightMap flatMap(const ScanSize& size) {
     constexpr int kMaxPixels = 1 << 15;  // a side
-    if (size.columns < 1 || size.rows < 1 || size.columns > kMaxPixels ||
-        size.rows > kMaxPixels) {
+    if (size.columns < 1 || size.rows < 1 || size.columns > kMaxPixels || size.rows > kMaxPixels) {
         throw Error("a synthetic scan has 1 to " + std::to_string(kMaxPixels) + " pixels a side");
     }
     HeightMap map{.columns = size.columns,

@@ -1,8 +1,8 @@
 #include "core/surface/touched/TouchedSurface.h"
 
 #include "core/surface/BSplineSurface.h"
-#include "core/surface/closest/LocalClosestPoint.h"
 #include "core/surface/closest/ContactPoints.h"
+#include "core/surface/closest/LocalClosestPoint.h"
 #include "core/surface/nurbs/NurbsClosestPoint.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr double kShallow = 0.5;
 constexpr double kFartherPoint = 2.0;
 
 ClosestPoint localPointOn(const NurbsSurface& surface, const Vector3& query,
-                        const SearchGuess& guess) noexcept {
+                          const SearchGuess& guess) noexcept {
     ClosestPoint nearest = closestPoint(surface, query, guess);
     if (!guess.valid || surface.concavity() * std::abs(nearest.distance) < kShallow) {
         return nearest;
@@ -28,13 +28,15 @@ ClosestPoint localPointOn(const NurbsSurface& surface, const Vector3& query,
     const auto away = [&](const NurbsClosestPoint& closest) {
         return std::hypot(closest.closest.point.x() - guess.x, closest.closest.point.y() - guess.y);
     };
-    return std::min_element(
-               points.all().begin(), points.all().end(),
-               [&](const NurbsClosestPoint& a, const NurbsClosestPoint& b) { return away(a) < away(b); })
+    return std::min_element(points.all().begin(), points.all().end(),
+                            [&](const NurbsClosestPoint& a, const NurbsClosestPoint& b) {
+                                return away(a) < away(b);
+                            })
         ->closest;
 }
 
-ContactPoints tipPointsOn(const NurbsSurface& surface, const TipSphere& tip, double reach) noexcept {
+ContactPoints tipPointsOn(const NurbsSurface& surface, const TipSphere& tip,
+                          double reach) noexcept {
     const double within = tip.radius + reach;
     // A valley that is wider than the tip holds it at one place.
     const bool several = surface.concavity() * within > 1.0;
@@ -54,15 +56,16 @@ ContactPoints tipPointsOn(const NurbsSurface& surface, const TipSphere& tip, dou
 }  // namespace
 
 ContactPoints TouchedSurface::contactPoints(const TipSphere& tip, double reach,
-                                std::span<const SearchGuess> known,
-                                ClosestPointTracker& tracker) const noexcept {
+                                            std::span<const SearchGuess> known,
+                                            ClosestPointTracker& tracker) const noexcept {
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
         return asperity::contactPoints(**field, tip, {reach, effort_}, known, tracker);
     }
     return tipPointsOn(*std::get<const NurbsSurface*>(surface_), tip, reach);
 }
 
-ClosestPoint TouchedSurface::localClosestPoint(const Vector3& query, const SearchGuess& guess) const noexcept {
+ClosestPoint TouchedSurface::localClosestPoint(const Vector3& query,
+                                               const SearchGuess& guess) const noexcept {
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
         return asperity::localClosestPoint(**field, query, guess);
     }

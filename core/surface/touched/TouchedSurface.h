@@ -13,27 +13,29 @@ class NurbsSurface;
 struct ContactPoints;
 struct TipSphere;
 
-/// What a tip touches, a height field or a NURBS surface, and how hard its closest points are looked for
-/// there. A view: the surface must outlive it.
+/// What a tip touches, a height field or a NURBS surface, and how hard its closest points are
+/// looked for there. A view: the surface must outlive it.
 class TouchedSurface {
 public:
     // NOLINTBEGIN(google-explicit-constructor): either surface can be touched as it is
-    TouchedSurface(const BSplineSurface& field, SearchEffort effort = SearchEffort::Certified) noexcept
+    TouchedSurface(const BSplineSurface& field,
+                   SearchEffort effort = SearchEffort::Certified) noexcept
         : surface_(&field), effort_(effort) {}
     /// Looked at with all effort.
     TouchedSurface(const NurbsSurface& shape) noexcept : surface_(&shape) {}
     // NOLINTEND(google-explicit-constructor)
 
-    /// The closest points of a tip, as on a height field (ContactPoints.h). On a NURBS surface neither guesses nor
-    /// tracker are needed, and of the closest points beside the nearest one some may be missing.
+    /// The closest points of a tip, as on a height field (ContactPoints.h). On a NURBS surface
+    /// neither guesses nor tracker are needed, and of the closest points beside the nearest one
+    /// some may be missing.
     [[nodiscard]] ContactPoints contactPoints(const TipSphere& tip, double reach,
-                                  std::span<const SearchGuess> known,
-                                  ClosestPointTracker& tracker) const noexcept;
+                                              std::span<const SearchGuess> known,
+                                              ClosestPointTracker& tracker) const noexcept;
 
-    /// A closest point of `query`, as on a height field (LocalClosestPoint.h); on a NURBS surface the one that lies
-    /// nearest to the guess as seen from above.
+    /// A closest point of `query`, as on a height field (LocalClosestPoint.h); on a NURBS surface
+    /// the one that lies nearest to the guess as seen from above.
     [[nodiscard]] ClosestPoint localClosestPoint(const Vector3& query,
-                                        const SearchGuess& guess) const noexcept;
+                                                 const SearchGuess& guess) const noexcept;
 
 private:
     std::variant<const BSplineSurface*, const NurbsSurface*> surface_;

@@ -53,8 +53,8 @@ TEST(Project, GivesClosestPointsOnTheSurfaceAlongItsNormal) {
         EXPECT_EQ(out.text(row, "inside"), "true");
         const double distance = out.number(row, "distance_m");
         for (const auto& [point, closest, normal] : {std::tuple{"x_m", "foot_x_m", "nx"},
-                                                  {"y_m", "foot_y_m", "ny"},
-                                                  {"z_m", "foot_z_m", "nz"}}) {
+                                                     {"y_m", "foot_y_m", "ny"},
+                                                     {"z_m", "foot_z_m", "nz"}}) {
             EXPECT_NEAR(out.number(row, point),
                         out.number(row, closest) + distance * out.number(row, normal), 1e-18);
         }
@@ -76,7 +76,8 @@ TEST(Project, FindsTheExactDistanceOfASphere) {
     for (std::size_t row = 0; row < 2; ++row) {
         EXPECT_EQ(out.text(row, "certified"), "true");
         EXPECT_NEAR(out.number(row, "curvature_1_per_m"), 1.0 / 50e-9, 1e-3);
-        // ClosestPoint and point lie on one ray from the center, which is the closest point less R along the normal.
+        // ClosestPoint and point lie on one ray from the center, which is the closest point less R
+        // along the normal.
         const double distance = out.number(row, "distance_m");
         EXPECT_NEAR(out.number(row, "x_m") - out.number(row, "foot_x_m"),
                     distance * out.number(row, "nx"), 1e-20);

@@ -26,7 +26,8 @@ TEST(SlowInstrumentRun, IsRecordedAndReplaysToTheSameBits) {
         instrument = slow.get();
         return slow;
     });
-    run.takeDevice([&] { return std::make_unique<ScriptedDevice>(path, run.settings().positionGain); });
+    run.takeDevice(
+        [&] { return std::make_unique<ScriptedDevice>(path, run.settings().positionGain); });
     RecordingThread recording({folder.path() / "run"}, run.loaded(), run.loop().memory(), 0.0);
     long stale = 0;
     long lost = 0;

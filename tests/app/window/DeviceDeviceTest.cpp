@@ -45,7 +45,9 @@ protected:
         choose("hand", kSimulated);
     }
     const Settings& knobs() { return session.run()->settings(); }
-    double deviceForce() { return session.run()->loop().snapshot().sample.output.deviceForce.norm(); }
+    double deviceForce() {
+        return session.run()->loop().snapshot().sample.output.deviceForce.norm();
+    }
     /// What must be read; closes it. Empty: nothing.
     std::string complaint() {
         auto* box = window.findChild<QMessageBox*>();
@@ -281,8 +283,8 @@ TEST_F(WindowWithDevice, TheCouplingFollowsTheDelayAndWithoutOneTheForcesGoOff) 
 TEST_F(WindowWithDevice, ADeviceThatNoScaleHoldsIsRefusedAndTheMouseStays) {
     std::atomic<double> delay{20.0_ms};
     openFlatScene();
-    EXPECT_THROW(session.run()->takeDevice([&delay] { return std::make_unique<LateDevice>(delay); }),
-                 Error);
+    EXPECT_THROW(
+        session.run()->takeDevice([&delay] { return std::make_unique<LateDevice>(delay); }), Error);
     EXPECT_FALSE(knobs().coupling.couples());
     const double start = session.run()->basePosition().x();
     press(Qt::Key_Right);

@@ -18,7 +18,8 @@ TEST(DevicePath, MovesInStraightLinesAndRestsAtTheEnds) {
     EXPECT_EQ(positionAt(path, 9.0), path[1].position);
 }
 
-class PlannedPath : public ::testing::TestWithParam<DevicePath (*)(const Scene&, const PathPlan&)> {};
+class PlannedPath : public ::testing::TestWithParam<DevicePath (*)(const Scene&, const PathPlan&)> {
+};
 
 TEST_P(PlannedPath, RisesInTimeStaysInTheScanAndLeavesTheSampleAtTheEnd) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());

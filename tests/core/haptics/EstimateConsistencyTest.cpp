@@ -96,8 +96,8 @@ TEST(EstimateConsistency, IsNotCertainOfALawThatNothingTests) {
         const Scene scene = buildScene(description, test::flatMap());
         SimulatedAfm afm(scene.surface, truthOf(scene));
         const DevicePath path{{0.0, {30.0_nm, 64.0_nm, 10.0_nm}},
-                            {1.0, {30.0_nm, 64.0_nm, -1.0_nm}},
-                            {3.0, {80.0_nm, 64.0_nm, -1.0_nm}}};
+                              {1.0, {30.0_nm, 64.0_nm, -1.0_nm}},
+                              {3.0, {80.0_nm, 64.0_nm, -1.0_nm}}};
         double farthest = 0.0;  // of the error, in standard deviations
         long ticks = 0;
         runVirtually(scene, path, afm, 3001, [&](const TickSample& sample) {

@@ -304,7 +304,7 @@ TEST(ScriptedDevice, LeadsTheBaseAlongItsPathWhateverTheGain) {
 
 TEST(ScriptedDevice, TakesOverFromWhereAnotherDeviceIs) {
     ScriptedDevice device({{0.0, {7.0_nm, 0.0, 0.0}}, {1.0, {9.0_nm, 0.0, 0.0}}}, 2.0,
-                      {100.0_nm, 0.0, 0.0});
+                          {100.0_nm, 0.0, 0.0});
     EXPECT_EQ(device.advance(0.5).position.x(), 100.0_nm);
     EXPECT_NEAR(device.advance(1.0).position.x(), 101.0_nm, 1e-18);
 }

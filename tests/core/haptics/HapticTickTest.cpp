@@ -20,15 +20,17 @@ std::vector<TickSample> approachAndRetract(const Scene& scene, double depth) {
     const double y = 0.5 * scene.surface.sizeY();
     const double ground = scene.surface.at(x, y).height;
     const DevicePath path{{0.0, {x, y, ground + 4.0_nm}},
-                        {1.0, {x, y, ground - depth}},
-                        {2.0, {x, y, ground + 4.0_nm}}};
+                          {1.0, {x, y, ground - depth}},
+                          {2.0, {x, y, ground + 4.0_nm}}};
     SimulatedAfm afm(scene.surface, truthOf(scene));
     std::vector<TickSample> samples;
     runVirtually(scene, path, afm, 2001, [&](const TickSample& s) { samples.push_back(s); });
     return samples;
 }
 
-TickInput inputAt(const Vector3& device) { return {.device = {.position = device}, .timeStep = 1e-3}; }
+TickInput inputAt(const Vector3& device) {
+    return {.device = {.position = device}, .timeStep = 1e-3};
+}
 
 TEST(HapticTick, LoadsTheLeverOnAFlatSample) {
     const Scene scene = buildScene(test::plainScene(), test::flatMap());
@@ -205,13 +207,14 @@ TEST(HapticTick, FlagsAPitOfTheTipsOwnShape) {
         tick(scene, inputAt({0.5 * pit.sizeX(), 0.5 * pit.sizeY(), -0.4 * radius}), memory).flags;
     EXPECT_TRUE(seated.has(Validity::SearchNotExhaustive));
     TickMemory beside;
-    EXPECT_FALSE(
-        tick(scene, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), beside).flags.has(Validity::SearchNotExhaustive));
+    EXPECT_FALSE(tick(scene, inputAt({20.0_nm, 20.0_nm, 0.1_nm}), beside)
+                     .flags.has(Validity::SearchNotExhaustive));
 }
 
 TEST(HapticTick, FlagsClosestPointsThatNobodyProved) {
     SceneDescription description = test::plainScene();
-    for (const SearchEffort effort : {SearchEffort::Local, SearchEffort::Global, SearchEffort::Certified}) {
+    for (const SearchEffort effort :
+         {SearchEffort::Local, SearchEffort::Global, SearchEffort::Certified}) {
         description.choices.closestPointSearch = effort;
         const Scene scene = buildScene(description, test::ridgedMap(25.0_nm));
         TickMemory memory;

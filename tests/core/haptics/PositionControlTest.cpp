@@ -49,7 +49,8 @@ Vector3 indenting(const Scene& scene, double x, double y, double depth) {
            Vector3(0.0, 0.0, radius);
 }
 
-/// Largest distance of the true tip from where the device wants it, on a raster of 50 nm in contact.
+/// Largest distance of the true tip from where the device wants it, on a raster of 50 nm in
+/// contact.
 double rasterError(PositionControl control) {
     const Scene scene = buildScene(described(control), test::hillyMap());
     Bench bench(scene);

@@ -84,10 +84,10 @@ TEST(TickAllocation, NorDoesAGovernorWhateverBecomesOfTheForce) {
     std::set<ForceState> states;
     for (int i = 0; i <= 3000; ++i) {
         input.device = {.position = {64.0_nm, 64.0_nm, i < 1500 ? 5.0_nm : -2.0_nm},
-                      .buttons = i > 100 && i < 110 ? 3U : (i > 10 ? 1U : 0U),
-                      .maxForce = i < 2000 ? 5.0 : 1e-12,
-                      .streams = true,
-                      .age = i < 2500 ? 0.0 : (i - 2500) * 1e-3};
+                        .buttons = i > 100 && i < 110 ? 3U : (i > 10 ? 1U : 0U),
+                        .maxForce = i < 2000 ? 5.0 : 1e-12,
+                        .streams = true,
+                        .age = i < 2500 ? 0.0 : (i - 2500) * 1e-3};
         input.settings.forcesOn = i > 5;
         input.settings.guide.kind = static_cast<FixtureKind>(i / 100 % 4);
         const std::size_t before = test::allocationCount();

@@ -260,8 +260,8 @@ TEST(TipEquilibrium, AddsUpTheAreasOfItsClosestPoints) {
                 1e-3 * state.contactArea);
 }
 
-/// A soft lever lifts the tip by much: its closest points are others than those of the undeflected tip, and
-/// none of them may wait for the next tick.
+/// A soft lever lifts the tip by much: its closest points are others than those of the undeflected
+/// tip, and none of them may wait for the next tick.
 TEST(TipEquilibrium, FindsItsClosestPointsWithinOneTickHoweverFarItMoves) {
     SceneDescription description = test::plainScene();
     description.sample.material.friction = {};

@@ -49,8 +49,7 @@ TEST(Leveling, GivesBackASurfaceWhateverPlaneWasAdded) {
 }
 
 TEST(Leveling, LeavesNoMeanAndNoTilt) {
-    const PlaneFit rest =
-        fitPlane(leveled(withPlane(hills(), 5.0_nm, 0.1, 0.2), Leveling::Plane));
+    const PlaneFit rest = fitPlane(leveled(withPlane(hills(), 5.0_nm, 0.1, 0.2), Leveling::Plane));
     EXPECT_NEAR(rest.slopeX, 0.0, 1e-15);
     EXPECT_NEAR(rest.slopeY, 0.0, 1e-15);
     EXPECT_NEAR(rest.mean, 0.0, 1e-22);

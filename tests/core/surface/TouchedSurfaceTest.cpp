@@ -1,8 +1,8 @@
 #include "core/surface/touched/TouchedSurface.h"
 
 #include "core/Units.h"
-#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/closest/ContactPoints.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/nurbs/NurbsShapes.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
@@ -45,7 +45,8 @@ TEST(TouchedSurface, ATipInAGrooveHasTwoClosestPoints) {
     EXPECT_LT(points.list.all()[0].point.x(), 0.0);
     for (const ClosestPoint& closest : points.list.all()) {
         const ClosestPoint again = touched.localClosestPoint(center, closest.guess());
-        EXPECT_LT((again.point - closest.point).norm(), 1e-12_nm) << "each is found again from itself";
+        EXPECT_LT((again.point - closest.point).norm(), 1e-12_nm)
+            << "each is found again from itself";
         EXPECT_NEAR(std::abs(closest.normal.x()), std::numbers::sqrt2 / 2.0, 1e-12);
         EXPECT_NEAR(closest.curvatures.largest, 0.0, 1e-6 / kTipRadius);
     }

@@ -82,8 +82,9 @@ TEST_F(Unplugged, TheFirstTickThatKnowsIsAFaultAndFeelsNothing) {
     device.unplug();
     ASSERT_TRUE(eventually([this] { return !isConnected(); }));
     const std::vector<TickSample> all = ticks();
-    const auto first = std::find_if(
-        all.begin(), all.end(), [](const TickSample& tick) { return !tick.input.device.connected; });
+    const auto first = std::find_if(all.begin(), all.end(), [](const TickSample& tick) {
+        return !tick.input.device.connected;
+    });
     ASSERT_NE(first, all.end());
     ASSERT_NE(first, all.begin());
     const Fault before = (first - 1)->output.fault;  // it may have been silent first

@@ -60,7 +60,8 @@ TEST_F(ControlBarTest, WhatAProgramSetsEmitsNothing) {
     bar.setPath(1);
     bar.setKnobs({.positionGain = 2e-6, .forceGain = 1e8});
     bar.setRecording(true);
-    for (const QSignalSpy* spy : {&running, &forces, &material, &device, &path, &knob, &recording}) {
+    for (const QSignalSpy* spy :
+         {&running, &forces, &material, &device, &path, &knob, &recording}) {
         EXPECT_EQ(spy->count(), 0);
     }
     EXPECT_EQ(child<QPushButton>("startPause").text(), QStringLiteral("Pause"));

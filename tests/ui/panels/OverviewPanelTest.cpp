@@ -242,7 +242,7 @@ TEST(ReliefImage, IsGrayWhereTheScanHoldsNoData) {
     EXPECT_TRUE(relief.hasFilled);
     const auto colorfulness = [&](double x, double y) {
         const QColor color = relief.image.pixelColor(static_cast<int>(x * relief.image.width()),
-                                                      static_cast<int>(y * relief.image.height()));
+                                                     static_cast<int>(y * relief.image.height()));
         return std::max({color.red(), color.green(), color.blue()}) -
                std::min({color.red(), color.green(), color.blue()});
     };

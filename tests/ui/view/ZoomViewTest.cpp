@@ -78,8 +78,8 @@ TEST_F(ZoomViewTest, ShowsTheDentAtTheScansEdge) {
     const Vector3 way(0.0, -64.0_nm, 0.0);  // to the edge that faces the eye
     const TipState state = movedBy(moments.deep, way).sample.output.model;
     const double radius = state.contact.contactRadius;
-    const Vector3 inDent =
-        state.closest.point - 0.6 * radius * view->camera().right() + Vector3(0.0, 0.3 * radius, 0.0);
+    const Vector3 inDent = state.closest.point - 0.6 * radius * view->camera().right() +
+                           Vector3(0.0, 0.3 * radius, 0.0);
     const QColor rest = colorAt(pictureOf(movedBy(moments.away, way)), inDent);
     const QColor dent = colorAt(pictureOf(movedBy(moments.deep, way)), inDent);
     EXPECT_GT(difference(rest, dent), 60);

@@ -30,8 +30,7 @@ const std::vector<MaugisTable>& paperTables() {
     static const std::vector<MaugisTable> tables = [] {
         std::vector<MaugisTable> built;
         for (const double lambda : paperLambdas()) {
-            built.emplace_back(
-                MaugisTableRange{lambda / kRadiusSpan, lambda * kRadiusSpan, kMax});
+            built.emplace_back(MaugisTableRange{lambda / kRadiusSpan, lambda * kRadiusSpan, kMax});
         }
         return built;
     }();
@@ -109,8 +108,7 @@ TEST(MaugisTable, BalancesASpringWithinItsBound) {
                                 *test::logUniform(1.0 / kRadiusSpan, kRadiusSpan));
         const double compliance = *test::logUniform(1e-3, 1e3);
         const auto control = MaugisControl::spring(compliance);
-        const double value =
-            control.held(law.fold(control)) + *test::logUniform(1e-4, kMax) - 1e-3;
+        const double value = control.held(law.fold(control)) + *test::logUniform(1e-4, kMax) - 1e-3;
         const auto exact = law.stable(control, value);
         const double start = *rc::gen::oneOf(
             rc::gen::just(exact ? exact->indentation + 0.1 : 0.0), rc::gen::just(-1e9),

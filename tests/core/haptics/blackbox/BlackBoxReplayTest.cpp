@@ -82,7 +82,8 @@ void expectReplaysUpTo(Fault fault, void (*tamper)(DeviceState&, double)) {
 }
 
 TEST(BlackBoxReplay, RepeatsALostDeviceToTheSameBits) {
-    expectReplaysUpTo(Fault::DeviceLost, [](DeviceState& device, double) { device.connected = false; });
+    expectReplaysUpTo(Fault::DeviceLost,
+                      [](DeviceState& device, double) { device.connected = false; });
 }
 
 TEST(BlackBoxReplay, RepeatsASilentDeviceToTheSameBits) {

@@ -30,7 +30,8 @@ public:
 
     TickInput input;    ///< of the last tick; its settings are those of the next one
     TickMemory memory;  ///< what the next tick starts from
-    std::function<void(DeviceState&, double time)> tamper;  ///< with what the device tells at a time
+    std::function<void(DeviceState&, double time)>
+        tamper;  ///< with what the device tells at a time
     [[nodiscard]] double now() const noexcept { return time_; }
     [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
 

@@ -79,7 +79,8 @@ TEST(WorkspaceEdge, PushesInTheDevicesAxesWhateverTheView) {
     const MappingSettings turned{
         .axes = Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3::UnitZ()).toRotationMatrix()};
     const Vector3 device = kTouch.center + 0.1 * kWayOut;
-    EXPECT_EQ(mapDevice(kTouch, device, turned, {}).edgeForce, mapDevice(kTouch, device, {}, {}).edgeForce);
+    EXPECT_EQ(mapDevice(kTouch, device, turned, {}).edgeForce,
+              mapDevice(kTouch, device, {}, {}).edgeForce);
 }
 
 TEST(WorkspaceEdge, AWorkspaceThatNobodyKnowsHasNoEdge) {

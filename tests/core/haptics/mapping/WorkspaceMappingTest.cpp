@@ -128,7 +128,8 @@ TEST(WorkspaceMapping, PowerIsTheSameInTheDevicesAxesAndTheWorlds) {
 }
 
 TEST(WorkspaceMapping, TheDeviceFollowsTheScreen) {
-    // Looking along +y, z up: the device's own axes. From above: up in the image is a device's rise.
+    // Looking along +y, z up: the device's own axes. From above: up in the image is a device's
+    // rise.
     EXPECT_TRUE(viewAxes(Vector3::UnitX(), Vector3::UnitZ())->isIdentity(1e-15));
     const Matrix3 above = viewAxes(2.0 * Vector3::UnitX(), 3.0 * Vector3::UnitY()).value();
     expectNear(above * Vector3::UnitZ(), Vector3::UnitY(), 1.0);
@@ -165,7 +166,8 @@ TEST(WorkspaceMapping, RefusesGainsAndAxesThatAreNone) {
     const Matrix3 mirror = Vector3(-1.0, 1.0, 1.0).asDiagonal();
     const Matrix3 none = Matrix3::Constant(kNan);
     for (const Matrix3& axes : {Matrix3(2.0 * Matrix3::Identity()), mirror, none}) {
-        EXPECT_EQ(mapDevice({}, Vector3::Zero(), {.axes = axes}, {}).status, MappingStatus::Invalid);
+        EXPECT_EQ(mapDevice({}, Vector3::Zero(), {.axes = axes}, {}).status,
+                  MappingStatus::Invalid);
     }
 }
 

@@ -21,10 +21,10 @@ TickSample sampleOf(double time) {
     sample.time = time;
     sample.input.timeStep = 1.0 / 3.0e3;
     sample.input.device = {.position = {1.0 / 3.0, -2e-9 / 7.0, 5e-324},
-                         .buttons = 5,
-                         .maxForce = 8.5 / 3.0,
-                         .streams = true,
-                         .age = 1e-3 / 3.0};
+                           .buttons = 5,
+                           .maxForce = 8.5 / 3.0,
+                           .streams = true,
+                           .age = 1e-3 / 3.0};
     sample.input.starts = 2;
     sample.input.measurement = {{0.1 + 0.2, -1e-300}, 0.02};
     sample.input.settings = {

@@ -15,8 +15,8 @@ namespace {
 TickMemory someMemory() {
     TickMemory memory;
     memory.model.points[0] = {.guess = {.x = 1.0 / 3.0, .y = 2e-7 / 3.0, .valid = true},
-                            .contact = {ContactBranch::Bonded, 0.1 + 0.2},
-                            .friction = 1.1e-9};
+                              .contact = {ContactBranch::Bonded, 0.1 + 0.2},
+                              .friction = 1.1e-9};
     memory.model.points[1].guess = {.x = 2.0 / 3.0, .y = -1e-7 / 3.0, .valid = true};
     memory.model.pointCount = 2;
     memory.model.deflection = {1e-9 / 3.0, -2e-9, 3e-9};

@@ -15,8 +15,8 @@ namespace {
 
 using test::RoughMap;
 
-/// Blocks of a window in which the distance can only grow hold no point nearer than the closest point, and
-/// blocks that are left out hold none within the window's distance.
+/// Blocks of a window in which the distance can only grow hold no point nearer than the closest
+/// point, and blocks that are left out hold none within the window's distance.
 class BoundsWindowOf : public testing::TestWithParam<RoughMap> {
 protected:
     BSplineSurface surface_ = surfaceOf(GetParam());

@@ -48,7 +48,8 @@ bool BruteClosestPoints::isLowest(const Vector3& query, const Place& place) cons
     return true;
 }
 
-std::vector<BruteClosestPoints::Place> BruteClosestPoints::lowestPlaces(const Vector3& query) const {
+std::vector<BruteClosestPoints::Place>
+BruteClosestPoints::lowestPlaces(const Vector3& query) const {
     std::vector<Place> lowest;
     for (int row = 0; row < rows_; ++row) {
         for (int column = 0; column < columns_; ++column) {
@@ -69,7 +70,8 @@ std::vector<ClosestPoint> BruteClosestPoints::near(const Vector3& query) const {
     for (const Place& place : lowestPlaces(query)) {
         points.push_back(localClosestPoint(surface_, query, {x(place.column), y(place.row), true}));
     }
-    std::ranges::sort(points, {}, [](const ClosestPoint& closest) { return std::abs(closest.distance); });
+    std::ranges::sort(points, {},
+                      [](const ClosestPoint& closest) { return std::abs(closest.distance); });
     return points;
 }
 

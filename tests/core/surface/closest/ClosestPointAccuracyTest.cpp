@@ -1,7 +1,7 @@
 #include "core/Random.h"
 #include "core/Units.h"
-#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/closest/ClosestPointSearch.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/StorageError.h"
 
@@ -91,14 +91,15 @@ protected:
             const Vector2 place(kSize * random.uniform(0.4, 0.6), kSize * random.uniform(0.4, 0.6));
             const HeightSample truth = GetParam().at(place);
             const Vector3 point(place.x(), place.y(), truth.height);
-            const ClosestPoint closest = closestPoint(surface, point + kDistance * truth.normal(), {});
+            const ClosestPoint closest =
+                closestPoint(surface, point + kDistance * truth.normal(), {});
             EXPECT_TRUE(closest.certified());
             const PrincipalCurvatures curvatures = principalCurvatures(truth);
             errors.position = std::max(errors.position, std::abs(closest.distance - kDistance));
             errors.normal = std::max(errors.normal, (closest.normal - truth.normal()).norm());
-            errors.curvature =
-                std::max({errors.curvature, std::abs(closest.curvatures.largest - curvatures.largest),
-                          std::abs(closest.curvatures.smallest - curvatures.smallest)});
+            errors.curvature = std::max(
+                {errors.curvature, std::abs(closest.curvatures.largest - curvatures.largest),
+                 std::abs(closest.curvatures.smallest - curvatures.smallest)});
         }
         return errors;
     }

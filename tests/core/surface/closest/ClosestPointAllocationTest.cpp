@@ -1,7 +1,7 @@
 #include "core/Units.h"
-#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/closest/ClosestPointSearch.h"
 #include "core/surface/closest/ContactPoints.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/nurbs/NurbsClosestPoint.h"
 #include "core/surface/nurbs/NurbsShapes.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
@@ -49,8 +49,8 @@ TEST(ContactPoints, DoNotAllocateOnARoughMap) {
         for (std::size_t k = 0; k < kept; ++k) {
             known[k] = points.list.all()[k].guess();
         }
-        points =
-            contactPoints(surface, {.center = center, .radius = 15.0_nm}, 10.0_nm, {known.data(), kept});
+        points = contactPoints(surface, {.center = center, .radius = 15.0_nm}, 10.0_nm,
+                               {known.data(), kept});
         sum += points.list.all().front().distance;
         several += points.list.all().size() > 1 ? 1U : 0U;
     }

@@ -1,7 +1,7 @@
 #include "core/Random.h"
 #include "core/Units.h"
-#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/closest/ClosestPointSearch.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <gtest/gtest.h>

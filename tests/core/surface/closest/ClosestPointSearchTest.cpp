@@ -41,8 +41,8 @@ BSplineSurface surfaceOf(const Quadric& shape) { return fitSurface(sampledMap(kS
 
 SearchGuess guessAt(double x, double y) { return {.x = x, .y = y, .valid = true}; }
 
-/// How far a closest point may lie off because the surface is kept in single precision: what a change of
-/// slope moves it by at this distance, ten times that close to a center of curvature.
+/// How far a closest point may lie off because the surface is kept in single precision: what a
+/// change of slope moves it by at this distance, ten times that close to a center of curvature.
 double closestPointError(const BSplineSurface& surface, double distance) {
     const test::StorageError storage = test::storageErrorOf(surface);
     return 10.0 * (storage.height + std::abs(distance) * storage.slope);
@@ -55,7 +55,7 @@ struct ExpectedClosestPoint {
 };
 
 void expectPoint(const BSplineSurface& surface, const ClosestPoint& closest,
-                const ExpectedClosestPoint& expected) {
+                 const ExpectedClosestPoint& expected) {
     constexpr double kStrongestBend = 1.0 / 20.0_nm;
     const test::StorageError storage = test::storageErrorOf(surface);
     const double place = 1e-12 * kSize + closestPointError(surface, expected.distance);
@@ -79,7 +79,7 @@ TEST(ClosestPoint, OnATiltedPlaneIsThePerpendicularClosestPoint) {
             const Vector3 query = point + distance * normal;
             expectPoint(surface, closestPoint(surface, query, {}), {point, normal, distance});
             expectPoint(surface, closestPoint(surface, query, guessAt(55.0_nm, 20.0_nm)),
-                       {point, normal, distance});
+                        {point, normal, distance});
         }
     }
 }
@@ -92,7 +92,7 @@ TEST(ClosestPoint, OnAHillLiesAlongTheNormalAtAnyDistance) {
             const Vector3 normal = hill.normal(x, y);
             const Vector3 query = hill.point(x, y) + distance * normal;
             expectPoint(surface, closestPoint(surface, query, guessAt(x + 3.0_nm, y - 4.0_nm)),
-                       {hill.point(x, y), normal, distance});
+                        {hill.point(x, y), normal, distance});
         }
     }
 }
@@ -106,7 +106,7 @@ TEST(ClosestPoint, InAValleyLiesAlongTheNormalUpToTheCenterOfCurvature) {
         const Vector3 normal = valley.normal(x, y);
         const Vector3 query = valley.point(x, y) + distance * normal;
         expectPoint(surface, closestPoint(surface, query, guessAt(x + 1.0_nm, y)),
-                   {valley.point(x, y), normal, distance});
+                    {valley.point(x, y), normal, distance});
     }
 }
 
@@ -138,7 +138,8 @@ TEST(ClosestPoint, OfAConvexSurfaceDoesNotDependOnTheStart) {
     const Vector3 first = closestPoint(surface, query, guessAt(45.0_nm, 52.0_nm)).point;
     for (int i = 0; i <= 14; ++i) {
         for (int j = 0; j <= 14; ++j) {
-            const ClosestPoint closest = closestPoint(surface, query, guessAt(i * 7.0_nm, j * 7.0_nm));
+            const ClosestPoint closest =
+                closestPoint(surface, query, guessAt(i * 7.0_nm, j * 7.0_nm));
             ASSERT_TRUE(closest.converged);
             ASSERT_LT((closest.point - hill.point(45.0_nm, 52.0_nm)).norm(), tolerance);
             ASSERT_LT((closest.point - first).norm(), 1e-12 * kSize);
@@ -150,7 +151,8 @@ TEST(ClosestPoint, LeavesTheBottomOfAValleyThatIsTheFarthestPoint) {
     const double radius = 10.0_nm;
     const Quadric valley{.bendX = 1.0 / radius};
     const BSplineSurface surface = surfaceOf(valley);
-    const double height = 2.5 * radius;  // above the center of curvature: two closest points on the flanks
+    const double height =
+        2.5 * radius;  // above the center of curvature: two closest points on the flanks
     const Vector3 query(0.5 * kSize, 40.0_nm, height);
     const ClosestPoint closest = closestPoint(surface, query, guessAt(0.5 * kSize, 40.0_nm));
     EXPECT_TRUE(closest.converged);
@@ -172,7 +174,8 @@ TEST(ClosestPoint, BesideTheScanStandsOnItsEdge) {
     EXPECT_FALSE(closest.insideScan);
     EXPECT_TRUE(closest.converged);
     EXPECT_EQ(closest.point.x(), kSize);
-    EXPECT_NEAR(closest.point.y(), 30.0_nm, 1e-12 * kSize + closestPointError(surface, closest.distance));
+    EXPECT_NEAR(closest.point.y(), 30.0_nm,
+                1e-12 * kSize + closestPointError(surface, closest.distance));
     EXPECT_NEAR(closest.distance, (outside - plane.point(kSize, 30.0_nm)).norm(),
                 1e-12 * kSize + test::storageErrorOf(surface).height);
 

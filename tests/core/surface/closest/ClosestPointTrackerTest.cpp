@@ -2,8 +2,8 @@
 
 #include "core/surface/closest/BoundsWindow.h"
 #include "core/surface/closest/ClosestPointSearch.h"
-#include "core/surface/closest/LocalClosestPoint.h"
 #include "core/surface/closest/ContactPoints.h"
+#include "core/surface/closest/LocalClosestPoint.h"
 #include "tests/core/surface/closest/RoughSurface.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,8 @@ TEST_P(ClosestPointTrackerOn, SaysWhatASearchOfItsOwnSays) {
     }
 }
 
-/// Wherever in the ball a query lies that has a closest point in its anchor: no other closest point is in reach.
+/// Wherever in the ball a query lies that has a closest point in its anchor: no other closest point
+/// is in reach.
 TEST_P(ClosestPointTrackerOn, ABallHoldsForAllItsQueries) {
     int proven = 0;
     for (int i = 0; i < 5000; ++i) {
@@ -89,7 +90,8 @@ TEST_P(ClosestPointTrackerOn, ABallHoldsForAllItsQueries) {
         const SearchReach reach{.behindNearest = random_.uniform(0.0, 3.0) * 1.0_nm};
         const double radius = std::pow(10.0, random_.uniform(-2.0, 0.3)) * 1.0_nm;
         ProvenBall ball;
-        ASSERT_NE(completePoints(surface_, {query, radius}, reach, points, ball), SearchProof::NotSought);
+        ASSERT_NE(completePoints(surface_, {query, radius}, reach, points, ball),
+                  SearchProof::NotSought);
         proven += ball.queries.radius > 0.0 ? 1 : 0;
         for (int k = 0; k < 20 && ball.queries.radius > 0.0; ++k) {
             const double moved = k % 2 == 0 ? radius : radius * random_.uniform();

@@ -42,14 +42,15 @@ BSplineSurface surfaceOf(const std::function<double(double, double)>& above) {
 
 /// ClosestPoints of a tip over the middle of the scan.
 ContactPoints contactPointsAt(const BSplineSurface& surface, double height) {
-    return contactPoints(surface, {.center = {kMiddle, kMiddle, height}, .radius = kTipRadius}, kReach,
-                   {});
+    return contactPoints(surface, {.center = {kMiddle, kMiddle, height}, .radius = kTipRadius},
+                         kReach, {});
 }
 
 /// Whether a closest point stands at (x, y), counted from the middle.
 bool standsAt(const ContactPoints& points, double x, double y, double tolerance) {
     return std::ranges::any_of(points.list.all(), [&](const ClosestPoint& closest) {
-        return std::hypot(closest.point.x() - kMiddle - x, closest.point.y() - kMiddle - y) < tolerance;
+        return std::hypot(closest.point.x() - kMiddle - x, closest.point.y() - kMiddle - y) <
+               tolerance;
     });
 }
 
@@ -172,8 +173,8 @@ struct Ring {
     }
     [[nodiscard]] ContactPoints points() const {
         const BSplineSurface balls = surface();
-        return contactPoints(balls, {.center = {kMiddle, kMiddle, kHeight}, .radius = nearest()}, kReach,
-                       {});
+        return contactPoints(balls, {.center = {kMiddle, kMiddle, kHeight}, .radius = nearest()},
+                             kReach, {});
     }
     /// Place of the closest point on ball i, from the scan's middle.
     [[nodiscard]] Vector2 closest(std::size_t i) const {
@@ -257,8 +258,8 @@ TEST(ContactPoints, FarBelowTheSurfaceAreTheNearest) {
             .center = {place.x(), place.y(), rough.at(place.x(), place.y()).height - deep},
             .radius = kTipRadius};
         const ClosestPoint nearest = closestPoint(rough, tip.center, {});
-        for (const ContactPoints& points :
-             {contactPoints(rough, tip, kReach, {}), contactPoints(rough, tip, {kReach}, {}, tracker)}) {
+        for (const ContactPoints& points : {contactPoints(rough, tip, kReach, {}),
+                                            contactPoints(rough, tip, {kReach}, {}, tracker)}) {
             ASSERT_NE(points.proof, SearchProof::OutOfReach);
             if (points.proof == SearchProof::Nearest) {
                 ++proven;
@@ -284,7 +285,8 @@ TEST(ContactPoints, OfAWideTipOverManyBumpsFindRoom) {
     }
     ClosestPointTracker tracker;
     const TipSphere tip{.center = {kMiddle, kMiddle, 400.0_nm}, .radius = 399.0_nm};
-    EXPECT_EQ(contactPoints(bumps, tip, {kReach}, known, tracker).list.all().size(), kMaxContactPoints);
+    EXPECT_EQ(contactPoints(bumps, tip, {kReach}, known, tracker).list.all().size(),
+              kMaxContactPoints);
 }
 
 TEST(ContactPoints, OfAPointThatIsNoneAreNotConverged) {
@@ -316,7 +318,8 @@ TEST(ClosestPointList, KeepsTheNearestInOrderAndNoClosestPointTwice) {
     EXPECT_EQ(places(), (std::vector<double>{1.0, 3.0, 4.0, 5.0, 6.0, -7.0}));
     EXPECT_FALSE(list.hasLeftOut());
     for (std::size_t i = 0; i < kMaxMinima; ++i) {
-        list.add(closestPointAt(100.0 + static_cast<double>(i), 10.0 + static_cast<double>(i)), 0.5);
+        list.add(closestPointAt(100.0 + static_cast<double>(i), 10.0 + static_cast<double>(i)),
+                 0.5);
     }
     EXPECT_EQ(list.all().size(), kMaxMinima);
     EXPECT_TRUE(list.hasLeftOut());

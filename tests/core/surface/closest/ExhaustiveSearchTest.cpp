@@ -1,8 +1,8 @@
 #include "core/surface/closest/ExhaustiveSearch.h"
 
 #include "core/surface/closest/ClosestPointSearch.h"
-#include "core/surface/closest/LocalClosestPoint.h"
 #include "core/surface/closest/ContactPoints.h"
+#include "core/surface/closest/LocalClosestPoint.h"
 #include "tests/core/surface/closest/BruteClosestPoints.h"
 #include "tests/core/surface/closest/RoughSurface.h"
 
@@ -22,7 +22,8 @@ namespace {
 using test::BruteClosestPoints;
 using test::RoughMap;
 
-/// Distances that differ by less are the same: a closest point may lie so much farther than the nearest [m].
+/// Distances that differ by less are the same: a closest point may lie so much farther than the
+/// nearest [m].
 double allowance(double distance) { return 1e-6_nm + kSameDistance * std::abs(distance); }
 
 struct RoughCase {
@@ -109,7 +110,8 @@ TEST_P(ClosestPointSearchOn, NeverCallsAClosestPointNearestThatIsNot) {
         const double nearest = std::abs(brute.nearest(query).distance);
         if (closest.certified()) {
             ++certified;
-            ASSERT_LE(std::abs(closest.distance), nearest + allowance(nearest)) << query.transpose();
+            ASSERT_LE(std::abs(closest.distance), nearest + allowance(nearest))
+                << query.transpose();
         }
     }
     EXPECT_GE(certified, GetParam().certifiedShare * static_cast<double>(queries.size()));
@@ -117,7 +119,8 @@ TEST_P(ClosestPointSearchOn, NeverCallsAClosestPointNearestThatIsNot) {
 
 /// Smallest second derivative of half the squared distance at a closest point, 1 over a plane.
 double leastBend(const BSplineSurface& surface, const Vector3& query, const ClosestPoint& closest) {
-    const LocalModel model = HalfSquaredDistance(surface, query)({closest.point.x(), closest.point.y()});
+    const LocalModel model =
+        HalfSquaredDistance(surface, query)({closest.point.x(), closest.point.y()});
     const Eigen::Matrix2d& h = model.hessian;
     return 0.5 * (h(0, 0) + h(1, 1)) - std::hypot(0.5 * (h(0, 0) - h(1, 1)), h(0, 1));
 }
@@ -130,14 +133,16 @@ TEST_P(ClosestPointSearchOn, FindsTheSameClosestPointFromAnyGuess) {
         const ClosestPoint first = closestPoint(surface_, query, {});
         for (int i = 0; first.certified() && i < 10; ++i) {
             const Vector2 start = test::placeOn(surface_, random);
-            const ClosestPoint closest = closestPoint(surface_, query, {start.x(), start.y(), true});
+            const ClosestPoint closest =
+                closestPoint(surface_, query, {start.x(), start.y(), true});
             if (!closest.certified()) {
                 continue;
             }
             ASSERT_NEAR(std::abs(closest.distance), std::abs(first.distance),
                         allowance(first.distance));
-            const double bend =
-                closest.insideScan ? std::clamp(leastBend(surface_, query, closest), 1e-6, 1.0) : 1e-3;
+            const double bend = closest.insideScan
+                                    ? std::clamp(leastBend(surface_, query, closest), 1e-6, 1.0)
+                                    : 1e-3;
             const bool same = (closest.point - first.point).head<2>().norm() < 1e-9 * pitch / bend;
             ties += same ? 0 : 1;
         }
@@ -145,7 +150,8 @@ TEST_P(ClosestPointSearchOn, FindsTheSameClosestPointFromAnyGuess) {
     EXPECT_LE(ties, 6);  // of 720
 }
 
-/// contactPoints promises every closest point within reach: none that brute force finds may be missing.
+/// contactPoints promises every closest point within reach: none that brute force finds may be
+/// missing.
 TEST_P(ClosestPointSearchOn, TipClosestPointsMissNone) {
     const BruteClosestPoints brute(surface_, 6);
     const double pitch = std::sqrt(surface_.grid().pitchX * surface_.grid().pitchY);
@@ -170,8 +176,8 @@ TEST_P(ClosestPointSearchOn, TipClosestPointsMissNone) {
             const bool listed = std::ranges::any_of(known, [&](const ClosestPoint& closest) {
                 return (closest.point - sought.point).norm() <= (kSamePoint + 1e-6) * radius;
             });
-            const bool crowdedOut =
-                known.size() == kMaxContactPoints && distance >= std::abs(known.back().distance) - 1e-6_nm;
+            const bool crowdedOut = known.size() == kMaxContactPoints &&
+                                    distance >= std::abs(known.back().distance) - 1e-6_nm;
             ASSERT_TRUE(!matters || listed || crowdedOut)
                 << tip.center.transpose() << " r " << radius << " foot "
                 << sought.point.transpose();
@@ -214,7 +220,8 @@ TEST_P(ClosestPointSearchOnHard, NeverCallsAClosestPointNearestThatIsNot) {
         const double nearest = std::abs(brute.nearest(query).distance);
         if (closest.certified()) {
             ++certified;
-            ASSERT_LE(std::abs(closest.distance), nearest + allowance(nearest)) << query.transpose();
+            ASSERT_LE(std::abs(closest.distance), nearest + allowance(nearest))
+                << query.transpose();
         }
     }
     EXPECT_GE(certified, 0.9 * static_cast<double>(queries.size()));
@@ -241,7 +248,8 @@ void expectManyPointsOrTheRightDistance(const BSplineSurface& surface, const Vec
     const double nearest = std::abs(brute.nearest(query).distance);
     const ClosestPoint closest = closestPoint(surface, query, {});
     EXPECT_TRUE(closest.proof == SearchProof::TooManyPoints || closest.certified());
-    EXPECT_LE(std::abs(closest.distance), nearest + (closest.certified() ? allowance(nearest) : 0.1_nm));
+    EXPECT_LE(std::abs(closest.distance),
+              nearest + (closest.certified() ? allowance(nearest) : 0.1_nm));
     const TipSphere tip{.center = query, .radius = nearest};
     const ContactPoints points = contactPoints(surface, tip, 10.0_nm, {});
     EXPECT_TRUE(points.proof == SearchProof::TooManyPoints || points.proof == SearchProof::Nearest);
@@ -273,7 +281,8 @@ TEST(ExhaustiveSearch, FindsMinimaWherePartsMeet) {
         const double middleX = 0.5 * surface.sizeX();
         const double middleY = 0.5 * surface.sizeY();
         const Vector3 query(middleX, middleY, surface.at(middleX, middleY).height + 12.0_nm);
-        const ContactPoints points = contactPoints(surface, {.center = query, .radius = 12.0_nm}, 10.0_nm, {});
+        const ContactPoints points =
+            contactPoints(surface, {.center = query, .radius = 12.0_nm}, 10.0_nm, {});
         const auto known = points.list.all();
         if (points.proof != SearchProof::Nearest || known.size() == kMaxContactPoints) {
             continue;
@@ -281,8 +290,8 @@ TEST(ExhaustiveSearch, FindsMinimaWherePartsMeet) {
         const ClosestPoint sought = BruteClosestPoints(surface, 6).nearest(query);
         ASSERT_NEAR(std::abs(known.front().distance), std::abs(sought.distance), 1e-6_nm);
         for (const ClosestPoint& closest : known) {
-            const Vector3 mirrored(2.0 * middleX - closest.point.x(), 2.0 * middleY - closest.point.y(),
-                                   closest.point.z());
+            const Vector3 mirrored(2.0 * middleX - closest.point.x(),
+                                   2.0 * middleY - closest.point.y(), closest.point.z());
             ++found;
             ASSERT_TRUE(std::ranges::any_of(known, [&](const ClosestPoint& other) {
                 return (other.point - mirrored).norm() < 1.01 * kSamePoint * 12.0_nm;
@@ -341,9 +350,10 @@ TEST(ExhaustiveSearch, CallsNoSaddleAClosestPoint) {
                 const double b = s.dx * s.dy + e * s.dxy;
                 const double c = 1.0 + s.dy * s.dy + e * s.dyy;
                 converged += closest.converged ? 1 : 0;
-                saddles += closest.converged && closest.insideScan && (a < -1e-6 || a * c < b * b - 1e-6)
-                               ? 1
-                               : 0;
+                saddles +=
+                    closest.converged && closest.insideScan && (a < -1e-6 || a * c < b * b - 1e-6)
+                        ? 1
+                        : 0;
             }
         }
     }

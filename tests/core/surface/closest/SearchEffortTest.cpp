@@ -34,7 +34,8 @@ Slide slideOver(const BSplineSurface& surface) {
         const Vector3 query(x, y, surface.at(x, y).height + kSlideHeight);
         const ClosestPoint nearest = closestPoint(surface, query, {}, tracker);
         const ClosestPoint byLocal = closestPoint(surface, query, local, none, SearchEffort::Local);
-        const ClosestPoint byGlobal = closestPoint(surface, query, global, none, SearchEffort::Global);
+        const ClosestPoint byGlobal =
+            closestPoint(surface, query, global, none, SearchEffort::Global);
         EXPECT_EQ(byLocal.proof, SearchProof::NotSought);
         EXPECT_EQ(byGlobal.proof, SearchProof::Likely);
         EXPECT_FALSE(byGlobal.certified());

@@ -1,9 +1,9 @@
 #include "core/Random.h"
 #include "core/Units.h"
-#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/closest/ClosestPointSearch.h"
 #include "core/surface/closest/LocalClosestPoint.h"
 #include "core/surface/closest/PartSearch.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/surface/closest/ClosestPointSearch.h"
 #include "core/surface/deformation/DisplacementField.h"
 #include "core/surface/fit/BSplineFit.h"
-#include "core/surface/closest/ClosestPointSearch.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 
 #include <Eigen/Geometry>

@@ -2,8 +2,8 @@
 
 #include "core/Random.h"
 #include "core/Units.h"
-#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/closest/ClosestPointSearch.h"
+#include "core/surface/fit/BSplineFit.h"
 #include "core/surface/nurbs/NurbsDescent.h"
 #include "core/surface/nurbs/NurbsShapes.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
@@ -102,7 +102,8 @@ TEST(NurbsClosestPoint, OfASphereIsAsGoodAtThePolesAndOnTheSeam) {
     }
     for (const double off : {-1e-3, -1e-9, -1e-12, -1e-15, 0.0, 1e-15, 1e-12, 1e-9, 1e-3}) {
         const Vector3 direction = (kFrame.first + off * kFrame.second + 0.3 * pole).normalized();
-        const NurbsClosestPoint closest = provenPoint(sphere, kFrame.center + 1.1 * kRadius * direction);
+        const NurbsClosestPoint closest =
+            provenPoint(sphere, kFrame.center + 1.1 * kRadius * direction);
         EXPECT_NEAR(closest.closest.distance, 0.1 * kRadius, 1e-13 * kRadius);
         EXPECT_LT((closest.closest.normal - direction).norm(), 1e-12);
         EXPECT_TRUE(closest.closest.insideScan);
@@ -147,7 +148,8 @@ TEST(NurbsClosestPoint, OfACylinderLiesOnTheLineFromItsAxis) {
         const Vector3 out = std::cos(turn) * kFrame.first + std::sin(turn) * kFrame.second;
         const Vector3 axisPoint = kFrame.center + (random.uniform() - 0.5) * length * kFrame.axis();
         const double distance = kRadius * (3.0 * random.uniform() - 0.99);
-        const NurbsClosestPoint closest = provenPoint(cylinder, axisPoint + (kRadius + distance) * out);
+        const NurbsClosestPoint closest =
+            provenPoint(cylinder, axisPoint + (kRadius + distance) * out);
         ASSERT_NEAR(closest.closest.distance, distance, 1e-13 * 5.0 * kRadius);
         ASSERT_LT((closest.closest.normal - out).norm(), 1e-11);
     }
@@ -199,7 +201,8 @@ TEST(NurbsClosestPoint, OnASurfaceHasNoDistance) {
             provenPoint(sphere, sphere.at(random.uniform(), random.uniform()).point);
         ASSERT_NEAR(closest.closest.distance, 0.0, 1e-14 * kRadius);
     }
-    EXPECT_NEAR(provenPoint(sphere, sphere.at(0.3, 1.0).point).closest.distance, 0.0, 1e-14 * kRadius);
+    EXPECT_NEAR(provenPoint(sphere, sphere.at(0.3, 1.0).point).closest.distance, 0.0,
+                1e-14 * kRadius);
 }
 
 TEST(NurbsClosestPoint, FarAwayIsStillTheNearestPoint) {
@@ -208,12 +211,13 @@ TEST(NurbsClosestPoint, FarAwayIsStillTheNearestPoint) {
     for (const double distance : {1e-3, 1.0, 1e3}) {
         for (int i = 0; i < 20; ++i) {
             const Vector3 direction = onUnitSphere(random);
-            const NurbsClosestPoint closest = provenPoint(sphere, kFrame.center + distance * direction);
+            const NurbsClosestPoint closest =
+                provenPoint(sphere, kFrame.center + distance * direction);
             ASSERT_NEAR(closest.closest.distance, distance - kRadius, 1e-15 * distance);
         }
     }
-    EXPECT_TRUE(
-        std::isfinite(nearestPoints(sphere, Vector3(1e49, -1e49, 1e49), {}).nearest().closest.distance));
+    EXPECT_TRUE(std::isfinite(
+        nearestPoints(sphere, Vector3(1e49, -1e49, 1e49), {}).nearest().closest.distance));
 }
 
 TEST(NurbsClosestPoint, OfNoPointIsMeaningless) {
@@ -244,7 +248,7 @@ TEST(NurbsClosestPoint, InAGrooveIsOneOfTwo) {
     const NurbsSurface groove(net);
     const double distance = 20.0_nm * std::numbers::sqrt2 / 2.0;
     const NurbsClosestPoints points = nearestPoints(groove, Vector3(0.0, 40.0_nm, 20.0_nm),
-                                       {.within = 15.0_nm, .sameWithin = 0.3_nm});
+                                                    {.within = 15.0_nm, .sameWithin = 0.3_nm});
     ASSERT_EQ(points.all().size(), 2U);
     EXPECT_EQ(points.proof(), SearchProof::Nearest);
     for (const NurbsClosestPoint& closest : points.all()) {
@@ -325,7 +329,8 @@ TEST(NurbsClosestPoint, OfAHeightFieldIsThatOfTheHeightField) {
                             4.0_nm + 6.0_nm * random.uniform());
         const NurbsClosestPoint closest = provenPoint(surface, query);
         const ClosestPoint expected = closestPoint(
-            field, query, {.x = closest.closest.point.x(), .y = closest.closest.point.y(), .valid = true});
+            field, query,
+            {.x = closest.closest.point.x(), .y = closest.closest.point.y(), .valid = true});
         ASSERT_TRUE(expected.converged);
         ASSERT_NEAR(closest.closest.distance, expected.distance, 1e-13 * 80.0_nm);
         ASSERT_LT((closest.closest.point - expected.point).norm(), 1e-11 * 80.0_nm);
