@@ -72,7 +72,7 @@ void DeviceControl::attach() {
 
 void DeviceControl::detach() {
     const LiveRun& run = *runs_.run();
-    before_ = run.coupling().device() != nullptr ? device_.driver() : nullptr;
+    before_ = run.coupling().coupled() != nullptr ? device_.driver() : nullptr;
     scaleBefore_ = {run.settings().positionGain, run.settings().forceGain};
     device_.detach();
 }
@@ -192,11 +192,11 @@ void DeviceControl::followDelay() {
         return;
     }
     show();
-    const CoupledDevice& device = *runs_.run()->coupling().device();
-    if (device.holds()) {
+    const CoupledDevice& coupled = *runs_.run()->coupling().coupled();
+    if (coupled.holds()) {
         tell();
     } else {
-        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(device.refusal)));
+        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(coupled.refusal)));
     }
 }
 
@@ -209,13 +209,13 @@ void DeviceControl::show() {
 
 /// Of one with motors: its scale, and what is felt; so short that the bottom line has room for it.
 void DeviceControl::tell() {
-    if (const CoupledDevice* const device = runs_.run()->coupling().device()) {
+    if (const CoupledDevice* const coupled = runs_.run()->coupling().coupled()) {
         const Settings& settings = runs_.run()->settings();
         window_.tell(tr("%1; the hand feels %2 of %3")
                          .arg(QString::fromStdString(
                                   scaleWords({settings.positionGain, settings.forceGain})),
-                              QString::fromStdString(formatSi(device->judgment.felt, "N/m")),
-                              QString::fromStdString(formatSi(device->judgment.contact, "N/m"))));
+                              QString::fromStdString(formatSi(coupled->judgment.felt, "N/m")),
+                              QString::fromStdString(formatSi(coupled->judgment.contact, "N/m"))));
     }
 }
 

@@ -59,7 +59,7 @@ Settings LiveRun::sensingSettings() const {
 }
 
 void LiveRun::requireHolding(const SceneDescription& scene) const {
-    if (coupling_.device() != nullptr) {
+    if (coupling_.coupled() != nullptr) {
         coupling_.requireHolding(believedSystem(scene, usualModel(scene)), settings_);
     }
 }

@@ -20,8 +20,8 @@ std::size_t ringSize(const Scene& scene) {
 HapticLoop::HapticLoop(const Scene& scene, HapticDevice& device, AfmController& afm)
     : settings_(scene.settings)
     , scene_(scene)
-    , hand_(&device)
-    , device_(device.specification())
+    , device_(&device)
+    , specification_(device.specification())
     , afm_(afm)
     , samples_(ringSize(scene)) {}
 
@@ -37,8 +37,8 @@ void HapticLoop::start() {
 }
 
 void HapticLoop::setDevice(HapticDevice& device) noexcept {
-    hand_ = &device;
-    device_ = device.specification();
+    device_ = &device;
+    specification_ = device.specification();
 }
 
 void HapticLoop::stop() {
@@ -78,9 +78,9 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     TickInput& input = sample.input;
     input.settings = settings_.read();
     input.timeStep = timeStep;
-    input.device = hand_->advance(timeStep);
-    input.device.maxForce = device_.maxForce;
-    input.device.streams = device_.streams;
+    input.device = device_->advance(timeStep);
+    input.device.maxForce = specification_.maxForce;
+    input.device.streams = specification_.streams;
     const BaseCommand command = commandBase(scene_, input, latest_.memory);
     input.measurement = afm_.exchange(command.base);
     sample.output = tick(scene_, input, command, latest_.memory);
@@ -89,8 +89,8 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
 
 /// What no governor guards is never told a force.
 void HapticLoop::tellForce(const Vector3& force) noexcept {
-    if (device_.rendersForce()) {
-        hand_->setForce(force);
+    if (specification_.rendersForce()) {
+        device_->setForce(force);
     }
 }
 

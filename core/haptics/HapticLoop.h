@@ -73,8 +73,8 @@ private:
     TripleBuffer<Snapshot> snapshot_;
 
     const Scene& scene_;
-    HapticDevice* hand_;
-    DeviceSpecification device_;  ///< that the device is
+    HapticDevice* device_;
+    DeviceSpecification specification_;  ///< of the device
     AfmController& afm_;
 
     // The loop thread's own while it runs.

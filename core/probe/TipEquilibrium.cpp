@@ -25,15 +25,12 @@ constexpr double kPositionTolerance =
 constexpr double kSameRadius = 1e-6;  // relative change of R_eff that needs no new solution
 constexpr double kFlatEnough = 0.1;   // relative change of R_eff that a flat sample may stand for
 constexpr double kReach = 10e-9;      // [m]: attraction across a wider gap is below a piconewton
-constexpr double kSameSlot =
-    0.25;  // of the tip's radius: a closest point moves less from tick to tick
-constexpr double kMainPoint =
-    1.5;  // another closest point becomes the main one with so much more force
-constexpr double kBears =
-    1e-3;  // share of the main closest point's force from which a closest point counts
+constexpr double kSameSlot = 0.25;    // of the tip's radius: a point moves less from tick to tick
+constexpr double kMainPoint = 1.5;    // another point becomes the main one with so much more force
+constexpr double kBears = 1e-3;       // share of the main point's force from which a point counts
 
 /// One closest point with the contact law of its place and the force it bears.
-struct ClosestPoint {
+struct TouchedPoint {
     ClosestPoint place;
     ClosestPointMemory memory;
     ContactModel model;
@@ -92,7 +89,7 @@ public:
         for (int i = 0; i < kMaxSweeps && !state_.converged; ++i) {
             const Vector3 before = deflection_;
             state_.locked = false;
-            for (ClosestPoint& closest : points_) {
+            for (TouchedPoint& closest : points_) {
                 settle(closest);
             }
             dropDoubledPoints();
@@ -133,7 +130,7 @@ private:
             return false;
         }
         boost::container::static_vector<SearchGuess, kMaxContactPoints> known;
-        for (const ClosestPoint& closest : points_) {
+        for (const TouchedPoint& closest : points_) {
             known.push_back(closest.place.guess());
         }
         const std::size_t before = points_.size();
@@ -162,7 +159,7 @@ private:
     [[nodiscard]] bool isKnown(const ClosestPoint& place, std::size_t count) const {
         const double same = kSamePoint * system_.tipRadius();
         return std::any_of(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(count),
-                           [&](const ClosestPoint& closest) {
+                           [&](const TouchedPoint& closest) {
                                return (closest.place.point - place.point).norm() <= same;
                            });
     }
@@ -197,7 +194,7 @@ private:
     /// Gives each closest point the effective radius of its place; whether one of them changed.
     bool followCurvature() {
         bool changed = false;
-        for (ClosestPoint& closest : points_) {
+        for (TouchedPoint& closest : points_) {
             closest.radius = radiusAt(closest.place);
             if (isSphere(system_.contact.law())) {
                 closest.radius = takenAsFlat(closest.radius, system_.tipRadius());
@@ -211,13 +208,13 @@ private:
         return changed;
     }
 
-    [[nodiscard]] Lever leverOf(const ClosestPoint& closest) const {
+    [[nodiscard]] Lever leverOf(const TouchedPoint& closest) const {
         if (points_.size() == 1) {
             return {compliance_, Vector3::Zero()};
         }
         Matrix3 stiffness = Matrix3::Zero();
         Vector3 force = Vector3::Zero();
-        for (const ClosestPoint& other : points_) {
+        for (const TouchedPoint& other : points_) {
             if (&other != &closest) {
                 const Vector3& normal = other.place.normal;
                 stiffness += other.stiffness() * normal * normal.transpose();
@@ -230,7 +227,7 @@ private:
     }
 
     /// Balances lever and contact at one closest point.
-    void settle(ClosestPoint& closest) {
+    void settle(TouchedPoint& closest) {
         closest.place = surface_.localClosestPoint(center(), closest.place.guess());
         const Vector3& normal = closest.place.normal;
         closest.slip = slidingOf(normal, base_.velocity).slip();
@@ -276,10 +273,10 @@ private:
     }
 
     void report() {
-        const ClosestPoint& main = points_.front();
+        const TouchedPoint& main = points_.front();
         Vector3 normalForce = Vector3::Zero();
         state_.points = 0;
-        for (const ClosestPoint& closest : points_) {
+        for (const TouchedPoint& closest : points_) {
             const bool bears =
                 std::abs(closest.contact.force) > kBears * std::abs(main.contact.force);
             state_.points += bears ? 1 : 0;
@@ -309,7 +306,7 @@ private:
     void remember(EquilibriumMemory& memory) const {
         memory.deflection = deflection_;
         memory.pointCount = 0;
-        for (const ClosestPoint& closest : points_) {
+        for (const TouchedPoint& closest : points_) {
             const bool isFar = closest.contact.branch == ContactBranch::Far &&
                                closest.place.distance > system_.tipRadius() + kReach;
             if (memory.pointCount > 0 && isFar) {
@@ -330,7 +327,7 @@ private:
         taken_{};  ///< which of the remembered closest points have been found again
     Vector3 lookedFrom_ =
         Vector3::Zero();  ///< the tip's center when closest points were last looked for
-    boost::container::static_vector<ClosestPoint, kMaxContactPoints> points_;
+    boost::container::static_vector<TouchedPoint, kMaxContactPoints> points_;
     TipState state_;
 };
 

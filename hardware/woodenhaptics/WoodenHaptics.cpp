@@ -105,7 +105,7 @@ bool WoodenHaptics::listen(Link& link) {
             link.uncounted = std::max(0, *link.uncounted - 1);
         }
         awaitsCalibration_ = !link.uncounted;
-        latest_ = {.position = inDeviceFrame(handlePosition(description_, *link.angles)),
+        latest_ = {.position = inLabFrame(handlePosition(description_, *link.angles)),
                    .button = newest->button,
                    .connected = link.calibrated(),
                    .time = monotonicSeconds()};

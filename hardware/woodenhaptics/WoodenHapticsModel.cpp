@@ -47,12 +47,10 @@ Vector3 motorCurrents(const WoodenHapticsDescription& device, const Vector3& tor
                                        : currents;
 }
 
-Vector3 inDeviceFrame(const Vector3& inDevice) noexcept {
+Vector3 inLabFrame(const Vector3& inDevice) noexcept {
     return {inDevice.y(), -inDevice.x(), inDevice.z()};
 }
 
-Vector3 inDeviceFrame(const Vector3& inDevice) noexcept {
-    return {-inDevice.y(), inDevice.x(), inDevice.z()};
-}
+Vector3 inDeviceFrame(const Vector3& inLab) noexcept { return {-inLab.y(), inLab.x(), inLab.z()}; }
 
 }  // namespace asperity

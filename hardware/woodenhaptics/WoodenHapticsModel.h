@@ -32,10 +32,9 @@ using EncoderCounts = std::array<std::int16_t, 3>;
 [[nodiscard]] Vector3 motorCurrents(const WoodenHapticsDescription& device,
                                     const Vector3& torques) noexcept;
 
-/// From the device frame to the device's, which is the lab's: x right, y away from the person, z
-/// up.
-[[nodiscard]] Vector3 inDeviceFrame(const Vector3& inDevice) noexcept;
+/// From the device's frame to the lab's: x right, y away from the person, z up.
+[[nodiscard]] Vector3 inLabFrame(const Vector3& inDevice) noexcept;
 /// And back.
-[[nodiscard]] Vector3 inDeviceFrame(const Vector3& inDevice) noexcept;
+[[nodiscard]] Vector3 inDeviceFrame(const Vector3& inLab) noexcept;
 
 }  // namespace asperity

@@ -123,7 +123,7 @@ TradeOffChart::Plot::Plot(TradeOffChart* owner)
     layers_->addWidget(hint_);
     layers_->addWidget(plot_);
     canvas_->setFrameStyle(QFrame::NoFrame);
-    canvas_->setCursor(Qt::PointingDeviceCursor);
+    canvas_->setCursor(Qt::PointingHandCursor);
     plot_->setCanvas(canvas_);
     plot_->setCanvasBackground(QColor(theme::kPaper));
     buildAxes();

@@ -46,7 +46,7 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
     }
 }
 
-void WindowMenus::addHandMenu(QMenuBar& bar) {
+void WindowMenus::addDeviceMenu(QMenuBar& bar) {
     QMenu* menu = bar.addMenu(tr("H&and"));
     menu->setToolTipsVisible(true);
     tipControl = menu->addAction(tr("Commands the &tip"));

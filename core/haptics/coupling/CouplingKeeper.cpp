@@ -61,7 +61,7 @@ CoupledDevice CouplingKeeper::couple(const Led& led, const Settings& knobs) cons
 
 Settings CouplingKeeper::take(Led led, Settings knobs) {
     led.scale = scaleOf(knobs);
-    knobs.coupling = led.device.gains;
+    knobs.coupling = led.coupled.gains;
     knobs.workspace = workspaceOf(led.device.workspaceRadius, 0.5 * scene_->timeStep() + led.delay);
     led_ = std::move(led);
     return knobs;
@@ -97,14 +97,14 @@ Settings CouplingKeeper::takeOver(const DeviceSpecification& device, double dela
     }
     Led led{.device = device,
             .delay = roundedUp(delay),
-            .device = {},
+            .coupled = {},
             .scale = {},
             .before = scaleOf(knobs),
             .couplingBefore = knobs.coupling};
     knobs = fitted(led, knobs);
-    led.device = couple(led, knobs);
-    if (!led.device.holds()) {
-        throw Error(led.device.refusal);
+    led.coupled = couple(led, knobs);
+    if (!led.coupled.holds()) {
+        throw Error(led.coupled.refusal);
     }
     return take(led, knobs);
 }
@@ -115,12 +115,12 @@ Settings CouplingKeeper::turned(Settings wanted, double delay) {
     }
     Led led = *led_;
     led.delay = roundedUp(delay);
-    led.device = couple(led, wanted);
-    if (!led.device.holds()) {
+    led.coupled = couple(led, wanted);
+    if (!led.coupled.holds()) {
         if (wanted.forcesOn || scaleOf(wanted) != led_->scale) {
-            throw Error(led.device.refusal);
+            throw Error(led.coupled.refusal);
         }
-        wanted.coupling = led_->device.gains;
+        wanted.coupling = led_->coupled.gains;
         return wanted;
     }
     return take(led, wanted);
@@ -132,21 +132,21 @@ std::optional<Settings> CouplingKeeper::follow(Settings knobs, double delay) {
     }
     Led led = *led_;
     led.delay = roundedUp(delay);
-    led.device = couple(led, knobs);
-    if (led.device.holds()) {
+    led.coupled = couple(led, knobs);
+    if (led.coupled.holds()) {
         return take(led, knobs);
     }
     led_->delay = led.delay;
-    led_->device.refusal = led.device.refusal;
+    led_->coupled.refusal = led.coupled.refusal;
     knobs.forcesOn = false;
     return knobs;
 }
 
 void CouplingKeeper::requireHolding(const ProbeSystem& tip, const Settings& knobs) const {
     if (led_) {
-        const CoupledDevice hand = coupleDevice(tip, request(*led_, knobs));
-        if (!hand.holds()) {
-            throw Error(hand.refusal);
+        const CoupledDevice coupled = coupleDevice(tip, request(*led_, knobs));
+        if (!coupled.holds()) {
+            throw Error(coupled.refusal);
         }
     }
 }

@@ -16,7 +16,7 @@ public:
     /// @param scene outlives the keeper
     explicit CouplingKeeper(const Scene& scene) : scene_(&scene) {}
 
-    /// The device that leads lets go: the knobs as hands that only sense had them.
+    /// The device that leads lets go: the knobs as devices that only sense had them.
     [[nodiscard]] Settings release(Settings knobs);
 
     /// A device takes over, after release(). One with motors gets the scene's scale where that is
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] Settings turned(Settings wanted, double delay);
 
     /// A delay that has grown beyond what the gains are designed for has them designed anew; where
-    /// none hold any more the forces go off, and device()->refusal says why.
+    /// none hold any more the forces go off, and coupled()->refusal says why.
     /// @return the knobs that changed; none: as they were
     [[nodiscard]] std::optional<Settings> follow(Settings knobs, double delay);
 
@@ -41,8 +41,8 @@ public:
     void requireHolding(const ProbeSystem& tip, const Settings& knobs) const;
 
     /// The force-feedback device that leads, and what it feels; null where none does.
-    [[nodiscard]] const CoupledDevice* hand() const noexcept {
-        return led_ ? &led_->device : nullptr;
+    [[nodiscard]] const CoupledDevice* coupled() const noexcept {
+        return led_ ? &led_->coupled : nullptr;
     }
 
 private:
@@ -50,9 +50,9 @@ private:
     struct Led {
         DeviceSpecification device;
         double delay = 0.0;  ///< designed for [s]
-        CoupledDevice hand;
+        CoupledDevice coupled;
         DeviceScale scale;
-        DeviceScale before;            ///< of the hands that only sense
+        DeviceScale before;            ///< of the devices that only sense
         CouplingGains couplingBefore;  ///< likewise
     };
 

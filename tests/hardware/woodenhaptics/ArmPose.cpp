@@ -11,16 +11,16 @@ namespace asperity::test {
 namespace {
 
 /// Angles of the joints; the elbow is away from the person.
-Vector3 anglesAt(const Vector3& fromPoint) {
+Vector3 anglesAt(const Vector3& fromBase) {
     const auto& [a, b, c] = shippedDevice().joints;
-    const double reach = std::hypot(fromPoint.x(), fromPoint.y());
-    const double height = fromPoint.z() - a.length;
+    const double reach = std::hypot(fromBase.x(), fromBase.y());
+    const double height = fromBase.z() - a.length;
     const double distance = std::hypot(reach, height);
     const double elevation = std::atan2(reach, height);  // of the handle seen from joint b
     const auto cornerAt = [&](double near, double far) {
         return std::acos((near * near + distance * distance - far * far) / (2.0 * near * distance));
     };
-    return {std::atan2(fromPoint.y(), fromPoint.x()), elevation - cornerAt(b.length, c.length),
+    return {std::atan2(fromBase.y(), fromBase.x()), elevation - cornerAt(b.length, c.length),
             std::numbers::pi - elevation - cornerAt(c.length, b.length)};
 }
 

@@ -51,7 +51,7 @@ TEST(WoodenHapticsModel, ThePositionIsWhereTheLawOfCosinesPutsTheHandle) {
     for (const Vector3& position :
          {Vector3(0.0, 0.0, 0.0), Vector3(0.05, 0.03, -0.02), Vector3(-0.06, 0.05, 0.04)}) {
         const Vector3 angles = jointAngles(shippedDevice(), countsAt(position));
-        const Vector3 found = inDeviceFrame(handlePosition(shippedDevice(), angles));
+        const Vector3 found = inLabFrame(handlePosition(shippedDevice(), angles));
         EXPECT_LT((found - position).norm(), 0.1e-3) << "a count moves the handle by 0.06 mm";
     }
 }
@@ -105,10 +105,10 @@ TEST(WoodenHapticsModel, TorquesThatAreNotFiniteDriveNoMotor) {
 }
 
 TEST(WoodenHapticsModel, RightOfThePersonIsRightInTheLab) {
-    EXPECT_EQ(inDeviceFrame(Vector3::UnitY()), Vector3::UnitX());
-    EXPECT_EQ(inDeviceFrame(Vector3::UnitX()), Vector3(-Vector3::UnitY())) << "to the person";
-    EXPECT_EQ(inDeviceFrame(Vector3::UnitZ()), Vector3::UnitZ());
-    EXPECT_EQ(inDeviceFrame(inDeviceFrame(kForce)), kForce);
+    EXPECT_EQ(inLabFrame(Vector3::UnitY()), Vector3::UnitX());
+    EXPECT_EQ(inLabFrame(Vector3::UnitX()), Vector3(-Vector3::UnitY())) << "to the person";
+    EXPECT_EQ(inLabFrame(Vector3::UnitZ()), Vector3::UnitZ());
+    EXPECT_EQ(inDeviceFrame(inLabFrame(kForce)), kForce);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ Report currentsFor(const Vector3& handle, const Vector3& force) {
     return {message.report().begin(), message.report().end()};
 }
 
-/// A device at a device in memory that speaks whenever it is told to.
+/// A driver at a device in memory that speaks whenever it is told to.
 class WoodenHapticsDevice : public ::testing::Test {
 protected:
     WoodenHapticsDevice() {

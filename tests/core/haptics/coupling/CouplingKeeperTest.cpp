@@ -42,7 +42,7 @@ TEST(CouplingKeeper, LeavesADeviceThatOnlySensesAlone) {
     Settings knobs = keeper.takeOver(kMouse, 0.0, scene.settings);
     EXPECT_EQ(knobs.positionGain, 1.0);
     EXPECT_FALSE(knobs.coupling.couples());
-    EXPECT_EQ(keeper.device(), nullptr);
+    EXPECT_EQ(keeper.coupled(), nullptr);
     knobs.forceGain = 1e12;
     EXPECT_EQ(keeper.turned(knobs, 0.0).forceGain, 1e12);
     EXPECT_FALSE(keeper.follow(knobs, 1.0).has_value());
@@ -55,8 +55,8 @@ TEST(CouplingKeeper, MotorsAreNeverWithoutACouplingAndGetTheStandardScale) {
     EXPECT_EQ(knobs.positionGain, 1e-6);
     EXPECT_EQ(knobs.forceGain, 1e8);
     EXPECT_EQ(knobs.coupling, designCoupling(kPhantom, {.timeStep = 1.0_ms, .delay = 1.0_ms}));
-    ASSERT_NE(keeper.device(), nullptr);
-    EXPECT_NE(keeper.device()->judgment.sentence.find("the hand feels"), std::string::npos);
+    ASSERT_NE(keeper.coupled(), nullptr);
+    EXPECT_NE(keeper.coupled()->judgment.sentence.find("the hand feels"), std::string::npos);
     EXPECT_EQ(scaleWords({knobs.positionGain, knobs.forceGain}), "1 mm : 1 nm, 1 N : 10 nN");
 }
 
@@ -85,7 +85,7 @@ TEST(CouplingKeeper, ASlowLoopGetsTheLargestForceGainThatHolds) {
         sceneOf([](SceneDescription& description) { description.tickRate = 100.0; });
     CouplingKeeper keeper(scene);
     const Settings knobs = keeper.takeOver(kPhantom, 1.0_ms, scene.settings);
-    EXPECT_LE(keeper.device()->judgment.contact, 600.0);  // 2 bp / T
+    EXPECT_LE(keeper.coupled()->judgment.contact, 600.0);  // 2 bp / T
     EXPECT_LT(knobs.forceGain, 1e8);
     Settings larger = knobs;
     larger.forceGain /= 0.8;
@@ -102,7 +102,7 @@ TEST(CouplingKeeper, AnAdhesionThatNoScaleMakesHoldableIsRefusedWithTheNumber) {
     const std::string told =
         refusal([&] { static_cast<void>(keeper.takeOver(kPhantom, 1.0_ms, scene.settings)); });
     EXPECT_NE(told.find("the sample would hold the hand with"), std::string::npos) << told;
-    EXPECT_EQ(keeper.device(), nullptr);
+    EXPECT_EQ(keeper.coupled(), nullptr);
 }
 
 TEST(CouplingKeeper, TheEarlierGainsReturnWithADeviceThatSenses) {
@@ -118,7 +118,7 @@ TEST(CouplingKeeper, TheEarlierGainsReturnWithADeviceThatSenses) {
     EXPECT_EQ(knobs.forceGain, 7.0);
     EXPECT_FALSE(knobs.coupling.couples());
     EXPECT_EQ(knobs.correctionBandwidth, 5.0) << "what a person turned meanwhile stays";
-    EXPECT_EQ(keeper.device(), nullptr);
+    EXPECT_EQ(keeper.coupled(), nullptr);
 }
 
 TEST(CouplingKeeper, AGainThatDoesNotHoldIsRefusedAndChangesNothing) {
@@ -132,11 +132,11 @@ TEST(CouplingKeeper, AGainThatDoesNotHoldIsRefusedAndChangesNothing) {
     wanted.forceGain = 1e8;
     wanted.positionGain = 1e-5;  // 14 N/m are 14 kN/m
     EXPECT_NE(refusal([&] { static_cast<void>(keeper.turned(wanted, 1.0_ms)); }), "");
-    const double before = keeper.device()->judgment.contact;
+    const double before = keeper.coupled()->judgment.contact;
     EXPECT_LT(before, 1400.0);
     wanted.positionGain = 2e-6;
     EXPECT_EQ(keeper.turned(wanted, 1.0_ms).positionGain, 2e-6);
-    EXPECT_NEAR(keeper.device()->judgment.contact, 2.0 * before, 1e-9 * before) << "judged anew";
+    EXPECT_NEAR(keeper.coupled()->judgment.contact, 2.0 * before, 1e-9 * before) << "judged anew";
 }
 
 TEST(CouplingKeeper, TheTipUnderControlIsRefusedWhereItsContactAloneIsTooStiff) {
@@ -190,7 +190,7 @@ TEST(CouplingKeeper, ADelayThatNoCouplingHoldsTakesTheForcesAwayUntilItIsShorter
     const std::optional<Settings> off = keeper.follow(knobs, 9.0_ms);
     ASSERT_TRUE(off.has_value());
     EXPECT_FALSE(off->forcesOn);
-    EXPECT_NE(keeper.device()->refusal.find("shorter delay"), std::string::npos);
+    EXPECT_NE(keeper.coupled()->refusal.find("shorter delay"), std::string::npos);
     EXPECT_FALSE(keeper.follow(*off, 9.0_ms).has_value()) << "said once";
     Settings on = *off;
     on.forcesOn = true;
@@ -198,7 +198,7 @@ TEST(CouplingKeeper, ADelayThatNoCouplingHoldsTakesTheForcesAwayUntilItIsShorter
     EXPECT_EQ(refusal([&] { static_cast<void>(keeper.turned(*off, 9.0_ms)); }), "")
         << "to switch forces off is never refused";
     EXPECT_TRUE(keeper.turned(on, 2.0_ms).forcesOn);
-    EXPECT_TRUE(keeper.device()->holds());
+    EXPECT_TRUE(keeper.coupled()->holds());
 }
 
 TEST(CouplingKeeper, ASampleThatTheDeviceCouldNotHoldIsRefused) {
