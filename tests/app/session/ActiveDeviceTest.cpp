@@ -13,9 +13,9 @@
 namespace asperity::test {
 namespace {
 
-class DeviceControlTest : public ::testing::Test {
+class ActiveDeviceTest : public ::testing::Test {
 protected:
-    DeviceControlTest()
+    ActiveDeviceTest()
         : run({.scene = buildScene(plainScene(), flatMap()),
                .format = "made for the test",
                .sha256 = "",
@@ -37,7 +37,7 @@ protected:
     ActiveDevice device;
 };
 
-TEST_F(DeviceControlTest, BeginsWithMouseAndKeyboardThatMoveTheTip) {
+TEST_F(ActiveDeviceTest, BeginsWithMouseAndKeyboardThatMoveTheTip) {
     EXPECT_EQ(device.driver(), &pointerDriver());
     EXPECT_FALSE(device.isDevice());
     const Vector3 before = run.basePosition();
@@ -46,7 +46,7 @@ TEST_F(DeviceControlTest, BeginsWithMouseAndKeyboardThatMoveTheTip) {
     EXPECT_NEAR(run.basePosition().x() - before.x(), 5e-9, 0.1e-9);
 }
 
-TEST_F(DeviceControlTest, TheHandleOfALedDeviceGoesAsFarAsTheTipAsks) {
+TEST_F(ActiveDeviceTest, TheHandleOfALedDeviceGoesAsFarAsTheTipAsks) {
     device.use(simulatedDriver());
     EXPECT_EQ(device.driver(), &simulatedDriver());
     live(30);
@@ -56,14 +56,14 @@ TEST_F(DeviceControlTest, TheHandleOfALedDeviceGoesAsFarAsTheTipAsks) {
     EXPECT_NEAR(run.basePosition().x() - before.x(), 5e-9, 0.5e-9);
 }
 
-TEST_F(DeviceControlTest, APathHasNoDriver) {
+TEST_F(ActiveDeviceTest, APathHasNoDriver) {
     device.follow({{0.0, {40e-9, 60e-9, 30e-9}}, {0.1, {45e-9, 60e-9, 30e-9}}});
     EXPECT_TRUE(device.followsPath());
     EXPECT_EQ(device.driver(), nullptr);
     EXPECT_FALSE(device.isDevice());
 }
 
-TEST_F(DeviceControlTest, ADeviceTakenElsewhereIsNotLedHere) {
+TEST_F(ActiveDeviceTest, ADeviceTakenElsewhereIsNotLedHere) {
     const Vector3 here = run.devicePosition();
     run.takeDevice([&here] { return std::make_unique<PointerDevice>(here); });
     EXPECT_EQ(device.driver(), nullptr);
@@ -85,7 +85,7 @@ TEST(ActiveDevice, WithoutARunNothingHappens) {
     EXPECT_FALSE(device.isDevice());
 }
 
-TEST_F(DeviceControlTest, ADeviceThatCannotBeOpenedLeavesTheDeviceBefore) {
+TEST_F(ActiveDeviceTest, ADeviceThatCannotBeOpenedLeavesTheDeviceBefore) {
     const DeviceDriver broken{.key = "broken",
                               .label = "Broken",
                               .open = [](const DeviceSite&) -> std::unique_ptr<HapticDevice> {

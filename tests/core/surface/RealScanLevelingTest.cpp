@@ -38,7 +38,7 @@ void expectAgreement(const HeightMap& map, const test::ReferenceTable& table, st
 
 TEST(Leveling, OfRealScansAgreesWithTheGroundTruth) {
     ASPERITY_NEEDS_SHARED_DATA();
-    const test::ReferenceTable table(test::sharedData("afm/LEVELING.csv"));
+    const test::ReferenceTable table(test::sharedData("afm/LEVELLING.csv"));
     int checked = 0;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         const std::filesystem::path path = test::sharedData("afm/" + table.text(row, "file"));
