@@ -28,7 +28,7 @@ using TableWriting = std::function<void(std::ostream&, Progress* progress)>;
 /// no name is fine. @throw Error
 void requireWritableTable(const std::string& out, const std::vector<std::string>& inputs);
 
-/// Devices the stream of the file, which takes its place only when all is written and shows on the
+/// Hands the stream of the file, which takes its place only when all is written and shows on the
 /// terminal how far it is, or standard output where there is no name.
 /// @throw Error when the file cannot be written; Canceled
 void writeTable(const std::string& out, const TableWriting& write);

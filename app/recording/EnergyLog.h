@@ -18,7 +18,7 @@ public:
 
     /// @throw Error when the file is there or cannot be made
     void take(const TickSample& sample);
-    /// Devices all rows so far to the system. @throw Error
+    /// Hands all rows so far to the system. @throw Error
     void flush();
     /// Waits until the disk holds what was flushed. @throw Error
     void sync() const;

@@ -32,7 +32,7 @@ public:
     void take(const TickSample& sample);
     /// Ticks were lost: what was taken ends before them.
     [[nodiscard]] bool broken() const noexcept { return broken_; }
-    /// Devices all ticks so far to the system: a killed process loses none of them. @throw Error
+    /// Hands all ticks so far to the system: a killed process loses none of them. @throw Error
     void flush();
     /// Waits until the disk holds what was flushed: a power cut loses none of it. @throw Error
     void sync();

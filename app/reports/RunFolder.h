@@ -40,7 +40,7 @@ public:
     explicit RunRecorder(const std::filesystem::path& folder);
 
     void take(const TickSample& sample);
-    /// Devices all ticks so far to the system. @throw Error
+    /// Hands all ticks so far to the system. @throw Error
     void flush();
     /// Waits until the disk holds what was flushed. @throw Error
     void sync() const;

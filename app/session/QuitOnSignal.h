@@ -10,7 +10,7 @@
 namespace asperity {
 
 /// Ends the event loop in good order on SIGINT, SIGTERM and SIGHUP, so that recordings are kept and
-/// the device feels nothing any more. One of them at a time.
+/// the operator feels nothing any more. One of them at a time.
 class QuitOnSignal : public QObject {
 public:
     QuitOnSignal();

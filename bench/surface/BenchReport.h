@@ -24,10 +24,10 @@ struct SizeResult {
     MethodResult onLarge;
 };
 
-/// ClosestPoint point, contact force and decoupling of one instant.
+/// Closest point, contact force and decoupling of one instant.
 struct ChainResult {
     TimeSummary time;     ///< of the whole chain
-    TimeSummary closest;  ///< of its closest point point alone
+    TimeSummary closest;  ///< of its closest point alone
 };
 
 /// A plain copy of a map of float heights.

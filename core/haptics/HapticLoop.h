@@ -42,7 +42,7 @@ public:
     void step();
     /// Another device takes over; only while the loop does not run. It outlives the loop.
     void setDevice(HapticDevice& device) noexcept;
-    /// Lets the present tick end; the device feels nothing from then on.
+    /// Lets the present tick end; the operator feels nothing from then on.
     void stop();
     [[nodiscard]] bool running() const noexcept { return thread_.has_value(); }
 

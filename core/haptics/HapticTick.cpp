@@ -148,7 +148,7 @@ Vector3 commandedPlace(const TickMemory& memory) {
                                                   : memory.base;
 }
 
-/// What the device would feel if nothing governed it, the device's axes [N].
+/// What the operator would feel if nothing governed it, the device's axes [N].
 Vector3 wantedForce(const TickInput& input, const TickOutput& out, const BaseCommand& command,
                     const Vector3& correction) {
     const Settings& settings = input.settings;

@@ -14,7 +14,7 @@ struct ProxyMemory {
     Vector3 normal = Vector3::UnitZ();  ///< of the surface, unit
     double friction = 0.0;              ///< the most that it gives at the tip [N]
     CouplingGains gains;                ///< that the spring was stretched by
-    double forceGain = 0.0;  ///< that the device feels the sample with, on its way to the knob's
+    double forceGain = 0.0;  ///< that the operator feels the sample with, on its way to the knob's
 };
 
 /// What one tick makes of the proxy.

@@ -35,7 +35,7 @@ struct Settings {
     bool clutched = false;         ///< the device moves, what it commands stays
     int clutchButton = kNoButton;  ///< that does so while it is held
     VirtualFixture guide;          ///< lengths of the world
-    bool forcesOn = true;          ///< false: the device feels nothing
+    bool forcesOn = true;          ///< false: the operator feels nothing
     std::uint32_t rearms = 0;      ///< how often a person has taken back a fault
 
     bool operator==(const Settings&) const = default;

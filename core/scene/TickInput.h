@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// What the device knows of the device; the device's frame is the lab's frame scaled.
+/// What the loop knows of the device; its frame is the lab's frame scaled.
 struct DeviceState {
     Vector3 position = Vector3::Zero();  ///< [m]
     std::uint32_t buttons = 0;           ///< bit i: button i is down

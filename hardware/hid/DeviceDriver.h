@@ -28,7 +28,7 @@ struct DeviceDriver {
     bool rendersForce = false;        ///< it has motors
     /// Whether a HID device is of this kind.
     bool (*drives)(const HidDeviceInfo& device) = [](const HidDeviceInfo&) { return false; };
-    /// The device at such a device. @throw Error where there cannot be one; one whose device is not
+    /// Opens such a device. @throw Error where there cannot be one; one whose device is not
     /// there waits for it
     std::unique_ptr<HapticDevice> (*open)(const DeviceSite& site) = {};
 };

@@ -13,7 +13,7 @@ enum class Drained : std::uint8_t {
     Lost,      ///< the device is lost
 };
 
-/// Devices each report that waits to `take`, the oldest first. Waits up to `patience` for the
+/// Hands each report that waits to `take`, the oldest first. Waits up to `patience` for the
 /// first.
 template <typename Take>
 Drained drainReports(HidConnection& device, std::chrono::milliseconds patience, const Take& take) {

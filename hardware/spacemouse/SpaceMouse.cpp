@@ -79,7 +79,7 @@ DeviceState SpaceMouse::advance(double timeStep) noexcept {
         .position = position_, .buttons = reading.state.buttons, .connected = reading.connected};
 }
 
-/// Publishes what the device says until it is lost or the device is done with it.
+/// Publishes what the device says until it is lost or no longer wanted.
 void SpaceMouse::follow(HidConnection& device, const std::stop_token& stop) {
     const Light light(device);
     Reading reading = {.connected = true};

@@ -19,7 +19,7 @@ constexpr double kFirstReading = 0.2;  // how long the beginning waits for it [s
 constexpr double kNever = 0.0;         // no reading: longer ago than any force lasts [s]
 constexpr double kForceLasts = 40e-3;  // after the reading that it answers [s]
 
-/// Lets go of the device in the end, however that comes about.
+/// Switches the force off in the end, however that comes about.
 class MotorsOff {
 public:
     MotorsOff(HidConnection& device, WoodenHapticsBoard board) : device_(device), board_(board) {}
@@ -75,7 +75,7 @@ void WoodenHaptics::setForce(const Vector3& force) noexcept {
     order_.write({.force = force, .answers = taken_});
 }
 
-/// Exchanges reports with the device until it is lost or the device is done with it.
+/// Exchanges reports with the device until it is lost or no longer wanted.
 void WoodenHaptics::follow(const FoundDevice& found, const std::stop_token& stop) {
     const auto& [description, connection] = found;
     Link link = {.device = *connection,

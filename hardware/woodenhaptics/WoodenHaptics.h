@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// A device at a WoodenHaptics or Polhem: three joints with motors, over USB HID. A thread of its
+/// A WoodenHaptics or Polhem: three joints with motors, over USB HID. A thread of its
 /// own exchanges reports with the device, and without one looks for it twice a second. Positions
 /// and forces are in the lab's frame, from the workspace's origin.
 ///

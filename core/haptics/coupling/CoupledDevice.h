@@ -14,7 +14,7 @@ struct DeviceRequest {
     LoopTiming timing;
     DeviceScale scale;
     CouplingGains own;      ///< that the scene asks for; none: those that are designed
-    double maxForce = 0.0;  ///< that the device shall feel at most [N]
+    double maxForce = 0.0;  ///< that the operator shall feel at most [N]
     GuideLoad guide;
     PositionControl control = PositionControl::Base;
 };

@@ -45,9 +45,10 @@ struct ScaleJudgment {
     }
 };
 
-/// Judges three things; without a coupling the device feels the contact itself, and no guide acts:
+/// Judges three things; without a coupling the operator feels the contact itself, and no guide
+/// acts:
 ///
-/// - the stiffness that the device feels against the device's;
+/// - the stiffness that the operator feels against what the device renders;
 /// - the contact K that the proxy meets, with the guide beside it: (K + k) T/2 + b must stay below
 ///   bp, for the force of both is a tick old;
 /// - the adhesion against what the motors may give: one that pulls harder is not held, the handle

@@ -23,8 +23,8 @@ struct CouplingStep {
 /// One step of the coupling. The force on the proxy is F = Kc (x - xp) + Bc (v - vp), the device
 /// feels -F. The proxy has no mass: bp vp = F + load + friction. Position and velocity of the proxy
 /// are those at the end of the step (backward Euler), so that the coupling itself is stable at any
-/// rate and gain; only the force of the load is that of the last tick. At rest the device feels the
-/// load itself, without an error.
+/// rate and gain; only the force of the load is that of the last tick. At rest the operator feels
+/// the load itself, without an error.
 ///
 /// Friction, too, is that of the proxy's velocity at the end of the step, against it and of size
 /// friction * |vp_t| / sqrt(|vp_t|^2 + v0^2) (docs/theory.md 6.2): that of the last tick would

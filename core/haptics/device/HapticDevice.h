@@ -23,8 +23,8 @@ public:
     /// Loop thread only.
     virtual DeviceState advance(double timeStep) noexcept = 0;
 
-    /// The force that the device shall feel [N]. Loop thread only. A device with motors lets go by
-    /// itself when it is not told a force for a while, for a program that crashed tells it none.
+    /// The force that the operator shall feel [N]. Loop thread only. A device with motors lets go
+    /// by itself when it is not told a force for a while, for a program that crashed tells it none.
     virtual void setForce(const Vector3& /*force*/) noexcept {}
 
     /// The handle is in the device's rest pose now: for devices whose encoders count from there.

@@ -17,7 +17,7 @@ inline constexpr double kSilenceEnd = 40e-3;
 /// Share of the largest force up to which a force may come on.
 inline constexpr double kSmallShare = 0.1;
 
-/// What a tick wants the device to feel; the device's axes.
+/// What a tick wants the operator to feel; the device's axes.
 struct ForceRequest {
     Vector3 force = Vector3::Zero();  ///< of the coupling, or of the sample itself [N]
     double mismatch = 0.0;            ///< Kc |device less proxy|, 0 without a coupling [N]

@@ -22,7 +22,7 @@ struct MappingMemory {
 
 enum class MappingStatus {
     Following,  ///< the command goes with the device
-    Clutched,   ///< it stays, and the device shall feel no force of the contact
+    Clutched,   ///< it stays, and the operator shall feel no force of the contact
     Invalid,    ///< a value is not finite, a gain not above 0, or the axes are no rotation
 };
 
@@ -60,7 +60,7 @@ struct MappingStep {
                                     const MappingSettings& settings,
                                     const MappingMemory& before) noexcept;
 
-/// A force in world axes, at the device's scale, as the device feels it in the device's axes [N]:
+/// A force in world axes, at the device's scale, as the operator feels it in the device's axes [N]:
 /// by the transpose of the axes, so that force times motion is the same power in both.
 [[nodiscard]] Vector3 forceOnDevice(const MappingSettings& settings, const Vector3& force) noexcept;
 

@@ -16,7 +16,7 @@ public:
     /// @throw Error when the file is there or cannot be made
     explicit ForceLogWriter(const std::filesystem::path& path);
     void take(const TickSample& sample);
-    /// Devices all ticks so far to the system. @throw Error
+    /// Hands all ticks so far to the system. @throw Error
     void flush() { csv_.flush(); }
     /// Waits until the disk holds what was flushed. @throw Error
     void sync() const { csv_.sync(); }
@@ -34,7 +34,7 @@ public:
     /// @throw Error when the file is there or cannot be made
     explicit TickInputWriter(const std::filesystem::path& path);
     void take(const TickSample& sample);
-    /// Devices all ticks so far to the system. @throw Error
+    /// Hands all ticks so far to the system. @throw Error
     void flush() { csv_.flush(); }
     /// Waits until the disk holds what was flushed. @throw Error
     void sync() const { csv_.sync(); }

@@ -11,7 +11,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMax = 1e6;            // no figure of a device-held device is larger in SI units
+constexpr double kMax = 1e6;            // no figure of a hand-held device is larger in SI units
 constexpr double kMin = 1e-6;           // nor smaller
 constexpr double kMaxCurrent = 32.767;  // that a report can say [A]
 constexpr std::array kJoints = {"joint_a", "joint_b", "joint_c"};

@@ -37,7 +37,7 @@ public:
     /// A whole row of numbers. @throw Error as endRow()
     void row(std::span<const double> values);
 
-    /// Devices all rows so far to the file or the stream. @throw Error when a growing file does not
+    /// Hands all rows so far to the file or the stream. @throw Error when a growing file does not
     /// take them
     void flush();
     /// Waits until the disk holds what was flushed to a growing file. @throw Error

@@ -16,7 +16,7 @@ inline constexpr auto kEnumTable<Grip> = std::to_array<EnumRow<Grip>>({{Grip::No
                                                                        {Grip::Light, "light"},
                                                                        {Grip::Normal, "normal"}});
 
-/// What becomes of a device at a device that holds a tip on a sample, best first.
+/// What becomes of a hand at a device that holds a tip on a sample, best first.
 enum class HoldVerdict : std::uint8_t {
     Still,         ///< the handle comes to rest
     Noisy,         ///< at rest but for the detector's noise, which the force gain makes felt

@@ -86,7 +86,7 @@ ValidityFlags doubts(ValidityFlags flags, bool referenceHolds) {
     return left;
 }
 
-/// Why the device feels nothing; null where it feels a force.
+/// Why the operator feels nothing; null where it feels a force.
 const char* refusalOf(const TickOutput& output) {
     if (output.model.locked) {
         return "tick: friction would drag the tip deeper faster than the lever lifts it; no "

@@ -75,7 +75,7 @@ TEST_F(WindowWithDevice, FeelsTheSampleAndLetsGo) {
     ASSERT_TRUE(eventually([this] { return inContact() && deviceForce() > 0.5; })) << state();
     release(Qt::Key_PageDown);
     live(500);
-    // At rest the device feels the force on the tip at the scale.
+    // At rest the operator feels the force on the tip at the scale.
     const TickOutput& latest = session.run()->loop().snapshot().sample.output;
     EXPECT_NEAR(latest.deviceForce.z(), 1e8 * latest.model.force.z(), 0.1) << state();
     press(Qt::Key_PageUp);

@@ -43,7 +43,7 @@ private:
     std::atomic<double>& newest_;  ///< [N]
 };
 
-/// Sends a signal as soon as the device feels a force, and waits for what comes of it.
+/// Sends a signal as soon as the operator feels a force, and waits for what comes of it.
 void sendWhenFelt(int signal, const std::atomic<double>& felt) {
     const QuitOnSignal quitOnSignal;
     QTimer poll;

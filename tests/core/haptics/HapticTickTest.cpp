@@ -112,7 +112,7 @@ TEST(HapticTick, FeelsTheModelAtOnceAndTheEstimateSlowly) {
     const DevicePath path{{0.0, start}, {0.1, {64.0_nm, 64.0_nm, -2.0_nm}}};
     std::vector<TickSample> samples;
     runVirtually(scene, path, afm, 1001, [&](const TickSample& s) { samples.push_back(s); });
-    // At rest the device feels what the instrument feels, though the model believes otherwise.
+    // At rest the operator feels what the instrument feels, though the model believes otherwise.
     const TickOutput& rest = samples.back().output;
     EXPECT_GT((rest.estimate.force - rest.model.force).norm(), 0.5_nN);
     EXPECT_LT((rest.deviceForce - rest.estimate.force).norm(), 0.01_nN);

@@ -17,7 +17,7 @@ public:
 
     /// The loop's latest tick.
     [[nodiscard]] const TickSample& now() { return loop.snapshot().sample; }
-    /// Whether the device feels the tip.
+    /// Whether the operator feels the tip.
     [[nodiscard]] bool engaged() {
         const Snapshot& latest = loop.snapshot();
         return latest.statistics.ticks > 0 && latest.sample.output.forceState == ForceState::On;

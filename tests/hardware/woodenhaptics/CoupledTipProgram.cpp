@@ -1,5 +1,5 @@
 /// A program that holds a tip with the first WoodenHaptics that it finds, until SIGTERM ends it.
-/// Says "engaged" once the device feels the tip.
+/// Says "engaged" once the operator feels the tip.
 
 #include "hardware/hid/HidapiTransport.h"
 #include "hardware/woodenhaptics/WoodenHaptics.h"

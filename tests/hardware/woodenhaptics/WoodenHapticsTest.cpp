@@ -61,7 +61,7 @@ protected:
         EXPECT_TRUE(calibrateWhenItWaits(*device, speak));
     }
 
-    /// One tick of a loop that wants the device to feel the force.
+    /// One tick of a loop that wants the operator to feel the force.
     DeviceState tick(const Vector3& force) {
         hid.send({readingReport(kHandle)});
         const DeviceState state = device->advance(1e-3);

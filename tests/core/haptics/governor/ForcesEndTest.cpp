@@ -29,7 +29,7 @@ private:
     Vector3 position_;
 };
 
-/// A loop whose device feels a force.
+/// A loop whose operator feels a force.
 class ForcesEnd : public ::testing::Test {
 protected:
     ForcesEnd() : loop(std::make_unique<HapticLoop>(scene, device, afm)) { startAndFeel(); }
