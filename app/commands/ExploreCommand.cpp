@@ -19,7 +19,6 @@
 #include "core/io/scene/DevicePathFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
-#include "core/scene/SceneTruth.h"
 
 #include <CLI/CLI.hpp>
 #include <bit>
@@ -151,8 +150,7 @@ FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& o
     const auto& [loaded, plan] = prepared;
     const Scene& scene = loaded.scene;
     RunKeeper keeper{.recorder = RunRecorder(out), .events = {}, .curves = {}};
-    SimulatedAfm afm(scene.touched(), truthOf(scene));
-    run(scene, plan, afm, keeper);
+    run(scene, plan, *instrumentOf(scene), keeper);
     keeper.recorder.close();
 
     const RunEvents& events = keeper.events.events();
