@@ -157,8 +157,8 @@ void addContactCommand(CLI::App& program) {
         "contact", "Force, contact radius and state for each case of a table, held at its "
                    "indentation");
     command->footer(
-        "Columns of the cases: model (hertz dmt jkr md sneddon jkr_sphere md_sphere split "
-        "split_sphere hertz_film),\nradius_m, e_star_pa, work_of_adhesion_j_m2, sigma0_pa (of the "
+        "Columns of the cases:\nmodel (" + keyList<ContactLaw>() +
+        "),\nradius_m, e_star_pa, work_of_adhesion_j_m2, sigma0_pa (of the "
         "md models), indentation_m (< 0: a gap),\nbranch (approach, retract). Of a film on a "
         "rigid base, too: film_thickness_m (0: a half-space),\npoisson_ratio (0 to 0.5).");
     const auto files = std::make_shared<CaseFiles>();

@@ -19,7 +19,6 @@
 #include "core/io/scene/DevicePathFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
-#include "core/scene/SceneTruth.h"
 
 #include <CLI/CLI.hpp>
 #include <bit>
@@ -84,21 +83,13 @@ struct RunKeeper {
 };
 
 void tellOutcome(const RunEvents& events) {
-    const auto flagged = [&events](Validity flag) {
-        return events.flagged.at(std::countr_zero(static_cast<std::uint32_t>(flag)));
-    };
-    if (const long large = flagged(Validity::LargeContact); large > 0) {
-        std::cerr << "note: contact radius above 0.3 tip radii in " << large << " of "
-                  << events.ticks << " ticks: beyond what half-space contact theory holds for\n";
-    }
-    if (const long curved = flagged(Validity::CurvedSample); curved > 0) {
-        std::cerr << "note: in " << curved << " of " << events.ticks
-                  << " ticks no single effective radius stands for the sample's curvature\n";
-    }
-    if (const long wrong = flagged(Validity::EstimateInconsistent); wrong > 0) {
-        std::cerr << "note: in " << wrong << " of " << events.ticks
-                  << " ticks the signals contradict the stated friction law or noise: the "
-                     "estimate's standard deviation was widened\n";
+    for (const Validity flag :
+         {Validity::LargeContact, Validity::CurvedSample, Validity::EstimateInconsistent}) {
+        const int index = std::countr_zero(static_cast<std::uint32_t>(flag));
+        if (const long ticks = events.flagged.at(index); ticks > 0) {
+            std::cerr << "note: in " << ticks << " of " << events.ticks
+                      << " ticks: " << kValidityTraits.at(index).words << '\n';
+        }
     }
     if (!events.snapIn) {
         std::cerr << "note: the tip never snapped into contact\n";
@@ -151,8 +142,7 @@ FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& o
     const auto& [loaded, plan] = prepared;
     const Scene& scene = loaded.scene;
     RunKeeper keeper{.recorder = RunRecorder(out), .events = {}, .curves = {}};
-    SimulatedAfm afm(scene.touched(), truthOf(scene));
-    run(scene, plan, afm, keeper);
+    run(scene, plan, *instrumentOf(scene), keeper);
     keeper.recorder.close();
 
     const RunEvents& events = keeper.events.events();

@@ -64,13 +64,14 @@ void runAgain(const Scene& scene, RecordedRun& run, const std::filesystem::path&
     recorder.close();
 }
 
-/// Compares two force logs cell by cell, as text: the numbers are written to the last bit.
+/// Compares two force logs cell by cell, as text: the numbers are written to the last bit. Columns
+/// that came after the recording was made are not in it.
 /// @throw Error naming the first tick that differs
 void compare(const RecordedRun& run, const CsvTable& replayed) {
     const CsvTable& recorded = run.log;
     const std::size_t common = std::min(recorded.rows(), replayed.rows());
     for (std::size_t row = 0; row < common; ++row) {
-        for (const std::string& column : replayed.columns()) {
+        for (const std::string& column : recorded.columns()) {
             const std::string& before = recorded.text(row, column);
             const std::string& now = replayed.text(row, column);
             if (before != now) {

@@ -8,6 +8,7 @@
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/ImagingTip.h"
+#include "core/scene/SceneTruth.h"
 
 #include <algorithm>
 #include <utility>
@@ -129,6 +130,10 @@ LoadedScene withChoices(LoadedScene loaded, const SceneDescription& choices) {
     loaded.scene.description = choices;
     loaded.needs = fitModel(loaded.scene);
     return loaded;
+}
+
+std::unique_ptr<AfmController> instrumentOf(const Scene& scene) {
+    return std::make_unique<SimulatedAfm>(scene.touched(), truthOf(scene));
 }
 
 }  // namespace asperity

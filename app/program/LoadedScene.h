@@ -2,9 +2,11 @@
 
 #include "core/Progress.h"
 #include "core/fidelity/SceneNeeds.h"
+#include "core/probe/AfmController.h"
 #include "core/scene/Scene.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,5 +40,9 @@ struct LoadedScene {
 
 /// The same scene with these choices in place of its own. @throw Error as buildScene()
 [[nodiscard]] LoadedScene withChoices(LoadedScene loaded, const SceneDescription& choices);
+
+/// The instrument of a scene, which outlives it, in the window and in `explore`: a simulated AFM
+/// that answers at once, as the scene's [truth] says.
+[[nodiscard]] std::unique_ptr<AfmController> instrumentOf(const Scene& scene);
 
 }  // namespace asperity

@@ -2,7 +2,6 @@
 
 #include "core/haptics/device/PointerDevice.h"
 #include "core/scene/BelievedModel.h"
-#include "core/scene/SceneTruth.h"
 
 #include <utility>
 
@@ -10,10 +9,6 @@ namespace asperity {
 
 Vector3 startPlace(const Scene& scene) {
     return waitingPlace(scene, 0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
-}
-
-std::unique_ptr<AfmController> simulatedInstrument(const Scene& scene) {
-    return std::make_unique<SimulatedAfm>(scene.touched(), truthOf(scene));
 }
 
 LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument& makeInstrument)

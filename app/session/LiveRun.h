@@ -6,7 +6,6 @@
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/blackbox/BlackBox.h"
 #include "core/haptics/coupling/CouplingKeeper.h"
-#include "core/probe/AfmController.h"
 
 #include <functional>
 #include <memory>
@@ -23,9 +22,6 @@ struct FetchCost {
     }
 };
 
-/// An AFM that answers at once, as the scene's [truth] says.
-[[nodiscard]] std::unique_ptr<AfmController> simulatedInstrument(const Scene& scene);
-
 /// A scene with its instrument, its device and its loop: everything that lives and ends together.
 class LiveRun {
 public:
@@ -34,7 +30,7 @@ public:
 
     /// @param start where the base waits at first [m]
     LiveRun(LoadedScene loaded, const Vector3& start,
-            const MakeInstrument& makeInstrument = simulatedInstrument);
+            const MakeInstrument& makeInstrument = instrumentOf);
 
     [[nodiscard]] const LoadedScene& loaded() const noexcept { return loaded_; }
     [[nodiscard]] const Scene& scene() const noexcept { return loaded_.scene; }

@@ -5,6 +5,7 @@
 #include "core/scene/Scene.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace asperity {
 
@@ -12,18 +13,13 @@ namespace {
 
 /// Laws between which there is a choice; which of them is right depends on the materials.
 std::vector<ContactLaw> lawsFor(const SceneDescription& scene) {
-    std::vector<ContactLaw> laws{ContactLaw::Hertz, ContactLaw::Sneddon};
-    if (isPossible(ModelTerm::FilmBase, scene)) {
-        laws.push_back(ContactLaw::HertzFilm);
-    }
-    if (isPossible(ModelTerm::Adhesion, scene)) {
-        // Not insert(): GCC 12 with -fsanitize=thread sees it write beyond the end (it does not).
-        for (const ContactLaw law :
-             {ContactLaw::Dmt, ContactLaw::Jkr, ContactLaw::Maugis, ContactLaw::Split,
-              ContactLaw::SphereJkr, ContactLaw::SphereMaugis, ContactLaw::SphereSplit}) {
-            laws.push_back(law);
-        }
-    }
+    std::vector<ContactLaw> laws;
+    std::ranges::copy_if(kValues<ContactLaw>, std::back_inserter(laws), [&scene](ContactLaw law) {
+        return (!isFilm(law) || isPossible(ModelTerm::FilmBase, scene)) &&
+               (!isAdhesive(law) || isPossible(ModelTerm::Adhesion, scene));
+    });
+    std::ranges::stable_sort(
+        laws, {}, [](ContactLaw law) { return isAdhesive(law) ? 1 + int{isSphere(law)} : 0; });
     return laws;
 }
 

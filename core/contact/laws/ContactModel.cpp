@@ -90,46 +90,6 @@ ContactModel::Checked ContactModel::checked(ContactLaw law, const ContactPair& p
     return {law, pair, options, tableFor(law, pair, options), filmFor(law, options)};
 }
 
-ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
-    const ContactPair& pair = given.pair;
-    const auto sudden = [](const auto& bonded) {
-        return Joined{JoinedLaw(NoTail(bonded.onset()), bonded)};
-    };
-    const auto tailed = [](const AttractiveTail& tail, const auto& bonded) {
-        return Joined{JoinedLaw(WithTail(tail), bonded)};
-    };
-    if (isFilm(given.law)) {
-        return sudden(FilmLaw(pair, given.options.filmThickness, *given.film));
-    }
-    const MaugisSolver solver{given.options.solver, given.table.get()};
-    const bool adhesive = pair.workOfAdhesion >= kMinAdhesion;
-    if (given.law == ContactLaw::Sneddon || (isSphere(given.law) && !adhesive)) {
-        return sudden(SneddonLaw(pair));
-    }
-    if (!adhesive) {
-        return sudden(HertzLaw(pair));
-    }
-    const AttractiveTail tail = splitTail(pair);
-    switch (given.law) {
-    case ContactLaw::Dmt:
-        return sudden(DmtLaw(pair));
-    case ContactLaw::Jkr:
-        return sudden(JkrLaw(pair));
-    case ContactLaw::Maugis:
-        return sudden(MaugisLaw(pair, given.options.cohesiveStress, solver));
-    case ContactLaw::SphereJkr:
-        return sudden(SphereJkrLaw(pair));
-    case ContactLaw::SphereMaugis:
-        return sudden(SphereMaugisLaw(pair, given.options.cohesiveStress));
-    case ContactLaw::Split:
-        return tailed(tail, splitLaw(pair, tail, solver));
-    case ContactLaw::SphereSplit:
-        return tailed(tail, sphereSplitLaw(pair, tail));
-    default:
-        return sudden(HertzLaw(pair));
-    }
-}
-
 ContactModel ContactModel::withTipRadius(double tipRadius) const noexcept {
     Checked given = given_;
     if (!std::isnan(tipRadius)) {

@@ -1,5 +1,5 @@
-// What ContactModel holds beside its parameters. For its sources alone: who computes contacts knows
-// no single law, and a new one is compiled into these.
+// What ContactModel holds beside its parameters: the laws, and which one a name stands for. For its
+// sources alone: who computes contacts knows no single law, and a new one is compiled into these.
 
 #pragma once
 
@@ -33,6 +33,46 @@ struct ContactModel::Joined {
                  Tailed<SplitLaw>, Tailed<SphereSplitLaw>>
         law;
 };
+
+inline ContactModel::Joined ContactModel::joinedLaw(const Checked& given) noexcept {
+    const ContactLaw law = given.law;
+    const ContactPair& pair = given.pair;
+    const ContactOptions& options = given.options;
+    const auto sudden = [](const auto& bonded) {
+        return Joined{JoinedLaw(NoTail(bonded.onset()), bonded)};
+    };
+    const auto tailed = [&given](const auto& bondedBehind) {
+        const AttractiveTail tail = splitTail(given.pair);
+        return Joined{JoinedLaw(WithTail(tail), bondedBehind(tail))};
+    };
+    const MaugisSolver solver{options.solver, given.table.get()};
+    if (isAdhesive(law) && pair.workOfAdhesion < kMinAdhesion) {
+        return isSphere(law) ? sudden(SneddonLaw(pair)) : sudden(HertzLaw(pair));
+    }
+    switch (law) {  // no default: the compiler names a law that is missing here
+    case ContactLaw::Hertz:
+        break;
+    case ContactLaw::Dmt:
+        return sudden(DmtLaw(pair));
+    case ContactLaw::Jkr:
+        return sudden(JkrLaw(pair));
+    case ContactLaw::Maugis:
+        return sudden(MaugisLaw(pair, options.cohesiveStress, solver));
+    case ContactLaw::Sneddon:
+        return sudden(SneddonLaw(pair));
+    case ContactLaw::SphereJkr:
+        return sudden(SphereJkrLaw(pair));
+    case ContactLaw::SphereMaugis:
+        return sudden(SphereMaugisLaw(pair, options.cohesiveStress));
+    case ContactLaw::Split:
+        return tailed([&](const AttractiveTail& tail) { return splitLaw(pair, tail, solver); });
+    case ContactLaw::SphereSplit:
+        return tailed([&](const AttractiveTail& tail) { return sphereSplitLaw(pair, tail); });
+    case ContactLaw::HertzFilm:
+        return sudden(FilmLaw(pair, options.filmThickness, *given.film));
+    }
+    return sudden(HertzLaw(pair));
+}
 
 inline const ContactModel::Joined& ContactModel::joined() const noexcept {
     // A copy of the bytes is a copy of the law.
