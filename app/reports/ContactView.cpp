@@ -2,6 +2,7 @@
 
 #include "core/SiFormat.h"
 #include "core/deformation/ContactPatch.h"
+#include "core/words/HalfSpaceWords.h"
 
 #include <algorithm>
 #include <cctype>
@@ -60,7 +61,7 @@ DrawnContact drawnContact(const Scene& scene, const TickSample& sample) {
     }
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
     return {.deformation = ContactDeformation(scene, state, tier, &answer),
-            .remark = " " + capitalised(sentenceOf(answer)) + "."};
+            .remark = " " + capitalised(sentenceOf(answer.judgment())) + "."};
 }
 
 }  // namespace

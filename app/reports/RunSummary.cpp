@@ -6,6 +6,8 @@
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
+#include "core/words/HalfSpaceWords.h"
+#include "core/words/TermWords.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -38,11 +40,11 @@ Json inputJson(const LoadedScene& loaded) {
             {"notes", loaded.notes}};
 }
 
-Json termJson(const TermNeed& need) {
+Json termJson(const TermNeed& need, const SceneNeeds& needs) {
     return {{"term", nameOf(need.term)},
             {"on", need.on},
             {"overruled", need.overruled},
-            {"why", need.why},
+            {"why", whyOf(need, needs)},
             {"effect", need.effect}};
 }
 
@@ -50,7 +52,7 @@ Json termJson(const TermNeed& need) {
 Json modelJson(const SceneNeeds& needs) {
     Json terms = Json::array();
     for (const TermNeed& need : needs.terms) {
-        terms.push_back(termJson(need));
+        terms.push_back(termJson(need, needs));
     }
     Json model = {{"tolerance", needs.tolerance}, {"force_error", nullptr}, {"terms", terms}};
     if (needs.measured) {
@@ -88,7 +90,7 @@ Json halfSpaceJson(const Scene& scene, const std::optional<TickSample>& sample) 
     }
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, sample->output.model);
     return {{"valid", answer.valid()},
-            {"remark", sentenceOf(answer)},
+            {"remark", sentenceOf(answer.judgment())},
             {"normal_force_n", answer.force},
             {"law_normal_force_n", sample->output.model.normalForce},
             {"contact_radius_m", answer.contactRadius}};

@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
-#include <string>
 
 namespace asperity {
 
@@ -40,6 +39,13 @@ inline constexpr auto kEnumTable<HalfSpaceVerdict> = std::to_array<NamedRow<Half
      {HalfSpaceVerdict::NotConverged, "it did not converge"},
      {HalfSpaceVerdict::Canceled, "it was canceled"}});
 
+/// What is to be thought of the half-space's own force, beside the law's.
+struct HalfSpaceJudgment {
+    HalfSpaceVerdict verdict = HalfSpaceVerdict::NotBonded;
+    double force = 0.0;     ///< see HalfSpaceAnswer [N]
+    double lawForce = 0.0;  ///< likewise, of the contact law [N]
+};
+
 /// The half-space's own view of one state of the tip.
 struct HalfSpaceAnswer {
     HalfSpaceVerdict verdict = HalfSpaceVerdict::NotBonded;
@@ -50,14 +56,14 @@ struct HalfSpaceAnswer {
     std::shared_ptr<const HalfSpaceField> field;  ///< of both bodies together; null unless valid
 
     [[nodiscard]] bool valid() const noexcept { return verdict == HalfSpaceVerdict::Valid; }
+    [[nodiscard]] HalfSpaceJudgment judgment() const noexcept {
+        return {.verdict = verdict, .force = force, .lawForce = state.normalForce};
+    }
 };
 
 /// Whether a valid answer still shows what the surface does at a later state: as bonded, about as
 /// wide and about there.
 [[nodiscard]] bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now);
-
-/// For people, in one sentence: own force beside the law's, or why the answer is not used.
-[[nodiscard]] std::string sentenceOf(const HalfSpaceAnswer& answer);
 
 /// Solves for the deformed surface around the tip, on the scan's own topography in the tangent
 /// plane at the closest point and with the exact sphere as tip, at the indentation of the tick's

@@ -1,6 +1,5 @@
 #include "core/fidelity/SceneNeeds.h"
 
-#include "core/FormattedText.h"
 #include "core/fidelity/ReferenceModels.h"
 #include "core/fidelity/SampledRuns.h"
 #include "core/fidelity/SurfaceNeeds.h"
@@ -61,14 +60,16 @@ private:
 
     void weigh(TermNeed& need) {
         if (!isPossible(need.term, scene_.description)) {
-            need.why = whyImpossible(need.term);
+            need.reason = NeedReason::Impossible;
             return;
         }
         const TermPair models = pairOf(need.term, needs_.full);
         const ModelDifference difference = runs_.between(models.with, models.without);
         need.effect = difference.effect;
         need.time = difference.time;
-        need.why = factOf(need.term, scene_, difference.with);
+        const bool isAnyShape = need.term == ModelTerm::GlobalSearch && scene_.shape;
+        need.reason = isAnyShape ? NeedReason::AnyShape : NeedReason::Fact;
+        need.fact = factOf(need.term, scene_, difference.with);
     }
 
     [[nodiscard]] double effectOf(ModelTerm term, const ForceModelOptions& model) {
@@ -188,50 +189,34 @@ void decideSurface(const SceneDescription& description, const SurfaceNeeds& surf
     }
 }
 
-std::string whyHalfSpace(const SurfaceNeeds& surface) {
+NeedReason reasonOf(ModelTerm term, const SurfaceNeeds& surface) {
     if (!surface.touches) {
-        return "the sampled runs touch nothing";
+        return NeedReason::NoContact;
     }
-    const bool somewhere = surface.halfSpace > 0.0;
-    return somewhere && !surface.halfSpaceHolds ? "it does not hold at every contact"
-                                                : surface.halfSpaceWord;
+    const bool notEverywhere = term == ModelTerm::HalfSpaceSolve && surface.halfSpace > 0.0 &&
+                               !surface.halfSpaceHolds;
+    return notEverywhere ? NeedReason::NotEverywhere : NeedReason::Fact;
 }
 
 void fillIn(const SurfaceNeeds& surface, SceneNeeds& needs) {
     for (TermNeed& need : needs.terms) {
-        if (need.term == ModelTerm::OutsideDisplacement) {
-            need.effect = surface.outside;
-            need.time = surface.outsideTime;
-            need.why = surface.touches ? "a sample yields beyond the rim of the contact, too"
-                                       : "the sampled runs touch nothing";
-        } else if (need.term == ModelTerm::HalfSpaceSolve) {
-            need.effect = surface.halfSpace;
-            need.time = surface.halfSpaceTime;
-            need.why = whyHalfSpace(surface);
+        if (isOfSurface(need.term)) {
+            const bool solves = need.term == ModelTerm::HalfSpaceSolve;
+            need.effect = solves ? surface.halfSpace : surface.outside;
+            need.time = solves ? surface.halfSpaceTime : surface.outsideTime;
+            need.reason = reasonOf(need.term, surface);
         }
     }
+    needs.halfSpace = surface.deepest;
 }
 
 /// Nothing can be tried: all stays in.
 void leaveAsItIs(double tickTime, SceneNeeds& needs) {
-    const std::string why = formatted("not tried: a tick takes %.2g ms here", tickTime * 1e3);
     for (TermNeed& need : needs.terms) {
-        need.why = why;
+        need.reason = NeedReason::NotTried;
     }
     needs.fullTick = tickTime;
     needs.modelTick = tickTime;
-}
-
-/// Of terms that matter and are not in: which other one took their place.
-void nameExcluders(SceneNeeds& needs) {
-    for (TermNeed& need : needs.terms) {
-        for (const ModelTerm other : kModelTerms) {
-            if (need.effect > needs.tolerance && exclude(need.term, other) &&
-                has(needs.full, other) && !has(needs.full, need.term)) {
-                need.why += std::string("; no contact law has it beside the ") + nameOf(other);
-            }
-        }
-    }
 }
 
 void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs) {
@@ -240,7 +225,6 @@ void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs) {
     const SurfaceNeeds surface = surfaceNeedsOf(scene, force.reference().states);
     fillIn(surface, needs);
     decideSurface(scene.description, surface, needs);
-    nameExcluders(needs);
 }
 
 }  // namespace
@@ -250,7 +234,7 @@ SceneNeeds fitModel(Scene& scene, double longestTick) {
     needs.tolerance = scene.description.tolerance;
     for (const ModelTerm term : kModelTerms) {
         needs.terms.push_back(
-            {.term = term, .overruled = isSettled(term, scene.description.choices), .why = ""});
+            {.term = term, .overruled = isSettled(term, scene.description.choices)});
     }
     setModel(scene, needs.full);
     needs.model = needs.full;

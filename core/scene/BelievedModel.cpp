@@ -32,7 +32,7 @@ LawChoice usualLaw(const SceneDescription& scene) {
         const std::optional<bool> choice = choiceOf(term, choices);
         if (choice && *choice != has(now, term)) {
             law = {(*choice ? with(now, term) : without(now, term)).law,
-                   "as the scene says of its terms"};
+                   LawReason::TermsOfScene};
         }
     }
     return law;

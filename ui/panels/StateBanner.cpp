@@ -1,6 +1,7 @@
 #include "ui/panels/StateBanner.h"
 
 #include "core/haptics/mapping/WorkspaceMapping.h"
+#include "core/words/HalfSpaceWords.h"
 #include "ui/Theme.h"
 
 #include <QHBoxLayout>
@@ -78,7 +79,8 @@ void StateBanner::setHalfSpace(const HalfSpaceAnswer* answer) {
     notHolding_.clear();
     // Far from the sample there is nothing to solve, and nothing wrong.
     if (answer != nullptr && answer->verdict != HalfSpaceVerdict::NotBonded) {
-        (answer->valid() ? halfSpace_ : notHolding_) = QString::fromStdString(sentenceOf(*answer));
+        (answer->valid() ? halfSpace_ : notHolding_) =
+            QString::fromStdString(sentenceOf(answer->judgment()));
     }
 }
 

@@ -11,4 +11,8 @@ namespace asperity {
 /// has beside the rest (sphere correction)".
 [[nodiscard]] std::string forceErrorText(const SceneNeeds& needs);
 
+/// The same with the terms that the model leaves out, but for those its law has no room for: they
+/// are told with the error.
+[[nodiscard]] std::string modelNote(const SceneNeeds& needs);
+
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "core/fidelity/ForceErrorText.h"
+#include "core/words/ModelWords.h"
 
 #include "core/FormattedText.h"
 
@@ -38,6 +38,19 @@ std::string forceErrorText(const SceneNeeds& needs) {
                 lawTerms(needs) + ")";
     }
     return text;
+}
+
+std::string modelNote(const SceneNeeds& needs) {
+    std::string out;
+    for (const TermNeed& need : needs.terms) {
+        const auto& misses = needs.lawMisses;
+        if (!need.on && std::ranges::find(misses, need.term) == misses.end()) {
+            out += (out.empty() ? "" : ", ") + std::string(nameOf(need.term));
+        }
+    }
+    const std::string tolerance = formatted(" (tolerance %.2g %%)", 100.0 * needs.tolerance);
+    return "model: " + forceErrorText(needs) + tolerance +
+           (out.empty() ? ", nothing left out" : "; left out: " + out);
 }
 
 }  // namespace asperity

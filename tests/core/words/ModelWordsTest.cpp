@@ -1,4 +1,4 @@
-#include "core/fidelity/ForceErrorText.h"
+#include "core/words/ModelWords.h"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +25,18 @@ TEST(ForceErrorText, DoesNotRoundAnErrorToNone) {
               "forces within 0.01 % of their rms in 97 ticks of 100");
     EXPECT_EQ(forceErrorText({.measured = true, .wholeError = 2.96}),
               "forces within 296 % of their rms in 97 ticks of 100");
+}
+
+TEST(ModelNote, ListsWhatIsLeftOutButForWhatTheLawMisses) {
+    SceneNeeds needs{.tolerance = 0.05, .lawMisses = {ModelTerm::SphereCorrection}};
+    EXPECT_EQ(modelNote(needs),
+              "model: error of the forces not measured (tolerance 5 %), nothing left out");
+    needs.terms = {{.term = ModelTerm::SphereCorrection, .on = false},
+                   {.term = ModelTerm::Friction, .on = false},
+                   {.term = ModelTerm::Torsion},
+                   {.term = ModelTerm::MountTilt, .on = false}};
+    EXPECT_EQ(modelNote(needs), "model: error of the forces not measured (tolerance 5 %); left "
+                                "out: friction, mount tilt");
 }
 
 }  // namespace
