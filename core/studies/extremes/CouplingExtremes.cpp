@@ -48,16 +48,11 @@ std::string describe(const HoldSetting& hold) {
 }
 
 /// A coupling for the loop, or why there is none.
-struct CouplingOffer {
-    CouplingGains gains;
-    std::string refusal;
-};
-
-CouplingOffer offerFor(const LoopTiming& timing) {
+CoupledDevice offerFor(const LoopTiming& timing) {
     try {
-        return {.gains = designCoupling(kDevice, timing), .refusal = ""};
+        return {.gains = designCoupling(kDevice, timing), .judgment = {}, .noCoupling = ""};
     } catch (const Error& error) {
-        return {.gains = {}, .refusal = error.what()};
+        return {.gains = {}, .judgment = {}, .noCoupling = error.what()};
     }
 }
 
@@ -85,38 +80,40 @@ public:
 
 private:
     HoldOutcome held(const HoldSetting& hold) {
-        const CouplingOffer offer = offerFor({.timeStep = scene_.timeStep(), .delay = hold.delay});
-        if (!offer.refusal.empty()) {
-            return {.setting = hold, .verdict = HoldVerdict::NoCoupling, .refusal = offer.refusal};
+        HoldOutcome outcome{
+            .setting = hold,
+            .device = offerFor({.timeStep = scene_.timeStep(), .delay = hold.delay})};
+        if (!outcome.device.holds()) {
+            outcome.verdict = HoldVerdict::NoCoupling;
+            return outcome;
         }
-        HoldOutcome outcome = judged(hold, offer.gains);
-        if (!outcome.guardHolds) {
+        outcome.device.judgment = judged(hold, outcome.device.gains);
+        if (!outcome.device.holds()) {
             outcome.verdict = HoldVerdict::ScaleTooHigh;
             return outcome;
         }
-        return tried(outcome, offer.gains);
+        return tried(outcome);
     }
 
-    HoldOutcome free(const HoldSetting& hold) { return tried(judged(hold, std::nullopt), {}); }
+    HoldOutcome free(const HoldSetting& hold) {
+        HoldOutcome outcome{.setting = hold, .device = {}};
+        outcome.device.judgment = judged(hold, std::nullopt);
+        return tried(outcome);
+    }
 
-    [[nodiscard]] HoldOutcome judged(const HoldSetting& hold,
-                                     const std::optional<CouplingGains>& gains) const {
+    [[nodiscard]] ScaleJudgment judged(const HoldSetting& hold,
+                                       const std::optional<CouplingGains>& gains) const {
         const TipLoad tip = tipLoad(scene_.belief, kDevice.maxForce / hold.scale.forceGain);
-        const ScaleJudgment judgment = judgeScale(tip, hold.scale, gains,
-                                                  {.stiffness = kDevice.maxStiffness,
-                                                   .force = kDevice.maxForce,
-                                                   .timeStep = scene_.timeStep()});
-        return {.setting = hold,
-                .contact = judgment.contact,
-                .felt = judgment.felt,
-                .guardHolds = judgment.holds(),
-                .refusal = judgment.holds() ? "" : judgment.sentence};
+        return judgeScale(tip, hold.scale, gains,
+                          {.stiffness = kDevice.maxStiffness,
+                           .force = kDevice.maxForce,
+                           .timeStep = scene_.timeStep()});
     }
 
-    HoldOutcome tried(HoldOutcome outcome, const CouplingGains& gains) {
+    HoldOutcome tried(HoldOutcome outcome) {
         const HoldSetting& setting = outcome.setting;
         const BenchHold hold{.scale = setting.scale,
-                             .coupling = gains,
+                             .coupling = outcome.device.gains,
                              .delay = setting.delay,
                              .grip = setting.grip};
         std::optional<double> swing = swingOnBench(scene_, hold, check_);
