@@ -4,7 +4,7 @@
 #include "app/program/DataFolder.h"
 #include "core/Error.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/words/LawWords.h"
+#include "core/words/ModelWords.h"
 
 namespace asperity {
 

@@ -65,8 +65,7 @@ LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& 
         LoadedScene loaded = description.sample.shape ? shapeScene(description, overrides)
                                                       : mapScene(description, overrides, progress);
         loaded.needs = fitModel(loaded.scene);
-        std::ranges::move(sceneNotes(loaded.scene, loaded.needs),
-                          std::back_inserter(loaded.notes));
+        std::ranges::move(sceneNotes(loaded.scene, loaded.needs), std::back_inserter(loaded.notes));
         return loaded;
     } catch (const InputError&) {
         throw;

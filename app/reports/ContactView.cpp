@@ -2,7 +2,7 @@
 
 #include "core/SiFormat.h"
 #include "core/deformation/ContactPatch.h"
-#include "core/words/HalfSpaceWords.h"
+#include "core/words/ModelWords.h"
 
 #include <algorithm>
 #include <cctype>
@@ -61,7 +61,7 @@ DrawnContact drawnContact(const Scene& scene, const TickSample& sample) {
     }
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
     return {.deformation = ContactDeformation(scene, state, tier, &answer),
-            .remark = " " + capitalised(sentenceOf(answer.judgment())) + "."};
+            .remark = " " + capitalised(sentenceOf(answer)) + "."};
 }
 
 }  // namespace

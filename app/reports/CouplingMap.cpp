@@ -80,8 +80,8 @@ ShareMap mapOf(const std::vector<HoldOutcome>& holds, bool coupled, const RowCho
 
 /// Those that got as far as a contact's stiffness.
 std::vector<HoldOutcome> judgedOnes(std::vector<HoldOutcome> holds) {
-    std::erase_if(
-        holds, [](const HoldOutcome& hold) { return !(hold.device.judgment.contact > 0.0); });
+    std::erase_if(holds,
+                  [](const HoldOutcome& hold) { return !(hold.device.judgment.contact > 0.0); });
     return holds;
 }
 

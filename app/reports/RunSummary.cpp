@@ -6,8 +6,7 @@
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
-#include "core/words/HalfSpaceWords.h"
-#include "core/words/TermWords.h"
+#include "core/words/ModelWords.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -90,7 +89,7 @@ Json halfSpaceJson(const Scene& scene, const std::optional<TickSample>& sample) 
     }
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, sample->output.model);
     return {{"valid", answer.valid()},
-            {"remark", sentenceOf(answer.judgment())},
+            {"remark", sentenceOf(answer)},
             {"normal_force_n", answer.force},
             {"law_normal_force_n", sample->output.model.normalForce},
             {"contact_radius_m", answer.contactRadius}};

@@ -3,8 +3,7 @@
 #include "core/Version.h"
 #include "core/io/tables/CsvWriter.h"
 #include "core/studies/Composition.h"
-#include "core/words/HalfSpaceWords.h"
-#include "core/words/TermWords.h"
+#include "core/words/ModelWords.h"
 #include "vtkplugins/pictures/Charts.h"
 
 #include <algorithm>

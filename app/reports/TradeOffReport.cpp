@@ -3,9 +3,7 @@
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/studies/Composition.h"
-#include "core/words/HalfSpaceWords.h"
 #include "core/words/ModelWords.h"
-#include "core/words/TermWords.h"
 
 #include <array>
 #include <cstdio>
@@ -135,8 +133,8 @@ void printNeeds(const SceneNeeds& needs) {
         const char* unit = isOfSurface(need.term) ? "ms a patch" : "us a tick";
         const double time = need.time * (isOfSurface(need.term) ? 1e3 : 1e6);
         std::printf("  %-21s %-4s %8.3g %%  %+7.2f %-10s  %s%s\n", nameOf(need.term),
-                    need.on ? "on" : "off", need.effect * 100.0, time, unit, whyOf(need, needs).c_str(),
-                    need.overruled ? " (as the scene says)" : "");
+                    need.on ? "on" : "off", need.effect * 100.0, time, unit,
+                    whyOf(need, needs).c_str(), need.overruled ? " (as the scene says)" : "");
     }
     std::printf("\n");
 }

@@ -39,13 +39,6 @@ inline constexpr auto kEnumTable<HalfSpaceVerdict> = std::to_array<NamedRow<Half
      {HalfSpaceVerdict::NotConverged, "it did not converge"},
      {HalfSpaceVerdict::Canceled, "it was canceled"}});
 
-/// What is to be thought of the half-space's own force, beside the law's.
-struct HalfSpaceJudgment {
-    HalfSpaceVerdict verdict = HalfSpaceVerdict::NotBonded;
-    double force = 0.0;     ///< see HalfSpaceAnswer [N]
-    double lawForce = 0.0;  ///< likewise, of the contact law [N]
-};
-
 /// The half-space's own view of one state of the tip.
 struct HalfSpaceAnswer {
     HalfSpaceVerdict verdict = HalfSpaceVerdict::NotBonded;
@@ -56,9 +49,6 @@ struct HalfSpaceAnswer {
     std::shared_ptr<const HalfSpaceField> field;  ///< of both bodies together; null unless valid
 
     [[nodiscard]] bool valid() const noexcept { return verdict == HalfSpaceVerdict::Valid; }
-    [[nodiscard]] HalfSpaceJudgment judgment() const noexcept {
-        return {.verdict = verdict, .force = force, .lawForce = state.normalForce};
-    }
 };
 
 /// Whether a valid answer still shows what the surface does at a later state: as bonded, about as

@@ -2,7 +2,6 @@
 
 #include "core/fidelity/ReferenceModels.h"
 #include "core/fidelity/SampledRuns.h"
-#include "core/fidelity/SurfaceNeeds.h"
 #include "core/fidelity/TermFacts.h"
 #include "core/scene/BelievedModel.h"
 
@@ -60,15 +59,12 @@ private:
 
     void weigh(TermNeed& need) {
         if (!isPossible(need.term, scene_.description)) {
-            need.reason = NeedReason::Impossible;
             return;
         }
         const TermPair models = pairOf(need.term, needs_.full);
         const ModelDifference difference = runs_.between(models.with, models.without);
         need.effect = difference.effect;
         need.time = difference.time;
-        const bool isAnyShape = need.term == ModelTerm::GlobalSearch && scene_.shape;
-        need.reason = isAnyShape ? NeedReason::AnyShape : NeedReason::Fact;
         need.fact = factOf(need.term, scene_, difference.with);
     }
 
@@ -177,8 +173,8 @@ private:
 };
 
 /// Decides about the terms of the picture.
-void decideSurface(const SceneDescription& description, const SurfaceNeeds& surface,
-                   SceneNeeds& needs) {
+void decideSurface(const SceneDescription& description, SceneNeeds& needs) {
+    const SurfaceNeeds& surface = needs.surface;
     if (description.choices.deformation) {
         return;
     }
@@ -189,42 +185,24 @@ void decideSurface(const SceneDescription& description, const SurfaceNeeds& surf
     }
 }
 
-NeedReason reasonOf(ModelTerm term, const SurfaceNeeds& surface) {
-    if (!surface.touches) {
-        return NeedReason::NoContact;
-    }
-    const bool notEverywhere = term == ModelTerm::HalfSpaceSolve && surface.halfSpace > 0.0 &&
-                               !surface.halfSpaceHolds;
-    return notEverywhere ? NeedReason::NotEverywhere : NeedReason::Fact;
-}
-
 void fillIn(const SurfaceNeeds& surface, SceneNeeds& needs) {
     for (TermNeed& need : needs.terms) {
-        if (isOfSurface(need.term)) {
-            const bool solves = need.term == ModelTerm::HalfSpaceSolve;
-            need.effect = solves ? surface.halfSpace : surface.outside;
-            need.time = solves ? surface.halfSpaceTime : surface.outsideTime;
-            need.reason = reasonOf(need.term, surface);
+        if (need.term == ModelTerm::OutsideDisplacement) {
+            need.effect = surface.outside;
+            need.time = surface.outsideTime;
+        } else if (need.term == ModelTerm::HalfSpaceSolve) {
+            need.effect = surface.halfSpace;
+            need.time = surface.halfSpaceTime;
         }
     }
-    needs.halfSpace = surface.deepest;
-}
-
-/// Nothing can be tried: all stays in.
-void leaveAsItIs(double tickTime, SceneNeeds& needs) {
-    for (TermNeed& need : needs.terms) {
-        need.reason = NeedReason::NotTried;
-    }
-    needs.fullTick = tickTime;
-    needs.modelTick = tickTime;
 }
 
 void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs) {
     force.decide(tipFitsEverywhere(scene));
     setModel(scene, needs.full);
-    const SurfaceNeeds surface = surfaceNeedsOf(scene, force.reference().states);
-    fillIn(surface, needs);
-    decideSurface(scene.description, surface, needs);
+    needs.surface = surfaceNeedsOf(scene, force.reference().states);
+    fillIn(needs.surface, needs);
+    decideSurface(scene.description, needs);
 }
 
 }  // namespace
@@ -240,7 +218,7 @@ SceneNeeds fitModel(Scene& scene, double longestTick) {
     needs.model = needs.full;
     ForceNeeds force(scene, needs, longestTick);
     if (force.isSlow()) {
-        leaveAsItIs(force.tickTime(), needs);
+        needs.fullTick = needs.modelTick = force.tickTime();
     } else {
         decideAll(scene, force, needs);
     }

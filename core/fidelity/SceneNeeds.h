@@ -1,24 +1,13 @@
 #pragma once
 
-#include "core/deformation/HalfSpaceModel.h"
+#include "core/fidelity/SurfaceNeeds.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
 
-#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace asperity {
-
-/// What stands behind the worth of a term.
-enum class NeedReason : std::uint8_t {
-    Unknown,
-    NotTried,       ///< a tick takes too long here
-    Impossible,     ///< the sample has nothing that the term is about
-    Fact,           ///< of the force: TermNeed::fact; of the half-space: SceneNeeds::halfSpace
-    AnyShape,       ///< of the global search: a shape may come near at several places
-    NoContact,      ///< the sampled runs touch nothing
-    NotEverywhere,  ///< the half-space does not hold at every contact
-};
 
 /// The quantities of a scene and a run of it that decide about a term, see factOf().
 struct TermFact {
@@ -32,9 +21,8 @@ struct TermFact {
 struct TermNeed {
     ModelTerm term = ModelTerm::Adhesion;
     bool on = true;
-    bool overruled = false;  ///< the scene says so itself
-    NeedReason reason = NeedReason::Unknown;
-    TermFact fact;
+    bool overruled = false;        ///< the scene says so itself
+    std::optional<TermFact> fact;  ///< none: of the surface, not possible, or not measured
     /// What leaving it out of the model changes that has it and all terms that it does not exclude:
     /// the force in the sampled run, see SampledRuns; of terms of the surface its displacement, as
     /// a share of the indentation.
@@ -55,7 +43,7 @@ struct SceneNeeds {
     std::vector<ModelTerm> lawMisses;  ///< those of them that move the force
     double fullTick = 0.0;             ///< median of a tick with everything [s]
     double modelTick = 0.0;            ///< and of one with what matters [s]
-    HalfSpaceJudgment halfSpace;       ///< of the deepest contact that was looked at
+    SurfaceNeeds surface;              ///< once `measured`
 
     /// Of `model` against what the tip would feel if a contact law had every term.
     [[nodiscard]] double totalError() const { return wholeError + lawError; }

@@ -91,7 +91,7 @@ SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states
         outsideTimes.push_back(closedTime - radiusTime);
         const auto [answer, solveTime] = timed(1, [&] { return halfSpace.solve(scene, *state); });
         if (!needs.touches) {
-            needs.deepest = answer.judgment();
+            needs.deepest = answer;
         }
         needs.halfSpaceHolds = answer.valid() && (!needs.touches || needs.halfSpaceHolds);
         needs.touches = true;

@@ -12,7 +12,7 @@ namespace asperity {
 struct SurfaceNeeds {
     bool touches = false;         ///< whether any of the states was a contact
     bool halfSpaceHolds = false;  ///< at all states that were looked at
-    HalfSpaceJudgment deepest;    ///< what the half-space says of itself at the deepest
+    HalfSpaceAnswer deepest;      ///< what the half-space says of itself at the deepest
     double outside = 0.0;         ///< contact radius from closed form
     double halfSpace = 0.0;       ///< closed form from half-space; 0 where that does not hold
     double outsideTime = 0.0;     ///< that the closed form takes longer than the contact radius [s]

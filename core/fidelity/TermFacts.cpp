@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 
@@ -40,7 +41,8 @@ TermFact factOf(ModelTerm term, const Scene& scene, const ModelRun& run) {
     case ModelTerm::MountTilt:
         return {scene.description.probe.mountTilt};
     case ModelTerm::GlobalSearch:
-        return {scene.surface.bounds().all().concavity * scene.belief.tipRadius()};
+        return {scene.shape ? std::numeric_limits<double>::infinity()
+                            : scene.surface.bounds().all().concavity * scene.belief.tipRadius()};
     case ModelTerm::OutsideDisplacement:
     case ModelTerm::HalfSpaceSolve:
         break;

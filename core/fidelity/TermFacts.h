@@ -10,7 +10,8 @@ namespace asperity {
 /// - adhesion: the largest pull and the largest push at the tip [N];
 /// - van der Waals tail: the transition parameter;
 /// - exact sphere, film's base: the widest contact, in tip radii and in film thicknesses;
-/// - curvature of the sample, global search: the largest of sample and of hollows, in tip curvatures;
+/// - curvature of the sample, global search: the largest of sample and of hollows over the tip's;
+///   infinite for the search on a shape, which may come near at several places;
 /// - friction: coefficient and shear strength [Pa];
 /// - torsion: how the tip yields across the lever, over its yielding along z;
 /// - tilt: of the mount [rad].

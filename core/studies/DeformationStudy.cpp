@@ -114,11 +114,11 @@ void compare(const SurfacePatch& patch, const SurfacePatch& reference, Deformati
     result.compared = true;
 }
 
-/// Own force, judgment and warm time of the half-space.
+/// Own force, answer and warm time of the half-space.
 void askHalfSpace(const Site& site, int rounds, DeformationResult& result) {
     HalfSpaceModel model;
     const HalfSpaceAnswer answer = model.solve(site.scene, site.state);
-    result.halfSpace = answer.judgment();
+    result.halfSpace = answer;
     result.ownForce = answer.force;
     // A frame later the tip is a little deeper; there and back, so that each frame starts from
     // another one.

@@ -31,7 +31,7 @@ struct DeformationResult {
     double errorMax = 0.0;      ///< likewise
     double lawForce = 0.0;      ///< normal force of the contact law [N]
     double ownForce = 0.0;      ///< the half-space's own [N]; the law's for the other tiers
-    std::optional<HalfSpaceJudgment> halfSpace;  ///< of its tier
+    std::optional<HalfSpaceAnswer> halfSpace;  ///< of its tier
 };
 
 struct DeformationPlan {

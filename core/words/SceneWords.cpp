@@ -1,9 +1,12 @@
 #include "core/words/SceneWords.h"
 
 #include "core/FormattedText.h"
+#include "core/PrintableText.h"
+#include "core/SiFormat.h"
 #include "core/words/ImagingTipWords.h"
-#include "core/words/LawWords.h"
 #include "core/words/ModelWords.h"
+
+#include <filesystem>
 
 namespace asperity {
 
@@ -24,6 +27,22 @@ std::string levelingNote(const Scene& scene) {
 }
 
 }  // namespace
+
+std::string sampleName(const SampleDescription& sample) {
+    if (!sample.shape) {
+        return printable(std::filesystem::path(sample.file).filename().string() + ", channel " +
+                         sample.channel);
+    }
+    switch (sample.shape->kind) {
+    case ShapeKind::Sphere:
+        return "sphere of radius " + formatSi(sample.shape->radius, "m");
+    case ShapeKind::Cylinder:
+        return "cylinder of radius " + formatSi(sample.shape->radius, "m");
+    case ShapeKind::Plane:
+        break;
+    }
+    return "plane of slope " + formatSi(sample.shape->slope, "rad");
+}
 
 std::vector<std::string> sceneNotes(const Scene& scene, const SceneNeeds& needs) {
     std::vector<std::string> notes;

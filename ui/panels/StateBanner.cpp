@@ -1,7 +1,7 @@
 #include "ui/panels/StateBanner.h"
 
 #include "core/haptics/mapping/WorkspaceMapping.h"
-#include "core/words/HalfSpaceWords.h"
+#include "core/words/ModelWords.h"
 #include "ui/Theme.h"
 
 #include <QHBoxLayout>
@@ -79,8 +79,7 @@ void StateBanner::setHalfSpace(const HalfSpaceAnswer* answer) {
     notHolding_.clear();
     // Far from the sample there is nothing to solve, and nothing wrong.
     if (answer != nullptr && answer->verdict != HalfSpaceVerdict::NotBonded) {
-        (answer->valid() ? halfSpace_ : notHolding_) =
-            QString::fromStdString(sentenceOf(answer->judgment()));
+        (answer->valid() ? halfSpace_ : notHolding_) = QString::fromStdString(sentenceOf(*answer));
     }
 }
 

@@ -1,6 +1,6 @@
 #include "ui/panels/TermTable.h"
 
-#include "core/words/TermWords.h"
+#include "core/words/ModelWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/PercentText.h"
 #include "ui/panels/WheelGuard.h"

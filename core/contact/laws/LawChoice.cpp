@@ -38,9 +38,8 @@ LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair,
                    : LawChoice{ContactLaw::Hertz, LawReason::NoAdhesion};
     }
     const double ratio = unloadedRatio(pair);
-    return ratio > kLargeContact
-               ? LawChoice{ContactLaw::SphereSplit, LawReason::WideContact, ratio}
-               : LawChoice{ContactLaw::Split, LawReason::NarrowContact, ratio};
+    return ratio > kLargeContact ? LawChoice{ContactLaw::SphereSplit, LawReason::WideContact, ratio}
+                                 : LawChoice{ContactLaw::Split, LawReason::NarrowContact, ratio};
 }
 
 }  // namespace asperity

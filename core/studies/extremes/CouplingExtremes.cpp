@@ -80,9 +80,9 @@ public:
 
 private:
     HoldOutcome held(const HoldSetting& hold) {
-        HoldOutcome outcome{
-            .setting = hold,
-            .device = offerFor({.timeStep = scene_.timeStep(), .delay = hold.delay})};
+        HoldOutcome outcome{.setting = hold,
+                            .device =
+                                offerFor({.timeStep = scene_.timeStep(), .delay = hold.delay})};
         if (!outcome.device.holds()) {
             outcome.verdict = HoldVerdict::NoCoupling;
             return outcome;

@@ -6,7 +6,8 @@ namespace asperity {
 namespace {
 
 TEST(DeviceWords, NameTheDeviceAndWhatItWaitsFor) {
-    DeviceStatus status{.driver = "SpaceMouse", .name = "SpaceMouse Compact", .path = "/dev/hidraw7"};
+    DeviceStatus status{
+        .driver = "SpaceMouse", .name = "SpaceMouse Compact", .path = "/dev/hidraw7"};
     EXPECT_EQ(wordsOf(status), "SpaceMouse Compact at /dev/hidraw7");
     status.calibrated = false;
     EXPECT_EQ(wordsOf(status), "SpaceMouse Compact at /dev/hidraw7: put the handle into its rest "

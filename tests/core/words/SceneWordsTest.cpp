@@ -37,5 +37,16 @@ TEST(SceneWords, TellOfAShapeInPlaceOfTheHeights) {
     EXPECT_EQ(notes[0], "the sample is an exact shape, drawn by 256 x 256 heights");
 }
 
+TEST(SceneWords, NameTheSample) {
+    SampleDescription sample;
+    sample.file = "/scans/ps.gwy";
+    sample.channel = "Height";
+    EXPECT_EQ(sampleName(sample), "ps.gwy, channel Height");
+    sample.shape = {.kind = ShapeKind::Cylinder, .radius = 100e-9};
+    EXPECT_EQ(sampleName(sample), "cylinder of radius 100 nm");
+    sample.shape = {.kind = ShapeKind::Plane, .slope = 0.5};
+    EXPECT_EQ(sampleName(sample), "plane of slope 500 mrad");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -35,8 +35,7 @@ SceneNeeds needs() {
     }
     needs.terms[5] = {.term = ModelTerm::Friction,
                       .on = false,
-                      .reason = NeedReason::Fact,
-                      .fact = {0.3, 2e6},
+                      .fact = TermFact{0.3, 2e6},
                       .effect = 0.0123,
                       .time = 0.52_us};
     needs.terms[9].effect = 0.25;

@@ -48,7 +48,8 @@ TEST(CouplingExtremes, ALoopTooSlowForAnyCouplingIsRefused) {
         "the haptic device holds no coupling stiffer than \\S+ \\S*N/m with a "
         "force that is \\S+ \\S*s old; at least \\S+ \\S*N/m are needed: a "
         "shorter delay or a higher rate");
-    EXPECT_TRUE(std::regex_match(holds.front().device.noCoupling, sentence)) << holds.front().device.noCoupling;
+    EXPECT_TRUE(std::regex_match(holds.front().device.noCoupling, sentence))
+        << holds.front().device.noCoupling;
 }
 
 TEST(CouplingExtremes, AContactStifferThanTheProxyBearsIsRefusedButForSoftSamples) {
