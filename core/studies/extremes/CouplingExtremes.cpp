@@ -1,9 +1,7 @@
 #include "core/studies/extremes/CouplingExtremes.h"
 
-#include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/Units.h"
-#include "core/haptics/coupling/CouplingDesign.h"
 #include "core/studies/extremes/BenchHold.h"
 #include "core/studies/extremes/TickExtremes.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
@@ -47,15 +45,6 @@ std::string describe(const HoldSetting& hold) {
                      hold.coupled ? "coupled" : "not coupled");
 }
 
-/// A coupling for the loop, or why there is none.
-CoupledDevice offerFor(const LoopTiming& timing) {
-    try {
-        return {.gains = designCoupling(kDevice, timing), .judgment = {}, .noCoupling = ""};
-    } catch (const Error& error) {
-        return {.gains = {}, .judgment = {}, .noCoupling = error.what()};
-    }
-}
-
 class BenchStudy {
 public:
     BenchStudy(const HoldBench& bench, const CancelCheck& check)
@@ -80,34 +69,30 @@ public:
 
 private:
     HoldOutcome held(const HoldSetting& hold) {
-        HoldOutcome outcome{.setting = hold,
-                            .device =
-                                offerFor({.timeStep = scene_.timeStep(), .delay = hold.delay})};
-        if (!outcome.device.holds()) {
-            outcome.verdict = HoldVerdict::NoCoupling;
-            return outcome;
+        HoldOutcome outcome{
+            .setting = hold,
+            .device = coupleDevice(scene_.belief,
+                                   {.device = kDevice,
+                                    .timing = {.timeStep = scene_.timeStep(), .delay = hold.delay},
+                                    .scale = hold.scale,
+                                    .own = {},
+                                    .maxForce = kDevice.maxForce})};
+        if (outcome.device.holds()) {
+            return tried(outcome);
         }
-        outcome.device.judgment = judged(hold, outcome.device.gains);
-        if (!outcome.device.holds()) {
-            outcome.verdict = HoldVerdict::ScaleTooHigh;
-            return outcome;
-        }
-        return tried(outcome);
+        outcome.verdict =
+            outcome.device.noCoupling.empty() ? HoldVerdict::ScaleTooHigh : HoldVerdict::NoCoupling;
+        return outcome;
     }
 
     HoldOutcome free(const HoldSetting& hold) {
-        HoldOutcome outcome{.setting = hold, .device = {}};
-        outcome.device.judgment = judged(hold, std::nullopt);
-        return tried(outcome);
-    }
-
-    [[nodiscard]] ScaleJudgment judged(const HoldSetting& hold,
-                                       const std::optional<CouplingGains>& gains) const {
         const TipLoad tip = tipLoad(scene_.belief, kDevice.maxForce / hold.scale.forceGain);
-        return judgeScale(tip, hold.scale, gains,
-                          {.stiffness = kDevice.maxStiffness,
-                           .force = kDevice.maxForce,
-                           .timeStep = scene_.timeStep()});
+        const ScaleBounds bounds{.stiffness = kDevice.maxStiffness,
+                                 .force = kDevice.maxForce,
+                                 .timeStep = scene_.timeStep()};
+        HoldOutcome outcome{.setting = hold, .device = {}};
+        outcome.device.judgment = judgeScale(tip, hold.scale, std::nullopt, bounds);
+        return tried(outcome);
     }
 
     HoldOutcome tried(HoldOutcome outcome) {
