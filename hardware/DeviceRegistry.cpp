@@ -1,5 +1,6 @@
 #include "hardware/DeviceRegistry.h"
 
+#include "core/words/DeviceWords.h"
 #include "hardware/led/LedDrivers.h"
 #include "hardware/spacemouse/SpaceMouseDriver.h"
 #include "hardware/woodenhaptics/WoodenHapticsDriver.h"
@@ -47,28 +48,6 @@ std::vector<DeviceDescription> listDevices(HidTransport& transport) {
         list.push_back(describe(device));
     }
     return list;
-}
-
-std::string wordsOf(const DeviceStatus& status) {
-    switch (status.problem) {
-    case DeviceProblem::NotPluggedIn:
-        return "no " + status.driver + " is plugged in";
-    case DeviceProblem::NotPermitted:
-        return status.path + ": " + kNoPermission;
-    case DeviceProblem::NotOpened:
-        return status.reason;
-    case DeviceProblem::Unplugged:
-        return "the " + status.driver + " was unplugged";
-    case DeviceProblem::None:
-        break;
-    }
-    if (!status.connected()) {
-        return {};
-    }
-    const std::string device = status.name + " at " + status.path;
-    return status.calibrated
-               ? device
-               : device + ": put the handle into its rest pose, then Hand > Calibrate";
 }
 
 }  // namespace asperity

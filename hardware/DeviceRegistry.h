@@ -31,8 +31,4 @@ struct DeviceDescription {
 /// @throw Error when the system cannot list them
 [[nodiscard]] std::vector<DeviceDescription> listDevices(HidTransport& transport);
 
-/// For people: which device it is and what it waits for, or why there is none; empty of a device
-/// without a device.
-[[nodiscard]] std::string wordsOf(const DeviceStatus& status);
-
 }  // namespace asperity

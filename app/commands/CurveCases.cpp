@@ -3,9 +3,8 @@
 #include "app/commands/OptionChecks.h"
 #include "app/program/DataFolder.h"
 #include "core/Error.h"
-#include "core/contact/laws/LawChoice.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/scene/Scene.h"
+#include "core/words/ModelWords.h"
 
 namespace asperity {
 
@@ -38,11 +37,11 @@ std::vector<std::string> lawNames() {
     return names;
 }
 
-CurveCase caseOf(const SceneDescription& scene, const LawChoice& choice, double compliance) {
+CurveCase caseOf(const SceneDescription& scene, ContactLaw law, const std::string& why,
+                 double compliance) {
     const SampleMaterial& material = scene.sample.material;
     const ContactPair pair = contactPair(scene, material);
-    return {material, ContactModel(choice.law, pair, contactOptions(scene, material)), compliance,
-            choice.why};
+    return {material, ContactModel(law, pair, contactOptions(scene, material)), compliance, why};
 }
 
 /// The case of the scene's material, and another for comparison where the law is not the usual one.
@@ -50,11 +49,10 @@ void addCases(const SceneDescription& scene, double compliance, std::vector<Curv
     checkScene(scene);
     const LawChoice choice = chooseLaw(scene.choices.law, contactPair(scene, scene.sample.material),
                                        scene.sample.material.filmThickness);
-    cases.push_back(caseOf(scene, choice, compliance));
+    cases.push_back(caseOf(scene, choice.law, whyOf(choice), compliance));
     if (!scene.choices.law && choice.law == ContactLaw::SphereSplit) {
-        cases.push_back(caseOf(scene,
-                               {ContactLaw::Split, "for comparison: formally, as for a paraboloid"},
-                               compliance));
+        cases.push_back(caseOf(scene, ContactLaw::Split,
+                               "for comparison: formally, as for a paraboloid", compliance));
     }
 }
 

@@ -8,7 +8,7 @@
 #include "core/io/heightmap/HeightStatistics.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/ScanFile.h"
-#include "core/scene/ImagingTip.h"
+#include "core/words/ImagingTipWords.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

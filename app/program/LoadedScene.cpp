@@ -1,60 +1,19 @@
 #include "app/program/LoadedScene.h"
 
 #include "core/Error.h"
-#include "core/FormattedText.h"
-#include "core/contact/maugis/MaugisTable.h"
-#include "core/fidelity/ForceErrorText.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/scene/SceneFile.h"
-#include "core/scene/BelievedModel.h"
-#include "core/scene/ImagingTip.h"
 #include "core/scene/SceneTruth.h"
+#include "core/words/SceneWords.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <variant>
 
 namespace asperity {
 
 namespace {
-
-std::string levelingNote(const Scene& scene) {
-    switch (scene.description.sample.leveling) {
-    case Leveling::None:
-        return "leveling: none, heights as the file gives them";
-    case Leveling::Rows:
-        return "leveling: the median of each row and the mean removed";
-    case Leveling::Plane:
-        break;
-    }
-    return formatted("leveling: plane with slopes %+.4g along x and %+.4g along y removed "
-                     "(--level none keeps it)",
-                     scene.removedPlane.slopeX, scene.removedPlane.slopeY);
-}
-
-std::string lawNote(const Scene& scene) {
-    std::string note = std::string("contact law: ") + keyOf(scene.model.law) + " (" +
-                       usualLaw(scene.description).why + ")";
-    if (const MaugisTable* table = scene.belief.contact.table()) {
-        note += formatted("; tabulated, error at most %.2g of the force or pi w R",
-                          table->errorBound());
-    }
-    return note;
-}
-
-/// What the model leaves out, but for what its law has no room for: that is told with the law.
-std::string modelNote(const SceneNeeds& needs) {
-    std::string out;
-    for (const TermNeed& need : needs.terms) {
-        const auto& misses = needs.lawMisses;
-        if (!need.on && std::ranges::find(misses, need.term) == misses.end()) {
-            out += (out.empty() ? "" : ", ") + std::string(nameOf(need.term));
-        }
-    }
-    const std::string tolerance = formatted(" (tolerance %.2g %%)", 100.0 * needs.tolerance);
-    return "model: " + forceErrorText(needs) + tolerance +
-           (out.empty() ? ", nothing left out" : "; left out: " + out);
-}
 
 LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
     if (!overrides.channel.empty() || overrides.leveling || overrides.smoothingPixels) {
@@ -65,7 +24,7 @@ LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides
     return {.scene = buildScene(description),
             .format = "shape",
             .sha256 = "",
-            .notes = {"the sample is an exact shape, drawn by 256 x 256 heights"},
+            .notes = {},
             .needs = {}};
 }
 
@@ -91,14 +50,11 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     std::string hash = file.sha256(&hashing);
     ProgressPart building(progress, 0.4, 1.0);
     const auto build = [&](auto map) { return buildScene(description, std::move(map), &building); };
-    LoadedScene loaded{.scene = std::visit(build, std::move(scan.map)),
-                       .format = std::move(scan.format),
-                       .sha256 = std::move(hash),
-                       .notes = std::move(scan.notes),
-                       .needs = {}};
-    loaded.notes.push_back(levelingNote(loaded.scene));
-    loaded.notes.push_back(imagingTipNote(loaded.scene));
-    return loaded;
+    return {.scene = std::visit(build, std::move(scan.map)),
+            .format = std::move(scan.format),
+            .sha256 = std::move(hash),
+            .notes = std::move(scan.notes),
+            .needs = {}};
 }
 
 }  // namespace
@@ -110,8 +66,7 @@ LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& 
         LoadedScene loaded = description.sample.shape ? shapeScene(description, overrides)
                                                       : mapScene(description, overrides, progress);
         loaded.needs = fitModel(loaded.scene);
-        loaded.notes.push_back(lawNote(loaded.scene));
-        loaded.notes.push_back(modelNote(loaded.needs));
+        std::ranges::move(sceneNotes(loaded.scene, loaded.needs), std::back_inserter(loaded.notes));
         return loaded;
     } catch (const InputError&) {
         throw;

@@ -33,7 +33,7 @@ double delayOf(const HoldOutcome& hold) { return hold.setting.delay; }
 
 /// Lower end of the decade of the contact's stiffness [N/m].
 double decadeOf(const HoldOutcome& hold) {
-    return std::pow(10.0, std::floor(std::log10(hold.contact)));
+    return std::pow(10.0, std::floor(std::log10(hold.device.judgment.contact)));
 }
 
 /// Every value with its place, smallest first.
@@ -80,7 +80,8 @@ ShareMap mapOf(const std::vector<HoldOutcome>& holds, bool coupled, const RowCho
 
 /// Those that got as far as a contact's stiffness.
 std::vector<HoldOutcome> judgedOnes(std::vector<HoldOutcome> holds) {
-    std::erase_if(holds, [](const HoldOutcome& hold) { return !(hold.contact > 0.0); });
+    std::erase_if(holds,
+                  [](const HoldOutcome& hold) { return !(hold.device.judgment.contact > 0.0); });
     return holds;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/Version.h"
 #include "core/io/tables/CsvWriter.h"
+#include "core/words/ScaleWords.h"
 
 #include <cstdio>
 #include <map>
@@ -55,8 +56,9 @@ void writeHolds(const std::filesystem::path& path, const std::vector<HoldOutcome
         csv.add(setting.tickRate).add(setting.delay);
         csv.add(setting.scale.positionGain).add(setting.scale.forceGain);
         csv.add(nameOf(setting.grip)).add(setting.coupled ? 1.0 : 0.0).add(nameOf(hold.verdict));
-        csv.add(hold.contact).add(hold.felt).add(hold.guardHolds ? 1.0 : 0.0);
-        csv.add(hold.swing).add(hold.refusal);
+        const ScaleJudgment& judgment = hold.device.judgment;
+        csv.add(judgment.contact).add(judgment.felt).add(hold.device.holds() ? 1.0 : 0.0);
+        csv.add(hold.swing).add(refusalOf(hold.device));
         csv.endRow();
     }
     csv.close();

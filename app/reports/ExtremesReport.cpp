@@ -4,6 +4,7 @@
 #include "core/FormattedText.h"
 #include "core/Version.h"
 #include "core/io/tables/CsvWriter.h"
+#include "core/words/ScaleWords.h"
 
 #include <cstdio>
 #include <map>
@@ -69,8 +70,8 @@ std::map<std::string, long> refusalsIn(const ExtremesFindings& findings) {
         }
     }
     for (const HoldOutcome& hold : findings.holds) {
-        if (hold.setting.coupled && !hold.refusal.empty()) {
-            ++refusals["coupling: " + kindOf(hold.refusal)];
+        if (hold.setting.coupled && !hold.device.holds()) {
+            ++refusals["coupling: " + kindOf(refusalOf(hold.device))];
         }
     }
     return refusals;

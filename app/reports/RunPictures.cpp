@@ -5,6 +5,7 @@
 #include "core/FormattedText.h"
 #include "core/io/fields/PatchExr.h"
 #include "core/surface/fit/CoarserSurface.h"
+#include "core/words/SceneWords.h"
 
 namespace asperity {
 

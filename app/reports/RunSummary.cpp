@@ -6,6 +6,7 @@
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/BelievedModel.h"
+#include "core/words/ModelWords.h"
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -38,11 +39,11 @@ Json inputJson(const LoadedScene& loaded) {
             {"notes", loaded.notes}};
 }
 
-Json termJson(const TermNeed& need) {
+Json termJson(const TermNeed& need, const SceneNeeds& needs) {
     return {{"term", nameOf(need.term)},
             {"on", need.on},
             {"overruled", need.overruled},
-            {"why", need.why},
+            {"why", whyOf(need, needs)},
             {"effect", need.effect}};
 }
 
@@ -50,7 +51,7 @@ Json termJson(const TermNeed& need) {
 Json modelJson(const SceneNeeds& needs) {
     Json terms = Json::array();
     for (const TermNeed& need : needs.terms) {
-        terms.push_back(termJson(need));
+        terms.push_back(termJson(need, needs));
     }
     Json model = {{"tolerance", needs.tolerance}, {"force_error", nullptr}, {"terms", terms}};
     if (needs.measured) {

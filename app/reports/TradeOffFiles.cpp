@@ -3,6 +3,7 @@
 #include "core/Version.h"
 #include "core/io/tables/CsvWriter.h"
 #include "core/studies/Composition.h"
+#include "core/words/ModelWords.h"
 #include "vtkplugins/pictures/Charts.h"
 
 #include <algorithm>
@@ -174,7 +175,7 @@ void writeNeeds(const std::filesystem::path& path, const SceneNeeds& needs) {
                   {"term", "on", "overruled", "effect", "time_s", "why"});
     for (const TermNeed& need : needs.terms) {
         csv.add(nameOf(need.term)).add(need.on ? 1.0 : 0.0).add(need.overruled ? 1.0 : 0.0);
-        csv.add(need.effect).add(need.time).add(need.why);
+        csv.add(need.effect).add(need.time).add(whyOf(need, needs));
         csv.endRow();
     }
     csv.close();
@@ -198,7 +199,8 @@ void writeDeformations(const std::filesystem::path& path,
         csv.add(result.indentation).add(result.contactRatio).add(result.time).add(result.coldTime);
         csv.add(result.compared ? result.errorRms : none);
         csv.add(result.compared ? result.errorMax : none);
-        csv.add(result.lawForce).add(result.ownForce).add(result.remark);
+        csv.add(result.lawForce).add(result.ownForce);
+        csv.add(result.halfSpace ? sentenceOf(*result.halfSpace) : "");
         csv.endRow();
     }
     csv.close();

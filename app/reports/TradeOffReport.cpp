@@ -2,8 +2,8 @@
 
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
-#include "core/fidelity/ForceErrorText.h"
 #include "core/studies/Composition.h"
+#include "core/words/ModelWords.h"
 
 #include <array>
 #include <cstdio>
@@ -133,8 +133,8 @@ void printNeeds(const SceneNeeds& needs) {
         const char* unit = isOfSurface(need.term) ? "ms a patch" : "us a tick";
         const double time = need.time * (isOfSurface(need.term) ? 1e3 : 1e6);
         std::printf("  %-21s %-4s %8.3g %%  %+7.2f %-10s  %s%s\n", nameOf(need.term),
-                    need.on ? "on" : "off", need.effect * 100.0, time, unit, need.why.c_str(),
-                    need.overruled ? " (as the scene says)" : "");
+                    need.on ? "on" : "off", need.effect * 100.0, time, unit,
+                    whyOf(need, needs).c_str(), need.overruled ? " (as the scene says)" : "");
     }
     std::printf("\n");
 }
@@ -152,7 +152,8 @@ void printDeformations(const std::vector<DeformationResult>& results) {
         } else {
             std::printf(" %9s %9s", "-", "-");
         }
-        std::printf(" %10.3f %10.3f %s\n", r.lawForce * 1e9, r.ownForce * 1e9, r.remark.c_str());
+        std::printf(" %10.3f %10.3f %s\n", r.lawForce * 1e9, r.ownForce * 1e9,
+                    r.halfSpace ? sentenceOf(*r.halfSpace).c_str() : "");
     }
 }
 

@@ -1,9 +1,10 @@
 #include "app/session/DeviceControl.h"
 
 #include "core/Error.h"
-#include "core/SiFormat.h"
 #include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/scene/SettingFields.h"
+#include "core/words/DeviceWords.h"
+#include "core/words/ScaleWords.h"
 #include "hardware/DeviceRegistry.h"
 #include "hardware/led/LedDrivers.h"
 #include "ui/HeldKeys.h"
@@ -196,7 +197,7 @@ void DeviceControl::followDelay() {
     if (coupled.holds()) {
         tell();
     } else {
-        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(coupled.refusal)));
+        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(refusalOf(coupled))));
     }
 }
 
@@ -211,11 +212,8 @@ void DeviceControl::show() {
 void DeviceControl::tell() {
     if (const CoupledDevice* const coupled = runs_.run()->coupling().coupled()) {
         const Settings& settings = runs_.run()->settings();
-        window_.tell(tr("%1; the hand feels %2 of %3")
-                         .arg(QString::fromStdString(
-                                  scaleWords({settings.positionGain, settings.forceGain})),
-                              QString::fromStdString(formatSi(coupled->judgment.felt, "N/m")),
-                              QString::fromStdString(formatSi(coupled->judgment.contact, "N/m"))));
+        window_.tell(QString::fromStdString(
+            feltWords({settings.positionGain, settings.forceGain}, coupled->judgment)));
     }
 }
 

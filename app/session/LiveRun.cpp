@@ -2,10 +2,25 @@
 
 #include "core/haptics/device/PointerDevice.h"
 #include "core/scene/BelievedModel.h"
+#include "core/words/ScaleWords.h"
 
 #include <utility>
 
 namespace asperity {
+
+namespace {
+
+/// What asks the coupling's keeper, with its refusal in words.
+template <class Ask>
+auto inWords(const Ask& ask) {
+    try {
+        return ask();
+    } catch (const CouplingRefused& refused) {
+        throw Error(refusalOf(refused.device));
+    }
+}
+
+}  // namespace
 
 Vector3 startPlace(const Scene& scene) {
     return waitingPlace(scene, 0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
@@ -45,7 +60,7 @@ void LiveRun::apply(const Settings& settings) noexcept {
 }
 
 void LiveRun::setSettings(const Settings& settings) {
-    apply(coupling_.turned(settings, device_->delay()));
+    apply(inWords([&] { return coupling_.turned(settings, device_->delay()); }));
 }
 
 Settings LiveRun::sensingSettings() const {
@@ -55,7 +70,8 @@ Settings LiveRun::sensingSettings() const {
 
 void LiveRun::requireHolding(const SceneDescription& scene) const {
     if (coupling_.coupled() != nullptr) {
-        coupling_.requireHolding(believedSystem(scene, usualModel(scene)), settings_);
+        const ProbeSystem tip = believedSystem(scene, usualModel(scene));
+        inWords([&] { coupling_.requireHolding(tip, settings_); });
     }
 }
 
@@ -93,7 +109,8 @@ void LiveRun::takeDevice(const MakeDevice& make) {
 /// where that is.
 void LiveRun::seat(std::unique_ptr<HapticDevice> hand) {
     const DeviceSpecification device = hand->specification();
-    const Settings settings = coupling_.takeOver(device, hand->delay(), settings_);
+    const Settings settings =
+        inWords([&] { return coupling_.takeOver(device, hand->delay(), settings_); });
     if (device.rendersForce() && loop_.snapshot().statistics.ticks == 0) {
         loop_.step();
     }

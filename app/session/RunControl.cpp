@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/PrintableText.h"
+#include "core/words/SceneWords.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"

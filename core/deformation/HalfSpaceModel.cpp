@@ -1,6 +1,5 @@
 #include "core/deformation/HalfSpaceModel.h"
 
-#include "core/SiFormat.h"
 #include "core/contact/displacement/SurfaceDisplacement.h"
 #include "core/deformation/HalfSpaceProblem.h"
 
@@ -84,15 +83,6 @@ bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now) {
     return answer.valid() && now.contact.region() == then.region() &&
            std::abs(now.contact.cohesiveRadius - width) < kSameWidth * width &&
            (now.closest.point - answer.state.closest.point).norm() < width;
-}
-
-std::string sentenceOf(const HalfSpaceAnswer& answer) {
-    if (!answer.valid()) {
-        return std::string("half-space not valid (") + nameOf(answer.verdict) +
-               "): closed form shown";
-    }
-    return "half-space: normal force " + formatSi(answer.force, "N") + ", the contact law " +
-           formatSi(answer.state.normalForce, "N");
 }
 
 HalfSpaceModel::HalfSpaceModel(int samples, HalfSpaceLimits limits)

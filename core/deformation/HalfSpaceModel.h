@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
-#include <string>
 
 namespace asperity {
 
@@ -55,9 +54,6 @@ struct HalfSpaceAnswer {
 /// Whether a valid answer still shows what the surface does at a later state: as bonded, about as
 /// wide and about there.
 [[nodiscard]] bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now);
-
-/// For people, in one sentence: own force beside the law's, or why the answer is not used.
-[[nodiscard]] std::string sentenceOf(const HalfSpaceAnswer& answer);
 
 /// Solves for the deformed surface around the tip, on the scan's own topography in the tangent
 /// plane at the closest point and with the exact sphere as tip, at the indentation of the tick's

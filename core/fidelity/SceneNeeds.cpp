@@ -1,9 +1,7 @@
 #include "core/fidelity/SceneNeeds.h"
 
-#include "core/FormattedText.h"
 #include "core/fidelity/ReferenceModels.h"
 #include "core/fidelity/SampledRuns.h"
-#include "core/fidelity/SurfaceNeeds.h"
 #include "core/fidelity/TermFacts.h"
 #include "core/scene/BelievedModel.h"
 
@@ -61,14 +59,13 @@ private:
 
     void weigh(TermNeed& need) {
         if (!isPossible(need.term, scene_.description)) {
-            need.why = whyImpossible(need.term);
             return;
         }
         const TermPair models = pairOf(need.term, needs_.full);
         const ModelDifference difference = runs_.between(models.with, models.without);
         need.effect = difference.effect;
         need.time = difference.time;
-        need.why = factOf(need.term, scene_, difference.with);
+        need.fact = factOf(need.term, scene_, difference.with);
     }
 
     [[nodiscard]] double effectOf(ModelTerm term, const ForceModelOptions& model) {
@@ -176,8 +173,8 @@ private:
 };
 
 /// Decides about the terms of the picture.
-void decideSurface(const SceneDescription& description, const SurfaceNeeds& surface,
-                   SceneNeeds& needs) {
+void decideSurface(const SceneDescription& description, SceneNeeds& needs) {
+    const SurfaceNeeds& surface = needs.surface;
     if (description.choices.deformation) {
         return;
     }
@@ -188,48 +185,14 @@ void decideSurface(const SceneDescription& description, const SurfaceNeeds& surf
     }
 }
 
-std::string whyHalfSpace(const SurfaceNeeds& surface) {
-    if (!surface.touches) {
-        return "the sampled runs touch nothing";
-    }
-    const bool somewhere = surface.halfSpace > 0.0;
-    return somewhere && !surface.halfSpaceHolds ? "it does not hold at every contact"
-                                                : surface.halfSpaceWord;
-}
-
 void fillIn(const SurfaceNeeds& surface, SceneNeeds& needs) {
     for (TermNeed& need : needs.terms) {
         if (need.term == ModelTerm::OutsideDisplacement) {
             need.effect = surface.outside;
             need.time = surface.outsideTime;
-            need.why = surface.touches ? "a sample yields beyond the rim of the contact, too"
-                                       : "the sampled runs touch nothing";
         } else if (need.term == ModelTerm::HalfSpaceSolve) {
             need.effect = surface.halfSpace;
             need.time = surface.halfSpaceTime;
-            need.why = whyHalfSpace(surface);
-        }
-    }
-}
-
-/// Nothing can be tried: all stays in.
-void leaveAsItIs(double tickTime, SceneNeeds& needs) {
-    const std::string why = formatted("not tried: a tick takes %.2g ms here", tickTime * 1e3);
-    for (TermNeed& need : needs.terms) {
-        need.why = why;
-    }
-    needs.fullTick = tickTime;
-    needs.modelTick = tickTime;
-}
-
-/// Of terms that matter and are not in: which other one took their place.
-void nameExcluders(SceneNeeds& needs) {
-    for (TermNeed& need : needs.terms) {
-        for (const ModelTerm other : kModelTerms) {
-            if (need.effect > needs.tolerance && exclude(need.term, other) &&
-                has(needs.full, other) && !has(needs.full, need.term)) {
-                need.why += std::string("; no contact law has it beside the ") + nameOf(other);
-            }
         }
     }
 }
@@ -237,10 +200,9 @@ void nameExcluders(SceneNeeds& needs) {
 void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs) {
     force.decide(tipFitsEverywhere(scene));
     setModel(scene, needs.full);
-    const SurfaceNeeds surface = surfaceNeedsOf(scene, force.reference().states);
-    fillIn(surface, needs);
-    decideSurface(scene.description, surface, needs);
-    nameExcluders(needs);
+    needs.surface = surfaceNeedsOf(scene, force.reference().states);
+    fillIn(needs.surface, needs);
+    decideSurface(scene.description, needs);
 }
 
 }  // namespace
@@ -250,13 +212,13 @@ SceneNeeds fitModel(Scene& scene, double longestTick) {
     needs.tolerance = scene.description.tolerance;
     for (const ModelTerm term : kModelTerms) {
         needs.terms.push_back(
-            {.term = term, .overruled = isSettled(term, scene.description.choices), .why = ""});
+            {.term = term, .overruled = isSettled(term, scene.description.choices)});
     }
     setModel(scene, needs.full);
     needs.model = needs.full;
     ForceNeeds force(scene, needs, longestTick);
     if (force.isSlow()) {
-        leaveAsItIs(force.tickTime(), needs);
+        needs.fullTick = needs.modelTick = force.tickTime();
     } else {
         decideAll(scene, force, needs);
     }

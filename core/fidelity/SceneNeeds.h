@@ -1,19 +1,28 @@
 #pragma once
 
+#include "core/fidelity/SurfaceNeeds.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
 
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace asperity {
+
+/// The quantities of a scene and a run of it that decide about a term, see factOf().
+struct TermFact {
+    double amount = 0.0;
+    double other = 0.0;
+
+    bool operator==(const TermFact&) const = default;
+};
 
 /// What one term of the model is worth in a scene.
 struct TermNeed {
     ModelTerm term = ModelTerm::Adhesion;
     bool on = true;
-    bool overruled = false;  ///< the scene says so itself
-    std::string why;         ///< one clause, for people
+    bool overruled = false;        ///< the scene says so itself
+    std::optional<TermFact> fact;  ///< none: of the surface, not possible, or not measured
     /// What leaving it out of the model changes that has it and all terms that it does not exclude:
     /// the force in the sampled run, see SampledRuns; of terms of the surface its displacement, as
     /// a share of the indentation.
@@ -34,6 +43,7 @@ struct SceneNeeds {
     std::vector<ModelTerm> lawMisses;  ///< those of them that move the force
     double fullTick = 0.0;             ///< median of a tick with everything [s]
     double modelTick = 0.0;            ///< and of one with what matters [s]
+    SurfaceNeeds surface;              ///< once `measured`
 
     /// Of `model` against what the tip would feel if a contact law had every term.
     [[nodiscard]] double totalError() const { return wholeError + lawError; }

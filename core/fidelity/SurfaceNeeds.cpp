@@ -1,7 +1,6 @@
 #include "core/fidelity/SurfaceNeeds.h"
 
 #include "core/deformation/ContactPatch.h"
-#include "core/deformation/HalfSpaceModel.h"
 #include "core/fidelity/ModelRun.h"
 
 #include <algorithm>
@@ -92,7 +91,7 @@ SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states
         outsideTimes.push_back(closedTime - radiusTime);
         const auto [answer, solveTime] = timed(1, [&] { return halfSpace.solve(scene, *state); });
         if (!needs.touches) {
-            needs.halfSpaceWord = sentenceOf(answer);
+            needs.deepest = answer;
         }
         needs.halfSpaceHolds = answer.valid() && (!needs.touches || needs.halfSpaceHolds);
         needs.touches = true;

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "core/probe/TipEquilibrium.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/scene/Scene.h"
 
 #include <span>
-#include <string>
 
 namespace asperity {
 
@@ -13,7 +12,7 @@ namespace asperity {
 struct SurfaceNeeds {
     bool touches = false;         ///< whether any of the states was a contact
     bool halfSpaceHolds = false;  ///< at all states that were looked at
-    std::string halfSpaceWord;    ///< what it says of itself at the deepest
+    HalfSpaceAnswer deepest;      ///< what the half-space says of itself at the deepest
     double outside = 0.0;         ///< contact radius from closed form
     double halfSpace = 0.0;       ///< closed form from half-space; 0 where that does not hold
     double outsideTime = 0.0;     ///< that the closed form takes longer than the contact radius [s]

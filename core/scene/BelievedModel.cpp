@@ -31,8 +31,7 @@ LawChoice usualLaw(const SceneDescription& scene) {
         const ForceModelOptions now{.law = law.law};
         const std::optional<bool> choice = choiceOf(term, choices);
         if (choice && *choice != has(now, term)) {
-            law = {(*choice ? with(now, term) : without(now, term)).law,
-                   "as the scene says of its terms"};
+            law = {(*choice ? with(now, term) : without(now, term)).law, LawReason::TermsOfScene};
         }
     }
     return law;

@@ -6,8 +6,6 @@
 #include "core/surface/closest/ClosestPoint.h"
 #include "core/surface/deformation/DeformationTier.h"
 
-#include <string>
-
 namespace asperity {
 
 /// Which approximations a model of a scene makes and how it is solved: speed against accuracy. The
@@ -29,8 +27,5 @@ struct ForceModelOptions {
 /// The options with all that does not move a force at its default: the deformation, and the
 /// curvature under a law that takes the sample as flat. Equal ones give the same force.
 [[nodiscard]] ForceModelOptions ofForce(ForceModelOptions options) noexcept;
-
-/// Of the force, for people: "Maugis-Dugdale, table, certified closest points, without friction".
-[[nodiscard]] std::string nameOf(const ForceModelOptions& options);
 
 }  // namespace asperity

@@ -1,15 +1,12 @@
 #include "core/scene/SceneDescription.h"
 
 #include "core/Error.h"
-#include "core/PrintableText.h"
-#include "core/SiFormat.h"
 #include "core/Units.h"
 #include "core/contact/Within.h"
 #include "core/scene/SettingFields.h"
 #include "core/scene/TermChecks.h"
 
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 namespace asperity {
@@ -104,22 +101,6 @@ SceneDescription defaultScene() {
     scene.truth.material = scene.sample.material;
     scene.truth.stiffness = kStiffness;
     return scene;
-}
-
-std::string sampleName(const SampleDescription& sample) {
-    if (!sample.shape) {
-        return printable(std::filesystem::path(sample.file).filename().string() + ", channel " +
-                         sample.channel);
-    }
-    switch (sample.shape->kind) {
-    case ShapeKind::Sphere:
-        return "sphere of radius " + formatSi(sample.shape->radius, "m");
-    case ShapeKind::Cylinder:
-        return "cylinder of radius " + formatSi(sample.shape->radius, "m");
-    case ShapeKind::Plane:
-        break;
-    }
-    return "plane of slope " + formatSi(sample.shape->slope, "rad");
 }
 
 ContactPair contactPair(const SceneDescription& scene, const SampleMaterial& material) {

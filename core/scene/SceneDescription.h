@@ -96,9 +96,6 @@ struct SceneDescription {
 /// The scene that a height map alone stands for: polystyrene, 15 nm silicon tip, 14 N/m lever.
 [[nodiscard]] SceneDescription defaultScene();
 
-/// What the sample is, for people: its file and channel, or its shape.
-[[nodiscard]] std::string sampleName(const SampleDescription& sample);
-
 /// Tip and a material of the scene as one pair.
 [[nodiscard]] ContactPair contactPair(const SceneDescription& scene,
                                       const SampleMaterial& material);

@@ -114,11 +114,11 @@ void compare(const SurfacePatch& patch, const SurfacePatch& reference, Deformati
     result.compared = true;
 }
 
-/// Own force, remark and warm time of the half-space.
+/// Own force, answer and warm time of the half-space.
 void askHalfSpace(const Site& site, int rounds, DeformationResult& result) {
     HalfSpaceModel model;
     const HalfSpaceAnswer answer = model.solve(site.scene, site.state);
-    result.remark = sentenceOf(answer);
+    result.halfSpace = answer;
     result.ownForce = answer.force;
     // A frame later the tip is a little deeper; there and back, so that each frame starts from
     // another one.
@@ -143,8 +143,7 @@ DeformationResult resultOf(const Site& site, DeformationTier tier,
                              .indentation = contact.indentation,
                              .contactRatio = contact.contactRadius / site.scene.belief.tipRadius(),
                              .lawForce = site.state.normalForce,
-                             .ownForce = site.state.normalForce,
-                             .remark = ""};
+                             .ownForce = site.state.normalForce};
     SurfacePatch patch;
     result.coldTime =
         medianTime(rounds, [&] { patch = exactPatch(site.scene, site.state, tier, site.grid); });

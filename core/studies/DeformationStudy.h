@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/Progress.h"
+#include "core/deformation/HalfSpaceModel.h"
 #include "core/scene/Scene.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,7 @@ struct DeformationResult {
     double errorMax = 0.0;      ///< likewise
     double lawForce = 0.0;      ///< normal force of the contact law [N]
     double ownForce = 0.0;      ///< the half-space's own [N]; the law's for the other tiers
-    std::string remark;         ///< what the tier says of itself
+    std::optional<HalfSpaceAnswer> halfSpace;  ///< of its tier
 };
 
 struct DeformationPlan {

@@ -12,11 +12,6 @@
 
 namespace asperity {
 
-/// What to tell a person who may not open a device.
-inline constexpr const char* kNoPermission =
-    "no permission to open the device; install the udev rules 70-asperity-hid.rules and plug it in "
-    "again";
-
 /// What a collection of a HID device is for, in the numbers of the HID Usage Tables.
 struct HidUsage {
     std::uint16_t page = 0;

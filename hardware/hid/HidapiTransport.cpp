@@ -1,6 +1,7 @@
 #include "hardware/hid/HidapiTransport.h"
 
 #include "core/Error.h"
+#include "core/words/DeviceWords.h"
 
 #include <hidapi.h>
 

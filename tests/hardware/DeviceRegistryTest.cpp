@@ -1,6 +1,7 @@
 #include "hardware/DeviceRegistry.h"
 
 #include "core/Error.h"
+#include "core/words/DeviceWords.h"
 #include "hardware/led/LedDrivers.h"
 #include "hardware/spacemouse/SpaceMouseDriver.h"
 #include "hardware/woodenhaptics/WoodenHapticsDriver.h"

@@ -1,6 +1,6 @@
 #include "ui/panels/FidelityPanel.h"
 
-#include "core/fidelity/ForceErrorText.h"
+#include "core/words/ModelWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/PercentText.h"

@@ -1,8 +1,8 @@
 #include "ui/panels/OverviewPanel.h"
 
 #include "core/SiFormat.h"
-#include "core/scene/ImagingTip.h"
 #include "core/scene/Scene.h"
+#include "core/words/ImagingTipWords.h"
 #include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/MapMarks.h"
 #include "ui/panels/OverviewMap.h"

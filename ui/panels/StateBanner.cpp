@@ -1,6 +1,7 @@
 #include "ui/panels/StateBanner.h"
 
 #include "core/haptics/mapping/WorkspaceMapping.h"
+#include "core/words/ModelWords.h"
 #include "ui/Theme.h"
 
 #include <QHBoxLayout>

@@ -1,5 +1,6 @@
 #include "ui/panels/TermTable.h"
 
+#include "core/words/ModelWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/PercentText.h"
 #include "ui/panels/WheelGuard.h"
@@ -93,19 +94,20 @@ void TermTable::show(const SceneNeeds& needs, const ModelChoices& choices) {
     for (int row = 0; row < rowCount(); ++row) {
         const auto need = std::ranges::find(
             needs.terms, kModelTerms.at(static_cast<std::size_t>(row)), &TermNeed::term);
-        showNeed(row, need == needs.terms.end() ? TermNeed{.why = {}} : *need);
+        const bool isKnown = need != needs.terms.end();
+        showNeed(row, isKnown ? *need : TermNeed{}, isKnown ? whyOf(*need, needs) : "");
         showChoice(row, choices);
     }
     resizeColumnToContents(Choice);
     fitHeight();
 }
 
-void TermTable::showNeed(int row, const TermNeed& need) {
+void TermTable::showNeed(int row, const TermNeed& need, const std::string& reason) {
     setText(row, Now, need.on ? tr("on") : tr("off"));
     item(row, Now)->setForeground(QColor(need.on ? theme::kInk : theme::kMuted));
     setText(row, Effect, effectText(need));
     setText(row, Time, timeText(need));
-    const QString why = QString::fromStdString(need.why);
+    const QString why = QString::fromStdString(reason);
     setText(row, Why, why);
     item(row, Why)->setToolTip(why);
 }

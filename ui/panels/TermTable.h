@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 class QComboBox;
 
@@ -31,7 +32,7 @@ protected:
 
 private:
     void addRow(int row);
-    void showNeed(int row, const TermNeed& need);
+    void showNeed(int row, const TermNeed& need, const std::string& reason);
     void showChoice(int row, const ModelChoices& choices);
     void choose(ModelTerm term, int item);
     void setText(int row, int column, const QString& text);

@@ -1,6 +1,5 @@
 #include "core/contact/laws/LawChoice.h"
 
-#include "core/FormattedText.h"
 #include "core/contact/ContactStatus.h"
 #include "core/contact/laws/ContactOptions.h"
 #include "core/contact/laws/MaugisLaw.h"
@@ -21,10 +20,6 @@ double unloadedRatio(const ContactPair& pair) {
     return point ? point->contactRadius * units.radius / pair.tipRadius : 0.0;
 }
 
-std::string sentence(double ratio, const char* rest) {
-    return formatted("auto: contact radius over tip radius is %.2g without load, %s", ratio, rest);
-}
-
 }  // namespace
 
 bool isLargeContact(double contactRadius, double tipRadius) noexcept {
@@ -34,21 +29,17 @@ bool isLargeContact(double contactRadius, double tipRadius) noexcept {
 LawChoice chooseLaw(std::optional<ContactLaw> wanted, const ContactPair& pair,
                     double filmThickness) {
     if (wanted) {
-        return {*wanted, "as asked for"};
+        return {.law = *wanted, .reason = LawReason::AskedFor};
     }
     requirePair(pair, pair.workOfAdhesion);  // any stress will do to look at the pair
     if (pair.workOfAdhesion < kMinAdhesion) {
-        return filmThickness > 0.0 ? LawChoice{ContactLaw::HertzFilm, "auto: a film, no adhesion"}
-                                   : LawChoice{ContactLaw::Hertz, "auto: no adhesion"};
+        return filmThickness > 0.0
+                   ? LawChoice{ContactLaw::HertzFilm, LawReason::FilmWithoutAdhesion}
+                   : LawChoice{ContactLaw::Hertz, LawReason::NoAdhesion};
     }
     const double ratio = unloadedRatio(pair);
-    if (ratio > kLargeContact) {
-        return {ContactLaw::SphereSplit,
-                sentence(ratio, "above 0.3: the paraboloid does not hold, the exact sphere does")};
-    }
-    return {ContactLaw::Split,
-            sentence(ratio, "below 0.3: Maugis-Dugdale, exact from DMT to JKR, with its van der "
-                            "Waals tail before contact")};
+    return ratio > kLargeContact ? LawChoice{ContactLaw::SphereSplit, LawReason::WideContact, ratio}
+                                 : LawChoice{ContactLaw::Split, LawReason::NarrowContact, ratio};
 }
 
 }  // namespace asperity

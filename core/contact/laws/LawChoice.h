@@ -3,8 +3,8 @@
 #include "core/contact/Material.h"
 #include "core/contact/laws/ContactLaw.h"
 
+#include <cstdint>
 #include <optional>
-#include <string>
 
 namespace asperity {
 
@@ -12,10 +12,21 @@ namespace asperity {
 /// radius. Source: docs/theory.md 2.10.
 [[nodiscard]] bool isLargeContact(double contactRadius, double tipRadius) noexcept;
 
+/// Why a contact law was taken.
+enum class LawReason : std::uint8_t {
+    AskedFor,
+    TermsOfScene,  ///< of the force, on which the scene decides one by one
+    NoAdhesion,
+    FilmWithoutAdhesion,
+    NarrowContact,  ///< without load: the paraboloid holds
+    WideContact,    ///< without load: only the exact sphere does
+};
+
 /// A contact law and why it was taken.
 struct LawChoice {
     ContactLaw law = ContactLaw::Split;
-    std::string why;  ///< one clause, for people
+    LawReason reason = LawReason::AskedFor;
+    double unloadedRatio = 0.0;  ///< contact radius over tip radius, where the width decided
 };
 
 /// The law that was asked for, or where none was (`auto`): Maugis-Dugdale, which is exact from DMT

@@ -12,17 +12,13 @@ CoupledDevice judged(const ProbeSystem& tip, const DeviceRequest& request,
                      const CouplingGains& gains) {
     const double force = std::min(request.device.maxForce, request.maxForce);
     const TipLoad load = tipLoad(tip, force / request.scale.forceGain, request.control);
-    CoupledDevice hand{.gains = gains,
-                       .judgment = judgeScale(load, request.scale, gains,
-                                              {.stiffness = request.device.maxStiffness,
-                                               .force = force,
-                                               .timeStep = request.timing.timeStep},
-                                              request.guide),
-                       .refusal = {}};
-    if (!hand.judgment.holds()) {
-        hand.refusal = hand.judgment.sentence;
-    }
-    return hand;
+    return {.gains = gains,
+            .judgment = judgeScale(load, request.scale, gains,
+                                   {.stiffness = request.device.maxStiffness,
+                                    .force = force,
+                                    .timeStep = request.timing.timeStep},
+                                   request.guide),
+            .noCoupling = {}};
 }
 
 }  // namespace
@@ -36,7 +32,7 @@ CoupledDevice coupleDevice(const ProbeSystem& tip, const DeviceRequest& request)
         }
         return judged(tip, request, designCoupling(request.device, request.timing));
     } catch (const Error& error) {
-        return {.gains = {}, .judgment = {}, .refusal = error.what()};
+        return {.gains = {}, .judgment = {}, .noCoupling = error.what()};
     }
 }
 

@@ -23,9 +23,9 @@ struct DeviceRequest {
 struct CoupledDevice {
     CouplingGains gains;
     ScaleJudgment judgment;
-    std::string refusal;  ///< one sentence with the numbers; empty: it holds
+    std::string noCoupling;  ///< why designCoupling() has none; empty: it has
 
-    [[nodiscard]] bool holds() const noexcept { return refusal.empty(); }
+    [[nodiscard]] bool holds() const noexcept { return noCoupling.empty() && judgment.holds(); }
 };
 
 /// The scene's own coupling where it keeps the handle at rest and bears the contact, else the

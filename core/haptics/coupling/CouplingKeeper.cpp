@@ -1,7 +1,5 @@
 #include "core/haptics/coupling/CouplingKeeper.h"
 
-#include "core/Error.h"
-#include "core/SiFormat.h"
 #include "core/haptics/mapping/WorkspaceMapping.h"
 
 #include <cmath>
@@ -104,7 +102,7 @@ Settings CouplingKeeper::takeOver(const DeviceSpecification& device, double dela
     knobs = fitted(led, knobs);
     led.coupled = couple(led, knobs);
     if (!led.coupled.holds()) {
-        throw Error(led.coupled.refusal);
+        throw CouplingRefused(led.coupled);
     }
     return take(led, knobs);
 }
@@ -118,7 +116,7 @@ Settings CouplingKeeper::turned(Settings wanted, double delay) {
     led.coupled = couple(led, wanted);
     if (!led.coupled.holds()) {
         if (wanted.forcesOn || scaleOf(wanted) != led_->scale) {
-            throw Error(led.coupled.refusal);
+            throw CouplingRefused(led.coupled);
         }
         wanted.coupling = led_->coupled.gains;
         return wanted;
@@ -136,8 +134,9 @@ std::optional<Settings> CouplingKeeper::follow(Settings knobs, double delay) {
     if (led.coupled.holds()) {
         return take(led, knobs);
     }
+    led.coupled.gains = led_->coupled.gains;
     led_->delay = led.delay;
-    led_->coupled.refusal = led.coupled.refusal;
+    led_->coupled = led.coupled;
     knobs.forcesOn = false;
     return knobs;
 }
@@ -146,14 +145,9 @@ void CouplingKeeper::requireHolding(const ProbeSystem& tip, const Settings& knob
     if (led_) {
         const CoupledDevice coupled = coupleDevice(tip, request(*led_, knobs));
         if (!coupled.holds()) {
-            throw Error(coupled.refusal);
+            throw CouplingRefused(coupled);
         }
     }
-}
-
-std::string scaleWords(const DeviceScale& scale) {
-    return "1 mm : " + formatSi(1e-3 * scale.positionGain, "m") +
-           ", 1 N : " + formatSi(1.0 / scale.forceGain, "N");
 }
 
 }  // namespace asperity

@@ -4,7 +4,6 @@
 #include "core/haptics/coupling/VirtualCoupling.h"
 
 #include <optional>
-#include <string>
 
 namespace asperity {
 
@@ -38,7 +37,6 @@ struct ScaleJudgment {
     double adhesion = 0.0;      ///< of the sample, at the device [N]
     double forceBound = 0.0;    ///< that the motors may give [N]
     bool guided = false;        ///< a guide takes its part of `contactBound`
-    std::string sentence;       ///< for people: what is felt, or what is too much and the remedy
 
     [[nodiscard]] bool holds() const noexcept {
         return felt <= feltBound && contact <= contactBound && adhesion <= forceBound;

@@ -1,9 +1,7 @@
 #include "core/studies/extremes/CouplingExtremes.h"
 
-#include "core/Error.h"
 #include "core/FormattedText.h"
 #include "core/Units.h"
-#include "core/haptics/coupling/CouplingDesign.h"
 #include "core/studies/extremes/BenchHold.h"
 #include "core/studies/extremes/TickExtremes.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
@@ -47,20 +45,6 @@ std::string describe(const HoldSetting& hold) {
                      hold.coupled ? "coupled" : "not coupled");
 }
 
-/// A coupling for the loop, or why there is none.
-struct CouplingOffer {
-    CouplingGains gains;
-    std::string refusal;
-};
-
-CouplingOffer offerFor(const LoopTiming& timing) {
-    try {
-        return {.gains = designCoupling(kDevice, timing), .refusal = ""};
-    } catch (const Error& error) {
-        return {.gains = {}, .refusal = error.what()};
-    }
-}
-
 class BenchStudy {
 public:
     BenchStudy(const HoldBench& bench, const CancelCheck& check)
@@ -85,38 +69,36 @@ public:
 
 private:
     HoldOutcome held(const HoldSetting& hold) {
-        const CouplingOffer offer = offerFor({.timeStep = scene_.timeStep(), .delay = hold.delay});
-        if (!offer.refusal.empty()) {
-            return {.setting = hold, .verdict = HoldVerdict::NoCoupling, .refusal = offer.refusal};
+        HoldOutcome outcome{
+            .setting = hold,
+            .device = coupleDevice(scene_.belief,
+                                   {.device = kDevice,
+                                    .timing = {.timeStep = scene_.timeStep(), .delay = hold.delay},
+                                    .scale = hold.scale,
+                                    .own = {},
+                                    .maxForce = kDevice.maxForce})};
+        if (outcome.device.holds()) {
+            return tried(outcome);
         }
-        HoldOutcome outcome = judged(hold, offer.gains);
-        if (!outcome.guardHolds) {
-            outcome.verdict = HoldVerdict::ScaleTooHigh;
-            return outcome;
-        }
-        return tried(outcome, offer.gains);
+        outcome.verdict =
+            outcome.device.noCoupling.empty() ? HoldVerdict::ScaleTooHigh : HoldVerdict::NoCoupling;
+        return outcome;
     }
 
-    HoldOutcome free(const HoldSetting& hold) { return tried(judged(hold, std::nullopt), {}); }
-
-    [[nodiscard]] HoldOutcome judged(const HoldSetting& hold,
-                                     const std::optional<CouplingGains>& gains) const {
+    HoldOutcome free(const HoldSetting& hold) {
         const TipLoad tip = tipLoad(scene_.belief, kDevice.maxForce / hold.scale.forceGain);
-        const ScaleJudgment judgment = judgeScale(tip, hold.scale, gains,
-                                                  {.stiffness = kDevice.maxStiffness,
-                                                   .force = kDevice.maxForce,
-                                                   .timeStep = scene_.timeStep()});
-        return {.setting = hold,
-                .contact = judgment.contact,
-                .felt = judgment.felt,
-                .guardHolds = judgment.holds(),
-                .refusal = judgment.holds() ? "" : judgment.sentence};
+        const ScaleBounds bounds{.stiffness = kDevice.maxStiffness,
+                                 .force = kDevice.maxForce,
+                                 .timeStep = scene_.timeStep()};
+        HoldOutcome outcome{.setting = hold, .device = {}};
+        outcome.device.judgment = judgeScale(tip, hold.scale, std::nullopt, bounds);
+        return tried(outcome);
     }
 
-    HoldOutcome tried(HoldOutcome outcome, const CouplingGains& gains) {
+    HoldOutcome tried(HoldOutcome outcome) {
         const HoldSetting& setting = outcome.setting;
         const BenchHold hold{.scale = setting.scale,
-                             .coupling = gains,
+                             .coupling = outcome.device.gains,
                              .delay = setting.delay,
                              .grip = setting.grip};
         std::optional<double> swing = swingOnBench(scene_, hold, check_);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/EnumTable.h"
-#include "core/haptics/coupling/ScaleGuard.h"
+#include "core/haptics/coupling/CoupledDevice.h"
 
 #include <cstdint>
 #include <string>
@@ -51,11 +51,8 @@ struct HoldSetting {
 struct HoldOutcome {
     HoldSetting setting;
     HoldVerdict verdict = HoldVerdict::Still;
-    double contact = 0.0;     ///< largest stiffness of lever and contact, at the device [N/m]
-    double felt = 0.0;        ///< the same in series with the coupling [N/m]
-    bool guardHolds = false;  ///< whether judgeScale() accepts the scale
-    double swing = 0.0;       ///< of the handle in the end, to and fro [m]; 0 where refused
-    std::string refusal;      ///< the program's sentence; empty where there is none
+    CoupledDevice device;  ///< what designCoupling() offers, and judgeScale() says of the scale
+    double swing = 0.0;    ///< of the handle in the end, to and fro [m]; 0 where refused
 };
 
 }  // namespace asperity

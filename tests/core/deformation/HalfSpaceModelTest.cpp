@@ -65,7 +65,7 @@ TEST(HalfSpaceModel, AgreesWithTheContactLawOnAFlatSample) {
         const Scene scene = sceneOn(test::flatMap(), law);
         const TipState state = pressed(scene, 0.3_nm);
         const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
-        ASSERT_TRUE(answer.valid()) << sentenceOf(answer);
+        ASSERT_TRUE(answer.valid()) << nameOf(answer.verdict);
         const ContactState exact = onTheSphere(scene, state);
         EXPECT_NEAR(answer.force, exact.force + forceBeyondZone(scene, state),
                     0.005 * adhesionUnit(scene));
@@ -106,7 +106,7 @@ TEST(HalfSpaceModel, PutsRealTopographyOntoTheTip) {
     const Scene scene = buildScene(description, test::hillyMap());
     const TipState state = pressed(scene, 0.25_nm, {20.0_nm, 18.0_nm});
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
-    ASSERT_TRUE(answer.valid()) << sentenceOf(answer);
+    ASSERT_TRUE(answer.valid()) << nameOf(answer.verdict);
     const SurfacePatch patch = halfSpacePatch(scene, answer, {.halfWidth = 6.0_nm, .samples = 81});
     const TipContact contact = tipContact(scene, state);
     const Vector3 center =
@@ -141,7 +141,6 @@ TEST(HalfSpaceModel, GivesWayToTheClosedFormWhereItDoesNotHold) {
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, deep);
     EXPECT_EQ(answer.verdict, HalfSpaceVerdict::LargeContact);
     EXPECT_EQ(answer.field, nullptr);
-    EXPECT_NE(sentenceOf(answer).find("closed form"), std::string::npos);
     const PatchGrid grid{.halfWidth = 30.0_nm, .samples = 41};
     const SurfacePatch shown = exactPatch(scene, deep, DeformationTier::HalfSpace, grid);
     const SurfacePatch closed = exactPatch(scene, deep, DeformationTier::ClosedForm, grid);
@@ -157,8 +156,6 @@ TEST(HalfSpaceModel, DoesNotAnswerForALawWhoseAdhesionHasNoCohesiveZone) {
         const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
         EXPECT_EQ(answer.verdict, HalfSpaceVerdict::NoZone);
         EXPECT_EQ(answer.field, nullptr);
-        EXPECT_EQ(sentenceOf(answer), "half-space not valid (the contact law's adhesion has no "
-                                      "cohesive zone): closed form shown");
         SceneDescription bare = scene.description;
         bare.sample.material.workOfAdhesion = 0.0;
         bare.truth.material = bare.sample.material;

@@ -51,7 +51,7 @@ TEST_F(HalfSpaceWorkerOnAFlatSample, AnswersTheNewestQuestion) {
     }
     const auto answer = answerFor(worker, last);
     ASSERT_NE(answer, nullptr);
-    EXPECT_TRUE(answer->valid()) << sentenceOf(*answer);
+    EXPECT_TRUE(answer->valid()) << nameOf(answer->verdict);
     EXPECT_NE(answer->field, nullptr);
     EXPECT_TRUE(stillHolds(*answer, last));
 }

@@ -104,7 +104,7 @@ TEST(RandomScenes, TwiceTheSame) {
     for (std::size_t i = 0; i < a.terms.size(); ++i) {
         EXPECT_EQ(a.terms[i].on, b.terms[i].on) << nameOf(a.terms[i].term);
         EXPECT_EQ(a.terms[i].effect, b.terms[i].effect) << nameOf(a.terms[i].term);
-        EXPECT_EQ(a.terms[i].why, b.terms[i].why);
+        EXPECT_EQ(a.terms[i].fact, b.terms[i].fact);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "core/fidelity/SceneNeeds.h"
 
 #include "core/Units.h"
+#include "core/words/ModelWords.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -71,10 +72,9 @@ TEST(SceneNeeds, WhatIsOverruledIsWeighedAllTheSame) {
         EXPECT_TRUE(needOf(needs, term).overruled) << nameOf(term);
         EXPECT_GT(needOf(needs, term).effect, needs.tolerance) << nameOf(term);
     }
-    EXPECT_EQ(needOf(needs, ModelTerm::Friction).why, needOf(whole, ModelTerm::Friction).why);
-    EXPECT_NE(needOf(needs, ModelTerm::Adhesion).why.find("pulls with up to"), std::string::npos);
-    EXPECT_EQ(needOf(needs, ModelTerm::Adhesion).why.find("pulls with up to 0 "), std::string::npos)
-        << needOf(needs, ModelTerm::Adhesion).why;
+    EXPECT_EQ(needOf(needs, ModelTerm::Friction).fact, needOf(whole, ModelTerm::Friction).fact);
+    ASSERT_TRUE(needOf(needs, ModelTerm::Adhesion).fact.has_value());
+    EXPECT_GT(needOf(needs, ModelTerm::Adhesion).fact->amount, 0.0) << "the pull";
 }
 
 TEST(SceneNeeds, AThinFilmNeedsItsBaseAndAThickOneDoesNot) {
@@ -103,9 +103,11 @@ TEST(SceneNeeds, SaysWhatKeepsATermOutThatMatters) {
     const TermNeed& adhesion = needOf(needs, ModelTerm::Adhesion);
     EXPECT_FALSE(adhesion.on);
     EXPECT_GT(adhesion.effect, needs.tolerance);
-    EXPECT_NE(adhesion.why.find("no contact law has it beside the film's base"), std::string::npos)
-        << adhesion.why;
-    EXPECT_EQ(needOf(needs, ModelTerm::Torsion).why.find("no contact law"), std::string::npos);
+    EXPECT_NE(whyOf(adhesion, needs).find("no contact law has it beside the film's base"),
+              std::string::npos)
+        << whyOf(adhesion, needs);
+    EXPECT_EQ(whyOf(needOf(needs, ModelTerm::Torsion), needs).find("no contact law"),
+              std::string::npos);
 }
 
 /// By terms of the force that the sample has and the full model has not.
@@ -170,7 +172,7 @@ TEST(SceneNeeds, WhereATickTakesTooLongAllStaysIn) {
     const SceneNeeds needs = fitModel(scene, 0.0);
     for (const TermNeed& need : needs.terms) {
         EXPECT_EQ(need.on, has(needs.full, need.term)) << nameOf(need.term);
-        EXPECT_EQ(need.why.find("not tried: a tick takes "), 0U) << need.why;
+        EXPECT_EQ(whyOf(need, needs).find("not tried: a tick takes "), 0U) << whyOf(need, needs);
     }
     EXPECT_FALSE(needs.measured);
     EXPECT_TRUE(scene.model.friction);

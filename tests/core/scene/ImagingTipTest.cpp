@@ -1,7 +1,6 @@
-#include "core/scene/ImagingTip.h"
-
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/scene/Scene.h"
 #include "core/surface/imaging/TipErosion.h"
 #include "tests/support/TestScenes.h"
 
@@ -63,20 +62,6 @@ TEST(ImagingTip, IsRefusedWhereItMakesNoSense) {
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("imaging_tip_radius_m"), std::string::npos);
     }
-}
-
-bool says(const std::string& note, const std::string& words) {
-    return note.find(words) != std::string::npos;
-}
-
-TEST(ImagingTip, IsSpokenOfInEveryScene) {
-    EXPECT_TRUE(says(imagingTipNote(scannedRidges(0.0, false)), kScanHoldsItsTip));
-    EXPECT_TRUE(says(imagingTipNote(scannedRidges(20.0_nm, false)), kScanHoldsItsTip));
-    EXPECT_TRUE(says(imagingTipNote(scannedRidges(20.0_nm, false)), "% of the pixels"));
-    EXPECT_TRUE(says(imagingTipNote(scannedRidges(20.0_nm, true)), "taken out by erosion"));
-    EXPECT_TRUE(says(imagingTipNote(scannedRidges(1.0_nm, true)), "narrower than a pixel"));
-    EXPECT_TRUE(says(imagingTipWords(scannedRidges(0.0, false)), "Holds the imaging tip's shape"));
-    EXPECT_TRUE(says(imagingTipWords(scannedRidges(20.0_nm, true)), "taken out"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "hardware/hid/HidapiTransport.h"
 
 #include "core/Error.h"
+#include "core/words/DeviceWords.h"
 #include "hardware/DeviceRegistry.h"
 #include "hardware/spacemouse/SpaceMouse.h"
 #include "hardware/spacemouse/SpaceMouseDriver.h"

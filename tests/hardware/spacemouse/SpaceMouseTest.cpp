@@ -1,6 +1,6 @@
 #include "hardware/spacemouse/SpaceMouse.h"
 
-#include "hardware/DeviceRegistry.h"
+#include "core/words/DeviceWords.h"
 #include "tests/hardware/Eventually.h"
 #include "tests/hardware/FakeHid.h"
 

@@ -31,11 +31,11 @@ TradeOff study() {
 SceneNeeds needs() {
     SceneNeeds needs;
     for (const ModelTerm term : kModelTerms) {
-        needs.terms.push_back({.term = term, .why = "because"});
+        needs.terms.push_back({.term = term});
     }
     needs.terms[5] = {.term = ModelTerm::Friction,
                       .on = false,
-                      .why = "the sample is slippery",
+                      .fact = TermFact{0.3, 2e6},
                       .effect = 0.0123,
                       .time = 0.52_us};
     needs.terms[9].effect = 0.25;
@@ -75,7 +75,7 @@ TEST_F(FidelityPanelTest, ShowsWhatEachTermIsWorth) {
     EXPECT_EQ(cell(5, 2), QStringLiteral("off"));
     EXPECT_EQ(cell(5, 3), QStringLiteral("1.2 % of the force"));
     EXPECT_EQ(cell(5, 4), QStringLiteral("0.52 µs a tick"));
-    EXPECT_EQ(cell(5, 5), QStringLiteral("the sample is slippery"));
+    EXPECT_EQ(cell(5, 5), QStringLiteral("friction coefficient 0.3, shear strength 2 MPa"));
     EXPECT_EQ(cell(9, 3), QStringLiteral("25 % of the indentation"));
     EXPECT_EQ(cell(9, 4), QStringLiteral("1.50 ms a patch"));
     EXPECT_EQ(cell(0, 3), QStringLiteral("–")) << "not measured";

@@ -57,7 +57,7 @@ TEST(ContactShape, ShowsTheHalfSpaceWhereItStillHoldsAndElseTheClosedForm) {
     const Scene scene = buildScene(description, test::hillyMap());
     const TipState state = test::momentsOf(scene).neck.sample.output.model;
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
-    ASSERT_TRUE(answer.valid()) << sentenceOf(answer);
+    ASSERT_TRUE(answer.valid()) << nameOf(answer.verdict);
     const ScanWindow area = around(state.tip, 30.0_nm);
     const ContactShape solved(scene, state, area, kSamples, &answer);
     const ContactShape closed(scene, state, area, kSamples);

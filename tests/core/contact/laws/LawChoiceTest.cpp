@@ -10,6 +10,7 @@ namespace {
 TEST(LawChoice, TakesWhatWasAskedFor) {
     for (const ContactLaw law : kValues<ContactLaw>) {
         EXPECT_EQ(chooseLaw(law, test::paperPair("rubber")).law, law);
+        EXPECT_EQ(chooseLaw(law, test::paperPair("rubber")).reason, LawReason::AskedFor);
     }
 }
 
@@ -21,9 +22,10 @@ TEST(LawChoice, TakesTheSphereFromAThirdOfTheTipsRadiusOn) {
     // The ratio goes with (w / E* R)^(1/3) or slower: a narrow band around 0.3 decides.
     ContactPair pair = stiff;
     pair.reducedModulus = stiff.reducedModulus / 1.35;
-    EXPECT_EQ(chooseLaw({}, pair).law, ContactLaw::Split) << chooseLaw({}, pair).why;
+    EXPECT_EQ(chooseLaw({}, pair).law, ContactLaw::Split) << chooseLaw({}, pair).unloadedRatio;
     pair.reducedModulus = stiff.reducedModulus / 1.75;
-    EXPECT_EQ(chooseLaw({}, pair).law, ContactLaw::SphereSplit) << chooseLaw({}, pair).why;
+    EXPECT_EQ(chooseLaw({}, pair).law, ContactLaw::SphereSplit)
+        << chooseLaw({}, pair).unloadedRatio;
 }
 
 TEST(LawChoice, NeedsNoAdhesionForHertz) {

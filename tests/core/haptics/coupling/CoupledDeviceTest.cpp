@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/scene/BelievedModel.h"
+#include "core/words/ScaleWords.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ DeviceRequest common() {
 
 TEST(CoupledDevice, GetsTheDesignedGainsAndFeelsLeverContactAndCouplingInSeries) {
     const CoupledDevice hand = coupleDevice(polystyrene(), common());
-    ASSERT_TRUE(hand.holds()) << hand.refusal;
+    ASSERT_TRUE(hand.holds()) << refusalOf(hand);
     EXPECT_EQ(hand.gains, designCoupling(common().device, common().timing));
     const double tip = tipLoad(polystyrene(), 30.0_nN).stiffness;
     const double felt = inSeries(100.0 * tip, 600.0);
@@ -54,11 +55,11 @@ TEST(CoupledDevice, TheLesserOfTheMotorsAndTheScenesLimitMustHoldTheAdhesion) {
     DeviceRequest request = common();
     request.maxForce = 0.5;  // polystyrene pulls with 6 nN
     const CoupledDevice limited = coupleDevice(polystyrene(), request);
-    EXPECT_NE(limited.refusal.find("(500 mN)"), std::string::npos) << limited.refusal;
+    EXPECT_NE(refusalOf(limited).find("(500 mN)"), std::string::npos) << refusalOf(limited);
     request = common();
     request.device.maxForce = 0.4;
     const CoupledDevice weak = coupleDevice(polystyrene(), request);
-    EXPECT_NE(weak.refusal.find("(400 mN)"), std::string::npos) << weak.refusal;
+    EXPECT_NE(refusalOf(weak).find("(400 mN)"), std::string::npos) << refusalOf(weak);
 }
 
 TEST(CoupledDevice, ADelayThatNoCouplingHoldsIsRefusedInTheWordsOfTheDesign) {
@@ -66,7 +67,7 @@ TEST(CoupledDevice, ADelayThatNoCouplingHoldsIsRefusedInTheWordsOfTheDesign) {
     request.timing.delay = 8.0_ms;
     const CoupledDevice late = coupleDevice(polystyrene(), request);
     EXPECT_FALSE(late.holds());
-    EXPECT_NE(late.refusal.find("173 N/m"), std::string::npos) << late.refusal;
+    EXPECT_NE(refusalOf(late).find("173 N/m"), std::string::npos) << refusalOf(late);
 }
 
 }  // namespace

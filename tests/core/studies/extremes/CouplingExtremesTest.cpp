@@ -48,7 +48,8 @@ TEST(CouplingExtremes, ALoopTooSlowForAnyCouplingIsRefused) {
         "the haptic device holds no coupling stiffer than \\S+ \\S*N/m with a "
         "force that is \\S+ \\S*s old; at least \\S+ \\S*N/m are needed: a "
         "shorter delay or a higher rate");
-    EXPECT_TRUE(std::regex_match(holds.front().refusal, sentence)) << holds.front().refusal;
+    EXPECT_TRUE(std::regex_match(holds.front().device.noCoupling, sentence))
+        << holds.front().device.noCoupling;
 }
 
 TEST(CouplingExtremes, AContactStifferThanTheProxyBearsIsRefusedButForSoftSamples) {
@@ -58,10 +59,10 @@ TEST(CouplingExtremes, AContactStifferThanTheProxyBearsIsRefusedButForSoftSample
     for (const HoldOutcome& hold : holdsOf(grid)) {
         if (hold.setting.coupled) {
             EXPECT_EQ(hold.verdict == HoldVerdict::ScaleTooHigh,
-                      hold.contact > stiffestContact(gains, 1.0_ms))
+                      hold.device.judgment.contact > stiffestContact(gains, 1.0_ms))
                 << hold.setting.material;
-            EXPECT_LT(hold.contact, 14.0 * 1e9 * 1e-6 * 1.1);
-            EXPECT_LT(hold.felt, gains.stiffness);
+            EXPECT_LT(hold.device.judgment.contact, 14.0 * 1e9 * 1e-6 * 1.1);
+            EXPECT_LT(hold.device.judgment.felt, gains.stiffness);
             EXPECT_EQ(hold.verdict == HoldVerdict::ScaleTooHigh,
                       hold.setting.material != "silicone rubber");
         }
@@ -73,9 +74,9 @@ TEST(CouplingExtremes, AnAdhesionStrongerThanTheMotorsIsRefusedWhateverTheStiffn
     grid.leverStiffnesses = {0.2};
     grid.positionGains = {1e-7};  // the contact is at most 200 N/m
     for (const HoldOutcome& hold : holdsOf(grid)) {
-        EXPECT_EQ(hold.guardHolds, hold.setting.workOfAdhesion == 0.0) << hold.setting.material;
+        EXPECT_EQ(hold.device.holds(), hold.setting.workOfAdhesion == 0.0) << hold.setting.material;
         if (hold.setting.coupled) {
-            EXPECT_EQ(hold.verdict == HoldVerdict::ScaleTooHigh, !hold.guardHolds);
+            EXPECT_EQ(hold.verdict == HoldVerdict::ScaleTooHigh, !hold.device.holds());
         }
     }
 }

@@ -1,4 +1,4 @@
-#include "core/scene/ImagingTip.h"
+#include "core/words/ImagingTipWords.h"
 
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"

@@ -1,0 +1,177 @@
+#include "core/words/ModelWords.h"
+
+#include "core/FormattedText.h"
+#include "core/SiFormat.h"
+#include "core/contact/maugis/MaugisTable.h"
+#include "core/scene/BelievedModel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace asperity {
+
+namespace {
+
+/// In the order of LawReason.
+constexpr std::array kLawReasons{
+    "as asked for",
+    "as the scene says of its terms",
+    "auto: no adhesion",
+    "auto: a film, no adhesion",
+    "below 0.3: Maugis-Dugdale, exact from DMT to JKR, with its van der Waals tail before contact",
+    "above 0.3: the paraboloid does not hold, the exact sphere does"};
+
+std::string factText(ModelTerm term, const TermFact& fact) {
+    const auto [amount, other] = fact;
+    switch (term) {
+    case ModelTerm::Adhesion:
+        return formatted("it pulls with up to %.3g nN, pressed by up to %.3g nN", 1e9 * amount,
+                         1e9 * other);
+    case ModelTerm::VanDerWaalsTail:
+        return formatted("attraction reaches across the gap; transition parameter %.2g", amount);
+    case ModelTerm::SphereCorrection:
+        return formatted("the contact is up to %.2g tip radii wide", amount);
+    case ModelTerm::FilmBase:
+        return formatted("the contact is up to %.2g film thicknesses wide", amount);
+    case ModelTerm::SampleCurvature:
+        return formatted("the sample is curved by up to %.2g of the tip's own curvature", amount);
+    case ModelTerm::Friction:
+        return formatted("friction coefficient %.2g, shear strength %.2g MPa", amount,
+                         1e-6 * other);
+    case ModelTerm::Torsion:
+        return formatted("across the lever the tip yields %.2g times as much as along z", amount);
+    case ModelTerm::MountTilt:
+        return formatted("the lever is tilted by %.3g degrees", amount * 180.0 / std::numbers::pi);
+    default:
+        return std::isinf(amount)
+                   ? "a shape may come near at several places"
+                   : formatted("hollows are curved by up to %.2g of the tip's own curvature",
+                               amount);
+    }
+}
+
+std::string surfaceText(ModelTerm term, const SurfaceNeeds& surface) {
+    if (!surface.touches) {
+        return "the sampled runs touch nothing";
+    }
+    if (term == ModelTerm::OutsideDisplacement) {
+        return "a sample yields beyond the rim of the contact, too";
+    }
+    const bool somewhere = surface.halfSpace > 0.0;
+    return somewhere && !surface.halfSpaceHolds ? "it does not hold at every contact"
+                                                : sentenceOf(surface.deepest);
+}
+
+std::string reasonText(const TermNeed& need, const SceneNeeds& needs) {
+    if (need.fact) {
+        return factText(need.term, *need.fact);
+    }
+    if (!needs.measured) {
+        return formatted("not tried: a tick takes %.2g ms here", needs.fullTick * 1e3);
+    }
+    if (isOfSurface(need.term)) {
+        return surfaceText(need.term, needs.surface);
+    }
+    return need.term == ModelTerm::FilmBase ? "the sample is no film"
+                                            : "the materials do not adhere";
+}
+
+/// Two digits without a power of ten; what is not zero is not shown as zero.
+std::string percent(double share) {
+    constexpr double kMinShown = 1e-4;
+    const double shown = share > 0.0 ? 100.0 * std::max(share, kMinShown) : 0.0;
+    return formatted(shown < 99.5 ? "%.2g %%" : "%.0f %%", shown);
+}
+
+void list(std::string& names, ModelTerm term) {
+    names += (names.empty() ? "" : ", ") + std::string(nameOf(term));
+}
+
+}  // namespace
+
+std::string whyOf(const LawChoice& choice) {
+    const char* const reason = kLawReasons.at(static_cast<std::size_t>(choice.reason));
+    return choice.reason < LawReason::NarrowContact
+               ? reason
+               : formatted("auto: contact radius over tip radius is %.2g without load, %s",
+                           choice.unloadedRatio, reason);
+}
+
+std::string lawNote(const Scene& scene) {
+    std::string note = std::string("contact law: ") + keyOf(scene.model.law) + " (" +
+                       whyOf(usualLaw(scene.description)) + ")";
+    if (const MaugisTable* table = scene.belief.contact.table()) {
+        note += formatted("; tabulated, error at most %.2g of the force or pi w R",
+                          table->errorBound());
+    }
+    return note;
+}
+
+std::string sentenceOf(const HalfSpaceAnswer& answer) {
+    if (!answer.valid()) {
+        return std::string("half-space not valid (") + nameOf(answer.verdict) +
+               "): closed form shown";
+    }
+    return "half-space: normal force " + formatSi(answer.force, "N") + ", the contact law " +
+           formatSi(answer.state.normalForce, "N");
+}
+
+std::string whyOf(const TermNeed& need, const SceneNeeds& needs) {
+    std::string why = reasonText(need, needs);
+    for (const ModelTerm other : kModelTerms) {
+        if (need.effect > needs.tolerance && exclude(need.term, other) && has(needs.full, other) &&
+            !has(needs.full, need.term)) {
+            why += std::string("; no contact law has it beside the ") + nameOf(other);
+        }
+    }
+    return why;
+}
+
+std::string forceErrorText(const SceneNeeds& needs) {
+    if (!needs.measured) {
+        return "error of the forces not measured";
+    }
+    std::string text =
+        "forces within " + percent(needs.totalError()) + " of their rms in 97 ticks of 100";
+    if (needs.lawError > 0.0) {
+        std::string missed;
+        std::ranges::for_each(needs.lawMisses, [&](ModelTerm term) { list(missed, term); });
+        text += ": " + percent(needs.wholeError) + " by what is left out, " +
+                percent(needs.lawError) + " by what no contact law has beside the rest (" + missed +
+                ")";
+    }
+    return text;
+}
+
+std::string modelNote(const SceneNeeds& needs) {
+    std::string out;
+    for (const TermNeed& need : needs.terms) {
+        const auto& misses = needs.lawMisses;
+        if (!need.on && std::ranges::find(misses, need.term) == misses.end()) {
+            list(out, need.term);
+        }
+    }
+    const std::string tolerance = formatted(" (tolerance %.2g %%)", 100.0 * needs.tolerance);
+    return "model: " + forceErrorText(needs) + tolerance +
+           (out.empty() ? ", nothing left out" : "; left out: " + out);
+}
+
+std::string nameOf(const ForceModelOptions& options) {
+    std::string text = nameOf(options.law);
+    text += options.solver == SolverTier::Table ? ", table" : "";
+    text += options.solver == SolverTier::Exact ? ", afresh" : "";
+    text += std::string(", ") + keyOf(options.closestPointSearch) + " feet";
+    text += options.decoupling == DecouplingTier::Planar ? ", planar" : "";
+    const char* before = ", without ";
+    for (const ModelTerm term : kSwitchedTerms) {
+        if (!(options.*traitsOf(term).option)) {
+            text += std::string(before) + nameOf(term);
+            before = ", ";
+        }
+    }
+    return text;
+}
+
+}  // namespace asperity

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/contact/laws/LawChoice.h"
+#include "core/deformation/HalfSpaceModel.h"
+#include "core/fidelity/SceneNeeds.h"
+
+#include <string>
+
+namespace asperity {
+
+/// What a model makes of the force: "Maugis-Dugdale, table, certified closest points, without
+/// friction".
+[[nodiscard]] std::string nameOf(const ForceModelOptions& options);
+
+/// Why a contact law was taken, in one clause.
+[[nodiscard]] std::string whyOf(const LawChoice& choice);
+
+/// The scene's contact law, why it was taken, and how well its table has it.
+[[nodiscard]] std::string lawNote(const Scene& scene);
+
+/// The half-space's own force beside the law's, or why its answer is not used, in one sentence.
+[[nodiscard]] std::string sentenceOf(const HalfSpaceAnswer& answer);
+
+/// Why a term of a scene's model is worth what it is, in one clause with the quantity that decides;
+/// of one that matters and is not in also what took its place. @param need one of the scene's
+[[nodiscard]] std::string whyOf(const TermNeed& need, const SceneNeeds& needs);
+
+/// The error of a model's force and what makes it up, in one clause: "forces within 5.4 % of their
+/// rms in 97 ticks of 100: 0.2 % by what is left out, 5.2 % by what no contact law has beside the
+/// rest (sphere correction)".
+[[nodiscard]] std::string forceErrorText(const SceneNeeds& needs);
+
+/// The same with the terms that the model leaves out, but for those its law has no room for: they
+/// are told with the error.
+[[nodiscard]] std::string modelNote(const SceneNeeds& needs);
+
+}  // namespace asperity

@@ -1,0 +1,35 @@
+#include "core/words/ImagingTipWords.h"
+
+#include "core/Units.h"
+#include "core/surface/imaging/TipErosion.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+/// Ridges 50 nm high and 60 nm apart, as recorded by a tip of 20 nm.
+Scene scannedRidges(double imagingTip, bool erode) {
+    SceneDescription description = test::plainScene();
+    description.sample.imagingTipRadius = imagingTip;
+    description.sample.erode = erode;
+    return buildScene(description, dilated(test::ridgedMap(25.0_nm), 20.0_nm));
+}
+
+bool says(const std::string& note, const std::string& words) {
+    return note.find(words) != std::string::npos;
+}
+
+TEST(ImagingTipWords, IsSpokenOfInEveryScene) {
+    EXPECT_TRUE(says(imagingTipNote(scannedRidges(0.0, false)), kScanHoldsItsTip));
+    EXPECT_TRUE(says(imagingTipNote(scannedRidges(20.0_nm, false)), kScanHoldsItsTip));
+    EXPECT_TRUE(says(imagingTipNote(scannedRidges(20.0_nm, false)), "% of the pixels"));
+    EXPECT_TRUE(says(imagingTipNote(scannedRidges(20.0_nm, true)), "taken out by erosion"));
+    EXPECT_TRUE(says(imagingTipNote(scannedRidges(1.0_nm, true)), "narrower than a pixel"));
+    EXPECT_TRUE(says(imagingTipWords(scannedRidges(0.0, false)), "Holds the imaging tip's shape"));
+    EXPECT_TRUE(says(imagingTipWords(scannedRidges(20.0_nm, true)), "taken out"));
+}
+
+}  // namespace
+}  // namespace asperity

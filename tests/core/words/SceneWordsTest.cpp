@@ -1,0 +1,52 @@
+#include "core/words/SceneWords.h"
+
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+std::vector<std::string> notesOf(SceneDescription description, Leveling leveling) {
+    description.sample.leveling = leveling;
+    return sceneNotes(buildScene(description, test::slopedMap(0.1)), {});
+}
+
+TEST(SceneWords, TellOfHeightsTipLawAndModel) {
+    const std::vector<std::string> notes = notesOf(test::plainScene(), Leveling::None);
+    ASSERT_EQ(notes.size(), 4U);
+    EXPECT_EQ(notes[0], "leveling: none, heights as the file gives them");
+    EXPECT_EQ(notes[1].find("imaging tip: "), 0U) << notes[1];
+    EXPECT_EQ(notes[2].find("contact law: "), 0U) << notes[2];
+    EXPECT_EQ(notes[3].find("model: "), 0U) << notes[3];
+}
+
+TEST(SceneWords, NameThePlaneThatWasRemoved) {
+    EXPECT_EQ(notesOf(test::plainScene(), Leveling::Rows)[0],
+              "leveling: the median of each row and the mean removed");
+    EXPECT_EQ(notesOf(test::plainScene(), Leveling::Plane)[0].find(
+                  "leveling: plane with slopes +0.1 along x and "),
+              0U);
+}
+
+TEST(SceneWords, TellOfAShapeInPlaceOfTheHeights) {
+    SceneDescription description = test::plainScene();
+    description.sample.shape = {.kind = ShapeKind::Sphere, .radius = 100e-9, .size = 110e-9};
+    const std::vector<std::string> notes = sceneNotes(buildScene(description), {});
+    ASSERT_EQ(notes.size(), 3U);
+    EXPECT_EQ(notes[0], "the sample is an exact shape, drawn by 256 x 256 heights");
+}
+
+TEST(SceneWords, NameTheSample) {
+    SampleDescription sample;
+    sample.file = "/scans/ps.gwy";
+    sample.channel = "Height";
+    EXPECT_EQ(sampleName(sample), "ps.gwy, channel Height");
+    sample.shape = {.kind = ShapeKind::Cylinder, .radius = 100e-9};
+    EXPECT_EQ(sampleName(sample), "cylinder of radius 100 nm");
+    sample.shape = {.kind = ShapeKind::Plane, .slope = 0.5};
+    EXPECT_EQ(sampleName(sample), "plane of slope 500 mrad");
+}
+
+}  // namespace
+}  // namespace asperity
