@@ -185,9 +185,11 @@ private:
         return memory.points[best];
     }
 
+    /// The law of a sphere needs the curvature, too: to say where the sample is not as flat as it
+    /// takes it.
     [[nodiscard]] EffectiveRadius radiusAt(const ClosestPoint& place) const {
-        const PrincipalCurvatures bend =
-            system_.curvature ? place.curvatures : PrincipalCurvatures{};
+        const bool counts = system_.curvature || isSphere(system_.contact.law());
+        const PrincipalCurvatures bend = counts ? place.curvatures : PrincipalCurvatures{};
         return effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
     }
 

@@ -79,6 +79,28 @@ TEST_F(Replay, IsBitIdentical) {
               test::contentOf(scratch.path() / "again/force_log.csv"));
 }
 
+/// The law of a sphere, too: silicone rubber has it, and its log says where the sample is curved.
+TEST(ReplayOfShippedScenes, IsBitIdentical) {
+    const test::ScratchFolder scratch;
+    for (const char* scene : {"silicon", "silicon_oxide", "silicone_rubber", "sphere"}) {
+        const auto run = scratch.file(scene);
+        const auto made = test::runProgram("explore " + test::shippedScene(scene).string() +
+                                           " --duration 0.3 --out " + run.string());
+        ASSERT_EQ(made.exitCode, 0) << made.output;
+        const auto again = test::runProgram("replay " + run.string() + " --out " +
+                                            scratch.file(std::string(scene) + "_again").string());
+        EXPECT_NE(again.output.find("bit-identical: 301 ticks"), std::string::npos)
+            << scene << ": " << again.output;
+    }
+}
+
+TEST(ReplayOfAnEarlierProgram, IsBitIdentical) {
+    const test::ScratchFolder scratch;
+    const auto again = test::runProgram(std::string("replay ") + ASPERITY_RECORDINGS +
+                                        "/sphere --out " + scratch.file("again").string());
+    EXPECT_NE(again.output.find("bit-identical: 201 ticks"), std::string::npos) << again.output;
+}
+
 TEST_F(Replay, ComparesALogFromBeforeItsLastColumnWasAdded) {
     std::stringstream text(test::contentOf(run / "force_log.csv"));
     std::ofstream out(run / "force_log.csv");
