@@ -141,7 +141,7 @@ def main():
                     found.append(f"{file.relative_to(TOP)}:{line}: {fault}")
     summary = ", ".join(f"{count} {kind}" for kind, count in counts.items())
     print("\n".join(found) if found else f"{summary}: all resolve")
-    return 1 if found else 0
+    return 1 if found or not any(counts.values()) else 0
 
 
 if __name__ == "__main__":
