@@ -1,24 +1,29 @@
 #!/usr/bin/env python3
-"""Fails on a citation, a link or a reference table that does not exist (docs/theory.md, top)."""
+"""Fails on a citation, a link or a reference table that does not exist (docs/theory.md, top).
+Usage: check_citations.py [TREE]"""
 
 import functools
 import pathlib
 import re
 import sys
 
-TOP = pathlib.Path(__file__).resolve().parent.parent
+TOP = pathlib.Path(sys.argv[1] if sys.argv[1:] else pathlib.Path(__file__).parents[1]).resolve()
 TABLES = TOP / "tests/reference"
+# what git ignores (.gitignore), and what is read by tests alone
+SKIPPED = re.compile(r"(\.git|build|out|\.cache|tests/reference|tests/fuzz/corpus)(/|$)")
 
-PLACES = ["core", "vtkplugins", "hardware", "ui", "app", "tests", "bench", "tools", "cmake", "docs",
-          "README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
-TEXTS = {".h", ".cpp", ".cxx", ".py", ".md", ".txt", ".cmake", ".sh", ".in"}
-SKIPPED = [TABLES, TOP / "tests/fuzz/corpus"]
-
-# "docs/theory.md 2.9, 4.4", also where a comment breaks the line before the number
-SECTION = r"\d+(?:\.\d+)*(?![\w%])"
+# "docs/theory.md 2.9, 4.4", "`theory.md`, section 2.9", "(docs/theory.md) (2.9)", "theory.md 3.4,
+# equation (3.3)", also where a comment breaks the line
+NEXT = r"(?: +|\s+(?://+|#) *)"
+NUMBER = r"\d+(?:\.\d+)*(?![\w%])"
+NUMBERS = rf"{NUMBER}(?:(?:,{NEXT}?|{NEXT}and{NEXT}|[-–]){NUMBER})*"
 CITATION = re.compile(r"(?<![\w./-])(?P<folder>(?:[\w.-]+/)*)(?P<page>[\w-]+\.md)\b"
-                      r"(?:,?(?: +|\s+(?://+|#) *)"
-                      rf"(?P<sections>{SECTION}(?:(?:, ?| and |[-–]){SECTION})*))?")
+                      r"(?:#[\w-]+)?[`)]*"
+                      rf"(?:,?{NEXT}(?P<sections>{NUMBERS})"
+                      r"|,?\s+(?:(?://+|#) *)?(?:[Ss]ections?|[Cc]hapters?|[Ss]ec\.|§+)"
+                      rf"(?:{NEXT}|\s*)(?P<worded>{NUMBERS})"
+                      rf"|,?{NEXT}\((?P<either>{NUMBERS})\))?"
+                      rf"(?:,?{NEXT}eq(?:uations?|s?\.){NEXT}\((?P<equations>{NUMBERS})\))?")
 TABLE = re.compile(r"(?<!\w)T\d\d[a-z]?(?:_\w+)?(?:\.csv)?(?!\w)")
 
 HEADING = re.compile(r"^#{1,6} +(.+?) *#*$", re.MULTILINE)
@@ -45,6 +50,12 @@ def sections(page):
 
 
 @functools.lru_cache(maxsize=None)
+def equations(page):
+    """The numbers at the right margin of its formulas."""
+    return set(re.findall(r"\((\d+\.\d+)\) *$", page.read_text(), re.MULTILINE))
+
+
+@functools.lru_cache(maxsize=None)
 def anchors(page):
     """The anchors that GitHub makes of its headings."""
     found = {}
@@ -58,18 +69,28 @@ def anchors(page):
     return set(found)
 
 
+def absent_numbers(page, match):
+    """What a citation names and its page does not have."""
+    known = {"sections": sections(page), "worded": sections(page), "equations": equations(page),
+             "either": sections(page) | equations(page)}
+    return [number for group, numbers in known.items()
+            for number in re.findall(NUMBER, match.group(group) or "") if number not in numbers]
+
+
 def citations(text):
-    """Yields place and fault of each citation, the fault "" where page and sections exist."""
+    """Yields place and fault of each citation, the fault "" where page and numbers exist."""
     for match in CITATION.finditer(text):
-        folder, name, numbers = match.group("folder", "page", "sections")
-        if "docs/" not in folder and not (numbers and folder == ""):
+        name = match.group("page")
+        folder = re.sub(r"^(\.\.?/)+", "", match.group("folder"))
+        numbered = any(match.group("sections", "worded", "either", "equations"))
+        if "docs/" not in folder and not (numbered and folder == ""):
             continue  # a file's name, no citation
         page = (TOP / (folder or "docs/") / name).resolve()
         if TOP not in page.parents or not page.is_file():
             yield match.start(), f"{folder}{name} is no page of this repository"
             continue
-        absent = [n for n in re.findall(SECTION, numbers or "") if n not in sections(page)]
-        yield match.start(), f"{folder}{name} has no section {', '.join(absent)}" if absent else ""
+        absent = ", ".join(absent_numbers(page, match))
+        yield match.start(), f"{folder}{name} has no section or equation {absent}" if absent else ""
 
 
 def tables(text):
@@ -97,17 +118,19 @@ def links(file, text):
 
 
 def texts():
-    for place in (TOP / name for name in PLACES):
-        for file in sorted(place.rglob("*")) if place.is_dir() else [place]:
-            if file.suffix in TEXTS and not any(skip in file.parents for skip in SKIPPED):
-                yield file
+    """File and text of each file of the tree that holds text."""
+    for file in sorted(TOP.rglob("*")):
+        if SKIPPED.match(file.relative_to(TOP).as_posix()) or not file.is_file():
+            continue
+        text = file.read_bytes()
+        if b"\0" not in text:
+            yield file, text.decode(errors="replace")
 
 
 def main():
     counts = {"citations": 0, "tables": 0, "links": 0}
     found = []
-    for file in texts():
-        text = file.read_text()
+    for file, text in texts():
         checks = {"citations": citations(text), "tables": tables(text),
                   "links": links(file, text) if file.suffix == ".md" else ()}
         for kind, results in checks.items():
@@ -118,7 +141,7 @@ def main():
                     found.append(f"{file.relative_to(TOP)}:{line}: {fault}")
     summary = ", ".join(f"{count} {kind}" for kind, count in counts.items())
     print("\n".join(found) if found else f"{summary}: all resolve")
-    return 1 if found else 0
+    return 1 if found or not any(counts.values()) else 0
 
 
 if __name__ == "__main__":

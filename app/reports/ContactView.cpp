@@ -42,7 +42,7 @@ std::string captionOf(const Scene& scene, const TickSample& sample) {
     return caption;
 }
 
-std::string capitalised(std::string sentence) {
+std::string capitalized(std::string sentence) {
     sentence.front() = static_cast<char>(std::toupper(sentence.front()));
     return sentence;
 }
@@ -61,7 +61,7 @@ DrawnContact drawnContact(const Scene& scene, const TickSample& sample) {
     }
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
     return {.deformation = ContactDeformation(scene, state, tier, &answer),
-            .remark = " " + capitalised(sentenceOf(answer)) + "."};
+            .remark = " " + capitalized(sentenceOf(answer)) + "."};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace asperity {
 class HeldKeys;
 
 /// Which device has the tip, as the window shows and a person chooses it, and what mouse, keys and
-/// the Device menu do meanwhile.
+/// the Hand menu do meanwhile.
 class DeviceControl : public QObject {
     Q_OBJECT
 

@@ -21,7 +21,7 @@ double since(Clock::time_point begin, double clock) {
     return std::max(taken.count() - clock, 0.0);
 }
 
-/// Polystyrene under an oxidised silicon tip.
+/// Polystyrene under an oxidized silicon tip.
 ContactModel polystyrene() {
     const Elastic sample{.youngsModulus = 2.0_GPa, .poissonRatio = 0.4};
     const Elastic tip{.youngsModulus = 70.0_GPa, .poissonRatio = 0.17};

@@ -47,7 +47,7 @@ struct BaseCommand {
 /// With the tip under control, the base goes ahead by the deflection C F that the model expects at
 /// the commanded place of the tip. Where the lever would jump from there (between its fold and that
 /// of displacement control) the tip cannot be held, and the base keeps its last compensation.
-/// Source: Vogl, Ma, Sitti (2005), direct tip control; docs/theory.md 6.6, 7.1.
+/// Source: Vogl, Ma, Sitti (2005), direct tip control; docs/theory.md 2.5 (the folds).
 [[nodiscard]] BaseCommand commandBase(const Scene& scene, const TickInput& input,
                                       const TickMemory& memory) noexcept;
 

@@ -188,7 +188,7 @@ TEST(SphereMaugisLaw, BecomesJkrForCohesionOfNoRange) {
     }
 }
 
-/// Folds of the cohesive law in units of the sphere, computed with 30 digits by minimising
+/// Folds of the cohesive law in units of the sphere, computed with 30 digits by minimizing
 /// indentation + compliance * force over the contact radius of docs/theory.md 4.4.
 struct SphereFold {
     double cohesion;    ///< 2 sigma0 / E*
