@@ -1,40 +1,15 @@
 #include "hardware/DeviceRegistry.h"
 
-#include "core/words/DeviceWords.h"
+#include "hardware/hid/HidList.h"
 #include "hardware/led/LedDrivers.h"
 #include "hardware/spacemouse/SpaceMouseDriver.h"
 #include "hardware/woodenhaptics/WoodenHapticsDriver.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace asperity {
-
-namespace {
-
-DeviceDescription describe(const HidDeviceInfo& device) {
-    DeviceDescription description = {.name = device.name(),
-                                     .path = device.path,
-                                     .vendorId = device.vendorId,
-                                     .productId = device.productId};
-    const auto drivers = deviceDrivers();
-    const auto found = std::ranges::find_if(
-        drivers, [&device](const DeviceDriver* driver) { return driver->drives(device); });
-    if (found == drivers.end()) {
-        description.obstacle = "no driver for this device";
-        return description;
-    }
-    const DeviceDriver& driver = **found;
-    description.driver = driver.key;
-    description.senses = driver.senses;
-    description.rendersForce = driver.rendersForce;
-    if (!device.permitted) {
-        description.obstacle = kNoPermission;
-    }
-    return description;
-}
-
-}  // namespace
 
 std::span<const DeviceDriver* const> deviceDrivers() {
     static const std::array drivers{&pointerDriver(), &spaceMouseDriver(), &simulatedDriver(),
@@ -42,12 +17,24 @@ std::span<const DeviceDriver* const> deviceDrivers() {
     return drivers;
 }
 
-std::vector<DeviceDescription> listDevices(HidTransport& transport) {
-    std::vector<DeviceDescription> list;
-    for (const HidDeviceInfo& device : transport.enumerate()) {
-        list.push_back(describe(device));
+std::vector<DeviceDescription> listDevices(const DeviceSite& site) {
+    std::vector<DeviceDescription> all;
+    const auto add = [&all](ListedDevice device, const DeviceDriver* driver) {
+        if (device.path.empty() ||
+            std::ranges::count(all, device.path, &DeviceDescription::path) == 0) {
+            all.push_back({std::move(device), driver});
+        }
+    };
+    for (const DeviceDriver* const driver : deviceDrivers()) {
+        for (ListedDevice& device : driver->list(site)) {
+            add(std::move(device), driver);
+        }
     }
-    return list;
+    for (ListedDevice& device : listHid(site, [](const HidDeviceInfo&) { return true; })) {
+        device.obstacle = "no driver for this device";
+        add(std::move(device), nullptr);
+    }
+    return all;
 }
 
 }  // namespace asperity

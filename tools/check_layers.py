@@ -20,7 +20,7 @@ MODEL = f"{ENGINE} core/fidelity"
 FILES = "core core/io"
 READERS = f"{FILES} core/surface/ core/io/heightmap"
 RUNS = f"{SCENE} core/scene core/haptics/ core/io core/io/tables"
-DRIVER = f"{MODEL} core/io/scene core/words hardware/hid"
+DRIVER = f"{MODEL} core/io/scene core/words hardware/driver hardware/hid"
 WINDOW = f"{MODEL} core/studies/ core/words vtkplugins/ ui"
 BELOW_APP = "core/ vtkplugins/ hardware/ ui/"
 PRODUCT = f"{BELOW_APP} app/"
@@ -73,9 +73,10 @@ RULES = {
     "core/io/recording": RUNS,
     "core/words": "core/",
     "vtkplugins/module": MODEL,
-    "vtkplugins/io": MODEL,
+    "vtkplugins/io": f"{MODEL} core/io/heightmap",
     "vtkplugins/pictures": f"{MODEL} vtkplugins/module",
-    "hardware/hid": f"{MODEL} core/io/scene core/words",
+    "hardware/driver": f"{MODEL} core/io/scene core/words",
+    "hardware/hid": f"{MODEL} core/io/scene core/words hardware/driver",
     "hardware/led": DRIVER,
     "hardware/spacemouse": DRIVER,
     "hardware/woodenhaptics": DRIVER,

@@ -59,7 +59,7 @@ bool usesStress(ContactLaw law) {
 
 /// The law of a film needs one.
 ContactStatus filmStatus(ContactLaw law, const ContactCase& asked) {
-    if (law == ContactLaw::HertzFilm && asked.filmThickness == 0.0) {
+    if (isFilm(law) && asked.filmThickness == 0.0) {
         return ContactStatus::FilmThicknessOutOfRange;
     }
     return checkFilm(asked.filmThickness, asked.poissonRatio);

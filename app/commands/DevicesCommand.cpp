@@ -4,9 +4,9 @@
 #include "core/PrintableText.h"
 #include "hardware/DeviceRegistry.h"
 #include "hardware/hid/HidapiTransport.h"
-#include "hardware/led/LedDrivers.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -16,12 +16,6 @@
 namespace asperity {
 
 namespace {
-
-DeviceDescription mouseAndKeyboard() {
-    return {.name = "mouse and keyboard",
-            .driver = pointerDriver().key,
-            .senses = pointerDriver().senses};
-}
 
 std::string hexadecimal(std::uint16_t id) {
     std::ostringstream text;
@@ -36,13 +30,14 @@ nlohmann::json textOrNull(const std::string& text) {
 /// What a device does not have is null: the mouse has no path, an unknown device no driver.
 nlohmann::json deviceJson(const DeviceDescription& device) {
     const bool hid = !device.path.empty();
+    const DeviceDriver* const driver = device.driver;
     return {{"name", device.name},
             {"vendor_id", hid ? nlohmann::json(hexadecimal(device.vendorId)) : nlohmann::json()},
             {"product_id", hid ? nlohmann::json(hexadecimal(device.productId)) : nlohmann::json()},
             {"path", textOrNull(device.path)},
-            {"driver", textOrNull(device.driver)},
-            {"senses", device.senses},
-            {"renders_force", device.rendersForce},
+            {"driver", textOrNull(driver != nullptr ? driver->key : "")},
+            {"senses", driver != nullptr ? driver->senses : std::vector<std::string>()},
+            {"renders_force", driver != nullptr && driver->rendersForce},
             {"usable", device.usable()},
             {"obstacle", textOrNull(device.obstacle)}};
 }
@@ -63,21 +58,22 @@ void printDevice(const DeviceDescription& device) {
                   << ", " << printable(device.path);
     }
     std::cout << "\n  " << (device.usable() ? "usable" : "not usable: " + device.obstacle) << '\n';
-    if (device.driver.empty()) {
+    if (device.driver == nullptr) {
         return;
     }
-    std::cout << "  driver: " << device.driver << "\n  senses:";
-    for (const std::string& sense : device.senses) {
+    std::cout << "  driver: " << device.driver->key << "\n  senses:";
+    for (const std::string& sense : device.driver->senses) {
         std::cout << ' ' << sense;
     }
-    std::cout << "\n  renders force: " << (device.rendersForce ? "yes" : "no") << '\n';
+    std::cout << "\n  renders force: " << (device.driver->rendersForce ? "yes" : "no") << '\n';
 }
 
 void printForPeople(const std::vector<DeviceDescription>& devices) {
     for (const DeviceDescription& device : devices) {
         printDevice(device);
     }
-    if (devices.size() == 1) {
+    const auto isHid = [](const DeviceDescription& device) { return !device.path.empty(); };
+    if (std::ranges::none_of(devices, isHid)) {
         std::cout << "No HID device is plugged in.\n";
     }
 }
@@ -87,12 +83,12 @@ void printForPeople(const std::vector<DeviceDescription>& devices) {
 void addDevicesCommand(CLI::App& program) {
     auto json = std::make_shared<bool>(false);
     CLI::App* command = program.add_subcommand(
-        "devices", "List what can lead the tip: mouse, keyboard and HID devices");
+        "devices", "List what can lead the tip: mouse, keyboard and devices");
     command->add_flag("--json", *json, "print JSON");
     command->callback([json] {
         HidapiTransport transport;
-        std::vector<DeviceDescription> devices = listDevices(transport);
-        devices.insert(devices.begin(), mouseAndKeyboard());
+        const std::vector<DeviceDescription> devices =
+            listDevices({.hid = [&transport]() -> HidTransport& { return transport; }});
         if (*json) {
             printJson(devices);
         } else {

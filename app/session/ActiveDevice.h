@@ -2,7 +2,7 @@
 
 #include "app/session/LiveRun.h"
 #include "core/haptics/DevicePilot.h"
-#include "hardware/hid/DeviceDriver.h"
+#include "hardware/driver/DeviceDriver.h"
 #include "hardware/hid/HidapiTransport.h"
 
 #include <optional>

@@ -18,8 +18,8 @@ void leaveSignalsToOtherThreads() {
 
 }  // namespace
 
-HidFollower::HidFollower(HidTransport& transport, const DeviceDriver& driver)
-    : transport_(transport), driver_(driver), found_(find()) {}
+HidFollower::HidFollower(HidTransport& transport, HidKind isOfKind, const char* label)
+    : transport_(transport), isOfKind_(isOfKind), label_(label), found_(find()) {}
 
 void HidFollower::start(Follow follow) {
     thread_ = std::jthread(
@@ -36,17 +36,17 @@ void HidFollower::setStatus(DeviceStatus status) {
     status_ = std::move(status);
 }
 
-/// The first device of the driver that can be opened, or none.
+/// The first device of the kind that can be opened, or none.
 FoundDevice HidFollower::find() {
-    DeviceStatus none{.problem = DeviceProblem::NotPluggedIn, .driver = driver_.label};
+    DeviceStatus none{.problem = DeviceProblem::NotPluggedIn, .driver = label_};
     try {
         for (const HidDeviceInfo& device : transport_.enumerate()) {
-            if (driver_.drives(device) && device.permitted) {
+            if (isOfKind_(device) && device.permitted) {
                 FoundDevice found = {device, transport_.open(device.path)};
-                setStatus({.driver = driver_.label, .name = device.name(), .path = device.path});
+                setStatus({.driver = label_, .name = device.name(), .path = device.path});
                 return found;
             }
-            if (driver_.drives(device)) {
+            if (isOfKind_(device)) {
                 none.problem = DeviceProblem::NotPermitted;
                 none.path = device.path;
             }
@@ -65,7 +65,7 @@ void HidFollower::run(const Follow& follow, const std::stop_token& stop) {
         if (found_.connection) {
             follow(found_, stop);
             found_.connection.reset();
-            setStatus({.problem = DeviceProblem::Unplugged, .driver = driver_.label});
+            setStatus({.problem = DeviceProblem::Unplugged, .driver = label_});
         }
         if (pauseUnlessStopped(stop)) {
             found_ = find();

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "hardware/hid/DeviceDriver.h"
+#include "core/haptics/device/DeviceStatus.h"
+#include "hardware/hid/HidList.h"
 
 #include <condition_variable>
 #include <functional>
@@ -15,15 +16,16 @@ struct FoundDevice {
     std::unique_ptr<HidConnection> connection;
 };
 
-/// Follows the first device of one driver that can be opened, on a thread of its own, and without
+/// Follows the first device of one kind that can be opened, on a thread of its own, and without
 /// one looks for it twice a second.
 class HidFollower {
 public:
     /// Runs on the follower's thread, until the device is lost or a stop is asked for.
     using Follow = std::function<void(const FoundDevice&, const std::stop_token&)>;
 
-    /// Looks once. @param transport must outlive the follower, as must the driver
-    HidFollower(HidTransport& transport, const DeviceDriver& driver);
+    /// Looks once. @param transport must outlive the follower
+    /// @param label of the kind, for people
+    HidFollower(HidTransport& transport, HidKind isOfKind, const char* label);
 
     /// Whether it has a device; only before start().
     [[nodiscard]] bool hasDevice() const noexcept { return found_.connection != nullptr; }
@@ -42,7 +44,8 @@ private:
     void setStatus(DeviceStatus status);
 
     HidTransport& transport_;
-    const DeviceDriver& driver_;
+    HidKind isOfKind_;
+    const char* label_;
 
     mutable std::mutex mutex_;  ///< guards the status
     DeviceStatus status_;

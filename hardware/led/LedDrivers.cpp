@@ -10,6 +10,9 @@ const DeviceDriver& pointerDriver() {
         .key = "window",
         .label = "Mouse and keyboard",
         .senses = {"x", "y", "z", "buttons"},
+        .list = [](const DeviceSite&) -> std::vector<ListedDevice> {
+            return {{.name = "mouse and keyboard"}};
+        },
         .open = [](const DeviceSite& site) -> std::unique_ptr<HapticDevice> {
             return std::make_unique<PointerDevice>(site.start);
         }};
@@ -22,6 +25,9 @@ const DeviceDriver& simulatedDriver() {
         .label = "Simulated device",
         .senses = {"x", "y", "z"},
         .rendersForce = true,
+        .list = [](const DeviceSite&) -> std::vector<ListedDevice> {
+            return {{.name = "simulated device"}};
+        },
         .open = [](const DeviceSite&) -> std::unique_ptr<HapticDevice> {
             return std::make_unique<SimulatedDevice>(Vector3::Zero());
         }};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hardware/hid/DeviceDriver.h"
+#include "hardware/driver/DeviceDriver.h"
 
 namespace asperity {
 

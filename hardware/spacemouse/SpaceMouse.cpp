@@ -62,7 +62,9 @@ std::optional<SpaceMouseState> drain(HidConnection& device, SpaceMouseState stat
 }  // namespace
 
 SpaceMouse::SpaceMouse(HidTransport& transport, Vector3 start, double fullSpeed)
-    : position_(std::move(start)), fullSpeed_(fullSpeed), follower_(transport, spaceMouseDriver()) {
+    : position_(std::move(start))
+    , fullSpeed_(fullSpeed)
+    , follower_(transport, isSpaceMouse, spaceMouseDriver().label) {
     reading_.write({.connected = follower_.hasDevice()});
     follower_.start([this](const FoundDevice& found, const std::stop_token& stop) {
         follow(*found.connection, stop);

@@ -1,5 +1,6 @@
 #include "hardware/spacemouse/SpaceMouseDriver.h"
 
+#include "hardware/hid/HidList.h"
 #include "hardware/spacemouse/SpaceMouse.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ const DeviceDriver& spaceMouseDriver() {
         .key = "SpaceMouse",
         .label = "SpaceMouse",
         .senses = {"x", "y", "z", "rx", "ry", "rz", "buttons"},
-        .drives = isSpaceMouse,
+        .list = [](const DeviceSite& site) { return listHid(site, isSpaceMouse); },
         .open = [](const DeviceSite& site) -> std::unique_ptr<HapticDevice> {
             return std::make_unique<SpaceMouse>(site.hid(), site.start);
         }};

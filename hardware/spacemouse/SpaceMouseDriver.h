@@ -1,6 +1,7 @@
 #pragma once
 
-#include "hardware/hid/DeviceDriver.h"
+#include "hardware/driver/DeviceDriver.h"
+#include "hardware/hid/HidTransport.h"
 
 namespace asperity {
 

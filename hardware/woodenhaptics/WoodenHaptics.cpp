@@ -38,7 +38,7 @@ WoodenHaptics::WoodenHaptics(HidTransport& transport, WoodenHapticsDescription d
     : description_(std::move(description))
     , latest_{.time = monotonicSeconds()}
     , reading_(latest_)
-    , follower_(transport, woodenHapticsDriver()) {
+    , follower_(transport, isWoodenHaptics, woodenHapticsDriver().label) {
     const bool expected = follower_.hasDevice();
     follower_.start(
         [this](const FoundDevice& found, const std::stop_token& stop) { follow(found, stop); });

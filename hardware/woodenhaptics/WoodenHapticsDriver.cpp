@@ -1,6 +1,7 @@
 #include "hardware/woodenhaptics/WoodenHapticsDriver.h"
 
 #include "core/io/scene/WoodenHapticsFile.h"
+#include "hardware/hid/HidList.h"
 #include "hardware/woodenhaptics/WoodenHaptics.h"
 #include "hardware/woodenhaptics/WoodenHapticsReports.h"
 
@@ -23,7 +24,7 @@ const DeviceDriver& woodenHapticsDriver() {
         .label = "WoodenHaptics",
         .senses = {"x", "y", "z", "buttons"},
         .rendersForce = true,
-        .drives = isWoodenHaptics,
+        .list = [](const DeviceSite& site) { return listHid(site, isWoodenHaptics); },
         .open = [](const DeviceSite& site) -> std::unique_ptr<HapticDevice> {
             return std::make_unique<WoodenHaptics>(
                 site.hid(), readWoodenHaptics(site.data / "devices" / "woodenhaptics_2015.toml"));

@@ -28,6 +28,27 @@ HidDeviceInfo withIds(std::uint16_t vendorId, std::uint16_t productId) {
     return device;
 }
 
+HidDeviceInfo teensyInfo() {
+    return {.path = "/dev/hidraw4",
+            .vendorId = 0x16c0,
+            .productId = 0x0486,
+            .product = "WoodenHaptics",
+            .usages = {{.page = 0xFFAB, .id = 0x200}}};
+}
+
+DeviceSite siteOf(HidTransport& hid) {
+    return {.hid = [&hid]() -> HidTransport& { return hid; },
+            .data = ASPERITY_DATA_DIR,
+            .start = {1e-9, 2e-9, 3e-9}};
+}
+
+/// Without mouse and keyboard and the simulated device, which are always there.
+std::vector<DeviceDescription> listedHid(HidTransport& hid) {
+    std::vector<DeviceDescription> list = listDevices(siteOf(hid));
+    std::erase_if(list, [](const DeviceDescription& device) { return device.path.empty(); });
+    return list;
+}
+
 TEST(DeviceRegistry, KnowsSpaceMiceOfBothVendorIds) {
     for (const auto& [vendor, product] : {std::pair{0x046d, 0xc603},
                                           {0x046d, 0xc626},
@@ -81,9 +102,7 @@ TEST(DeviceRegistry, EachDriverIsOnItsOwnInReportsAndInTheList) {
 
 TEST(DeviceRegistry, EachDriverOpensADeviceThatIsWhatItsRowSays) {
     FakeHid hid;
-    const DeviceSite site = {.hid = [&hid]() -> HidTransport& { return hid; },
-                             .data = ASPERITY_DATA_DIR,
-                             .start = {1e-9, 2e-9, 3e-9}};
+    const DeviceSite site = siteOf(hid);
     for (const DeviceDriver* const driver : deviceDrivers()) {
         const std::unique_ptr<HapticDevice> hand = driver->open(site);
         EXPECT_EQ(hand->specification().rendersForce(), driver->rendersForce) << driver->key;
@@ -93,6 +112,16 @@ TEST(DeviceRegistry, EachDriverOpensADeviceThatIsWhatItsRowSays) {
     }
     const std::unique_ptr<HapticDevice> pointer = pointerDriver().open(site);
     EXPECT_EQ(pointer->advance(0.0).position, site.start);
+}
+
+TEST(DeviceRegistry, ListsWhatIsAlwaysThereWhereTheTableHasIt) {
+    FakeHid hid({teensyInfo(), spaceMouseInfo()});
+    std::vector<std::string> listed;
+    for (const DeviceDescription& device : listDevices(siteOf(hid))) {
+        listed.push_back(device.name);
+    }
+    EXPECT_EQ(listed, (std::vector<std::string>{"mouse and keyboard", "SpaceMouse Compact",
+                                                "simulated device", "WoodenHaptics"}));
 }
 
 TEST(DeviceRegistry, ADeviceWhoseFileIsMissingCannotBeOpened) {
@@ -105,34 +134,26 @@ TEST(DeviceRegistry, ADeviceWhoseFileIsMissingCannotBeOpened) {
 TEST(DeviceRegistry, SaysWhatASpaceMouseCanDo) {
     FakeHid hid;
     hid.plug(spaceMouseInfo());
-    const std::vector<DeviceDescription> list = listDevices(hid);
+    const std::vector<DeviceDescription> list = listedHid(hid);
     ASSERT_EQ(list.size(), 1U);
     EXPECT_EQ(list[0].name, "SpaceMouse Compact");
-    EXPECT_EQ(list[0].driver, spaceMouseDriver().key);
+    EXPECT_EQ(list[0].driver, &spaceMouseDriver());
     EXPECT_EQ(list[0].path, "/dev/hidraw7");
     EXPECT_EQ(list[0].vendorId, 0x256f);
     EXPECT_EQ(list[0].productId, 0xc635);
-    EXPECT_EQ(list[0].senses,
+    EXPECT_EQ(list[0].driver->senses,
               (std::vector<std::string>{"x", "y", "z", "rx", "ry", "rz", "buttons"}));
-    EXPECT_FALSE(list[0].rendersForce);
+    EXPECT_FALSE(list[0].driver->rendersForce);
     EXPECT_TRUE(list[0].usable());
-}
-
-HidDeviceInfo teensyInfo() {
-    return {.path = "/dev/hidraw4",
-            .vendorId = 0x16c0,
-            .productId = 0x0486,
-            .product = "WoodenHaptics",
-            .usages = {{.page = 0xFFAB, .id = 0x200}}};
 }
 
 TEST(DeviceRegistry, SaysWhatAWoodenHapticsCanDo) {
     FakeHid hid({teensyInfo()});
-    const std::vector<DeviceDescription> list = listDevices(hid);
+    const std::vector<DeviceDescription> list = listedHid(hid);
     ASSERT_EQ(list.size(), 1U);
-    EXPECT_EQ(list[0].driver, woodenHapticsDriver().key);
-    EXPECT_EQ(list[0].senses, (std::vector<std::string>{"x", "y", "z", "buttons"}));
-    EXPECT_TRUE(list[0].rendersForce);
+    EXPECT_EQ(list[0].driver, &woodenHapticsDriver());
+    EXPECT_EQ(list[0].driver->senses, (std::vector<std::string>{"x", "y", "z", "buttons"}));
+    EXPECT_TRUE(list[0].driver->rendersForce);
     EXPECT_TRUE(list[0].usable());
 }
 
@@ -149,12 +170,12 @@ TEST(DeviceRegistry, ListsUnknownDevicesAsNotUsable) {
     FakeHid hid;
     hid.plug({.path = "/dev/hidraw0", .vendorId = 0x1234, .productId = 1, .manufacturer = "Acme"});
     hid.plug(spaceMouseInfo());
-    const std::vector<DeviceDescription> list = listDevices(hid);
+    const std::vector<DeviceDescription> list = listedHid(hid);
     ASSERT_EQ(list.size(), 2U);
-    EXPECT_EQ(list[0].name, "Acme HID device");
-    EXPECT_EQ(list[0].driver, "");
-    EXPECT_EQ(list[0].obstacle, "no driver for this device");
-    EXPECT_TRUE(list[1].usable());
+    EXPECT_TRUE(list[0].usable());
+    EXPECT_EQ(list[1].name, "Acme HID device");
+    EXPECT_EQ(list[1].driver, nullptr);
+    EXPECT_EQ(list[1].obstacle, "no driver for this device");
 }
 
 TEST(DeviceRegistry, NamesTheRulesFileWhenPermissionIsMissing) {
@@ -162,11 +183,11 @@ TEST(DeviceRegistry, NamesTheRulesFileWhenPermissionIsMissing) {
     HidDeviceInfo device = spaceMouseInfo();
     device.permitted = false;
     hid.plug(device);
-    const std::vector<DeviceDescription> list = listDevices(hid);
+    const std::vector<DeviceDescription> list = listedHid(hid);
     ASSERT_EQ(list.size(), 1U);
     EXPECT_FALSE(list[0].usable());
     EXPECT_NE(list[0].obstacle.find("70-asperity-hid.rules"), std::string::npos);
-    EXPECT_EQ(list[0].driver, spaceMouseDriver().key);
+    EXPECT_EQ(list[0].driver, &spaceMouseDriver());
 }
 
 /// The value that a rule asks of a key; empty: the rule does not ask for it.

@@ -37,6 +37,14 @@ TEST(DevicesCommand, ListsMouseAndKeyboardFirst) {
     EXPECT_EQ(first.at("path"), nullptr);
 }
 
+TEST(DevicesCommand, ListsTheSimulatedDevice) {
+    const VirtualSpaceMouse device;
+    EXPECT_EQ(deviceNamed("simulated device"), nlohmann::json::parse(R"({
+        "name": "simulated device", "vendor_id": null, "product_id": null, "path": null,
+        "driver": "simulated", "senses": ["x", "y", "z"],
+        "renders_force": true, "usable": true, "obstacle": null})"));
+}
+
 TEST(DevicesCommand, SaysWhatTheSpaceMouseCanDo) {
     const VirtualSpaceMouse device;
     EXPECT_EQ(deviceNamed("SpaceMouse Compact"), nlohmann::json::parse(R"({
@@ -83,7 +91,8 @@ TEST(DevicesCommand, SaysWhenNoHidDeviceIsThere) {
     const std::unique_ptr<UMockdevTestbed, decltype(&g_object_unref)> empty(umockdev_testbed_new(),
                                                                             &g_object_unref);
     EXPECT_NE(printed("devices").find("No HID device is plugged in.\n"), std::string::npos);
-    EXPECT_EQ(nlohmann::json::parse(printed("devices --json")).at("devices").size(), 1U);
+    EXPECT_EQ(nlohmann::json::parse(printed("devices --json")).at("devices").size(), 2U)
+        << "mouse and keyboard, simulated device";
 }
 
 }  // namespace

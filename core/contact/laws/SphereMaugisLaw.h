@@ -10,9 +10,9 @@ namespace asperity {
 /// A sphere on a half-space with adhesion of a finite range: MaugisDugdale beyond the paraboloid,
 /// with contact or without, up to the equator. The four functions of LawPoint.h; real-time safe.
 ///
-/// A cohesive zone that would reach beyond the equator ends there (wrapsTip()): the stress then
-/// acts on all of the lower half of the sphere, and the states remain in equilibrium and
-/// continuous. Source: docs/theory.md 4.4, 2.4, 2.5.
+/// A cohesive zone that would reach beyond the equator ends there, with the tip's radius for its
+/// own: the stress then acts on all of the lower half of the sphere, and the states remain in
+/// equilibrium and continuous. Source: docs/theory.md 4.4, 2.4, 2.5.
 class SphereMaugisLaw {
 public:
     /// @param cohesiveStress sigma0 [Pa], > 0 where the pair has adhesion
@@ -31,12 +31,6 @@ public:
     [[nodiscard]] double cohesiveStress() const noexcept { return cohesiveStress_; }  ///< [Pa]
     /// Transition parameter of the paraboloid of this radius; 0 without adhesion.
     [[nodiscard]] double lambda() const noexcept { return lambda_; }
-
-    /// Whether the cohesive zone of this state ends at the tip's equator with less than the
-    /// cohesive range open: no cohesive radius below the tip's meets the condition of the law.
-    [[nodiscard]] bool wrapsTip(const LawPoint& point) const noexcept {
-        return point.cohesiveRadius >= units_.length;
-    }
 
 private:
     [[nodiscard]] SphereState contactAt(double depth) const noexcept;

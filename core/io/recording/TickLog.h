@@ -5,44 +5,43 @@
 #include "core/io/tables/CsvWriter.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace asperity {
 
-/// Writes force_log.csv: what a run did, one row a tick; `state` and `flags` are words. The file
-/// grows in its place, so that a run which is cut off is there up to its last flush.
-class ForceLogWriter {
+/// A table with one row a tick. The file grows in its place, so that a run which is cut off is
+/// there up to its last flush.
+class TickTable {
+public:
+    /// Hands all ticks so far to the system. @throw Error
+    void flush() { csv_.flush(); }
+    /// Waits until the disk holds what was flushed. @throw Error
+    void sync() const { csv_.sync(); }
+    /// Writes what is left. @throw Error
+    void close() { csv_.close(); }
+
+protected:
+    TickTable(const std::filesystem::path& path, const char* what,
+              const std::vector<std::string>& columns);
+
+    CsvWriter csv_;
+};
+
+/// Writes force_log.csv: what a run did; `state` and `flags` are words.
+class ForceLogWriter : public TickTable {
 public:
     /// @throw Error when the file is there or cannot be made
     explicit ForceLogWriter(const std::filesystem::path& path);
     void take(const TickSample& sample);
-    /// Hands all ticks so far to the system. @throw Error
-    void flush() { csv_.flush(); }
-    /// Waits until the disk holds what was flushed. @throw Error
-    void sync() const { csv_.sync(); }
-    /// Writes what is left. @throw Error
-    void close() { csv_.close(); }
-
-private:
-    CsvWriter csv_;
 };
 
-/// Writes tick_input.csv: all that a run depended on besides its scene, one row a tick. It grows as
-/// force_log.csv does.
-class TickInputWriter {
+/// Writes tick_input.csv: all that a run depended on besides its scene.
+class TickInputWriter : public TickTable {
 public:
     /// @throw Error when the file is there or cannot be made
     explicit TickInputWriter(const std::filesystem::path& path);
     void take(const TickSample& sample);
-    /// Hands all ticks so far to the system. @throw Error
-    void flush() { csv_.flush(); }
-    /// Waits until the disk holds what was flushed. @throw Error
-    void sync() const { csv_.sync(); }
-    /// Writes what is left. @throw Error
-    void close() { csv_.close(); }
-
-private:
-    CsvWriter csv_;
 };
 
 /// The samples of a recorded run, bit for bit, with empty outputs. @throw InputError

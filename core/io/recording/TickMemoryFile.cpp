@@ -3,13 +3,9 @@
 #include "core/Error.h"
 #include "core/Version.h"
 #include "core/io/recording/ColumnList.h"
-#include "core/io/recording/StoredValue.h"
-#include "core/io/tables/CsvTable.h"
+#include "core/io/recording/StoredRow.h"
 
-#include <algorithm>
-#include <array>
 #include <string>
-#include <type_traits>
 
 namespace asperity {
 
@@ -35,8 +31,10 @@ template <class Memory, class Cell>
 void listSignals(Memory& memory, const Cell& cell) {
     cell({"innovation_normal_defect"}, memory.innovation.normalDefect);
     cell({"innovation_friction_defect"}, memory.innovation.frictionDefect);
-    cell({"innovation_normal_variance"}, memory.innovation.normalVariance);
-    cell({"innovation_friction_variance"}, memory.innovation.frictionVariance);
+    cell({.front = "innovation_normal_variance", .holds = Holds::NotNegative},
+         memory.innovation.normalVariance);
+    cell({.front = "innovation_friction_variance", .holds = Holds::NotNegative},
+         memory.innovation.frictionVariance);
     cell({"innovation_bending_noise"}, memory.innovation.bendingNoise);
     cell({"innovation_torsion_noise"}, memory.innovation.torsionNoise);
     cell({"innovation_age_s"}, memory.innovation.age);
@@ -52,7 +50,6 @@ void listSignals(Memory& memory, const Cell& cell) {
 
 template <class Memory, class Cell>
 void listCoupling(Memory& memory, const Cell& cell) {
-    listVector(cell, "hand_", memory.mapping.device, "_m");
     cell({"mapping_follows"}, memory.mapping.follows);
     listVector(cell, "proxy_stretch_", memory.proxy.stretch, "_m");
     listVector(cell, "proxy_load_", memory.proxy.load, "_n");
@@ -72,16 +69,17 @@ void listGuide(Memory& memory, const Cell& cell) {
     cell({"guide_stiffness_n_m"}, memory.guide.fixture.stiffness);
     cell({"guide_damping_n_s_m"}, memory.guide.fixture.damping);
     cell({"guide_force_limit_n"}, memory.guide.fixture.forceLimit);
-    cell({"guide_capture_m"}, memory.guide.fixture.captureDistance);
+    cell({.front = "guide_capture_m", .holds = Holds::Endless},
+         memory.guide.fixture.captureDistance);
     cell({"guide_position_gain"}, memory.guide.positionGain);
-    cell({"guide_share"}, memory.guide.share);
+    cell({.front = "guide_share", .holds = Holds::Share}, memory.guide.share);
     listVector(cell, "guide_velocity_", memory.guide.velocity, "_m_s");
 }
 
 template <class Memory, class Cell>
 void listGovernor(Memory& memory, const Cell& cell) {
-    cell({"governor_share"}, memory.governor.share);
-    cell({"governor_edge_share"}, memory.governor.edgeShare);
+    cell({.front = "governor_share", .holds = Holds::Share}, memory.governor.share);
+    cell({.front = "governor_edge_share", .holds = Holds::Share}, memory.governor.edgeShare);
     cell({"governor_starts"}, memory.governor.starts);
     listVector(cell, "governor_from_", memory.governor.speed.from, "_m");
     cell({"governor_time_s"}, memory.governor.speed.time);
@@ -92,27 +90,24 @@ void listGovernor(Memory& memory, const Cell& cell) {
 /// The columns of tick_memory.csv.
 template <class Memory, class Cell>
 void listMemory(Memory& memory, const Cell& cell) {
+    const auto later = [&cell](Column column, auto& value) {
+        column.later = true;
+        cell(column, value);
+    };
     listModel(memory, cell);
     listVector(cell, "compensation_", memory.compensation, "_m");
     cell({"control"}, memory.control);
     listVector(cell, "base_", memory.base, "_m");
     listVector(cell, "correction_", memory.correction, "_n");
-    listSignals(memory, cell);
-    listCoupling(memory, cell);
-    listGuide(memory, cell);
-    listGovernor(memory, cell);
-    cell({"unsolved_s"}, memory.unsolved);
+    listSignals(memory, later);
+    listVector(cell, "hand_", memory.mapping.device, "_m");
+    listCoupling(memory, later);
+    listGuide(memory, later);
+    listGovernor(memory, later);
+    later({"unsolved_s"}, memory.unsolved);
     cell({"started"}, memory.started);
     cell({"fault"}, memory.fault);
     cell({"rearms"}, memory.rearms);
-}
-
-/// Whether there are memories from before there was such a value.
-bool isLater(const std::string& name) {
-    constexpr std::array kLater{"proxy_",     "governor_",   "guide",   "mapping_",
-                                "unsolved_s", "innovation_", "signals_"};
-    return std::any_of(kLater.begin(), kLater.end(),
-                       [&name](const char* begin) { return name.starts_with(begin); });
 }
 
 }  // namespace
@@ -135,26 +130,7 @@ TickMemory readTickMemory(const std::filesystem::path& path) {
     }
     TickMemory memory;
     memory.mapping.follows = true;  // there was no clutch
-    listMemory(memory, [&](const ColumnName& column, auto& value) {
-        const std::string name = column.text();
-        if (isLater(name) && !table.has(name)) {
-            return;
-        }
-        using Value = std::decay_t<decltype(value)>;
-        const double number = table.number(0, name);
-        const bool isShare = name.ends_with("_share");
-        if (isShare && !(number >= 0.0 && number <= 1.0)) {
-            throw InputError(path.string(), name, "expected a share from 0 to 1");
-        }
-        if (name.ends_with("_variance") && !(number >= 0.0)) {
-            throw InputError(path.string(), name, "expected a variance, 0 or more");
-        }
-        // A guide may reach without end.
-        if (!stored::standsFor<Value>(number) && !(name == "guide_capture_m" && number > 0.0)) {
-            throw InputError(path.string(), name, "expected a value as Asperity writes it");
-        }
-        value = static_cast<Value>(number);
-    });
+    stored::readCells(table, 0, [&memory](const auto& cell) { listMemory(memory, cell); });
     return memory;
 }
 

@@ -50,7 +50,7 @@ public:
         std::vector<ContactCandidate> all;
         for (const LawTier& lawTier : lawTiers()) {
             check();
-            if (lawTier.law == ContactLaw::HertzFilm && setting.filmThickness == 0.0) {
+            if (isFilm(lawTier.law) && setting.filmThickness == 0.0) {
                 continue;  // refusedContacts() has it
             }
             all.push_back(lawTier.tier == SolverTier::Table ? tabulated(lawTier, setting)

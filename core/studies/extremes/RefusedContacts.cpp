@@ -17,10 +17,10 @@ struct Request {
 };
 
 std::vector<Request> requestsOf(ContactLaw law) {
-    const double film = law == ContactLaw::HertzFilm ? 1e-6 : 0.0;  // a good one
+    const double film = isFilm(law) ? 1e-6 : 0.0;  // a good one
     std::vector<Request> requests{{{.pair = kGood, .filmThickness = 10.0}},
                                   {{.pair = kGood, .filmThickness = film, .cohesiveStress = 1e20}}};
-    if (law == ContactLaw::HertzFilm) {
+    if (isFilm(law)) {
         requests.push_back({{.pair = kGood}});
     }
     for (const double radius : {1e-13, 10.0, kNan}) {

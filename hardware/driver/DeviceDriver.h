@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/haptics/device/HapticDevice.h"
-#include "hardware/hid/HidTransport.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -11,12 +11,25 @@
 
 namespace asperity {
 
-/// Where a device is opened.
+class HidTransport;
+
+/// Where devices are found and opened.
 struct DeviceSite {
     /// The way to HID devices; outlives the device. @throw Error where there is none
     std::function<HidTransport&()> hid;
-    std::filesystem::path data;       ///< the folder `data` that belongs to the program
+    std::filesystem::path data = {};  ///< the folder `data` that belongs to the program
     Vector3 start = Vector3::Zero();  ///< where the device before it is [m]
+};
+
+/// A device that is there.
+struct ListedDevice {
+    std::string name;
+    std::string path;  ///< of a HID device; else empty, as are its ids
+    std::uint16_t vendorId = 0;
+    std::uint16_t productId = 0;
+    std::string obstacle;  ///< why it cannot be used; empty: it can
+
+    [[nodiscard]] bool usable() const { return obstacle.empty(); }
 };
 
 /// One kind of device, and all in which it differs from others. The folder of each driver has one,
@@ -24,10 +37,10 @@ struct DeviceSite {
 struct DeviceDriver {
     const char* key = "";             ///< in reports
     const char* label = "";           ///< for people
-    std::vector<std::string> senses;  ///< axes of the lab frame and buttons
+    std::vector<std::string> senses;  ///< axes of the lab frame (x y z rx ry rz) and buttons
     bool rendersForce = false;        ///< it has motors
-    /// Whether a HID device is of this kind.
-    bool (*drives)(const HidDeviceInfo& device) = [](const HidDeviceInfo&) { return false; };
+    /// The devices of this kind that are there. @throw Error when the system cannot list them
+    std::vector<ListedDevice> (*list)(const DeviceSite& site) = {};
     /// Opens such a device. @throw Error where there cannot be one; one whose device is not
     /// there waits for it
     std::unique_ptr<HapticDevice> (*open)(const DeviceSite& site) = {};
