@@ -136,7 +136,7 @@ Scene benchScene() {
     return buildScene(defaultScene(), selfAffineMap(size, roughness));
 }
 
-/// Turns the view as a person's mouse would.
+/// Turns the view as a user's mouse would.
 void turn(ZoomView& view, int& pixel) {
     const auto send = [&view](QEvent::Type type, int x) {
         QMouseEvent event(type, QPointF(x, 300.0), Qt::RightButton, Qt::RightButton,

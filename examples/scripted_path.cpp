@@ -1,5 +1,5 @@
-// A tip that a script leads over a scene, as the model and the simulated AFM have it:
-// scripted_path SCENE.toml or SCAN
+// A tip that a script moves over a scene, as the model and the simulated AFM have it: scripted_path
+// SCENE.toml or SCAN
 #include "core/haptics/VirtualRun.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/scene/SceneFile.h"
@@ -27,7 +27,7 @@ asperity::Scene sceneOf(const char* file) {
 void printForces(const char* file) {
     using namespace asperity;
     const Scene scene = sceneOf(file);
-    SimulatedAfm afm(scene.touched(), truthOf(scene));
+    SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
     const DevicePath path = approachPath(scene, {.duration = 2.0, .slideLength = 20e-9});
     const long ticks = std::lround(2.0 / scene.timeStep());
     std::printf("time_s,base_z_m,model_n,estimate_n,flags\n");

@@ -1,7 +1,7 @@
 #include "hardware/DeviceRegistry.h"
 
 #include "hardware/hid/HidList.h"
-#include "hardware/led/LedDrivers.h"
+#include "hardware/piloted/PilotedDrivers.h"
 #include "hardware/spacemouse/SpaceMouseDriver.h"
 #include "hardware/woodenhaptics/WoodenHapticsDriver.h"
 

@@ -2,7 +2,7 @@
 
 namespace asperity {
 
-/// Counts frames and says how many there were in the last full second.
+/// Counts frames and returns how many there were in the last full second.
 class FrameCounter {
 public:
     /// One more frame at a time [s].

@@ -8,7 +8,7 @@ namespace asperity {
 /// Where held keys send the device, as seen on the screen; each part is a share of full speed.
 struct KeyDirection {
     double right = 0.0;
-    double forward = 0.0;  ///< away from the person, in the horizontal plane
+    double forward = 0.0;  ///< away from the user, in the horizontal plane
     double up = 0.0;
 };
 

@@ -19,15 +19,15 @@ public:
     [[nodiscard]] const SiScale& scale() const noexcept { return scale_; }
 
 private:
-    std::string unit_;
-    double smallest_;
+    std::string unit_;  ///< SI, without prefix
+    double smallest_;   ///< [unit]
     SiScale scale_;
 };
 
 /// The limits of an axis.
 struct AxisRange {
-    double low = 0.0;
-    double high = 0.0;
+    double low = 0.0;   ///< [unit of the data]
+    double high = 0.0;  ///< [unit of the data]
 };
 
 /// Axis limits at round numbers that hold the data and seldom change: they widen at once, and
@@ -42,7 +42,7 @@ public:
     [[nodiscard]] const AxisRange& range() const noexcept { return range_; }
 
 private:
-    double smallest_;
+    double smallest_;  ///< [unit of the data]
     AxisRange range_;
 };
 
@@ -58,8 +58,8 @@ public:
     [[nodiscard]] double factor() const noexcept { return factor_; }
 
 private:
-    double smallest_;
-    double factor_ = 1.0;
+    double smallest_;      ///< [unit of the data]
+    double factor_ = 1.0;  ///< dimensionless
 };
 
 /// A value in a given prefix for people, "-12.30 nN"; "– nN" when it is not finite.

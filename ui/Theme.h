@@ -38,7 +38,7 @@ inline constexpr int kSmallSize = 11;  ///< captions, axes [px]
 
 }  // namespace theme
 
-/// Gives the whole program its palette, font and style sheet; call once, before the first window.
+/// Sets the whole program's palette, font and style sheet; call once, before the first window.
 void applyTheme(QApplication& application);
 
 }  // namespace asperity

@@ -219,7 +219,7 @@ void addConvertCommand(CLI::App& program) {
             ->add_option("--smoothing-px", options->smoothingPixels,
                          "of the residual's surface: standard deviation [pixel] (default 1)")
             ->check(finiteNumber())
-            ->check(CLI::Range(0.0, kWidestSmoothing))
+            ->check(CLI::Range(0.0, kMaxSmoothing))
             ->needs(residual);
     command->add_option("--smoothing-m", options->smoothingLength, "the same as a length [m]")
         ->check(finiteNumber())

@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// What a person asks `asperity curve` for; empty or zero: as the scene, or the default scene,
+/// What a user asks `asperity curve` for; empty or zero: as the scene, or the default scene,
 /// says.
 struct CurveRequest {
     std::string scene;

@@ -6,7 +6,7 @@ class App;
 
 namespace asperity {
 
-/// `asperity devices`: what can lead the tip here and what each can do, for people or as JSON.
+/// `asperity devices`: lists the input devices here and what each can do, for people or as JSON.
 void addDevicesCommand(CLI::App& program);
 
 }  // namespace asperity

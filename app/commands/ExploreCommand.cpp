@@ -31,8 +31,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kDefaultDuration = 10.0;    // [s]
-constexpr double kLongestDuration = 3600.0;  // [s]
+constexpr double kDefaultDuration = 10.0;  // [s]
+constexpr double kMaxDuration = 3600.0;    // [s]
 
 struct ExploreOptions {
     std::string input;
@@ -44,7 +44,7 @@ struct ExploreOptions {
 };
 
 struct PlannedRun {
-    DevicePath device;
+    DevicePath path;
     double duration = 0.0;  // [s]
 };
 
@@ -60,13 +60,13 @@ PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
     if (options.path == "scratch") {
         return {scratchPath(scene, plan), plan.duration};
     }
-    DevicePath device = readDevicePath(options.path);
-    const double duration = options.duration > 0.0 ? options.duration : device.back().time;
-    if (!(duration <= kLongestDuration)) {
+    DevicePath path = readDevicePath(options.path);
+    const double duration = options.duration > 0.0 ? options.duration : path.back().time;
+    if (!(duration <= kMaxDuration)) {
         throw InputError(options.path, "",
                          "the path lasts longer than an hour; give a shorter --duration");
     }
-    return {std::move(device), duration};
+    return {std::move(path), duration};
 }
 
 /// Everything that is kept of a run while it goes on.
@@ -84,7 +84,7 @@ struct RunKeeper {
 
 void tellOutcome(const RunEvents& events) {
     for (const Validity flag :
-         {Validity::LargeContact, Validity::CurvedSample, Validity::EstimateInconsistent}) {
+         {Validity::LargeContact, Validity::Anisotropic, Validity::EstimateInconsistent}) {
         const int index = std::countr_zero(static_cast<std::uint32_t>(flag));
         if (const long ticks = events.flagged.at(index); ticks > 0) {
             std::cerr << "note: in " << ticks << " of " << events.ticks
@@ -113,7 +113,7 @@ void run(const Scene& scene, const PlannedRun& plan, AfmController& afm, RunKeep
     constexpr long kReports = 50;
     long done = 0;
     ProgressLine line("running");
-    runVirtually(scene, plan.device, afm, ticks, [&](const TickSample& sample) {
+    runVirtually(scene, plan.path, afm, ticks, [&](const TickSample& sample) {
         if (done % (ticks / kReports + 1) == 0) {
             reportTo(&line, static_cast<double>(done) / static_cast<double>(ticks));
         }
@@ -198,7 +198,7 @@ void addExploreCommand(CLI::App& program) {
     command
         ->add_option("--duration", options->duration,
                      "of the run [s]; default 10, or the length of the CSV path")
-        ->check(CLI::Range(1e-3, kLongestDuration))
+        ->check(CLI::Range(1e-3, kMaxDuration))
         ->check(finiteNumber());
     command->add_option("--channel", options->overrides.channel, "channel of the height map");
     addLevelingOption(*command, options->overrides.leveling, "default: as the scene says, plane");

@@ -6,7 +6,7 @@ class App;
 
 namespace asperity {
 
-/// `asperity explore`: the main job without a person, on a virtual clock.
+/// `asperity explore`: the main job without a user, on a virtual clock.
 void addExploreCommand(CLI::App& program);
 
 }  // namespace asperity

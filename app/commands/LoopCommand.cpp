@@ -13,7 +13,7 @@
 #include "app/session/LiveWindow.h"
 #include "core/Error.h"
 #include "core/haptics/ScriptedDevice.h"
-#include "hardware/led/LedDrivers.h"
+#include "hardware/piloted/PilotedDrivers.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -138,7 +138,7 @@ void runBare(const LoopOptions& options) {
     if (options.simulatedDevice) {
         device.attach(run);
         device.use(simulatedDriver());
-        device.leadAlong(path);
+        device.pilotAlong(path);
     } else {
         run.takeDevice(
             [&] { return std::make_unique<ScriptedDevice>(path, run.settings().positionGain); });
@@ -179,7 +179,7 @@ void runInWindow(const LoopOptions& options) {
     LiveRun& run = *session.run();
     live.window().lock();  // another scene would end the run that is measured
     const DevicePath path = repeatedApproach(run.scene(), options.duration);
-    options.simulatedDevice ? session.devices().leadDevice(path) : session.paths().follow(path);
+    options.simulatedDevice ? session.devices().pilotDevice(path) : session.paths().follow(path);
     if (!options.record.empty()) {
         recordings.start({options.record, options.force});
     }

@@ -80,7 +80,7 @@ Projection onShape(const NurbsSurface& shape, const Vector3& point) {
 }
 
 Projection projectionOn(const Scene& scene, const Vector3& point) {
-    if (!(point.array().abs() < kFarthestQuery).all()) {  // nan is not less, either
+    if (!(point.array().abs() < kMaxQueryDistance).all()) {  // nan is not less, either
         return nowhere();
     }
     return scene.shape ? onShape(*scene.shape, point) : onField(scene.surface, point);

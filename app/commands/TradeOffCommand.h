@@ -6,7 +6,7 @@ class App;
 
 namespace asperity {
 
-/// `asperity tradeoff`: measured cost and error of every fidelity tier.
+/// `asperity tradeoff`: measured cost and error of every model option.
 void addTradeOffCommand(CLI::App& program);
 
 }  // namespace asperity

@@ -39,7 +39,7 @@ void recordFromTheStart(Session& session, const RecordingPlace& place) {
 }
 
 /// Shows the window, and the file as soon as it is loaded. Where that fails the program ends as
-/// every command does; from then on the window stays, whatever a person opens in it.
+/// every command does; from then on the window stays, whatever a user opens in it.
 int execWith(LiveWindow& live, const std::filesystem::path& input) {
     SceneControl& scenes = live.session().scenes();
     std::exception_ptr reason;

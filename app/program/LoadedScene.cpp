@@ -88,7 +88,7 @@ LoadedScene withChoices(LoadedScene loaded, const SceneDescription& choices) {
 }
 
 std::unique_ptr<AfmController> instrumentOf(const Scene& scene) {
-    return std::make_unique<SimulatedAfm>(scene.touched(), truthOf(scene));
+    return std::make_unique<SimulatedAfm>(scene.trueSurface(), truthOf(scene));
 }
 
 }  // namespace asperity

@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// Writes energy_log.csv: the trace of the passivity observer, one row a tick that a device with
-/// motors led. Without such a tick there is no file.
+/// motors drove the tip. Without such a tick there is no file.
 class EnergyLog {
 public:
     /// @param timeStep from tick to tick [s]

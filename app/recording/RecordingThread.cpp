@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kBatch = 250;                    // ticks handed over at once at most
 constexpr double kBatchTime = 0.1;                     // that they span at most [s]
 constexpr std::chrono::milliseconds kKeepPeriod{500};  // between flushes
-constexpr double kMaxBehind = 0.5;  // ticks of a batch, where the disk follows [s]
+constexpr double kMaxWriteLag = 0.5;  // ticks of a batch, where the disk follows [s]
 /// That wait; as many again may be in the writer's hands.
 constexpr std::size_t kMaxWaiting = (std::size_t{50} << 20U) / sizeof(TickSample);
 
@@ -97,7 +97,7 @@ void RecordingThread::writeAll(const std::stop_token& stop) {
             endBecause(RecordingEnd::TicksLost);
         }
         if (Clock::now() - kept_ >= kKeepPeriod) {
-            keepWritten(timeOf(batch) > kMaxBehind);
+            keepWritten(timeOf(batch) > kMaxWriteLag);
         }
     } while (!allReceived(stop));
     stop.stop_requested() ? recording_.flush() : recording_.finish();

@@ -55,12 +55,12 @@ struct DrawnContact {
 
 DrawnContact drawnContact(const Scene& scene, const TickSample& sample) {
     const TipState& state = sample.output.model;
-    const DeformationTier tier = scene.model.deformation;
-    if (tier != DeformationTier::HalfSpace) {
-        return {.deformation = ContactDeformation(scene, state, tier), .remark = ""};
+    const DeformationModel model = scene.model.deformation;
+    if (model != DeformationModel::HalfSpace) {
+        return {.deformation = ContactDeformation(scene, state, model), .remark = ""};
     }
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
-    return {.deformation = ContactDeformation(scene, state, tier, &answer),
+    return {.deformation = ContactDeformation(scene, state, model, &answer),
             .remark = " " + capitalized(sentenceOf(answer)) + "."};
 }
 

@@ -24,13 +24,13 @@ std::vector<ShareKey> keys() {
 /// What one map shows.
 struct MapChoice {
     std::string model;
-    std::string tier;  ///< empty: all
+    std::string setting;  ///< empty: all
     std::string sample;
     double RegionPlace::*row = &RegionPlace::modulus;
     std::string (*rowName)(double) = [](double modulus) { return formatSi(modulus, "Pa"); };
 
     [[nodiscard]] bool has(const RegionPlace& place) const {
-        return place.model == model && (tier.empty() || place.tier == tier) &&
+        return place.model == model && (setting.empty() || place.setting == setting) &&
                place.sample == sample;
     }
 };
@@ -81,7 +81,7 @@ ShareMap mapOf(const std::vector<ExtremesRegion>& regions, const MapChoice& choi
 ShareMap lawMap(const std::vector<ExtremesRegion>& regions, ContactLaw law) {
     const bool film = isFilm(law);
     ShareMap map =
-        mapOf(regions, {.model = keyOf(law), .tier = "", .sample = film ? "film" : "adhesive"});
+        mapOf(regions, {.model = keyOf(law), .setting = "", .sample = film ? "film" : "adhesive"});
     map.title = nameOf(law);
     return map;
 }
@@ -90,7 +90,7 @@ std::string percentOf(double share) { return formatted("%.3g %%", 100.0 * share)
 
 ShareMap tickMap(const std::vector<ExtremesRegion>& regions) {
     ShareMap map = mapOf(regions, {.model = "tick",
-                                   .tier = "certified",
+                                   .setting = "certified",
                                    .sample = "rough",
                                    .row = &RegionPlace::roughness,
                                    .rowName = percentOf});

@@ -16,7 +16,7 @@ namespace {
 
 void addRegion(CsvWriter& csv, const ExtremesRegion& region) {
     const RegionPlace& place = region.place();
-    csv.add(place.model).add(place.tier).add(place.sample);
+    csv.add(place.model).add(place.setting).add(place.sample);
     csv.add(place.tipRadius).add(place.modulus).add(place.roughness);
     csv.add(static_cast<double>(region.states()));
     for (const Verdict verdict : kValues<Verdict>) {
@@ -49,7 +49,7 @@ void printModels(const std::vector<ExtremesRegion>& sums) {
                 "err. max");
     for (const ExtremesRegion& sum : sums) {
         const RegionPlace& place = sum.place();
-        std::printf("%-11s %-9s %-12s %8ld", place.model.c_str(), place.tier.c_str(),
+        std::printf("%-11s %-9s %-12s %8ld", place.model.c_str(), place.setting.c_str(),
                     place.sample.c_str(), sum.states());
         for (const Verdict verdict : kValues<Verdict>) {
             std::printf(" %*s", verdict < Verdict::Flagged ? 6 : 8,

@@ -28,14 +28,14 @@ private:
 
     void takeLegs(const TickSample& sample);
 
-    std::vector<double> time_;
-    std::vector<Vector3> tip_;
-    std::vector<Vector3> estimate_;
-    std::vector<Vector3> model_;
-    std::vector<double> indentation_;
-    std::vector<double> contactRadius_;
-    std::vector<double> bending_;
-    std::vector<double> torsion_;
+    std::vector<double> time_;           ///< [s]
+    std::vector<Vector3> tip_;           ///< apex [m]
+    std::vector<Vector3> estimate_;      ///< force from the signals [N]
+    std::vector<Vector3> model_;         ///< model force [N]
+    std::vector<double> indentation_;    ///< [m]
+    std::vector<double> contactRadius_;  ///< [m]
+    std::vector<double> bending_;        ///< [rad]
+    std::vector<double> torsion_;        ///< [rad]
     Leg approach_;
     Leg retract_;
 };

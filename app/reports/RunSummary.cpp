@@ -84,7 +84,7 @@ Json optionalState(const std::optional<TickSample>& sample) {
 
 /// The half-space's view of a state; null where the scene does not ask for it.
 Json halfSpaceJson(const Scene& scene, const std::optional<TickSample>& sample) {
-    if (!sample || scene.model.deformation != DeformationTier::HalfSpace) {
+    if (!sample || scene.model.deformation != DeformationModel::HalfSpace) {
         return nullptr;
     }
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, sample->output.model);

@@ -28,7 +28,7 @@ void writeTicks(const std::filesystem::path& path, const TradeOff& study) {
                    "on_front"});
     for (const auto* part : {&study.ticks, &study.decouplings}) {
         for (const TickResult& result : *part) {
-            csv.add(nameOf(result.tier)).add(result.median).add(result.p99);
+            csv.add(nameOf(result.options)).add(result.median).add(result.p99);
             csv.add(result.forceErrorRms).add(result.forceErrorMax).add(result.contactRadiusError);
             csv.add(result.closestPointError).add(result.estimateErrorRms);
             csv.add(part == &study.ticks && result.onFront ? 1.0 : 0.0);
@@ -45,7 +45,7 @@ void writeFrames(const std::filesystem::path& path, const TradeOff& study) {
          "displacements against " + nameOf(study.reference.frame)},
         {"tier", "patch_p50_s", "surface_error_rms_m", "surface_error_max_m", "on_front"});
     for (const FrameResult& result : study.frames) {
-        csv.add(nameOf(result.tier)).add(result.median).add(result.surfaceErrorRms);
+        csv.add(nameOf(result.options)).add(result.median).add(result.surfaceErrorRms);
         csv.add(result.surfaceErrorMax).add(result.onFront ? 1.0 : 0.0);
         csv.endRow();
     }
@@ -63,9 +63,9 @@ void writeCompositions(const std::filesystem::path& path, const TradeOff& study)
     double number = 0.0;
     for (const Composition& whole : bestCompositions(study)) {
         csv.add(++number)
-            .add(nameOf(study.ticks[whole.tick].tier))
+            .add(nameOf(study.ticks[whole.tick].options))
             .add(study.rates[whole.rate].rate);
-        csv.add(nameOf(study.frames[whole.frame].tier)).add(whole.load).add(whole.error);
+        csv.add(nameOf(study.frames[whole.frame].options)).add(whole.load).add(whole.error);
         csv.endRow();
     }
     csv.close();
@@ -94,7 +94,7 @@ Chart chartOf(const std::string& chartTitle, const std::vector<Result>& results,
         curve.x.push_back(result.costAndError().cost);
         curve.y.push_back(std::max(result.costAndError().error, floor));
         if (result.onFront) {
-            curve.pointLabels.push_back(nameOf(result.tier));
+            curve.pointLabels.push_back(nameOf(result.options));
         }
     }
     return {
@@ -195,7 +195,7 @@ void writeDeformations(const std::filesystem::path& path,
          "cold_patch_p50_s", "error_rms", "error_max", "law_force_n", "own_force_n", "remark"});
     for (const DeformationResult& result : results) {
         const double none = std::numeric_limits<double>::quiet_NaN();
-        csv.add(result.material).add(result.surface).add(nameOf(result.tier));
+        csv.add(result.material).add(result.surface).add(nameOf(result.model));
         csv.add(result.indentation).add(result.contactRatio).add(result.time).add(result.coldTime);
         csv.add(result.compared ? result.errorRms : none);
         csv.add(result.compared ? result.errorMax : none);

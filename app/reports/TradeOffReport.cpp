@@ -31,9 +31,9 @@ const char* surfaceDoubtText(SurfaceDoubt doubt) {
 }
 
 void printTick(const TickResult& r, char mark) {
-    std::printf("%c %-76s %8.2f %8.2f %10.3g %10.3g %9.3g %10.3g\n", mark, nameOf(r.tier).c_str(),
-                r.median * 1e6, r.p99 * 1e6, r.forceErrorRms * 1e9, r.contactRadiusError * 1e9,
-                r.closestPointError * 1e9, r.estimateErrorRms * 1e9);
+    std::printf("%c %-76s %8.2f %8.2f %10.3g %10.3g %9.3g %10.3g\n", mark,
+                nameOf(r.options).c_str(), r.median * 1e6, r.p99 * 1e6, r.forceErrorRms * 1e9,
+                r.contactRadiusError * 1e9, r.closestPointError * 1e9, r.estimateErrorRms * 1e9);
 }
 
 void printTicks(const TradeOff& study, double tolerance) {
@@ -59,21 +59,22 @@ void printTicks(const TradeOff& study, double tolerance) {
     const std::size_t best = cheapestWithin(costsAndErrors(study.ticks),
                                             tolerance * reference.forceScale, study.ofTicks());
     std::printf("  cheapest within %.2g %% of the force: %s\n\n", tolerance * 100.0,
-                best < study.ticks.size() ? nameOf(study.ticks[best].tier).c_str() : "none");
+                best < study.ticks.size() ? nameOf(study.ticks[best].options).c_str() : "none");
 }
 
 void printFrames(const TradeOff& study) {
     std::printf("%-57s %8s %11s %11s\n", "picture", "patch", "surface err.", "");
     std::printf("%-57s %8s %11s %11s\n", "", "[ms]", "rms [nm]", "max [nm]");
     for (const FrameResult& r : study.frames) {
-        std::printf("%c %-55s %8.2f %11.3g %11.3g\n", r.onFront ? '*' : ' ', nameOf(r.tier).c_str(),
-                    r.median * 1e3, r.surfaceErrorRms * 1e9, r.surfaceErrorMax * 1e9);
+        std::printf("%c %-55s %8.2f %11.3g %11.3g\n", r.onFront ? '*' : ' ',
+                    nameOf(r.options).c_str(), r.median * 1e3, r.surfaceErrorRms * 1e9,
+                    r.surfaceErrorMax * 1e9);
     }
     const TradeOffReference& reference = study.reference;
     std::printf("  reference, at %d of %d contacts: %s; itself: %.2g nm (%s)\n", reference.contacts,
                 reference.contactsAsked, nameOf(reference.frame).c_str(),
                 reference.surfaceDoubt * 1e9, surfaceDoubtText(reference.surfaceDoubtBy));
-    if (reference.frame.deformation == DeformationTier::HalfSpace) {
+    if (reference.frame.deformation == DeformationModel::HalfSpace) {
         std::printf("  there the law's normal force is %.2g nN rms off the half-space's own\n",
                     reference.halfSpaceForce * 1e9);
     }
@@ -90,8 +91,8 @@ void printRates(const TradeOff& study) {
 
 void printComposition(const TradeOff& study, const Composition& whole) {
     std::printf("%6.3f %% %8.3g %%  %5.0f Hz, %s; %s\n", whole.load * 100.0, whole.error * 100.0,
-                study.rates[whole.rate].rate, nameOf(study.ticks[whole.tick].tier).c_str(),
-                nameOf(study.frames[whole.frame].tier).c_str());
+                study.rates[whole.rate].rate, nameOf(study.ticks[whole.tick].options).c_str(),
+                nameOf(study.frames[whole.frame].options).c_str());
 }
 
 void printCompositions(const TradeOff& study, double tolerance) {
@@ -146,7 +147,7 @@ void printDeformations(const std::vector<DeformationResult>& results) {
                 "[%]", "force [nN]", "force [nN]");
     for (const DeformationResult& r : results) {
         std::printf("%-16s %-6s %-15s %6.2f %9.2f", printable(r.material).c_str(),
-                    r.surface.c_str(), nameOf(r.tier), r.contactRatio, r.time * 1e3);
+                    r.surface.c_str(), nameOf(r.model), r.contactRatio, r.time * 1e3);
         if (r.compared) {
             std::printf(" %9.3g %9.3g", r.errorRms * 1e2, r.errorMax * 1e2);
         } else {

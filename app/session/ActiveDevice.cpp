@@ -3,7 +3,7 @@
 #include "app/program/DataFolder.h"
 #include "core/haptics/ScriptedDevice.h"
 #include "core/haptics/device/PilotedDevice.h"
-#include "hardware/led/LedDrivers.h"
+#include "hardware/piloted/PilotedDrivers.h"
 
 #include <memory>
 #include <utility>
@@ -33,8 +33,8 @@ void ActiveDevice::take(const DeviceDriver* driver, const LiveRun::MakeDevice& m
     run_->takeDevice(make);
     device_ = &run_->device();
     driver_ = driver;
-    if (const PilotedDevice* const led = run_->device().led()) {
-        pilot_ = DevicePilot(led->start());
+    if (const PilotedDevice* const piloted = run_->device().piloted()) {
+        pilot_ = DevicePilot(piloted->start());
     }
 }
 
@@ -63,12 +63,12 @@ HidTransport& ActiveDevice::hid() {
     return *transport_;
 }
 
-PilotedDevice* ActiveDevice::led() const {
-    return isOurs() && run_->loop().running() ? run_->device().led() : nullptr;
+PilotedDevice* ActiveDevice::piloted() const {
+    return isOurs() && run_->loop().running() ? run_->device().piloted() : nullptr;
 }
 
-bool ActiveDevice::isDevice() const {
-    return run_ != nullptr && run_->device().led() == nullptr && !followsPath();
+bool ActiveDevice::isHardware() const {
+    return run_ != nullptr && run_->device().piloted() == nullptr && !followsPath();
 }
 
 double ActiveDevice::reach() const {
@@ -76,7 +76,7 @@ double ActiveDevice::reach() const {
 }
 
 void ActiveDevice::displace(const Vector3& displacement) {
-    if (led() != nullptr) {
+    if (piloted() != nullptr) {
         pilot_.displace(reach() * displacement);
     }
 }
@@ -88,13 +88,13 @@ void ActiveDevice::setVelocity(const Vector3& velocity) {
 }
 
 void ActiveDevice::travelTo(const Vector2& place) {
-    if (led() != nullptr) {
+    if (piloted() != nullptr) {
         pilot_.follow(journey(run_->scene(), run_->basePosition(), place, kJourney));
     }
 }
 
 void ActiveDevice::advance(double seconds, double halfWidth) {
-    if (PilotedDevice* const device = led()) {
+    if (PilotedDevice* const device = piloted()) {
         const DeviceMapping now{.device = run_->devicePosition(),
                                 .base = run_->basePosition(),
                                 .positionGain = run_->settings().positionGain};

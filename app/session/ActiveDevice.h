@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// Which device moves the tip of a run, and what the person does with mouse and keyboard meanwhile.
+/// Which device moves the tip of a run, and what the user does with mouse and keyboard meanwhile.
 /// Displacements and velocities are those of the device.
 class ActiveDevice {
 public:
@@ -26,16 +26,16 @@ public:
     /// Of the device that has the tip; null: a path has it, or a device that was taken elsewhere.
     [[nodiscard]] const DeviceDriver* driver() const { return isOurs() ? driver_ : nullptr; }
     [[nodiscard]] bool followsPath() const { return isOurs() && driver_ == nullptr; }
-    /// Whether a person moves it by itself: a device whose axes are not those of the screen.
-    [[nodiscard]] bool isDevice() const;
+    /// Whether it is hardware: a device whose axes are not those of the screen.
+    [[nodiscard]] bool isHardware() const;
 
-    /// What mouse and keyboard do; nothing while a device has the tip that they do not lead, or the
-    /// run pauses. A device's handle is moved so far that its tip goes this way.
+    /// What mouse and keyboard do; nothing while a device has the tip that they do not pilot, or
+    /// the run pauses. A device's handle is moved so far that its tip goes this way.
     void displace(const Vector3& displacement);
     void setVelocity(const Vector3& velocity);
     void travelTo(const Vector2& place);
-    /// In the place of mouse and keyboard: leads the base along a path, as well as the device can.
-    void leadAlong(const DevicePath& path) { pilot_.follow(path); }
+    /// In the place of mouse and keyboard: pilots the base along a path, as well as the device can.
+    void pilotAlong(const DevicePath& path) { pilot_.follow(path); }
 
     /// Moves the device on by a frame. @param halfWidth of the view: the scale of what is seen [m]
     void advance(double seconds, double halfWidth);
@@ -46,16 +46,16 @@ private:
     [[nodiscard]] HidTransport& hid();
     /// Whether the run has the device that it got here.
     [[nodiscard]] bool isOurs() const { return run_ != nullptr && device_ == &run_->device(); }
-    /// The device that mouse and keyboard lead here; null: none, or the run pauses.
-    [[nodiscard]] PilotedDevice* led() const;
-    /// Way of the device per way that mouse and keyboard ask for.
+    /// The device that mouse and keyboard pilot here; null: none, or the run pauses.
+    [[nodiscard]] PilotedDevice* piloted() const;
+    /// Device displacement per displacement that mouse and keyboard ask for.
     [[nodiscard]] double reach() const;
     /// From the present place of the base to the start of a path.
     [[nodiscard]] DevicePath leadIn(const Vector3& start);
 
     LiveRun* run_ = nullptr;
     std::optional<HidapiTransport> transport_;
-    DevicePilot pilot_{Vector3::Zero()};    ///< where mouse and keyboard lead
+    DevicePilot pilot_{Vector3::Zero()};    ///< where mouse and keyboard pilot it
     const HapticDevice* device_ = nullptr;  ///< that was taken last; only compared
     const DeviceDriver* driver_ = nullptr;  ///< its own; null: it follows a path
 };

@@ -62,7 +62,7 @@ private:
         std::exception_ptr reason;
     };
 
-    /// Tells the answers' thread how far the work is.
+    /// Reports the progress to the answers' thread.
     class Report : public Progress {
     public:
         explicit Report(BackgroundWork& work) : work_(work) {}

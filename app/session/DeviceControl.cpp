@@ -6,7 +6,7 @@
 #include "core/words/DeviceWords.h"
 #include "core/words/ScaleWords.h"
 #include "hardware/DeviceRegistry.h"
-#include "hardware/led/LedDrivers.h"
+#include "hardware/piloted/PilotedDrivers.h"
 #include "ui/HeldKeys.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/OverviewPanel.h"
@@ -118,9 +118,9 @@ void DeviceControl::follow(const DevicePath& path) {
     show();
 }
 
-void DeviceControl::leadDevice(const DevicePath& path) {
+void DeviceControl::pilotDevice(const DevicePath& path) {
     device_.use(simulatedDriver());
-    device_.leadAlong(path);
+    device_.pilotAlong(path);
     show();
 }
 
@@ -177,7 +177,7 @@ void DeviceControl::advance(double seconds) {
 }
 
 void DeviceControl::turnAxes(double seconds) {
-    const bool turns = window_.menus().followsView->isChecked() && device_.isDevice();
+    const bool turns = window_.menus().followsView->isChecked() && device_.isHardware();
     const ViewCamera& camera = window_.view().camera();
     const auto axes = turns ? viewAxes(camera.right(), camera.up()) : std::nullopt;
     const Vector3 wanted = axes ? turnOf(*axes) : Vector3(Vector3::Zero());

@@ -10,7 +10,7 @@ namespace asperity {
 
 class HeldKeys;
 
-/// Which device has the tip, as the window shows and a person chooses it, and what mouse, keys and
+/// Which device has the tip, as the window shows and a user chooses it, and what mouse, keys and
 /// the Hand menu do meanwhile.
 class DeviceControl : public QObject {
     Q_OBJECT
@@ -20,18 +20,18 @@ public:
 
     /// The device follows a path of the base from its start. There is a run.
     void follow(const DevicePath& path);
-    /// A person at the simulated device leads the base along a path from its start. There is a run.
-    void leadDevice(const DevicePath& path);
+    /// A user pilots the simulated device along a path of the base from its start. There is a run.
+    void pilotDevice(const DevicePath& path);
     /// Once a frame, before its ticks: moves the device on [s]. There is a run.
     void advance(double seconds);
 
 Q_SIGNALS:
-    /// The person wants the device to follow a path.
+    /// The user wants the device to follow a path.
     void pathWanted();
 
 private:
     void attach();
-    /// Notes which device leads, for the same scene changed.
+    /// Notes which device drives the tip, for the same scene changed.
     void detach();
     void takeUp();
     void choose(int index);
@@ -50,8 +50,8 @@ private:
     ActiveDevice device_;
     HeldKeys* keys_;
     std::vector<const DeviceDriver*> list_;  ///< as the window shows it; null: a path
-    std::string told_;                       ///< what the device said last
-    const DeviceDriver* before_ = nullptr;   ///< of the device that led last; null: none did
+    std::string told_;                       ///< last words on the device
+    const DeviceDriver* before_ = nullptr;   ///< of the last one; null: none
     DeviceScale scaleBefore_;
 };
 

@@ -46,11 +46,11 @@ FidelityControl::FidelityControl(MainWindow& window, RunControl& runs)
                       window.complain(reasonOf(reason));
                   },
               .canceled = [&window] { window.fidelity().setMeasuring(std::nullopt); }}) {
-    connectPerson();
+    connectInputs();
     connect(&runs, &RunControl::begun, this, &FidelityControl::showScene);
 }
 
-void FidelityControl::connectPerson() {
+void FidelityControl::connectInputs() {
     FidelityPanel& panel = window_.fidelity();
     const auto change = [this](const std::function<SceneDescription(SceneDescription)>& choose) {
         if (runs_.run() != nullptr) {
@@ -74,7 +74,7 @@ void FidelityControl::connectPerson() {
         });
     });
     connect(&panel, &FidelityPanel::automaticRequested, this, [choose] { choose(allAutomatic); });
-    connect(&panel, &FidelityPanel::tierPicked, this, &FidelityControl::pickTier);
+    connect(&panel, &FidelityPanel::optionsPicked, this, &FidelityControl::pickOptions);
     connect(&panel, &FidelityPanel::measureRequested, this, &FidelityControl::measure);
     connect(&panel, &FidelityPanel::stopRequested, this, [this] { study_.cancel(); });
 }
@@ -92,11 +92,11 @@ void FidelityControl::chooseModel(const SceneDescription& choices) {
 }
 
 /// The chart stays: it is of the same scene, whatever its tick.
-void FidelityControl::pickTier(const ForceModelOptions& tier) {
+void FidelityControl::pickOptions(const ForceModelOptions& options) {
     if (runs_.run() != nullptr) {
         const std::optional<TradeOff> study = window_.fidelity().tradeOff();
         SceneDescription scene = runs_.run()->scene().description;
-        scene.choices = withForce(scene.choices, tier);
+        scene.choices = withForce(scene.choices, options);
         chooseModel(scene);
         window_.fidelity().showTradeOff(study);
     }

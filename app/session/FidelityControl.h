@@ -13,9 +13,9 @@ public:
     FidelityControl(MainWindow& window, RunControl& runs);
 
 private:
-    void connectPerson();
+    void connectInputs();
     void chooseModel(const SceneDescription& choices);
-    void pickTier(const ForceModelOptions& tier);
+    void pickOptions(const ForceModelOptions& options);
     void measure();
     void showScene();
 

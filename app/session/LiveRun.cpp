@@ -33,7 +33,7 @@ LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument&
     , settings_(loaded_.scene.settings)
     , instrument_(makeInstrument(loaded_.scene))
     , device_(std::make_unique<PointerDevice>(start / settings_.positionGain))
-    , halfSpace_(loaded_.scene.model.deformation == DeformationTier::HalfSpace
+    , halfSpace_(loaded_.scene.model.deformation == DeformationModel::HalfSpace
                      ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
                      : nullptr)
     , loop_(loaded_.scene, *device_, *instrument_)
@@ -105,18 +105,18 @@ void LiveRun::takeDevice(const MakeDevice& make) {
     }
 }
 
-/// A device is where it is, not where the base waits: before it leads, the first tick has to tell
-/// where that is.
-void LiveRun::seat(std::unique_ptr<HapticDevice> hand) {
-    const DeviceSpecification device = hand->specification();
+/// A device is where it is, not where the base waits: the first tick measures that before the
+/// device drives the tip.
+void LiveRun::seat(std::unique_ptr<HapticDevice> device) {
+    const DeviceSpecification specification = device->specification();
     const Settings settings =
-        inWords([&] { return coupling_.takeOver(device, hand->delay(), settings_); });
-    if (device.rendersForce() && loop_.snapshot().statistics.ticks == 0) {
+        inWords([&] { return coupling_.takeOver(specification, device->delay(), settings_); });
+    if (specification.rendersForce() && loop_.snapshot().statistics.ticks == 0) {
         loop_.step();
     }
     apply(settings);
-    loop_.setDevice(*hand);
-    device_ = std::move(hand);
+    loop_.setDevice(*device);
+    device_ = std::move(device);
     energy_ = newEnergyWatch();
 }
 

@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// What it takes of a processor to fetch ticks from the loop into the black box and to who asks.
+/// What it takes of a processor to fetch ticks from the loop into the black box and to the caller.
 struct FetchCost {
     double time = 0.0;  ///< of all [s]
     long ticks = 0;
@@ -35,7 +35,8 @@ public:
     [[nodiscard]] const LoadedScene& loaded() const noexcept { return loaded_; }
     [[nodiscard]] const Scene& scene() const noexcept { return loaded_.scene; }
     [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
-    /// Gives every tick since the last call to `sink`, in order, and to black box and energy watch.
+    /// Passes all ticks since the last call to `sink`, in order, and to the black box and the
+    /// energy monitor.
     void fetch(const TickSink& sink);
     /// Of all calls of fetch() so far.
     [[nodiscard]] const FetchCost& fetchCost() const noexcept { return fetchCost_; }
@@ -50,13 +51,13 @@ public:
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
     /// @throw Error where the device has motors and could not be held so; nothing has changed then
     void setSettings(const Settings& settings);
-    /// The knobs with the gains that hands have which only sense.
+    /// The knobs with the gains of devices that only sense.
     [[nodiscard]] Settings sensingSettings() const;
 
     using MakeDevice = std::function<std::unique_ptr<HapticDevice>()>;
     /// Another device takes over; one with motors gets a coupling and a scale that hold, and when
     /// it goes the earlier gains return. `make` is called while the loop rests, with the gains of
-    /// hands that only sense: what it reads of the present device and base is exact.
+    /// devices that only sense: what it reads of the present device and base is exact.
     /// @throw what `make` throws, or Error where no scale holds; the present device stays then
     void takeDevice(const MakeDevice& make);
     [[nodiscard]] HapticDevice& device() noexcept { return *device_; }

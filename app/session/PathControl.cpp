@@ -63,7 +63,7 @@ PathControl::PathControl(MainWindow& window, RunControl& runs, DeviceControl& de
     connect(&window, &MainWindow::pathFileChosen, this,
             [this](const QString& file) { followFile(file, readDevicePath); });
     connect(&window, &MainWindow::recordingChosen, this,
-            [this](const QString& file) { repeatRecording(file.toStdString()); });
+            [this](const QString& file) { replayRecording(file.toStdString()); });
 }
 
 void PathControl::follow(const DevicePath& path) {
@@ -97,7 +97,7 @@ bool PathControl::followFile(const QString& file, const ReadPath& read) {
     }
 }
 
-void PathControl::repeatRecording(const std::filesystem::path& forceLog) {
+void PathControl::replayRecording(const std::filesystem::path& forceLog) {
     const auto read = [](const std::filesystem::path& file) {
         return readRecordedPath(readRunTable(file));
     };

@@ -20,7 +20,7 @@ private:
     void choose(int index);
     using ReadPath = std::function<DevicePath(const std::filesystem::path&)>;
     bool followFile(const QString& file, const ReadPath& read);
-    void repeatRecording(const std::filesystem::path& forceLog);
+    void replayRecording(const std::filesystem::path& forceLog);
 
     MainWindow& window_;
     RunControl& runs_;

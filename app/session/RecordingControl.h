@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// What a run leaves in files: recordings that a person asks for, and the last seconds before a
+/// What a run leaves in files: recordings that a user asks for, and the last seconds before a
 /// fault. They go to a folder each, named by date and time.
 class RecordingControl : public QObject {
     Q_OBJECT

@@ -29,10 +29,10 @@ RunControl::RunControl(MainWindow& window) : window_(window) {
     connect(&controls, &ControlBar::runningChosen, this,
             [this](bool running) { running ? start() : pause(); });
     connect(&controls, &ControlBar::forcesChosen, this, &RunControl::setForces);
-    const auto takeBackFault = [this] { turn([](Settings& settings) { ++settings.rearms; }); };
-    connect(&window.banner(), &StateBanner::rearmRequested, this, takeBackFault);
+    const auto resetFault = [this] { turn([](Settings& settings) { ++settings.rearms; }); };
+    connect(&window.banner(), &StateBanner::rearmRequested, this, resetFault);
     WindowMenus& menus = window.menus();
-    connect(menus.takeBackFault, &QAction::triggered, this, takeBackFault);
+    connect(menus.resetFault, &QAction::triggered, this, resetFault);
     connect(menus.forcesOff, &QAction::triggered, this, [this] { setForces(false); });
     connect(menus.startPause, &QAction::triggered, this, [this] {
         if (run_) {

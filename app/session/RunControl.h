@@ -23,7 +23,7 @@ public:
     [[nodiscard]] LiveRun* run() const { return run_.get(); }
     /// Who gets every tick, in order.
     void setSink(TickSink sink) { sink_ = std::move(sink); }
-    /// Gives the sink all ticks that the run has made since the last time. There is a run.
+    /// Passes all ticks of the run since the last time to the sink. There is a run.
     void fetch() { run_->fetch(sink_); }
 
     /// Shows a scene that is loaded, and starts its loop. Forces that are off, or that a fault
@@ -38,7 +38,7 @@ public:
 
     void start();
     void pause();
-    /// Turns knobs; one that the device refuses goes back, and the window says why.
+    /// Turns knobs; one that the device refuses goes back, and the window shows why.
     void turn(const std::function<void(Settings&)>& knobs);
     void setForces(bool on);
     /// Shows how the knobs are. There is a run.

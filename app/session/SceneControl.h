@@ -18,7 +18,7 @@ public:
     /// Loads in the background, then shows; says so in the window when that fails. Another one that
     /// is being loaded is given up.
     void open(const std::filesystem::path& input);
-    /// Gives up what is being loaded; the scene stays as it is.
+    /// Cancels what is being loaded; the scene stays as it is.
     void cancelOpen();
     /// Why the last scene that failed to open did so; null: none did.
     [[nodiscard]] std::exception_ptr openError() const { return openError_; }

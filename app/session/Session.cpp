@@ -11,7 +11,7 @@ namespace asperity {
 namespace {
 
 constexpr int kFramePeriod = 25;       // [ms]
-constexpr double kLongestFrame = 0.1;  // that a held key moves the device for [s]
+constexpr double kMaxFrameTime = 0.1;  // that a held key moves the device for [s]
 
 }  // namespace
 
@@ -48,7 +48,7 @@ bool Session::eventFilter(QObject* watched, QEvent* event) {
 
 void Session::advance() {
     const double now = monotonicSeconds();
-    const double elapsed = std::min(now - std::exchange(lastFrame_, now), kLongestFrame);
+    const double elapsed = std::min(now - std::exchange(lastFrame_, now), kMaxFrameTime);
     if (run() != nullptr) {
         devices_.advance(elapsed);
         runs_.fetch();

@@ -18,11 +18,11 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMax = 100.0;        // indentation of the tables
-constexpr double kRadiusSpan = 2.15;  // of lambda for a tenth to ten times the effective radius
-constexpr double kDeepest = 10.0;     // indentation of a sweep
+constexpr double kMaxTable = 100.0;       // indentation of the tables
+constexpr double kRadiusSpan = 2.15;      // of lambda for a tenth to ten times the effective radius
+constexpr double kMaxIndentation = 10.0;  // indentation of a sweep
 constexpr int kRepeats = 201;
-constexpr std::size_t kLongest = 400;  // short sweeps are seldom interrupted
+constexpr std::size_t kMaxSweep = 400;  // short sweeps are seldom interrupted
 
 struct Material {
     const char* name;
@@ -65,9 +65,9 @@ void measure(std::vector<Way>& ways) {
 /// Indentations of an approach and a retraction in equal steps.
 std::vector<double> sweepOf(const MaugisDugdale& law, double step) {
     const double low = law.lowestContact().indentation + 0.05;
-    const auto steps = static_cast<std::size_t>((kDeepest - low) / step);
+    const auto steps = static_cast<std::size_t>((kMaxIndentation - low) / step);
     std::vector<double> sweep;
-    for (std::size_t i = 0; i < std::min(steps, kLongest); ++i) {
+    for (std::size_t i = 0; i < std::min(steps, kMaxSweep); ++i) {
         sweep.push_back(low + (step * static_cast<double>(i)));
     }
     const std::vector<double> back(sweep.rbegin(), sweep.rend());
@@ -104,7 +104,7 @@ Errors errorsAgainstReference() {
         const double force = reference.number(row, "P_bar");
         const MaugisPoint cold = law.stable(control, indentation).value();
         const MaugisPoint warm = law.stable(control, indentation, 1.05 * cold.coordinate).value();
-        const MaugisTable table({lambda, lambda, std::max(kMax, indentation)});
+        const MaugisTable table({lambda, lambda, std::max(kMaxTable, indentation)});
         errors.cold = std::max(errors.cold, relative(cold.force, force));
         errors.warm = std::max(errors.warm, relative(warm.force, force));
         errors.table =
@@ -237,8 +237,9 @@ void printPeer(const char* name, const std::optional<PeerTiming>& timing) {
 
 void benchMaterial(const Material& material) {
     const MaugisDugdale law(material.lambda);
-    const MaugisTable flat({material.lambda, material.lambda, kMax});
-    const MaugisTable curved({material.lambda / kRadiusSpan, material.lambda * kRadiusSpan, kMax});
+    const MaugisTable flat({material.lambda, material.lambda, kMaxTable});
+    const MaugisTable curved(
+        {material.lambda / kRadiusSpan, material.lambda * kRadiusSpan, kMaxTable});
     std::vector<Way> ways{
         coldWay(law),
         warmWay(law, "warm Newton, steps of 0.1", 0.1, 800.0),

@@ -71,7 +71,7 @@ double chiSquare(const ForceEstimate& estimate, const Vector3& error) {
 void runOnce(const Scene& scene, const PathPlan& plan, std::uint64_t seed, CaseResult& result) {
     InstrumentTruth truth = truthOf(scene);
     truth.seed = seed;
-    SimulatedAfm afm(scene.touched(), truth);
+    SimulatedAfm afm(scene.trueSurface(), truth);
     bool seen = false;
     runVirtually(scene, approachPath(scene, plan), afm, kTicks, [&](const TickSample& sample) {
         const TickOutput& out = sample.output;

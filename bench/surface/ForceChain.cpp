@@ -29,7 +29,7 @@ ContactModel polystyrene() {
             {.tipRadius = kBenchTipRadius,
              .reducedModulus = reducedModulus(sample, tip),
              .workOfAdhesion = 0.066},
-            {.solver = SolverTier::Table}};
+            {.solver = SolverSetting::Table}};
 }
 
 Cantilever contactLever() {

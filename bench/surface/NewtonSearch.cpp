@@ -28,14 +28,14 @@ struct Hessian {
 /// The downward step where the Hessian has a direction without or with downward curvature: each of
 /// its eigenvalues counts with its magnitude.
 Vector2 stepOffSaddle(const Hessian& h, const Vector2& gradient) {
-    constexpr double kFlattest = 1e-7;
+    constexpr double kMinCurvature = 1e-7;
     const double mean = 0.5 * (h.xx + h.yy);
     const double turn = 0.5 * std::atan2(2.0 * h.xy, h.xx - h.yy);
     const double spread = std::hypot(0.5 * (h.xx - h.yy), h.xy);
     const Vector2 steep(std::cos(turn), std::sin(turn));
     const Vector2 flat(-steep.y(), steep.x());
-    return -steep * (gradient.dot(steep) / std::max(std::abs(mean + spread), kFlattest)) -
-           flat * (gradient.dot(flat) / std::max(std::abs(mean - spread), kFlattest));
+    return -steep * (gradient.dot(steep) / std::max(std::abs(mean + spread), kMinCurvature)) -
+           flat * (gradient.dot(flat) / std::max(std::abs(mean - spread), kMinCurvature));
 }
 
 /// Whether the edge of the scan holds a place back that would go down across it.

@@ -142,7 +142,7 @@ std::vector<Vector3> slidingTip(const BSplineSurface& surface, std::size_t steps
 
 std::vector<Vector3> randomTips(const BSplineSurface& surface, std::size_t count,
                                 std::uint64_t seed) {
-    constexpr double kDeepest = 2.0_nm;
+    constexpr double kMaxIndentation = 2.0_nm;
     Random random(seed);
     std::vector<Vector3> centers;
     centers.reserve(count);
@@ -151,7 +151,7 @@ std::vector<Vector3> randomTips(const BSplineSurface& surface, std::size_t count
         const double y = random.uniform(0.0, surface.sizeY());
         const double z =
             i % 2 == 0 ? tipContactHeight(surface, x, y, kBenchTipRadius) +
-                             random.uniform(-kDeepest, kBenchTipRadius)
+                             random.uniform(-kMaxIndentation, kBenchTipRadius)
                        : surface.at(x, y).height + kBenchTipRadius * random.uniform(-1.0, 3.0);
         centers.emplace_back(x, y, z);
     }

@@ -9,20 +9,20 @@
 namespace asperity {
 
 EffectiveRadius effectiveRadius(double tipRadius, double largest, double smallest) noexcept {
-    constexpr double kMin = 0.1;
-    constexpr double kMax = 10.0;
-    constexpr double kElongated = 2.0;
+    constexpr double kMinFactor = 0.1;
+    constexpr double kMaxFactor = 10.0;
+    constexpr double kAnisotropicRatio = 2.0;
     if (!isWithin(tipRadius, kMinTipRadius, kMaxTipRadius) || !std::isfinite(largest) ||
         !std::isfinite(smallest)) {
-        return {.radius = tipRadius, .fits = false};
+        return {.radius = tipRadius, .tipFits = false};
     }
     const double sharper = 1.0 + (largest * tipRadius);
     const double blunter = 1.0 + (smallest * tipRadius);
-    const double first = std::clamp(sharper, kMin, kMax);
-    const double second = std::clamp(blunter, kMin, kMax);
+    const double first = std::clamp(sharper, kMinFactor, kMaxFactor);
+    const double second = std::clamp(blunter, kMinFactor, kMaxFactor);
     return {.radius = tipRadius / std::sqrt(first * second),
-            .fits = blunter >= kMin,
-            .elongated = first > kElongated * second};
+            .tipFits = blunter >= kMinFactor,
+            .anisotropic = first > kAnisotropicRatio * second};
 }
 
 }  // namespace asperity

@@ -13,10 +13,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Whether it is an elastic body or a rigid one; quiet for what is not a number.
 bool isBody(const Elastic& body) noexcept {
-    constexpr double kSoftest = 1e-100;  // so that no compliance overflows [Pa]
+    constexpr double kMinModulus = 1e-100;  // so that no compliance overflows [Pa]
     const bool rigid = std::isinf(body.youngsModulus) && !std::signbit(body.youngsModulus);
     return isWithin(body.poissonRatio, 0.0, 0.5) &&
-           (rigid || isWithin(body.youngsModulus, kSoftest, std::numeric_limits<double>::max()));
+           (rigid || isWithin(body.youngsModulus, kMinModulus, std::numeric_limits<double>::max()));
 }
 
 /// (1 - nu^2) / E [1/Pa]; zero for a rigid body (E infinite).

@@ -38,28 +38,29 @@ TipContact tipContact(const Scene& scene, const TipState& state) {
             .indentation = state.contact.indentation};
 }
 
-double shareOfSample(const Scene& scene, DeformationTier tier) {
+double shareOfSample(const Scene& scene, DeformationModel model) {
     const SceneDescription& description = scene.description;
-    return sharesDisplacement(tier)
+    return sharesDisplacement(model)
                ? sampleShare(description.sample.material.elastic, description.tip.elastic)
                : 1.0;
 }
 
 ContactDeformation::ContactDeformation(const Scene& scene, const TipState& state,
-                                       DeformationTier tier, const HalfSpaceAnswer* halfSpace)
+                                       DeformationModel model, const HalfSpaceAnswer* halfSpace)
     : contact_(tipContact(scene, state))
-    , share_(shareOfSample(scene, tier))
-    , closedForm_(sharesDisplacement(tier) ? displacementTable(scene, state) : nullptr)
+    , share_(shareOfSample(scene, model))
+    , closedForm_(sharesDisplacement(model) ? displacementTable(scene, state) : nullptr)
     , field_(
-          fieldFor(scene.surface, tier,
+          fieldFor(scene.surface, model,
                    halfSpace != nullptr && stillHolds(*halfSpace, state) ? halfSpace : nullptr)) {}
 
-DisplacementField ContactDeformation::fieldFor(const BSplineSurface& surface, DeformationTier tier,
+DisplacementField ContactDeformation::fieldFor(const BSplineSurface& surface,
+                                               DeformationModel model,
                                                const HalfSpaceAnswer* halfSpace) const {
-    if (tier == DeformationTier::HalfSpace && halfSpace != nullptr) {
+    if (model == DeformationModel::HalfSpace && halfSpace != nullptr) {
         return halfSpaceField(contact_, halfSpace->field, share_);
     }
-    return displacementField(surface, contact_, tier,
+    return displacementField(surface, contact_, model,
                              [share = share_, table = closedForm_](double distance) {
                                  return share * table->at(distance);
                              });

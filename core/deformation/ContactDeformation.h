@@ -12,13 +12,13 @@ namespace asperity {
 
 /// How one state of the believed model deforms sample and tip: what the window draws, what pictures
 /// show and what files hold. The closed form and the half-space share the displacement between the
-/// two; the other tiers move the sample alone. The rim of a contact about as wide as the tip is
+/// two; the other models move the sample alone. The rim of a contact about as wide as the tip is
 /// rounded, see rimRounding(). Off the tick: allocates.
 class ContactDeformation {
 public:
-    /// @param halfSpace what tier HalfSpace shows where it is valid and still holds, else the
+    /// @param halfSpace what model HalfSpace shows where it is valid and still holds, else the
     /// closed form; or null
-    ContactDeformation(const Scene& scene, const TipState& state, DeformationTier tier,
+    ContactDeformation(const Scene& scene, const TipState& state, DeformationModel model,
                        const HalfSpaceAnswer* halfSpace = nullptr);
 
     [[nodiscard]] const TipContact& contact() const noexcept { return contact_; }
@@ -31,12 +31,12 @@ public:
     }
 
 private:
-    [[nodiscard]] DisplacementField fieldFor(const BSplineSurface& surface, DeformationTier tier,
+    [[nodiscard]] DisplacementField fieldFor(const BSplineSurface& surface, DeformationModel model,
                                              const HalfSpaceAnswer* halfSpace) const;
 
     TipContact contact_;
     double share_;  ///< of the sample in the displacement, the tip takes the rest
-    /// Of sample and tip together; the field's too. Null for tiers that move the sample alone.
+    /// Of sample and tip together; the field's too. Null for models that move the sample alone.
     std::shared_ptr<const RadialTable> closedForm_;
     DisplacementField field_;
 };
@@ -44,7 +44,7 @@ private:
 /// Tip and surface at a state, as they are drawn.
 [[nodiscard]] TipContact tipContact(const Scene& scene, const TipState& state);
 
-/// The sample's part of the displacement; the tip takes the rest, of tiers that share it.
-[[nodiscard]] double shareOfSample(const Scene& scene, DeformationTier tier);
+/// The sample's part of the displacement; the tip takes the rest, of models that share it.
+[[nodiscard]] double shareOfSample(const Scene& scene, DeformationModel model);
 
 }  // namespace asperity

@@ -9,16 +9,16 @@ SurfacePatch drawnPatch(const Scene& scene, const ContactDeformation& deformatio
     return deformedPatch(scene.surface, deformation.contact(), grid, deformation.field());
 }
 
-SurfacePatch exactPatch(const Scene& scene, const TipState& state, DeformationTier tier,
+SurfacePatch exactPatch(const Scene& scene, const TipState& state, DeformationModel model,
                         const PatchGrid& grid) {
-    if (tier == DeformationTier::HalfSpace) {
+    if (model == DeformationModel::HalfSpace) {
         const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
         if (answer.valid()) {
             return halfSpacePatch(scene, answer, grid);
         }
     }
-    return deformedPatch(scene.surface, tipContact(scene, state), grid, tier,
-                         [&state, share = shareOfSample(scene, tier),
+    return deformedPatch(scene.surface, tipContact(scene, state), grid, model,
+                         [&state, share = shareOfSample(scene, model),
                           model = contactModelAt(scene, state)](double distance) {
                              return share * surfaceDisplacement(model, state.contact, distance);
                          });
@@ -27,14 +27,14 @@ SurfacePatch exactPatch(const Scene& scene, const TipState& state, DeformationTi
 SurfacePatch halfSpacePatch(const Scene& scene, const HalfSpaceAnswer& answer,
                             const PatchGrid& grid) {
     const TipContact contact = tipContact(scene, answer.state);
-    const double share = shareOfSample(scene, DeformationTier::HalfSpace);
+    const double share = shareOfSample(scene, DeformationModel::HalfSpace);
     return deformedPatch(scene.surface, contact, grid,
                          halfSpaceField(contact, answer.field, share));
 }
 
-Vector3 displacedPoint(const Scene& scene, const TipState& state, DeformationTier tier) {
+Vector3 displacedPoint(const Scene& scene, const TipState& state, DeformationModel model) {
     return state.closest.point -
-           shareOfSample(scene, tier) * state.contact.indentation * state.closest.normal;
+           shareOfSample(scene, model) * state.contact.indentation * state.closest.normal;
 }
 
 }  // namespace asperity

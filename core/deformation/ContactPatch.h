@@ -16,7 +16,7 @@ namespace asperity {
 /// the contact law itself, the half-space solved afresh; where that is not valid the closed form
 /// stands in. @throw Error as deformedPatch()
 [[nodiscard]] SurfacePatch exactPatch(const Scene& scene, const TipState& state,
-                                      DeformationTier tier, const PatchGrid& grid);
+                                      DeformationModel model, const PatchGrid& grid);
 
 /// The surface as a valid answer of the half-space has it. @throw Error as deformedPatch()
 [[nodiscard]] SurfacePatch halfSpacePatch(const Scene& scene, const HalfSpaceAnswer& answer,
@@ -24,6 +24,6 @@ namespace asperity {
 
 /// Where the closest point lies once the surface has moved, world [m].
 [[nodiscard]] Vector3 displacedPoint(const Scene& scene, const TipState& state,
-                                     DeformationTier tier);
+                                     DeformationModel model);
 
 }  // namespace asperity

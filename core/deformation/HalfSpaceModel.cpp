@@ -16,8 +16,8 @@ namespace {
 constexpr double kRoom = 2.5;
 constexpr double kMinRoom = 1.8;
 constexpr double kMaxRoom = 4.0;
-constexpr double kWiden = 1.6;        // where the contact on real topography is wider
-constexpr double kWidestPatch = 2.0;  // half width in tip radii
+constexpr double kWiden = 1.6;          // where the contact on real topography is wider
+constexpr double kMaxPatchWidth = 2.0;  // half width in tip radii
 constexpr double kSeveralPointsRoom =
     1.0;  // in tip radii: other closest points may lie so far away
 
@@ -95,7 +95,7 @@ double HalfSpaceModel::halfWidthFor(const TipState& state, double tipRadius) con
     const double before = kept_ ? kept_->halfWidth : 0.0;
     const bool suits = before >= std::max(least, kMinRoom * radius) &&
                        before <= std::max(least, kMaxRoom * radius);
-    return suits ? before : std::min(std::max(least, kRoom * radius), kWidestPatch * tipRadius);
+    return suits ? before : std::min(std::max(least, kRoom * radius), kMaxPatchWidth * tipRadius);
 }
 
 HalfSpaceAnswer HalfSpaceModel::solve(const Scene& scene, const TipState& state,
@@ -114,7 +114,7 @@ HalfSpaceAnswer HalfSpaceModel::solve(const Scene& scene, const TipState& state,
             solver_.solve(halfSpaceContact(scene, state, patch),
                           warm ? kept_->traction : closedFormTraction(scene, state, patch), stop);
         const bool wider =
-            solution.doubts.reachesBorder && kWiden * patch.halfWidth <= kWidestPatch * tipRadius;
+            solution.doubts.reachesBorder && kWiden * patch.halfWidth <= kMaxPatchWidth * tipRadius;
         if (!wider || solution.status == HalfSpaceStatus::Canceled) {
             break;
         }

@@ -22,8 +22,8 @@ private:
     static constexpr int kInside = 64;    // intervals up to the rim
     static constexpr int kOutside = 256;  // and beyond it
 
-    double rim_;
-    double scale_;
+    double rim_;                                  ///< [m]
+    double scale_;                                ///< [m]
     std::array<double, kInside + 1> inside_{};    ///< from the rim to the axis [m]
     std::array<double, kOutside + 1> outside_{};  ///< from the rim to far away [m]
 };

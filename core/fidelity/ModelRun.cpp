@@ -21,7 +21,7 @@ void throwIfCanceled(const Progress* progress) {
 
 RecordedRun recordRun(const Scene& scene, const DevicePath& path, double duration,
                       const Progress* progress) {
-    SimulatedAfm afm(scene.touched(), truthOf(scene));
+    SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
     RecordedRun run;
     const long ticks = std::lround(duration / scene.timeStep()) + 1;
     runVirtually(scene, path, afm, ticks, [&](const TickSample& sample) {

@@ -5,7 +5,7 @@
 namespace asperity {
 
 ForceModelOptions wholeModel(SceneDescription scene) {
-    scene.choices = {.solver = SolverTier::Exact,
+    scene.choices = {.solver = SolverSetting::Exact,
                      .closestPointSearch = SearchEffort::Certified,
                      .decoupling = scene.choices.decoupling,
                      .deformation = scene.choices.deformation};

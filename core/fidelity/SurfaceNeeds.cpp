@@ -78,15 +78,15 @@ SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states
     for (const TipState* state : moments(states)) {
         const PatchGrid grid{.halfWidth = kReach * state->contact.contactRadius,
                              .samples = kSamples};
-        const auto patch = [&](DeformationTier tier) {
-            return timed(kRounds, [&] { return exactPatch(scene, *state, tier, grid); });
+        const auto patch = [&](DeformationModel model) {
+            return timed(kRounds, [&] { return exactPatch(scene, *state, model, grid); });
         };
         const double depth = std::abs(state->contact.indentation);
         const auto share = [depth](double distance) {
             return depth > 0.0 ? distance / depth : 0.0;
         };
-        const auto [radius, radiusTime] = patch(DeformationTier::ContactRadius);
-        const auto [closed, closedTime] = patch(DeformationTier::ClosedForm);
+        const auto [radius, radiusTime] = patch(DeformationModel::ContactRadius);
+        const auto [closed, closedTime] = patch(DeformationModel::ClosedForm);
         outside.push_back(share(rmsDistance(radius, closed)));
         outsideTimes.push_back(closedTime - radiusTime);
         const auto [answer, solveTime] = timed(1, [&] { return halfSpace.solve(scene, *state); });

@@ -35,8 +35,8 @@ public:
     Vector3 advance(double seconds, const DeviceMapping& mapping);
 
 private:
-    Vector3 target_;
-    Vector3 velocity_ = Vector3::Zero();
+    Vector3 target_;                      ///< [m]
+    Vector3 velocity_ = Vector3::Zero();  ///< [m/s]
     DevicePath journey_;
     double journeyTime_ = 0.0;  ///< [s]
 };

@@ -8,8 +8,8 @@
 
 namespace asperity {
 
-/// The passivity observer over the ticks of a run, while a force-feedback device leads by a
-/// coupling. It begins anew with another coupling and each time the loop starts.
+/// The passivity observer over the ticks of a run, while a force-feedback device drives the tip by
+/// a coupling. It begins anew with another coupling and each time the loop starts.
 class EnergyWatch {
 public:
     /// @param timeStep from tick to tick [s]
@@ -19,11 +19,11 @@ public:
     /// Every tick, in order.
     void take(const TickSample& sample);
 
-    /// As of the last tick; null: no such device leads.
+    /// As of the last tick; null: no such device drives the tip.
     [[nodiscard]] const PassivityObserver* observer() const noexcept {
         return observer_ ? &*observer_ : nullptr;
     }
-    /// Whether the device is given energy that nobody put in: the person must be told.
+    /// Whether the device gets energy that nobody put in: the operator must be warned.
     [[nodiscard]] bool active() const noexcept { return observer_ && observer_->active(); }
 
 private:

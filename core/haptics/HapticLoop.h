@@ -52,8 +52,8 @@ public:
     /// The latest tick. Wait-free; holds until the next call.
     const Snapshot& snapshot() noexcept { return snapshot_.read(); }
 
-    /// Gives every tick since the last call to `sink`, in order. Ticks are kept for five
-    /// seconds (above 10 kHz: 50,000 ticks); those that find no room are counted as lost.
+    /// Passes all ticks since the last call to `sink`, in order. Ticks are kept for five seconds
+    /// (above 10 kHz: 50,000 ticks); those that find no room are counted as lost.
     void drain(const std::function<void(const TickSample&)>& sink);
 
     /// Times since the last start; only while the loop does not run.

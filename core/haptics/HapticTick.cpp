@@ -69,7 +69,7 @@ DecouplingInput weighed(const Scene& scene, const TipState& model, DecouplingInp
 /// @param covarianceFactor by which the signals scatter more than stated
 ForceEstimate decoupled(const Scene& scene, const DecouplingInput& input, double covarianceFactor) {
     const Cantilever& cantilever = scene.belief.cantilever;
-    ForceEstimate estimate = scene.model.decoupling == DecouplingTier::Planar
+    ForceEstimate estimate = scene.model.decoupling == DecouplingModel::Planar
                                  ? planarEstimate(cantilever, input)
                                  : estimateForce(cantilever, input);
     estimate.covariance *= covarianceFactor;
@@ -163,7 +163,7 @@ Vector3 wantedForce(const TickInput& input, const TickOutput& out, const BaseCom
 bool holdsTip(const Scene& scene, const BaseMotion& tip, const Vector3& compensation,
               const EquilibriumMemory& memory) {
     EquilibriumMemory tried = memory;
-    const TipState state = tipEquilibrium(scene.felt(), scene.belief,
+    const TipState state = tipEquilibrium(scene.believedSurface(), scene.belief,
                                           {tip.position - compensation, tip.velocity}, tried);
     return state.converged && !state.contact.jumped && !state.locked &&
            (state.tip - tip.position).norm() <= kHeldWithin;
@@ -234,7 +234,7 @@ BaseCommand commandBase(const Scene& scene, const TickInput& input,
     const BaseMotion tip{memory.started ? Vector3(command.base.position + command.compensation)
                                         : command.base.position,
                          command.base.velocity};
-    const TipState held = heldTip(scene.felt(), scene.belief, tip, memory.model);
+    const TipState held = heldTip(scene.believedSurface(), scene.belief, tip, memory.model);
     const Vector3 deflection = scene.belief.cantilever.compliance() * held.force;
     command.tipHeld =
         held.converged && !held.contact.jumped && holdsTip(scene, tip, deflection, memory.model);
@@ -254,7 +254,7 @@ TickOutput tick(const Scene& scene, const TickInput& input, const BaseCommand& c
     const TickMemory before = memory;
     TickOutput out;
     out.base = command.base;
-    out.model = tipEquilibrium(scene.felt(), scene.belief, out.base, memory.model);
+    out.model = tipEquilibrium(scene.believedSurface(), scene.belief, out.base, memory.model);
     judgeSignals(scene, input, command, out, memory);
     remember(input, command, out, memory);
     const Fault found = faultOf(input, out, memory.unsolved);

@@ -39,7 +39,7 @@ struct BaseCommand {
     BaseMotion base;                         ///< with the velocity that the device gives
     Vector3 compensation = Vector3::Zero();  ///< commanded place of the tip less the base [m]
     bool tipHeld = true;  ///< false: no place of the base can hold the tip where it shall be
-    MappingStep device;   ///< what led there, and what the workspace does to the device
+    MappingStep device;   ///< the motion to there, and what the workspace does to the device
     GuideStep guide;      ///< what pulled at the proxy
     ProxyStep proxy;      ///< where it went, and the force of the coupling on the device
 };

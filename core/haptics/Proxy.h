@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// What one tick hands to the next about the proxy, which leads the base in the device's place.
+/// What one tick hands to the next about the proxy, which drives the base in the device's place.
 struct ProxyMemory {
     Vector3 stretch = Vector3::Zero();  ///< device less proxy, world axes, at the device [m]
     Vector3 load = Vector3::Zero();     ///< of the sample on the tip, all but friction [N]

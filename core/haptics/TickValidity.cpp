@@ -44,8 +44,8 @@ ValidityFlags tickValidity(const Scene& scene, const TickOutput& out,
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
     flags.set(Validity::UncertainPixel,
               bonded && scene.certainty.isUncertain(closest.x(), closest.y()));
-    flags.set(Validity::CurvedSample, bonded && out.model.radiusIsRough);
-    flags.set(Validity::SharpValley, bonded && !out.model.fits);
+    flags.set(Validity::Anisotropic, bonded && out.model.anisotropic);
+    flags.set(Validity::NarrowValley, bonded && !out.model.tipFits);
     flags.set(Validity::SeveralContactPoints, out.model.points > 1);
     flags.set(Validity::SearchNotExhaustive, mayMissPoints(out.model.proof));
     if (out.model.contact.contactRadius > 0.0) {

@@ -2,7 +2,7 @@
 
 namespace asperity {
 
-void runVirtually(const Scene& scene, const DevicePath& device, AfmController& afm, long ticks,
+void runVirtually(const Scene& scene, const DevicePath& path, AfmController& afm, long ticks,
                   const TickSink& sink) {
     TickMemory memory;
     TickSample sample;
@@ -10,8 +10,7 @@ void runVirtually(const Scene& scene, const DevicePath& device, AfmController& a
     sample.input.timeStep = scene.timeStep();
     for (long i = 0; i < ticks; ++i) {
         sample.time = static_cast<double>(i) * scene.timeStep();
-        sample.input.device.position =
-            positionAt(device, sample.time) / scene.settings.positionGain;
+        sample.input.device.position = positionAt(path, sample.time) / scene.settings.positionGain;
         const BaseCommand command = commandBase(scene, sample.input, memory);
         sample.input.measurement = afm.exchange(command.base);
         sample.output = tick(scene, sample.input, command, memory);

@@ -17,9 +17,9 @@ struct TickSample {
 
 using TickSink = std::function<void(const TickSample&)>;
 
-/// Runs the tick on a virtual clock: `device` along its path, `afm` answering. Every tick goes to
+/// Runs the tick on a virtual clock: the device along `path`, `afm` answering. Every tick goes to
 /// `sink`, in order, without a gap.
-void runVirtually(const Scene& scene, const DevicePath& device, AfmController& afm, long ticks,
+void runVirtually(const Scene& scene, const DevicePath& path, AfmController& afm, long ticks,
                   const TickSink& sink);
 
 }  // namespace asperity

@@ -7,7 +7,7 @@ namespace asperity {
 namespace {
 
 constexpr std::uint64_t kWindowBytes = 4096;
-constexpr std::uint64_t kLongestName = 65536;
+constexpr std::uint64_t kMaxNameLength = 65536;
 
 }  // namespace
 
@@ -45,9 +45,9 @@ ByteSpan ByteReader::takeString(std::string_view what) {
 
 std::string ByteReader::takeName(std::string_view what) {
     const ByteSpan span = takeString(what);
-    if (span.count > kLongestName) {
+    if (span.count > kMaxNameLength) {
         place_ = span.place;
-        fail("expected " + std::string(what) + " of at most " + std::to_string(kLongestName) +
+        fail("expected " + std::string(what) + " of at most " + std::to_string(kMaxNameLength) +
              " bytes; the file is damaged");
     }
     return span.count == 0 ? std::string()

@@ -3,7 +3,7 @@
 #include "core/EnumTable.h"
 #include "core/Vector.h"
 #include "core/probe/Cantilever.h"
-#include "core/probe/DecouplingTier.h"
+#include "core/probe/DecouplingModel.h"
 #include "core/probe/OpticalLever.h"
 
 #include <cstdint>

@@ -16,10 +16,10 @@ std::uint64_t thermalSeed(std::uint64_t seed) { return splitMix64(seed); }
 
 }  // namespace
 
-SimulatedAfm::SimulatedAfm(const TouchedSurface& surface, const InstrumentTruth& truth)
+SimulatedAfm::SimulatedAfm(const SampleSurface& surface, const InstrumentTruth& truth)
     : SimulatedAfm(surface, truth, flexuralMode(truth.system.cantilever.geometry(), 1)) {}
 
-SimulatedAfm::SimulatedAfm(const TouchedSurface& surface, const InstrumentTruth& truth,
+SimulatedAfm::SimulatedAfm(const SampleSurface& surface, const InstrumentTruth& truth,
                            const FlexuralMode& fundamental)
     : surface_(surface)
     , truth_(truth)

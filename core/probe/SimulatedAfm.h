@@ -5,7 +5,7 @@
 #include "core/probe/CantileverModes.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/ThermalNoise.h"
-#include "core/surface/touched/TouchedSurface.h"
+#include "core/surface/sample/SampleSurface.h"
 
 #include <cstdint>
 
@@ -28,7 +28,7 @@ class SimulatedAfm final : public AfmController {
 public:
     /// The surface must outlive the instrument. @throw Error when time step or temperature is no
     /// such thing
-    SimulatedAfm(const TouchedSurface& surface, const InstrumentTruth& truth);
+    SimulatedAfm(const SampleSurface& surface, const InstrumentTruth& truth);
 
     AfmMeasurement exchange(const BaseMotion& target) noexcept override;
 
@@ -36,10 +36,10 @@ public:
     [[nodiscard]] const TipState& trueState() const noexcept { return state_; }
 
 private:
-    SimulatedAfm(const TouchedSurface& surface, const InstrumentTruth& truth,
+    SimulatedAfm(const SampleSurface& surface, const InstrumentTruth& truth,
                  const FlexuralMode& fundamental);
 
-    TouchedSurface surface_;
+    SampleSurface surface_;
     InstrumentTruth truth_;
     Random random_;
     ThermalNoise thermal_;

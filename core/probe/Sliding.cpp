@@ -8,13 +8,13 @@ namespace {
 
 /// Slower counts as rest, faster as this fast: in between no square leaves the range of a double.
 constexpr double kRest = 1e-30;              // [m/s]
-constexpr double kFastest = 1e100;           // [m/s]
+constexpr double kMaxSpeed = 1e100;          // [m/s]
 constexpr double kSlidingThreshold = 1e-12;  // of |v|: below it the direction is rounding noise
 
 /// Each component without what is no number and within what can be squared.
 Vector3 measurable(const Vector3& velocity) noexcept {
     return velocity.unaryExpr([](double v) {
-        const double speed = std::fmin(std::fabs(v), kFastest);
+        const double speed = std::fmin(std::fabs(v), kMaxSpeed);
         return std::isnan(v) || speed < kRest ? 0.0 : std::copysign(speed, v);
     });
 }

@@ -5,7 +5,7 @@
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/Sliding.h"
 #include "core/surface/closest/ContactPoints.h"
-#include "core/surface/touched/TouchedSurface.h"
+#include "core/surface/sample/SampleSurface.h"
 
 #include <Eigen/LU>
 
@@ -30,7 +30,7 @@ constexpr double kMainPoint = 1.5;    // another point becomes the main one with
 constexpr double kBears = 1e-3;       // share of the main point's force from which a point counts
 
 /// One closest point with the contact law of its place and the force it bears.
-struct TouchedPoint {
+struct TipContactPoint {
     ClosestPoint place;
     ClosestPointMemory memory;
     ContactModel model;
@@ -44,10 +44,10 @@ struct TouchedPoint {
 
 /// Whether a place is one from where the contact laws can be asked, whatever lies below it.
 bool isPlace(const Vector3& position) {
-    constexpr double kFarthest = 500.0;  // [m]
-    return isWithin(position.x(), -kFarthest, kFarthest) &&
-           isWithin(position.y(), -kFarthest, kFarthest) &&
-           isWithin(position.z(), -kFarthest, kFarthest);
+    constexpr double kMaxCoordinate = 500.0;  // [m]
+    return isWithin(position.x(), -kMaxCoordinate, kMaxCoordinate) &&
+           isWithin(position.y(), -kMaxCoordinate, kMaxCoordinate) &&
+           isWithin(position.z(), -kMaxCoordinate, kMaxCoordinate);
 }
 
 TipState nowhere() {
@@ -72,14 +72,16 @@ double frictionForce(const Friction& friction, const ContactState& contact) {
 /// wide as the tip: the exact-sphere laws take the sample as flat.
 EffectiveRadius takenAsFlat(EffectiveRadius curved, double tipRadius) {
     const bool isCurved = std::abs(curved.radius - tipRadius) > kFlatEnough * tipRadius;
-    return {.radius = tipRadius, .fits = curved.fits, .elongated = curved.elongated || isCurved};
+    return {.radius = tipRadius,
+            .tipFits = curved.tipFits,
+            .anisotropic = curved.anisotropic || isCurved};
 }
 
 /// Search for the tip's place between a lever of given compliance and all its closest points, one
 /// closest point at a time while the others answer to first order.
 class Balance {
 public:
-    Balance(const TouchedSurface& surface, const ProbeSystem& system, const BaseMotion& base,
+    Balance(const SampleSurface& surface, const ProbeSystem& system, const BaseMotion& base,
             const Matrix3& compliance)
         : surface_(surface), system_(system), base_(base), compliance_(compliance) {}
 
@@ -89,7 +91,7 @@ public:
         for (int i = 0; i < kMaxSweeps && !state_.converged; ++i) {
             const Vector3 before = deflection_;
             state_.locked = false;
-            for (TouchedPoint& closest : points_) {
+            for (TipContactPoint& closest : points_) {
                 settle(closest);
             }
             dropDoubledPoints();
@@ -130,7 +132,7 @@ private:
             return false;
         }
         boost::container::static_vector<SearchGuess, kMaxContactPoints> known;
-        for (const TouchedPoint& closest : points_) {
+        for (const TipContactPoint& closest : points_) {
             known.push_back(closest.place.guess());
         }
         const std::size_t before = points_.size();
@@ -159,7 +161,7 @@ private:
     [[nodiscard]] bool isKnown(const ClosestPoint& place, std::size_t count) const {
         const double same = kSamePoint * system_.tipRadius();
         return std::any_of(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(count),
-                           [&](const TouchedPoint& closest) {
+                           [&](const TipContactPoint& closest) {
                                return (closest.place.point - place.point).norm() <= same;
                            });
     }
@@ -193,10 +195,10 @@ private:
         return effectiveRadius(system_.tipRadius(), bend.largest, bend.smallest);
     }
 
-    /// Gives each closest point the effective radius of its place; whether one of them changed.
+    /// Updates the effective radius at each closest point; whether one of them changed.
     bool followCurvature() {
         bool changed = false;
-        for (TouchedPoint& closest : points_) {
+        for (TipContactPoint& closest : points_) {
             closest.radius = radiusAt(closest.place);
             if (isSphere(system_.contact.law())) {
                 closest.radius = takenAsFlat(closest.radius, system_.tipRadius());
@@ -210,13 +212,13 @@ private:
         return changed;
     }
 
-    [[nodiscard]] Lever leverOf(const TouchedPoint& closest) const {
+    [[nodiscard]] Lever leverOf(const TipContactPoint& closest) const {
         if (points_.size() == 1) {
             return {compliance_, Vector3::Zero()};
         }
         Matrix3 stiffness = Matrix3::Zero();
         Vector3 force = Vector3::Zero();
-        for (const TouchedPoint& other : points_) {
+        for (const TipContactPoint& other : points_) {
             if (&other != &closest) {
                 const Vector3& normal = other.place.normal;
                 stiffness += other.stiffness() * normal * normal.transpose();
@@ -229,7 +231,7 @@ private:
     }
 
     /// Balances lever and contact at one closest point.
-    void settle(TouchedPoint& closest) {
+    void settle(TipContactPoint& closest) {
         closest.place = surface_.localClosestPoint(center(), closest.place.guess());
         const Vector3& normal = closest.place.normal;
         closest.slip = slidingOf(normal, base_.velocity).slip();
@@ -275,10 +277,10 @@ private:
     }
 
     void report() {
-        const TouchedPoint& main = points_.front();
+        const TipContactPoint& main = points_.front();
         Vector3 normalForce = Vector3::Zero();
         state_.points = 0;
-        for (const TouchedPoint& closest : points_) {
+        for (const TipContactPoint& closest : points_) {
             const bool bears =
                 std::abs(closest.contact.force) > kBears * std::abs(main.contact.force);
             state_.points += bears ? 1 : 0;
@@ -294,8 +296,8 @@ private:
         state_.contact = main.contact;
         state_.slip = main.slip;
         state_.effectiveRadius = main.radius.radius;
-        state_.fits = main.radius.fits;
-        state_.radiusIsRough = main.radius.elongated;
+        state_.tipFits = main.radius.tipFits;
+        state_.anisotropic = main.radius.anisotropic;
         state_.normal = main.place.normal;
         state_.normalForce = main.contact.force;
         if (points_.size() > 1 && normalForce.norm() > 0.0) {
@@ -308,7 +310,7 @@ private:
     void remember(EquilibriumMemory& memory) const {
         memory.deflection = deflection_;
         memory.pointCount = 0;
-        for (const TouchedPoint& closest : points_) {
+        for (const TipContactPoint& closest : points_) {
             const bool isFar = closest.contact.branch == ContactBranch::Far &&
                                closest.place.distance > system_.tipRadius() + kReach;
             if (memory.pointCount > 0 && isFar) {
@@ -320,7 +322,7 @@ private:
         }
     }
 
-    TouchedSurface surface_;
+    SampleSurface surface_;
     const ProbeSystem& system_;
     const BaseMotion& base_;
     const Matrix3& compliance_;
@@ -329,13 +331,13 @@ private:
         taken_{};  ///< which of the remembered closest points have been found again
     Vector3 lookedFrom_ =
         Vector3::Zero();  ///< the tip's center when closest points were last looked for
-    boost::container::static_vector<TouchedPoint, kMaxContactPoints> points_;
+    boost::container::static_vector<TipContactPoint, kMaxContactPoints> points_;
     TipState state_;
 };
 
 }  // namespace
 
-TipState tipEquilibrium(const TouchedSurface& surface, const ProbeSystem& system,
+TipState tipEquilibrium(const SampleSurface& surface, const ProbeSystem& system,
                         const BaseMotion& base, EquilibriumMemory& memory) noexcept {
     if (!isPlace(base.position)) {
         return nowhere();
@@ -343,7 +345,7 @@ TipState tipEquilibrium(const TouchedSurface& surface, const ProbeSystem& system
     return Balance(surface, system, base, system.cantilever.compliance()).solve(memory);
 }
 
-TipState heldTip(const TouchedSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
+TipState heldTip(const SampleSurface& surface, const ProbeSystem& system, const BaseMotion& tip,
                  const EquilibriumMemory& memory) noexcept {
     if (!isPlace(tip.position)) {
         return nowhere();

@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-class TouchedSurface;
+class SampleSurface;
 struct ProbeSystem;
 
 /// Where the cantilever's base is and how it moves. The base position is given as the place that
@@ -43,16 +43,16 @@ struct TipState {
     Vector3 normal = Vector3::UnitZ();  ///< direction of the sum of normal forces, unit, outward
     double normalForce = 0.0;           ///< that sum along `normal`, > 0 repulsive [N]
     ClosestPoint closest;               ///< of the center of the tip's sphere
-    ContactState contact;               ///< along closest point.normal
+    ContactState contact;               ///< along closest.normal
     double contactArea = 0.0;           ///< of all closest points [m^2]
     double contactRatio = 0.0;  ///< largest contact radius over effective radius of a closest point
     double effectiveRadius = 0.0;                ///< of tip and curved sample together [m]
     int points = 1;                              ///< that bear a force
     SearchProof proof = SearchProof::NotSought;  ///< whether all closest points are known
-    bool fits = true;            ///< false: the sample is as sharply hollow as the tip
-    bool radiusIsRough = false;  ///< the sample is curved so that effectiveRadius is a rough word
-    bool converged = false;      ///< tip position found to rounding
-    bool locked = false;         ///< friction would lock the lever: no quasi-static state
+    bool tipFits = true;                         ///< false: valley narrower than the tip
+    bool anisotropic = false;                    ///< effectiveRadius is approximate
+    bool converged = false;                      ///< tip position found to rounding
+    bool locked = false;  ///< friction would lock the lever: no quasi-static state
 };
 
 /// Solves tip = base + C F(tip) for the position of the tip, C the lever's compliance, F the sum
@@ -60,12 +60,12 @@ struct TipState {
 /// A base beyond 500 m along an axis or at no number has the contact status ApproachOutOfRange,
 /// does not converge and leaves the memory as it is. Allocation-free, bounded, never throws.
 /// Source: docs/theory.md 1, 7.1-7.2.
-[[nodiscard]] TipState tipEquilibrium(const TouchedSurface& surface, const ProbeSystem& system,
+[[nodiscard]] TipState tipEquilibrium(const SampleSurface& surface, const ProbeSystem& system,
                                       const BaseMotion& base, EquilibriumMemory& memory) noexcept;
 
 /// State of a tip that is held at `tip` (apex) whatever the lever, i.e. in displacement control;
 /// `memory` stays as it is.
-[[nodiscard]] TipState heldTip(const TouchedSurface& surface, const ProbeSystem& system,
+[[nodiscard]] TipState heldTip(const SampleSurface& surface, const ProbeSystem& system,
                                const BaseMotion& tip, const EquilibriumMemory& memory) noexcept;
 
 }  // namespace asperity

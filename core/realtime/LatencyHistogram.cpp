@@ -29,8 +29,8 @@ double LatencyHistogram::upperEdge(int bucket) noexcept {
 
 void LatencyHistogram::add(double seconds) noexcept {
     const double time = std::max(seconds, 0.0);
-    constexpr double kLongest = 17.0;
-    const double nanoseconds = std::min(time, kLongest) * 1e9;
+    constexpr double kMaxTime = 17.0;
+    const double nanoseconds = std::min(time, kMaxTime) * 1e9;
     ++counts_[static_cast<std::size_t>(bucketOf(static_cast<std::uint64_t>(nanoseconds)))];
     ++count_;
     largest_ = std::max(largest_, time);

@@ -5,11 +5,11 @@
 
 namespace asperity {
 
-/// What a distribution of times comes down to [s].
+/// Quantiles of a distribution of times.
 struct LatencyQuantiles {
-    double median = 0.0;
-    double p99 = 0.0;
-    double largest = 0.0;
+    double median = 0.0;   ///< [s]
+    double p99 = 0.0;      ///< [s]
+    double largest = 0.0;  ///< [s]
 };
 
 /// Counts times in steps of a sixteenth of their size, from 1 ns to 17 s, without allocating.

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/contact/SolverTier.h"
+#include "core/contact/SolverSetting.h"
 #include "core/contact/laws/ContactLaw.h"
-#include "core/probe/DecouplingTier.h"
+#include "core/probe/DecouplingModel.h"
 #include "core/surface/closest/ClosestPoint.h"
-#include "core/surface/deformation/DeformationTier.h"
+#include "core/surface/deformation/DeformationModel.h"
 
 namespace asperity {
 
@@ -12,11 +12,11 @@ namespace asperity {
 /// simulated instrument always has everything.
 struct ForceModelOptions {
     ContactLaw law = ContactLaw::Split;
-    SolverTier solver = SolverTier::Newton;
+    SolverSetting solver = SolverSetting::Newton;
     SearchEffort closestPointSearch = SearchEffort::Certified;
-    DecouplingTier decoupling = DecouplingTier::Estimator;
-    DeformationTier deformation = DeformationTier::ClosedForm;  ///< of the surface; no force
-    bool friction = true;                                       ///< of the tip on the sample
+    DecouplingModel decoupling = DecouplingModel::Estimator;
+    DeformationModel deformation = DeformationModel::ClosedForm;  ///< of the surface; no force
+    bool friction = true;                                         ///< of the tip on the sample
     bool torsion = true;    ///< of the lever, under a force across it
     bool mountTilt = true;  ///< of the lever against the scan's plane
     bool curvature = true;  ///< of the sample at the closest point: effective radius

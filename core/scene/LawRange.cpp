@@ -8,9 +8,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMaxDmt = 2.5e-4;             // lambda
-constexpr double kMinJkr = 4.8;                // lambda
-constexpr double kWidestAttraction = 0.3;      // of the tip radius
+constexpr double kMaxLambdaDmt = 2.5e-4;       // lambda
+constexpr double kMinLambdaJkr = 4.8;          // lambda
+constexpr double kMaxReach = 0.3;              // of the tip radius
 constexpr double kAdhesionOutweighed = 280.0;  // load over pi w R
 
 bool isApart(const ContactState& state) noexcept { return state.branch == ContactBranch::Far; }
@@ -24,7 +24,7 @@ double unloadedReach(const ContactModel& model) noexcept {
 }
 
 bool reachesTooFar(const ContactModel& model, double reach) noexcept {
-    return reach > kWidestAttraction * model.pair().tipRadius;
+    return reach > kMaxReach * model.pair().tipRadius;
 }
 
 /// How far from the axis the law's attraction reaches, or will once it has snapped in [m].
@@ -55,10 +55,10 @@ bool leavesLawsRange(const ContactModel& model, const ContactState& state) noexc
     case Attraction::None:
         return true;
     case Attraction::Outside:
-        return lambdaOf(model) > kMaxDmt || isWithinRange(model, state) ||
+        return lambdaOf(model) > kMaxLambdaDmt || isWithinRange(model, state) ||
                reachesTooFar(model, unloadedReach(model));
     case Attraction::Inside:
-        return lambdaOf(model) < kMinJkr || isWithinRange(model, state) ||
+        return lambdaOf(model) < kMinLambdaJkr || isWithinRange(model, state) ||
                (!law.sphere && reachesTooFar(model, reachOf(model, state)));
     case Attraction::Zone:
         return law.sphere ? state.cohesiveRadius >= pair.tipRadius

@@ -9,14 +9,14 @@ namespace asperity {
 
 enum class ModelTerm : std::uint8_t;
 
-/// What a scene says of its model. What it leaves open is as it requires, see fitModel(); its law,
-/// see chooseLaw().
+/// The choices of a scene for its model. What it leaves open is as it requires, see fitModel(); its
+/// law, see chooseLaw().
 struct ModelChoices {
     std::optional<ContactLaw> law;
-    SolverTier solver = SolverTier::Newton;
+    SolverSetting solver = SolverSetting::Newton;
     std::optional<SearchEffort> closestPointSearch;
-    DecouplingTier decoupling = DecouplingTier::Estimator;
-    std::optional<DeformationTier> deformation;
+    DecouplingModel decoupling = DecouplingModel::Estimator;
+    std::optional<DeformationModel> deformation;
     // Terms, see ModelTerm; the first four are a matter of the law where that is given.
     std::optional<bool> adhesion = {};
     std::optional<bool> vanDerWaalsTail = {};

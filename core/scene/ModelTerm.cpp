@@ -38,9 +38,9 @@ ForceModelOptions switched(ForceModelOptions model, ModelTerm term, bool on) {
     } else if (term == ModelTerm::GlobalSearch) {
         model.closestPointSearch = on ? SearchEffort::Certified : SearchEffort::Local;
     } else if (term == ModelTerm::OutsideDisplacement) {
-        model.deformation = on ? DeformationTier::ClosedForm : DeformationTier::ContactRadius;
+        model.deformation = on ? DeformationModel::ClosedForm : DeformationModel::ContactRadius;
     } else {
-        model.deformation = on ? DeformationTier::HalfSpace : DeformationTier::ClosedForm;
+        model.deformation = on ? DeformationModel::HalfSpace : DeformationModel::ClosedForm;
     }
     return model;
 }
@@ -86,7 +86,7 @@ bool has(const ForceModelOptions& model, ModelTerm term) noexcept {
     case ModelTerm::OutsideDisplacement:
         return sharesDisplacement(model.deformation);
     case ModelTerm::HalfSpaceSolve:
-        return model.deformation == DeformationTier::HalfSpace;
+        return model.deformation == DeformationModel::HalfSpace;
     default:
         return model.*traitsOf(term).option;
     }

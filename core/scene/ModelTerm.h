@@ -27,7 +27,7 @@ enum class ModelTerm : std::uint8_t {
     HalfSpaceSolve,       ///< on the real topography, in place of the closed form
 };
 
-/// All there is to say of a term: what a scene file and a panel call it, and where it is written.
+/// Traits of a term: what a scene file and a panel call it, and where it is written.
 struct ModelTermTraits {
     ModelTerm value;
     const char* key;   ///< in scene files, which say one thing of the two last

@@ -12,7 +12,7 @@
 #include "core/surface/Leveling.h"
 #include "core/surface/imaging/CertaintyMap.h"
 #include "core/surface/nurbs/NurbsSurface.h"
-#include "core/surface/touched/TouchedSurface.h"
+#include "core/surface/sample/SampleSurface.h"
 
 #include <optional>
 
@@ -22,22 +22,21 @@ namespace asperity {
 struct Scene {
     SceneDescription description;
     PlaneFit removedPlane;              ///< of the scan as loaded
-    BSplineSurface surface;             ///< as it is drawn, and touched unless it is a shape
+    BSplineSurface surface;             ///< as drawn; the tip touches it without `shape`
     CertaintyMap certainty;             ///< of the surface, where its imaging tip is known
     std::optional<NurbsSurface> shape;  ///< what the tip touches in place of `surface`
-    ForceModelOptions model;            ///< what the belief reckons with
+    ForceModelOptions model;            ///< with which the believed force is computed
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
     Settings settings;         ///< that a run starts with
 
-    /// What the tip is believed to touch, as hard as the model says to look; the scene must outlive
-    /// it.
-    [[nodiscard]] TouchedSurface felt() const noexcept {
-        return shape ? TouchedSurface(*shape) : TouchedSurface(surface, model.closestPointSearch);
+    /// The believed surface, searched with the effort of the model; the scene must outlive it.
+    [[nodiscard]] SampleSurface believedSurface() const noexcept {
+        return shape ? SampleSurface(*shape) : SampleSurface(surface, model.closestPointSearch);
     }
-    /// What the tip touches; the scene must outlive it.
-    [[nodiscard]] TouchedSurface touched() const noexcept {
-        return shape ? TouchedSurface(*shape) : TouchedSurface(surface);
+    /// The true surface; the scene must outlive it.
+    [[nodiscard]] SampleSurface trueSurface() const noexcept {
+        return shape ? SampleSurface(*shape) : SampleSurface(surface);
     }
     [[nodiscard]] double timeStep() const noexcept { return 1.0 / description.tickRate; }  ///< [s]
 };
@@ -61,7 +60,7 @@ struct Scene {
 /// what the scene said. @throw Error as buildScene()
 [[nodiscard]] Scene withMaterial(Scene scene, const SampleMaterial& material);
 
-/// Gives the scene another model. @throw Error as believedSystem()
+/// Sets another model. @throw Error as believedSystem()
 void setModel(Scene& scene, const ForceModelOptions& model);
 
 }  // namespace asperity

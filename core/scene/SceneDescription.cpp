@@ -70,11 +70,11 @@ double widestWindow(const ShapeDescription& shape) {
 }  // namespace
 
 void checkShape(const ShapeDescription& shape) {
-    constexpr double kSteepest = 1.4835298641951802;  // 85 degrees [rad]
+    constexpr double kMaxSlope = 1.4835298641951802;  // 85 degrees [rad]
     require(isWithin(shape.size, 1e-9, 1e-3),
             "[sample]: shape_size_m must lie between 1e-9 and 1e-3");
     if (shape.kind == ShapeKind::Plane) {
-        require(isWithin(shape.slope, -kSteepest, kSteepest),
+        require(isWithin(shape.slope, -kMaxSlope, kMaxSlope),
                 "[sample]: shape_slope_rad must lie between -1.4835 and 1.4835 (85 degrees)");
         return;
     }

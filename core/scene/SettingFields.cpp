@@ -17,11 +17,11 @@ void require(bool holds, const std::string& key, const std::string& words) {
 
 /// What no field can be held to alone.
 void checkTogether(const Settings& settings) {
-    constexpr double kFarthest = 1.0;  // [m]
+    constexpr double kMaxLength = 1.0;  // [m]
     const VirtualFixture& guide = settings.guide;
     require(!settings.coupling.couples() || settings.coupling.proxyDamping > 0.0, "a coupling",
             "needs proxy_damping_n_s_m above 0: its proxy has no mass");
-    require(guide.point.cwiseAbs().maxCoeff() <= kFarthest, "guide_x_m, guide_y_m and guide_z_m",
+    require(guide.point.cwiseAbs().maxCoeff() <= kMaxLength, "guide_x_m, guide_y_m and guide_z_m",
             "must lie between -1 and 1");
     require(isWithin(guide.axis.norm(), 1.0 - 1e-9, 1.0 + 1e-9),
             "guide_axis_x, guide_axis_y and guide_axis_z", "must give a direction");

@@ -34,7 +34,7 @@ struct KnobWords {
     double high = 0.0;
 };
 
-/// All there is to say of one field of Settings.
+/// Traits of one field of Settings.
 struct SettingField {
     const char* column;  ///< in tick_input.csv; ends in its unit
     const char* key =

@@ -36,7 +36,7 @@ struct Settings {
     int clutchButton = kNoButton;  ///< that does so while it is held
     VirtualFixture guide;          ///< lengths of the world
     bool forcesOn = true;          ///< false: the operator feels nothing
-    std::uint32_t rearms = 0;      ///< how often a person has taken back a fault
+    std::uint32_t rearms = 0;      ///< how often the operator has reset a fault
 
     bool operator==(const Settings&) const = default;
 };

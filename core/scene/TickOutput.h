@@ -10,14 +10,13 @@
 
 namespace asperity {
 
-/// Why the device force was switched off; latched until a person takes
-/// it back.
+/// Why the device force was switched off; latched until the operator resets it.
 enum class Fault : std::uint8_t {
     None,
     NotFinite,       ///< a value of the input or of the result was NaN or infinite
     DeviceLost,      ///< the device was unplugged
     DeviceSilent,    ///< a device that streams sent no report any more
-    VelocityTrip,    ///< the device moved faster than a device does while the force acted
+    VelocityTrip,    ///< the device moved faster than a hand does while the force acted
     SolverFailed,    ///< for a while no equilibrium of the tip was found
     InstrumentLost,  ///< the connection to the instrument broke
 };
@@ -36,7 +35,7 @@ inline constexpr auto kEnumTable<Fault> = std::to_array<EnumRow<Fault>>(
 /// What becomes of the force on its way to the device. A device that only senses knows On, Off,
 /// Fault.
 enum class ForceState : std::uint8_t {
-    Off,       ///< a person switched it off
+    Off,       ///< the operator switched it off
     Released,  ///< the dead-man switch is not held
     Clutched,  ///< the device moves and commands nothing: it feels no more than its workspace's
                ///< edge

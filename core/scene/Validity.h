@@ -17,8 +17,8 @@ enum class Validity : std::uint32_t {
     FrictionLock = 1U << 5U,          ///< friction would lock the lever
     ModelContradicted = 1U << 6U,     ///< the signals contradict the model's N by more than 3 sigma
     SingularGeometry = 1U << 7U,      ///< signals say little about one force direction
-    CurvedSample = 1U << 8U,  ///< no single effective radius stands for the sample's curvature
-    SharpValley = 1U << 9U,   ///< the sample is hollow about as sharply as the tip, or more
+    Anisotropic = 1U << 8U,           ///< single effective radius is approximate
+    NarrowValley = 1U << 9U,          ///< valley about as narrow as the tip, or narrower
     SeveralContactPoints =
         1U << 10U,               ///< the tip touches at several places; their forces are summed
     TipNotHeld = 1U << 11U,      ///< no place of the base holds the tip where the device wants it
@@ -41,7 +41,7 @@ enum class Severity : std::uint8_t {
     Doubt,   ///< the result does not hold in full
 };
 
-/// All there is to say of a flag; what logs, panels, files and summaries show is made from this.
+/// Traits of a flag; what logs, panels, files and summaries show is made from this.
 struct ValidityTraits {
     Validity flag;
     const char* key;    ///< in logs and summaries
@@ -66,10 +66,10 @@ inline constexpr std::array kValidityTraits{
                    "signals contradict the contact model by more than 3 sigma", Severity::Doubt},
     ValidityTraits{Validity::SingularGeometry, "singular_geometry",
                    "signals say little about one direction of the force", Severity::Doubt},
-    ValidityTraits{Validity::CurvedSample, "curved_sample",
+    ValidityTraits{Validity::Anisotropic, "curved_sample",
                    "surface curved so that one effective radius is a rough word for it",
                    Severity::Doubt},
-    ValidityTraits{Validity::SharpValley, "sharp_valley",
+    ValidityTraits{Validity::NarrowValley, "sharp_valley",
                    "valley as sharp as the tip: the contact law does not hold", Severity::Doubt},
     ValidityTraits{Validity::SeveralContactPoints, "several_feet",
                    "tip touches at several places: forces summed", Severity::Doubt},

@@ -4,8 +4,8 @@
 
 namespace asperity {
 
-/// The ball in which a device can be moved, and the spring that tells the device of its edge; the
-/// device's axes and units.
+/// The ball in which a device can be moved, and the spring that renders its edge; the device's axes
+/// and units.
 struct Workspace {
     Vector3 center = Vector3::Zero();  ///< [m]
     double radius = 0.0;               ///< [m]; 0: not known, no spring

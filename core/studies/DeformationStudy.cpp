@@ -71,7 +71,7 @@ std::optional<TipState> loadedState(const Scene& scene, double load) {
     return std::nullopt;
 }
 
-/// A place where every tier is looked at.
+/// A place where every model is compared.
 struct Site {
     const Scene& scene;
     TipState state;
@@ -92,7 +92,7 @@ double medianTime(int rounds, const Make& make) {
 /// The finer half-space on a scan, the closed form on a flat sample; none where neither holds.
 std::optional<SurfacePatch> referenceOf(const Site& site, bool flat) {
     if (flat) {
-        return exactPatch(site.scene, site.state, DeformationTier::ClosedForm, site.grid);
+        return exactPatch(site.scene, site.state, DeformationModel::ClosedForm, site.grid);
     }
     constexpr int kFineSamples = 2 * HalfSpaceModel::kSamples;
     HalfSpaceModel model(kFineSamples, {.tolerance = 1e-4});
@@ -134,21 +134,21 @@ void askHalfSpace(const Site& site, int rounds, DeformationResult& result) {
     });
 }
 
-DeformationResult resultOf(const Site& site, DeformationTier tier,
+DeformationResult resultOf(const Site& site, DeformationModel model,
                            const std::optional<SurfacePatch>& reference, int rounds) {
     const ContactState& contact = site.state.contact;
     DeformationResult result{.material = site.scene.description.sample.material.name,
                              .surface = "",
-                             .tier = tier,
+                             .model = model,
                              .indentation = contact.indentation,
                              .contactRatio = contact.contactRadius / site.scene.belief.tipRadius(),
                              .lawForce = site.state.normalForce,
                              .ownForce = site.state.normalForce};
     SurfacePatch patch;
     result.coldTime =
-        medianTime(rounds, [&] { patch = exactPatch(site.scene, site.state, tier, site.grid); });
+        medianTime(rounds, [&] { patch = exactPatch(site.scene, site.state, model, site.grid); });
     result.time = result.coldTime;
-    if (tier == DeformationTier::HalfSpace) {
+    if (model == DeformationModel::HalfSpace) {
         askHalfSpace(site, rounds, result);
     }
     if (reference) {
@@ -178,8 +178,8 @@ std::vector<DeformationResult> studyDeformation(const Scene& scene, const Deform
                             .grid = {.halfWidth = kReach * state->contact.contactRadius,
                                      .samples = plan.samples}};
             const std::optional<SurfacePatch> reference = referenceOf(site, flat);
-            for (const DeformationTier tier : kDeformationTiers) {
-                results.push_back(resultOf(site, tier, reference, plan.rounds));
+            for (const DeformationModel model : kDeformationModels) {
+                results.push_back(resultOf(site, model, reference, plan.rounds));
                 results.back().surface = flat ? "flat" : "scan";
             }
         }

@@ -9,9 +9,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kLowestRate = 250.0;  // [Hz]
-constexpr double kHighestRate = 8e3;   // [Hz]
-constexpr double kFinestRate = 16e3;   // [Hz]
+constexpr double kMinRate = 250.0;       // [Hz]
+constexpr double kMaxRate = 8e3;         // [Hz]
+constexpr double kReferenceRate = 16e3;  // [Hz]
 
 /// How a run goes, whatever its rate.
 struct Course {
@@ -30,7 +30,7 @@ ModelRun runAt(Scene& scene, const Course& course, double rate) {
 double holdError(const ModelRun& held, double rate, const ModelRun& finest) {
     double sum = 0.0;
     for (std::size_t i = 0; i < finest.states.size(); ++i) {
-        const auto tick = static_cast<std::size_t>(static_cast<double>(i) * rate / kFinestRate);
+        const auto tick = static_cast<std::size_t>(static_cast<double>(i) * rate / kReferenceRate);
         const TipState& state = held.states[std::min(tick, held.states.size() - 1)];
         sum += (state.force - finest.states[i].force).squaredNorm();
     }
@@ -41,9 +41,9 @@ double holdError(const ModelRun& held, double rate, const ModelRun& finest) {
 
 std::vector<RateResult> studyRates(Scene& scene, double duration, const Progress* progress) {
     const Course course{approachPath(scene, {.duration = duration}), duration, progress};
-    const ModelRun finest = runAt(scene, course, kFinestRate);
+    const ModelRun finest = runAt(scene, course, kReferenceRate);
     std::vector<RateResult> results;
-    for (double rate = kLowestRate; rate <= kHighestRate; rate *= 2.0) {
+    for (double rate = kMinRate; rate <= kMaxRate; rate *= 2.0) {
         const ModelRun run = runAt(scene, course, rate);
         results.push_back({.rate = rate,
                            .load = rate * quantile(run.times, 0.5),

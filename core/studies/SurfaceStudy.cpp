@@ -105,14 +105,14 @@ SolvedContacts solvedContacts(const Scene& scene, const std::vector<TipState>& s
 SolvedContacts closedForms(const Scene& scene, const std::vector<TipState>& states) {
     SolvedContacts closed{.states = states, .patches = {}};
     for (const TipState& state : states) {
-        closed.patches.push_back(exactPatch(scene, state, DeformationTier::ClosedForm,
+        closed.patches.push_back(exactPatch(scene, state, DeformationModel::ClosedForm,
                                             gridOf(state, kReferenceSamples)));
     }
     return closed;
 }
 
-FrameResult resultOf(const Scene& scene, const FrameTier& tier, const SolvedContacts& reference,
-                     int rounds) {
+FrameResult resultOf(const Scene& scene, const FrameOptions& options,
+                     const SolvedContacts& reference, int rounds) {
     const std::vector<TipState>& states = reference.states;
     using Clock = std::chrono::steady_clock;
     std::vector<double> times;
@@ -121,12 +121,13 @@ FrameResult resultOf(const Scene& scene, const FrameTier& tier, const SolvedCont
         SurfacePatch patch;
         for (int round = 0; round < rounds; ++round) {
             const auto start = Clock::now();
-            patch = exactPatch(scene, states[i], tier.deformation, gridOf(states[i], tier.samples));
+            patch = exactPatch(scene, states[i], options.deformation,
+                               gridOf(states[i], options.samples));
             times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
         }
         error.add(patch, reference.patches[i]);
     }
-    return {.tier = tier,
+    return {.options = options,
             .median = quantile(times, 0.5),
             .surfaceErrorRms = error.rms(),
             .surfaceErrorMax = error.largest};
@@ -174,16 +175,16 @@ void studySurfaces(const Scene& scene, std::span<const TipState> states, const T
     result.reference.halfSpaceForce = reference.forceError;
     result.reference.contacts = static_cast<int>(reference.states.size());
     result.reference.contactsAsked = static_cast<int>(contacts.size());
-    result.reference.frame = {.deformation =
-                                  holds ? DeformationTier::HalfSpace : DeformationTier::ClosedForm,
+    result.reference.frame = {.deformation = holds ? DeformationModel::HalfSpace
+                                                   : DeformationModel::ClosedForm,
                               .samples = kReferenceSamples};
     result.reference.indentation = rmsIndentation(reference.states);
-    const std::vector<FrameTier> tiers = frameTiers();
-    for (std::size_t i = 0; i < tiers.size(); ++i) {
-        const FrameTier& tier = tiers[i];
-        reportTo(progress, static_cast<double>(i + 1) / static_cast<double>(tiers.size() + 1));
-        if (holds || tier.deformation != DeformationTier::HalfSpace) {
-            result.frames.push_back(resultOf(scene, tier, reference, plan.rounds));
+    const std::vector<FrameOptions> all = frameOptions();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const FrameOptions& options = all[i];
+        reportTo(progress, static_cast<double>(i + 1) / static_cast<double>(all.size() + 1));
+        if (holds || options.deformation != DeformationModel::HalfSpace) {
+            result.frames.push_back(resultOf(scene, options, reference, plan.rounds));
         }
     }
 }

@@ -19,7 +19,7 @@ double largestContactRatio(const ModelRun& run) {
 
 bool isCurved(const ModelRun& run) {
     return std::ranges::any_of(run.states, [](const TipState& state) {
-        return state.contact.contactRadius > 0.0 && state.radiusIsRough;
+        return state.contact.contactRadius > 0.0 && state.anisotropic;
     });
 }
 
@@ -34,7 +34,7 @@ double estimateError(const ModelRun& run, const std::vector<RecordedRun>& runs) 
     return std::sqrt(sum / static_cast<double>(at));
 }
 
-/// Half of what the medians of a tier's rounds differ by, as a share of the smallest.
+/// Half of what the medians of a model's rounds differ by, as a share of the smallest.
 double spreadOf(const std::vector<double>& medians) {
     const auto [least, most] = std::ranges::minmax(medians);
     return least > 0.0 ? 0.5 * (most - least) / least : 0.0;
@@ -70,22 +70,22 @@ void TickStudy::chooseReference() {
     }
 }
 
-std::vector<TickResult> TickStudy::measured(const std::vector<ForceModelOptions>& tiers) {
+std::vector<TickResult> TickStudy::measured(const std::vector<ForceModelOptions>& models) {
     std::vector<TickResult> results;
-    std::vector<std::vector<double>> times(tiers.size());
-    std::vector<std::vector<double>> medians(tiers.size());
+    std::vector<std::vector<double>> times(models.size());
+    std::vector<std::vector<double>> medians(models.size());
     for (int round = 0; round < plan_.rounds; ++round) {
-        for (std::size_t i = 0; i < tiers.size(); ++i) {
-            const ModelRun timed = run(tiers[i]);
+        for (std::size_t i = 0; i < models.size(); ++i) {
+            const ModelRun timed = run(models[i]);
             times[i].insert(times[i].end(), timed.times.begin(), timed.times.end());
             medians[i].push_back(quantile(timed.times, 0.5));
             const auto done =
-                static_cast<double>(static_cast<std::size_t>(round) * tiers.size() + i);
-            reportTo(progress_, done / static_cast<double>(tiers.size() * (plan_.rounds + 1)));
+                static_cast<double>(static_cast<std::size_t>(round) * models.size() + i);
+            reportTo(progress_, done / static_cast<double>(models.size() * (plan_.rounds + 1)));
         }
     }
-    for (std::size_t i = 0; i < tiers.size(); ++i) {
-        results.push_back(resultOf(tiers[i]));
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        results.push_back(resultOf(models[i]));
         results[i].median = quantile(times[i], 0.5);
         results[i].p99 = quantile(times[i], kP99);
         spreads_.push_back(spreadOf(medians[i]));
@@ -123,10 +123,10 @@ ModelRun TickStudy::run(const ForceModelOptions& model) {
     return runModel(scene_, runs_, progress_);
 }
 
-TickResult TickStudy::resultOf(const ForceModelOptions& tier) {
-    const ModelRun done = run(tier);
+TickResult TickStudy::resultOf(const ForceModelOptions& options) {
+    const ModelRun done = run(options);
     const ForceDifference difference = differenceOf(done, reference_);
-    return {.tier = tier,
+    return {.options = options,
             .forceErrorRms = difference.rms,
             .forceErrorMax = difference.largest,
             .contactRadiusError = difference.contactRadius,

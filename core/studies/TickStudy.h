@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// Measures ways for a tick on the same recorded inputs. The reference has every term that a law
+/// Measures models for a tick on the same recorded inputs. The reference has every term that a law
 /// has room for, whatever the scene overrules: the law of its materials, afresh, with certified
 /// closest points; the film's where its base matters more than adhesion; the exact sphere's where
 /// contacts are wider than 0.3 tip radii and the sample is about flat.
@@ -21,11 +21,11 @@ public:
     [[nodiscard]] const ForceModelOptions& model() const { return model_; }  ///< of the reference
     [[nodiscard]] const ModelRun& reference() const { return reference_; }
 
-    /// The tiers, taking turns.
-    [[nodiscard]] std::vector<TickResult> measured(const std::vector<ForceModelOptions>& tiers);
+    /// The models, taking turns.
+    [[nodiscard]] std::vector<TickResult> measured(const std::vector<ForceModelOptions>& models);
 
-    /// Of the times measured so far, as a share: half of what the rounds of a tier differ by, and
-    /// no less than what the next run of the program differs by.
+    /// Of the times measured so far, as a share: half of what the rounds of an option differ by,
+    /// and no less than what the next run of the program differs by.
     [[nodiscard]] double timeResolution() const;
 
     /// Fills in what is known of the reference, and what it leaves out itself.
@@ -33,7 +33,7 @@ public:
 
 private:
     [[nodiscard]] ModelRun run(const ForceModelOptions& model);
-    [[nodiscard]] TickResult resultOf(const ForceModelOptions& tier);
+    [[nodiscard]] TickResult resultOf(const ForceModelOptions& options);
     /// What a term moves the force by that the reference has no room for, root mean square [N].
     [[nodiscard]] double missedBy(ModelTerm term);
     void chooseReference();
@@ -44,7 +44,7 @@ private:
     ForceModelOptions model_;
     std::vector<RecordedRun> runs_;
     ModelRun reference_;
-    std::vector<double> spreads_;  ///< of each tier's rounds
+    std::vector<double> spreads_;  ///< of each option's rounds
 };
 
 }  // namespace asperity

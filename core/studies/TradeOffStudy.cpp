@@ -10,7 +10,7 @@ namespace asperity {
 
 namespace {
 
-/// Gives a scene its model and rate back in the end.
+/// Restores a scene's model and rate in the end.
 class SceneKept {
 public:
     explicit SceneKept(Scene& scene)
@@ -30,20 +30,20 @@ private:
     double tickRate_;
 };
 
-/// The scene's own way with both ways from signals to force.
-std::vector<ForceModelOptions> decouplingTiers(const ForceModelOptions& model) {
+/// The scene's own model with both models from signals to force.
+std::vector<ForceModelOptions> decouplingModels(const ForceModelOptions& model) {
     ForceModelOptions planar = ofForce(model);
-    planar.decoupling = DecouplingTier::Planar;
+    planar.decoupling = DecouplingModel::Planar;
     ForceModelOptions estimating = planar;
-    estimating.decoupling = DecouplingTier::Estimator;
+    estimating.decoupling = DecouplingModel::Estimator;
     return {planar, estimating};
 }
 
-void measureTicks(TickStudy& study, std::vector<ForceModelOptions> tiers,
+void measureTicks(TickStudy& study, std::vector<ForceModelOptions> models,
                   const std::vector<ForceModelOptions>& decouplings, TradeOff& result) {
-    const auto count = static_cast<std::ptrdiff_t>(tiers.size());
-    tiers.insert(tiers.end(), decouplings.begin(), decouplings.end());
-    const std::vector<TickResult> all = study.measured(tiers);
+    const auto count = static_cast<std::ptrdiff_t>(models.size());
+    models.insert(models.end(), decouplings.begin(), decouplings.end());
+    const std::vector<TickResult> all = study.measured(models);
     result.ticks.assign(all.begin(), all.begin() + count);
     result.decouplings.assign(all.begin() + count, all.end());
     result.timeResolution = study.timeResolution();
@@ -57,10 +57,10 @@ TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan, Progress* progres
     const SceneKept before(scene);
     TradeOff result;
     ProgressPart ticking(progress, 0.0, 0.8);
-    std::vector<ForceModelOptions> tiers = tickTiers(scene);
+    std::vector<ForceModelOptions> models = tickModels(scene);
     TickStudy ticks(scene, plan, &ticking);
-    tiers.push_back(ofForce(ticks.model()));
-    measureTicks(ticks, tiers, decouplingTiers(before.model()), result);
+    models.push_back(ofForce(ticks.model()));
+    measureTicks(ticks, models, decouplingModels(before.model()), result);
     setModel(scene, ticks.model());
     ProgressPart drawing(progress, 0.8, 0.95);
     studySurfaces(scene, ticks.reference().states, plan, &drawing, result);

@@ -4,16 +4,16 @@
 #include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
 #include "core/studies/Pareto.h"
-#include "core/studies/TradeOffTiers.h"
+#include "core/studies/TradeOffModels.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace asperity {
 
-/// What one way for the tick costs and how far it is from the reference on the same inputs.
+/// Cost of one model for the tick and its error against the reference on the same inputs.
 struct TickResult {
-    ForceModelOptions tier;
+    ForceModelOptions options;
     double median = 0.0;              ///< of one tick [s]
     double p99 = 0.0;                 ///< [s]
     double forceErrorRms = 0.0;       ///< of the model force's vector over the runs [N]
@@ -21,14 +21,14 @@ struct TickResult {
     double contactRadiusError = 0.0;  ///< largest [m]
     double closestPointError = 0.0;   ///< largest, of the closest point while it bears a force [m]
     double estimateErrorRms = 0.0;    ///< of the force from the signals against the true one [N]
-    bool onFront = false;             ///< no tier is cheaper and as near, as far as can be told
+    bool onFront = false;             ///< Pareto-optimal, as far as resolved
 
     [[nodiscard]] CostAndError costAndError() const { return {median, forceErrorRms}; }
 };
 
-/// The same of one way for the picture.
+/// The same of one option for the picture.
 struct FrameResult {
-    FrameTier tier;
+    FrameOptions options;
     double median = 0.0;           ///< of one patch [s]
     double surfaceErrorRms = 0.0;  ///< of the displacement along z, over the reference's patch [m]
     double surfaceErrorMax = 0.0;  ///< [m]
@@ -60,7 +60,7 @@ enum class SurfaceDoubt : std::uint8_t {
 /// The reference, and how far it may be off itself, by a finer one.
 struct TradeOffReference {
     ForceModelOptions tick;
-    FrameTier frame;
+    FrameOptions frame;
     double tickMedian = 0.0;         ///< [s]
     double forceScale = 0.0;         ///< root mean square of its force over the runs [N]
     double contactRatio = 0.0;       ///< largest contact radius over tip radius
@@ -93,13 +93,13 @@ struct TradeOff {
 struct TradeOffPlan {
     double duration =
         2.0;  ///< of each of two runs: approach at the highest feature, raster at another place [s]
-    int rounds = 5;   ///< timed runs of each tier, tiers taking turns
+    int rounds = 5;   ///< timed runs of each option, options taking turns
     int patches = 6;  ///< moments of the run at which surfaces are compared
 };
 
-/// Runs the scene with every tier. Accuracy is taken on the virtual clock and is reproducible;
-/// times are of this machine, the tiers interleaved so that they share its mood. Of the references
-/// see TickStudy and studySurfaces().
+/// Runs the scene with every option. Accuracy is taken on the virtual clock and is reproducible;
+/// times are of this machine, the options interleaved so that they share its mood. Of the
+/// references see TickStudy and studySurfaces().
 /// @param scene    has its model changed meanwhile; it is left as it was, also by a throw
 /// @param progress may be null  @throw Canceled
 [[nodiscard]] TradeOff studyTradeOff(Scene& scene, const TradeOffPlan& plan,

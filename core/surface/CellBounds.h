@@ -88,17 +88,17 @@ struct BoxCode {
     std::uint8_t drop = 0;       ///< highest - lowest, short code
     std::uint8_t concavity = 0;  ///< short code
 
-    static constexpr unsigned kHighestShift = 16U;
+    static constexpr unsigned kMaxShift = 16U;
     static constexpr unsigned kDropShift = 8U;
     static constexpr std::uint32_t kByte = 0xffU;
 
     [[nodiscard]] static BoxCode of(std::uint32_t bits) noexcept {
-        return {.highest = static_cast<std::uint16_t>(bits >> kHighestShift),
+        return {.highest = static_cast<std::uint16_t>(bits >> kMaxShift),
                 .drop = static_cast<std::uint8_t>((bits >> kDropShift) & kByte),
                 .concavity = static_cast<std::uint8_t>(bits & kByte)};
     }
     [[nodiscard]] std::uint32_t bits() const noexcept {
-        return (static_cast<std::uint32_t>(highest) << kHighestShift) |
+        return (static_cast<std::uint32_t>(highest) << kMaxShift) |
                (static_cast<std::uint32_t>(drop) << kDropShift) | concavity;
     }
 };

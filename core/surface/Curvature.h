@@ -6,8 +6,8 @@ namespace asperity {
 
 /// Principal curvatures of a surface at one place, positive for a bump [1/m].
 struct PrincipalCurvatures {
-    double largest = 0.0;
-    double smallest = 0.0;
+    double largest = 0.0;   ///< [1/m]
+    double smallest = 0.0;  ///< [1/m]
 };
 
 /// Source: docs/synthetic_surfaces.md 0 (mean and Gaussian curvature of a height field).

@@ -160,10 +160,10 @@ std::string modelNote(const SceneNeeds& needs) {
 
 std::string nameOf(const ForceModelOptions& options) {
     std::string text = nameOf(options.law);
-    text += options.solver == SolverTier::Table ? ", table" : "";
-    text += options.solver == SolverTier::Exact ? ", afresh" : "";
+    text += options.solver == SolverSetting::Table ? ", table" : "";
+    text += options.solver == SolverSetting::Exact ? ", afresh" : "";
     text += std::string(", ") + keyOf(options.closestPointSearch) + " feet";
-    text += options.decoupling == DecouplingTier::Planar ? ", planar" : "";
+    text += options.decoupling == DecouplingModel::Planar ? ", planar" : "";
     const char* before = ", without ";
     for (const ModelTerm term : kSwitchedTerms) {
         if (!(options.*traitsOf(term).option)) {

@@ -12,7 +12,7 @@ namespace asperity {
 /// What of a scale is too much and the remedy, in one sentence with the numbers; empty: it holds.
 [[nodiscard]] std::string refusalOf(const ScaleJudgment& judgment);
 
-/// Why a device cannot lead the tip, likewise.
+/// Why a device cannot drive the tip, likewise.
 [[nodiscard]] std::string refusalOf(const CoupledDevice& device);
 
 }  // namespace asperity

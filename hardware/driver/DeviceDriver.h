@@ -41,8 +41,8 @@ struct DeviceDriver {
     bool rendersForce = false;        ///< it has motors
     /// The devices of this kind that are there. @throw Error when the system cannot list them
     std::vector<ListedDevice> (*list)(const DeviceSite& site) = {};
-    /// Opens such a device. @throw Error where there cannot be one; one whose device is not
-    /// there waits for it
+    /// Opens such a device. @throw Error where there cannot be one; a device that is not plugged in
+    /// is waited for
     std::unique_ptr<HapticDevice> (*open)(const DeviceSite& site) = {};
 };
 

@@ -17,9 +17,9 @@ enum class Drained : std::uint8_t {
 /// first.
 template <typename Take>
 Drained drainReports(HidConnection& device, std::chrono::milliseconds patience, const Take& take) {
-    constexpr std::size_t kLongestReport = 64;  // of a full-speed USB device [byte]
+    constexpr std::size_t kMaxReportSize = 64;  // of a full-speed USB device [byte]
     constexpr int kKernelQueue = 63;  // reports that the kernel keeps; it drops later ones
-    std::array<std::uint8_t, kLongestReport> report{};
+    std::array<std::uint8_t, kMaxReportSize> report{};
     for (int count = 0; count < kKernelQueue; ++count) {
         const std::optional<std::size_t> size = device.read(report, patience);
         if (!size) {

@@ -34,7 +34,7 @@ struct HidDeviceInfo {
     [[nodiscard]] bool hasCollection(const HidUsage& usage) const {
         return std::ranges::find(usages, usage) != usages.end();
     }
-    /// What a person calls it.
+    /// What a user calls it.
     [[nodiscard]] std::string name() const {
         if (!product.empty()) {
             return product;

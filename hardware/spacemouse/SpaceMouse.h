@@ -9,9 +9,9 @@
 
 namespace asperity {
 
-/// A device led by a SpaceMouse: the knob's deflection is the device's velocity. It senses only and
-/// renders no force. A thread of its own reads the device, and without one looks for it twice a
-/// second; meanwhile the device rests and is not connected.
+/// A SpaceMouse: its knob's deflection is the velocity of the device position. It senses only and
+/// renders no force. A thread of its own reads the knob, and while it is unplugged looks for it
+/// twice a second; meanwhile the position rests and is not connected.
 class SpaceMouse final : public HapticDevice {
 public:
     static constexpr double kDefaultSpeed = 20e-9;  ///< [m/s]

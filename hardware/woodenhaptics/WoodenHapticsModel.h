@@ -12,7 +12,7 @@ using EncoderCounts = std::array<std::int16_t, 3>;
 
 // Source of the laws: docs/device_protocols.md 2. Vectors are in the device frame.
 
-/// Angles A, B, C of the joints: a about z, 0 where the arm points to the person; b and c against
+/// Angles A, B, C of the joints: a about z, 0 where the arm points to the operator; b and c against
 /// the vertical, 0 where body b stands and body c hangs [rad].
 [[nodiscard]] Vector3 jointAngles(const WoodenHapticsDescription& device,
                                   const EncoderCounts& counts) noexcept;
@@ -32,7 +32,7 @@ using EncoderCounts = std::array<std::int16_t, 3>;
 [[nodiscard]] Vector3 motorCurrents(const WoodenHapticsDescription& device,
                                     const Vector3& torques) noexcept;
 
-/// From the device's frame to the lab's: x right, y away from the person, z up.
+/// From the device's frame to the lab's: x right, y away from the operator, z up.
 [[nodiscard]] Vector3 inLabFrame(const Vector3& inDevice) noexcept;
 /// And back.
 [[nodiscard]] Vector3 inDeviceFrame(const Vector3& inLab) noexcept;

@@ -2,7 +2,7 @@
 
 #include "core/Error.h"
 #include "core/words/DeviceWords.h"
-#include "hardware/led/LedDrivers.h"
+#include "hardware/piloted/PilotedDrivers.h"
 #include "hardware/spacemouse/SpaceMouseDriver.h"
 #include "hardware/woodenhaptics/WoodenHapticsDriver.h"
 #include "tests/hardware/FakeHid.h"
@@ -104,10 +104,10 @@ TEST(DeviceRegistry, EachDriverOpensADeviceThatIsWhatItsRowSays) {
     FakeHid hid;
     const DeviceSite site = siteOf(hid);
     for (const DeviceDriver* const driver : deviceDrivers()) {
-        const std::unique_ptr<HapticDevice> hand = driver->open(site);
-        EXPECT_EQ(hand->specification().rendersForce(), driver->rendersForce) << driver->key;
-        const bool isHid = hand->led() == nullptr;
-        EXPECT_EQ(wordsOf(hand->status()),
+        const std::unique_ptr<HapticDevice> opened = driver->open(site);
+        EXPECT_EQ(opened->specification().rendersForce(), driver->rendersForce) << driver->key;
+        const bool isHid = opened->piloted() == nullptr;
+        EXPECT_EQ(wordsOf(opened->status()),
                   isHid ? "no " + std::string(driver->label) + " is plugged in" : "");
     }
     const std::unique_ptr<HapticDevice> pointer = pointerDriver().open(site);
@@ -201,7 +201,8 @@ std::string askedOf(const std::string& key, const std::string& rule) {
     return rule.substr(value, rule.find('"', value) - value);
 }
 
-/// What the shipped rules let the person at the screen open: vendor id and pattern for product ids.
+/// What the shipped rules let the operator at the screen open: vendor id and pattern for product
+/// ids.
 std::vector<std::pair<std::string, std::string>> shippedRules() {
     std::ifstream file(std::filesystem::path(ASPERITY_DATA_DIR) / "udev/70-asperity-hid.rules");
     std::vector<std::pair<std::string, std::string>> rules;

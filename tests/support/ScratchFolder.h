@@ -15,7 +15,7 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::filesystem::path file(const std::string& name) const { return path_ / name; }
-    /// Writes a file and gives its path.
+    /// Writes a file and returns its path.
     [[nodiscard]] std::filesystem::path write(const std::string& name,
                                               const std::string& content) const;
 

@@ -10,7 +10,7 @@ namespace asperity::test {
 /// `period` after the base was where it was measured. It can be lost.
 class SlowAfm final : public AfmController {
 public:
-    SlowAfm(const TouchedSurface& surface, const InstrumentTruth& truth, double period)
+    SlowAfm(const SampleSurface& surface, const InstrumentTruth& truth, double period)
         : afm_(surface, truth), timeStep_(truth.timeStep), period_(period) {}
 
     AfmMeasurement exchange(const BaseMotion& target) noexcept override {

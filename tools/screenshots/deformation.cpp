@@ -84,7 +84,7 @@ SceneDescription sceneOf(const std::string& material) {
 /// The tip's way down to the sample, along it and away, by the scripted device.
 RunEvents approached(const Scene& scene, const PathPlan& plan) {
     RunEventRecorder recorder;
-    SimulatedAfm afm(scene.touched(), truthOf(scene));
+    SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
     runVirtually(scene, approachPath(scene, plan), afm,
                  std::lround(plan.duration / scene.timeStep()) + 1,
                  [&recorder](const TickSample& sample) { recorder.take(sample); });
@@ -128,12 +128,12 @@ void drawDeformations(const fs::path& path) {
     Scene scene = buildScene(stiff, fineRough());
     const RunEvents events = approached(scene, planBesideMiddle(scene));
     std::vector<DeformationView> views;
-    for (const auto& [tier, title] :
-         {std::pair(DeformationTier::FourPoint, "(a) Four points"),
-          std::pair(DeformationTier::ContactRadius, "(b) Contact radius"),
-          std::pair(DeformationTier::ClosedForm, "(c) Closed form"),
-          std::pair(DeformationTier::HalfSpace, "(d) Half-space")}) {
-        scene.model.deformation = tier;
+    for (const auto& [model, title] :
+         {std::pair(DeformationModel::FourPoint, "(a) Four points"),
+          std::pair(DeformationModel::ContactRadius, "(b) Contact radius"),
+          std::pair(DeformationModel::ClosedForm, "(c) Closed form"),
+          std::pair(DeformationModel::HalfSpace, "(d) Half-space")}) {
+        scene.model.deformation = model;
         views.push_back(contactView(scene, events.deepest.value(), title));
         views.back().caption += " Diamond tip.";
     }

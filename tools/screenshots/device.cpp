@@ -33,7 +33,7 @@ int run(char** argv) {
     live.window().resize(std::stoi(argv[2]), std::stoi(argv[3]));
     Session& session = live.session();
     session.runs().use(loadScene(argv[1], {}));
-    session.devices().leadDevice(pathDown(session.run()->scene()));
+    session.devices().pilotDevice(pathDown(session.run()->scene()));
     double guided = 0.0;
     bool saved = false;
     QTimer timer;

@@ -5,9 +5,9 @@
 namespace asperity {
 
 std::vector<double> axisTicks(double low, double high, int room) {
-    constexpr int kTightest = 6;
+    constexpr int kMaxTicks = 6;
     std::vector<double> ticks = niceTicks(low, high, room);
-    for (int count = room + 1; ticks.size() < 2 && count <= kTightest; ++count) {
+    for (int count = room + 1; ticks.size() < 2 && count <= kMaxTicks; ++count) {
         ticks = niceTicks(low, high, count);
     }
     return ticks;

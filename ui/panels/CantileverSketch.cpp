@@ -12,16 +12,16 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSideShare = 0.66;       ///< of the width, for the side view
-constexpr double kClampWidth = 14.0;      ///< [px]
-constexpr double kCaptionHeight = 15.0;   ///< [px]
-constexpr double kThinnestBeam = 3.0;     ///< [px]
-constexpr double kLongestArrow = 26.0;    ///< [px]
-constexpr double kArrowShare = 0.28;      ///< of the height, at most
-constexpr double kDropShare = 0.55;       ///< of the height, for the resting beam and its tip
-constexpr double kMinDeflection = 2e-10;  ///< noise below this stays small [m]
-constexpr double kMinTorsion = 5e-7;      ///< [rad]
-constexpr double kMaxShownTorsion = 0.4;  ///< [rad]
+constexpr double kSideShare = 0.66;        ///< of the width, for the side view
+constexpr double kClampWidth = 14.0;       ///< [px]
+constexpr double kCaptionHeight = 15.0;    ///< [px]
+constexpr double kMinBeamThickness = 3.0;  ///< [px]
+constexpr double kMaxArrowLength = 26.0;   ///< [px]
+constexpr double kArrowShare = 0.28;       ///< of the height, at most
+constexpr double kDropShare = 0.55;        ///< of the height, for the resting beam and its tip
+constexpr double kMinDeflection = 2e-10;   ///< noise below this stays small [m]
+constexpr double kMinTorsion = 5e-7;       ///< [rad]
+constexpr double kMaxShownTorsion = 0.4;   ///< [rad]
 constexpr int kBeamPieces = 32;
 
 /// From the cantilever's x, z to the drawing: turned by the mount tilt, free end down.
@@ -182,8 +182,9 @@ void CantileverSketch::drawSide(QPainter& painter, const View& view) const {
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(theme::kTip).darker(125));
     painter.drawPolygon(bent.tip);
-    painter.setPen(QPen(QColor(theme::kTip), std::max(kThinnestBeam, beam.thickness * view.scale),
-                        Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.setPen(QPen(QColor(theme::kTip),
+                        std::max(kMinBeamThickness, beam.thickness * view.scale), Qt::SolidLine,
+                        Qt::FlatCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(bent.axis);
     drawClamp(painter, map.origin);
@@ -198,7 +199,7 @@ QPointF CantileverSketch::forceArrow(double sine, double cosine) const {
     if (size <= 0.0) {
         return {};
     }
-    const double longest = std::min(kLongestArrow, kArrowShare * height());
+    const double longest = std::min(kMaxArrowLength, kArrowShare * height());
     const double length = longest * std::min(1.0, size / reference) / size;
     const SideMap turn{{}, length, sine, cosine};
     return turn.at(local.x(), local.z());
@@ -210,7 +211,7 @@ void CantileverSketch::drawEnd(QPainter& painter, const View& view) const {
     painter.drawText(QRectF(view.box.left(), 0.0, view.box.width(), kCaptionHeight),
                      Qt::AlignHCenter, QStringLiteral("torsion") + timesText(torsionFactor()));
     const double half = beam.width / 2.0 * view.scale;
-    const double thick = std::max(kThinnestBeam, beam.thickness * view.scale);
+    const double thick = std::max(kMinBeamThickness, beam.thickness * view.scale);
     const double height = beam.tipHeight * view.scale;
     const QRectF section(-half, -thick / 2.0, 2.0 * half, thick);
     const QPolygonF tip({{-0.35 * height, 0.0}, {0.35 * height, 0.0}, {0.0, height}});

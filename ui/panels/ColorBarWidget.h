@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// A horizontal bar that says which colors stand for which values, with name, unit and ticks.
+/// A horizontal bar that shows which colors stand for which values, with name, unit and ticks.
 class ColorBarWidget : public QWidget {
 public:
     explicit ColorBarWidget(QWidget* parent = nullptr);

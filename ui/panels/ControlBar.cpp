@@ -19,8 +19,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kControlHeight = 26;  ///< [px]
-constexpr int kWidestCombo = 260;   ///< [px]
+constexpr int kControlHeight = 26;   ///< [px]
+constexpr int kMaxComboWidth = 260;  ///< [px]
 
 void setNames(QComboBox& combo, const QStringList& names) {
     const QSignalBlocker blocker(combo);
@@ -84,7 +84,7 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(
     setRunning(false);
     setForcesOn(true);
     setRecording(false);
-    connectPerson();
+    connectInputs();
 }
 
 QPushButton* ControlBar::addButton(const char* objectName, const QString& widest) {
@@ -101,7 +101,7 @@ QComboBox* ControlBar::addCombo(const char* objectName, const QString& caption) 
     combo->setObjectName(QString::fromUtf8(objectName));
     combo->setFixedHeight(kControlHeight);
     combo->setMinimumContentsLength(8);
-    combo->setMaximumWidth(kWidestCombo);
+    combo->setMaximumWidth(kMaxComboWidth);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     guardFromWheel(*combo);
     QList<QWidget*> widgets{combo};
@@ -144,7 +144,7 @@ void ControlBar::addKnob(const SettingField& field) {
             });
 }
 
-void ControlBar::connectPerson() {
+void ControlBar::connectInputs() {
     connect(startPause_, &QPushButton::clicked, this, [this] {
         const bool running = !startPause_->property("running").toBool();
         setRunning(running);

@@ -17,7 +17,7 @@ class GainSpinBox;
 struct SettingField;
 struct Settings;
 
-/// The knobs above the views. Setters show a state and emit nothing; signals tell what the person
+/// The knobs above the views. Setters show a state and emit nothing; signals tell what the user
 /// changed.
 class ControlBar : public QWidget {
     Q_OBJECT
@@ -54,7 +54,7 @@ private:
     QComboBox* addCombo(const char* objectName, const QString& caption);
     void addKnobs();
     void addKnob(const SettingField& field);
-    void connectPerson();
+    void connectInputs();
 
     QHBoxLayout* row_;
     QPushButton* startPause_;

@@ -29,7 +29,7 @@ constexpr double kCurveWidth = 1.3;   ///< [px]
 constexpr int kTickLength = 4;        ///< [px]
 constexpr int kMinTickDistance = 14;  ///< [px]
 constexpr int kMinCanvasHeight = 40;  ///< [px]
-constexpr int kWidestDigits = 6;      ///< letters of a label for which room is kept
+constexpr int kMaxLabelDigits = 6;    ///< letters of a label for which room is kept
 
 /// A curve in pieces: a value that is not a number parts two of them.
 class PiecewiseCurve : public QwtPlotCurve {
@@ -165,7 +165,7 @@ void CurvePlot::Canvas::buildAxes(const CurvePlotSetup& setup) {
         draw->setSpacing(2);
     }
     const QFontMetrics metrics(theme::textFont(theme::kSmallSize - 1));
-    valueLabels_->setMinimumExtent(kWidestDigits * metrics.horizontalAdvance(QLatin1Char('0')) +
+    valueLabels_->setMinimumExtent(kMaxLabelDigits * metrics.horizontalAdvance(QLatin1Char('0')) +
                                    kTickLength + 2);
 }
 

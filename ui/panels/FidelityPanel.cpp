@@ -39,7 +39,7 @@ TradeOffPoints pointsOf(const TradeOff& study) {
     for (const TickResult& result : study.ticks) {
         shown.points.push_back({.time = result.median,
                                 .error = result.forceErrorRms,
-                                .name = QString::fromStdString(nameOf(result.tier)),
+                                .name = QString::fromStdString(nameOf(result.options)),
                                 .onFront = result.onFront});
     }
     return shown;
@@ -78,7 +78,7 @@ FidelityPanel::FidelityPanel(QWidget* parent)
     column->setSpacing(kGap);
     column->addWidget(termCard());
     column->addWidget(chartCard(), 1);
-    connectPerson();
+    connectInputs();
     setMeasuring(std::nullopt);
     showTradeOff(std::nullopt);
     resize(1080, 760);
@@ -122,7 +122,7 @@ QWidget* FidelityPanel::chartCard() {
     return card;
 }
 
-void FidelityPanel::connectPerson() {
+void FidelityPanel::connectInputs() {
     connect(terms_, &TermTable::termChosen, this, &FidelityPanel::termChosen);
     connect(tolerance_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             [this](double percent) { Q_EMIT toleranceChosen(percent / 100.0); });
@@ -135,8 +135,8 @@ void FidelityPanel::connectPerson() {
         }
     });
     connect(chart_, &TradeOffChart::picked, this, [this](int index) {
-        const ForceModelOptions tier = study_->ticks.at(static_cast<std::size_t>(index)).tier;
-        Q_EMIT tierPicked(tier);
+        const ForceModelOptions options = study_->ticks.at(static_cast<std::size_t>(index)).options;
+        Q_EMIT optionsPicked(options);
     });
 }
 
@@ -175,7 +175,7 @@ void FidelityPanel::showCurrent() {
     int current = -1;
     if (study_) {
         const auto found = std::ranges::find_if(
-            study_->ticks, [this](const TickResult& r) { return isSameTick(r.tier, now_); });
+            study_->ticks, [this](const TickResult& r) { return isSameTick(r.options, now_); });
         if (found != study_->ticks.end()) {
             current = static_cast<int>(found - study_->ticks.begin());
         }

@@ -17,7 +17,7 @@ class TradeOffChart;
 
 /// Speed against accuracy, a window of its own: the terms of the model with what each is worth, and
 /// the measured ways for a tick. Setters show a state and emit nothing; signals tell what the
-/// person changed.
+/// user changed.
 class FidelityPanel : public QWidget {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ Q_SIGNALS:
     /// @param on none: as the scene requires
     void termChosen(asperity::ModelTerm term, std::optional<bool> on);
     void toleranceChosen(double share);  ///< of forces and of indentations
-    void tierPicked(const asperity::ForceModelOptions& tier);
+    void optionsPicked(const asperity::ForceModelOptions& options);
     void automaticRequested();  ///< nothing shall be overruled
     void measureRequested();
     void stopRequested();  ///< of the study under way
@@ -43,7 +43,7 @@ Q_SIGNALS:
 private:
     [[nodiscard]] QWidget* termCard();
     [[nodiscard]] QWidget* chartCard();
-    void connectPerson();
+    void connectInputs();
     void showCurrent();
     [[nodiscard]] QString keyText() const;
 

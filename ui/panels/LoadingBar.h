@@ -8,7 +8,7 @@ class QProgressBar;
 
 namespace asperity {
 
-/// A thin line that says what is being loaded and how far it is, with a button to stop it.
+/// A thin line that shows what is being loaded and how far it is, with a button to stop it.
 class LoadingBar : public QWidget {
     Q_OBJECT
 

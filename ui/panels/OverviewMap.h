@@ -36,7 +36,7 @@ public:
     [[nodiscard]] bool hasFilled() const { return relief_.hasFilled; }
 
 Q_SIGNALS:
-    /// A person wants to go there: double click [m].
+    /// A user wants to go there: double click [m].
     void placeChosen(double x, double y);
 
 protected:

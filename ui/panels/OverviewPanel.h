@@ -43,7 +43,7 @@ public:
     [[nodiscard]] const ColorBarWidget& colorBar() const { return *colorBar_; }
 
 Q_SIGNALS:
-    /// A person wants to go there [m].
+    /// A user wants to go there [m].
     void placeChosen(double x, double y);
 
 private:

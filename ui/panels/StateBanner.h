@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace asperity {
 
-/// One line that always says in words and color where the tip is, whether forces act, what went
+/// One line that always shows in words and color where the tip is, whether forces act, what went
 /// wrong, and what a result does not hold for. Its height never changes.
 class StateBanner : public QFrame, public RunPanel {
     Q_OBJECT
@@ -36,7 +36,7 @@ public:
     void setPaused(bool paused);
 
 Q_SIGNALS:
-    /// A person takes back the fault.
+    /// The user resets the fault.
     void rearmRequested();
 
 protected:

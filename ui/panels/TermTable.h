@@ -12,7 +12,7 @@ class QComboBox;
 
 namespace asperity {
 
-/// The terms of the model, one a row: whether it is in, what it is worth and why. The person may
+/// The terms of the model, one a row: whether it is in, what it is worth and why. The user may
 /// overrule each.
 class TermTable : public QTableWidget {
     Q_OBJECT

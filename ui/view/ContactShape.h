@@ -17,7 +17,7 @@ class ContactShape {
 public:
     /// @param area    rectangle to sample
     /// @param samples   along each side, at least 3
-    /// @param halfSpace what tier HalfSpace shows where it still holds, else the closed form; or
+    /// @param halfSpace what model HalfSpace shows where it still holds, else the closed form; or
     /// null
     ContactShape(const Scene& scene, const TipState& state, const ScanWindow& area, int samples,
                  const HalfSpaceAnswer* halfSpace = nullptr);

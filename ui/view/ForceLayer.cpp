@@ -14,7 +14,7 @@ namespace asperity {
 namespace {
 
 constexpr int kFacets = 24;
-constexpr double kShortest = 0.06;  // shorter arrows are not drawn; part of their room
+constexpr double kMinLength = 0.06;  // shorter arrows are not drawn; part of their room
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void ForceLayer::show(const ForceEstimate& estimate, const Vector3& start, doubl
     const Vector3 direction = force.stableNormalized();
     const double sigma = std::sqrt(direction.dot(estimate.covariance * direction));
     const double metersPerNewton = scale_.fit(magnitude, sigma, time, room);
-    if (!(magnitude * metersPerNewton > kShortest * room) || !force.allFinite()) {
+    if (!(magnitude * metersPerNewton > kMinLength * room) || !force.allFinite()) {
         hide();
         return;
     }

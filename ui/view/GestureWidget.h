@@ -6,7 +6,7 @@
 
 namespace asperity {
 
-/// A view that says what a person does to it by mouse and keys: the left button drags, the right
+/// A view that signals what a user does to it by mouse and keys: the left button drags, the right
 /// one turns, the wheel lifts (Shift: a tenth of a drag and a lift); Ctrl and the wheel, + and -
 /// zoom.
 class GestureWidget : public QVTKOpenGLNativeWidget {

@@ -7,7 +7,7 @@
 namespace asperity {
 
 /// By how much displacements, and the gap with them, are drawn larger than life: a round number
-/// that seldom changes, or what the person wants.
+/// that seldom changes, or what the user wants.
 class Magnification {
 public:
     /// Empty: chosen from what there is to see. @param factor >= 1

@@ -17,7 +17,7 @@ constexpr double kMinDisplacementRange = 1e-10;  // [m]
 constexpr int kScaleColors = 64;
 constexpr double kFaint = 0.1;  // part of the range below which a displacement leaves no color
 
-/// Fits a range and says whether that changed it.
+/// Fits a range. @return whether that changed it
 bool refit(SteadyRange& range, double low, double high) {
     const AxisRange before = range.range();
     const AxisRange& after = range.fit(low, high);

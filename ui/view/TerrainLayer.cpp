@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kSurveySamples = 96;
 constexpr int kSamplesPerPixel = 4;
-constexpr int kMin = 48;  // samples along each side
+constexpr int kMinSamples = 48;  // samples along each side
 constexpr int kCoarse = 80;
 constexpr int kFine = 384;
 constexpr int kMaxGridSteps = 192;  // along a line across the window
@@ -202,7 +202,7 @@ void TerrainLayer::survey() {
 int TerrainLayer::fineSamples() const {
     const BSplineSurface::Grid& grid = surface_->grid();
     const double pixels = widthOf(place_.window) / std::min(grid.pitchX, grid.pitchY);
-    return static_cast<int>(std::clamp<double>(kSamplesPerPixel * pixels, kMin, kFine));
+    return static_cast<int>(std::clamp<double>(kSamplesPerPixel * pixels, kMinSamples, kFine));
 }
 
 void TerrainLayer::build(Mesh& mesh, int samples) const {

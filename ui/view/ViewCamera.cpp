@@ -12,8 +12,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kLowestElevation = 0.2;   // [rad]
-constexpr double kHighestElevation = 1.5;  // [rad]; below pi/2: the view's top stays told
+constexpr double kMinElevation = 0.2;  // [rad]
+constexpr double kMaxElevation = 1.5;  // [rad]; below pi/2: the view's top stays told
 
 constexpr double kMargin = 1.04;
 constexpr double kTipsPlace = 0.15;  // where the tip mostly is, of the way to the far corner
@@ -23,7 +23,7 @@ constexpr double kDepth = 8.0;       // seen before and behind the middle, in si
 
 void ViewCamera::turn(double azimuth, double elevation) {
     azimuth_ = std::remainder(azimuth_ + azimuth, 2.0 * std::numbers::pi);
-    elevation_ = std::clamp(elevation_ + elevation, kLowestElevation, kHighestElevation);
+    elevation_ = std::clamp(elevation_ + elevation, kMinElevation, kMaxElevation);
 }
 
 Vector3 ViewCamera::out() const {

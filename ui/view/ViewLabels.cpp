@@ -17,7 +17,7 @@ namespace {
 constexpr double kMargin = 18.0;
 constexpr double kTextSize = 14.0;
 constexpr double kForceTextSize = 17.0;
-constexpr double kLongestBar = 170.0;
+constexpr double kMaxBarLength = 170.0;
 constexpr double kBarEnd = 4.0;
 
 }  // namespace
@@ -58,7 +58,7 @@ void ViewLabels::paint(Painter& painter) const {
 
 void ViewLabels::paintScaleBar(Painter& painter) const {
     const double metersPerPixel = content_.metersPerPixel;
-    const double length = niceBelow(kLongestBar * metersPerPixel);
+    const double length = niceBelow(kMaxBarLength * metersPerPixel);
     const double left = kMargin;
     const double right = left + length / metersPerPixel;
     const LineStyle style{palette::kInk, 2.0};

@@ -18,9 +18,9 @@ struct Width {
     }
 };
 
-constexpr Width kPatch = {.ofTip = 2.0, .ofContact = 2.5};
-constexpr Width kUsual = {.ofTip = 2.4, .ofContact = 3.2};
-constexpr Width kMin = {.ofTip = 1.25, .ofContact = 1.9};  // its patch still holds the contact
+constexpr Width kPatchWidth = {.ofTip = 2.0, .ofContact = 2.5};
+constexpr Width kUsualWidth = {.ofTip = 2.4, .ofContact = 3.2};
+constexpr Width kMinWidth = {.ofTip = 1.25, .ofContact = 1.9};  // its patch still holds the contact
 
 }  // namespace
 
@@ -31,9 +31,9 @@ ViewScale viewScale(const Scene& scene) {
     const double contact =
         isSphere(scene.belief.contact.law()) ? std::min(paraboloid, tip) : paraboloid;
     const double given = scene.description.zoomHalfWidth;
-    return {.patch = kPatch.of(tip, contact),
-            .usual = given > 0.0 ? given : kUsual.of(tip, contact),
-            .least = kMin.of(tip, contact)};
+    return {.patch = kPatchWidth.of(tip, contact),
+            .usual = given > 0.0 ? given : kUsualWidth.of(tip, contact),
+            .least = kMinWidth.of(tip, contact)};
 }
 
 double unloadedContactRadius(const ContactPair& pair) {

@@ -59,7 +59,7 @@ public:
     void setCacheEnabled(bool enabled);
 
 Q_SIGNALS:
-    /// The person asks the tip to go by this much, world [m].
+    /// The user asks the tip to go by this much, world [m].
     void tipDragged(double dx, double dy, double dz);
     void frameChanged();   ///< window() is another
     void scalesChanged();  ///< a color scale is another

@@ -7,7 +7,7 @@ class QWidget;
 
 namespace asperity {
 
-/// The file that a person chooses; empty: none.
+/// The file that a user chooses; empty: none.
 /// @param patterns of the scans that are shown first, beside scenes: "*.gwy"
 [[nodiscard]] QString askForScan(QWidget* window, const QStringList& patterns);
 [[nodiscard]] QString askForPath(QWidget* window);

@@ -42,9 +42,9 @@ public:
 
     /// Which files the dialog that opens a scan shows first, beside scenes: "*.gwy".
     void setScanFiles(const QStringList& patterns) { scanFiles_ = patterns; }
-    /// Gives all panels a scene; null: none. The scene outlives its use here.
+    /// Sets the scene of all panels; null: none. The scene outlives its use here.
     void showScene(const Scene* scene, const QString& title);
-    /// Says in place of the hint that a file is being loaded; empty: nothing is.
+    /// Shows in place of the hint that a file is being loaded; empty: nothing is.
     void showLoading(const QString& name);
     [[nodiscard]] LoadingBar& loading() { return *loading_; }
     /// A short message for a while.

@@ -37,7 +37,7 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
     startPause->setShortcut(tr("Space"));
     forcesOff = menu->addAction(tr("&Forces off"));
     forcesOff->setShortcut(tr("Esc"));
-    takeBackFault = menu->addAction(tr("Take &back a fault"));
+    resetFault = menu->addAction(tr("Take &back a fault"));
     menu->addSeparator();
     followPathFile = menu->addAction(tr("Follow a path from a &file…"));
     followRecording = menu->addAction(tr("Repeat a &recording…"));

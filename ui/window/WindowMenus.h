@@ -29,7 +29,7 @@ public:
 
     QAction* startPause;
     QAction* forcesOff;
-    QAction* takeBackFault;
+    QAction* resetFault;
     QAction* followPathFile;
     QAction* followRecording;
 

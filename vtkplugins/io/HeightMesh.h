@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// Of a mesh without any. The files' writers tell no path: who calls them does.
+/// Of a mesh without any. The files' writers name no path: their callers do.
 inline constexpr const char* kNoTriangles =
     "the map has no 2 x 2 valid pixels to make a surface of";
 

@@ -12,8 +12,8 @@ namespace asperity {
 namespace {
 
 constexpr int kPoints = 180;
-constexpr int kBlurred = 4;           ///< points on either side: about two samples of the patch
-constexpr double kLongestStep = 3.0;  ///< between points, in steps of a flat circle
+constexpr int kBlurred = 4;       ///< points on either side: about two samples of the patch
+constexpr double kMaxStep = 3.0;  ///< between points, in steps of a flat circle
 
 /// The surface at rest around the circle, and how far it has moved outwards there.
 struct MovedPoint {
@@ -50,7 +50,7 @@ double smoothMove(const std::vector<MovedPoint>& around, int place) {
 std::vector<std::vector<Vector3>> contactCircle(const SurfacePatch& patch,
                                                 const ContactEdge& edge) {
     const std::vector<MovedPoint> around = aroundContact(patch, edge);
-    const double longest = kLongestStep * 2.0 * std::numbers::pi * edge.radius / kPoints;
+    const double longest = kMaxStep * 2.0 * std::numbers::pi * edge.radius / kPoints;
     std::vector<std::vector<Vector3>> pieces(1);
     for (int i = 0; i <= kPoints; ++i) {
         const Vector3 point = around[static_cast<std::size_t>(i % kPoints)].rest +

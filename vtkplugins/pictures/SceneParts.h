@@ -65,8 +65,9 @@ void addLights(vtkRenderer* renderer);
 /// they are drawn. @param normal unit; rightwards, upwards and to the eye
 [[nodiscard]] double brightness(const Vector3& normal, const Matt& matt);
 
-/// Gives all views one camera without perspective, `direction` pointing from the scene to the eye,
-/// such that all their actors fill a view whose sides have the ratio `aspect` (width / height).
+/// Sets for all views one camera without perspective, `direction` pointing from the scene to the
+/// eye, such that all their actors fill a view whose sides have the ratio `aspect` (width /
+/// height).
 void fitCamera(std::span<vtkRenderer* const> views, const Vector3& direction, double aspect);
 
 }  // namespace asperity

@@ -10,8 +10,8 @@ namespace {
 
 /// Over so much of the range at least, and twice the range at most, the stress falls off: a sharper
 /// law would make pixels flicker, a blunter one leave a contact without all of its cohesion.
-constexpr double kSharpest = 0.02;
-constexpr double kBluntest = 2.0;
+constexpr double kMinZone = 0.02;
+constexpr double kMaxZone = 2.0;
 
 double difference(std::span<const double> gaps, std::size_t before, std::size_t after) noexcept {
     return 0.5 * (gaps[after] - gaps[before]);
@@ -31,7 +31,7 @@ void cohesiveShares(std::span<const double> gaps, int size, double range,
             const double across = difference(gaps, row * width + left, row * width + right);
             const double up = difference(gaps, below * width + column, above * width + column);
             const double blur =
-                std::clamp(std::abs(across) + std::abs(up), kSharpest * range, kBluntest * range);
+                std::clamp(std::abs(across) + std::abs(up), kMinZone * range, kMaxZone * range);
             const std::size_t pixel = row * width + column;
             shares[pixel] = std::clamp(0.5 + (range - gaps[pixel]) / blur, 0.0, 1.0);
         }

@@ -30,7 +30,7 @@ enum class Attraction : std::uint8_t {
     Zone,     ///< a cohesive zone of finite range (Maugis-Dugdale)
 };
 
-/// All there is to say of a law; scene files, tables, reports and choices go by this.
+/// Traits of a law; scene files, tables, reports and choices go by this.
 struct LawTraits {
     ContactLaw value;
     const char* key;   ///< in scenes and tables
@@ -39,7 +39,7 @@ struct LawTraits {
     bool sphere = false;  ///< the tip is an exact sphere, not the paraboloid that osculates it
     bool tail = false;    ///< van der Waals attraction before contact
     bool film = false;    ///< the sample is a film on a rigid base
-    bool table = false;   ///< it may be looked up in MaugisTable, see SolverTier
+    bool table = false;   ///< it may be looked up in MaugisTable, see SolverSetting
 };
 
 /// In the order of ContactLaw.

@@ -51,7 +51,7 @@ std::shared_ptr<const FilmTable> filmFor(ContactLaw law, const ContactOptions& o
 std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& pair,
                                             const ContactOptions& options) {
     const bool cohesive = traitsOf(law).table;
-    if (options.solver != SolverTier::Table || !cohesive || pair.workOfAdhesion < kMinAdhesion) {
+    if (options.solver != SolverSetting::Table || !cohesive || pair.workOfAdhesion < kMinAdhesion) {
         return nullptr;
     }
     constexpr double kRadiusRange = 10.0;
@@ -67,7 +67,7 @@ std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& p
         return nullptr;
     }
     const double deepest =
-        std::min(MaugisTableRange::kDeepest, 2.0 * pair.tipRadius / units.indentation);
+        std::min(MaugisTableRange::kMaxIndentation, 2.0 * pair.tipRadius / units.indentation);
     return std::make_shared<const MaugisTable>(MaugisTableRange{low, high, deepest});
 }
 
@@ -150,7 +150,7 @@ double ContactModel::widestFilmContact() const noexcept {
     if (film() == nullptr) {
         return std::numeric_limits<double>::infinity();
     }
-    return filmThickness() * (isFilm(law()) ? kWidestFilmContact : film()->halfSpaceLimit());
+    return filmThickness() * (isFilm(law()) ? kMaxFilmContact : film()->halfSpaceLimit());
 }
 
 double ContactModel::cohesiveStress() const noexcept {

@@ -57,7 +57,7 @@ public:
     /// Transition parameter of the cohesive zone; 0 where the law has none.
     [[nodiscard]] double lambda() const noexcept;
 
-    /// The table that states come from; null where the tier or the law has none.
+    /// The table that states come from; null where the setting or the law has none.
     [[nodiscard]] const MaugisTable* table() const noexcept { return given_.table.get(); }
 
     /// What a film of the sample does to a contact, whatever the law; null on a half-space.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/contact/SolverTier.h"
+#include "core/contact/SolverSetting.h"
 #include "core/contact/laws/Meniscus.h"
 
 namespace asperity {
@@ -25,7 +25,7 @@ struct ContactOptions {
     double filmThickness = 0.0;   ///< of the sample [m]; 0: a half-space
     FilmElasticity film;          ///< of that film; by default incompressible, under a rigid tip
     Meniscus meniscus;            ///< by default none
-    SolverTier solver = SolverTier::Newton;
+    SolverSetting solver = SolverSetting::Newton;
 };
 
 }  // namespace asperity

@@ -109,10 +109,11 @@ void FilmTable::findHalfSpaceLimit() {
         const FilmPoint point = within(ratio);
         return point.force - (kStiffened * kHertz * std::pow(point.indentation, 1.5));
     };
-    constexpr double kLowest = 1e-6;
-    halfSpaceLimit_ = excess(end_.ratio) < 0.0
-                          ? std::numeric_limits<double>::infinity()
-                          : std::sqrt(within(rootBetween(excess, kLowest, end_.ratio)).indentation);
+    constexpr double kMinContact = 1e-6;
+    halfSpaceLimit_ =
+        excess(end_.ratio) < 0.0
+            ? std::numeric_limits<double>::infinity()
+            : std::sqrt(within(rootBetween(excess, kMinContact, end_.ratio)).indentation);
 }
 
 FilmTable::Place FilmTable::placeOf(double ratio) const noexcept {

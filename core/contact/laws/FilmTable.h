@@ -23,7 +23,7 @@ struct FilmPoint {
 };
 
 /// Contact radius over thickness up to which the law of a film is held to a reference (T22).
-inline constexpr double kWidestFilmContact = 2.0;
+inline constexpr double kMaxFilmContact = 2.0;
 
 /// Contacts with films of one Poisson ratio, tabulated from FilmEquation over the contact radius.
 /// The error is measured at build. Beyond the table every quantity goes on as a power of the
@@ -49,11 +49,11 @@ public:
     /// The point where indentation + compliance x force = value. @param value, compliance >= 0
     [[nodiscard]] FilmPoint onSpring(double value, double compliance) const noexcept;
     /// Pressure over E* a / (pi R), at sqrt(1 - (r / a)^2) = `height`; 2 `height` is Hertz'.
-    /// Accurate to 1e-6 up to kWidestFilmContact; beyond the table its shape stays.
+    /// Accurate to 1e-6 up to kMaxFilmContact; beyond the table its shape stays.
     [[nodiscard]] double pressure(double ratio, double height) const noexcept;
 
     /// Displacement of the surface outside of the contact, sum of both bodies, > 0 into the sample
-    /// [t^2 / R]. Accurate to 1e-6 of the indentation up to kWidestFilmContact; far away what an
+    /// [t^2 / R]. Accurate to 1e-6 of the indentation up to kMaxFilmContact; far away what an
     /// elastic tip under a point force has, beyond the table its shape stays.
     /// @param distance from the axis over thickness, >= `ratio`; `ratio` > 0
     [[nodiscard]] double displacement(double ratio, double distance) const noexcept;

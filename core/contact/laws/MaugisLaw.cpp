@@ -46,16 +46,16 @@ std::optional<LawPoint> MaugisLaw::stable(double approach, double compliance) co
     return point ? std::optional(inSi(*point)) : std::nullopt;
 }
 
-/// In the table's tier the coordinate is the state's indentation in Maugis' units.
+/// With the table the coordinate is the state's indentation in Maugis' units.
 std::optional<LawPoint> MaugisLaw::stable(double approach, double compliance,
                                           double coordinate) const noexcept {
     const MaugisControl held = control(compliance);
     const double value = approach / units_.indentation;
-    if (solver_.tier == SolverTier::Table && solver_.table != nullptr) {
+    if (solver_.solver == SolverSetting::Table && solver_.table != nullptr) {
         const auto state = solver_.table->stable(curve_, held.perForce, value, coordinate);
         return state ? std::optional(inSi(*state)) : std::nullopt;
     }
-    if (solver_.tier == SolverTier::Exact) {
+    if (solver_.solver == SolverSetting::Exact) {
         return stable(approach, compliance);
     }
     const auto point = curve_.stable(held, value, coordinate);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/contact/Material.h"
-#include "core/contact/SolverTier.h"
+#include "core/contact/SolverSetting.h"
 #include "core/contact/laws/LawPoint.h"
 #include "core/contact/maugis/MaugisDugdale.h"
 #include "core/contact/maugis/MaugisTable.h"
@@ -13,7 +13,7 @@ namespace asperity {
 
 /// How the states of MaugisLaw along a way are found.
 struct MaugisSolver {
-    SolverTier tier = SolverTier::Exact;
+    SolverSetting solver = SolverSetting::Exact;
     const MaugisTable* table = nullptr;  ///< must outlive the law; null: none covers it
 };
 
@@ -36,7 +36,8 @@ public:
     // As LawPoint.h has it.
     [[nodiscard]] LawPoint fold(double compliance) const noexcept;
     [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance) const noexcept;
-    /// The same by the solver's tier. @param coordinate of a state near it, any number is allowed
+    /// The same by the solver's setting. @param coordinate of a state near it, any number is
+    /// allowed
     [[nodiscard]] std::optional<LawPoint> stable(double approach, double compliance,
                                                  double coordinate) const noexcept;
     [[nodiscard]] double energy(const LawPoint& point) const noexcept;

@@ -65,9 +65,9 @@ SphereContact sphereContact(double depth) noexcept {
 }
 
 SphereContact sphereContactOfRadius(double radius) noexcept {
-    constexpr double kDeepest = 20.0;  // 1 - tanh(20) is lost in rounding
+    constexpr double kMaxArgument = 20.0;  // 1 - tanh(20) is lost in rounding
     if (!(radius < 1.0)) {
-        return {kDeepest, 1.0, 2.0 * std::exp(-kDeepest)};
+        return {kMaxArgument, 1.0, 2.0 * std::exp(-kMaxArgument)};
     }
     return {std::atanh(radius), radius, std::sqrt((1.0 - radius) * (1.0 + radius))};
 }
@@ -102,9 +102,9 @@ LawPoint SphereUnits::fromSi(const LawPoint& point) const noexcept {
 }
 
 double boundedSlope(double forceRate, double indentationRate) noexcept {
-    constexpr double kSteepest = 1e30;
-    if (std::abs(indentationRate) * kSteepest <= std::abs(forceRate)) {
-        return std::copysign(kSteepest, forceRate);
+    constexpr double kMaxSlope = 1e30;
+    if (std::abs(indentationRate) * kMaxSlope <= std::abs(forceRate)) {
+        return std::copysign(kMaxSlope, forceRate);
     }
     return forceRate / indentationRate;
 }

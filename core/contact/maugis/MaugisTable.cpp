@@ -14,7 +14,7 @@ namespace {
 using Data = MaugisTableData;
 
 /// Beyond what any material makes of a kilometer or of a soft lever, in the units of MaugisPoint.
-constexpr double kFarthest = 1e40;
+constexpr double kMaxDistance = 1e40;
 
 MaugisState stateOf(const MaugisPoint& point) noexcept {
     constexpr double kMinRatio = 1e-100;
@@ -63,7 +63,7 @@ std::optional<MaugisState> MaugisTable::exactAt(const MaugisDugdale& law,
 
 std::optional<MaugisState> MaugisTable::stable(const MaugisDugdale& law, double compliance,
                                                double value, double start) const noexcept {
-    if (!isWithin(value, -kFarthest, kFarthest) || !isWithin(compliance, 0.0, kFarthest)) {
+    if (!isWithin(value, -kMaxDistance, kMaxDistance) || !isWithin(compliance, 0.0, kMaxDistance)) {
         return std::nullopt;
     }
     constexpr int kMaxIterations = 6;

@@ -23,7 +23,7 @@ void check(const MaugisTableRange& range) {
         throw Error("Contact table: expected transition parameters from 1e-4 to 1e4, the largest "
                     "at most 5 times the smallest");
     }
-    if (!isWithin(range.largestIndentation, 0.0, Range::kDeepest)) {
+    if (!isWithin(range.largestIndentation, 0.0, Range::kMaxIndentation)) {
         throw Error("Contact table: expected a largest indentation from 0 to 1e6 units");
     }
 }
@@ -49,8 +49,8 @@ MaugisTableBuilder::MaugisTableBuilder(const MaugisTableRange& range)
     data_.firstRow = Data::kRows.cellOf(range.lambdaLow * (1.0 / Data::kLambdaOfChange));
     const auto lastRow = Data::kRows.cellOf(range.lambdaHigh / Data::kLambdaOfChange);
     data_.rows = static_cast<std::size_t>(lastRow - data_.firstRow) + 1;
-    constexpr double kLowestContact = -0.95;  // of any lambda
-    data_.largestRoot = std::sqrt(range.largestIndentation - kLowestContact);
+    constexpr double kMinContact = -0.95;  // of any lambda
+    data_.largestRoot = std::sqrt(range.largestIndentation - kMinContact);
     const auto lastColumn = Data::kColumns.cellOf(Data::kNear + data_.largestRoot);
     data_.columns = static_cast<std::size_t>(lastColumn - Data::kFirstColumn) + 1;
     const std::size_t cells = data_.rows * data_.columns;
@@ -126,13 +126,13 @@ void MaugisTableBuilder::fit(std::size_t row, std::size_t column, std::vector<Sa
 
 double MaugisTableBuilder::measure(std::size_t row, std::size_t column,
                                    std::vector<Sample>& samples) const {
-    constexpr double kClosest = 1e-3;  // next to a fold rounding spoils the exact solution
+    constexpr double kMinFoldDistance = 1e-3;  // next to a fold rounding spoils the exact solution
     const std::size_t cell = (row * data_.columns) + column;
     double worst = 0.0;
     for (Sample& sample : samples) {
         for (const double place : columnFit_.worstPlaces()) {
             const double nearest =
-                column == 0 ? Data::kColumns.placeOf(Data::kNear + kClosest) : -1.0;
+                column == 0 ? Data::kColumns.placeOf(Data::kNear + kMinFoldDistance) : -1.0;
             const double at = std::max(place, nearest);
             const Data::Quantities exact = solve(sample, rootAt(column, at), data_.hasFold(row));
             const Data::Quantities found = data_.evaluate(cell, at, sample.row);

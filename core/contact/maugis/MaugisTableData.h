@@ -18,8 +18,8 @@ struct MaugisTableRange {
     // What a table can cover.
     static constexpr double kMinLambda = 1e-4;
     static constexpr double kMaxLambda = 1e4;
-    static constexpr double kMaxSpan = 5.0;  ///< of lambda
-    static constexpr double kDeepest = 1e6;  ///< in the units of MaugisPoint
+    static constexpr double kMaxSpan = 5.0;         ///< of lambda
+    static constexpr double kMaxIndentation = 1e6;  ///< in the units of MaugisPoint
 };
 
 /// Force, contact radius, cohesive radius and stiffness (times the root where there is a fold), in

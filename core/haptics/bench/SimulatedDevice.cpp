@@ -20,7 +20,7 @@ SimulatedDevice::SimulatedDevice(const Vector3& start, const BenchSetup& setup)
     : PilotedDevice(start), bench_(setup, start), reach_(start) {}
 
 DeviceState SimulatedDevice::advance(double timeStep) noexcept {
-    reach_ += shortened(lead(timeStep) - reach_, kReachSpeed * timeStep);
+    reach_ += shortened(pilot(timeStep) - reach_, kReachSpeed * timeStep);
     reach_ = shortened(reach_, bench_.specification().workspaceRadius);
     bench_.reachFor(reach_);
     return bench_.advance(timeStep);

@@ -5,10 +5,10 @@
 
 namespace asperity {
 
-/// A haptic device without the device: the virtual bench with a person at it who holds the handle
-/// in a normal grip and reaches for where mouse and keyboard lead, at most by 0.5 m/s and no
-/// farther than to the edge of its workspace. The force that comes back moves the handle away from
-/// there, as it does a hand.
+/// A simulated haptic device: the virtual bench with an operator who holds the handle in a normal
+/// grip and reaches for where mouse and keyboard pilot it, at most by 0.5 m/s and no farther than
+/// to the edge of its workspace. The force that comes back moves the handle away from there, as it
+/// does a hand.
 class SimulatedDevice final : public PilotedDevice {
 public:
     /// @param start where handle and hand rest at first, in the device's own frame [m]
@@ -23,7 +23,7 @@ public:
 
 private:
     VirtualBench bench_;
-    Vector3 reach_;  ///< where the person wants the handle [m]
+    Vector3 reach_;  ///< where the operator wants the handle [m]
 };
 
 }  // namespace asperity

@@ -19,7 +19,7 @@ struct HandlePhysics {
     double workspaceRadius = 0.1;   ///< of the ball in which it moves [m]
 };
 
-/// The arm that holds the handle: a spring to where the person wants it, and a damper.
+/// The arm that holds the handle: a spring to where the operator wants it, and a damper.
 struct ArmImpedance {
     double stiffness = 0.0;  ///< [N/m]
     double damping = 0.0;    ///< [N s/m]
@@ -29,7 +29,7 @@ struct ArmImpedance {
 inline constexpr HandlePhysics kPhantomClass{};
 inline constexpr ArmImpedance kLightGrip{.stiffness = 80.0, .damping = 0.5};
 inline constexpr ArmImpedance kNormalGrip{.stiffness = 150.0, .damping = 2.0};
-inline constexpr ArmImpedance kNoDevice{};
+inline constexpr ArmImpedance kNoGrip{};
 
 struct BenchSetup {
     HandlePhysics handle = kPhantomClass;
@@ -37,8 +37,8 @@ struct BenchSetup {
     double delay = 1e-3;  ///< from sampling a position to its force at the handle [s]
 };
 
-/// A haptic device with a person's hand on it, simulated: reproducible, on the caller's clock. The
-/// force is held from one setForce() to the next (zero-order hold) and acts late by the whole
+/// A haptic device with an operator's hand on it, simulated: reproducible, on the caller's clock.
+/// The force is held from one setForce() to the next (zero-order hold) and acts late by the whole
 /// delay; a real device splits it between sensing and acting, which makes no difference to the
 /// loop. Joint friction sticks and slips (Coulomb), axis by axis.
 class VirtualBench final : public HapticDevice {
@@ -46,14 +46,14 @@ public:
     /// @param start where handle and hand rest at first [m]
     VirtualBench(const BenchSetup& setup, const Vector3& start);
 
-    /// Where the person wants the handle from now on [m].
+    /// Where the operator wants the handle from now on [m].
     void reachFor(const Vector3& target) noexcept { target_ = target; }
     /// How it is held from now on.
     void grip(const ArmImpedance& arm) noexcept { arm_ = arm; }
 
     [[nodiscard]] DeviceSpecification specification() const noexcept override;
     [[nodiscard]] double delay() const noexcept override { return delay_; }
-    /// The position as the encoders tell it.
+    /// The position as the encoders sense it.
     DeviceState advance(double timeStep) noexcept override;
     void setForce(const Vector3& force) noexcept override { command_ = force; }
 
@@ -67,12 +67,12 @@ private:
 
     HandlePhysics handle_;
     ArmImpedance arm_;
-    double delay_;      ///< [s]
-    Vector3 target_;    ///< [m]
-    Vector3 position_;  ///< [m]
-    Vector3 velocity_ = Vector3::Zero();
-    Vector3 command_ = Vector3::Zero();  ///< newest force [N]
-    std::vector<Vector3> onTheWay_;      ///< one force a substep, a ring as long as the delay
+    double delay_;                        ///< [s]
+    Vector3 target_;                      ///< [m]
+    Vector3 position_;                    ///< [m]
+    Vector3 velocity_ = Vector3::Zero();  ///< [m/s]
+    Vector3 command_ = Vector3::Zero();   ///< newest force [N]
+    std::vector<Vector3> onTheWay_;       ///< one force a substep, a ring as long as the delay
     std::size_t oldest_ = 0;
     double time_ = 0.0;  ///< [s]
     std::int64_t substeps_ = 0;

@@ -34,7 +34,7 @@ public:
     /// Forgets all and begins anew at the next mark. A fault that is latched then does not freeze
     /// it again; the next one does.
     void restart() noexcept;
-    /// Gives away what it holds, to be written by another thread, and begins anew as restart().
+    /// Moves out what it holds, to be written by another thread, and begins anew as restart().
     [[nodiscard]] BlackBox release();
 
     /// Oldest first. A box that froze by itself ends with the first tick of the fault.

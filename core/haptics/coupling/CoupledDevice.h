@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// A device with motors that shall lead a tip.
+/// A force-feedback device that shall drive a tip.
 struct DeviceRequest {
     DeviceSpecification device;
     LoopTiming timing;

@@ -11,9 +11,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kStiffestCoupling = 600.0;      // [N/m]
+constexpr double kMaxCouplingStiffness = 600.0;  // [N/m]
 constexpr double kProxyDamping = 3.0;            // [N s/m]
-constexpr double kLightestHandle = 0.045;        // [kg]
+constexpr double kMinHandleMass = 0.045;         // [kg]
 constexpr double kDampingRatio = 0.15;           // that the delay leaves
 constexpr double kDelayedStiffness = 1.0 / 6.0;  // Kc tau^2 / m
 
@@ -43,7 +43,7 @@ double stiffnessFor(double damping, double mass, double age) {
 }
 
 double massOf(const DeviceSpecification& device) {
-    return device.effectiveMass > 0.0 ? device.effectiveMass : kLightestHandle;
+    return device.effectiveMass > 0.0 ? device.effectiveMass : kMinHandleMass;
 }
 
 double ageOf(const LoopTiming& timing) { return timing.timeStep / 2.0 + timing.delay; }
@@ -54,13 +54,13 @@ CouplingGains designCoupling(const DeviceSpecification& device, const LoopTiming
     check(device, timing);
     const double mass = massOf(device);
     const double age = ageOf(timing);
-    const double stiffness =
-        std::min({device.maxStiffness, kStiffestCoupling, kDelayedStiffness * mass / (age * age),
-                  stiffnessFor(device.maxDamping, mass, age)});
-    if (stiffness < kSoftestCoupling) {
+    const double stiffness = std::min({device.maxStiffness, kMaxCouplingStiffness,
+                                       kDelayedStiffness * mass / (age * age),
+                                       stiffnessFor(device.maxDamping, mass, age)});
+    if (stiffness < kMinCouplingStiffness) {
         throw Error("the haptic device holds no coupling stiffer than " +
                     formatSi(stiffness, "N/m") + " with a force that is " + formatSi(age, "s") +
-                    " old; at least " + formatSi(kSoftestCoupling, "N/m") +
+                    " old; at least " + formatSi(kMinCouplingStiffness, "N/m") +
                     " are needed: a shorter delay or a higher rate");
     }
     return {.stiffness = stiffness,

@@ -11,7 +11,7 @@ struct LoopTiming {
     double delay = 0.0;      ///< t_d, as measured from a motion to its force, without the hold [s]
 };
 
-inline constexpr double kSoftestCoupling = 250.0;  ///< softer, a surface is no longer felt [N/m]
+inline constexpr double kMinCouplingStiffness = 250.0;  ///< softer couplings hide the surface [N/m]
 
 /// Gains with which a handle of the given mass stays at rest whatever the proxy touches and
 /// however it is held, even not at all. With tau = T/2 + t_d, the age of the force:
@@ -24,7 +24,7 @@ inline constexpr double kSoftestCoupling = 250.0;  ///< softer, a surface is no 
 ///
 /// A mass that is not known is taken as 0.045 kg, that of the lightest desktop devices.
 /// Source: Colgate, Schenkel (1997); docs/haptics.md.
-/// @throw Error where that is softer than kSoftestCoupling, or a value is no such thing
+/// @throw Error where that is softer than kMinCouplingStiffness, or a value is no such thing
 [[nodiscard]] CouplingGains designCoupling(const DeviceSpecification& device,
                                            const LoopTiming& timing);
 

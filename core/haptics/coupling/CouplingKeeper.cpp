@@ -14,9 +14,9 @@ constexpr double kStandardForce = 1e8;      // 1 N : 10 nN
 constexpr double kMinForce = 1e5;           // 1 N : 10 uN: less, and nothing is felt
 constexpr double kForceStep = 0.8;
 
-// Above it an encoder's step of 30 um is more than 3 nm of the tip: such a gain is for hands in the
-// scan's own lengths, like the mouse.
-constexpr double kCoarsestPosition = 1e-4;
+// Above it an encoder's step of 30 um is more than 3 nm of the tip: such a gain is for devices in
+// the scan's own lengths, like the mouse.
+constexpr double kMaxPositionGain = 1e-4;
 
 // Gains are designed for a delay rounded up to this, so that one that creeps up as it is measured
 // does not seat the spring anew at every frame [s].
@@ -43,9 +43,9 @@ GuideLoad guideLoad(const VirtualFixture& guide) {
 
 }  // namespace
 
-DeviceRequest CouplingKeeper::request(const Led& led, const Settings& knobs) const {
-    return {.device = led.device,
-            .timing = {.timeStep = scene_->timeStep(), .delay = led.delay},
+DeviceRequest CouplingKeeper::request(const Held& held, const Settings& knobs) const {
+    return {.device = held.device,
+            .timing = {.timeStep = scene_->timeStep(), .delay = held.delay},
             .scale = scaleOf(knobs),
             .own = scene_->settings.coupling,
             .maxForce = knobs.governor.maxForce,
@@ -53,38 +53,39 @@ DeviceRequest CouplingKeeper::request(const Led& led, const Settings& knobs) con
             .control = knobs.positionControl};
 }
 
-CoupledDevice CouplingKeeper::couple(const Led& led, const Settings& knobs) const {
-    return coupleDevice(scene_->belief, request(led, knobs));
+CoupledDevice CouplingKeeper::couple(const Held& held, const Settings& knobs) const {
+    return coupleDevice(scene_->belief, request(held, knobs));
 }
 
-Settings CouplingKeeper::take(Led led, Settings knobs) {
-    led.scale = scaleOf(knobs);
-    knobs.coupling = led.coupled.gains;
-    knobs.workspace = workspaceOf(led.device.workspaceRadius, 0.5 * scene_->timeStep() + led.delay);
-    led_ = std::move(led);
+Settings CouplingKeeper::take(Held held, Settings knobs) {
+    held.scale = scaleOf(knobs);
+    knobs.coupling = held.coupled.gains;
+    knobs.workspace =
+        workspaceOf(held.device.workspaceRadius, 0.5 * scene_->timeStep() + held.delay);
+    held_ = std::move(held);
     return knobs;
 }
 
 /// The scene's scale, or the largest standard one that holds.
-Settings CouplingKeeper::fitted(const Led& led, Settings knobs) const {
+Settings CouplingKeeper::fitted(const Held& held, Settings knobs) const {
     const DeviceScale own = scaleOf(scene_->settings);
     knobs = withScale(knobs, own);
-    if (own.positionGain <= kCoarsestPosition && couple(led, knobs).holds()) {
+    if (own.positionGain <= kMaxPositionGain && couple(held, knobs).holds()) {
         return knobs;
     }
     knobs = withScale(knobs, {kStandardPosition, kStandardForce});
-    while (!couple(led, knobs).holds() && kForceStep * knobs.forceGain >= kMinForce) {
+    while (!couple(held, knobs).holds() && kForceStep * knobs.forceGain >= kMinForce) {
         knobs.forceGain *= kForceStep;
     }
     return knobs;
 }
 
 Settings CouplingKeeper::release(Settings knobs) {
-    if (led_) {
-        knobs = withScale(knobs, led_->before);
-        knobs.coupling = led_->couplingBefore;
+    if (held_) {
+        knobs = withScale(knobs, held_->before);
+        knobs.coupling = held_->couplingBefore;
         knobs.workspace = {};
-        led_.reset();
+        held_.reset();
     }
     return knobs;
 }
@@ -93,57 +94,57 @@ Settings CouplingKeeper::takeOver(const DeviceSpecification& device, double dela
     if (!device.rendersForce()) {
         return knobs;
     }
-    Led led{.device = device,
-            .delay = roundedUp(delay),
-            .coupled = {},
-            .scale = {},
-            .before = scaleOf(knobs),
-            .couplingBefore = knobs.coupling};
-    knobs = fitted(led, knobs);
-    led.coupled = couple(led, knobs);
-    if (!led.coupled.holds()) {
-        throw CouplingRefused(led.coupled);
+    Held held{.device = device,
+              .delay = roundedUp(delay),
+              .coupled = {},
+              .scale = {},
+              .before = scaleOf(knobs),
+              .couplingBefore = knobs.coupling};
+    knobs = fitted(held, knobs);
+    held.coupled = couple(held, knobs);
+    if (!held.coupled.holds()) {
+        throw CouplingRefused(held.coupled);
     }
-    return take(led, knobs);
+    return take(held, knobs);
 }
 
 Settings CouplingKeeper::turned(Settings wanted, double delay) {
-    if (!led_) {
+    if (!held_) {
         return wanted;
     }
-    Led led = *led_;
-    led.delay = roundedUp(delay);
-    led.coupled = couple(led, wanted);
-    if (!led.coupled.holds()) {
-        if (wanted.forcesOn || scaleOf(wanted) != led_->scale) {
-            throw CouplingRefused(led.coupled);
+    Held held = *held_;
+    held.delay = roundedUp(delay);
+    held.coupled = couple(held, wanted);
+    if (!held.coupled.holds()) {
+        if (wanted.forcesOn || scaleOf(wanted) != held_->scale) {
+            throw CouplingRefused(held.coupled);
         }
-        wanted.coupling = led_->coupled.gains;
+        wanted.coupling = held_->coupled.gains;
         return wanted;
     }
-    return take(led, wanted);
+    return take(held, wanted);
 }
 
 std::optional<Settings> CouplingKeeper::follow(Settings knobs, double delay) {
-    if (!led_ || !(delay > led_->delay)) {
+    if (!held_ || !(delay > held_->delay)) {
         return std::nullopt;
     }
-    Led led = *led_;
-    led.delay = roundedUp(delay);
-    led.coupled = couple(led, knobs);
-    if (led.coupled.holds()) {
-        return take(led, knobs);
+    Held held = *held_;
+    held.delay = roundedUp(delay);
+    held.coupled = couple(held, knobs);
+    if (held.coupled.holds()) {
+        return take(held, knobs);
     }
-    led.coupled.gains = led_->coupled.gains;
-    led_->delay = led.delay;
-    led_->coupled = led.coupled;
+    held.coupled.gains = held_->coupled.gains;
+    held_->delay = held.delay;
+    held_->coupled = held.coupled;
     knobs.forcesOn = false;
     return knobs;
 }
 
 void CouplingKeeper::requireHolding(const ProbeSystem& tip, const Settings& knobs) const {
-    if (led_) {
-        const CoupledDevice coupled = coupleDevice(tip, request(*led_, knobs));
+    if (held_) {
+        const CoupledDevice coupled = coupleDevice(tip, request(*held_, knobs));
         if (!coupled.holds()) {
             throw CouplingRefused(coupled);
         }

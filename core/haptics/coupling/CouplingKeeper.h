@@ -16,26 +16,26 @@ struct CouplingRefused : Error {
     CoupledDevice device;
 };
 
-/// Sees to it that no force-feedback device leads the tip of a run but with a coupling, a scale and
-/// an edge of its workspace that hold. Devices that only sense are left alone. Knobs go in and come
-/// out; who calls it turns them.
+/// A force-feedback device drives the tip of a run only through a stable coupling and scaling,
+/// within a stable edge of its workspace. Devices that only sense are left alone. Takes and returns
+/// the knobs; the caller applies them.
 class CouplingKeeper {
 public:
     /// @param scene outlives the keeper
     explicit CouplingKeeper(const Scene& scene) : scene_(&scene) {}
 
-    /// The device that leads lets go: the knobs as devices that only sense had them.
+    /// Releases the device: the knobs as devices that only sense had them.
     [[nodiscard]] Settings release(Settings knobs);
 
     /// A device takes over, after release(). One with motors gets the scene's scale where that is
-    /// one for hands in millimeters and holds; else 1 mm : 1 nm with the largest force gain that
+    /// one for devices in millimeters and holds; else 1 mm : 1 nm with the largest force gain that
     /// holds, of 1 N : 10 nN and those below it in steps of a fifth.
     /// @param delay as the device has it so far [s]
     /// @throw CouplingRefused where no scale holds
     [[nodiscard]] Settings takeOver(const DeviceSpecification& device, double delay,
                                     Settings knobs);
 
-    /// A person turns knobs. Those that do not hold are refused; switching forces off never is.
+    /// The operator turns knobs. Those that do not hold are refused; switching forces off never is.
     /// @throw CouplingRefused; nothing has changed then
     [[nodiscard]] Settings turned(Settings wanted, double delay);
 
@@ -48,14 +48,14 @@ public:
     /// @throw CouplingRefused
     void requireHolding(const ProbeSystem& tip, const Settings& knobs) const;
 
-    /// The force-feedback device that leads, and what it feels; null where none does.
+    /// The force-feedback device that drives the tip, and its coupling; null without one.
     [[nodiscard]] const CoupledDevice* coupled() const noexcept {
-        return led_ ? &led_->coupled : nullptr;
+        return held_ ? &held_->coupled : nullptr;
     }
 
 private:
-    /// A force-feedback device that leads.
-    struct Led {
+    /// A force-feedback device that drives the tip.
+    struct Held {
         DeviceSpecification device;
         double delay = 0.0;  ///< designed for [s]
         CoupledDevice coupled;
@@ -64,13 +64,13 @@ private:
         CouplingGains couplingBefore;  ///< likewise
     };
 
-    [[nodiscard]] DeviceRequest request(const Led& led, const Settings& knobs) const;
-    [[nodiscard]] CoupledDevice couple(const Led& led, const Settings& knobs) const;
-    [[nodiscard]] Settings fitted(const Led& led, Settings knobs) const;
-    [[nodiscard]] Settings take(Led led, Settings knobs);
+    [[nodiscard]] DeviceRequest request(const Held& held, const Settings& knobs) const;
+    [[nodiscard]] CoupledDevice couple(const Held& held, const Settings& knobs) const;
+    [[nodiscard]] Settings fitted(const Held& held, Settings knobs) const;
+    [[nodiscard]] Settings take(Held held, Settings knobs);
 
     const Scene* scene_;
-    std::optional<Led> led_;
+    std::optional<Held> held_;
 };
 
 }  // namespace asperity

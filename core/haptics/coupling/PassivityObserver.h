@@ -26,7 +26,7 @@ public:
     [[nodiscard]] double energy() const noexcept { return energy_; }
     /// What the spring stores for the force that now acts at the handle [J].
     [[nodiscard]] double spring() const noexcept { return stored(acting_); }
-    /// Whether it gave more than encoder and contact explain: the person must be told.
+    /// Whether it gave more than encoder and contact explain: the operator must be warned.
     [[nodiscard]] bool active() const noexcept;
 
 private:

@@ -2,7 +2,7 @@
 
 namespace asperity {
 
-/// What the maker of a haptic device says of it; a value of 0: not known, or it has none.
+/// The maker's specification of a haptic device; a value of 0: not known, or it has none.
 struct DeviceSpecification {
     double maxForce = 0.0;         ///< that its motors render [N]; 0: it only senses
     double maxStiffness = 0.0;     ///< that it renders [N/m]

@@ -13,7 +13,7 @@ enum class DeviceProblem {
     Unplugged,     ///< it was there before
 };
 
-/// What a device says of itself, beside where it is. Text is UTF-8.
+/// State of a device, beside its position. Text is UTF-8.
 struct DeviceStatus {
     DeviceProblem problem = DeviceProblem::None;
     std::string driver;      ///< what drives it, for people

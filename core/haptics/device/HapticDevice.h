@@ -15,16 +15,16 @@ class HapticDevice {
 public:
     virtual ~HapticDevice() = default;
 
-    /// Constant while the device lives. Only one that says here what its motors render is ever
-    /// told a force, and by it the governor guards the device.
+    /// Constant while the device lives. Only a device that renders forces by this gets any, within
+    /// these limits.
     [[nodiscard]] virtual DeviceSpecification specification() const noexcept = 0;
 
     /// Where the device is after one more time step [s]; the loop adds what the specification says.
     /// Loop thread only.
     virtual DeviceState advance(double timeStep) noexcept = 0;
 
-    /// The force that the operator shall feel [N]. Loop thread only. A device with motors lets go
-    /// by itself when it is not told a force for a while, for a program that crashed tells it none.
+    /// The device force [N]. Loop thread only. A force-feedback device switches its motors off by
+    /// itself when it gets no force for a while, as from a program that crashed.
     virtual void setForce(const Vector3& /*force*/) noexcept {}
 
     /// The handle is in the device's rest pose now: for devices whose encoders count from there.
@@ -35,16 +35,16 @@ public:
     /// far, without the hold of half a tick [s]. Any thread but the loop's.
     [[nodiscard]] virtual double delay() const noexcept { return 0.0; }
 
-    /// What the window wants to know of the device; of a device without one, nothing. Any thread
-    /// but the loop's.
+    /// What the window shows of the device; nothing of mouse, keyboard and scripts. Any thread but
+    /// the loop's.
     [[nodiscard]] virtual DeviceStatus status() const { return {}; }
 
-    /// Half the width of what the person sees [m]: for devices that are pushed, not moved, so that
-    /// the tip is as fast on the screen whatever is seen. Any thread; wait-free.
+    /// Half the width of what the operator sees [m]: for devices that are pushed, not moved, so
+    /// that the tip is as fast on the screen whatever is seen. Any thread; wait-free.
     virtual void setSeenHalfWidth(double /*halfWidth*/) noexcept {}
 
-    /// The device as one that mouse and keyboard lead; null: it moves by itself.
-    [[nodiscard]] virtual PilotedDevice* led() noexcept { return nullptr; }
+    /// The device as one that mouse and keyboard pilot; null: it moves by itself.
+    [[nodiscard]] virtual PilotedDevice* piloted() noexcept { return nullptr; }
 };
 
 /// A device that only senses.

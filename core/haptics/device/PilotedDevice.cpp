@@ -14,7 +14,7 @@ PilotedDevice::PilotedDevice(const Vector3& start)
     : start_(start), target_(start), position_(start) {}
 
 // The exact solution of x'' = w^2 (target - x) - 2 w x' over one step: stable at any step.
-const Vector3& PilotedDevice::lead(double timeStep) noexcept {
+const Vector3& PilotedDevice::pilot(double timeStep) noexcept {
     const Vector3& target = target_.read();
     const double decay = std::exp(-kResponse * timeStep);
     const Vector3 error = position_ - target;

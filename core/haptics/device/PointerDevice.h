@@ -13,7 +13,7 @@ public:
     [[nodiscard]] DeviceSpecification specification() const noexcept override {
         return kSensesOnly;
     }
-    DeviceState advance(double timeStep) noexcept override { return {.position = lead(timeStep)}; }
+    DeviceState advance(double timeStep) noexcept override { return {.position = pilot(timeStep)}; }
 };
 
 }  // namespace asperity

@@ -22,15 +22,14 @@ struct WoodenHapticsJoint {
     }
 };
 
-/// One make of WoodenHaptics. Device frame: x to the person, y right, z up.
+/// One make of WoodenHaptics. Device frame: x to the operator, y right, z up.
 /// Source: docs/device_protocols.md 2.
 struct WoodenHapticsDescription {
     std::array<WoodenHapticsJoint, 3> joints;  ///< a turns about z; b and c lift, both against z
-    Vector3 origin =
-        Vector3::Zero();  ///< of positions, from the closest point of joint a; device frame [m]
-    double countsPerTurn = 0.0;  ///< of a motor's encoder
-    double motorConstant = 0.0;  ///< torque per current [N m/A]
-    double maxCurrent = 0.0;     ///< that the amplifiers give for as long as they must [A]
+    Vector3 origin = Vector3::Zero();  ///< of positions, from the base of joint a; device frame [m]
+    double countsPerTurn = 0.0;        ///< of a motor's encoder
+    double motorConstant = 0.0;        ///< torque per current [N m/A]
+    double maxCurrent = 0.0;           ///< that the amplifiers give for as long as they must [A]
     DeviceSpecification specification;
 };
 

@@ -8,7 +8,7 @@ namespace asperity {
 namespace {
 
 /// After a stall one tick may stand for many; the force comes on by no more than this at once.
-constexpr double kLongestStep = 10e-3;  // [s]
+constexpr double kMaxStep = 10e-3;  // [s]
 
 bool isFinite(const TickInput& input, const ForceRequest& request) {
     const GovernorLimits& limits = input.settings.governor;
@@ -68,7 +68,7 @@ double nextShare(const TickInput& input, double before, double wanted, double de
     if (before == 0.0 && !mayComeOn) {
         return 0.0;
     }
-    const double step = std::min(input.timeStep, kLongestStep);
+    const double step = std::min(input.timeStep, kMaxStep);
     return std::min(1.0, before + step / input.settings.governor.engageTime);
 }
 

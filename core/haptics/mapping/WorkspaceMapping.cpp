@@ -9,11 +9,11 @@ namespace asperity {
 
 namespace {
 
-constexpr double kRotationAccuracy = 1e-9;  // of unit length and right angles
-constexpr double kStiffestEdge = 200.0;     // [N/m]
-constexpr double kEdgeDamping = 0.3;        // that the delay may take [N s/m]
-constexpr double kEdgeForce = 2.0;          // [N]
-constexpr double kParallel = 1e-6;          // sine of the angle between right and up [1]
+constexpr double kRotationAccuracy = 1e-9;   // of unit length and right angles
+constexpr double kMaxEdgeStiffness = 200.0;  // [N/m]
+constexpr double kEdgeDamping = 0.3;         // that the delay may take [N s/m]
+constexpr double kEdgeForce = 2.0;           // [N]
+constexpr double kParallel = 1e-6;           // sine of the angle between right and up [1]
 
 bool isRotation(const Matrix3& axes) {
     return axes.allFinite() && axes.isUnitary(kRotationAccuracy) && axes.determinant() > 0.0;
@@ -68,7 +68,7 @@ Vector3 turnedTowards(const Vector3& turn, const Vector3& wanted, double most) n
 
 Workspace workspaceOf(double radius, double age) noexcept {
     return {.radius = radius,
-            .stiffness = std::min(kStiffestEdge, kEdgeDamping / age),
+            .stiffness = std::min(kMaxEdgeStiffness, kEdgeDamping / age),
             .forceLimit = kEdgeForce};
 }
 

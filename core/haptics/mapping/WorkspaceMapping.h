@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-/// What a person may change while the loop runs; none of it moves anything by itself.
+/// What an operator may change while the loop runs; none of it moves anything by itself.
 struct MappingSettings {
     double positionGain = 1.0;           ///< displacement at the tip per displacement of the device
     Matrix3 axes = Matrix3::Identity();  ///< rotation from the device's axes to the world's
@@ -35,9 +35,9 @@ struct MappingStep {
     MappingMemory memory;
 };
 
-/// Axes that go with a view: right, away from the person and up of the device (its x, y, z) are
-/// right, into the picture and up on the screen. For a view from above, up in the image is then a
-/// device that rises, and a device that moves away goes down to the sample.
+/// Axes that go with a view: right, away from the operator and up at the device (its x, y, z) are
+/// right, into the picture and up on the screen. In a view from above a hand that rises then moves
+/// up in the image, and one that moves away goes down to the sample.
 /// @param right, up of the view in world axes, any length; `up` is made orthogonal to `right`
 /// @return nothing where these are not finite, zero or parallel
 [[nodiscard]] std::optional<Matrix3> viewAxes(const Vector3& right, const Vector3& up) noexcept;

@@ -12,10 +12,10 @@ namespace asperity {
 
 namespace {
 
-constexpr double kHighest = 1e3;           // of a height [m]
-constexpr double kWidest = 1e3;            // of an image [m]
-constexpr double kNarrowestPixel = 1e-15;  // [m]
-constexpr double kMin = std::numeric_limits<float>::min();
+constexpr double kMaxHeight = 1e3;   // of a height [m]
+constexpr double kMaxWidth = 1e3;    // of an image [m]
+constexpr double kMinPixel = 1e-15;  // [m]
+constexpr double kMinFloat = std::numeric_limits<float>::min();
 
 /// What the bits of a row's values say, without a comparison that raises a flag, and without a
 /// branch: the order of the bits is that of the magnitudes, and what is larger than a limit carries
@@ -28,8 +28,8 @@ struct RowBits {
 /// Turns stored numbers into values and looks at them, in one pass.
 RowBits scale(double* values, int count, double factor, double limit) {
     constexpr std::uint64_t kMagnitude = 0x7fffffffffffffffU;
-    constexpr std::uint64_t kRoomBelowSmallest =
-        kMagnitude + 1U - std::bit_cast<std::uint64_t>(kMin);
+    constexpr std::uint64_t kRoomBelowMin =
+        kMagnitude + 1U - std::bit_cast<std::uint64_t>(kMinFloat);
     const std::uint64_t room = kMagnitude - std::bit_cast<std::uint64_t>(limit);
     std::uint64_t beyond = 0;
     std::uint64_t sized = 0;
@@ -37,7 +37,7 @@ RowBits scale(double* values, int count, double factor, double limit) {
         values[i] *= factor;
         const std::uint64_t magnitude = std::bit_cast<std::uint64_t>(values[i]) & kMagnitude;
         beyond |= magnitude + room;
-        sized |= magnitude + kRoomBelowSmallest;
+        sized |= magnitude + kRoomBelowMin;
     }
     return {.allWithin = beyond <= kMagnitude, .hasSize = sized > kMagnitude};
 }
@@ -62,7 +62,7 @@ constexpr const char* kCause = ". The file is damaged, or its unit or scale is w
 ChannelRows::ChannelRows(const StoredChannel& stored, const ByteSource& bytes)
     : stored_(stored)
     , bytes_(bytes)
-    , limit_(stored.channel.isHeight() ? kHighest
+    , limit_(stored.channel.isHeight() ? kMaxHeight
                                        : static_cast<double>(std::numeric_limits<float>::max())) {
     requireScale();
 }
@@ -78,7 +78,7 @@ void ChannelRows::requireScale() const {
     }
     const double widest = std::max(channel.map.sizeX(), channel.map.sizeY());
     const double narrowest = std::min(channel.map.pitchX, channel.map.pitchY);
-    if (!(widest <= kWidest && narrowest >= kNarrowestPixel)) {
+    if (!(widest <= kMaxWidth && narrowest >= kMinPixel)) {
         throw InputError(bytes_.name(), place,
                          "a scan of " + text(channel.map.sizeX()) + " m x " +
                              text(channel.map.sizeY()) +
@@ -101,7 +101,7 @@ bool ChannelRows::read(int row, RowRoom& room, double* values) {
     stored_.readRow(row, room, numbers.data());
     requireWithin(row, values, numbers.data());
     const auto isSized = [](double value) {
-        return isFiniteHeight(value) && std::abs(value) >= kMin;
+        return isFiniteHeight(value) && std::abs(value) >= kMinFloat;
     };
     if (std::any_of(values, values + columns, isSized)) {
         set(hasSize_);

@@ -8,10 +8,10 @@ namespace asperity {
 
 /// Statistics of the pixels that hold data; NaN when none does. In the unit of the values.
 struct HeightStatistics {
-    double lowest = 0.0;
-    double highest = 0.0;
-    double mean = 0.0;
-    double rms = 0.0;  ///< root mean square about the mean (population)
+    double lowest = 0.0;   ///< [unit of the values]
+    double highest = 0.0;  ///< [unit of the values]
+    double mean = 0.0;     ///< [unit of the values]
+    double rms = 0.0;      ///< root mean square about the mean (population) [unit of the values]
     std::size_t invalidPixels = 0;
 };
 

@@ -15,20 +15,20 @@ DevicePath readPath(const CsvTable& table, const std::string& prefix) {
     if (table.rows() == 0) {
         throw InputError(path, "", "holds no row of a path");
     }
-    DevicePath device(table.rows());
-    for (std::size_t row = 0; row < device.size(); ++row) {
-        device[row] = {table.number(row, "time_s"),
+    DevicePath points(table.rows());
+    for (std::size_t row = 0; row < points.size(); ++row) {
+        points[row] = {table.number(row, "time_s"),
                        {table.number(row, prefix + "x_m"), table.number(row, prefix + "y_m"),
                         table.number(row, prefix + "z_m")}};
         const std::string place = "line " + std::to_string(table.line(row));
-        if (!device[row].position.allFinite() || !std::isfinite(device[row].time)) {
+        if (!points[row].position.allFinite() || !std::isfinite(points[row].time)) {
             throw InputError(path, place, "time and place must be finite numbers");
         }
-        if (row > 0 ? device[row].time <= device[row - 1].time : device[row].time < 0.0) {
+        if (row > 0 ? points[row].time <= points[row - 1].time : points[row].time < 0.0) {
             throw InputError(path, place, "time_s must start at 0 or later and rise");
         }
     }
-    return device;
+    return points;
 }
 
 }  // namespace

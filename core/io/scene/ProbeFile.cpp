@@ -12,8 +12,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kSoftestBeam = 1e9;    // Young's modulus of soft plastics [Pa]
-constexpr double kStiffestBeam = 2e12;  // twice that of diamond [Pa]
+constexpr double kMinBeamModulus = 1e9;   // Young's modulus of soft plastics [Pa]
+constexpr double kMaxBeamModulus = 2e12;  // twice that of diamond [Pa]
 
 double positive(TomlSection& section, const std::string& key, double otherwise) {
     const double value = section.number(key, otherwise);
@@ -55,7 +55,7 @@ void fitToMeasurement(TomlSection& section, CantileverGeometry& lever) {
         lever.thickness = thicknessForResonance(lever, resonance);
     }
     if (stiffnessKnown && resonanceKnown &&
-        !isWithin(lever.youngsModulus, kSoftestBeam, kStiffestBeam)) {
+        !isWithin(lever.youngsModulus, kMinBeamModulus, kMaxBeamModulus)) {
         section.refuse("resonance_hz",
                        "a resonance in air that fits stiffness_n_m, length_m, width_m and "
                        "density_kg_m3: together they make Young's modulus " +

@@ -11,8 +11,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMax = 1e6;            // no figure of a hand-held device is larger in SI units
-constexpr double kMin = 1e-6;           // nor smaller
+constexpr double kMaxFigure = 1e6;      // no value of a desktop device is larger in SI units
+constexpr double kMinFigure = 1e-6;     // nor smaller
 constexpr double kMaxCurrent = 32.767;  // that a report can say [A]
 constexpr std::array kJoints = {"joint_a", "joint_b", "joint_c"};
 
@@ -27,7 +27,7 @@ double required(TomlSection& section, const std::string& key, double smallest, d
 }
 
 double positive(TomlSection& section, const std::string& key) {
-    return required(section, key, kMin, kMax, "a number from 1e-6 to 1e6");
+    return required(section, key, kMinFigure, kMaxFigure, "a number from 1e-6 to 1e6");
 }
 
 /// What the maker may not say: 0 then.
@@ -66,7 +66,7 @@ WoodenHapticsJoint readJoint(TomlSection section) {
 }
 
 double originAlong(TomlSection& section, const std::string& key) {
-    return required(section, key, -kMax, kMax, "a finite number");
+    return required(section, key, -kMaxFigure, kMaxFigure, "a finite number");
 }
 
 DeviceSpecification readSpecification(TomlSection& section) {
@@ -92,7 +92,7 @@ WoodenHapticsDescription readWoodenHaptics(const std::filesystem::path& path) {
                      originAlong(root, "origin_z_m")};
     device.countsPerTurn = positive(root, "counts_per_turn");
     device.motorConstant = positive(root, "motor_constant_nm_a");
-    device.maxCurrent = required(root, "max_current_a", kMin, kMaxCurrent,
+    device.maxCurrent = required(root, "max_current_a", kMinFigure, kMaxCurrent,
                                  "a number up to 32.767, the most that a report can say");
     device.specification = readSpecification(root);
     root.refuseUnknownKeys();

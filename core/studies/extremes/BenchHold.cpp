@@ -48,7 +48,7 @@ public:
         , check_(check)
         , bench_({.arm = armOf(hold.grip), .delay = hold.delay},
                  above(kStart, hold.scale.positionGain))
-        , afm_(scene.touched(), truthOf(scene)) {
+        , afm_(scene.trueSurface(), truthOf(scene)) {
         input_.settings = scene.settings;
         input_.settings.positionGain = hold.scale.positionGain;
         input_.settings.forceGain = hold.scale.forceGain;
@@ -67,9 +67,9 @@ public:
         return settle();
     }
 
-    /// Opens the device, then as goTo().
+    /// Lets go of the handle, then as goTo().
     double letGo() {
-        bench_.grip(kNoDevice);
+        bench_.grip(kNoGrip);
         return settle();
     }
 

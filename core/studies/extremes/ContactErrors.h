@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/contact/maugis/MaugisUnits.h"
-#include "core/studies/extremes/ContactWay.h"
+#include "core/studies/extremes/ContactStops.h"
 #include "core/studies/extremes/ExtremesRegion.h"
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace asperity {
 [[nodiscard]] StateErrors stateErrors(const ContactState& state, const ContactState& reference,
                                       const MaugisUnits& units) noexcept;
 
-/// How far the state of a course at one stop of a way is from another course's. Where one has
-/// jumped and the other has not, their forces say nothing of how far off the law is: then the
-/// places of the two jumps are compared, relative to the farther one.
+/// How far the state of a course at one stop is from another course's. Where one has jumped and the
+/// other has not, their forces say nothing of how far off the law is: then the places of the two
+/// jumps are compared, relative to the farther one.
 [[nodiscard]] StateErrors contactErrors(const ContactCourse& course, const ContactCourse& other,
-                                        const std::vector<ContactStop>& way, std::size_t index,
+                                        const std::vector<ContactStop>& stops, std::size_t index,
                                         const MaugisUnits& units) noexcept;
 
 }  // namespace asperity

@@ -5,7 +5,7 @@
 #include "core/studies/extremes/ContactDefect.h"
 #include "core/studies/extremes/ContactErrors.h"
 #include "core/studies/extremes/ContactSetting.h"
-#include "core/studies/extremes/ContactWay.h"
+#include "core/studies/extremes/ContactStops.h"
 
 #include <algorithm>
 #include <map>
@@ -48,27 +48,27 @@ public:
     [[nodiscard]] std::vector<ContactCandidate> under(const ContactSetting& setting,
                                                       const CancelCheck& check) {
         std::vector<ContactCandidate> all;
-        for (const LawTier& lawTier : lawTiers()) {
+        for (const LawOption& lawOption : lawOptions()) {
             check();
-            if (isFilm(lawTier.law) && setting.filmThickness == 0.0) {
+            if (isFilm(lawOption.law) && setting.filmThickness == 0.0) {
                 continue;  // refusedContacts() has it
             }
-            all.push_back(lawTier.tier == SolverTier::Table ? tabulated(lawTier, setting)
-                                                            : candidate(lawTier, setting));
+            all.push_back(lawOption.solver == SolverSetting::Table ? tabulated(lawOption, setting)
+                                                                   : candidate(lawOption, setting));
         }
         return all;
     }
 
 private:
-    ContactCandidate tabulated(const LawTier& lawTier, const ContactSetting& setting) {
+    ContactCandidate tabulated(const LawOption& lawOption, const ContactSetting& setting) {
         constexpr double kReach = 9.9;  // a table's range of radii to either side is 10
-        std::optional<ContactModel>& built = built_[lawTier.law];
+        std::optional<ContactModel>& built = built_[lawOption.law];
         if (!built || setting.pair.tipRadius > kReach * built->pair().tipRadius) {
             ContactSetting middle = setting;
             middle.pair.tipRadius *= kReach;
-            built = candidate(lawTier, middle).model;
+            built = candidate(lawOption, middle).model;
         }
-        return {lawTier, built->withTipRadius(setting.pair.tipRadius), ""};
+        return {lawOption, built->withTipRadius(setting.pair.tipRadius), ""};
     }
 
     std::map<ContactLaw, std::optional<ContactModel>> built_;
@@ -91,14 +91,14 @@ public:
 private:
     /// A law with what became of its states under the present tip.
     struct Contender {
-        LawTier lawTier;
+        LawOption lawOption;
         ContactModel model;
         ExtremesRegion region;
     };
 
-    /// What the state of a contender is held against at each stop of a way.
+    /// What the state of a contender is held against at each stop.
     struct Yardstick {
-        const std::vector<ContactStop>& way;
+        const std::vector<ContactStop>& stops;
         const ContactCourse& exact;      ///< of the same law, solved afresh
         const ContactCourse& reference;  ///< of the reference law
         const ContactModel& referenceModel;
@@ -108,9 +108,9 @@ private:
                                                const ContactSetting& setting) {
         std::vector<Contender> contenders;
         for (const ContactCandidate& one : candidates) {
-            contenders.push_back({one.lawTier, one.model.value(),
-                                  ExtremesRegion({.model = keyOf(one.lawTier.law),
-                                                  .tier = tierName(one.lawTier),
+            contenders.push_back({one.lawOption, one.model.value(),
+                                  ExtremesRegion({.model = keyOf(one.lawOption.law),
+                                                  .setting = solverName(one.lawOption),
                                                   .sample = sampleName(setting),
                                                   .tipRadius = setting.pair.tipRadius,
                                                   .modulus = setting.pair.reducedModulus})});
@@ -132,24 +132,24 @@ private:
     static std::size_t indexOf(const std::vector<Contender>& contenders, ContactLaw law) {
         return static_cast<std::size_t>(
             std::ranges::find(contenders, law,
-                              [](const Contender& one) { return one.lawTier.law; }) -
+                              [](const Contender& one) { return one.lawOption.law; }) -
             contenders.begin());
     }
 
     void compareAll(std::vector<Contender>& contenders, const ContactSetting& setting) {
         const std::size_t reference = indexOf(contenders, referenceLaw(setting));
         const ContactModel& referenceModel = contenders[reference].model;
-        const std::vector<ContactStop> way = contactWay(referenceModel, setting, grid_.places);
-        findings_.states += static_cast<long>(way.size());
+        const std::vector<ContactStop> stops = contactStops(referenceModel, setting, grid_.places);
+        findings_.states += static_cast<long>(stops.size());
         std::vector<ContactCourse> courses;
         for (const Contender& contender : contenders) {
             check_();
-            courses.push_back(contactCourse(contender.model, way, setting.compliance()));
+            courses.push_back(contactCourse(contender.model, stops, setting.compliance()));
         }
         for (std::size_t k = 0; k < contenders.size(); ++k) {
-            const std::size_t exact = indexOf(contenders, contenders[k].lawTier.law);
-            const Yardstick yardstick{way, courses[exact], courses[reference], referenceModel};
-            for (std::size_t i = 0; i < way.size(); ++i) {
+            const std::size_t exact = indexOf(contenders, contenders[k].lawOption.law);
+            const Yardstick yardstick{stops, courses[exact], courses[reference], referenceModel};
+            for (std::size_t i = 0; i < stops.size(); ++i) {
                 judge(contenders[k], setting, courses[k], yardstick, i);
             }
         }
@@ -157,9 +157,9 @@ private:
 
     void judge(Contender& by, const ContactSetting& setting, const ContactCourse& course,
                const Yardstick& yardstick, std::size_t i) {
-        const ContactStop& stop = yardstick.way[i];
+        const ContactStop& stop = yardstick.stops[i];
         const auto sayWhere = [&] {
-            return describe(by.lawTier, setting, stop.approach) +
+            return describe(by.lawOption, setting, stop.approach) +
                    (stop.retract ? " on the way out" : " on the way in");
         };
         const ContactState& state = course.states[i];
@@ -188,7 +188,7 @@ private:
             .referenceHolds =
                 contactValidity(yardstick.referenceModel, reference, sample).bits() == 0 &&
                 !isOfTail(by.model, course.states[i], reference),
-            .errors = contactErrors(course, yardstick.reference, yardstick.way, i, units)};
+            .errors = contactErrors(course, yardstick.reference, yardstick.stops, i, units)};
         compared.errors.solver =
             stateErrors(course.states[i], yardstick.exact.states[i], units).largest();
         return compared;

@@ -9,16 +9,16 @@
 namespace asperity {
 
 /// A contact law and how it is solved.
-struct LawTier {
+struct LawOption {
     ContactLaw law = ContactLaw::Hertz;
-    SolverTier tier = SolverTier::Exact;
+    SolverSetting solver = SolverSetting::Exact;
 };
 
-/// Every law, first solved afresh; the other tiers where they are anything else.
-[[nodiscard]] std::vector<LawTier> lawTiers();
+/// Every law, first solved afresh; the other settings where they are anything else.
+[[nodiscard]] std::vector<LawOption> lawOptions();
 
 /// "exact", "newton", "table", as scene files call them; "-" where all are the same.
-[[nodiscard]] const char* tierName(const LawTier& lawTier) noexcept;
+[[nodiscard]] const char* solverName(const LawOption& lawOption) noexcept;
 
 /// Sample, tip and lever that a law is asked about.
 struct ContactSetting {
@@ -32,17 +32,17 @@ struct ContactSetting {
 };
 
 /// All of it with 17 digits, so that the state can be repeated.
-[[nodiscard]] std::string describe(const LawTier& lawTier, const ContactSetting& setting,
+[[nodiscard]] std::string describe(const LawOption& lawOption, const ContactSetting& setting,
                                    double approach);
 
 /// A model, or why there is none.
 struct ContactCandidate {
-    LawTier lawTier;
+    LawOption lawOption;
     std::optional<ContactModel> model;
     std::string refusal;
 };
 
-[[nodiscard]] ContactCandidate candidate(const LawTier& lawTier, const ContactSetting& setting);
+[[nodiscard]] ContactCandidate candidate(const LawOption& lawOption, const ContactSetting& setting);
 
 /// Why a state was refused, for people. @param status not Solved
 [[nodiscard]] std::string refusalOf(ContactStatus status);

@@ -20,9 +20,10 @@ struct HoldBench {
 /// All of the grid, highest rates first.
 [[nodiscard]] std::vector<HoldBench> benchesOf(const CouplingGrid& grid);
 
-/// Hands at one device of the Phantom class on one bench: what designCoupling() and judgeScale()
-/// refuse is not tried; all else, and every device without a coupling, is put on the virtual bench.
-/// The contact's stiffness that the guard is asked about is that under the device's largest force.
+/// Operators at one device of the Phantom class on one bench: what designCoupling() and
+/// judgeScale() refuse is not tried; all else, and every device without a coupling, is put on the
+/// virtual bench. The contact's stiffness that the guard is asked about is that under the device's
+/// largest force.
 /// @throw Canceled
 [[nodiscard]] ExtremesFindings couplingExtremes(const CouplingGrid& grid, const HoldBench& bench,
                                                 const CancelCheck& check);

@@ -34,7 +34,7 @@ struct TickGrid {
     [[nodiscard]] long runs() const noexcept;
 };
 
-/// Hands at a device: all of these with each other, on every sample of holdMaterials() and with
+/// Operators at a device: all of these with each other, on every sample of holdMaterials() and with
 /// every grip, or every `stride`-th of them; each with and without a coupling.
 struct CouplingGrid {
     std::vector<double> leverStiffnesses;  ///< [N/m]

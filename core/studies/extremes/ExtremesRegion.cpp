@@ -91,7 +91,7 @@ std::vector<ExtremesRegion> summedOverPlaces(const std::vector<ExtremesRegion>& 
     for (const ExtremesRegion& region : regions) {
         const RegionPlace& place = region.place();
         ExtremesRegion& sum = sums.emplace_back(
-            RegionPlace{.model = place.model, .tier = place.tier, .sample = place.sample});
+            RegionPlace{.model = place.model, .setting = place.setting, .sample = place.sample});
         sum.add(region);
     }
     return merged(std::move(sums));

@@ -18,7 +18,7 @@ namespace asperity {
 struct RegionPlace {
     std::string model;  ///< key of a contact law; "tick"
     std::string
-        tier;  ///< of its solver, "-" where all are the same; effort of the closest point search
+        setting;  ///< of its solver, "-" where all are the same; effort of the closest point search
     std::string sample;      ///< "adhesive", "no adhesion", "film", "rough", "out of range"
     double tipRadius = 0.0;  ///< [m]
     double modulus = 0.0;    ///< E* [Pa]; 0 for the tick
@@ -79,7 +79,7 @@ struct VerdictTally {
     void add(const VerdictTally& other);
 };
 
-/// What became of all states of one model and tier in one part of the parameter space, added up
+/// What became of all states of one model and setting in one part of the parameter space, added up
 /// while they are evaluated.
 class ExtremesRegion {
 public:
@@ -110,7 +110,7 @@ public:
     [[nodiscard]] long states() const noexcept;
     /// Largest errors of the states that are not flagged and have a reference.
     [[nodiscard]] VerdictTally unflagged() const;
-    /// Largest error of the solver's tier alone, flagged states included.
+    /// Largest error of the solver's setting alone, flagged states included.
     [[nodiscard]] const WorstError& solver() const noexcept { return solver_; }
     [[nodiscard]] const std::map<std::string, long>& refusals() const noexcept { return refusals_; }
     /// The most frequent flag, lack of a reference or reason of a refusal; empty without any.
@@ -129,7 +129,7 @@ private:
 /// One region for each place, in the order of places.
 [[nodiscard]] std::vector<ExtremesRegion> merged(std::vector<ExtremesRegion> regions);
 
-/// One region for each model, tier and sample, over all tips, moduli and roughnesses.
+/// One region for each model, setting and sample, over all tips, moduli and roughnesses.
 [[nodiscard]] std::vector<ExtremesRegion>
 summedOverPlaces(const std::vector<ExtremesRegion>& regions);
 

@@ -23,7 +23,7 @@ struct ExtremesFindings {
     void addDefect(const std::string& sentence);
 
     void add(ExtremesFindings&& other);
-    /// Answers of all models and tiers to the grid's states and to those out of range.
+    /// Answers of all models and settings to the grid's states and to those out of range.
     [[nodiscard]] long answers() const noexcept;
 };
 

@@ -16,12 +16,12 @@ inline constexpr auto kEnumTable<Grip> = std::to_array<EnumRow<Grip>>({{Grip::No
                                                                        {Grip::Light, "light"},
                                                                        {Grip::Normal, "normal"}});
 
-/// What becomes of a hand at a device that holds a tip on a sample, best first.
+/// What becomes of a device that holds a tip on a sample, best first.
 enum class HoldVerdict : std::uint8_t {
     Still,         ///< the handle comes to rest
     Noisy,         ///< at rest but for the detector's noise, which the force gain makes felt
     NoCoupling,    ///< refused: the device holds no coupling as stiff as is needed
-    ScaleTooHigh,  ///< refused: the guard of the scale says so
+    ScaleTooHigh,  ///< refused by the guard of the scale
     Shakes,        ///< the handle does not come to rest, nor without the detector's noise
     NotFinite,     ///< a defect
 };
@@ -35,7 +35,7 @@ inline constexpr auto kEnumTable<HoldVerdict> =
                                          {HoldVerdict::Shakes, "shakes"},
                                          {HoldVerdict::NotFinite, "not finite"}});
 
-/// One person at one device on one sample.
+/// One operator at one device on one sample.
 struct HoldSetting {
     std::string material;
     double workOfAdhesion = 0.0;  ///< [J/m^2]

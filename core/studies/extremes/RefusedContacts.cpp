@@ -46,10 +46,10 @@ std::vector<Request> requestsOf(ContactLaw law) {
 ExtremesFindings refusedContacts() {
     ExtremesFindings findings;
     for (const ContactLaw law : kValues<ContactLaw>) {
-        const LawTier lawTier{law, SolverTier::Exact};  // no solver is asked
-        ExtremesRegion region({.model = keyOf(law), .tier = "-", .sample = "out of range"});
+        const LawOption lawOption{law, SolverSetting::Exact};  // no solver is asked
+        ExtremesRegion region({.model = keyOf(law), .setting = "-", .sample = "out of range"});
         for (const auto& [setting, approach] : requestsOf(law)) {
-            const ContactCandidate asked = candidate(lawTier, setting);
+            const ContactCandidate asked = candidate(lawOption, setting);
             const double compliance = setting.compliance();
             if (!asked.model) {
                 region.refuse(asked.refusal);
@@ -57,7 +57,7 @@ ExtremesFindings refusedContacts() {
                        !state.solved()) {
                 region.refuse(refusalOf(state.status));
             } else {
-                findings.addDefect(describe(lawTier, setting, approach) +
+                findings.addDefect(describe(lawOption, setting, approach) +
                                    ": no instrument has this, and it was not refused");
             }
         }

@@ -67,7 +67,7 @@ std::vector<TickOutput> ticksOf(const Scene& scene, double depth, int ticks) {
                         .clearance = 0.2 * radius,
                         .indentation = depth * radius,
                         .slideLength = 2.0 * radius};
-    SimulatedAfm afm(scene.touched(), truthOf(scene));
+    SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
     std::vector<TickOutput> outputs;
     runVirtually(scene, approachPath(scene, plan), afm, ticks,
                  [&](const TickSample& sample) { outputs.push_back(sample.output); });
@@ -109,7 +109,7 @@ public:
         : grid_(grid), place_(place), check_(check) {
         for (const SearchEffort effort : kEfforts) {
             findings_.regions.emplace_back(RegionPlace{.model = "tick",
-                                                       .tier = keyOf(effort),
+                                                       .setting = keyOf(effort),
                                                        .sample = "rough",
                                                        .tipRadius = place.tipRadius,
                                                        .roughness = place.roughness});

@@ -84,7 +84,7 @@ ASPERITY_WITH_AVX2 void boundRows(const CodedRows& coded, const RowQuery& query,
             const std::size_t at =
                 static_cast<std::size_t>(row) * coded.stride + static_cast<std::size_t>(i);
             const auto code = loaded<Word8>(coded.codes + at);
-            const Word8 highest = code >> BoxCode::kHighestShift;
+            const Word8 highest = code >> BoxCode::kMaxShift;
             const Float8 steps = __builtin_convertvector(loaded<Int8>(&highest), Float8);
             const Float8 below = query.height - query.units.step * steps;
             const Float8 depth =
@@ -124,9 +124,9 @@ BoundsWindow::BoundsWindow(const BSplineSurface& surface, const Vector3& query, 
     }
     const CellBounds& bounds = surface.bounds();
     const double height = query.z() - bounds.units().base;
-    constexpr double kHighestCode = std::numeric_limits<std::uint16_t>::max();
-    rounding_ = kHeightRounding *
-                (std::abs(height) + kHighestCode * static_cast<double>(bounds.units().step));
+    constexpr double kMaxCode = std::numeric_limits<std::uint16_t>::max();
+    rounding_ =
+        kHeightRounding * (std::abs(height) + kMaxCode * static_cast<double>(bounds.units().step));
     AxisDistances away;
     for (int column = 0; column < columns_.count; ++column) {
         away.x[static_cast<std::size_t>(column)] =

@@ -61,7 +61,7 @@ inline constexpr std::size_t kMaxContactPoints = 4;
 /// Two distances nearer to each other than this are the same [relative].
 inline constexpr double kSameDistance = 1e-9;
 
-/// ClosestPoint of a point on the surface: the surface point nearest to it.
+/// The point on the surface that is nearest to a query.
 struct ClosestPoint {
     Vector3 point = Vector3::Zero();    ///< on the surface, world [m]
     Vector3 normal = Vector3::UnitZ();  ///< unit, out of the sample

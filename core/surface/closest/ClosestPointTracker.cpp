@@ -18,7 +18,7 @@ namespace {
 constexpr double kBall = 0.125;
 /// Queries after which another ball is tried where none was proven. A try costs about as much as it
 /// spares each of the queries after it.
-constexpr int kLongestRest = 31;
+constexpr int kMaxRest = 31;
 
 /// Whether the scan as a whole leaves no place for a closest point but the one that is known: all
 /// of it lies so far below the query that nothing is within reach, or the distance bends up
@@ -89,7 +89,7 @@ SearchProof ClosestPointTracker::provePoints(const BSplineSurface& surface, cons
     const double radius = kBall * std::min(surface.grid().pitchX, surface.grid().pitchY);
     const SearchProof proof =
         asperity::completePoints(surface, {query, radius}, reach, points, ball_);
-    rest_ = ball_.queries.radius > 0.0 ? 0 : std::min(2 * rest_ + 1, kLongestRest);
+    rest_ = ball_.queries.radius > 0.0 ? 0 : std::min(2 * rest_ + 1, kMaxRest);
     untilNextTry_ = rest_;
     return proof;
 }

@@ -23,7 +23,7 @@ struct ContactPointSearch {
     SearchEffort effort = SearchEffort::Certified;
 };
 
-/// ClosestPoints of a sphere on a surface: in a valley that it does not fit there are several.
+/// Points where a sphere comes closest to a surface: several in a valley that it does not fit.
 struct ContactPoints {
     ClosestPointList list;  ///< the nearest first; at least one, which may lie out of reach
     /// Nearest: these are all; TooManyPoints: there may be more, or are more than have room;

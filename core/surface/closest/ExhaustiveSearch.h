@@ -10,8 +10,7 @@ class BSplineSurface;
 class ClosestPointList;
 
 /// Looks everywhere for closest points of `query`: local minima of its distance from the surface
-/// within `reach`, and adds them to `closest points`, which holds at least one local closest point
-/// already.
+/// within `reach`, and adds them to `points`, which holds at least one local closest point already.
 ///
 /// Cells that lie too far, or around a known closest point where the distance can only grow, are
 /// ruled out by their bounds; the others are quartered until the distance has no minimum in them,

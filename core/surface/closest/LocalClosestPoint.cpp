@@ -9,7 +9,7 @@ namespace asperity {
 namespace {
 
 /// Beyond this a square would overflow; no instrument reaches as far. [m]
-constexpr double kFarthest = 1e100;
+constexpr double kMaxDistance = 1e100;
 /// A search that ended properly is preferred to one as near that did not. [relative]
 constexpr double kAsNear = 1e-12;
 /// A Hessian this near to singular is left to the careful search. [relative]
@@ -138,9 +138,9 @@ void HalfSquaredDistance::expand(const Vector2& place, LocalModel& model) const 
 }
 
 bool isUsableQuery(const Vector3& query) noexcept {
-    return std::isless(std::abs(query.x()), kFarthest) &&
-           std::isless(std::abs(query.y()), kFarthest) &&
-           std::isless(std::abs(query.z()), kFarthest);
+    return std::isless(std::abs(query.x()), kMaxDistance) &&
+           std::isless(std::abs(query.y()), kMaxDistance) &&
+           std::isless(std::abs(query.z()), kMaxDistance);
 }
 
 ClosestPoint closestPointOf(const BoxMinimum& minimum, const Vector3& query) noexcept {

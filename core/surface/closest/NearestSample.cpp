@@ -114,7 +114,7 @@ ASPERITY_WITH_AVX2 Sample leastPromise(const Neighborhood& n) {
 
 std::optional<Vector2> nearestSample(const BSplineSurface& surface, const Vector3& query,
                                      double distance) noexcept {
-    constexpr double kHighest = 1e15;  // pixels: higher is as high, and its square has room
+    constexpr double kMaxHeight = 1e15;  // pixels: higher is as high, and its square has room
     const BSplineSurface::Grid& grid = surface.grid();
     const double placeX = query.x() / grid.pitchX - 0.5;
     const double placeY = query.y() / grid.pitchY - 0.5;
@@ -131,7 +131,8 @@ std::optional<Vector2> nearestSample(const BSplineSurface& surface, const Vector
                             .y = y,
                             .placeX = static_cast<float>(placeX),
                             .placeY = static_cast<float>(placeY),
-                            .height = static_cast<float>(std::clamp(height, -kHighest, kHighest)),
+                            .height =
+                                static_cast<float>(std::clamp(height, -kMaxHeight, kMaxHeight)),
                             .aspect = static_cast<float>(grid.pitchY / grid.pitchX),
                             .perHeight = static_cast<float>(1.0 / grid.pitchX)};
     const Sample best = leastPromise(near);

@@ -25,7 +25,7 @@ public:
     /// Looks at the surface that its descents may take before it gives up, but for the last one's.
     static constexpr int kMaxEvaluations = 4096;
 
-    /// @param closest points holds at least one local closest point; those found are added
+    /// @param points holds at least one local closest point; those found are added
     PartSearch(const BSplineSurface& surface, const Vector3& query, const SearchReach& reach,
                ClosestPointList& points) noexcept;
 

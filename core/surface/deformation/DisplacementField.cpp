@@ -8,8 +8,8 @@ namespace asperity {
 SplinePatch netAroundContact(const BSplineSurface& surface, const TipContact& contact,
                              double spacing) {
     // A slope stretches the net along the surface; past this much the picture gains nothing.
-    constexpr double kSteepest = 0.1;
-    const double flatness = std::max(contact.normal.z(), kSteepest);
+    constexpr double kMinNormalZ = 0.1;
+    const double flatness = std::max(contact.normal.z(), kMinNormalZ);
     const Vector2 closest = contact.closest.head<2>();
     const Vector2 reach = Vector2::Constant(contact.contactRadius + 3.0 * spacing);
     return refined(surface, {.low = closest - reach, .high = closest + reach}, spacing * flatness);

@@ -19,10 +19,10 @@ namespace asperity {
 [[nodiscard]] DisplacementField closedFormField(const TipContact& contact,
                                                 RadialDisplacement displacement);
 
-/// What a tier moves the surface by; see deformedPatch().
+/// What a model moves the surface by; see deformedPatch().
 /// @throw Error where ClosedForm or HalfSpace is given no displacement
 [[nodiscard]] DisplacementField displacementField(const BSplineSurface& surface,
-                                                  const TipContact& contact, DeformationTier tier,
+                                                  const TipContact& contact, DeformationModel model,
                                                   const RadialDisplacement& displacement);
 
 /// The surface around the contact, refined to `spacing` along its slope, and wide enough that

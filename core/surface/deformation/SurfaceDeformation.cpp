@@ -72,8 +72,9 @@ std::vector<Vector3> normalsOf(const SurfacePatch& patch) {
 }  // namespace
 
 DisplacementField displacementField(const BSplineSurface& surface, const TipContact& contact,
-                                    DeformationTier tier, const RadialDisplacement& displacement) {
-    if (sharesDisplacement(tier)) {
+                                    DeformationModel model,
+                                    const RadialDisplacement& displacement) {
+    if (sharesDisplacement(model)) {
         if (!displacement) {
             throw Error("the closed form needs a displacement");
         }
@@ -82,16 +83,16 @@ DisplacementField displacementField(const BSplineSurface& surface, const TipCont
     if (contact.contactRadius == 0.0) {
         return [](const Vector3&) -> Vector3 { return Vector3::Zero(); };
     }
-    return tier == DeformationTier::FourPoint ? fourPointField(surface, contact)
-                                              : contactRadiusField(surface, contact);
+    return model == DeformationModel::FourPoint ? fourPointField(surface, contact)
+                                                : contactRadiusField(surface, contact);
 }
 
 SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
-                           const PatchGrid& grid, DeformationTier tier,
+                           const PatchGrid& grid, DeformationModel model,
                            const RadialDisplacement& displacement) {
     requireUsable(contact, grid);
     return deformedPatch(surface, contact, grid,
-                         displacementField(surface, contact, tier, displacement));
+                         displacementField(surface, contact, model, displacement));
 }
 
 SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,

@@ -2,7 +2,7 @@
 
 #include "core/EnumTable.h"
 #include "core/Vector.h"
-#include "core/surface/deformation/DeformationTier.h"
+#include "core/surface/deformation/DeformationModel.h"
 
 #include <cstddef>
 #include <functional>
@@ -55,12 +55,12 @@ struct PatchGrid {
 /// (spacing about the contact radius, and at most an eighth of it); without contact they move
 /// nothing. ContactRadius leaves a step at the contact's rim, since the surface outside does not
 /// follow. ClosedForm moves each point by `displacement` against the contact normal, and so does
-/// HalfSpace, which where it is solved has a field of its own; the other tiers do not use it.
+/// HalfSpace, which where it is solved has a field of its own; the other models do not use it.
 /// Source: Vogl, Ma, Sitti (2005), section III; docs/theory.md 4.
 /// @throw Error when the contact is not finite, a size is not positive, the grid has fewer than 2
 ///        or more than kMaxPatchSamples samples a side, or ClosedForm is given no displacement
 [[nodiscard]] SurfacePatch deformedPatch(const BSplineSurface& surface, const TipContact& contact,
-                                         const PatchGrid& grid, DeformationTier tier,
+                                         const PatchGrid& grid, DeformationModel model,
                                          const RadialDisplacement& displacement = {});
 
 /// The patch around the contact, each point moved by a field. @throw Error as above

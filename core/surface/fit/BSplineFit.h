@@ -20,7 +20,7 @@ namespace asperity {
 /// times, at most 16 times, 2^-24 of the largest distance of a height from the datum, and a second
 /// derivative by four times that over the pitch squared.
 /// @throw Error when the map is unusable, holds no height at all, or a width is not in
-///        0..kWidestSmoothing; Canceled
+///        0..kMaxSmoothing; Canceled
 [[nodiscard]] BSplineSurface fitSurface(ScanMap map, const Smoothing& smoothing = {},
                                         Progress* progress = nullptr);
 

@@ -132,13 +132,13 @@ void smooth(Map& map, const Smoothing& smoothing, Progress* progress) {
 }  // namespace
 
 std::vector<double> halfGaussian(double sigma) {
-    if (!std::isgreaterequal(sigma, 0.0) || sigma > kWidestSmoothing) {
+    if (!std::isgreaterequal(sigma, 0.0) || sigma > kMaxSmoothing) {
         throw Error("the smoothing width must be between 0 and " +
-                    std::to_string(static_cast<int>(kWidestSmoothing)) + " pixels");
+                    std::to_string(static_cast<int>(kMaxSmoothing)) + " pixels");
     }
     // Narrower than this, every weight but the middle one rounds to nothing.
-    constexpr double kNarrowest = 0.05;
-    if (sigma < kNarrowest) {
+    constexpr double kMinWidth = 0.05;
+    if (sigma < kMinWidth) {
         return {1.0};
     }
     constexpr double kReachInSigmas = 5.0;

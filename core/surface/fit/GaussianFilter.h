@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// Widest low-pass that is offered [pixel]: what is left of a scan beyond it is no surface.
-inline constexpr double kWidestSmoothing = 100.0;
+inline constexpr double kMaxSmoothing = 100.0;
 
 /// Standard deviation of a Gaussian low-pass along each axis; 0: none.
 struct Smoothing {
@@ -27,7 +27,7 @@ template <class Map>
 /// Weights of the middle and of the pixels on one side of it, cut off at 5 standard deviations; the
 /// whole kernel sums to 1. Only the middle where all others would round to nothing.
 /// @param sigma standard deviation [pixel]
-/// @throw Error when it is not in 0..kWidestSmoothing
+/// @throw Error when it is not in 0..kMaxSmoothing
 [[nodiscard]] std::vector<double> halfGaussian(double sigma);
 
 /// A sample beyond the ends of a line, which is continued by point reflection about its end
@@ -45,7 +45,7 @@ struct ReflectedSample {
 /// comes back unchanged. Works in place. A scan on its way into a scene is smoothed by
 /// fitSurface(), far faster.
 /// @throw Error when the map is unusable, a height is not finite, or a width is not in
-///        0..kWidestSmoothing; Canceled
+///        0..kMaxSmoothing; Canceled
 [[nodiscard]] HeightMap smoothed(HeightMap map, const Smoothing& smoothing,
                                  Progress* progress = nullptr);
 [[nodiscard]] ScanMap smoothed(ScanMap map, const Smoothing& smoothing,

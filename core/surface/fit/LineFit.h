@@ -14,7 +14,7 @@ namespace asperity {
 /// through the smoothed samples whose end spans are quadratics: without smoothing a quadratic comes
 /// back unchanged.
 /// @param sigma [pixel]
-/// @throw Error when there is no sample or sigma is not in 0..kWidestSmoothing
+/// @throw Error when there is no sample or sigma is not in 0..kMaxSmoothing
 [[nodiscard]] std::vector<double> lineFitWeights(int samples, double sigma);
 
 /// The same as a convolution with border rules, for lines of any length.
@@ -29,7 +29,7 @@ public:
     static constexpr double kNeglected = std::numeric_limits<Height>::epsilon() / 8.0;
 
     /// @param sigma [pixel]
-    /// @throw Error when there is no sample or sigma is not in 0..kWidestSmoothing
+    /// @throw Error when there is no sample or sigma is not in 0..kMaxSmoothing
     BasicLineFit(int samples, double sigma);
 
     [[nodiscard]] int samples() const { return samples_; }

@@ -35,8 +35,8 @@ public:
     [[nodiscard]] std::span<const Pixel> pixels() const { return {pixels_.data(), count_}; }
 
 private:
-    static constexpr int kFarthest = std::numeric_limits<int>::max();
-    Pixel low_{kFarthest, kFarthest};
+    static constexpr int kMaxOffset = std::numeric_limits<int>::max();
+    Pixel low_{kMaxOffset, kMaxOffset};
     Pixel high_;
     std::array<Pixel, 4> pixels_{};
     std::size_t count_ = 0;

@@ -364,7 +364,7 @@ private:
 NurbsClosestPoints nearestPoints(const NurbsSurface& surface, const Vector3& query,
                                  const NurbsClosestPointWish& wish) noexcept {
     const auto isUsable = [](double coordinate) {
-        return std::isless(std::abs(coordinate), kFarthestQuery);
+        return std::isless(std::abs(coordinate), kMaxQueryDistance);
     };
     if (!isUsable(query.x()) || !isUsable(query.y()) || !isUsable(query.z())) {
         return NurbsClosestPointSearch::meaningless(surface);

@@ -9,7 +9,7 @@
 namespace asperity {
 
 /// Beyond this no square can be compared with another one. [m]
-inline constexpr double kFarthestQuery = 1e50;
+inline constexpr double kMaxQueryDistance = 1e50;
 
 /// A closest point and where it lies on the surface.
 struct NurbsClosestPoint {

@@ -58,7 +58,7 @@ void checkPoints(const NurbsSurface::Net& net, std::size_t count) {
             "must have one weight a control point, or none");
     for (const Vector3& point : net.points) {
         for (int axis = 0; axis < 3; ++axis) {
-            require(isFinite(point[axis]) && std::abs(point[axis]) <= NurbsSurface::kFarthestPoint,
+            require(isFinite(point[axis]) && std::abs(point[axis]) <= NurbsSurface::kMaxCoordinate,
                     "must have control points within 1e9 m of the origin");
         }
     }

@@ -48,7 +48,7 @@ public:
 
     /// @throw Error when a degree is not 1 to kMaxDegree, the knots fall, a knot inside is
     ///        repeated more often than the degree, a size does not match, a number is not finite or
-    ///        beyond kFarthestPoint, or the weights are not within kWeightRatio of each other
+    ///        beyond kMaxCoordinate, or the weights are not within kWeightRatio of each other
     explicit NurbsSurface(const Net& net);
 
     /// Beyond 0 to 1 the place is taken to be the nearest edge's.
@@ -75,7 +75,7 @@ public:
     /// Largest magnitude of a control point's coordinate [m]: the scale of rounding errors.
     [[nodiscard]] double scale() const noexcept { return scale_; }
 
-    static constexpr double kFarthestPoint = 1e9;  // [m]
+    static constexpr double kMaxCoordinate = 1e9;  // [m]
     static constexpr double kWeightRatio = 1e6;
     static constexpr double kCrease = 1e30;  // [1/m]
 

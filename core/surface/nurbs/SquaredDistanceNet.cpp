@@ -8,12 +8,12 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMax = 2 * kMaxDegree;
-using Binomials = std::array<std::array<double, kMax + 1>, kMax + 1>;
+constexpr int kMaxProductDegree = 2 * kMaxDegree;
+using Binomials = std::array<std::array<double, kMaxProductDegree + 1>, kMaxProductDegree + 1>;
 
 constexpr Binomials kBinomials = [] {
     Binomials table{};
-    for (std::size_t n = 0; n <= kMax; ++n) {
+    for (std::size_t n = 0; n <= kMaxProductDegree; ++n) {
         table[n][0] = 1.0;
         for (std::size_t k = 1; k <= n; ++k) {
             table[n][k] = table[n - 1][k - 1] + (k < n ? table[n - 1][k] : 0.0);

@@ -29,7 +29,7 @@ struct ContactRow {
 /// As a line of its table.
 [[nodiscard]] std::string lineOf(const ContactRow& row);
 
-/// Runs `asperity contact` on these lines and gives its table. Anything but success fails the
+/// Runs `asperity contact` on these lines and returns its table. Anything but success fails the
 /// calling test.
 [[nodiscard]] CsvTable contactTable(const std::string& lines,
                                     const std::string& header = kContactHeader);

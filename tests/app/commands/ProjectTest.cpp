@@ -76,8 +76,8 @@ TEST(Project, FindsTheExactDistanceOfASphere) {
     for (std::size_t row = 0; row < 2; ++row) {
         EXPECT_EQ(out.text(row, "certified"), "true");
         EXPECT_NEAR(out.number(row, "curvature_1_per_m"), 1.0 / 50e-9, 1e-3);
-        // ClosestPoint and point lie on one ray from the center, which is the closest point less R
-        // along the normal.
+        // The point and its closest point lie on one ray from the center, which is the closest
+        // point less R along the normal.
         const double distance = out.number(row, "distance_m");
         EXPECT_NEAR(out.number(row, "x_m") - out.number(row, "foot_x_m"),
                     distance * out.number(row, "nx"), 1e-20);

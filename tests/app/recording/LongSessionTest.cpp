@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSession = 60.0;  // [s]
 
-/// The scene that ships with the program, led by a coupled device: 1 mm is 1 nm, 1 N is 10 nN.
+/// The scene that ships with the program, under a coupled device: 1 mm is 1 nm, 1 N is 10 nN.
 SceneDescription coupledScene() {
     SceneDescription scene = readScene(test::shippedScene("polystyrene"));
     scene.settings.positionGain = 1.0_nm / 1e-3;
@@ -51,7 +51,7 @@ void loseDeviceForAMoment(DeviceState& device, double time) {
     device.connected = time < 40.0 || time > 40.1;
 }
 
-/// A person at work: rasters in contact, turns knobs, loses the device and takes the fault back.
+/// A user at work: rasters in contact, turns knobs, loses the device and resets the fault.
 class LongSession {
 public:
     explicit LongSession(const LoadedScene& loaded)

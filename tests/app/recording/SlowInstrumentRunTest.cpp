@@ -22,7 +22,7 @@ TEST(SlowInstrumentRun, IsRecordedAndReplaysToTheSameBits) {
     const DevicePath path = approachPath(loaded.scene, {.duration = 1.5});
     test::SlowAfm* instrument = nullptr;
     LiveRun run(std::move(loaded), path.front().position, [&](const Scene& scene) {
-        auto slow = std::make_unique<test::SlowAfm>(scene.touched(), truthOf(scene), 20e-3);
+        auto slow = std::make_unique<test::SlowAfm>(scene.trueSurface(), truthOf(scene), 20e-3);
         instrument = slow.get();
         return slow;
     });

@@ -34,7 +34,7 @@ Paths filesBelow(const std::filesystem::path& folder) {
 /// As `asperity explore` runs it.
 RunEvents explored(const Scene& scene) {
     const PathPlan plan;
-    SimulatedAfm afm(scene.touched(), truthOf(scene));
+    SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
     RunEventRecorder recorder;
     runVirtually(scene, approachPath(scene, plan), afm,
                  std::lround(plan.duration / scene.timeStep()) + 1,

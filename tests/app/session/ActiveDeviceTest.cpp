@@ -1,7 +1,7 @@
 #include "app/session/ActiveDevice.h"
 
 #include "core/haptics/device/PointerDevice.h"
-#include "hardware/led/LedDrivers.h"
+#include "hardware/piloted/PilotedDrivers.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -39,14 +39,14 @@ protected:
 
 TEST_F(ActiveDeviceTest, BeginsWithMouseAndKeyboardThatMoveTheTip) {
     EXPECT_EQ(device.driver(), &pointerDriver());
-    EXPECT_FALSE(device.isDevice());
+    EXPECT_FALSE(device.isHardware());
     const Vector3 before = run.basePosition();
     device.displace({5e-9, 0.0, 0.0});
     live(40);
     EXPECT_NEAR(run.basePosition().x() - before.x(), 5e-9, 0.1e-9);
 }
 
-TEST_F(ActiveDeviceTest, TheHandleOfALedDeviceGoesAsFarAsTheTipAsks) {
+TEST_F(ActiveDeviceTest, TheHandleOfAPilotedDeviceGoesAsFarAsTheTipAsks) {
     device.use(simulatedDriver());
     EXPECT_EQ(device.driver(), &simulatedDriver());
     live(30);
@@ -60,10 +60,10 @@ TEST_F(ActiveDeviceTest, APathHasNoDriver) {
     device.follow({{0.0, {40e-9, 60e-9, 30e-9}}, {0.1, {45e-9, 60e-9, 30e-9}}});
     EXPECT_TRUE(device.followsPath());
     EXPECT_EQ(device.driver(), nullptr);
-    EXPECT_FALSE(device.isDevice());
+    EXPECT_FALSE(device.isHardware());
 }
 
-TEST_F(ActiveDeviceTest, ADeviceTakenElsewhereIsNotLedHere) {
+TEST_F(ActiveDeviceTest, ADeviceTakenElsewhereIsNotPilotedHere) {
     const Vector3 here = run.devicePosition();
     run.takeDevice([&here] { return std::make_unique<PointerDevice>(here); });
     EXPECT_EQ(device.driver(), nullptr);
@@ -82,7 +82,7 @@ TEST(ActiveDevice, WithoutARunNothingHappens) {
     device.advance(0.01, 50e-9);
     EXPECT_EQ(device.driver(), nullptr);
     EXPECT_FALSE(device.followsPath());
-    EXPECT_FALSE(device.isDevice());
+    EXPECT_FALSE(device.isHardware());
 }
 
 TEST_F(ActiveDeviceTest, ADeviceThatCannotBeOpenedLeavesTheDeviceBefore) {

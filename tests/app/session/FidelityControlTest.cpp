@@ -23,11 +23,11 @@ TEST_F(FidelityControlTest, ATermIsOverruledAndGivenBack) {
     EXPECT_TRUE(has(scene().model, ModelTerm::Adhesion));
 }
 
-TEST_F(FidelityControlTest, ATierIsPickedAndTheChartStays) {
+TEST_F(FidelityControlTest, AModelIsPickedAndTheChartStays) {
     panel().showTradeOff(TradeOff{});
-    ForceModelOptions tier = ofForce(scene().model);
-    tier.closestPointSearch = SearchEffort::Local;
-    Q_EMIT panel().tierPicked(tier);
+    ForceModelOptions options = ofForce(scene().model);
+    options.closestPointSearch = SearchEffort::Local;
+    Q_EMIT panel().optionsPicked(options);
     EXPECT_EQ(scene().model.closestPointSearch, SearchEffort::Local);
     EXPECT_TRUE(panel().tradeOff().has_value());
     useFlatScene();
@@ -36,9 +36,9 @@ TEST_F(FidelityControlTest, ATierIsPickedAndTheChartStays) {
 
 TEST_F(FidelityControlTest, AModelThatCannotBeIsRefused) {
     const LiveRun* const before = runs.run();
-    ForceModelOptions tier = ofForce(scene().model);
-    tier.law = ContactLaw::HertzFilm;  // the sample has no film
-    Q_EMIT panel().tierPicked(tier);
+    ForceModelOptions options = ofForce(scene().model);
+    options.law = ContactLaw::HertzFilm;  // the sample has no film
+    Q_EMIT panel().optionsPicked(options);
     EXPECT_NE(complaint(), "");
     EXPECT_EQ(runs.run(), before);
 }

@@ -25,7 +25,7 @@ protected:
     Vector3 base() { return session.run()->basePosition(); }
     Vector3 device() { return session.run()->devicePosition(); }
     Vector3 deviceForce() { return session.run()->loop().snapshot().sample.output.deviceForce; }
-    /// By the entry's name, as a person would.
+    /// By the entry's name, as a user would.
     void chooseGuide(const QString& name) {
         for (QAction* const action : window.menuBar()->findChildren<QAction*>()) {
             if (action->text().remove('&') == name) {

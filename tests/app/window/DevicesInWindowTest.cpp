@@ -58,7 +58,7 @@ protected:
     std::string deviceShown() { return child<QComboBox>("hand")->currentText().toStdString(); }
 };
 
-TEST_F(WindowWithDevice, IsCoupledAtAScaleThatHoldsAndThePersonIsToldWhatIsFelt) {
+TEST_F(WindowWithDevice, IsCoupledAtAScaleThatHoldsAndTheUserIsToldWhatIsFelt) {
     leadWithDevice();
     EXPECT_EQ(deviceShown(), kSimulated);
     EXPECT_TRUE(knobs().coupling.couples());
@@ -92,13 +92,13 @@ TEST_F(WindowWithDevice, TakesTheTipAndGivesItBackWithTheEarlierGainsAndNothingM
     choose("hand", kSimulated);
     live(500);
     EXPECT_LT((session.run()->basePosition() - before).norm(), 0.03_nm) << "an encoder's step";
-    const Vector3 led = session.run()->basePosition();
+    const Vector3 piloted = session.run()->basePosition();
     choose("hand", kMouse);
     live(500);
     EXPECT_EQ(knobs().forceGain, 250.0);
     EXPECT_EQ(knobs().positionGain, 1.0);
     EXPECT_FALSE(knobs().coupling.couples());
-    EXPECT_LT((session.run()->basePosition() - led).norm(), 1e-3_nm);
+    EXPECT_LT((session.run()->basePosition() - piloted).norm(), 1e-3_nm);
 }
 
 TEST_F(WindowWithDevice, RefusesAGainThatDoesNotHoldAndTheKnobGoesBack) {
@@ -293,7 +293,7 @@ TEST_F(WindowWithDevice, ADeviceThatNoScaleHoldsIsRefusedAndTheMouseStays) {
     release(Qt::Key_Right);
 }
 
-TEST_F(WindowWithDevice, ADeviceTakenBehindTheSessionIsNotLedByTheMouse) {
+TEST_F(WindowWithDevice, ADeviceTakenBehindTheSessionIsNotPilotedByTheMouse) {
     openFlatScene();
     const Vector3 here = session.run()->devicePosition();
     session.run()->takeDevice([&here] { return std::make_unique<PointerDevice>(here); });

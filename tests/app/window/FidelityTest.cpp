@@ -19,16 +19,17 @@ namespace {
 TradeOff twoWays() {
     TradeOff study;
     study.reference.forceScale = 1e-8;
-    study.ticks = {{.tier = {.law = ContactLaw::Hertz, .closestPointSearch = SearchEffort::Local},
-                    .median = 2e-6,
-                    .forceErrorRms = 1e-9,
-                    .onFront = true},
-                   {.tier = {.law = ContactLaw::Jkr,
-                             .solver = SolverTier::Table,
-                             .closestPointSearch = SearchEffort::Global},
-                    .median = 4e-6,
-                    .forceErrorRms = 1e-10,
-                    .onFront = true}};
+    study.ticks = {
+        {.options = {.law = ContactLaw::Hertz, .closestPointSearch = SearchEffort::Local},
+         .median = 2e-6,
+         .forceErrorRms = 1e-9,
+         .onFront = true},
+        {.options = {.law = ContactLaw::Jkr,
+                     .solver = SolverSetting::Table,
+                     .closestPointSearch = SearchEffort::Global},
+         .median = 4e-6,
+         .forceErrorRms = 1e-10,
+         .onFront = true}};
     return study;
 }
 
@@ -87,7 +88,7 @@ TEST_F(Fidelity, ClosestPointsAndDeformationAreChosenByTheirTerms) {
     choose(ModelTerm::GlobalSearch, QStringLiteral("off"));
     EXPECT_EQ(scene().description.choices.closestPointSearch, SearchEffort::Local);
     choose(ModelTerm::OutsideDisplacement, QStringLiteral("off"));
-    EXPECT_EQ(scene().model.deformation, DeformationTier::ContactRadius);
+    EXPECT_EQ(scene().model.deformation, DeformationModel::ContactRadius);
     EXPECT_EQ(choiceOf(ModelTerm::HalfSpaceSolve)->currentText(), QStringLiteral("off"))
         << "one choice for both";
     choose(ModelTerm::HalfSpaceSolve, QStringLiteral("auto"));
@@ -98,7 +99,7 @@ TEST_F(Fidelity, ClosestPointsAndDeformationAreChosenByTheirTerms) {
 TEST_F(Fidelity, AWayForTheTickIsPickedInTheChartAndTakenBack) {
     panel().showTradeOff(twoWays());
     pick(1);
-    EXPECT_EQ(ofForce(scene().model), twoWays().ticks[1].tier);
+    EXPECT_EQ(ofForce(scene().model), twoWays().ticks[1].options);
     EXPECT_TRUE(goesOn());
     EXPECT_EQ(panel().findChild<TradeOffChart*>()->current(), 1);
     EXPECT_EQ(choiceOf(ModelTerm::Adhesion)->currentText(), QStringLiteral("as the law says"));
@@ -123,7 +124,7 @@ TEST_F(Fidelity, ATermOfTheLawFreesAPickedLaw) {
 
 TEST_F(Fidelity, AModelThatCannotBeIsRefusedAndTheSceneStays) {
     TradeOff study = twoWays();
-    study.ticks[1].tier.law = ContactLaw::HertzFilm;  // the sample has no film
+    study.ticks[1].options.law = ContactLaw::HertzFilm;  // the sample has no film
     panel().showTradeOff(study);
     const LiveRun* const run = session.run();
     pick(1);

@@ -63,7 +63,7 @@ double Window::number(const char* label) {
     return words[0].toDouble() * kUnits.at(words[1]);
 }
 
-// A list that drops down would need a person's click on it.
+// A list that drops down would need a user's click on it.
 void Window::choose(const char* list, const QString& entry) {
     auto* box = child<QComboBox>(list);
     const int index = box->findText(entry);

@@ -14,8 +14,8 @@ constexpr double kRadius = 15.0_nm;
 TEST(EffectiveRadius, IsTheTipsOnAFlatSample) {
     const EffectiveRadius flat = effectiveRadius(kRadius, 0.0, 0.0);
     EXPECT_DOUBLE_EQ(flat.radius, kRadius);
-    EXPECT_TRUE(flat.fits);
-    EXPECT_FALSE(flat.elongated);
+    EXPECT_TRUE(flat.tipFits);
+    EXPECT_FALSE(flat.anisotropic);
 }
 
 TEST(EffectiveRadius, OnASphereAddsTheCurvatures) {
@@ -29,15 +29,15 @@ TEST(EffectiveRadius, OfTwoCurvaturesIsTheirGeometricMean) {
     const double first = 1.0 / kRadius + 1.0 / 20.0_nm;
     const double second = 1.0 / kRadius - 1.0 / 40.0_nm;
     EXPECT_NEAR(saddle.radius, 1.0 / std::sqrt(first * second), 1e-21);
-    EXPECT_TRUE(saddle.elongated);
-    EXPECT_FALSE(effectiveRadius(kRadius, 0.9 / kRadius, 0.0).elongated);
+    EXPECT_TRUE(saddle.anisotropic);
+    EXPECT_FALSE(effectiveRadius(kRadius, 0.9 / kRadius, 0.0).anisotropic);
 }
 
 TEST(EffectiveRadius, SaysThatTheTipDoesNotFitAndStaysFinite) {
     const EffectiveRadius valley = effectiveRadius(kRadius, 0.0, -1.0 / 14.0_nm);
-    EXPECT_FALSE(valley.fits);
+    EXPECT_FALSE(valley.tipFits);
     EXPECT_NEAR(valley.radius, kRadius * std::sqrt(10.0), 1e-20);
-    EXPECT_TRUE(effectiveRadius(kRadius, 0.0, -1.0 / 17.0_nm).fits);
+    EXPECT_TRUE(effectiveRadius(kRadius, 0.0, -1.0 / 17.0_nm).tipFits);
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ namespace asperity {
 namespace {
 
 /// Largest distance between what is drawn and what the contact law says [m].
-double farthestFromExact(const Scene& scene, const TipState& state, DeformationTier tier) {
+double farthestFromExact(const Scene& scene, const TipState& state, DeformationModel model) {
     const PatchGrid grid{.halfWidth = 40.0_nm, .samples = 81};
-    const SurfacePatch drawn = drawnPatch(scene, ContactDeformation(scene, state, tier), grid);
-    const SurfacePatch exact = exactPatch(scene, state, tier, grid);
+    const SurfacePatch drawn = drawnPatch(scene, ContactDeformation(scene, state, model), grid);
+    const SurfacePatch exact = exactPatch(scene, state, model, grid);
     double farthest = 0.0;
     for (std::size_t i = 0; i < exact.points.size(); ++i) {
         farthest = std::max(farthest, (drawn.points[i] - exact.points[i]).norm());
@@ -35,21 +35,21 @@ TEST(ContactDeformation, FollowsEveryContactLawFromFarToDeep) {
             const BaseMotion base{.position = {64.0_nm, 64.0_nm, height}};
             const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
             ASSERT_EQ(rimRounding(state.contact, scene.belief.tipRadius()), 0.0);
-            EXPECT_LT(farthestFromExact(scene, state, DeformationTier::ClosedForm), 1e-12)
+            EXPECT_LT(farthestFromExact(scene, state, DeformationModel::ClosedForm), 1e-12)
                 << static_cast<int>(law) << " at " << height;
         }
     }
 }
 
-TEST(ContactDeformation, IsThatOfItsTierOnHills) {
+TEST(ContactDeformation, IsThatOfItsModelOnHills) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
     EquilibriumMemory memory;
     const BaseMotion base{.position = {64.0_nm, 64.0_nm, -4.0_nm}};
     const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
-    for (const DeformationTier tier :
-         {DeformationTier::FourPoint, DeformationTier::ContactRadius}) {
-        EXPECT_EQ(farthestFromExact(scene, state, tier), 0.0);
-        EXPECT_EQ(ContactDeformation(scene, state, tier).tipDisplacement(0.0), 0.0);
+    for (const DeformationModel model :
+         {DeformationModel::FourPoint, DeformationModel::ContactRadius}) {
+        EXPECT_EQ(farthestFromExact(scene, state, model), 0.0);
+        EXPECT_EQ(ContactDeformation(scene, state, model).tipDisplacement(0.0), 0.0);
     }
 }
 

@@ -27,7 +27,7 @@ protected:
 
 TEST_F(ContactPatchOnAFlatSample, ClosedFormPushesTheSampleByItsShareOfTheIndentation) {
     const TipState state = indented();
-    const SurfacePatch patch = exactPatch(scene, state, DeformationTier::ClosedForm, grid);
+    const SurfacePatch patch = exactPatch(scene, state, DeformationModel::ClosedForm, grid);
     const std::size_t middle = patch.index(patch.rows / 2, patch.columns / 2);
     const double share =
         sampleShare(scene.description.sample.material.elastic, scene.description.tip.elastic);
@@ -73,7 +73,7 @@ TEST(ContactPatch, ClosedFormHasTheReferenceProfiles) {
                 continue;
             }
             const SurfacePatch patch =
-                exactPatch(scene, stateOf(table, row), DeformationTier::ClosedForm,
+                exactPatch(scene, stateOf(table, row), DeformationModel::ClosedForm,
                            {.halfWidth = radius, .samples = 3});
             const double depth = -patch.points[patch.index(1, 2)].z();
             // A ten thousandth of an atom: the places of the patch are rounded in the scan.
@@ -86,7 +86,7 @@ TEST(ContactPatch, ClosedFormHasTheReferenceProfiles) {
 
 TEST_F(ContactPatchOnAFlatSample, ContactRadiusLeavesTheSurfaceOutsideAlone) {
     const TipState state = indented();
-    const SurfacePatch patch = exactPatch(scene, state, DeformationTier::ContactRadius, grid);
+    const SurfacePatch patch = exactPatch(scene, state, DeformationModel::ContactRadius, grid);
     double outside = 0.0;
     double inside = 0.0;
     for (std::size_t i = 0; i < patch.points.size(); ++i) {
@@ -111,8 +111,8 @@ TEST(ContactPatch, SampleAndTipMeetInTheContactWhateverTheirShares) {
     EquilibriumMemory memory;
     const BaseMotion base{.position = {64.0_nm, 64.0_nm, -3.0_nm}};
     const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
-    const ContactDeformation deformation(scene, state, DeformationTier::ClosedForm);
-    const Vector3 closest = displacedPoint(scene, state, DeformationTier::ClosedForm);
+    const ContactDeformation deformation(scene, state, DeformationModel::ClosedForm);
+    const Vector3 closest = displacedPoint(scene, state, DeformationModel::ClosedForm);
     const double half = 0.5 * state.contact.indentation;  // two bodies of one material
     EXPECT_NEAR(state.closest.point.z() - closest.z(), half, 1e-9 * half);
     EXPECT_NEAR(deformation.tipDisplacement(0.0), half, 1e-9 * half);

@@ -38,7 +38,7 @@ TipState pressed(const Scene& scene, double indentation, Vector2 place = {64.0_n
 Scene sceneOn(const HeightMap& map, ContactLaw law = ContactLaw::Split) {
     SceneDescription description = test::plainScene();
     description.choices.law = law;
-    description.choices.deformation = DeformationTier::HalfSpace;
+    description.choices.deformation = DeformationModel::HalfSpace;
     return buildScene(description, map);
 }
 
@@ -102,7 +102,7 @@ TEST(HalfSpaceModel, PutsRealTopographyOntoTheTip) {
     SceneDescription description = test::plainScene();
     description.tip.elastic.youngsModulus = 1e15;
     description.choices.law = ContactLaw::Split;
-    description.choices.deformation = DeformationTier::HalfSpace;
+    description.choices.deformation = DeformationModel::HalfSpace;
     const Scene scene = buildScene(description, test::hillyMap());
     const TipState state = pressed(scene, 0.25_nm, {20.0_nm, 18.0_nm});
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
@@ -142,8 +142,8 @@ TEST(HalfSpaceModel, GivesWayToTheClosedFormWhereItDoesNotHold) {
     EXPECT_EQ(answer.verdict, HalfSpaceVerdict::LargeContact);
     EXPECT_EQ(answer.field, nullptr);
     const PatchGrid grid{.halfWidth = 30.0_nm, .samples = 41};
-    const SurfacePatch shown = exactPatch(scene, deep, DeformationTier::HalfSpace, grid);
-    const SurfacePatch closed = exactPatch(scene, deep, DeformationTier::ClosedForm, grid);
+    const SurfacePatch shown = exactPatch(scene, deep, DeformationModel::HalfSpace, grid);
+    const SurfacePatch closed = exactPatch(scene, deep, DeformationModel::ClosedForm, grid);
     EXPECT_EQ(shown.points, closed.points);
 }
 

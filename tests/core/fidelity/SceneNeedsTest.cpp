@@ -44,14 +44,14 @@ TEST(SceneNeeds, ATipThatDoesNotFitItsHollowsLooksEverywhere) {
 TEST(SceneNeeds, WhatTheSceneSaysStays) {
     SceneDescription description = test::plainScene();
     description.choices.law = ContactLaw::Hertz;
-    description.choices.deformation = DeformationTier::FourPoint;
+    description.choices.deformation = DeformationModel::FourPoint;
     description.choices.closestPointSearch = SearchEffort::Global;
     description.choices.torsion = true;
     description.choices.friction = false;
     Scene scene = buildScene(description, test::hillyMap());
     const SceneNeeds needs = fitModel(scene);
     EXPECT_EQ(scene.model.law, ContactLaw::Hertz);
-    EXPECT_EQ(scene.model.deformation, DeformationTier::FourPoint);
+    EXPECT_EQ(scene.model.deformation, DeformationModel::FourPoint);
     EXPECT_EQ(scene.model.closestPointSearch, SearchEffort::Global);
     EXPECT_TRUE(scene.model.torsion);
     EXPECT_FALSE(scene.model.friction);

@@ -19,10 +19,10 @@ Scene coupledScene(const CouplingGains& gains, const HeightMap& map) {
 
 Scene coupledScene(const CouplingGains& gains) { return coupledScene(gains, flatMap()); }
 
-TickOutput GuidedDevice::moveTo(const Vector3& hand, int ticks) {
+TickOutput GuidedDevice::moveTo(const Vector3& target, int ticks) {
     TickInput input{.device = device, .settings = settings, .starts = starts};
-    input.device.position = hand;
-    place_ = hand;
+    input.device.position = target;
+    place_ = target;
     TickOutput out;
     for (int i = 0; i < ticks; ++i) {
         input.measurement = afm_.exchange(commandBase(scene_, input, memory_).base);
@@ -31,13 +31,13 @@ TickOutput GuidedDevice::moveTo(const Vector3& hand, int ticks) {
     return out;
 }
 
-TickOutput GuidedDevice::glideTo(const Vector3& hand, int ticks) {
+TickOutput GuidedDevice::glideTo(const Vector3& target, int ticks) {
     const Vector3 from = place_;
     const int moving = ticks / 2;
     for (int i = 1; i < moving; ++i) {
-        moveTo(from + static_cast<double>(i) / moving * (hand - from));
+        moveTo(from + static_cast<double>(i) / moving * (target - from));
     }
-    return moveTo(hand, ticks - moving);
+    return moveTo(target, ticks - moving);
 }
 
 }  // namespace asperity::test

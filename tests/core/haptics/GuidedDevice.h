@@ -14,15 +14,15 @@ inline constexpr CouplingGains kGains{.stiffness = 400.0, .damping = 3.0, .proxy
 /// The same on flat ground.
 [[nodiscard]] Scene coupledScene(const CouplingGains& gains);
 
-/// A device that goes where it is told, with tick and instrument.
+/// A device that goes where the test moves it, with tick and instrument.
 class GuidedDevice {
 public:
     explicit GuidedDevice(const Scene& scene)
-        : settings(scene.settings), scene_(scene), afm_(scene.touched(), truthOf(scene)) {}
+        : settings(scene.settings), scene_(scene), afm_(scene.trueSurface(), truthOf(scene)) {}
 
-    TickOutput moveTo(const Vector3& hand, int ticks = 1);
-    /// At a speed that a device has, in half of the ticks; then it stays.
-    TickOutput glideTo(const Vector3& hand, int ticks);
+    TickOutput moveTo(const Vector3& target, int ticks = 1);
+    /// At a speed that a hand has, in half of the ticks; then it stays.
+    TickOutput glideTo(const Vector3& target, int ticks);
 
     Settings settings;
     DeviceState device;  ///< what it is; the place is that of moveTo()

@@ -56,7 +56,7 @@ private:
     Vector3 position_;
 };
 
-/// One scene, one hand, its loop.
+/// One scene, one device, its loop.
 struct Bench {
     Scene scene = flatScene();
     FakeDevice device{middleAbove(scene, -2.0_nm)};

@@ -172,7 +172,7 @@ TEST(HapticTick, FlagsWhatTheModelDoesNotHoldFor) {
     TickMemory memory;
     const ValidityFlags pressed = tick(scene, inputAt({64.0_nm, 64.0_nm, -2.0_nm}), memory).flags;
     EXPECT_TRUE(pressed.has(Validity::LargeContact));
-    EXPECT_FALSE(pressed.has(Validity::CurvedSample)) << "flat";
+    EXPECT_FALSE(pressed.has(Validity::Anisotropic)) << "flat";
     EXPECT_TRUE(
         tick(scene, inputAt({-50.0_nm, 64.0_nm, 1.0_nm}), memory).flags.has(Validity::OutsideScan));
 }
@@ -181,8 +181,8 @@ TEST(HapticTick, FlagsSamplesTooCurvedForOneEffectiveRadius) {
     const Scene ridges = buildScene(test::plainScene(), test::ridgedMap(9.0_nm));
     TickMemory onCrest;
     const auto crest = tick(ridges, inputAt({15.0_nm, 64.0_nm, 8.0_nm}), onCrest).flags;
-    EXPECT_TRUE(crest.has(Validity::CurvedSample));
-    EXPECT_FALSE(crest.has(Validity::SharpValley));
+    EXPECT_TRUE(crest.has(Validity::Anisotropic));
+    EXPECT_FALSE(crest.has(Validity::NarrowValley));
     TickMemory inGroove;
     const Scene grooves = buildScene(test::plainScene(), test::ridgedMap(25.0_nm));
     const auto groove = tick(grooves, inputAt({45.0_nm, 64.0_nm, -18.0_nm}), inGroove).flags;
@@ -232,7 +232,7 @@ TEST(HapticTick, FlagsClosestPointsThatNobodyProved) {
 TEST(HapticTick, APlanarForceIsThatOfTheEstimatorWhereTheSignalsTell) {
     SceneDescription description = test::plainScene();
     const Scene estimating = buildScene(description, test::flatMap());
-    description.choices.decoupling = DecouplingTier::Planar;
+    description.choices.decoupling = DecouplingModel::Planar;
     const Scene planar = buildScene(description, test::flatMap());
     TickMemory one;
     TickMemory other;

@@ -17,10 +17,10 @@ constexpr double kFar = 0.02;  // of what the sample pulls from 4 nm [N]
 
 /// Engaged, in the air.
 GuidedDevice engagedDevice(const Scene& scene) {
-    GuidedDevice hand(scene);
-    hand.device.maxForce = 8.5;
-    hand.moveTo(kHigh, 1500);
-    return hand;
+    GuidedDevice guided(scene);
+    guided.device.maxForce = 8.5;
+    guided.moveTo(kHigh, 1500);
+    return guided;
 }
 
 Workspace workspaceAround(const Vector3& center) {
@@ -29,31 +29,31 @@ Workspace workspaceAround(const Vector3& center) {
 
 TEST(MappedTick, AClutchedDeviceMovesNothingAndFeelsNothing) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand = engagedDevice(scene);
-    const TickOutput before = hand.glideTo(kPressed, 2000);
+    GuidedDevice guided = engagedDevice(scene);
+    const TickOutput before = guided.glideTo(kPressed, 2000);
     ASSERT_GT(before.deviceForce.norm(), 0.1);
-    hand.settings.clutched = true;
-    const TickOutput first = hand.moveTo(kPressed);
+    guided.settings.clutched = true;
+    const TickOutput first = guided.moveTo(kPressed);
     EXPECT_EQ(first.deviceForce, Vector3::Zero()) << "in the same tick";
     EXPECT_EQ(first.forceState, ForceState::Clutched);
     EXPECT_EQ(first.fault, Fault::None);
-    const TickOutput away = hand.glideTo({30e-3, 90e-3, 40e-3}, 400);
+    const TickOutput away = guided.glideTo({30e-3, 90e-3, 40e-3}, 400);
     EXPECT_LT((away.base.position - before.base.position).norm(), 1e-15);
     EXPECT_EQ(away.deviceForce, Vector3::Zero());
 }
 
 TEST(MappedTick, AfterAClutchTheCommandGoesOnFromWhereItWas) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand = engagedDevice(scene);
-    const TickOutput before = hand.moveTo(kHigh);
-    hand.settings.clutchButton = 2;
-    hand.device.buttons = 1U << 2U;
+    GuidedDevice guided = engagedDevice(scene);
+    const TickOutput before = guided.moveTo(kHigh);
+    guided.settings.clutchButton = 2;
+    guided.device.buttons = 1U << 2U;
     const Vector3 elsewhere(10e-3, 20e-3, 30e-3);
-    hand.glideTo(elsewhere, 400);
-    hand.device.buttons = 0;
-    EXPECT_LT((hand.moveTo(elsewhere).base.position - before.base.position).norm(), 1e-18);
+    guided.glideTo(elsewhere, 400);
+    guided.device.buttons = 0;
+    EXPECT_LT((guided.moveTo(elsewhere).base.position - before.base.position).norm(), 1e-18);
     const Vector3 step(1e-3, -2e-3, 0.5e-3);
-    const TickOutput after = hand.glideTo(elsewhere + step, 4000);
+    const TickOutput after = guided.glideTo(elsewhere + step, 4000);
     EXPECT_LT((after.base.position - before.base.position - 1e-6 * step).norm(), 1e-11)
         << "but for what the sample pulls from afar";
     EXPECT_EQ(after.forceState, ForceState::On) << "the force came on anew";
@@ -61,12 +61,12 @@ TEST(MappedTick, AfterAClutchTheCommandGoesOnFromWhereItWas) {
 
 TEST(MappedTick, AForceThatAClutchTookAwayComesOnByAndBy) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand = engagedDevice(scene);
-    hand.settings.clutched = true;
-    hand.moveTo(kHigh, 20);
-    hand.settings.clutched = false;
-    EXPECT_EQ(hand.moveTo(kHigh, 500).forceState, ForceState::Engaging);
-    EXPECT_EQ(hand.moveTo(kHigh, 600).forceState, ForceState::On);
+    GuidedDevice guided = engagedDevice(scene);
+    guided.settings.clutched = true;
+    guided.moveTo(kHigh, 20);
+    guided.settings.clutched = false;
+    EXPECT_EQ(guided.moveTo(kHigh, 500).forceState, ForceState::Engaging);
+    EXPECT_EQ(guided.moveTo(kHigh, 600).forceState, ForceState::On);
 }
 
 TEST(MappedTick, ATurnedViewTurnsMotionAndForceAlike) {
@@ -86,11 +86,11 @@ TEST(MappedTick, ATurnedViewTurnsMotionAndForceAlike) {
 
 TEST(MappedTick, AViewThatTurnsMovesNothing) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand = engagedDevice(scene);
-    const TickOutput before = hand.glideTo(kPressed, 4000);
+    GuidedDevice guided = engagedDevice(scene);
+    const TickOutput before = guided.glideTo(kPressed, 4000);
     for (int i = 1; i <= 100; ++i) {
-        hand.settings.deviceTurn = {0.0, 0.0, 0.01 * i};
-        const TickOutput now = hand.moveTo(kPressed);
+        guided.settings.deviceTurn = {0.0, 0.0, 0.01 * i};
+        const TickOutput now = guided.moveTo(kPressed);
         ASSERT_LT((now.base.position - before.base.position).norm(), 1e-15) << i;
         ASSERT_NEAR(now.deviceForce.norm(), before.deviceForce.norm(), 1e-6) << i;
     }
@@ -98,63 +98,63 @@ TEST(MappedTick, AViewThatTurnsMovesNothing) {
 
 TEST(MappedTick, TheEdgeOfTheWorkspacePushesBack) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand = engagedDevice(scene);
-    hand.settings.workspace = workspaceAround(kHigh);
-    EXPECT_LT(hand.glideTo(kHigh + Vector3(44e-3, 0.0, 0.0), 1000).deviceForce.norm(), kFar);
-    const TickOutput out = hand.glideTo(kHigh + Vector3(48e-3, 0.0, 0.0), 4000);
+    GuidedDevice guided = engagedDevice(scene);
+    guided.settings.workspace = workspaceAround(kHigh);
+    EXPECT_LT(guided.glideTo(kHigh + Vector3(44e-3, 0.0, 0.0), 1000).deviceForce.norm(), kFar);
+    const TickOutput out = guided.glideTo(kHigh + Vector3(48e-3, 0.0, 0.0), 4000);
     EXPECT_NEAR(out.deviceForce.x(), -0.6 / std::hypot(1.0, 0.6 / 2.0), kFar);
     EXPECT_NEAR(out.deviceForce.z(), 0.0, kFar);
 }
 
 TEST(MappedTick, AClutchedDeviceStillFeelsTheEdge) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand = engagedDevice(scene);
-    hand.settings.workspace = workspaceAround(kHigh);
-    hand.settings.clutched = true;
-    EXPECT_LT(hand.glideTo(kHigh + Vector3(0.0, 48e-3, 0.0), 200).deviceForce.y(), -0.5);
-    hand.settings.forcesOn = false;
-    EXPECT_EQ(hand.moveTo(kHigh + Vector3(0.0, 48e-3, 0.0)).deviceForce, Vector3::Zero());
+    GuidedDevice guided = engagedDevice(scene);
+    guided.settings.workspace = workspaceAround(kHigh);
+    guided.settings.clutched = true;
+    EXPECT_LT(guided.glideTo(kHigh + Vector3(0.0, 48e-3, 0.0), 200).deviceForce.y(), -0.5);
+    guided.settings.forcesOn = false;
+    EXPECT_EQ(guided.moveTo(kHigh + Vector3(0.0, 48e-3, 0.0)).deviceForce, Vector3::Zero());
 }
 
 TEST(MappedTick, ADeviceThatStartsBeyondTheEdgeIsNotPushedUntilItComesIn) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand(scene);
-    hand.device.maxForce = 8.5;
-    hand.settings.workspace = workspaceAround(kHigh);
+    GuidedDevice guided(scene);
+    guided.device.maxForce = 8.5;
+    guided.settings.workspace = workspaceAround(kHigh);
     const Vector3 beyond = kHigh + Vector3(50e-3, 0.0, 0.0);
-    EXPECT_LT(hand.moveTo(beyond, 2000).deviceForce.norm(), kFar);
-    hand.glideTo(kHigh, 1500);
-    EXPECT_LT(hand.glideTo(beyond, 500).deviceForce.x(), -0.5);
+    EXPECT_LT(guided.moveTo(beyond, 2000).deviceForce.norm(), kFar);
+    guided.glideTo(kHigh, 1500);
+    EXPECT_LT(guided.glideTo(beyond, 500).deviceForce.x(), -0.5);
 }
 
 TEST(MappedTick, CouplingAndEdgeTogetherStayWithinTheLimit) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand = engagedDevice(scene);
-    hand.settings.workspace = workspaceAround(kHigh);
-    hand.settings.workspace.forceLimit = 3.0;
-    const TickOutput out = hand.glideTo(kHigh - Vector3(0.0, 0.0, 90e-3), 2000);
+    GuidedDevice guided = engagedDevice(scene);
+    guided.settings.workspace = workspaceAround(kHigh);
+    guided.settings.workspace.forceLimit = 3.0;
+    const TickOutput out = guided.glideTo(kHigh - Vector3(0.0, 0.0, 90e-3), 2000);
     EXPECT_EQ(out.forceState, ForceState::Limited);
     EXPECT_NEAR(out.deviceForce.norm(), scene.settings.governor.maxForce, 1e-12);
 }
 
 TEST(MappedTick, AHandleThatComesBackElsewhereAfterItWasLostMovesNothing) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand = engagedDevice(scene);
-    const TickOutput before = hand.moveTo(kHigh);
-    hand.device.connected = false;
-    hand.moveTo(kHigh, 20);
-    hand.device.connected = true;
-    const TickOutput after = hand.moveTo(kHigh - Vector3(0.0, 0.0, 54e-3), 20);
+    GuidedDevice guided = engagedDevice(scene);
+    const TickOutput before = guided.moveTo(kHigh);
+    guided.device.connected = false;
+    guided.moveTo(kHigh, 20);
+    guided.device.connected = true;
+    const TickOutput after = guided.moveTo(kHigh - Vector3(0.0, 0.0, 54e-3), 20);
     EXPECT_EQ(after.fault, Fault::DeviceLost);
     EXPECT_LT((after.base.position - before.base.position).norm(), 1e-18);
 }
 
 TEST(MappedTick, AHandleThatWasMovedWhileTheLoopRestedMovesNothing) {
     const Scene scene = test::coupledScene(kGains);
-    GuidedDevice hand = engagedDevice(scene);
-    const TickOutput before = hand.moveTo(kHigh);
-    ++hand.starts;
-    const TickOutput after = hand.moveTo(kHigh + Vector3(20e-3, 0.0, -50e-3), 10);
+    GuidedDevice guided = engagedDevice(scene);
+    const TickOutput before = guided.moveTo(kHigh);
+    ++guided.starts;
+    const TickOutput after = guided.moveTo(kHigh + Vector3(20e-3, 0.0, -50e-3), 10);
     EXPECT_LT((after.base.position - before.base.position).norm(), 1e-18);
     EXPECT_EQ(after.forceState, ForceState::Engaging);
 }

@@ -17,8 +17,8 @@ class SlowInstrument : public ::testing::Test {
 protected:
     SceneDescription description = test::plainScene();
     Scene scene = buildScene(description, test::hillyMap());
-    SimulatedAfm now{scene.touched(), truthOf(scene)};  ///< what is true in this tick
-    test::SlowAfm slow{scene.touched(), truthOf(scene), kPeriod};
+    SimulatedAfm now{scene.trueSurface(), truthOf(scene)};  ///< what is true in this tick
+    test::SlowAfm slow{scene.trueSurface(), truthOf(scene), kPeriod};
     DevicePath path = approachPath(scene, {.duration = 10.0, .slideLength = 60.0_nm});
 };
 

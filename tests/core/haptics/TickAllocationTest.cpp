@@ -52,7 +52,7 @@ TEST(TickAllocation, NorDoesAnyLawSolverOrControl) {
     description.sample.material.filmThickness = 100.0_nm;
     description.truth.material = description.sample.material;
     description.settings.positionControl = PositionControl::Tip;
-    description.choices.solver = SolverTier::Table;
+    description.choices.solver = SolverSetting::Table;
     for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(keyOf(law));
         description.choices.law = law;

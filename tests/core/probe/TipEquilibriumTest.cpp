@@ -121,7 +121,7 @@ TEST(TipEquilibrium, AnExactSphereTakesAHillAsFlatAndSaysSo) {
         const TipState state = tipEquilibrium(scene.surface, scene.belief, base, memory);
         ASSERT_GT(state.contact.contactRadius, 0.0);
         EXPECT_EQ(state.effectiveRadius, scene.belief.tipRadius());
-        EXPECT_EQ(state.radiusIsRough, onHill);
+        EXPECT_EQ(state.anisotropic, onHill);
     }
 }
 

@@ -55,7 +55,8 @@ TEST(BelievedModel, WithoutTorsionTheLeverOnlyBendsAcross) {
 TEST(BelievedModel, WithoutCurvatureEveryClosestPointIsFlat) {
     Scene scene = buildScene(test::plainScene(), test::ridgedMap(5.0_nm));
     const auto radiusOnTheCrest = [&] {
-        return heldTip(scene.felt(), scene.belief, {.position = {15.0_nm, 60.0_nm, 5.0_nm}}, {})
+        return heldTip(scene.believedSurface(), scene.belief,
+                       {.position = {15.0_nm, 60.0_nm, 5.0_nm}}, {})
             .effectiveRadius;
     };
     EXPECT_LT(radiusOnTheCrest(), 0.95 * scene.belief.tipRadius());

@@ -6,7 +6,7 @@ namespace asperity {
 namespace {
 
 TEST(ForceModelOptions, DeformationMovesNoForce) {
-    const ForceModelOptions drawn{.deformation = DeformationTier::FourPoint};
+    const ForceModelOptions drawn{.deformation = DeformationModel::FourPoint};
     EXPECT_NE(drawn, ForceModelOptions{});
     EXPECT_EQ(ofForce(drawn), ForceModelOptions{});
 }

@@ -39,43 +39,43 @@ TEST(ModelChoices, AChoiceFreesWhatContradictsIt) {
 TEST(ModelChoices, AHalfSpaceSharesItsDisplacementAlready) {
     ModelChoices choices = withChoice({}, ModelTerm::HalfSpaceSolve, true);
     choices = withChoice(choices, ModelTerm::OutsideDisplacement, true);
-    EXPECT_EQ(choices.deformation, DeformationTier::HalfSpace);
+    EXPECT_EQ(choices.deformation, DeformationModel::HalfSpace);
     choices = withChoice(choices, ModelTerm::OutsideDisplacement, false);
-    EXPECT_EQ(choices.deformation, DeformationTier::ContactRadius);
+    EXPECT_EQ(choices.deformation, DeformationModel::ContactRadius);
     choices = withChoice(choices, ModelTerm::HalfSpaceSolve, false);
-    EXPECT_EQ(choices.deformation, DeformationTier::ContactRadius);
+    EXPECT_EQ(choices.deformation, DeformationModel::ContactRadius);
 }
 
 TEST(ModelChoices, AForceThatIsTakenLeavesDeformationAndDecouplingAlone) {
-    const ModelChoices before{.solver = SolverTier::Table,
-                              .decoupling = DecouplingTier::Planar,
-                              .deformation = DeformationTier::FourPoint,
+    const ModelChoices before{.solver = SolverSetting::Table,
+                              .decoupling = DecouplingModel::Planar,
+                              .deformation = DeformationModel::FourPoint,
                               .adhesion = true};
     const ModelChoices taken = withForce(before, {.law = ContactLaw::Jkr, .friction = false});
     EXPECT_EQ(taken.law, ContactLaw::Jkr);
-    EXPECT_EQ(taken.solver, SolverTier::Newton);
+    EXPECT_EQ(taken.solver, SolverSetting::Newton);
     EXPECT_EQ(taken.closestPointSearch, SearchEffort::Certified);
     EXPECT_EQ(taken.friction, false);
     EXPECT_EQ(taken.curvature, true);
     EXPECT_FALSE(taken.adhesion.has_value()) << "the law says it";
-    EXPECT_EQ(taken.decoupling, DecouplingTier::Planar);
-    EXPECT_EQ(taken.deformation, DeformationTier::FourPoint);
+    EXPECT_EQ(taken.decoupling, DecouplingModel::Planar);
+    EXPECT_EQ(taken.deformation, DeformationModel::FourPoint);
     EXPECT_FALSE(withForce(before, {.law = ContactLaw::SphereJkr}).curvature.has_value())
         << "that law takes the sample as flat";
 }
 
 TEST(ModelChoices, AutomaticLeavesNothingSettled) {
     const ModelChoices open = allAutomatic({.law = ContactLaw::Jkr,
-                                            .solver = SolverTier::Table,
+                                            .solver = SolverSetting::Table,
                                             .closestPointSearch = SearchEffort::Local,
-                                            .decoupling = DecouplingTier::Planar,
-                                            .deformation = DeformationTier::FourPoint,
+                                            .decoupling = DecouplingModel::Planar,
+                                            .deformation = DeformationModel::FourPoint,
                                             .torsion = false});
     for (const ModelTerm term : kModelTerms) {
         EXPECT_FALSE(isSettled(term, open)) << nameOf(term);
     }
-    EXPECT_EQ(open.solver, SolverTier::Newton);
-    EXPECT_EQ(open.decoupling, DecouplingTier::Planar);
+    EXPECT_EQ(open.solver, SolverSetting::Newton);
+    EXPECT_EQ(open.decoupling, DecouplingModel::Planar);
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ TEST(ShapeSample, IsDrawnWhereItIsTouched) {
                 const double x = shape.size * (0.02 + 0.96 * i / 20.0);
                 const double y = shape.size * (0.02 + 0.96 * j / 20.0);
                 const HeightSample drawn = scene.surface.at(x, y);
-                const ClosestPoint closest =
-                    scene.touched().localClosestPoint(Vector3(x, y, drawn.height), SearchGuess{});
+                const ClosestPoint closest = scene.trueSurface().localClosestPoint(
+                    Vector3(x, y, drawn.height), SearchGuess{});
                 ASSERT_NEAR(closest.distance, 0.0, 1e-6 * shape.size);
                 ASSERT_LT((closest.normal - drawn.normal()).norm(), 2e-4);
             }
@@ -52,7 +52,7 @@ TEST(ShapeSample, ABallIsTouchedAsABall) {
         const Vector3 direction = towards.normalized();
         const Vector3 tipCenter = center + (kRadius + tipRadius - 1.0_nm) * direction;
         const BaseMotion held{.position = tipCenter - Vector3(0.0, 0.0, tipRadius)};
-        const TipState state = heldTip(scene.touched(), scene.belief, held, {});
+        const TipState state = heldTip(scene.trueSurface(), scene.belief, held, {});
         EXPECT_TRUE(state.converged);
         EXPECT_LT((state.closest.normal - direction).norm(), 1e-12);
         EXPECT_NEAR(state.closest.distance, tipRadius - 1.0_nm, 1e-13 * kRadius);
@@ -68,7 +68,7 @@ TEST(ShapeSample, ASlopeIsTouchedAcrossIt) {
     const double tipRadius = scene.description.tip.radius;
     const Vector3 tipCenter =
         Vector3(0.5 * kSlope.size, 0.4 * kSlope.size, 0.0) + (tipRadius - 1.0_nm) * normal;
-    const TipState state = heldTip(scene.touched(), scene.belief,
+    const TipState state = heldTip(scene.trueSurface(), scene.belief,
                                    {.position = tipCenter - Vector3(0.0, 0.0, tipRadius)}, {});
     EXPECT_LT((state.closest.normal - normal).norm(), 1e-14);
     EXPECT_NEAR(state.effectiveRadius, tipRadius, 1e-9 * tipRadius);

@@ -26,13 +26,13 @@ SceneDescription stiffScene() {
     return description;
 }
 
-const TickResult& result(const TradeOff& all, const ForceModelOptions& tier) {
-    return *std::ranges::find(all.ticks, tier, &TickResult::tier);
+const TickResult& result(const TradeOff& all, const ForceModelOptions& options) {
+    return *std::ranges::find(all.ticks, options, &TickResult::options);
 }
 
-const FrameResult& result(const TradeOff& all, DeformationTier deformation, int samples) {
+const FrameResult& result(const TradeOff& all, DeformationModel deformation, int samples) {
     return *std::ranges::find_if(all.frames, [=](const FrameResult& r) {
-        return r.tier.deformation == deformation && r.tier.samples == samples;
+        return r.options.deformation == deformation && r.options.samples == samples;
     });
 }
 
@@ -40,10 +40,10 @@ bool misses(const TradeOffReference& reference, ModelTerm term) {
     return std::ranges::find(reference.missed, term, &MissedTerm::term) != reference.missed.end();
 }
 
-TEST(TradeOffStudy, EveryTierHasACostAndTheReferencesOwnIsHardlyOff) {
+TEST(TradeOffStudy, EveryModelHasACostAndTheReferencesOwnIsHardlyOff) {
     const TradeOff all = study(stiffScene());
     EXPECT_EQ(all.reference.tick.law, ContactLaw::Split);
-    EXPECT_EQ(all.reference.tick.solver, SolverTier::Exact);
+    EXPECT_EQ(all.reference.tick.solver, SolverSetting::Exact);
     for (const TickResult& r : all.ticks) {
         EXPECT_GT(r.median, 0.0);
         EXPECT_GE(r.p99, r.median);
@@ -64,7 +64,7 @@ TEST(TradeOffStudy, HertzMissesTheAdhesionOfPolystyrene) {
 
 TEST(TradeOffStudy, ATableErrsByNoMoreThanItSays) {
     const TradeOff all = study(stiffScene());
-    const auto& table = result(all, {.law = ContactLaw::Split, .solver = SolverTier::Table});
+    const auto& table = result(all, {.law = ContactLaw::Split, .solver = SolverSetting::Table});
     EXPECT_GT(table.forceErrorMax, 0.0);
     EXPECT_LT(table.forceErrorRms, 1e-6 * all.reference.forceScale);
 }
@@ -88,11 +88,11 @@ TEST(TradeOffStudy, WideContactsAreHeldAgainstTheExactSphere) {
     const TradeOff all = study(description);
     EXPECT_TRUE(isSphere(all.reference.tick.law));
     EXPECT_GT(all.reference.contactRatio, 0.3);
-    EXPECT_EQ(all.reference.frame.deformation, DeformationTier::ClosedForm)
+    EXPECT_EQ(all.reference.frame.deformation, DeformationModel::ClosedForm)
         << "no half-space holds";
     EXPECT_EQ(std::ranges::count_if(all.frames,
                                     [](const FrameResult& r) {
-                                        return r.tier.deformation == DeformationTier::HalfSpace;
+                                        return r.options.deformation == DeformationModel::HalfSpace;
                                     }),
               0)
         << "so it is no way to draw";
@@ -100,28 +100,28 @@ TEST(TradeOffStudy, WideContactsAreHeldAgainstTheExactSphere) {
 
 TEST(TradeOffStudy, TheFinerWayToDrawIsNearerToTheReference) {
     const TradeOff all = study(stiffScene(), test::hillyMap());
-    ASSERT_EQ(all.reference.frame.deformation, DeformationTier::HalfSpace);
+    ASSERT_EQ(all.reference.frame.deformation, DeformationModel::HalfSpace);
     EXPECT_GT(all.reference.halfSpaceForce, 0.0);
     EXPECT_LT(all.reference.halfSpaceForce, 0.05 * all.reference.forceScale)
         << "the half-space's own force is about the law's";
-    const auto& four = result(all, DeformationTier::FourPoint, 97);
-    const auto& radius = result(all, DeformationTier::ContactRadius, 97);
-    const auto& closed = result(all, DeformationTier::ClosedForm, 97);
-    const auto& solved = result(all, DeformationTier::HalfSpace, 97);
+    const auto& four = result(all, DeformationModel::FourPoint, 97);
+    const auto& radius = result(all, DeformationModel::ContactRadius, 97);
+    const auto& closed = result(all, DeformationModel::ClosedForm, 97);
+    const auto& solved = result(all, DeformationModel::HalfSpace, 97);
     EXPECT_LT(closed.surfaceErrorRms, four.surfaceErrorRms);
     EXPECT_LT(closed.surfaceErrorRms, radius.surfaceErrorRms);
     EXPECT_LT(solved.surfaceErrorRms, closed.surfaceErrorRms);
-    EXPECT_LT(solved.surfaceErrorRms, result(all, DeformationTier::HalfSpace, 25).surfaceErrorRms);
+    EXPECT_LT(solved.surfaceErrorRms, result(all, DeformationModel::HalfSpace, 25).surfaceErrorRms);
 }
 
 TEST(TradeOffStudy, PicturesAreHeldAgainstTheHalfSpaceWhereItHolds) {
     const TradeOff all = study(test::plainScene());  // indented until it is too wide
-    EXPECT_EQ(all.reference.frame.deformation, DeformationTier::HalfSpace);
+    EXPECT_EQ(all.reference.frame.deformation, DeformationModel::HalfSpace);
     EXPECT_GT(all.reference.contacts, 0);
     EXPECT_LT(all.reference.contacts, all.reference.contactsAsked);
     EXPECT_GT(all.reference.surfaceDoubt, 0.0);
     EXPECT_LT(all.reference.surfaceDoubt,
-              0.1 * result(all, DeformationTier::ClosedForm, 97).surfaceErrorRms + 1e-12);
+              0.1 * result(all, DeformationModel::ClosedForm, 97).surfaceErrorRms + 1e-12);
 }
 
 TEST(TradeOffStudy, AFasterRateHoldsTheForceBetter) {

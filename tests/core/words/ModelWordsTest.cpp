@@ -47,9 +47,9 @@ TEST(ForceModelOptions, AreNamedByWhatDiffersFromTheUsual) {
     EXPECT_EQ(nameOf(ForceModelOptions{.law = ContactLaw::Hertz}),
               std::string(nameOf(ContactLaw::Hertz)) + ", certified feet");
     EXPECT_EQ(nameOf({.law = ContactLaw::Jkr,
-                      .solver = SolverTier::Table,
+                      .solver = SolverSetting::Table,
                       .closestPointSearch = SearchEffort::Local,
-                      .decoupling = DecouplingTier::Planar,
+                      .decoupling = DecouplingModel::Planar,
                       .friction = false,
                       .curvature = false}),
               std::string(nameOf(ContactLaw::Jkr)) +
@@ -78,7 +78,7 @@ TEST(LawWords, TellOfTheTableWhereThereIsOne) {
     description.choices.law = ContactLaw::Hertz;
     EXPECT_EQ(lawNote(buildScene(description, test::flatMap())),
               "contact law: hertz (as asked for)");
-    description.choices = {.law = ContactLaw::Maugis, .solver = SolverTier::Table};
+    description.choices = {.law = ContactLaw::Maugis, .solver = SolverSetting::Table};
     EXPECT_NE(lawNote(buildScene(description, test::flatMap()))
                   .find("(as asked for); tabulated, error at most "),
               std::string::npos);

@@ -33,7 +33,7 @@ TEST(SpaceMouseReports, OlderDevicesSendTranslationAndRotationApart) {
 }
 
 TEST(SpaceMouseReports, APushAwayFromThePersonIsUpInTheImageAndAPullUpIsUp) {
-    // The device counts towards the person and downwards.
+    // The device counts towards the operator and downwards.
     EXPECT_EQ(after({{1, 0, 0, 0xA2, 0xFE, 0, 0}}).translation, Vector3(0.0, 1.0, 0.0));
     EXPECT_EQ(after({{1, 0, 0, 0, 0, 0xA2, 0xFE}}).translation, Vector3(0.0, 0.0, 1.0));
 }

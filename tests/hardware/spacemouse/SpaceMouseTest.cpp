@@ -43,10 +43,10 @@ private:
 };
 
 TEST_F(SpaceMouseDevice, IsConnectedAtOnceAndRestsWhereItStarts) {
-    const DeviceState hand = mouse.advance(1.0);
-    EXPECT_TRUE(hand.connected);
-    EXPECT_EQ(hand.position, kStart);
-    EXPECT_EQ(hand.buttons, 0U);
+    const DeviceState state = mouse.advance(1.0);
+    EXPECT_TRUE(state.connected);
+    EXPECT_EQ(state.position, kStart);
+    EXPECT_EQ(state.buttons, 0U);
     EXPECT_EQ(wordsOf(mouse.status()), "SpaceMouse Compact at /dev/hidraw7");
 }
 

@@ -10,7 +10,7 @@ namespace asperity::test {
 
 namespace {
 
-/// Angles of the joints; the elbow is away from the person.
+/// Angles of the joints; the elbow is away from the operator.
 Vector3 anglesAt(const Vector3& fromBase) {
     const auto& [a, b, c] = shippedDevice().joints;
     const double reach = std::hypot(fromBase.x(), fromBase.y());

@@ -23,9 +23,9 @@ public:
         return latest.statistics.ticks > 0 && latest.sample.output.forceState == ForceState::On;
     }
 
-    /// As a person does who sees a fault. On a busy machine a device seems silent now and then; the
-    /// force comes on again, pressed or not.
-    void takeBackFault();
+    /// As an operator does who sees a fault. On a busy machine a device seems silent now and then;
+    /// the force comes on again, pressed or not.
+    void resetFault();
 
 private:
     Scene scene_;

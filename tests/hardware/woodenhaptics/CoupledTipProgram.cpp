@@ -1,5 +1,5 @@
 /// A program that holds a tip with the first WoodenHaptics that it finds, until SIGTERM ends it.
-/// Says "engaged" once the operator feels the tip.
+/// Prints "engaged" once forces are on.
 
 #include "hardware/hid/HidapiTransport.h"
 #include "hardware/woodenhaptics/WoodenHaptics.h"
@@ -27,7 +27,7 @@ int main() {
     CoupledTip tip(device);
     tip.loop.start();
     const auto engaged = [&tip] {
-        tip.takeBackFault();
+        tip.resetFault();
         return tip.engaged();
     };
     if (!eventually(engaged)) {
@@ -36,7 +36,7 @@ int main() {
     std::cout << "engaged" << std::endl;
     constexpr timespec kPause = {.tv_sec = 0, .tv_nsec = 1'000'000};
     while (sigtimedwait(&end, nullptr, &kPause) != SIGTERM) {
-        tip.takeBackFault();
+        tip.resetFault();
     }
     return 0;
 }

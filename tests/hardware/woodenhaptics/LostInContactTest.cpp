@@ -43,7 +43,7 @@ bool droveSince(const VirtualWoodenHaptics& device, std::size_t begin) {
 class Unplugged : public ::testing::Test {
 protected:
     Unplugged() {
-        EXPECT_TRUE(calibrateWhenItWaits(hand));
+        EXPECT_TRUE(calibrateWhenItWaits(device));
         tip.loop.start();
     }
 
@@ -54,14 +54,14 @@ protected:
     }
     bool engages() {
         return eventually([this] {
-            tip.takeBackFault();
+            tip.resetFault();
             return tip.engaged();
         });
     }
     bool presses() {
         device.moveTo(handleAt(kPressed));
         return eventually([this] {
-            tip.takeBackFault();
+            tip.resetFault();
             return isDriven(device);
         });
     }
@@ -74,8 +74,8 @@ protected:
 
     VirtualWoodenHaptics device{handleAt(kHigh)};
     HidapiTransport transport;
-    WoodenHaptics hand{transport, shippedDevice()};
-    CoupledTip tip{hand};
+    WoodenHaptics device{transport, shippedDevice()};
+    CoupledTip tip{device};
 };
 
 TEST_F(Unplugged, TheFirstTickThatKnowsIsAFaultAndFeelsNothing) {
@@ -100,8 +100,8 @@ TEST_F(Unplugged, PluggedInAgainTheMotorsRestUntilAPersonTakesTheFaultBack) {
     ASSERT_TRUE(eventually([&] { return device.events().size() > before + 50; }));
     EXPECT_FALSE(droveSince(device, before));
     EXPECT_FALSE(isConnected()) << "it may have lost its power, and does not know its pose";
-    ASSERT_TRUE(eventually([this] { return waitsForCalibration(hand); }));
-    hand.calibrate();
+    ASSERT_TRUE(eventually([this] { return waitsForCalibration(device); }));
+    device.calibrate();
     ASSERT_TRUE(eventually([this] { return isConnected(); }));
     const std::size_t calibrated = device.events().size();
     ASSERT_TRUE(eventually([&] { return device.events().size() > calibrated + 50; }));

@@ -21,7 +21,7 @@ public:
     /// Plugged in, its handle here. @param handle lab frame, from the workspace's origin [m]
     explicit VirtualWoodenHaptics(const Vector3& handle);
 
-    /// Moves the handle as slowly as a device does.
+    /// Moves the handle as slowly as a hand does.
     void moveTo(const Vector3& handle);
     void plug() { hid_.plug(); }
     void unplug() { hid_.unplug(); }

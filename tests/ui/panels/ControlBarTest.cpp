@@ -17,7 +17,7 @@
 namespace asperity {
 namespace {
 
-/// One notch of the wheel away from the person. @return whether the widget used it
+/// One notch of the wheel away from the user. @return whether the widget used it
 bool turnWheelOver(QWidget& widget) {
     const QPointF place = widget.rect().center();
     QWheelEvent event(place, widget.mapToGlobal(place.toPoint()), {}, {0, 120}, Qt::NoButton,

@@ -15,7 +15,7 @@ namespace asperity::test {
 namespace {
 
 TickResult result(ContactLaw law, double median, double error, bool onFront) {
-    return {.tier = {.law = law}, .median = median, .forceErrorRms = error, .onFront = onFront};
+    return {.options = {.law = law}, .median = median, .forceErrorRms = error, .onFront = onFront};
 }
 
 TradeOff study() {
@@ -178,8 +178,8 @@ TEST_F(FidelityPanelTest, AClickPicksTheNearestPoint) {
     panel.showTradeOff(study());
     panel.grab();
     std::vector<ForceModelOptions> picked;
-    QObject::connect(&panel, &FidelityPanel::tierPicked, &panel,
-                     [&picked](const ForceModelOptions& tier) { picked.push_back(tier); });
+    QObject::connect(&panel, &FidelityPanel::optionsPicked, &panel,
+                     [&picked](const ForceModelOptions& options) { picked.push_back(options); });
     QTest::mouseClick(&chart().canvas(), Qt::LeftButton, {}, chart().placeOf(1) + QPoint(3, -3));
     ASSERT_EQ(picked.size(), 1U);
     EXPECT_EQ(picked[0].law, ContactLaw::Jkr);

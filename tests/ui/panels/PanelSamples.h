@@ -23,7 +23,7 @@ inline Snapshot snapshotOf(const TickSample& sample) {
     return snapshot;
 }
 
-/// What a person reads in the label of this name.
+/// What a user reads in the label of this name.
 inline QString textOf(const QWidget& widget, const char* objectName) {
     const auto* label = widget.findChild<QLabel*>(QString::fromUtf8(objectName));
     if (label == nullptr) {

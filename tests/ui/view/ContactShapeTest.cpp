@@ -24,11 +24,11 @@ ScanWindow around(const Vector3& place, double reach) {
             .top = place.y() + reach};
 }
 
-class ContactShapeOnHills : public ::testing::TestWithParam<DeformationTier> {
+class ContactShapeOnHills : public ::testing::TestWithParam<DeformationModel> {
 protected:
-    static Scene sceneOf(DeformationTier tier) {
+    static Scene sceneOf(DeformationModel model) {
         SceneDescription description = test::plainScene();
-        description.choices.deformation = tier;
+        description.choices.deformation = model;
         return buildScene(description, test::hillyMap());
     }
 };
@@ -53,7 +53,7 @@ TEST_P(ContactShapeOnHills, DeformsTheSurfaceAsPicturesAndFilesDo) {
 
 TEST(ContactShape, ShowsTheHalfSpaceWhereItStillHoldsAndElseTheClosedForm) {
     SceneDescription description = test::plainScene();
-    description.choices.deformation = DeformationTier::HalfSpace;
+    description.choices.deformation = DeformationModel::HalfSpace;
     const Scene scene = buildScene(description, test::hillyMap());
     const TipState state = test::momentsOf(scene).neck.sample.output.model;
     const HalfSpaceAnswer answer = HalfSpaceModel().solve(scene, state);
@@ -63,7 +63,7 @@ TEST(ContactShape, ShowsTheHalfSpaceWhereItStillHoldsAndElseTheClosedForm) {
     const ContactShape closed(scene, state, area, kSamples);
     const PatchGrid grid{.halfWidth = 12.0_nm, .samples = 41};
     const SurfacePatch exact = drawnPatch(
-        scene, ContactDeformation(scene, state, DeformationTier::HalfSpace, &answer), grid);
+        scene, ContactDeformation(scene, state, DeformationModel::HalfSpace, &answer), grid);
     double differences = 0.0;
     for (std::size_t i = 0; i < exact.rest.size(); ++i) {
         EXPECT_EQ(solved.moved(exact.rest[i]), exact.points[i]) << "as files hold it";
@@ -78,10 +78,10 @@ TEST(ContactShape, ShowsTheHalfSpaceWhereItStillHoldsAndElseTheClosedForm) {
     EXPECT_EQ(late.moved(state.closest.point), there.moved(state.closest.point));
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryTier, ContactShapeOnHills,
-                         ::testing::Values(DeformationTier::ClosedForm,
-                                           DeformationTier::ContactRadius,
-                                           DeformationTier::FourPoint));
+INSTANTIATE_TEST_SUITE_P(EveryModel, ContactShapeOnHills,
+                         ::testing::Values(DeformationModel::ClosedForm,
+                                           DeformationModel::ContactRadius,
+                                           DeformationModel::FourPoint));
 
 TEST(ContactShape, IsAtRestAlongItsBorder) {
     const Scene scene = test::hillyScene();

@@ -1,4 +1,4 @@
-// What the person does to the view with mouse and keys.
+// What the user does to the view with mouse and keys.
 #include "core/Units.h"
 #include "tests/ui/view/ZoomViewFixture.h"
 

@@ -17,19 +17,19 @@ constexpr std::string_view kFamily = "Gwyddion Simple Field ";
 constexpr std::string_view kMagic = "Gwyddion Simple Field 1.0\n";
 constexpr std::size_t kAlignment = 4;
 /// Gwyddion's own headers have some 200 bytes.
-constexpr std::size_t kLongestHeader = std::size_t{1} << 20U;
+constexpr std::size_t kMaxHeader = std::size_t{1} << 20U;
 
 using Fields = std::map<std::string, std::string>;
 
 class GsfReader {
 public:
     explicit GsfReader(const ByteSource& bytes)
-        : bytes_(bytes), start_(bytes.start(kLongestHeader + kAlignment)) {}
+        : bytes_(bytes), start_(bytes.start(kMaxHeader + kAlignment)) {}
 
     StoredScan read() {
         checkMagic();
         const std::size_t headerEnd = start_.find('\0');
-        if (headerEnd >= kLongestHeader) {
+        if (headerEnd >= kMaxHeader) {
             fail("header", "no NUL byte ends it; the file is truncated or damaged");
         }
         parseHeader(std::string_view(start_).substr(kMagic.size(), headerEnd - kMagic.size()));

@@ -15,7 +15,7 @@ constexpr char kPadding = '\x1A';
 
 /// The header's text, without its end mark and padding.
 std::string_view headerText(std::string_view bytes, const std::string& file) {
-    bytes = bytes.substr(0, kLongestNanoscopeHeader);
+    bytes = bytes.substr(0, kMaxNanoscopeHeader);
     const std::size_t firstEnd = bytes.find('\n');
     if (firstEnd != std::string_view::npos && firstEnd > 0 && bytes[firstEnd - 1] != '\r') {
         throw InputError(file, "line 1",

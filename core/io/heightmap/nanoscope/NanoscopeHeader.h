@@ -37,7 +37,7 @@ struct CiaoValue {
 [[nodiscard]] std::optional<CiaoValue> parseCiaoValue(std::string_view value);
 
 /// No header is longer [bytes]; real ones have 40 to 80 kB.
-constexpr std::size_t kLongestNanoscopeHeader = std::size_t{1} << 20U;
+constexpr std::size_t kMaxNanoscopeHeader = std::size_t{1} << 20U;
 
 /// Where the header ends, in bytes: the samples cannot start before.
 [[nodiscard]] std::size_t nanoscopeHeaderSize(std::string_view bytes);

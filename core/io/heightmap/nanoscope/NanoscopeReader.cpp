@@ -25,7 +25,7 @@ constexpr std::size_t kMaxImages = 64;
 class NanoscopeReader {
 public:
     explicit NanoscopeReader(const ByteSource& bytes)
-        : bytes_(bytes), file_(bytes.name()), start_(bytes.start(kLongestNanoscopeHeader)) {}
+        : bytes_(bytes), file_(bytes.name()), start_(bytes.start(kMaxNanoscopeHeader)) {}
 
     StoredScan read() {
         refuseRelatives();

@@ -64,10 +64,10 @@ inline Meniscus anyMeniscus() {
 
 /// A lever on which the tip pulls off within a kilometer: a softer one is refused there by name.
 inline double anyLever(const ContactPair& pair) {
-    constexpr double kFarthest = 200.0;  // [m]
+    constexpr double kMaxBase = 200.0;  // [m]
     const double pull = 2.0 * std::numbers::pi * pair.tipRadius * (pair.workOfAdhesion + 2.0);
     const double compliance = *rc::gen::oneOf(rc::gen::just(0.0), logUniform(1e-6, 1e4));
-    return std::min(compliance, kFarthest / pull);
+    return std::min(compliance, kMaxBase / pull);
 }
 
 /// Any law; without water, by the exact solver or by Newton's method.
@@ -80,7 +80,7 @@ inline AnyContact anyDryContact() {
         contact.law == ContactLaw::HertzFilm ? *logUniform(1e-10, 1e-2) : 0.0;
     contact.options.film = {.poissonRatio = *rc::gen::element(0.0, 0.3, 0.5),
                             .share = *rc::gen::element(0.4, 1.0)};
-    contact.options.solver = *rc::gen::element(SolverTier::Exact, SolverTier::Newton);
+    contact.options.solver = *rc::gen::element(SolverSetting::Exact, SolverSetting::Newton);
     if (*rc::gen::inRange(0, 2) == 0) {
         contact.options.cohesiveStress = contact.pair.workOfAdhesion / *logUniform(1e-12, 1e-7);
     }

@@ -28,7 +28,7 @@ constexpr std::array kOddNumbers{
     1e-310, 1e-300,    Limits::min(), Limits::max(), -Limits::max(), 1e300, 1e-30,
     1e30};
 
-constexpr std::array kTiers{SolverTier::Exact, SolverTier::Newton, SolverTier::Table};
+constexpr std::array kSolvers{SolverSetting::Exact, SolverSetting::Newton, SolverSetting::Table};
 
 bool isFinite(const ContactState& state) {
     return std::isfinite(state.force) && std::isfinite(state.indentation) &&
@@ -109,9 +109,9 @@ TEST(ContactRefusal, RefusesWhatIsOutsideItsRange) {
 TEST(ContactRefusal, AnEquilibriumOfOddNumbersIsSolvedOrSaysWhyNot) {
     for (const ContactLaw law : kValues<ContactLaw>) {
         SCOPED_TRACE(nameOf(law));
-        for (const SolverTier tier : kTiers) {
+        for (const SolverSetting solver : kSolvers) {
             ContactOptions options = optionsFor(law);
-            options.solver = tier;
+            options.solver = solver;
             for (const double tension : {0.0, 0.07}) {
                 options.meniscus = {tension, 0.3, 2e-9};
                 const ContactModel model(law, {15e-9, 1e9, 0.05}, options);
@@ -178,12 +178,12 @@ TEST(ContactRefusal, ATipOnAnOddSurfaceDoesNotFit) {
         for (const EffectiveRadius& radius :
              {effectiveRadius(odd, 1e6, -1e6), effectiveRadius(15e-9, odd, 0.0),
               effectiveRadius(15e-9, 0.0, odd), effectiveRadius(odd, odd, odd)}) {
-            EXPECT_TRUE(!radius.fits || (radius.radius > 0.0 && std::isfinite(radius.radius)));
+            EXPECT_TRUE(!radius.tipFits || (radius.radius > 0.0 && std::isfinite(radius.radius)));
         }
     }
-    EXPECT_FALSE(effectiveRadius(15e-9, kNaN, 0.0).fits);
-    EXPECT_FALSE(effectiveRadius(kInfinity, 0.0, 0.0).fits);
-    EXPECT_FALSE(effectiveRadius(15e-9, 0.0, -1.0 / 15e-9).fits);
+    EXPECT_FALSE(effectiveRadius(15e-9, kNaN, 0.0).tipFits);
+    EXPECT_FALSE(effectiveRadius(kInfinity, 0.0, 0.0).tipFits);
+    EXPECT_FALSE(effectiveRadius(15e-9, 0.0, -1.0 / 15e-9).tipFits);
 }
 
 TEST(ContactRefusal, BodiesWithoutAModulusHaveNone) {

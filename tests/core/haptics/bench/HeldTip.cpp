@@ -17,21 +17,21 @@ constexpr double kTurn = 0.5;     // [s]
 constexpr double kSettled = 2.0;  // [s]
 constexpr double kEnd = 2.5;      // [s]
 
-/// The middle of the test maps, in the hand's frame.
+/// The middle of the test maps, in the device's frame.
 Vector3 above(double height) { return {64e-3, 64e-3, height}; }
 
 /// Tick and simulated instrument.
 class CoupledTick {
 public:
     CoupledTick(const Scene& scene, const Hold& hold)
-        : scene_(scene), afm_(scene.touched(), truthOf(scene)) {
+        : scene_(scene), afm_(scene.trueSurface(), truthOf(scene)) {
         input_.settings = scene.settings;
         input_.settings.coupling = hold.coupling;
         input_.settings.guide = hold.guide;
         input_.timeStep = scene.timeStep();
     }
 
-    /// The force for the hand.
+    /// The device force.
     Vector3 moveTo(const DeviceState& device) {
         input_.device = device;
         input_.measurement = afm_.exchange(commandBase(scene_, input_, memory_).base);
@@ -75,7 +75,7 @@ HeldTip holdTip(const Scene& scene, const Hold& hold, const PortWatch& watch) {
         const double lift = time >= kTurn ? hold.lift : 0.0;
         bench.reachFor(above(kStart + way * (hold.goal - kStart) + lift));
         if (hold.letGo && time >= kTurn) {
-            bench.grip(kNoDevice);
+            bench.grip(kNoGrip);
         }
         const DeviceState device = bench.advance(scene.timeStep());
         const Vector3 force = loop.moveTo(device);

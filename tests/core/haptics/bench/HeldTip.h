@@ -8,26 +8,26 @@
 
 namespace asperity::test {
 
-/// A map of a material of data/materials under the 14 N/m lever; 1 mm of the hand is 1 nm, 1 N is
+/// A map of a material of data/materials under the 14 N/m lever; 1 mm of the device is 1 nm, 1 N is
 /// 10 nN over `magnified`.
 [[nodiscard]] Scene hapticScene(const std::string& material, const HeightMap& map,
                                 double tickRate = 1000.0, double magnified = 1.0);
 
-/// One person at one device.
+/// One operator at one device.
 struct Hold {
     BenchSetup bench;
-    CouplingGains coupling;  ///< without stiffness: the hand moves the base itself
+    CouplingGains coupling;  ///< without stiffness: the device moves the base itself
     VirtualFixture guide;    ///< lengths of the world
-    double goal = -3e-3;     ///< height that the hand goes to, in its frame [m]
+    double goal = -3e-3;     ///< height that the operator reaches for, device frame [m]
     double lift = 0.0;       ///< by which the goal is raised after half a second [m]
-    bool letGo = false;      ///< whether the hand opens after half a second
+    bool letGo = false;      ///< whether the operator lets go after half a second
 };
 
-/// How a tip is held when the hand has gone down to its goal, within 10 ms and from a height of 4
+/// How a tip is held when the device has gone down to its goal, within 10 ms and from a height of 4
 /// mm, and has had two seconds to settle.
 struct HeldTip {
     double peakToPeak = 0.0;             ///< of the handle along z, over half a second [m]
-    Vector3 force = Vector3::Zero();     ///< on the hand, its mean over that time [N]
+    Vector3 force = Vector3::Zero();     ///< on the device, its mean over that time [N]
     Vector3 handle = Vector3::Zero();    ///< where it is in the end [m]
     Vector3 tipForce = Vector3::Zero();  ///< of the sample on the true tip, its mean [N]
 };

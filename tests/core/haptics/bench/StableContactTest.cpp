@@ -39,7 +39,8 @@ CouplingGains designed(const Scene& scene, double delay) {
     return designCoupling(kPhantom, {.timeStep = scene.timeStep(), .delay = delay});
 }
 
-/// The hand on an adhesive sample: without the coupling it shakes, with any of `gains` it is still.
+/// The device on an adhesive sample: without the coupling it shakes, with any of `gains` it is
+/// still.
 void expectCouplingHolds(const Scene& scene, const BenchSetup& bench,
                          std::initializer_list<CouplingGains> gains) {
     const double direct = worst(scene, {.bench = bench});
@@ -100,7 +101,7 @@ TEST(StableContact, RubberNeverShakes) {
 /// Every grip, and a hand that lets go, at one rate and delay.
 void expectDesignHolds(const Scene& scene, double delay) {
     const CouplingGains gains = designed(scene, delay);
-    EXPECT_GE(gains.stiffness, kSoftestCoupling);
+    EXPECT_GE(gains.stiffness, kMinCouplingStiffness);
     EXPECT_LE(gains.proxyDamping, 5.0);
     double largest = 0.0;
     for (const ArmImpedance& arm : {kLightGrip, kStiffLightGrip, kNormalGrip}) {

@@ -12,8 +12,8 @@ namespace {
 constexpr DeviceSpecification kPhantom{
     .maxStiffness = 800.0, .maxDamping = 8.0, .effectiveMass = 0.075};
 
-/// At rest the hand feels what the sample does to the tip, times the force gain, though base, tip
-/// and hand are held by three springs in a row.
+/// At rest the device force is the sample's force on the tip times the force gain, though base, tip
+/// and device are held by three springs in a row.
 void expectForceOfTheSample(const std::string& material, const HeightMap& map, double goal,
                             double lift = 0.0) {
     const Scene scene = test::hapticScene(material, map);

@@ -15,7 +15,7 @@ constexpr HandlePhysics kIdeal{
     .mass = 0.1, .coulombFriction = 0.0, .viscousFriction = 0.0, .resolution = 0.0};
 
 BenchSetup freeHandle(const HandlePhysics& handle, double delay = 0.0) {
-    return {.handle = handle, .arm = kNoDevice, .delay = delay};
+    return {.handle = handle, .arm = kNoGrip, .delay = delay};
 }
 
 TEST(VirtualBench, AForceAcceleratesTheMass) {

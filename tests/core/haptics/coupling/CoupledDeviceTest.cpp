@@ -28,12 +28,12 @@ DeviceRequest common() {
 }
 
 TEST(CoupledDevice, GetsTheDesignedGainsAndFeelsLeverContactAndCouplingInSeries) {
-    const CoupledDevice hand = coupleDevice(polystyrene(), common());
-    ASSERT_TRUE(hand.holds()) << refusalOf(hand);
-    EXPECT_EQ(hand.gains, designCoupling(common().device, common().timing));
+    const CoupledDevice coupled = coupleDevice(polystyrene(), common());
+    ASSERT_TRUE(coupled.holds()) << refusalOf(coupled);
+    EXPECT_EQ(coupled.gains, designCoupling(common().device, common().timing));
     const double tip = tipLoad(polystyrene(), 30.0_nN).stiffness;
     const double felt = inSeries(100.0 * tip, 600.0);
-    EXPECT_NEAR(hand.judgment.felt, felt, 1e-9 * felt);
+    EXPECT_NEAR(coupled.judgment.felt, felt, 1e-9 * felt);
 }
 
 TEST(CoupledDevice, TheScenesOwnCouplingCountsWhereItHolds) {

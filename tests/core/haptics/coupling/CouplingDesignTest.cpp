@@ -40,7 +40,7 @@ TEST(CouplingDesign, FollowsTheDelay) {
     for (const double delay : {4.5_ms, 5.0_ms, 5.5_ms, 6.0_ms}) {
         const CouplingGains gains = designCoupling(kPhantom, {.timeStep = 1.0_ms, .delay = delay});
         EXPECT_LT(gains.stiffness, last.stiffness) << delay;
-        EXPECT_GE(gains.stiffness, kSoftestCoupling) << delay;
+        EXPECT_GE(gains.stiffness, kMinCouplingStiffness) << delay;
         // What the delay takes away is more than covered.
         EXPECT_GT(gains.damping, gains.stiffness * (delay + 0.5_ms)) << delay;
         last = gains;

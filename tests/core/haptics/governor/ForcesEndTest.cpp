@@ -70,7 +70,7 @@ TEST_F(ForcesEnd, ForTheDeviceThatAnotherOneTakesOverFrom) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     EXPECT_EQ(device.newest, 0.0);
-    loop.reset();  // before the device that it leads now goes
+    loop.reset();  // before its device goes
     EXPECT_EQ(other.newest, 0.0);
 }
 

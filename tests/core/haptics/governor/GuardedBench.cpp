@@ -27,7 +27,9 @@ Scene coupledScene() {
 GuardedBench::GuardedBench() : GuardedBench(coupledScene(), above(kHigh)) {}
 
 GuardedBench::GuardedBench(const Scene& scene, const Vector3& start)
-    : scene_(scene), bench_({.arm = kNormalGrip}, start), afm_(scene_.touched(), truthOf(scene_)) {
+    : scene_(scene)
+    , bench_({.arm = kNormalGrip}, start)
+    , afm_(scene_.trueSurface(), truthOf(scene_)) {
     input.settings = scene_.settings;
     input.timeStep = scene_.timeStep();
 }

@@ -9,17 +9,17 @@
 
 namespace asperity::test {
 
-/// A person at a Phantom class device with motors, coupled to a tip over flat polystyrene, at 1
+/// An operator at a Phantom class device with motors, coupled to a tip over flat polystyrene, at 1
 /// kHz of virtual time: 1 mm of the device is 1 nm, 1 N is 10 nN. What the device tells can be
 /// tampered with, to inject faults.
 class GuardedBench {
 public:
     GuardedBench();
-    /// The same person and device at another scene.
+    /// The same operator and device at another scene.
     /// @param start of the handle, the device's frame [m]
     GuardedBench(const Scene& scene, const Vector3& start);
 
-    /// Where the person wants the handle from now on: height over the sample [m].
+    /// Where the operator wants the handle from now on: height over the sample [m].
     void reachFor(double height);
     /// The same anywhere; the device's frame [m].
     void reachFor(const Vector3& place);

@@ -137,9 +137,9 @@ TEST_F(SceneFile, ComesBackTheSameFromItsOwnText) {
     scene.sample.imagingTipRadius = 8e-9;
     scene.sample.erode = true;
     scene.choices.law = ContactLaw::Hertz;
-    scene.choices.deformation = DeformationTier::HalfSpace;
+    scene.choices.deformation = DeformationModel::HalfSpace;
     scene.choices.closestPointSearch = SearchEffort::Local;
-    scene.choices.decoupling = DecouplingTier::Planar;
+    scene.choices.decoupling = DecouplingModel::Planar;
     scene.choices.mountTilt = false;
     scene.choices.torsion = true;
     scene.tolerance = 0.125;

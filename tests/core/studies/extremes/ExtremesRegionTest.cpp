@@ -46,8 +46,8 @@ TEST(ExtremesRegion, AStateWithoutAReferenceIsUnprovenAndHasNoErrors) {
 }
 
 TEST(ExtremesRegion, IsSummedOverPlaces) {
-    const auto one = [](const char* tier, double radius) {
-        ExtremesRegion region({.model = "md", .tier = tier, .tipRadius = radius});
+    const auto one = [](const char* setting, double radius) {
+        ExtremesRegion region({.model = "md", .setting = setting, .tipRadius = radius});
         region.add({.errors = {.force = radius}}, [] { return std::string(); });
         return region;
     };

@@ -151,7 +151,7 @@ TEST_F(ExtremesStudy, TheTickIsExactOnAFlatSampleWithAnyEffort) {
     EXPECT_EQ(findings.states, grid.states());
     for (const ExtremesRegion& region : findings.regions) {
         if (region.place().model == "tick") {
-            EXPECT_GT(count(region, Verdict::Exact), 0) << region.place().tier;
+            EXPECT_GT(count(region, Verdict::Exact), 0) << region.place().setting;
             EXPECT_EQ(region.unflagged().force.error, 0.0);
         }
     }
@@ -171,7 +171,7 @@ std::vector<ExtremesRegion> roughTicks(double tipRadius) {
 
 TEST_F(ExtremesStudy, ALocalClosestPointSearchDiffersFromACertifiedOneOnRoughGroundAndSaysSo) {
     for (const ExtremesRegion& region : roughTicks(100.0_nm)) {
-        if (region.place().tier == "local") {
+        if (region.place().setting == "local") {
             EXPECT_LT(region.unflagged().force.error, kExactWithin);
             EXPECT_GT(region.tally(Verdict::Flagged).force.error, 0.01);
         }
@@ -180,11 +180,11 @@ TEST_F(ExtremesStudy, ALocalClosestPointSearchDiffersFromACertifiedOneOnRoughGro
 
 TEST_F(ExtremesStudy, WhereTheCertifiedSearchProvesNothingNoSearchIsExact) {
     for (const ExtremesRegion& region : roughTicks(0.5_nm)) {
-        const std::string& tier = region.place().tier;
-        EXPECT_EQ(region.unflagged().states, 0) << tier;
+        const std::string& setting = region.place().setting;
+        EXPECT_EQ(region.unflagged().states, 0) << setting;
         // The certified search flags what it settled for; the others do not know better.
-        EXPECT_GT(count(region, tier == "certified" ? Verdict::Flagged : Verdict::Unproven), 0)
-            << tier;
+        EXPECT_GT(count(region, setting == "certified" ? Verdict::Flagged : Verdict::Unproven), 0)
+            << setting;
     }
 }
 

@@ -56,19 +56,18 @@ struct ExpectedClosestPoint {
 
 void expectPoint(const BSplineSurface& surface, const ClosestPoint& closest,
                  const ExpectedClosestPoint& expected) {
-    constexpr double kStrongestBend = 1.0 / 20.0_nm;
+    constexpr double kMaxBend = 1.0 / 20.0_nm;
     const test::StorageError storage = test::storageErrorOf(surface);
     const double place = 1e-12 * kSize + closestPointError(surface, expected.distance);
     EXPECT_TRUE(closest.converged);
     EXPECT_TRUE(closest.insideScan);
     EXPECT_TRUE(closest.certified());
     EXPECT_LT((closest.point - expected.point).norm(), place);
-    EXPECT_LT((closest.normal - expected.normal).norm(),
-              1e-11 + storage.slope + kStrongestBend * place);
+    EXPECT_LT((closest.normal - expected.normal).norm(), 1e-11 + storage.slope + kMaxBend * place);
     EXPECT_NEAR(closest.distance, expected.distance, 1e-12 * kSize + storage.height);
 }
 
-TEST(ClosestPoint, OnATiltedPlaneIsThePerpendicularClosestPoint) {
+TEST(ClosestPoint, OnATiltedPlaneLiesAlongTheNormal) {
     for (const double degrees : {0.0, 30.0, 80.0}) {
         const Quadric plane{.slopeX = std::tan(degrees * M_PI / 180.0) * 0.8,
                             .slopeY = std::tan(degrees * M_PI / 180.0) * 0.6};

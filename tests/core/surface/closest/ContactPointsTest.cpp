@@ -40,7 +40,7 @@ BSplineSurface surfaceOf(const std::function<double(double, double)>& above) {
     return fitSurface(sampledMap(kScan, Shape{above}));
 }
 
-/// ClosestPoints of a tip over the middle of the scan.
+/// Contact points of a tip over the middle of the scan.
 ContactPoints contactPointsAt(const BSplineSurface& surface, double height) {
     return contactPoints(surface, {.center = {kMiddle, kMiddle, height}, .radius = kTipRadius},
                          kReach, {});

@@ -152,7 +152,7 @@ TEST_P(ClosestPointSearchOn, FindsTheSameClosestPointFromAnyGuess) {
 
 /// contactPoints promises every closest point within reach: none that brute force finds may be
 /// missing.
-TEST_P(ClosestPointSearchOn, TipClosestPointsMissNone) {
+TEST_P(ClosestPointSearchOn, ContactPointsMissNone) {
     const BruteClosestPoints brute(surface_, 6);
     const double pitch = std::sqrt(surface_.grid().pitchX * surface_.grid().pitchY);
     Random random(6);

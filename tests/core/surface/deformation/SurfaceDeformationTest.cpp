@@ -23,8 +23,8 @@ constexpr ScanSize kScan{.columns = 60, .rows = 48, .sizeX = 120.0_nm, .sizeY = 
 constexpr PatchGrid kGrid{.halfWidth = 12.0_nm, .samples = 97};
 constexpr double kTip = 15.0_nm;
 
-constexpr std::array kTiers{DeformationTier::FourPoint, DeformationTier::ContactRadius,
-                            DeformationTier::ClosedForm};
+constexpr std::array kModels{DeformationModel::FourPoint, DeformationModel::ContactRadius,
+                             DeformationModel::ClosedForm};
 
 struct Slope {
     double slope = 0.0;
@@ -57,15 +57,15 @@ double fromAxis(const TipContact& contact, const Vector3& point) {
 }
 
 SurfacePatch patchOf(const BSplineSurface& surface, const TipContact& contact,
-                     DeformationTier tier) {
-    return deformedPatch(surface, contact, kGrid, tier, [](double) { return 0.0; });
+                     DeformationModel model) {
+    return deformedPatch(surface, contact, kGrid, model, [](double) { return 0.0; });
 }
 
 TEST(SurfaceDeformation, RestPointsAreTheSurface) {
     const BSplineSurface surface = eggBox();
-    for (const DeformationTier tier : kTiers) {
+    for (const DeformationModel model : kModels) {
         const SurfacePatch patch =
-            patchOf(surface, contactAt(surface, 63.0_nm, 58.0_nm, 0.5_nm, 2.0_nm), tier);
+            patchOf(surface, contactAt(surface, 63.0_nm, 58.0_nm, 0.5_nm, 2.0_nm), model);
         ASSERT_EQ(patch.columns, 97);
         ASSERT_EQ(patch.rows, 97);
         ASSERT_EQ(patch.rest.size(), 97U * 97U);
@@ -81,16 +81,16 @@ TEST(SurfaceDeformation, RestPointsAreTheSurface) {
 
 TEST(SurfaceDeformation, WithoutDisplacementNothingMoves) {
     const BSplineSurface surface = eggBox();
-    for (const DeformationTier tier : kTiers) {
+    for (const DeformationModel model : kModels) {
         // far from the surface: no contact, and a gap that is no reason to draw the surface up
         const SurfacePatch patch =
-            patchOf(surface, contactAt(surface, 63.0_nm, 58.0_nm, -4.0_nm, 0.0), tier);
+            patchOf(surface, contactAt(surface, 63.0_nm, 58.0_nm, -4.0_nm, 0.0), model);
         for (std::size_t i = 0; i < patch.rest.size(); ++i) {
             ASSERT_EQ(patch.rest[i], patch.points[i]);
         }
     }
     const SurfacePatch still = patchOf(surface, contactAt(surface, 63.0_nm, 58.0_nm, 0.0, 2.0_nm),
-                                       DeformationTier::FourPoint);
+                                       DeformationModel::FourPoint);
     for (std::size_t i = 0; i < still.rest.size(); ++i) {
         ASSERT_EQ(still.rest[i], still.points[i]);
     }
@@ -99,7 +99,7 @@ TEST(SurfaceDeformation, WithoutDisplacementNothingMoves) {
 TEST(SurfaceDeformation, NormalsOfAnUndeformedPatchAreThoseOfTheSurface) {
     const BSplineSurface surface = eggBox();
     const SurfacePatch patch = patchOf(surface, contactAt(surface, 63.0_nm, 58.0_nm, 0.0, 0.0),
-                                       DeformationTier::ClosedForm);
+                                       DeformationModel::ClosedForm);
     for (int row = 1; row < patch.rows - 1; ++row) {
         for (int column = 1; column < patch.columns - 1; ++column) {
             const std::size_t i = patch.index(row, column);
@@ -126,11 +126,11 @@ void expectOnTip(const SurfacePatch& patch, const TipContact& contact) {
     EXPECT_GT(inside, 20);
 }
 
-TEST(ContactRadiusTier, PressesTheSurfaceOntoTheTip) {
+TEST(ContactRadiusModel, PressesTheSurfaceOntoTheTip) {
     for (const double slope : {0.0, 0.4, 2.0}) {
         const BSplineSurface surface = plane(slope);
         const TipContact contact = contactAt(surface, 61.3_nm, 57.1_nm, 0.8_nm, 4.0_nm);
-        const SurfacePatch patch = patchOf(surface, contact, DeformationTier::ContactRadius);
+        const SurfacePatch patch = patchOf(surface, contact, DeformationModel::ContactRadius);
         expectOnTip(patch, contact);
         const std::size_t middle = patch.index(48, 48);
         EXPECT_NEAR((patch.points[middle] - patch.rest[middle]).dot(contact.normal), -0.8_nm,
@@ -138,11 +138,11 @@ TEST(ContactRadiusTier, PressesTheSurfaceOntoTheTip) {
     }
 }
 
-TEST(ContactRadiusTier, DrawsANeckUpToTheRetractingTip) {
+TEST(ContactRadiusModel, DrawsANeckUpToTheRetractingTip) {
     for (const double slope : {0.0, 0.4}) {
         const BSplineSurface surface = plane(slope);
         const TipContact contact = contactAt(surface, 61.3_nm, 57.1_nm, -1.2_nm, 3.0_nm);
-        const SurfacePatch patch = patchOf(surface, contact, DeformationTier::ContactRadius);
+        const SurfacePatch patch = patchOf(surface, contact, DeformationModel::ContactRadius);
         expectOnTip(patch, contact);
         for (std::size_t i = 0; i < patch.rest.size(); ++i) {
             const double rise = (patch.points[i] - patch.rest[i]).dot(contact.normal);
@@ -154,10 +154,10 @@ TEST(ContactRadiusTier, DrawsANeckUpToTheRetractingTip) {
     }
 }
 
-TEST(ContactRadiusTier, LeavesTheSurfaceOutsideTheContactAlone) {
+TEST(ContactRadiusModel, LeavesTheSurfaceOutsideTheContactAlone) {
     const BSplineSurface surface = eggBox();
     const TipContact contact = contactAt(surface, 63.0_nm, 58.0_nm, 0.8_nm, 4.0_nm);
-    const SurfacePatch patch = patchOf(surface, contact, DeformationTier::ContactRadius);
+    const SurfacePatch patch = patchOf(surface, contact, DeformationModel::ContactRadius);
     for (std::size_t i = 0; i < patch.rest.size(); ++i) {
         if (fromAxis(contact, patch.rest[i]) > 4.0_nm + 3.0 * 0.5_nm) {
             ASSERT_EQ(patch.points[i], patch.rest[i]);
@@ -165,7 +165,7 @@ TEST(ContactRadiusTier, LeavesTheSurfaceOutsideTheContactAlone) {
     }
 }
 
-TEST(ContactRadiusTier, HasARoundRim) {
+TEST(ContactRadiusModel, HasARoundRim) {
     const BSplineSurface surface = plane();
     const double radius = 2.0_nm;
     const TipContact contact = contactAt(surface, 61.3_nm, 58.2_nm, 0.5_nm, radius);
@@ -184,10 +184,10 @@ TEST(ContactRadiusTier, HasARoundRim) {
     }
 }
 
-TEST(ContactRadiusTier, StaysFiniteWhereTheContactIsWiderThanTheTip) {
+TEST(ContactRadiusModel, StaysFiniteWhereTheContactIsWiderThanTheTip) {
     const BSplineSurface surface = plane();
     const TipContact contact = contactAt(surface, 60.0_nm, 60.0_nm, 20.0_nm, 30.0_nm);
-    const SurfacePatch patch = patchOf(surface, contact, DeformationTier::ContactRadius);
+    const SurfacePatch patch = patchOf(surface, contact, DeformationModel::ContactRadius);
     for (const Vector3& point : patch.points) {
         ASSERT_TRUE(point.allFinite());
     }
@@ -195,11 +195,11 @@ TEST(ContactRadiusTier, StaysFiniteWhereTheContactIsWiderThanTheTip) {
     EXPECT_NEAR(deepest.z(), -20.0_nm, 0.5_nm);
 }
 
-TEST(FourPointTier, MovesTheSurfaceAlongTheNormalAroundTheClosestPoint) {
+TEST(FourPointModel, MovesTheSurfaceAlongTheNormalAroundTheClosestPoint) {
     for (const double indentation : {0.8_nm, -0.5_nm}) {
         const BSplineSurface surface = plane(0.4);
         const TipContact contact = contactAt(surface, 61.3_nm, 57.1_nm, indentation, 2.0_nm);
-        const SurfacePatch patch = patchOf(surface, contact, DeformationTier::FourPoint);
+        const SurfacePatch patch = patchOf(surface, contact, DeformationModel::FourPoint);
         double largest = 0.0;
         for (std::size_t i = 0; i < patch.rest.size(); ++i) {
             const Vector3 move = patch.points[i] - patch.rest[i];
@@ -217,13 +217,13 @@ TEST(FourPointTier, MovesTheSurfaceAlongTheNormalAroundTheClosestPoint) {
     }
 }
 
-TEST(ClosedFormTier, MovesEveryPointByExactlyTheDisplacement) {
+TEST(ClosedFormModel, MovesEveryPointByExactlyTheDisplacement) {
     const auto displacement = [](double r) { return 0.7_nm * std::exp(-r / 3.0_nm) - 0.1_nm; };
     for (const double slope : {0.0, 1.5}) {
         const BSplineSurface surface = plane(slope);
         const TipContact contact = contactAt(surface, 61.3_nm, 57.1_nm, 0.6_nm, 2.0_nm);
         const SurfacePatch patch =
-            deformedPatch(surface, contact, kGrid, DeformationTier::ClosedForm, displacement);
+            deformedPatch(surface, contact, kGrid, DeformationModel::ClosedForm, displacement);
         for (std::size_t i = 0; i < patch.rest.size(); ++i) {
             const double r = fromAxis(contact, patch.rest[i]);
             const Vector3 expected = -displacement(r) * contact.normal;
@@ -232,12 +232,12 @@ TEST(ClosedFormTier, MovesEveryPointByExactlyTheDisplacement) {
     }
 }
 
-TEST(ClosedFormTier, GivesTheNormalsOfTheDeformedSurface) {
+TEST(ClosedFormModel, GivesTheNormalsOfTheDeformedSurface) {
     const double bowl = 30.0_nm;
     const BSplineSurface surface = plane();
-    const SurfacePatch patch =
-        deformedPatch(surface, contactAt(surface, 60.0_nm, 60.0_nm, 0.6_nm, 2.0_nm), kGrid,
-                      DeformationTier::ClosedForm, [=](double r) { return -r * r / (2.0 * bowl); });
+    const SurfacePatch patch = deformedPatch(
+        surface, contactAt(surface, 60.0_nm, 60.0_nm, 0.6_nm, 2.0_nm), kGrid,
+        DeformationModel::ClosedForm, [=](double r) { return -r * r / (2.0 * bowl); });
     const std::size_t i = patch.index(60, 40);
     const Vector3 arm = patch.points[i] - Vector3(60.0_nm, 60.0_nm, 0.0);
     const Vector3 exact = Vector3(-arm.x() / bowl, -arm.y() / bowl, 1.0).normalized();
@@ -246,9 +246,9 @@ TEST(ClosedFormTier, GivesTheNormalsOfTheDeformedSurface) {
 
 TEST(SurfaceDeformation, IsCutOffAtTheScansEdge) {
     const BSplineSurface surface = eggBox();
-    for (const DeformationTier tier : kTiers) {
+    for (const DeformationModel model : kModels) {
         const SurfacePatch patch =
-            patchOf(surface, contactAt(surface, 1.0_nm, 118.0_nm, 0.5_nm, 3.0_nm), tier);
+            patchOf(surface, contactAt(surface, 1.0_nm, 118.0_nm, 0.5_nm, 3.0_nm), model);
         EXPECT_EQ(patch.rest.front().x(), 0.0);
         EXPECT_NEAR(patch.rest.back().y(), 120.0_nm, 1e-20);
         for (const Vector3& normal : patch.normals) {
@@ -261,7 +261,7 @@ TEST(SurfaceDeformation, RefusesWhatCannotBeDrawn) {
     const BSplineSurface surface = plane();
     const TipContact good = contactAt(surface, 60.0_nm, 60.0_nm, 0.5_nm, 2.0_nm);
     const auto draw = [&](const TipContact& contact, const PatchGrid& grid) {
-        (void)deformedPatch(surface, contact, grid, DeformationTier::ContactRadius);
+        (void)deformedPatch(surface, contact, grid, DeformationModel::ContactRadius);
     };
     TipContact bad = good;
     bad.closest.x() = std::numeric_limits<double>::quiet_NaN();
@@ -272,7 +272,7 @@ TEST(SurfaceDeformation, RefusesWhatCannotBeDrawn) {
     EXPECT_THROW(draw(good, {.halfWidth = 0.0, .samples = 10}), Error);
     EXPECT_THROW(draw(good, {.halfWidth = 1.0_nm, .samples = 1}), Error);
     EXPECT_THROW(draw(good, {.halfWidth = 1.0_nm, .samples = kMaxPatchSamples + 1}), Error);
-    EXPECT_THROW((void)deformedPatch(surface, good, kGrid, DeformationTier::ClosedForm), Error);
+    EXPECT_THROW((void)deformedPatch(surface, good, kGrid, DeformationModel::ClosedForm), Error);
 }
 
 }  // namespace

@@ -133,8 +133,8 @@ TEST(BSplineFit, IsTheSameWithAnyInstructionsAndThreads) {
 
 TEST(BSplineFit, AWideSmoothingWorksOnShortLines) {
     const HeightMap map = roughMap(30, 20);
-    const BSplineSurface surface = fitSurface(map, {kWidestSmoothing, kWidestSmoothing});
-    expectControls(surface, splineOf(smoothed(map, kWidestSmoothing)));
+    const BSplineSurface surface = fitSurface(map, {kMaxSmoothing, kMaxSmoothing});
+    expectControls(surface, splineOf(smoothed(map, kMaxSmoothing)));
 }
 
 TEST(BSplineFit, RefusesWidthsThatAreNoNumbers) {

@@ -110,7 +110,7 @@ TEST(NurbsClosestPoint, OfASphereIsAsGoodAtThePolesAndOnTheSeam) {
     }
 }
 
-TEST(NurbsClosestPoint, OnAPlaneOfEightyDegreesIsThePerpendicularClosestPoint) {
+TEST(NurbsClosestPoint, OnAPlaneOfEightyDegreesLiesAlongTheNormal) {
     const double slope = 80.0 * std::numbers::pi / 180.0;
     const Vector3 up(std::cos(slope), 0.0, std::sin(slope));
     const NurbsSurface plane =
@@ -343,7 +343,7 @@ TEST(NurbsClosestPoint, OfAHeightFieldIsThatOfTheHeightField) {
 }
 
 /// Seven flat sides of a trough, each as near to its axis as the next.
-TEST(NurbsClosestPoint, WhereClosestPointsHaveNoRoomTheyAreManyClosestPoints) {
+TEST(NurbsClosestPoint, MoreThanHaveRoomAreTooManyPoints) {
     constexpr int kSides = 7;
     NurbsSurface::Net net{.degreeU = 1, .degreeV = 1, .knotsV = {0.0, 0.0, 1.0, 1.0}};
     net.knotsU.push_back(0.0);

@@ -1,4 +1,4 @@
-#include "core/surface/touched/TouchedSurface.h"
+#include "core/surface/sample/SampleSurface.h"
 
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/closest/ContactPoints.h"
@@ -55,17 +55,17 @@ ContactPoints tipPointsOn(const NurbsSurface& surface, const TipSphere& tip,
 
 }  // namespace
 
-ContactPoints TouchedSurface::contactPoints(const TipSphere& tip, double reach,
-                                            std::span<const SearchGuess> known,
-                                            ClosestPointTracker& tracker) const noexcept {
+ContactPoints SampleSurface::contactPoints(const TipSphere& tip, double reach,
+                                           std::span<const SearchGuess> known,
+                                           ClosestPointTracker& tracker) const noexcept {
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
         return asperity::contactPoints(**field, tip, {reach, effort_}, known, tracker);
     }
     return tipPointsOn(*std::get<const NurbsSurface*>(surface_), tip, reach);
 }
 
-ClosestPoint TouchedSurface::localClosestPoint(const Vector3& query,
-                                               const SearchGuess& guess) const noexcept {
+ClosestPoint SampleSurface::localClosestPoint(const Vector3& query,
+                                              const SearchGuess& guess) const noexcept {
     if (const auto* const* field = std::get_if<const BSplineSurface*>(&surface_)) {
         return asperity::localClosestPoint(**field, query, guess);
     }

@@ -13,16 +13,16 @@ class NurbsSurface;
 struct ContactPoints;
 struct TipSphere;
 
-/// What a tip touches, a height field or a NURBS surface, and how hard its closest points are
-/// looked for there. A view: the surface must outlive it.
-class TouchedSurface {
+/// The surface that a tip touches, a height field or a NURBS surface, and the effort of the search
+/// for its closest points. A view: the surface must outlive it.
+class SampleSurface {
 public:
-    // NOLINTBEGIN(google-explicit-constructor): either surface can be touched as it is
-    TouchedSurface(const BSplineSurface& field,
-                   SearchEffort effort = SearchEffort::Certified) noexcept
+    // NOLINTBEGIN(google-explicit-constructor): either surface is a sample as it is
+    SampleSurface(const BSplineSurface& field,
+                  SearchEffort effort = SearchEffort::Certified) noexcept
         : surface_(&field), effort_(effort) {}
     /// Looked at with all effort.
-    TouchedSurface(const NurbsSurface& shape) noexcept : surface_(&shape) {}
+    SampleSurface(const NurbsSurface& shape) noexcept : surface_(&shape) {}
     // NOLINTEND(google-explicit-constructor)
 
     /// The closest points of a tip, as on a height field (ContactPoints.h). On a NURBS surface

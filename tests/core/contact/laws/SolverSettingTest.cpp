@@ -33,8 +33,8 @@ AnyContact anyCohesiveContact() {
     return contact;
 }
 
-ContactModel withSolver(AnyContact contact, SolverTier tier) {
-    contact.options.solver = tier;
+ContactModel withSolver(AnyContact contact, SolverSetting solver) {
+    contact.options.solver = solver;
     return contact.model();
 }
 
@@ -68,12 +68,12 @@ ContactState allowance(const AnyContact& contact, const ContactModel& model, dou
     return limit;
 }
 
-TEST(SolverTier, NewtonsStateIsTheExactOneFromAnyMemory) {
+TEST(SolverSetting, NewtonsStateIsTheExactOneFromAnyMemory) {
     test::checkProperty([] {
         const AnyContact contact = anyCohesiveContact();
         RC_LOG() << contact << '\n';
-        const ContactModel exact = withSolver(contact, SolverTier::Exact);
-        const ContactModel newton = withSolver(contact, SolverTier::Newton);
+        const ContactModel exact = withSolver(contact, SolverSetting::Exact);
+        const ContactModel newton = withSolver(contact, SolverSetting::Newton);
         const double approach = bondedApproach(exact, contact.compliance);
         const double coordinate = anyCoordinate();
         RC_LOG() << "approach " << approach << " coordinate " << coordinate << '\n';
@@ -90,10 +90,10 @@ TEST(SolverTier, NewtonsStateIsTheExactOneFromAnyMemory) {
 }
 
 /// The exact solver has no memory but the branch.
-TEST(SolverTier, TheExactStateDoesNotDependOnMemory) {
+TEST(SolverSetting, TheExactStateDoesNotDependOnMemory) {
     test::checkProperty([] {
         const AnyContact contact = anyCohesiveContact();
-        const ContactModel exact = withSolver(contact, SolverTier::Exact);
+        const ContactModel exact = withSolver(contact, SolverSetting::Exact);
         const double approach = bondedApproach(exact, contact.compliance);
         const ContactState one =
             exact.equilibrium(approach, contact.compliance, {ContactBranch::Bonded});
@@ -106,14 +106,14 @@ TEST(SolverTier, TheExactStateDoesNotDependOnMemory) {
 
 /// A few tables, because each takes a while to build: stiff, middle and soft, and one pair whose
 /// lambda no table covers.
-TEST(SolverTier, TheTablesStateIsWithinItsBoundFromAnyMemory) {
+TEST(SolverSetting, TheTablesStateIsWithinItsBoundFromAnyMemory) {
     for (const ContactLaw law : {ContactLaw::Maugis, ContactLaw::Split}) {
         for (const ContactPair& pair :
              {ContactPair{15e-9, 5e10, 0.2}, ContactPair{15e-9, 2.35e9, 0.066},
               ContactPair{15e-9, 1.33e6, 0.022}, ContactPair{1e-3, 1e3, 100.0},
               ContactPair{1e-10, 1e13, 1e-6}}) {
-            const ContactModel table(law, pair, {.solver = SolverTier::Table});
-            const ContactModel exact(law, pair, {.solver = SolverTier::Exact});
+            const ContactModel table(law, pair, {.solver = SolverSetting::Table});
+            const ContactModel exact(law, pair, {.solver = SolverSetting::Exact});
             const MaugisUnits units = maugisUnits(pair);
             const double bound = table.table() != nullptr ? table.table()->errorBound() : 0.0;
             test::checkProperty([&] {
@@ -142,10 +142,10 @@ TEST(SolverTier, TheTablesStateIsWithinItsBoundFromAnyMemory) {
 }
 
 /// Also where the surface curves under the tip, and far outside of what the table covers.
-TEST(SolverTier, TheTableFollowsACurvedSurfaceWithinItsBound) {
+TEST(SolverSetting, TheTableFollowsACurvedSurfaceWithinItsBound) {
     const ContactPair pair{15e-9, 2.35e9, 0.066};
-    const ContactModel table(ContactLaw::Split, pair, {.solver = SolverTier::Table});
-    const ContactModel exact(ContactLaw::Split, pair, {.solver = SolverTier::Exact});
+    const ContactModel table(ContactLaw::Split, pair, {.solver = SolverSetting::Table});
+    const ContactModel exact(ContactLaw::Split, pair, {.solver = SolverSetting::Exact});
     ASSERT_NE(table.table(), nullptr);
     const double bound = table.table()->errorBound();
     test::checkProperty([&] {
@@ -165,11 +165,11 @@ TEST(SolverTier, TheTableFollowsACurvedSurfaceWithinItsBound) {
     });
 }
 
-/// Else a tier that nobody asks would pass every comparison.
-TEST(SolverTier, TheTableAnswersForItself) {
+/// Else a setting that nobody asks would pass every comparison.
+TEST(SolverSetting, TheTableAnswersForItself) {
     const ContactPair pair{15e-9, 2.35e9, 0.066};
-    const ContactModel exact(ContactLaw::Split, pair, {.solver = SolverTier::Exact});
-    const ContactModel table(ContactLaw::Split, pair, {.solver = SolverTier::Table});
+    const ContactModel exact(ContactLaw::Split, pair, {.solver = SolverSetting::Exact});
+    const ContactModel table(ContactLaw::Split, pair, {.solver = SolverSetting::Table});
     EXPECT_EQ(exact.table(), nullptr);
     ASSERT_NE(table.table(), nullptr);
     int different = 0;

@@ -10,20 +10,20 @@ namespace asperity {
 struct Scene;
 
 /// How exactly a picture shows the surface around the contact.
-struct FrameTier {
-    DeformationTier deformation = DeformationTier::ClosedForm;
+struct FrameOptions {
+    DeformationModel deformation = DeformationModel::ClosedForm;
     int samples = 97;  ///< of the patch, a side
 };
 
 /// For people: "closed form, 97 x 97".
-[[nodiscard]] std::string nameOf(const FrameTier& tier);
+[[nodiscard]] std::string nameOf(const FrameOptions& options);
 
 /// The models that a tick of this scene can take: each law that its sample allows, with each solver
 /// but the one afresh and each search for closest points, and all other terms; then the scene's own
 /// model, and the same with all other terms but one.
-[[nodiscard]] std::vector<ForceModelOptions> tickTiers(const Scene& scene);
+[[nodiscard]] std::vector<ForceModelOptions> tickModels(const Scene& scene);
 
-/// All ways for its picture.
-[[nodiscard]] std::vector<FrameTier> frameTiers();
+/// All options for its picture.
+[[nodiscard]] std::vector<FrameOptions> frameOptions();
 
 }  // namespace asperity

@@ -7,15 +7,17 @@
 namespace asperity {
 
 /// How a Maugis-Dugdale state is found: a choice of speed only, within the bound that the table
-/// states of itself. Folds are exact in every tier.
-enum class SolverTier : std::uint8_t {
+/// states of itself. Folds are exact in every setting.
+enum class SolverSetting : std::uint8_t {
     Exact,   ///< afresh each time
     Newton,  ///< by Newton's method from the previous state
     Table,   ///< from a table over transition parameter and indentation
 };
 
 template <>
-inline constexpr auto kEnumTable<SolverTier> = std::to_array<EnumRow<SolverTier>>(
-    {{SolverTier::Exact, "exact"}, {SolverTier::Newton, "newton"}, {SolverTier::Table, "table"}});
+inline constexpr auto kEnumTable<SolverSetting> =
+    std::to_array<EnumRow<SolverSetting>>({{SolverSetting::Exact, "exact"},
+                                           {SolverSetting::Newton, "newton"},
+                                           {SolverSetting::Table, "table"}});
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "core/studies/TradeOffTiers.h"
+#include "core/studies/TradeOffModels.h"
 
 #include "core/scene/BelievedModel.h"
 #include "core/scene/ModelTerm.h"
@@ -26,58 +26,58 @@ std::vector<ContactLaw> lawsFor(const SceneDescription& scene) {
 bool hasTable(const Scene& scene, ContactLaw law) {
     ForceModelOptions model = scene.model;
     model.law = law;
-    model.solver = SolverTier::Table;
+    model.solver = SolverSetting::Table;
     return believedSystem(scene.description, model).contact.table() != nullptr;
 }
 
-void addOnce(std::vector<ForceModelOptions>& tiers, const ForceModelOptions& tier) {
-    if (std::ranges::find(tiers, tier) == tiers.end()) {
-        tiers.push_back(tier);
+void addOnce(std::vector<ForceModelOptions>& all, const ForceModelOptions& options) {
+    if (std::ranges::find(all, options) == all.end()) {
+        all.push_back(options);
     }
 }
 
 }  // namespace
 
-std::string nameOf(const FrameTier& tier) {
-    const std::string side = std::to_string(tier.samples);
-    return std::string(nameOf(tier.deformation)) + ", " + side + " x " + side;
+std::string nameOf(const FrameOptions& options) {
+    const std::string side = std::to_string(options.samples);
+    return std::string(nameOf(options.deformation)) + ", " + side + " x " + side;
 }
 
-std::vector<ForceModelOptions> tickTiers(const Scene& scene) {
-    std::vector<ForceModelOptions> tiers;
+std::vector<ForceModelOptions> tickModels(const Scene& scene) {
+    std::vector<ForceModelOptions> all;
     for (const ContactLaw law : lawsFor(scene.description)) {
-        for (const SolverTier solver : {SolverTier::Table, SolverTier::Newton}) {
-            if (solver == SolverTier::Table && !hasTable(scene, law)) {
+        for (const SolverSetting solver : {SolverSetting::Table, SolverSetting::Newton}) {
+            if (solver == SolverSetting::Table && !hasTable(scene, law)) {
                 continue;
             }
             for (const SearchEffort effort :
                  {SearchEffort::Local, SearchEffort::Global, SearchEffort::Certified}) {
-                tiers.push_back({.law = law, .solver = solver, .closestPointSearch = effort});
+                all.push_back({.law = law, .solver = solver, .closestPointSearch = effort});
             }
         }
     }
     const ForceModelOptions own = ofForce(scene.model);
-    addOnce(tiers, own);
+    addOnce(all, own);
     for (const ModelTerm left : kSwitchedTerms) {
         ForceModelOptions less = own;
         for (const ModelTerm term : kSwitchedTerms) {
             less.*traitsOf(term).option = term != left;
         }
-        addOnce(tiers, ofForce(less));
+        addOnce(all, ofForce(less));
     }
-    return tiers;
+    return all;
 }
 
-std::vector<FrameTier> frameTiers() {
-    std::vector<FrameTier> tiers;
-    for (const DeformationTier deformation :
-         {DeformationTier::FourPoint, DeformationTier::ContactRadius, DeformationTier::ClosedForm,
-          DeformationTier::HalfSpace}) {
+std::vector<FrameOptions> frameOptions() {
+    std::vector<FrameOptions> all;
+    for (const DeformationModel deformation :
+         {DeformationModel::FourPoint, DeformationModel::ContactRadius,
+          DeformationModel::ClosedForm, DeformationModel::HalfSpace}) {
         for (const int samples : {25, 49, 97}) {
-            tiers.push_back({deformation, samples});
+            all.push_back({deformation, samples});
         }
     }
-    return tiers;
+    return all;
 }
 
 }  // namespace asperity

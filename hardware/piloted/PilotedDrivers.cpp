@@ -1,4 +1,4 @@
-#include "hardware/led/LedDrivers.h"
+#include "hardware/piloted/PilotedDrivers.h"
 
 #include "core/haptics/bench/SimulatedDevice.h"
 #include "core/haptics/device/PointerDevice.h"

@@ -4,10 +4,10 @@
 
 namespace asperity {
 
-/// For mouse and keyboard, which need no device.
+/// For mouse and keyboard themselves.
 [[nodiscard]] const DeviceDriver& pointerDriver();
 
-/// For a haptic device without the device, which mouse and keyboard lead.
+/// For the simulated haptic device, which mouse and keyboard pilot.
 [[nodiscard]] const DeviceDriver& simulatedDriver();
 
 }  // namespace asperity

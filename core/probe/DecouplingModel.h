@@ -7,13 +7,13 @@
 namespace asperity {
 
 /// How the signals become a force.
-enum class DecouplingTier : std::uint8_t {
+enum class DecouplingModel : std::uint8_t {
     Planar,    ///< nothing assumed but that the force lies in the plane of normal and motion
     Estimator  ///< weighted least squares of all that is known
 };
 
 template <>
-inline constexpr auto kEnumTable<DecouplingTier> = std::to_array<EnumRow<DecouplingTier>>(
-    {{DecouplingTier::Planar, "planar"}, {DecouplingTier::Estimator, "estimator"}});
+inline constexpr auto kEnumTable<DecouplingModel> = std::to_array<EnumRow<DecouplingModel>>(
+    {{DecouplingModel::Planar, "planar"}, {DecouplingModel::Estimator, "estimator"}});
 
 }  // namespace asperity
