@@ -96,8 +96,9 @@ TEST(ReplayOfShippedScenes, IsBitIdentical) {
 
 TEST(ReplayOfAnEarlierProgram, IsBitIdentical) {
     const test::ScratchFolder scratch;
-    const auto again = test::runProgram(std::string("replay ") + ASPERITY_RECORDINGS +
-                                        "/sphere --out " + scratch.file("again").string());
+    const auto again =
+        test::runProgram(std::string("replay ") + ASPERITY_REFERENCE_DIR +
+                         "/recordings/sphere --out " + scratch.file("again").string());
     EXPECT_NE(again.output.find("bit-identical: 201 ticks"), std::string::npos) << again.output;
 }
 

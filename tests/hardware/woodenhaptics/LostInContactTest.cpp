@@ -43,7 +43,7 @@ bool droveSince(const VirtualWoodenHaptics& device, std::size_t begin) {
 class Unplugged : public ::testing::Test {
 protected:
     Unplugged() {
-        EXPECT_TRUE(calibrateWhenItWaits(device));
+        EXPECT_TRUE(calibrateWhenItWaits(driver));
         tip.loop.start();
     }
 
@@ -74,8 +74,8 @@ protected:
 
     VirtualWoodenHaptics device{handleAt(kHigh)};
     HidapiTransport transport;
-    WoodenHaptics device{transport, shippedDevice()};
-    CoupledTip tip{device};
+    WoodenHaptics driver{transport, shippedDevice()};
+    CoupledTip tip{driver};
 };
 
 TEST_F(Unplugged, TheFirstTickThatKnowsIsAFaultAndFeelsNothing) {
@@ -100,8 +100,8 @@ TEST_F(Unplugged, PluggedInAgainTheMotorsRestUntilAPersonTakesTheFaultBack) {
     ASSERT_TRUE(eventually([&] { return device.events().size() > before + 50; }));
     EXPECT_FALSE(droveSince(device, before));
     EXPECT_FALSE(isConnected()) << "it may have lost its power, and does not know its pose";
-    ASSERT_TRUE(eventually([this] { return waitsForCalibration(device); }));
-    device.calibrate();
+    ASSERT_TRUE(eventually([this] { return waitsForCalibration(driver); }));
+    driver.calibrate();
     ASSERT_TRUE(eventually([this] { return isConnected(); }));
     const std::size_t calibrated = device.events().size();
     ASSERT_TRUE(eventually([&] { return device.events().size() > calibrated + 50; }));
