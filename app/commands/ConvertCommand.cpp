@@ -7,7 +7,6 @@
 #include "core/Error.h"
 #include "core/PrintableText.h"
 #include "core/TemporaryFile.h"
-#include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/surface/Leveling.h"
@@ -15,7 +14,7 @@
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/fit/GaussianFilter.h"
 #include "core/surface/imaging/TipErosion.h"
-#include "vtkplugins/io/HeightMapWriter.h"
+#include "vtkplugins/io/VtkFormats.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -54,44 +53,39 @@ void refuseToOverwriteInput(const ConvertOptions& options) {
     }
 }
 
-template <class Words>
-std::string joined(const Words& words) {
-    std::string text;
-    for (const auto& word : words) {
-        text += (text.empty() ? "" : " ") + std::string(word);
-    }
-    return text;
+/// All that a map is written in.
+const std::vector<const HeightMapFormat*>& formats() {
+    static const std::vector<const HeightMapFormat*> all = [] {
+        std::vector<const HeightMapFormat*> list(kHeightMapFormats.begin(),
+                                                 kHeightMapFormats.end());
+        list.insert(list.end(), kVtkFormats.begin(), kVtkFormats.end());
+        return list;
+    }();
+    return all;
 }
 
 /// The formats that can be written, each by the first of its extensions.
 std::string writtenFormats() {
-    std::vector<std::string_view> first;
-    for (const HeightMapFormat* format : kHeightMapFormats) {
+    std::string text;
+    for (const HeightMapFormat* format : formats()) {
         if (format->write != nullptr) {
-            first.push_back(format->extensions.front());
+            text.append(text.empty() ? "" : " ").append(format->extensions.front());
         }
     }
-    return joined(first) + " " + joined(vtkExtensions());
+    return text;
 }
 
 /// Before long work is done for it. @param option that names the file
 void requireWritableMap(const std::string& option, const std::string& file) {
-    if (!canWriteHeightMap(file) && !canWriteHeightMapWithVtk(file)) {
-        throw CLI::ValidationError(
-            option, file + ": no height map can be written with this extension; known are " +
-                        joined(heightMapExtensions()) + " " + joined(vtkExtensions()));
+    if (const std::string refusal = writeRefusal(file, formats()); !refusal.empty()) {
+        throw CLI::ValidationError(option, refusal);
     }
     requireWritable(file);
 }
 
-void writeInAnyFormat(const std::filesystem::path& path, const HeightRows& map,
-                      const HeightMapMeta& meta) {
+void writeMap(const std::filesystem::path& path, const HeightRows& map, const HeightMapMeta& meta) {
     ProgressLine line("writing");
-    if (canWriteHeightMap(path)) {
-        writeHeightMap(path, map, meta, &line);
-    } else {
-        writeHeightMapWithVtk(path, map, &line);
-    }
+    writeHeightMap(path, map, meta, &line, formats());
 }
 
 /// Of the file that was read.
@@ -132,7 +126,7 @@ void writeCertainty(const ConvertOptions& options, const ScanReconstruction& kno
         }
     };
     meta.title = "Certainty (1: touched by the imaging tip)";
-    writeInAnyFormat(options.certainty, map, meta);
+    writeMap(options.certainty, map, meta);
 }
 
 void tellCertainty(const ScanReconstruction& known) {
@@ -167,7 +161,7 @@ void convertFiltered(const ConvertOptions& options) {
     scan.map = options.residual ? residual(options, std::move(scan.map))
                                 : withoutTip(options, std::move(scan.map), meta);
     const HeightRows rows = rowsOf(scan.map);
-    writeInAnyFormat(options.output, rows, meta);
+    writeMap(options.output, rows, meta);
     tellWritten(options, scan.channel, rows, scan.map.invalid);
 }
 
@@ -181,7 +175,7 @@ void convertPlainly(const ConvertOptions& options) {
     ScanChannel& channel = file.channel;
     const HeightMap map = leveled(std::move(channel.map), options.leveling);
     const HeightRows rows = rowsOf(map);
-    writeInAnyFormat(options.output, rows, {channel.name, channel.originX, channel.originY});
+    writeMap(options.output, rows, {channel.name, channel.originX, channel.originY});
     tellWritten(options, channel.name, rows, map.invalid);
 }
 

@@ -55,8 +55,7 @@ public:
     void clear();
 
     [[nodiscard]] const CurveHistory& history(std::size_t curve) const { return histories_[curve]; }
-    [[nodiscard]] const AxisRange& valueRange() const { return range_.range(); }        ///< [unit]
-    [[nodiscard]] const std::string& shownUnit() const { return scale_.scale().unit; }  ///< "nN"
+    [[nodiscard]] const AxisRange& valueRange() const { return range_.range(); }  ///< [unit]
 
 private:
     class Canvas;  ///< what Qwt draws

@@ -77,6 +77,8 @@ ForcePanel::ForcePanel(QWidget* parent)
         grid->setColumnStretch(gapColumn, 1);
     }
     body().addLayout(grid);
+    forcePlot_->setObjectName(QStringLiteral("forcePlot"));
+    heightPlot_->setObjectName(QStringLiteral("heightPlot"));
     body().addWidget(forcePlot_, 5);
     body().addWidget(heightPlot_, 4);
     clear();

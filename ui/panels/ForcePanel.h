@@ -25,9 +25,6 @@ public:
     using QWidget::show;
     [[nodiscard]] const char* slowName() const override { return "forces"; }
 
-    [[nodiscard]] const CurvePlot& forcePlot() const { return *forcePlot_; }
-    [[nodiscard]] const CurvePlot& heightPlot() const { return *heightPlot_; }
-
 private:
     void buildForces(QGridLayout& grid);
     void buildPosition(QGridLayout& grid);

@@ -2,9 +2,10 @@
 
 #include "core/io/ByteSource.h"
 #include "core/io/heightmap/HeightMapFile.h"
-#include "core/io/heightmap/HeightMapWriter.h"
+#include "core/surface/HeightRows.h"
 
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -30,6 +31,13 @@ struct StoredScan {
     std::vector<std::string> notes;
 };
 
+/// What a written file says about a height map besides its heights.
+struct HeightMapMeta {
+    std::string title = "Height";  ///< UTF-8
+    double originX = 0.0;          ///< offset of the scan in the instrument's frame [m]
+    double originY = 0.0;          ///< [m]
+};
+
 /// A file type: who reads it, who writes it. A further format is a folder of its own that defines
 /// such a constant, and its lines at the end of this table.
 struct HeightMapFormat {
@@ -53,18 +61,23 @@ struct HeightMapFormat {
 /// Every type is known by as many bytes.
 constexpr std::size_t kMarkBytes = 64;
 
-extern const HeightMapFormat kGwyFormat;
+// Written, pixels without data are NaN where nothing else is said.
+extern const HeightMapFormat kGwyFormat;  ///< doubles; pixels without data are in a mask
 extern const HeightMapFormat kNanoscopeFormat;
-extern const HeightMapFormat kGsfFormat;
-extern const HeightMapFormat kExrFormat;
-extern const HeightMapFormat kTiffFormat;
+extern const HeightMapFormat kGsfFormat;   ///< float32
+extern const HeightMapFormat kExrFormat;   ///< float32
+extern const HeightMapFormat kTiffFormat;  ///< float32
+/// 65536 steps between the lowest and the highest pixel; those without data take the lowest height,
+/// and a comment says how many.
 extern const HeightMapFormat kPngFormat;
-extern const HeightMapFormat kTextFormat;
+extern const HeightMapFormat kTextFormat;  ///< doubles
 
 /// The most telling beginnings first.
 inline constexpr std::array kHeightMapFormats{&kGwyFormat, &kNanoscopeFormat, &kGsfFormat,
                                               &kExrFormat, &kTiffFormat,      &kPngFormat,
                                               &kTextFormat};
+
+using HeightMapFormats = std::span<const HeightMapFormat* const>;
 
 /// What a content holds, without the heights.
 struct HeightMapContents {

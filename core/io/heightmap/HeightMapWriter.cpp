@@ -4,7 +4,6 @@
 #include "core/TemporaryFile.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapEncoders.h"
-#include "core/io/heightmap/HeightMapFormat.h"
 
 #include <algorithm>
 #include <fstream>
@@ -15,9 +14,9 @@ namespace asperity {
 namespace {
 
 /// Null when no format that is written has the path's extension.
-const HeightMapFormat* findFormat(const std::filesystem::path& path) {
+const HeightMapFormat* findFormat(const std::filesystem::path& path, HeightMapFormats formats) {
     const std::string extension = lowerCase(path.extension().string());
-    for (const HeightMapFormat* format : kHeightMapFormats) {
+    for (const HeightMapFormat* format : formats) {
         if (format->write != nullptr && std::ranges::count(format->extensions, extension) > 0) {
             return format;
         }
@@ -25,39 +24,36 @@ const HeightMapFormat* findFormat(const std::filesystem::path& path) {
     return nullptr;
 }
 
-std::string knownExtensions() {
-    std::string text;
-    for (const std::string& extension : heightMapExtensions()) {
-        text += (text.empty() ? "" : " ") + extension;
+}  // namespace
+
+std::vector<std::string> heightMapExtensions(HeightMapFormats formats) {
+    std::vector<std::string> extensions;
+    for (const HeightMapFormat* format : formats) {
+        if (format->write != nullptr) {
+            extensions.insert(extensions.end(), format->extensions.begin(),
+                              format->extensions.end());
+        }
+    }
+    return extensions;
+}
+
+std::string writeRefusal(const std::filesystem::path& path, HeightMapFormats formats) {
+    if (findFormat(path, formats) != nullptr) {
+        return "";
+    }
+    std::string text =
+        path.string() + ": no height map can be written with this extension; known are";
+    for (const std::string& extension : heightMapExtensions(formats)) {
+        text += " " + extension;
     }
     return text;
 }
 
-}  // namespace
-
-const std::vector<std::string>& heightMapExtensions() {
-    static const std::vector<std::string> kExtensions = [] {
-        std::vector<std::string> extensions;
-        for (const HeightMapFormat* format : kHeightMapFormats) {
-            if (format->write != nullptr) {
-                extensions.insert(extensions.end(), format->extensions.begin(),
-                                  format->extensions.end());
-            }
-        }
-        return extensions;
-    }();
-    return kExtensions;
-}
-
-bool canWriteHeightMap(const std::filesystem::path& path) { return findFormat(path) != nullptr; }
-
 void writeHeightMap(const std::filesystem::path& path, const HeightRows& map,
-                    const HeightMapMeta& meta, Progress* progress) {
-    const HeightMapFormat* const format = findFormat(path);
+                    const HeightMapMeta& meta, Progress* progress, HeightMapFormats formats) {
+    const HeightMapFormat* const format = findFormat(path, formats);
     if (format == nullptr) {
-        throw Error(path.string() +
-                    ": no height map can be written with this extension; known are " +
-                    knownExtensions());
+        throw Error(writeRefusal(path, formats));
     }
     const TemporaryFile temporary(path);
     try {

@@ -26,6 +26,10 @@ TickSample indented() {
     return sample;
 }
 
+const CurvePlot& plotOf(const ForcePanel& panel, const char* name) {
+    return *panel.findChild<CurvePlot*>(QString::fromUtf8(name));
+}
+
 TEST(ForcePanel, ShowsForcesWithTheirStandardDeviations) {
     ForcePanel panel;
     panel.show(test::snapshotOf(indented()));
@@ -145,8 +149,8 @@ TEST(ForcePanel, ShowsADashForWhatIsNotANumber) {
     panel.show(test::snapshotOf(sample));
     EXPECT_FALSE(test::showsNan(panel));
     EXPECT_TRUE(test::textOf(panel, "forceX").startsWith(QStringLiteral("–")));
-    EXPECT_TRUE(panel.forcePlot().history(0).isEmpty());
-    EXPECT_FALSE(panel.forcePlot().history(1).isEmpty());
+    EXPECT_TRUE(plotOf(panel, "forcePlot").history(0).isEmpty());
+    EXPECT_FALSE(plotOf(panel, "forcePlot").history(1).isEmpty());
 }
 
 TEST(ForcePanel, ClearForgetsNumbersAndCurves) {
@@ -157,8 +161,8 @@ TEST(ForcePanel, ClearForgetsNumbersAndCurves) {
     EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("–"));
     EXPECT_EQ(test::textOf(panel, "forceZSigma"), QString());
     EXPECT_EQ(test::textOf(panel, "gap"), QStringLiteral("–"));
-    EXPECT_TRUE(panel.forcePlot().history(2).isEmpty());
-    EXPECT_TRUE(panel.heightPlot().history(0).isEmpty());
+    EXPECT_TRUE(plotOf(panel, "forcePlot").history(2).isEmpty());
+    EXPECT_TRUE(plotOf(panel, "heightPlot").history(0).isEmpty());
 }
 
 TEST(ForcePanel, CurvesShowARunFromContactToPullOff) {
@@ -180,11 +184,11 @@ TEST(ForcePanel, CurvesShowARunFromContactToPullOff) {
     panel.show(test::snapshotOf(last));
     EXPECT_GT(strongest, 10.0_nN);
     EXPECT_LT(weakest, -1.0_nN) << "adhesion";
-    EXPECT_EQ(panel.forcePlot().history(2).extent().high, strongest) << "every peak stays";
-    EXPECT_EQ(panel.forcePlot().history(2).extent().low, weakest);
-    EXPECT_EQ(panel.heightPlot().history(0).extent().low, lowest);
-    EXPECT_GE(panel.forcePlot().valueRange().high, strongest);
-    EXPECT_LE(panel.forcePlot().valueRange().low, weakest);
+    EXPECT_EQ(plotOf(panel, "forcePlot").history(2).extent().high, strongest) << "every peak stays";
+    EXPECT_EQ(plotOf(panel, "forcePlot").history(2).extent().low, weakest);
+    EXPECT_EQ(plotOf(panel, "heightPlot").history(0).extent().low, lowest);
+    EXPECT_GE(plotOf(panel, "forcePlot").valueRange().high, strongest);
+    EXPECT_LE(plotOf(panel, "forcePlot").valueRange().low, weakest);
 }
 
 }  // namespace

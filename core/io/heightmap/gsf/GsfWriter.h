@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/heightmap/HeightMapWriter.h"
+#include "core/io/heightmap/HeightMapFormat.h"
 
 namespace asperity {
 

@@ -1,7 +1,8 @@
-#include "vtkplugins/io/HeightMapWriter.h"
+#include "vtkplugins/io/VtkFormats.h"
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/io/heightmap/HeightMapWriter.h"
 #include "tests/support/ProgressRecorder.h"
 
 #include <vtkCell.h>
@@ -29,7 +30,7 @@ namespace asperity {
 namespace {
 
 /// A folder of its own for each test, removed afterwards.
-class HeightMapWriter : public testing::Test {
+class VtkFormats : public testing::Test {
 protected:
     void SetUp() override {
         folder = std::filesystem::path(testing::TempDir()) /
@@ -39,6 +40,9 @@ protected:
     }
     void TearDown() override { std::filesystem::remove_all(folder); }
 
+    void write(const std::string& name, const HeightMap& map, Progress* progress = nullptr) const {
+        writeHeightMap(file(name), rowsOf(map), {}, progress, kVtkFormats);
+    }
     [[nodiscard]] std::filesystem::path file(const std::string& name) const {
         return folder / name;
     }
@@ -59,8 +63,8 @@ HeightMap smallMap() {
 
 }  // namespace
 
-TEST_F(HeightMapWriter, ImageHoldsHeightsAtPixelCentersBottomRowFirst) {
-    ASSERT_TRUE(writeHeightMapWithVtk(file("map.VTI"), smallMap()));
+TEST_F(VtkFormats, ImageHoldsHeightsAtPixelCentersBottomRowFirst) {
+    write("map.VTI", smallMap());
     vtkNew<vtkXMLImageDataReader> reader;
     reader->SetFileName(file("map.VTI").c_str());
     reader->Update();
@@ -78,11 +82,11 @@ TEST_F(HeightMapWriter, ImageHoldsHeightsAtPixelCentersBottomRowFirst) {
     EXPECT_EQ(image->GetPointData()->GetArray("valid"), nullptr);
 }
 
-TEST_F(HeightMapWriter, ImageMarksPixelsWithoutData) {
+TEST_F(VtkFormats, ImageMarksPixelsWithoutData) {
     HeightMap map = smallMap();
     map.invalid = {0, 1, 0, 0, 0, 0};
     map.heights[1] = std::numeric_limits<double>::quiet_NaN();
-    ASSERT_TRUE(writeHeightMapWithVtk(file("map.vti"), map));
+    write("map.vti", map);
     vtkNew<vtkXMLImageDataReader> reader;
     reader->SetFileName(file("map.vti").c_str());
     reader->Update();
@@ -93,8 +97,8 @@ TEST_F(HeightMapWriter, ImageMarksPixelsWithoutData) {
     }
 }
 
-TEST_F(HeightMapWriter, MeshRunsThroughThePixelCenters) {
-    ASSERT_TRUE(writeHeightMapWithVtk(file("map.vtp"), smallMap()));
+TEST_F(VtkFormats, MeshRunsThroughThePixelCenters) {
+    write("map.vtp", smallMap());
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(file("map.vtp").c_str());
     reader->Update();
@@ -107,18 +111,18 @@ TEST_F(HeightMapWriter, MeshRunsThroughThePixelCenters) {
     EXPECT_DOUBLE_EQ(point[2], 6.0_nm);
 }
 
-TEST_F(HeightMapWriter, MeshLeavesOutTrianglesAtInvalidPixels) {
+TEST_F(VtkFormats, MeshLeavesOutTrianglesAtInvalidPixels) {
     HeightMap map = smallMap();
     map.invalid = {0, 0, 1, 0, 0, 0};
-    ASSERT_TRUE(writeHeightMapWithVtk(file("map.vtp"), map));
+    write("map.vtp", map);
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName(file("map.vtp").c_str());
     reader->Update();
     EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), 2);
 }
 
-TEST_F(HeightMapWriter, StlIsInMetersAndSaysSo) {
-    ASSERT_TRUE(writeHeightMapWithVtk(file("map.stl"), smallMap()));
+TEST_F(VtkFormats, StlIsInMetersAndSaysSo) {
+    write("map.stl", smallMap());
     vtkNew<vtkSTLReader> reader;
     reader->SetFileName(file("map.stl").c_str());
     reader->Update();
@@ -132,7 +136,7 @@ TEST_F(HeightMapWriter, StlIsInMetersAndSaysSo) {
 }
 
 /// An STL file of many rows is written in strips.
-TEST_F(HeightMapWriter, StlHasTheTrianglesOfTheMesh) {
+TEST_F(VtkFormats, StlHasTheTrianglesOfTheMesh) {
     HeightMap map = smallMap();
     map.rows = 50;
     map.heights.clear();
@@ -140,8 +144,8 @@ TEST_F(HeightMapWriter, StlHasTheTrianglesOfTheMesh) {
         const bool isMissing = i / 3 == 20 || i / 3 == 40;
         map.heights.push_back(isMissing ? std::numeric_limits<double>::quiet_NaN() : i * 1.0_nm);
     }
-    ASSERT_TRUE(writeHeightMapWithVtk(file("map.stl"), map));
-    ASSERT_TRUE(writeHeightMapWithVtk(file("map.vtp"), map));
+    write("map.stl", map);
+    write("map.vtp", map);
     const vtkNew<vtkSTLReader> stl;
     stl->MergingOff();
     stl->SetFileName(file("map.stl").c_str());
@@ -169,19 +173,19 @@ TEST_F(HeightMapWriter, StlHasTheTrianglesOfTheMesh) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
 }
 
-TEST_F(HeightMapWriter, OtherExtensionsAreNotOurs) {
-    EXPECT_FALSE(writeHeightMapWithVtk(file("map.gsf"), smallMap()));
+TEST_F(VtkFormats, OtherExtensionsAreNotOurs) {
+    EXPECT_THROW(write("map.gsf", smallMap()), Error);
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-TEST_F(HeightMapWriter, TellsHowFarItIsAndLeavesNothingBehindWhenCanceled) {
+TEST_F(VtkFormats, TellsHowFarItIsAndLeavesNothingBehindWhenCanceled) {
     HeightMap map = smallMap();
     map.rows = 200;
     map.heights.assign(600, 1.0_nm);
     for (const std::string name : {"map.vti", "map.vtp", "map.stl"}) {
         for (const double fraction : {0.0, 0.2, 0.3, 0.5, 1.0}) {
             test::ProgressRecorder recorder(fraction);
-            EXPECT_THROW(writeHeightMapWithVtk(file(name), rowsOf(map), &recorder), Canceled);
+            EXPECT_THROW(write(name, map, &recorder), Canceled);
             // VTK writes so small an image in one go.
             const bool isOneGo = name == "map.vti" && fraction == 0.5;
             EXPECT_TRUE(fraction == 1.0 || isOneGo || recorder.fractions.back() < 1.0)
@@ -191,20 +195,20 @@ TEST_F(HeightMapWriter, TellsHowFarItIsAndLeavesNothingBehindWhenCanceled) {
     }
     for (const std::string name : {"map.vti", "map.vtp", "map.stl"}) {
         test::ProgressRecorder recorder(2.0);
-        EXPECT_TRUE(writeHeightMapWithVtk(file(name), rowsOf(map), &recorder));
+        write(name, map, &recorder);
         EXPECT_TRUE(std::ranges::is_sorted(recorder.fractions)) << name;
         EXPECT_EQ(recorder.fractions.back(), 1.0);
     }
 }
 
-TEST_F(HeightMapWriter, FailuresThrowAndLeaveNothingBehind) {
+TEST_F(VtkFormats, FailuresThrowAndLeaveNothingBehind) {
     HeightMap blind = smallMap();
     blind.invalid.assign(6, 1);
-    EXPECT_THROW(writeHeightMapWithVtk(file("map.stl"), blind), Error);
+    EXPECT_THROW(write("map.stl", blind), Error);
     HeightMap broken = smallMap();
     broken.heights.pop_back();
-    EXPECT_THROW(writeHeightMapWithVtk(file("map.vti"), broken), Error);
-    EXPECT_THROW(writeHeightMapWithVtk(folder / "missing" / "map.vti", smallMap()), Error);
+    EXPECT_THROW(write("map.vti", broken), Error);
+    EXPECT_THROW(write("missing/map.vti", smallMap()), Error);
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 

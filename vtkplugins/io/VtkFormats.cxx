@@ -1,7 +1,6 @@
-#include "vtkplugins/io/HeightMapWriter.h"
+#include "vtkplugins/io/VtkFormats.h"
 
 #include "core/Error.h"
-#include "core/TemporaryFile.h"
 #include "vtkplugins/io/HeightMesh.h"
 #include "vtkplugins/io/StlWriter.h"
 
@@ -17,10 +16,8 @@
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
-#include <string>
+#include <string_view>
 
 namespace asperity {
 
@@ -74,14 +71,16 @@ void write(Writer* writer, vtkDataObject* data, const std::filesystem::path& tar
     requireWritten(isWritten);
 }
 
-void writeVti(const std::filesystem::path& target, const HeightRows& map, Progress* progress) {
+void writeVti(const std::filesystem::path& target, const HeightRows& map,
+              const HeightMapMeta& /*meta*/, Progress* progress) {
     ProgressPart filling(progress, 0.0, 0.3);
     const auto image = imageOf(map, heightArray(map, &filling));
     ProgressPart writing(progress, 0.3, 1.0);
     write(vtkNew<vtkXMLImageDataWriter>().Get(), image, target, &writing);
 }
 
-void writeVtp(const std::filesystem::path& target, const HeightRows& map, Progress* progress) {
+void writeVtp(const std::filesystem::path& target, const HeightRows& map,
+              const HeightMapMeta& /*meta*/, Progress* progress) {
     ProgressPart filling(progress, 0.0, 0.1);
     const auto heights = heightArray(map, &filling);
     ProgressPart meshing(progress, 0.1, 0.3);
@@ -93,64 +92,21 @@ void writeVtp(const std::filesystem::path& target, const HeightRows& map, Progre
     write(vtkNew<vtkXMLPolyDataWriter>().Get(), mesh, target, &writing);
 }
 
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-using FileWriter = void (*)(const std::filesystem::path&, const HeightRows&, Progress*);
-
-struct Format {
-    const char* extension;
-    FileWriter write;
-};
-constexpr std::array kFormats{Format{".vti", writeVti}, Format{".vtp", writeVtp},
-                              Format{".stl", writeStl}};
-
-/// Null when no format has the path's extension.
-FileWriter writerFor(const std::filesystem::path& path) {
-    const std::string extension = lowerCase(path.extension().string());
-    for (const Format& format : kFormats) {
-        if (extension == format.extension) {
-            return format.write;
-        }
-    }
-    return nullptr;
-}
+constexpr std::array<std::string_view, 1> kVti{".vti"};
+constexpr std::array<std::string_view, 1> kVtp{".vtp"};
+constexpr std::array<std::string_view, 1> kStl{".stl"};
 
 }  // namespace
 
-std::vector<std::string> vtkExtensions() {
-    std::vector<std::string> extensions;
-    for (const Format& format : kFormats) {
-        extensions.emplace_back(format.extension);
-    }
-    return extensions;
-}
-
-bool canWriteHeightMapWithVtk(const std::filesystem::path& path) {
-    return writerFor(path) != nullptr;
-}
-
-bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightRows& map,
-                           Progress* progress) {
-    const FileWriter write = writerFor(path);
-    if (write == nullptr) {
-        return false;
-    }
-    const TemporaryFile file(path);
-    try {
-        write(file.path(), map, progress);
-    } catch (const Error& error) {
-        throw Error(path.string() + ": " + error.what());
-    }
-    file.commit();
-    return true;
-}
-
-bool writeHeightMapWithVtk(const std::filesystem::path& path, const HeightMap& map) {
-    return writeHeightMapWithVtk(path, rowsOf(map));
-}
+const HeightMapFormat kVtiFormat = {
+    .name = "VTK image .vti", .extensions = kVti, .write = writeVti};
+const HeightMapFormat kVtpFormat = {
+    .name = "VTK triangles .vtp", .extensions = kVtp, .write = writeVtp};
+const HeightMapFormat kStlFormat = {
+    .name = "STL triangles .stl",
+    .extensions = kStl,
+    .write = [](const std::filesystem::path& target, const HeightRows& map,
+                const HeightMapMeta& /*meta*/,
+                Progress* progress) { writeStl(target, map, progress); }};
 
 }  // namespace asperity
