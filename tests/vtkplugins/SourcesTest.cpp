@@ -213,6 +213,10 @@ TEST(TipSource, SphereRunsSmoothlyIntoTheShank) {
     for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id) {
         const Vector3 arm = pointOf(output, id) - center;
         const Vector3 normal = normalOf(output, id);
+        if (normal.z() > 0.5) {
+            EXPECT_NEAR(arm.z(), 85.0_nm, 1e-15) << "the flat end";
+            continue;
+        }
         // Sphere and cone alike: the tangent plane passes the center at one radius.
         EXPECT_NEAR(arm.dot(normal), kRadius, 1e-6 * kRadius);
         EXPECT_NEAR(normal.norm(), 1.0, 1e-6);
@@ -223,6 +227,28 @@ TEST(TipSource, SphereRunsSmoothlyIntoTheShank) {
     const double* bounds = output->GetBounds();
     EXPECT_NEAR(bounds[4], 15.0_nm, 1e-15);
     EXPECT_NEAR(bounds[5], 115.0_nm, 1e-15);
+    expectFrontsAlongNormals(output);
+}
+
+TEST(TipSource, AParaboloidGoesOnWithTheSlopeOfItsEnd) {
+    vtkNew<vtkAspTipSource> tip;
+    tip->SetRadius(10.0_nm);
+    tip->SetParaboloidReach(20.0_nm);
+    tip->SetHeight(60.0_nm);
+    tip->Update();
+    vtkPolyData* output = tip->GetOutput();
+    for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id) {
+        const Vector3 point = pointOf(output, id);
+        const double distance = point.head<2>().norm();
+        const double above = point.z() + 10.0_nm;  // the apex
+        if (normalOf(output, id).z() > 0.5) {
+            EXPECT_NEAR(above, 60.0_nm, 1e-15);
+        } else if (distance < 20.1_nm) {
+            EXPECT_NEAR(above, distance * distance / 20.0_nm, 1e-15);
+        } else {
+            EXPECT_NEAR(above, 20.0_nm + 2.0 * (distance - 20.0_nm), 1e-15);
+        }
+    }
     expectFrontsAlongNormals(output);
 }
 

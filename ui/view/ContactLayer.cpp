@@ -24,6 +24,8 @@ namespace asperity {
 
 namespace {
 
+constexpr double kHiddenOpacity = 0.4;  // of the rim behind the tip
+
 void setData(vtkActor* actor, vtkPolyData* data) {
     vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
     actor->VisibilityOn();
@@ -39,16 +41,16 @@ Neighbors neighbors(int place, int count, std::size_t index, std::size_t stride)
     return {place > 0 ? index - stride : index, place + 1 < count ? index + stride : index};
 }
 
-/// The surface's own normal at rest, turned by the slopes of what is drawn of the displacement.
-Vector3 drawnNormal(const ContactShape& shape, int row, int column, double factor) {
+/// The surface's own normal at rest, turned by the slopes of the displacement.
+Vector3 deformedNormal(const ContactShape& shape, int row, int column) {
     const SurfacePatch& patch = shape.patch();
     const std::vector<double>& pushed = shape.displacements();
     const std::size_t i = patch.index(row, column);
     const Neighbors x = neighbors(column, patch.columns, i, 1);
     const Neighbors y = neighbors(row, patch.rows, i, patch.index(1, 0));
-    const double slopeX = -factor * (pushed[x.after] - pushed[x.before]) /
+    const double slopeX = -(pushed[x.after] - pushed[x.before]) /
                           (patch.rest[x.after].x() - patch.rest[x.before].x());
-    const double slopeY = -factor * (pushed[y.after] - pushed[y.before]) /
+    const double slopeY = -(pushed[y.after] - pushed[y.before]) /
                           (patch.rest[y.after].y() - patch.rest[y.before].y());
     const Vector3 rest = patch.normals[i] / patch.normals[i].z();
     const Vector3 alongX(1.0, 0.0, -rest.x());
@@ -76,10 +78,6 @@ std::vector<double> linePlaces(const Range& area, const Range& window, double sp
 
 }  // namespace
 
-Vector3 drawnAt(const ContactShape& shape, const Vector3& rest, double factor) {
-    return rest + factor * (shape.moved(rest) - rest);
-}
-
 ContactLayer::ContactLayer(vtkRenderer* solid, vtkRenderer* through) {
     points_->SetDataTypeToDouble();
     rgb_->SetNumberOfComponents(3);
@@ -89,11 +87,15 @@ ContactLayer::ContactLayer(vtkRenderer* solid, vtkRenderer* through) {
     vtkNew<vtkPolyData> nothing;
     grid_ = thinLines(nothing);
     rim_ = linesAsDrawn(nothing, palette::kContact, 2.0);
+    hiddenRim_ = linesAsDrawn(nothing, palette::kContact, 2.0);
+    hiddenRim_->GetProperty()->SetOpacity(kHiddenOpacity);
+    hiddenRim_->ForceOpaqueOn();  // blended all the same, without VTK's costly passes
     walls_ = surfaceAsColored(nothing);
     solid->AddActor(surface_);
     solid->AddActor(walls_);
     solid->AddActor(grid_);
-    through->AddActor(rim_);
+    solid->AddActor(rim_);
+    through->AddActor(hiddenRim_);
     hide();
 }
 
@@ -104,6 +106,7 @@ void ContactLayer::hide() {
     walls_->VisibilityOff();
     grid_->VisibilityOff();
     rim_->VisibilityOff();
+    hiddenRim_->VisibilityOff();
 }
 
 void ContactLayer::show(const Scene& scene, const ContactShape& shape, const ContactStyle& style) {
@@ -111,7 +114,10 @@ void ContactLayer::show(const Scene& scene, const ContactShape& shape, const Con
     showSurface(scene, shape, style);
     showWalls(style);
     showGrid(scene, shape, style);
-    showRim(scene, shape, style.magnification);
+    showRim(scene, shape);
+    for (vtkActor* actor : {surface_, walls_, grid_, rim_, hiddenRim_}) {
+        style.space.apply(actor);
+    }
 }
 
 void ContactLayer::fitSize(const SurfacePatch& patch) {
@@ -128,18 +134,17 @@ void ContactLayer::fitSize(const SurfacePatch& patch) {
 void ContactLayer::showSurface(const Scene& scene, const ContactShape& shape,
                                const ContactStyle& style) {
     const SurfacePatch& patch = shape.patch();
-    const double factor = style.magnification;
     for (int row = 0; row < patch.rows; ++row) {
         for (int column = 0; column < patch.columns; ++column) {
             const std::size_t i = patch.index(row, column);
             const auto id = static_cast<vtkIdType>(i);
             const Vector3& rest = patch.rest[i];
-            points_->SetPoint(id, Vector3(rest + factor * (patch.points[i] - rest)).data());
+            points_->SetPoint(id, patch.points[i].data());
             const double pushed = shape.displacements()[i];
             const Color color = scene.surface.isMeasured(rest.x(), rest.y())
                                     ? style.colors.at(rest.z(), pushed)
                                     : style.colors.withoutData(pushed);
-            const Vector3 normal = drawnNormal(shape, row, column, factor);
+            const Vector3 normal = deformedNormal(shape, row, column);
             rgb_->SetTypedTuple(id, style.shading.lit(color, normal).data());
         }
     }
@@ -161,9 +166,6 @@ void ContactLayer::showWalls(const ContactStyle& style) {
     vtkNew<vtkUnsignedCharArray> rgb;
     rgb->SetNumberOfComponents(3);
     for (vtkIdType id = 0; id < sides->GetNumberOfPoints(); ++id) {
-        if (id % 2 == 1 && sides->GetPoint(id - 1)[2] < style.bottom) {  // a dent through the block
-            sides->GetPoints()->SetPoint(id, Vector3(sides->GetPoint(id - 1)).data());
-        }
         const Vector3 normal(normals->GetTuple(id));
         rgb->InsertNextTypedTuple(style.shading.lit(palette::kSide, normal, kWallMatt).data());
     }
@@ -174,13 +176,17 @@ void ContactLayer::showWalls(const ContactStyle& style) {
 
 void ContactLayer::showGrid(const Scene& scene, const ContactShape& shape,
                             const ContactStyle& style) {
+    if (!(style.gridSpacing > 0.0)) {
+        grid_->VisibilityOff();
+        return;
+    }
     const SurfacePatch& patch = shape.patch();
     const ScanWindow& area = style.gridArea;
     const ScanWindow& window = style.window;
     const auto drawn = [&](double x, double y) {
         const double inX = std::clamp(x, area.left, area.right);
         const double inY = std::clamp(y, area.bottom, area.top);
-        return drawnAt(shape, {inX, inY, scene.surface.at(inX, inY).height}, style.magnification);
+        return shape.moved({inX, inY, scene.surface.at(inX, inY).height});
     };
     Polylines grid;
     // The patch has as many rows as columns.
@@ -202,10 +208,11 @@ void ContactLayer::showGrid(const Scene& scene, const ContactShape& shape,
     setData(grid_, grid.data());
 }
 
-void ContactLayer::showRim(const Scene& scene, const ContactShape& shape, double factor) {
+void ContactLayer::showRim(const Scene& scene, const ContactShape& shape) {
     const TipContact& contact = shape.contact();
     if (!(contact.contactRadius > 0.0)) {
         rim_->VisibilityOff();
+        hiddenRim_->VisibilityOff();
         return;
     }
     constexpr int kPoints = 120;
@@ -216,10 +223,12 @@ void ContactLayer::showRim(const Scene& scene, const ContactShape& shape, double
         const double angle = 2.0 * std::numbers::pi * (i % kPoints) / kPoints;
         const Vector3 arm = std::cos(angle) * across + std::sin(angle) * third;
         const Vector3 place = contact.closest + contact.contactRadius * arm;
-        rim.push_back(drawnAt(
-            shape, {place.x(), place.y(), scene.surface.at(place.x(), place.y()).height}, factor));
+        rim.push_back(
+            shape.moved({place.x(), place.y(), scene.surface.at(place.x(), place.y()).height}));
     }
-    setData(rim_, polyline(rim));
+    const auto line = polyline(rim);
+    setData(rim_, line);
+    setData(hiddenRim_, line);
 }
 
 }  // namespace asperity

@@ -18,16 +18,16 @@ namespace asperity {
 /// How the contact is drawn.
 struct ContactStyle {
     const SurfaceColors& colors;
+    DrawnSpace space;
     Shading shading;
-    double magnification = 1.0;  ///< of displacements
-    double gridSpacing = 0.0;    ///< of the draped grid [m]
-    ScanWindow gridArea;         ///< that the grid covers
-    ScanWindow window;           ///< of the terrain around the contact
-    double bottom = 0.0;         ///< world z where the terrain's walls end below [m]
+    double gridSpacing = 0.0;  ///< of the draped grid [m]; 0: no grid
+    ScanWindow gridArea;       ///< that the grid covers
+    ScanWindow window;         ///< of the terrain around the contact
+    double bottom = 0.0;       ///< world z where the terrain's walls end below [m]
 };
 
 /// The deformed surface around the contact with its draped grid, its walls where it lies at an edge
-/// of the terrain, and the contact's rim.
+/// of the terrain, and the contact's rim; where something hides the rim it shows through faintly.
 class ContactLayer {
 public:
     /// @param solid   where the surface goes
@@ -45,7 +45,7 @@ private:
     void showSurface(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
     void showWalls(const ContactStyle& style);
     void showGrid(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
-    void showRim(const Scene& scene, const ContactShape& shape, double factor);
+    void showRim(const Scene& scene, const ContactShape& shape);
 
     int samples_ = 0;
     vtkNew<vtkPoints> points_;
@@ -55,10 +55,7 @@ private:
     vtkSmartPointer<vtkActor> walls_;
     vtkSmartPointer<vtkActor> grid_;
     vtkSmartPointer<vtkActor> rim_;
+    vtkSmartPointer<vtkActor> hiddenRim_;
 };
-
-/// Where a point of the surface at rest is drawn when displacements are drawn `factor` times as
-/// large [m].
-[[nodiscard]] Vector3 drawnAt(const ContactShape& shape, const Vector3& rest, double factor);
 
 }  // namespace asperity

@@ -108,6 +108,13 @@ double ContactShape::largestDisplacement() const {
     return std::max(-*low, *high);
 }
 
+double ContactShape::lowest() const {
+    const auto isLower = [](const Vector3& one, const Vector3& other) {
+        return one.z() < other.z();
+    };
+    return std::min_element(patch_.points.begin(), patch_.points.end(), isLower)->z();
+}
+
 /// From the contact to where the surface must be at rest, along the shorter side; at most what the
 /// rectangle holds [m].
 double ContactShape::room() const {

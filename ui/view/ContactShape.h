@@ -30,7 +30,9 @@ public:
     /// Displacement of each sample into the surface [m].
     [[nodiscard]] const std::vector<double>& displacements() const { return displacements_; }
     [[nodiscard]] double largestDisplacement() const;  ///< magnitude [m]
+    [[nodiscard]] double lowest() const;               ///< height of the deformed surface [m]
 
+    [[nodiscard]] const ScanWindow& area() const { return area_; }  ///< that is sampled
     /// Where a point of the surface at rest has gone [m].
     [[nodiscard]] Vector3 moved(const Vector3& rest) const;
     /// By how much the tip's own surface has moved into the tip, at this distance from the

@@ -14,7 +14,12 @@ namespace asperity {
 namespace {
 
 constexpr int kFacets = 24;
-constexpr double kMinLength = 0.06;  // shorter arrows are not drawn; part of their room
+constexpr double kMinLength = 0.06;   // shorter arrows are not drawn; part of their room
+constexpr double kSignificant = 3.0;  // standard deviations
+
+/// One tick in a few hundred lies beyond three standard deviations by chance, several in a row do
+/// not [s].
+constexpr double kConfirmation = 0.05;
 
 }  // namespace
 
@@ -40,7 +45,11 @@ void ForceLayer::show(const ForceEstimate& estimate, const Vector3& start, doubl
     const Vector3 direction = force.stableNormalized();
     const double sigma = std::sqrt(direction.dot(estimate.covariance * direction));
     const double metersPerNewton = scale_.fit(magnitude, sigma, time, room);
-    if (!(magnitude * metersPerNewton > kMinLength * room) || !force.allFinite()) {
+    if (!(magnitude > kSignificant * sigma)) {
+        lastNoise_ = time;
+    }
+    const bool isKnown = !lastNoise_ || time < *lastNoise_ || time - *lastNoise_ > kConfirmation;
+    if (!isKnown || !(magnitude * metersPerNewton > kMinLength * room) || !force.allFinite()) {
         hide();
         return;
     }

@@ -14,7 +14,8 @@ class vtkRenderer;
 
 namespace asperity {
 
-/// The force on the tip as an arrow from the contact.
+/// The force on the tip as an arrow from the contact, once it is known to be there: while it is not
+/// larger than three of its standard deviations, and shortly after, there is none.
 class ForceLayer {
 public:
     explicit ForceLayer(vtkRenderer* renderer);
@@ -22,7 +23,7 @@ public:
     ForceLayer(const ForceLayer&) = delete;
     ForceLayer& operator=(const ForceLayer&) = delete;
 
-    /// @param start where the arrow begins [m]
+    /// @param start where the arrow begins, as drawn [m]
     /// @param time  of the run [s]
     /// @param room  length that the arrow may have [m]
     void show(const ForceEstimate& estimate, const Vector3& start, double time, double room);
@@ -35,6 +36,7 @@ private:
     vtkNew<vtkAspForceGlyphSource> source_;
     vtkSmartPointer<vtkActor> arrow_;
     ForceScale scale_;
+    std::optional<double> lastNoise_;  ///< when the force was within its noise [s]
     std::optional<Vector3> end_;
 };
 

@@ -62,7 +62,7 @@ GuideLayer::~GuideLayer() = default;
 
 void GuideLayer::hide() { lines_->VisibilityOff(); }
 
-void GuideLayer::show(const VirtualFixture& guide, double reach) {
+void GuideLayer::show(const VirtualFixture& guide, double reach, const DrawnSpace& space) {
     const std::vector<Stroke> strokes = strokesOf(guide, reach);
     if (strokes.empty()) {
         hide();
@@ -74,6 +74,7 @@ void GuideLayer::show(const VirtualFixture& guide, double reach) {
     }
     all->Update();
     vtkPolyDataMapper::SafeDownCast(lines_->GetMapper())->SetInputData(all->GetOutput());
+    space.apply(lines_);
     lines_->VisibilityOn();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/VirtualFixture.h"
+#include "ui/view/DrawnSpace.h"
 
 #include <vtkSmartPointer.h>
 
@@ -19,7 +20,7 @@ public:
     GuideLayer& operator=(const GuideLayer&) = delete;
 
     /// @param reach to which lines and planes are drawn on each side of the point [m]
-    void show(const VirtualFixture& guide, double reach);
+    void show(const VirtualFixture& guide, double reach, const DrawnSpace& space);
     void hide();
 
 private:

@@ -9,7 +9,8 @@
 
 namespace asperity {
 
-Shading::Shading(const ViewCamera& camera) {
+Shading::Shading(const ViewCamera& camera, const DrawnSpace& space, const Light& light)
+    : space_(space), toLight_(light.direction()) {
     toView_.row(0) = camera.right();
     toView_.row(1) = camera.up();
     toView_.row(2) = camera.out();
@@ -17,7 +18,7 @@ Shading::Shading(const ViewCamera& camera) {
 
 std::array<unsigned char, 3> Shading::lit(const Color& color, const Vector3& normal,
                                           const Matt& matt) const {
-    const double light = brightness(toView_ * normal, matt);
+    const double light = brightness(toView_ * space_.normal(normal), toLight_, matt);
     const auto shade = [light](std::uint8_t part) {
         return static_cast<unsigned char>(std::min(255.0, light * part + 0.5));
     };

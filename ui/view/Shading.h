@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/Vector.h"
+#include "ui/view/DrawnSpace.h"
 #include "ui/view/ViewCamera.h"
+#include "ui/view/ViewOptions.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkSmartPointer.h>
@@ -17,14 +19,16 @@ namespace asperity {
 /// a light costs more for every pixel than for every point of the surface.
 class Shading {
 public:
-    explicit Shading(const ViewCamera& camera);
+    Shading(const ViewCamera& camera, const DrawnSpace& space, const Light& light);
 
     /// `color` as it looks where the surface has this unit normal, world frame.
     [[nodiscard]] std::array<unsigned char, 3> lit(const Color& color, const Vector3& normal,
                                                    const Matt& matt = kPlainMatt) const;
 
 private:
+    DrawnSpace space_;
     Matrix3 toView_;  ///< rightwards, upwards, to the eye
+    Vector3 toLight_;
 };
 
 /// A surface that shows its points' RGB or RGBA scalars as they are.

@@ -122,24 +122,26 @@ struct TerrainLayer::Mesh {
         renderer->AddActor(grid);  // last: it is blended over the others
     }
 
-    void setVisible(bool visible) const {
+    void setVisible(bool visible, bool withGrid) const {
         surface->SetVisibility(visible ? 1 : 0);
         walls->SetVisibility(visible ? 1 : 0);
-        grid->SetVisibility(visible ? 1 : 0);
+        grid->SetVisibility(visible && withGrid ? 1 : 0);
     }
 
-    void paint(const BSplineSurface& ground, const SurfaceColors& colors,
-               const Shading& shading) const {
+    void paint(const BSplineSurface& ground, const TerrainStyle& style) const {
+        for (vtkActor* actor : {surface, walls, grid}) {
+            style.space.apply(actor);
+        }
         vtkPolyData* sampled = source->GetOutput();
         vtkDataArray* normals = sampled->GetPointData()->GetNormals();
         const vtkIdType count = sampled->GetNumberOfPoints();
         rgb->SetNumberOfTuples(count);
         for (vtkIdType id = 0; id < count; ++id) {
-            const Color color = groundColor(ground, sampled->GetPoint(id), colors);
-            rgb->SetTypedTuple(id, shading.lit(color, Vector3(normals->GetTuple(id))).data());
+            const Color color = groundColor(ground, sampled->GetPoint(id), style.colors);
+            rgb->SetTypedTuple(id, style.shading.lit(color, Vector3(normals->GetTuple(id))).data());
         }
         rgb->Modified();
-        paintWalls(shading);
+        paintWalls(style.shading);
     }
 
     void paintWalls(const Shading& shading) const {
@@ -161,8 +163,8 @@ TerrainLayer::TerrainLayer(vtkRenderer* renderer)
 TerrainLayer::~TerrainLayer() = default;
 
 void TerrainLayer::hide() {
-    coarse_->setVisible(false);
-    fine_->setVisible(false);
+    coarse_->setVisible(false, false);
+    fine_->setVisible(false, false);
 }
 
 void TerrainLayer::setPlace(const BSplineSurface& surface, const TerrainPlace& place) {
@@ -173,16 +175,22 @@ void TerrainLayer::setPlace(const BSplineSurface& surface, const TerrainPlace& p
     survey();
 }
 
-void TerrainLayer::show(TerrainDetail detail, const SurfaceColors& colors, const Shading& shading) {
+void TerrainLayer::setBottom(double bottom) {
+    bottom_ = bottom;
+    coarse_->built = false;
+    fine_->built = false;
+}
+
+void TerrainLayer::show(TerrainDetail detail, const TerrainStyle& style) {
     const int finest = fineSamples();
     const bool fine = detail == TerrainDetail::Fine && finest > kCoarse;
     Mesh& mesh = fine ? *fine_ : *coarse_;
     if (!mesh.built) {
         build(mesh, fine ? finest : std::min(finest, kCoarse));
     }
-    mesh.paint(*surface_, colors, shading);
-    fine_->setVisible(fine);
-    coarse_->setVisible(!fine);
+    mesh.paint(*surface_, style);
+    fine_->setVisible(fine, style.grid);
+    coarse_->setVisible(!fine, style.grid);
 }
 
 void TerrainLayer::survey() {

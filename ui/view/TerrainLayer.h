@@ -22,6 +22,14 @@ struct TerrainPlace {
     ScanWindow patch;  ///< what fills the hole and laps over its edges; has a grid of its own
 };
 
+/// How the terrain is drawn.
+struct TerrainStyle {
+    const SurfaceColors& colors;
+    DrawnSpace space;
+    Shading shading;
+    bool grid = true;
+};
+
 /// How finely the terrain is drawn.
 enum class TerrainDetail : std::uint8_t {
     Coarse,  ///< at most 80 samples a side: cheap enough to be drawn anew for every frame
@@ -39,13 +47,13 @@ public:
 
     /// Shown from the next call of show() on. @param surface outlives its use here
     void setPlace(const BSplineSurface& surface, const TerrainPlace& place);
-    /// World z where the block of sample ends below [m].
-    void setBottom(double bottom) { bottom_ = bottom; }
+    /// World z where the block of sample ends below, from the next call of show() on [m].
+    void setBottom(double bottom);
     [[nodiscard]] double bottom() const { return bottom_; }
     void hide();
 
     /// Shows the place; does only what has changed since.
-    void show(TerrainDetail detail, const SurfaceColors& colors, const Shading& shading);
+    void show(TerrainDetail detail, const TerrainStyle& style);
 
     [[nodiscard]] const TerrainPlace& place() const { return place_; }
     /// Lowest and highest place in the window [m].

@@ -6,8 +6,6 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
-#include <array>
-
 class vtkActor;
 class vtkAspTipSource;
 class vtkPolyData;
@@ -17,13 +15,14 @@ namespace asperity {
 
 /// How the tip is drawn.
 struct TipStyle {
-    double top = 0.0;                  ///< of the tip above the surface [m]
-    Vector3 toEye = Vector3::UnitZ();  ///< unit
+    double height = 0.0;           ///< of the part that is drawn, as drawn [m]
+    double paraboloidReach = 0.0;  ///< see vtkAspTipSource [m]
+    DrawnSpace space;
     Shading shading;
 };
 
-/// The tip as a body of glass that fades out upwards, in touch with the surface as the surface
-/// is drawn; far from it, a thin line from the tip's apex to the place below it.
+/// The tip as a solid body, upright, in touch with the surface; far from it, a thin line from the
+/// tip's apex to the place below it.
 class TipLayer {
 public:
     explicit TipLayer(vtkRenderer* renderer);
@@ -31,19 +30,24 @@ public:
     TipLayer(const TipLayer&) = delete;
     TipLayer& operator=(const TipLayer&) = delete;
 
-    /// @param magnification of distances from the surface at rest
-    void show(const ContactShape& shape, double magnification, const TipStyle& style);
+    void show(const ContactShape& shape, const TipStyle& style);
     void hide();
+
+    /// What is drawn, world frame.
+    [[nodiscard]] vtkPolyData* body() const { return body_; }
 
 private:
     void deform(const ContactShape& shape);
-    void makeGlass(const Vector3& apex, double height, const TipStyle& style);
-    void showDrop(const ContactShape& shape, const Vector3& apex);
+    void light(const Shading& shading);
+    void showDrop(const ContactShape& shape);
 
     vtkNew<vtkAspTipSource> source_;
     vtkNew<vtkPolyData> body_;
-    std::array<vtkSmartPointer<vtkActor>, 2> walls_;  ///< the far one, the near one
+    vtkSmartPointer<vtkActor> solid_;
     vtkSmartPointer<vtkActor> drop_;
 };
+
+/// Lowest place of the tip at rest, world [m].
+[[nodiscard]] Vector3 apexOf(const TipContact& contact);
 
 }  // namespace asperity

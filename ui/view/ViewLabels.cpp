@@ -9,6 +9,8 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
+
 namespace asperity {
 
 namespace {
@@ -17,7 +19,9 @@ namespace {
 constexpr double kMargin = 18.0;
 constexpr double kTextSize = 14.0;
 constexpr double kForceTextSize = 17.0;
+constexpr double kLineHeight = 1.4;  // in text sizes
 constexpr double kMaxBarLength = 170.0;
+constexpr double kMaxBarHeight = 110.0;
 constexpr double kBarEnd = 4.0;
 
 }  // namespace
@@ -40,45 +44,61 @@ void ViewLabels::setPixelRatio(double pixelRatio) {
     item_->setDraw([this](Painter& painter) { paint(painter); }, pixelRatio);
 }
 
+PixelPoint ViewLabels::project(const Vector3& place) const {
+    renderer_->SetWorldPoint(place.x(), place.y(), place.z(), 1.0);
+    renderer_->WorldToDisplay();
+    const double* display = renderer_->GetDisplayPoint();
+    return {display[0] / pixelRatio_, display[1] / pixelRatio_};
+}
+
 void ViewLabels::paint(Painter& painter) const {
-    if (!(content_.metersPerPixel > 0.0)) {
-        return;
-    }
     const int* size = renderer_->GetSize();
     const double width = size[0] / pixelRatio_;
     const double height = size[1] / pixelRatio_;
-    paintScaleBar(painter);
-    if (content_.magnification > 1.0) {
-        painter.text({kMargin, height - kMargin - 0.5 * kTextSize},
-                     "displacement ×" + tickLabels({content_.magnification}).front(),
-                     {.size = kTextSize, .color = palette::kMuted});
+    if (content_.axes) {
+        paintAxes(painter, *content_.axes, [this](const Vector3& place) { return project(place); });
     }
+    if (content_.scaleBars) {
+        paintScaleBars(painter);
+    }
+    paintNotes(painter, width, height);
     paintForce(painter, width, height);
 }
 
-void ViewLabels::paintScaleBar(Painter& painter) const {
-    const double metersPerPixel = content_.metersPerPixel;
-    const double length = niceBelow(kMaxBarLength * metersPerPixel);
-    const double left = kMargin;
-    const double right = left + length / metersPerPixel;
+/// One along the screen, one for heights, from one corner.
+void ViewLabels::paintScaleBars(Painter& painter) const {
     const LineStyle style{palette::kInk, 2.0};
-    painter.line({{left, kMargin}, {right, kMargin}}, style);
-    painter.line({{left, kMargin - kBarEnd}, {left, kMargin + kBarEnd}}, style);
+    const TextStyle text{.size = kTextSize};
+    const double across = niceBelow(kMaxBarLength * content_.metersPerPixel);
+    const double right = kMargin + across / content_.metersPerPixel;
+    const double upwards = niceBelow(kMaxBarHeight * content_.heightPerPixel);
+    const double top = kMargin + upwards / content_.heightPerPixel;
+    painter.line({{kMargin, top}, {kMargin, kMargin}, {right, kMargin}}, style);
+    painter.line({{kMargin - kBarEnd, top}, {kMargin + kBarEnd, top}}, style);
     painter.line({{right, kMargin - kBarEnd}, {right, kMargin + kBarEnd}}, style);
-    painter.text({0.5 * (left + right), kMargin + kTextSize}, formatSi(length, "m"),
-                 {.size = kTextSize, .align = Align::Center});
+    painter.text({kMargin + 2.0 * kBarEnd, kMargin + 0.8 * kTextSize}, formatSi(across, "m"), text);
+    painter.text({kMargin + 2.0 * kBarEnd, std::max(top, kMargin + 2.0 * kTextSize)},
+                 "z " + formatSi(upwards, "m"), text);
+}
+
+void ViewLabels::paintNotes(Painter& painter, double viewWidth, double viewHeight) const {
+    double y = viewHeight - kMargin - 0.5 * kTextSize;
+    for (const std::string& note : content_.notes) {
+        painter.text({kMargin, y}, note, {.size = kTextSize, .color = palette::kInk});
+        y -= kLineHeight * kTextSize;
+    }
+    if (!content_.tipAbove.empty()) {
+        painter.text({0.5 * viewWidth, y}, content_.tipAbove,
+                     {.size = kForceTextSize, .bold = true, .align = Align::Center});
+    }
 }
 
 void ViewLabels::paintForce(Painter& painter, double viewWidth, double viewHeight) const {
     if (!content_.forceEnd) {
         return;
     }
-    const Vector3& end = *content_.forceEnd;
-    renderer_->SetWorldPoint(end.x(), end.y(), end.z(), 1.0);
-    renderer_->WorldToDisplay();
-    const double* display = renderer_->GetDisplayPoint();
-    painter.label({display[0] / pixelRatio_ + 14.0, display[1] / pixelRatio_},
-                  formatSi(content_.force, "N"),
+    const PixelPoint end = project(*content_.forceEnd);
+    painter.label({end.x + 14.0, end.y}, formatSi(content_.force, "N"),
                   {.size = kForceTextSize, .bold = true, .color = palette::kForce},
                   {0.0, 0.0, viewWidth, viewHeight});
 }

@@ -1,27 +1,33 @@
 #pragma once
 
-#include "core/Vector.h"
+#include "ui/view/FrameAxes.h"
+#include "vtkplugins/pictures/Painter.h"
 
 #include <vtkSmartPointer.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 class vtkRenderer;
 
 namespace asperity {
 
-class Painter;
 class PainterItem;
 
 /// What is written over the view.
 struct LabelContent {
-    double metersPerPixel = 0.0;      ///< of the screen's coordinates; 0: nothing is written
-    double magnification = 1.0;       ///< of displacements; said when it is not 1
+    bool scaleBars = false;
+    double metersPerPixel = 0.0;  ///< across the view, in the screen's coordinates
+    double heightPerPixel = 0.0;  ///< the same of heights, upwards
+    std::optional<FrameAxes> axes;
+    std::vector<std::string> notes;   ///< on how the view is to be read
+    std::string tipAbove;             ///< where the tip is above the view; empty: it is in it
     double force = 0.0;               ///< magnitude [N]
-    std::optional<Vector3> forceEnd;  ///< where its label belongs; empty: no label [m]
+    std::optional<Vector3> forceEnd;  ///< where its label belongs, as drawn; empty: no label [m]
 };
 
-/// Scale bar, magnification and force, painted over a view.
+/// Scale bars, axes, notes and the force, painted over a view.
 class ViewLabels {
 public:
     /// @param renderer outlives this object
@@ -37,8 +43,10 @@ public:
 
 private:
     void paint(Painter& painter) const;
-    void paintScaleBar(Painter& painter) const;
+    void paintScaleBars(Painter& painter) const;
+    void paintNotes(Painter& painter, double viewWidth, double viewHeight) const;
     void paintForce(Painter& painter, double viewWidth, double viewHeight) const;
+    [[nodiscard]] PixelPoint project(const Vector3& place) const;
 
     vtkRenderer* renderer_;
     vtkSmartPointer<PainterItem> item_;

@@ -20,6 +20,9 @@ struct Width {
 
 constexpr Width kPatchWidth = {.ofTip = 2.0, .ofContact = 2.5};
 constexpr Width kUsualWidth = {.ofTip = 2.4, .ofContact = 3.2};
+constexpr double kUsualPixels = 15.0;  // at least, in half the width of the frame: a real shape
+constexpr double kWideContact = 0.35;  // in tip radii: beyond, sphere and paraboloid part visibly
+constexpr double kParaboloidReach = 1.5;                        // in contact radii
 constexpr Width kMinWidth = {.ofTip = 1.25, .ofContact = 1.9};  // its patch still holds the contact
 
 }  // namespace
@@ -30,10 +33,16 @@ ViewScale viewScale(const Scene& scene) {
     const double paraboloid = unloadedContactRadius(scene.belief.contact.pair());
     const double contact =
         isSphere(scene.belief.contact.law()) ? std::min(paraboloid, tip) : paraboloid;
+    const bool isWide = !isSphere(scene.belief.contact.law()) && paraboloid > kWideContact * tip;
+    const BSplineSurface::Grid& grid = scene.surface.grid();
+    const double pixel = std::max(grid.pitchX, grid.pitchY);
     const double given = scene.description.zoomHalfWidth;
     return {.patch = kPatchWidth.of(tip, contact),
-            .usual = given > 0.0 ? given : kUsualWidth.of(tip, contact),
-            .least = kMinWidth.of(tip, contact)};
+            .usual =
+                given > 0.0 ? given : std::max(kUsualWidth.of(tip, contact), kUsualPixels * pixel),
+            .least = kMinWidth.of(tip, contact),
+            .pixel = pixel,
+            .paraboloidReach = isWide ? std::max(tip, kParaboloidReach * paraboloid) : 0.0};
 }
 
 double unloadedContactRadius(const ContactPair& pair) {

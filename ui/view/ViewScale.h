@@ -9,6 +9,10 @@ struct ViewScale {
     double patch = 0.0;  ///< half the width of the part that can be deformed [m]
     double usual = 0.0;  ///< half the width of the frame that a scene starts with [m]
     double least = 0.0;  ///< half the width of the closest frame [m]
+    double pixel = 0.0;  ///< of the scan, its longer side [m]
+    /// Where contacts are about as wide as the tip, a law for paraboloids wants the tip drawn as
+    /// one to this distance from its axis; 0: as a sphere [m].
+    double paraboloidReach = 0.0;
 };
 
 [[nodiscard]] ViewScale viewScale(const Scene& scene);

@@ -1,7 +1,9 @@
 #include "ui/view/ZoomPicture.h"
 
+#include "core/SiFormat.h"
 #include "ui/view/DrapedGrid.h"
 #include "vtkplugins/pictures/SceneParts.h"
+#include "vtkplugins/pictures/Ticks.h"
 
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -20,11 +22,20 @@ constexpr double kMaxPatchReach = 0.85;
 constexpr double kSlack = 0.35;        // how far the tip goes from the middle
 constexpr double kSlackInDrag = 0.85;  // the picture stays still under the pointer
 constexpr double kBlockDepth = 0.12;
+constexpr double kMinFloor = 0.05;  // of block below a dent
 constexpr double kGuideReach = 0.4;
 constexpr double kOverlap = 0.015;  // of patch and terrain
 
+constexpr double kDentStep = 1.5;  // a dent that needs more room gets so many times its depth
+
+/// Pixels of a scan wider than this show less than the view seems to; parts of the tip's radius
+/// and of the view.
+constexpr double kWidePixel = 1.0 / 3.0;
+
 // In sizes of tip and arrow.
 constexpr double kTipTop = 1.15;
+constexpr double kSmallGear = 0.8;  // of the frame: from here on outwards the lever is in the view
+constexpr double kLeverHalfWidth = 0.3;
 constexpr double kArrowRoom = 1.1;
 
 constexpr double kStray = 0.25;  // of the tip from the middle of the patch, in its half widths
@@ -48,6 +59,8 @@ ZoomPicture::ZoomPicture(vtkGenericOpenGLRenderWindow* window)
     , terrain_(still_)
     , contact_(live_, through_)
     , tip_(live_)
+    , lever_(live_)
+    , section_({still_, live_}, live_)
     , force_(through_)
     , guide_(through_)
     , labels_(through_) {
@@ -60,7 +73,7 @@ ZoomPicture::ZoomPicture(vtkGenericOpenGLRenderWindow* window)
         addLights(renderer);
         window->AddRenderer(renderer);
     }
-    still_->SetBackground(palette::kPaper.fractions().data());
+    still_->SetBackground(palette::kBackdrop.fractions().data());
     live_->PreserveDepthBufferOn();
 }
 
@@ -71,6 +84,8 @@ void ZoomPicture::setScene(const Scene* scene) {
     sample_.reset();
     halfSpace_.reset();
     frame_.reset();
+    dentDepth_ = 0.0;
+    contactShown_.reset();
     terrain_.hide();
     cache_.invalidate();
     if (scene_ != nullptr) {
@@ -85,8 +100,11 @@ void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {
         follow(sample_->output.model.tip.head<2>(), dragging ? kSlackInDrag : kSlack);
         showContact(*sample_, camera);
     } else {
+        contactShown_.reset();
         contact_.hide();
         tip_.hide();
+        lever_.hide();
+        section_.hide();
         force_.hide();
         guide_.hide();
     }
@@ -94,7 +112,10 @@ void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {
 
 void ZoomPicture::showTerrain(const ViewCamera& camera, TerrainDetail detail) {
     if (frame_) {
-        terrain_.show(detail, colors_, Shading(camera));
+        terrain_.show(detail, {.colors = colors_,
+                               .space = space(),
+                               .shading = shading(camera),
+                               .grid = options_.grid});
         cache_.invalidate();
     }
 }
@@ -119,8 +140,7 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     terrain_.setPlace(scene_->surface, place);
     const std::array<double, 2> heights = terrain_.heightRange();
     const bool otherColors = colors_.fitHeights(heights[0], heights[1]);
-    const FrameBox box = frameBox();
-    terrain_.setBottom(box.middle.z() - box.below);
+    terrain_.setBottom(drawnBottom() / options_.heightScale);
     Q_EMIT terrainPlaced();
     if (otherColors) {
         Q_EMIT scalesChanged();
@@ -130,57 +150,147 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     }
 }
 
+/// Where the block of sample ends below, as drawn [m].
+double ZoomPicture::drawnBottom() const {
+    return options_.heightScale * (colors_.heightRange().low - dentDepth_) -
+           kBlockDepth * frame_->halfWidth();
+}
+
 /// Heights are those of the colors: they seldom change, so that the picture seldom jumps.
 FrameBox ZoomPicture::frameBox() const {
     const Vector2& center = frame_->center();
     const AxisRange& heights = colors_.heightRange();
-    const double middle = 0.5 * (heights.low + heights.high);
+    const double factor = options_.heightScale;
+    const double middle = factor * 0.5 * (heights.low + heights.high);
+    const double above = factor * heights.high - middle;
     return {.middle = {center.x(), center.y(), middle},
             .halfWidth = frame_->halfWidth(),
-            .below = middle - heights.low + kBlockDepth * frame_->halfWidth(),
-            .above = heights.high - middle,
-            .tipTop = heights.high - middle +
-                      kTipTop * gearSize(frame_->halfWidth(), scene_->belief.tipRadius())};
+            .below = middle - drawnBottom(),
+            .above = above,
+            .tipTop = above + kTipTop * gearSize(frame_->halfWidth(), scene_->belief.tipRadius())};
+}
+
+Shading ZoomPicture::shading(const ViewCamera& camera) const {
+    return {camera, space(), options_.light};
+}
+
+/// The block reaches below the deepest dent since the scene or the zoom changed. It does not shrink
+/// when the tip retracts: nothing but the tip shall move then.
+void ZoomPicture::makeRoomFor(const ContactShape& shape) {
+    const double low = colors_.heightRange().low;
+    const double floor = kMinFloor * frame_->halfWidth() / options_.heightScale;
+    const double missing = terrain_.bottom() + floor - shape.lowest();
+    if (missing > 0.0) {
+        dentDepth_ = kDentStep * (low - shape.lowest());
+        terrain_.setBottom(drawnBottom() / options_.heightScale);
+        Q_EMIT terrainPlaced();
+    }
 }
 
 void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera) {
     const TipState& state = sample.output.model;
     const ContactShape shape(*scene_, state, terrain_.place().patch, kPatchSamples,
                              halfSpace_.get());
-    const double largest = shape.largestDisplacement();
-    if (colors_.fitDisplacement(largest)) {
+    if (colors_.fitDisplacement(shape.largestDisplacement())) {
         Q_EMIT scalesChanged();
     }
-    const double factor =
-        magnification_.fit(largest, -state.contact.indentation, shape.contact().tipRadius);
-    const double gear = gearSize(frame_->halfWidth(), shape.contact().tipRadius);
+    makeRoomFor(shape);
     const ScanWindow window = terrain_.place().window;
     const double width = std::max(window.right - window.left, window.top - window.bottom);
-    const Shading shading(camera);
+    const Shading shading = this->shading(camera);
     contact_.show(*scene_, shape,
                   {.colors = colors_,
+                   .space = space(),
                    .shading = shading,
-                   .magnification = factor,
-                   .gridSpacing = gridSpacing(width),
+                   .gridSpacing = options_.grid ? gridSpacing(width) : 0.0,
                    .gridArea = terrain_.place().patch,
                    .window = window,
                    .bottom = terrain_.bottom()});
-    tip_.show(shape, factor, {.top = kTipTop * gear, .toEye = camera.out(), .shading = shading});
-    guide_.show(sample.input.settings.guide, kGuideReach * frame_->halfWidth());
-    force_.show(sample.output.estimate, drawnAt(shape, shape.contact().closest, factor),
-                sample.time, kArrowRoom * gear);
+    showTip(shape, shading);
+    showSection(shape, camera);
+    contactShown_ = shape.contact();
+    guide_.show(sample.input.settings.guide, kGuideReach * frame_->halfWidth(), space());
+    force_.show(sample.output.estimate, space().point(shape.contactPoint()), sample.time,
+                kArrowRoom * gearSize(frame_->halfWidth(), shape.contact().tipRadius));
 }
 
-void ZoomPicture::showLabels(int height, double pixelRatio) {
+void ZoomPicture::showTip(const ContactShape& shape, const Shading& shading) {
+    const double gear = gearSize(frame_->halfWidth(), shape.contact().tipRadius);
+    const double height = kTipTop * gear;
+    tip_.show(shape, {.height = height,
+                      .paraboloidReach = scale_.paraboloidReach,
+                      .space = space(),
+                      .shading = shading});
+    if (gear > kSmallGear * frame_->halfWidth()) {
+        lever_.hide();
+        return;
+    }
+    const CantileverGeometry& lever = scene_->description.probe;
+    lever_.show({.shankTop = space().point(apexOf(shape.contact())) + height * Vector3::UnitZ(),
+                 .size = kLeverHalfWidth * gear,
+                 .azimuth = lever.azimuth,
+                 .tilt = lever.mountTilt},
+                shading);
+}
+
+void ZoomPicture::showSection(const ContactShape& shape, const ViewCamera& camera) {
+    if (!options_.section) {
+        section_.hide();
+        return;
+    }
+    cache_.invalidate();  // the terrain is cut where the tip is
+    section_.show(*scene_, shape,
+                  {.window = terrain_.place().window,
+                   .bottom = terrain_.bottom(),
+                   .tip = tip_.body(),
+                   .toEye = camera.out(),
+                   .space = space(),
+                   .shading = shading(camera)});
+}
+
+void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelRatio) {
     if (!frame_) {
         labels_.hide();
         return;
     }
     labels_.setPixelRatio(pixelRatio);
-    labels_.show({.metersPerPixel = metersPerPixel(height),
-                  .magnification = sample_ ? magnification_.factor() : 1.0,
-                  .force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0,
-                  .forceEnd = force_.end()});
+    LabelContent content{.scaleBars = options_.scaleBars,
+                         .metersPerPixel = metersPerPixel(height),
+                         .heightPerPixel =
+                             metersPerPixel(height) / (options_.heightScale * camera.up().z()),
+                         .notes = notes(),
+                         .tipAbove = tipAbove(height, pixelRatio),
+                         .force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0,
+                         .forceEnd = force_.end()};
+    if (options_.axes) {
+        content.axes = FrameAxes{.window = terrain_.place().window,
+                                 .bottom = options_.heightScale * terrain_.bottom(),
+                                 .toEye = camera.out()};
+    }
+    labels_.show(content);
+}
+
+/// What a picture does not say by itself.
+std::vector<std::string> ZoomPicture::notes() const {
+    std::vector<std::string> notes;
+    if (options_.heightScale > 1.0) {
+        notes.push_back("heights ×" + tickLabels({options_.heightScale}).front());
+    }
+    const double radius = scene_->belief.tipRadius();
+    if (scale_.pixel > kWidePixel * radius) {
+        notes.push_back("Scan pixel " + formatSi(scale_.pixel, "m") +
+                        ": coarse for a tip radius of " + formatSi(radius, "m"));
+    } else if (scale_.pixel > kWidePixel * 2.0 * frame_->halfWidth()) {
+        notes.push_back("Scan pixel " + formatSi(scale_.pixel, "m") + ": coarse for this view");
+    }
+    return notes;
+}
+
+std::string ZoomPicture::tipAbove(int height, double pixelRatio) const {
+    if (!contactShown_ || drawnPlace(apexOf(*contactShown_)).y() < pixelRatio * height) {
+        return {};
+    }
+    return "↑ tip " + formatSi(-contactShown_->indentation, "m") + " above the surface";
 }
 
 void ZoomPicture::aim(const ViewCamera& camera, double aspect) {
@@ -190,7 +300,18 @@ void ZoomPicture::aim(const ViewCamera& camera, double aspect) {
     }
 }
 
+void ZoomPicture::setOptions(const ViewOptions& options) {
+    options_ = options;
+    cache_.invalidate();
+    if (frame_) {
+        dentDepth_ = 0.0;
+        terrain_.setBottom(drawnBottom() / options_.heightScale);
+        Q_EMIT terrainPlaced();
+    }
+}
+
 void ZoomPicture::setHalfWidth(double halfWidth) {
+    dentDepth_ = 0.0;
     frame_->setHalfWidth(std::max(halfWidth, scale_.least));
     if (!sample_ && !sameWindow(frame_->window(), terrain_.place().window)) {
         placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});
@@ -198,7 +319,8 @@ void ZoomPicture::setHalfWidth(double halfWidth) {
 }
 
 Vector2 ZoomPicture::drawnPlace(const Vector3& place) const {
-    still_->SetWorldPoint(place.x(), place.y(), place.z(), 1.0);
+    const Vector3 drawn = space().point(place);
+    still_->SetWorldPoint(drawn.x(), drawn.y(), drawn.z(), 1.0);
     still_->WorldToDisplay();
     const double* display = still_->GetDisplayPoint();
     return {display[0], display[1]};

@@ -6,7 +6,8 @@
 #include "ui/view/ContactLayer.h"
 #include "ui/view/ForceLayer.h"
 #include "ui/view/GuideLayer.h"
-#include "ui/view/Magnification.h"
+#include "ui/view/LeverLayer.h"
+#include "ui/view/SectionLayer.h"
 #include "ui/view/StaticLayer.h"
 #include "ui/view/SurfaceColors.h"
 #include "ui/view/TerrainLayer.h"
@@ -14,6 +15,7 @@
 #include "ui/view/ViewCamera.h"
 #include "ui/view/ViewFrame.h"
 #include "ui/view/ViewLabels.h"
+#include "ui/view/ViewOptions.h"
 #include "ui/view/ViewScale.h"
 
 #include <vtkNew.h>
@@ -57,7 +59,7 @@ public:
     void showTerrain(const ViewCamera& camera, TerrainDetail detail);
     /// @param height     of the view [pixels of the screen's coordinates]
     /// @param pixelRatio drawn pixels per such a pixel
-    void showLabels(int height, double pixelRatio);
+    void showLabels(const ViewCamera& camera, int height, double pixelRatio);
     /// The picture is seen so from now on. @param aspect width over height of the view
     void aim(const ViewCamera& camera, double aspect);
 
@@ -66,8 +68,9 @@ public:
     /// Takes the nearest width that can be shown [m]. There is a scene.
     void setHalfWidth(double halfWidth);
     [[nodiscard]] const ViewScale& scale() const { return scale_; }
-    [[nodiscard]] Magnification& magnification() { return magnification_; }
-    [[nodiscard]] const Magnification& magnification() const { return magnification_; }
+    /// Contact and terrain have to be shown anew, and the camera to be aimed.
+    void setOptions(const ViewOptions& options);
+    [[nodiscard]] const ViewOptions& options() const { return options_; }
     [[nodiscard]] const SurfaceColors& colors() const { return colors_; }
     /// What keeps the surface at rest from one frame to the next.
     [[nodiscard]] StaticLayer& cache() { return cache_; }
@@ -84,8 +87,16 @@ Q_SIGNALS:
 private:
     void follow(const Vector2& tip, double slack);
     void placeTerrain(const TerrainPlace& place);
+    [[nodiscard]] double drawnBottom() const;
     [[nodiscard]] FrameBox frameBox() const;
+    [[nodiscard]] DrawnSpace space() const { return {options_.heightScale}; }
+    [[nodiscard]] Shading shading(const ViewCamera& camera) const;
+    void makeRoomFor(const ContactShape& shape);
     void showContact(const TickSample& sample, const ViewCamera& camera);
+    void showTip(const ContactShape& shape, const Shading& shading);
+    void showSection(const ContactShape& shape, const ViewCamera& camera);
+    [[nodiscard]] std::vector<std::string> notes() const;
+    [[nodiscard]] std::string tipAbove(int height, double pixelRatio) const;
 
     const Scene* scene_ = nullptr;
     ViewScale scale_;
@@ -93,7 +104,9 @@ private:
     std::shared_ptr<const HalfSpaceAnswer> halfSpace_;
     std::optional<ViewFrame> frame_;
     SurfaceColors colors_;
-    Magnification magnification_;
+    ViewOptions options_;
+    double dentDepth_ = 0.0;  ///< room for dents below the frame's lowest place at rest [m]
+    std::optional<TipContact> contactShown_;
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest
     vtkNew<vtkRenderer> live_;     ///< what changes from frame to frame
@@ -102,6 +115,8 @@ private:
     TerrainLayer terrain_;
     ContactLayer contact_;
     TipLayer tip_;
+    LeverLayer lever_;
+    SectionLayer section_;
     ForceLayer force_;
     GuideLayer guide_;
     ViewLabels labels_;

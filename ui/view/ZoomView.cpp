@@ -68,7 +68,7 @@ void ZoomView::connectGestures() {
 
 void ZoomView::setScene(const Scene* scene) {
     picture_.setScene(scene);
-    picture_.showLabels(height(), devicePixelRatioF());
+    picture_.showLabels(camera_, height(), devicePixelRatioF());
     Q_EMIT scalesChanged();
     Q_EMIT frameChanged();
     frameDue_.start();
@@ -107,8 +107,8 @@ void ZoomView::resetCamera() {
     setHalfWidth(picture_.scale().usual);
 }
 
-void ZoomView::setMagnification(std::optional<double> factor) {
-    picture_.magnification().fix(factor);
+void ZoomView::setOptions(const ViewOptions& options) {
+    picture_.setOptions(options);
     renderSoon();
 }
 
@@ -161,7 +161,7 @@ void ZoomView::renderNow() {
         picture_.showTerrain(camera_,
                              settling_.isActive() ? TerrainDetail::Coarse : TerrainDetail::Fine);
     }
-    picture_.showLabels(height(), devicePixelRatioF());
+    picture_.showLabels(camera_, height(), devicePixelRatioF());
     if (isValid()) {
         renderWindow_->Render();
         Q_EMIT frameRendered();

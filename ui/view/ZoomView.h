@@ -45,9 +45,8 @@ public:
     /// Back to the direction and the width that a scene starts with.
     void resetCamera();
 
-    /// How much larger than life displacements are drawn; empty: chosen by the view.
-    void setMagnification(std::optional<double> factor);
-    [[nodiscard]] double magnification() const { return picture_.magnification().factor(); }
+    void setOptions(const ViewOptions& options);
+    [[nodiscard]] const ViewOptions& options() const { return picture_.options(); }
 
     /// They hold no colors while there is no scene.
     [[nodiscard]] ColorScale heightScale() const;

@@ -180,7 +180,7 @@ void MainWindow::connectMenus() {
     on(menus_->zoomIn, [this] { view_->setHalfWidth(view_->halfWidth() / 1.25); });
     on(menus_->zoomOut, [this] { view_->setHalfWidth(view_->halfWidth() * 1.25); });
     on(menus_->resetView, [this] { view_->resetCamera(); });
-    connect(menus_, &WindowMenus::magnificationChosen, view_, &ZoomView::setMagnification);
+    connect(menus_, &WindowMenus::viewOptionsChosen, view_, &ZoomView::setOptions);
     on(menus_->fidelity, [this] {
         fidelity_->show();
         fidelity_->raise();

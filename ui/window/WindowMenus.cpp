@@ -1,5 +1,7 @@
 #include "ui/window/WindowMenus.h"
 
+#include "ui/window/ViewOptionsMenu.h"
+
 #include <QAction>
 #include <QActionGroup>
 #include <QMenu>
@@ -90,26 +92,12 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
     zoomOut->setShortcut(QKeySequence::ZoomOut);
     resetView = menu->addAction(tr("&Reset the view"));
     resetView->setShortcut(tr("Home"));
-    addMagnifications(*menu->addMenu(tr("&Displacement drawn larger")));
+    menu->addSeparator();
+    auto* options = new ViewOptionsMenu(*menu);
+    connect(options, &ViewOptionsMenu::optionsChosen, this, &WindowMenus::viewOptionsChosen);
     menu->addSeparator();
     fidelity = menu->addAction(tr("&Fidelity…"));
     fidelity->setShortcut(tr("F6"));
-}
-
-void WindowMenus::addMagnifications(QMenu& menu) {
-    auto* group = new QActionGroup(&menu);
-    const auto add = [&](const QString& text, std::optional<double> factor) {
-        QAction* action = group->addAction(text);
-        action->setCheckable(true);
-        menu.addAction(action);
-        connect(action, &QAction::triggered, this,
-                [this, factor] { Q_EMIT magnificationChosen(factor); });
-        return action;
-    };
-    add(tr("As fits"), std::nullopt)->setChecked(true);
-    for (const int factor : {1, 2, 5, 10, 20, 50}) {
-        add(QStringLiteral("×%1").arg(factor), factor);
-    }
 }
 
 void WindowMenus::addHelpMenu(QMenuBar& bar) {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/scene/VirtualFixture.h"
+#include "ui/view/ViewOptions.h"
 
 #include <QObject>
 
 #include <map>
-#include <optional>
 
 class QAction;
 class QMenu;
@@ -50,8 +50,7 @@ public:
     void setGuide(FixtureKind kind);
 
 Q_SIGNALS:
-    /// How much larger than life displacements shall be drawn; empty: the view chooses.
-    void magnificationChosen(std::optional<double> factor);
+    void viewOptionsChosen(ViewOptions options);
     /// A guide through where the tip is now, or none.
     void guideChosen(FixtureKind kind);
 
@@ -61,7 +60,6 @@ private:
     void addDeviceMenu(QMenuBar& bar);
     void addGuides(QMenu& menu);
     void addViewMenu(QMenuBar& bar);
-    void addMagnifications(QMenu& menu);
     void addHelpMenu(QMenuBar& bar);
 
     std::map<FixtureKind, QAction*> guides_;

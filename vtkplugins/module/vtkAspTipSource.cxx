@@ -10,6 +10,49 @@
 #include <numbers>
 #include <vector>
 
+namespace {
+
+using asperity::ProfilePoint;
+
+/// From the apex along a sphere to where it meets its shank, or to the height.
+std::vector<ProfilePoint> sphere(double radius, double shankAngle, double height, int rings) {
+    const double top = std::acos(std::clamp(1.0 - height / radius, std::cos(shankAngle), 1.0));
+    std::vector<ProfilePoint> profile;
+    for (int ring = 0; ring <= rings; ++ring) {
+        const double angle = top * ring / rings;
+        profile.push_back({radius * std::sin(angle), -radius * std::cos(angle), std::sin(angle),
+                           -std::cos(angle)});
+    }
+    return profile;
+}
+
+/// The same along a paraboloid of this radius at the apex.
+std::vector<ProfilePoint> paraboloid(double radius, double reach, double height, int rings) {
+    const double end = std::min(reach, std::sqrt(2.0 * radius * height));
+    std::vector<ProfilePoint> profile;
+    for (int ring = 0; ring <= rings; ++ring) {
+        const double distance = end * ring / rings;
+        const double angle = std::atan(distance / radius);
+        profile.push_back({distance, 0.5 * distance * distance / radius - radius, std::sin(angle),
+                           -std::cos(angle)});
+    }
+    return profile;
+}
+
+/// Goes on straight to the height above the apex, and there inwards to the axis.
+void close(std::vector<ProfilePoint>& profile, double topAlong) {
+    ProfilePoint end = profile.back();
+    if (end.along < topAlong) {
+        end.radius += (topAlong - end.along) * -end.normalAlong / end.normalRadial;
+        end.along = topAlong;
+        profile.push_back(end);
+    }
+    profile.push_back({end.radius, end.along, 0.0, 1.0});
+    profile.push_back({0.0, end.along, 0.0, 1.0});
+}
+
+}  // namespace
+
 vtkStandardNewMacro(vtkAspTipSource)
 
 vtkAspTipSource::vtkAspTipSource() { this->SetNumberOfInputPorts(0); }
@@ -23,6 +66,7 @@ void vtkAspTipSource::PrintSelf(ostream& os, vtkIndent indent) {
        << "\n";
     os << indent << "Height: " << this->Height << "\n";
     os << indent << "HalfAngle: " << this->HalfAngle << "\n";
+    os << indent << "ParaboloidReach: " << this->ParaboloidReach << "\n";
     os << indent << "Resolution: " << this->Resolution << "\n";
 }
 
@@ -34,24 +78,14 @@ int vtkAspTipSource::RequestData(vtkInformation* /*request*/, vtkInformationVect
         vtkErrorMacro("needs a positive radius and height and a half angle in (0, pi/2)");
         return 0;
     }
-    // Angles are counted from the apex; sphere and cone share their tangent at `tangent`.
-    const double tangent = rightAngle - this->HalfAngle;
-    const double top =
-        std::acos(std::clamp(1.0 - this->Height / this->Radius, std::cos(tangent), 1.0));
+    // Sphere and shank share their tangent here; the angle is counted from the apex.
+    const double shankAngle = rightAngle - this->HalfAngle;
     const int rings = std::max(4, this->Resolution / 2);
-    std::vector<asperity::ProfilePoint> profile;
-    for (int ring = 0; ring <= rings; ++ring) {
-        const double angle = top * ring / rings;
-        profile.push_back({this->Radius * std::sin(angle), -this->Radius * std::cos(angle),
-                           std::sin(angle), -std::cos(angle)});
-    }
-    const double coneHeight = this->Height - this->Radius * (1.0 - std::cos(tangent));
-    if (coneHeight > 0.0) {
-        asperity::ProfilePoint end = profile.back();
-        end.radius += coneHeight * std::tan(this->HalfAngle);
-        end.along += coneHeight;
-        profile.push_back(end);
-    }
+    std::vector<ProfilePoint> profile =
+        this->ParaboloidReach > 0.0
+            ? paraboloid(this->Radius, this->ParaboloidReach, this->Height, rings)
+            : sphere(this->Radius, shankAngle, this->Height, rings);
+    close(profile, this->Height - this->Radius);
     asperity::revolveProfile(profile, asperity::Vector3(this->Center),
                              asperity::Vector3(this->Axis), this->Resolution,
                              vtkPolyData::GetData(outputVector));

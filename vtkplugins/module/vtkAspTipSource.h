@@ -5,8 +5,8 @@
 
 #include <vtkPolyDataAlgorithm.h>
 
-/// An AFM tip for drawing: a sphere that runs smoothly into a conical shank, open at its end. World
-/// frame, meters, analytic normals.
+/// An AFM tip for drawing: a sphere, or a paraboloid of its radius, that runs smoothly into a
+/// conical shank with a flat end. World frame, meters, analytic normals.
 class VTKASPERITY_EXPORT vtkAspTipSource : public vtkPolyDataAlgorithm {
 public:
     static vtkAspTipSource* New();
@@ -27,11 +27,16 @@ public:
     vtkSetVector3Macro(Axis, double);
     vtkGetVector3Macro(Axis, double);
 
-    /// From the apex to the open end [m]; a low tip is a cap of the sphere alone.
+    /// From the apex to the flat end [m]; a low tip is a cap of the sphere alone.
     vtkSetMacro(Height, double);
     vtkGetMacro(Height, double);
 
-    /// Between the shank's side and its axis, in (0, pi/2) [rad].
+    /// Above 0: the tip is a paraboloid to this distance from its axis, and its shank goes on with
+    /// the slope that it has there [m]; 0: a sphere.
+    vtkSetMacro(ParaboloidReach, double);
+    vtkGetMacro(ParaboloidReach, double);
+
+    /// Between the shank of a sphere and its axis, in (0, pi/2) [rad].
     vtkSetMacro(HalfAngle, double);
     vtkGetMacro(HalfAngle, double);
 
@@ -51,6 +56,7 @@ private:
     double Axis[3] = {0.0, 0.0, 1.0};
     double Height = 4.0;
     double HalfAngle = 0.3;
+    double ParaboloidReach = 0.0;
     int Resolution = 64;
 };
 

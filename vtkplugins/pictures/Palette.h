@@ -17,15 +17,18 @@ inline constexpr Color kPaper{255, 255, 255};
 inline constexpr Color kInk{31, 41, 51};
 inline constexpr Color kMuted{95, 107, 118};
 inline constexpr Color kFaint{216, 222, 228};
-inline constexpr Color kSide{226, 230, 234};    ///< cut faces of a block of sample
-inline constexpr Color kTip{96, 112, 128};      ///< the AFM tip
-inline constexpr Color kForce{200, 40, 60};     ///< forces
-inline constexpr Color kMarker{222, 30, 90};    ///< the tip's place
-inline constexpr Color kPath{31, 41, 51};       ///< the way the tip went
-inline constexpr Color kZoom{213, 94, 0};       ///< frame of the zoomed view
-inline constexpr Color kGuide{213, 94, 0};      ///< what helps the device to hold a target
-inline constexpr Color kContact{20, 20, 24};    ///< the edge of the contact
-inline constexpr Color kNoData{150, 150, 150};  ///< of a surface where the scan holds no data
+inline constexpr Color kSide{178, 184, 191};      ///< cut faces of a block of sample
+inline constexpr Color kBackdrop{234, 237, 240};  ///< behind the live view
+inline constexpr Color kTip{96, 112, 128};        ///< the AFM tip
+inline constexpr Color kTipBody{186, 194, 203};   ///< the same as a lit solid
+inline constexpr Color kLever{196, 202, 208};     ///< its cantilever
+inline constexpr Color kForce{200, 40, 60};       ///< forces
+inline constexpr Color kMarker{222, 30, 90};      ///< the tip's place
+inline constexpr Color kPath{31, 41, 51};         ///< the way the tip went
+inline constexpr Color kZoom{213, 94, 0};         ///< frame of the zoomed view
+inline constexpr Color kGuide{213, 94, 0};        ///< what helps the device to hold a target
+inline constexpr Color kContact{20, 20, 24};      ///< the edge of the contact
+inline constexpr Color kNoData{150, 150, 150};    ///< of a surface where the scan holds no data
 
 /// Heights from low to high: dark to light, evenly spaced, with lightness that grows evenly.
 inline constexpr std::array<Color, 9> kHeights = {{{45, 22, 74},

@@ -211,9 +211,8 @@ void addLights(vtkRenderer* renderer) {
     renderer->AddLight(fill);
 }
 
-double brightness(const Vector3& normal, const Matt& matt) {
-    static const Vector3 kToKey = kKeyLight.normalized();
-    const double key = kKeyIntensity * std::max(0.0, normal.dot(kToKey));
+double brightness(const Vector3& normal, const Vector3& toLight, const Matt& matt) {
+    const double key = kKeyIntensity * std::max(0.0, normal.dot(toLight));
     const double fill = kFillIntensity * std::max(0.0, normal.z());
     return matt.ambient + matt.diffuse * (key + fill);
 }

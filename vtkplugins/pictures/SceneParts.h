@@ -61,9 +61,10 @@ struct BlockWalls {
                                                       int count);
 /// Lights from the upper left and a weak one from the camera.
 void addLights(vtkRenderer* renderer);
-/// How bright a matt surface is under these lights, about 0 ... 1, for colors that are lit before
-/// they are drawn. @param normal unit; rightwards, upwards and to the eye
-[[nodiscard]] double brightness(const Vector3& normal, const Matt& matt);
+/// How bright a matt surface is under such lights, about 0 ... 1, for colors that are lit before
+/// they are drawn. Unit vectors: rightwards, upwards and to the eye.
+/// @param toLight to the strong one
+[[nodiscard]] double brightness(const Vector3& normal, const Vector3& toLight, const Matt& matt);
 
 /// Sets for all views one camera without perspective, `direction` pointing from the scene to the
 /// eye, such that all their actors fill a view whose sides have the ratio `aspect` (width /

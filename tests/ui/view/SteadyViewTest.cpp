@@ -1,57 +1,17 @@
 #include "core/Units.h"
 #include "ui/view/DrapedGrid.h"
 #include "ui/view/ForceScale.h"
-#include "ui/view/Magnification.h"
 #include "ui/view/SurfaceColors.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace asperity {
 
 namespace {
 
-constexpr double kTipRadius = 15.0_nm;
 constexpr double kRoom = 40.0_nm;
 
 }  // namespace
-
-TEST(Magnification, MakesSmallDisplacementsPlainAndLeavesLargeOnesAlone) {
-    EXPECT_GE(Magnification().fit(0.3_nm, -0.3_nm, kTipRadius) * 0.3_nm, 3.0_nm);
-    EXPECT_EQ(Magnification().fit(20.0_nm, -20.0_nm, kTipRadius), 1.0);
-}
-
-TEST(Magnification, IsRoundAndDoesNotFlicker) {
-    Magnification magnification;
-    int changes = 0;
-    double last = magnification.fit(0.6_nm, -0.6_nm, kTipRadius);
-    for (int i = 0; i < 200; ++i) {
-        const double now = magnification.fit((0.6 + 0.1 * (i % 2)) * 1e-9, -0.6_nm, kTipRadius);
-        changes += now != last ? 1 : 0;
-        last = now;
-    }
-    EXPECT_LE(changes, 1);
-    const double mantissa = last / std::pow(10.0, std::floor(std::log10(last)));
-    EXPECT_TRUE(mantissa == 1.0 || mantissa == 2.0 || mantissa == 5.0) << last;
-}
-
-TEST(Magnification, KeepsAFarTipInThePicture) {
-    Magnification magnification;
-    for (int step = 0; step < 22; ++step) {
-        const double gap = 60.0_nm * std::pow(0.8, step);
-        const double factor = magnification.fit(0.0, gap, kTipRadius);
-        EXPECT_TRUE(factor == 1.0 || factor * gap < 3.0 * kTipRadius) << gap << " " << factor;
-    }
-}
-
-TEST(Magnification, CanBeFixed) {
-    Magnification magnification;
-    magnification.fix(3.0);
-    EXPECT_EQ(magnification.fit(0.1_nm, 0.0, kTipRadius), 3.0);
-    magnification.fix(std::nullopt);
-    EXPECT_NE(magnification.fit(0.1_nm, 0.0, kTipRadius), 3.0);
-}
 
 TEST(ForceScale, FitsTheForceIntoItsRoom) {
     for (const double force : {0.5e-9, 3e-9, 25e-9, 400e-9}) {

@@ -23,6 +23,9 @@ const TerrainPlace kPlace{
     .hole = {.left = 45.0_nm, .right = 75.0_nm, .bottom = 40.0_nm, .top = 70.0_nm},
     .patch = {.left = 44.0_nm, .right = 76.0_nm, .bottom = 39.0_nm, .top = 71.0_nm}};
 
+const SurfaceColors kColors;
+const TerrainStyle kStyle{.colors = kColors, .space = {}, .shading = {ViewCamera(), {}, {}}};
+
 /// Whether any visible triangle or line covers the place, seen from above.
 class SeenFromAbove {
 public:
@@ -94,7 +97,7 @@ TEST(TerrainLayer, CoversItsWindowButForTheHole) {
     EXPECT_EQ(SeenFromAbove(renderer).areaOfStrips(), 0.0);
     terrain.setPlace(scene.surface, kPlace);
     for (const TerrainDetail detail : {TerrainDetail::Coarse, TerrainDetail::Fine}) {
-        terrain.show(detail, SurfaceColors(), Shading(ViewCamera()));
+        terrain.show(detail, kStyle);
         EXPECT_NEAR(SeenFromAbove(renderer).areaOfStrips(), 5500e-18, 1e-20);
     }
     terrain.hide();
@@ -108,7 +111,7 @@ TEST(TerrainLayer, HasNoWallWhereTheHoleLiesAtItsEdge) {
     terrain.setBottom(-10.0_nm);
     const auto wallArea = [&](const ScanWindow& hole) {
         terrain.setPlace(scene.surface, {.window = kPlace.window, .hole = hole, .patch = hole});
-        terrain.show(TerrainDetail::Fine, SurfaceColors(), Shading(ViewCamera()));
+        terrain.show(TerrainDetail::Fine, kStyle);
         return SeenFromAbove(renderer).areaFromTheSide();
     };
     const double whole = 2.0 * 80.0_nm * 10.0_nm;
@@ -125,9 +128,9 @@ TEST(TerrainLayer, IsCoarseOrFineAsAsked) {
     vtkNew<vtkRenderer> renderer;
     TerrainLayer terrain(renderer);
     terrain.setPlace(scene.surface, kPlace);
-    terrain.show(TerrainDetail::Coarse, SurfaceColors(), Shading(ViewCamera()));
+    terrain.show(TerrainDetail::Coarse, kStyle);
     EXPECT_LE(SeenFromAbove(renderer).points(), 80 * 80);
-    terrain.show(TerrainDetail::Fine, SurfaceColors(), Shading(ViewCamera()));
+    terrain.show(TerrainDetail::Fine, kStyle);
     EXPECT_EQ(SeenFromAbove(renderer).points(), 160 * 160) << "four samples a pixel";
 }
 

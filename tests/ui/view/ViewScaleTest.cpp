@@ -83,7 +83,7 @@ TEST(ViewScale, IsThatOfTheContactWhereItIsWide) {
     const double unloaded = unloadedContactRadius(scene.belief.contact.pair());
     EXPECT_NEAR(unloaded, 37.4_nm, 0.5_nm);
     EXPECT_DOUBLE_EQ(scale.patch, 2.5 * unloaded);
-    EXPECT_DOUBLE_EQ(scale.usual, 3.2 * unloaded);
+    EXPECT_DOUBLE_EQ(scale.usual, std::max(3.2 * unloaded, 15.0 * scale.pixel));
     EXPECT_LT(scale.least, scale.usual);
 }
 
@@ -91,6 +91,21 @@ TEST(ViewScale, OnTheExactSphereNoContactIsWiderThanTheTip) {
     const Scene scene = rubberScene(std::nullopt);
     ASSERT_EQ(scene.belief.contact.law(), ContactLaw::SphereSplit);
     EXPECT_DOUBLE_EQ(viewScale(scene).patch, 2.5 * scene.belief.tipRadius());
+}
+
+TEST(ViewScale, OpensAtAWidthOfThirtyPixels) {
+    HeightMap map = test::flatMap();
+    map.pitchX *= 4.0;
+    map.pitchY *= 3.0;
+    const ViewScale scale = viewScale(buildScene(test::plainScene(), map));
+    EXPECT_DOUBLE_EQ(scale.pixel, 8.0_nm);
+    EXPECT_DOUBLE_EQ(2.0 * scale.usual, 30.0 * scale.pixel);
+}
+
+TEST(ViewScale, DrawsAParaboloidForALawOfParaboloidsWhereTheContactIsWide) {
+    EXPECT_EQ(viewScale(test::flatScene()).paraboloidReach, 0.0) << "a small contact";
+    EXPECT_GT(viewScale(rubberScene()).paraboloidReach, 37.4_nm);
+    EXPECT_EQ(viewScale(rubberScene(std::nullopt)).paraboloidReach, 0.0) << "the exact sphere";
 }
 
 TEST(ViewScale, AGivenWidthOfTheFrameIsKept) {

@@ -39,7 +39,6 @@ void turnWheel(ZoomView& view, double notches, Qt::KeyboardModifiers modifiers =
 }  // namespace
 
 TEST_F(ZoomViewTest, ADraggedTipStaysUnderThePointer) {
-    view->setMagnification(1.0);
     view->showSnapshot(moments.away);
     for (const double turned : {0.0, 130.0, 250.0}) {
         drag(*view, Qt::RightButton, {200.0, 200.0}, {200.0 + turned, 190.0});

@@ -41,6 +41,12 @@ protected:
         return picture.pixelColor(view->onScreen(place).toPoint());
     }
 
+    /// Unit, level.
+    [[nodiscard]] Vector3 towardsEye() const {
+        const Vector3 out = view->camera().out();
+        return Vector3(out.x(), out.y(), 0.0).normalized();
+    }
+
     std::unique_ptr<Scene> scene;
     ViewMoments moments;
     std::unique_ptr<ZoomView> view;

@@ -1,0 +1,95 @@
+#include "ui/view/FrameAxes.h"
+
+#include "core/SiFormat.h"
+#include "vtkplugins/pictures/Painter.h"
+#include "vtkplugins/pictures/Ticks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kTicks = 5;  // along an edge, about
+
+// Pixels from the edge, outwards.
+constexpr double kTickLength = 6.0;
+constexpr double kLabelDistance = 18.0;
+constexpr double kTitleDistance = 40.0;
+
+constexpr double kTextSize = 12.0;
+
+using Project = std::function<PixelPoint(const Vector3&)>;
+
+/// One edge: from `low` to `high` along one axis of the scan.
+struct Edge {
+    const char* name;
+    double low;
+    double high;
+    std::function<Vector3(double)> at;
+    Vector3 outwards;  ///< from the frame, level
+};
+
+/// The pixel at a distance from another one, towards where a direction of the world points.
+PixelPoint beside(const Project& project, const Vector3& place, const Vector3& direction,
+                  double pixels) {
+    const PixelPoint from = project(place);
+    const PixelPoint to = project(place + direction);
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    if (!(length > 0.0)) {
+        return from;
+    }
+    return {from.x + pixels * (to.x - from.x) / length, from.y + pixels * (to.y - from.y) / length};
+}
+
+void paintEdge(Painter& painter, const Edge& edge, const Project& project) {
+    const LineStyle line{.color = palette::kInk, .width = 1.0};
+    const TextStyle text{.size = kTextSize, .align = Align::Center};
+    painter.line({project(edge.at(edge.low)), project(edge.at(edge.high))}, line);
+    const std::vector<double> ticks = niceTicks(edge.low, edge.high, kTicks);
+    const SiScale scale = siScaleFor(std::max(std::abs(edge.low), std::abs(edge.high)), "m");
+    std::vector<double> shown;
+    for (const double tick : ticks) {
+        shown.push_back(scale.factor * tick);
+    }
+    const std::vector<std::string> labels = tickLabels(shown);
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        const Vector3 place = edge.at(ticks[i]);
+        painter.line({project(place), beside(project, place, edge.outwards, kTickLength)}, line);
+        painter.text(beside(project, place, edge.outwards, kLabelDistance), labels[i], text);
+    }
+    const Vector3 middle = edge.at(0.5 * (edge.low + edge.high));
+    painter.text(beside(project, middle, edge.outwards, kTitleDistance),
+                 std::string(edge.name) + " [" + scale.unit + "]", text);
+}
+
+}  // namespace
+
+void paintAxes(Painter& painter, const FrameAxes& axes, const Project& project) {
+    const ScanWindow& window = axes.window;
+    const bool fromRight = axes.toEye.x() > 0.0;
+    const bool fromBehind = axes.toEye.y() > 0.0;
+    const double x = fromRight ? window.right : window.left;
+    const double y = fromBehind ? window.top : window.bottom;
+    const double step = 0.1 * std::max(window.right - window.left, window.top - window.bottom);
+    const double z = axes.bottom;
+    paintEdge(painter,
+              {"x",
+               window.left,
+               window.right,
+               [y, z](double along) { return Vector3(along, y, z); },
+               {0.0, fromBehind ? step : -step, 0.0}},
+              project);
+    paintEdge(painter,
+              {"y",
+               window.bottom,
+               window.top,
+               [x, z](double along) { return Vector3(x, along, z); },
+               {fromRight ? step : -step, 0.0, 0.0}},
+              project);
+}
+
+}  // namespace asperity

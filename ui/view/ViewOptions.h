@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/Vector.h"
+
+namespace asperity {
+
+/// Where the light of a view comes from, as seen on the screen; it goes with the eye.
+struct Light {
+    double azimuth = 132.0;   ///< counterclockwise from rightwards [degree]
+    double elevation = 24.0;  ///< above the screen's plane, to the eye [degree]
+
+    /// Unit vector: rightwards, upwards, to the eye.
+    [[nodiscard]] Vector3 direction() const;
+
+    bool operator==(const Light&) const = default;
+};
+
+/// What a user switches in a view.
+struct ViewOptions {
+    double heightScale = 1.0;  ///< of all that is upright, >= 1
+    bool axes = true;
+    bool scaleBars = true;
+    bool grid = true;
+    bool section = false;  ///< the half before the tip is cut away
+    Light light;
+};
+
+}  // namespace asperity
