@@ -17,9 +17,9 @@ namespace asperity {
 namespace {
 
 // In half widths of the lever.
-constexpr double kClampEnd = -5.0;
+constexpr double kClampEnd = -3.0;
 constexpr double kFreeEnd = 1.2;
-constexpr double kThickness = 0.3;
+constexpr double kThickness = 0.15;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 

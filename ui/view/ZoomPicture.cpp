@@ -34,8 +34,8 @@ constexpr double kWidePixel = 1.0 / 3.0;
 
 // In sizes of tip and arrow.
 constexpr double kTipTop = 1.15;
-constexpr double kSmallGear = 0.8;  // of the frame: from here on outwards the lever is in the view
-constexpr double kLeverHalfWidth = 0.3;
+constexpr double kSmallGear = 0.6;  // of the frame: from here on outwards the lever is in the view
+constexpr double kLeverHalfWidth = 0.5;
 constexpr double kArrowRoom = 1.1;
 
 constexpr double kStray = 0.25;  // of the tip from the middle of the patch, in its half widths
@@ -290,7 +290,7 @@ std::string ZoomPicture::tipAbove(int height, double pixelRatio) const {
     if (!contactShown_ || drawnPlace(apexOf(*contactShown_)).y() < pixelRatio * height) {
         return {};
     }
-    return "↑ tip " + formatSi(-contactShown_->indentation, "m") + " above the surface";
+    return "tip " + formatSi(-contactShown_->indentation, "m") + " above the surface";
 }
 
 void ZoomPicture::aim(const ViewCamera& camera, double aspect) {
