@@ -52,7 +52,7 @@ PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
     PathPlan plan;
     plan.duration = options.duration > 0.0 ? options.duration : kDefaultDuration;
     if (options.path == "approach") {
-        return {approachPath(scene, plan), plan.duration};
+        return {slidePath(scene, plan), plan.duration};
     }
     if (options.path == "raster") {
         return {rasterPath(scene, plan), plan.duration};

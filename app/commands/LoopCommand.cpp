@@ -56,7 +56,7 @@ LoadedScene loadForLoop(const LoopOptions& options) {
 
 /// The same approach again and again; the way back from its end leads high over the sample.
 DevicePath repeatedApproach(const Scene& scene, double duration) {
-    const DevicePath once = approachPath(scene, {.duration = kOnePath});
+    const DevicePath once = slidePath(scene, {.duration = kOnePath});
     DevicePath path = once;
     while (path.back().time < duration) {
         const DevicePath back =

@@ -61,7 +61,8 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
 
 LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
                       Progress* progress) {
-    const SceneDescription description = sceneFromInput(input);
+    SceneDescription description = sceneFromInput(input);
+    description.setpoint = overrides.setpoint.value_or(description.setpoint);
     try {
         LoadedScene loaded = description.sample.shape ? shapeScene(description, overrides)
                                                       : mapScene(description, overrides, progress);

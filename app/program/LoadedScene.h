@@ -18,6 +18,7 @@ struct SceneOverrides {
     std::string channel;
     std::optional<Leveling> leveling;
     std::optional<double> smoothingPixels;  ///< [pixel]
+    std::optional<double> setpoint;         ///< of an approach [N]
 };
 
 /// A scene with what is known of the file that it stands on.

@@ -22,7 +22,7 @@ struct PlannedPath {
 };
 
 constexpr std::array<PlannedPath, 3> kPaths{
-    {{"Approach", approachPath}, {"Raster", rasterPath}, {"Scratch", scratchPath}}};
+    {{"Approach", slidePath}, {"Raster", rasterPath}, {"Scratch", scratchPath}}};
 
 /// A path in other units than meters would lead the tip far away, and take as long.
 /// @throw InputError when the path leaves the scan by more than its width

@@ -14,12 +14,6 @@ constexpr double kFeatureMargin = 0.03;  // of the scan's width, kept free at ea
 constexpr double kSlideDirection = std::numbers::pi / 3.0;  // so that both signals take part [rad]
 constexpr int kRasterLines = 8;
 
-/// Apex height at which the tip first touches the surface from above.
-double touchHeight(const Scene& scene, double x, double y) {
-    const double radius = scene.description.tip.radius;
-    return tipContactHeight(scene.surface, x, y, radius) - radius;
-}
-
 /// The base must rise by more than the lever holds back before the tip lets go.
 double clearanceFor(const Scene& scene, const PathPlan& plan) {
     const Cantilever& cantilever = scene.belief.cantilever;
@@ -107,10 +101,21 @@ Vector3 positionAt(const DevicePath& path, double time) {
     return before.position + share * (next->position - before.position);
 }
 
-DevicePath approachPath(const Scene& scene, const PathPlan& plan) {
-    const Vector2 top = featureFor(scene, plan);
+double touchHeight(const Scene& scene, double x, double y) {
+    const double radius = scene.description.tip.radius;
+    return tipContactHeight(scene.surface, x, y, radius) - radius;
+}
+
+Vector3 pathStart(const Scene& scene, const PathPlan& plan) {
+    const Vector2 place = featureFor(scene, plan);
+    return above(scene, place.x(), place.y(), clearanceFor(scene, plan));
+}
+
+DevicePath slidePath(const Scene& scene, const PathPlan& plan) {
+    const Vector3 start = pathStart(scene, plan);
+    const Vector2 top = start.head<2>();
     const double clearance = clearanceFor(scene, plan);
-    PathBuilder path(scene, plan, above(scene, top.x(), top.y(), clearance));
+    PathBuilder path(scene, plan, start);
     path.moveTo(above(scene, top.x(), top.y(), -plan.indentation), 0.3);
     path.hold(0.05);
     const double endX =

@@ -30,8 +30,15 @@ struct PathPlan {
     std::optional<Vector2> place = {};  ///< in the scan [m]; empty: each path's own
 };
 
+/// Height of the base at which the tip first touches the surface from above (x, y) [m].
+[[nodiscard]] double touchHeight(const Scene& scene, double x, double y);
+
+/// Where a path begins, out of the sample's reach: above its place, or by itself above the highest
+/// feature of the scan [m].
+[[nodiscard]] Vector3 pathStart(const Scene& scene, const PathPlan& plan);
+
 /// Approach, indent, slide and retract; by itself at the highest feature of the scan.
-[[nodiscard]] DevicePath approachPath(const Scene& scene, const PathPlan& plan);
+[[nodiscard]] DevicePath slidePath(const Scene& scene, const PathPlan& plan);
 
 /// Lines to and fro over a square, in contact; by itself around the highest feature.
 [[nodiscard]] DevicePath rasterPath(const Scene& scene, const PathPlan& plan);

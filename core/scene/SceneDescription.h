@@ -90,8 +90,12 @@ struct SceneDescription {
     /// That a run starts with; scene files say those that have a key, see listSettings().
     Settings settings{
         .guide = {.stiffness = 200.0, .damping = 0.5, .forceLimit = 1.0, .captureDistance = 50e-9}};
+    double setpoint = 5e-9;      ///< at which an approach ends: force along z [N]
     double zoomHalfWidth = 0.0;  ///< of the zoomed view [m]; 0: chosen from the contact
 };
+
+inline constexpr double kMinSetpoint = 1e-12;  ///< [N]
+inline constexpr double kMaxSetpoint = 1e-3;   ///< [N]
 
 /// The scene that a height map alone stands for: polystyrene, 15 nm silicon tip, 14 N/m lever.
 [[nodiscard]] SceneDescription defaultScene();

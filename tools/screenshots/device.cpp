@@ -24,7 +24,7 @@ constexpr double kPictureAfter = 2.0;  // the guide is there [s]
 DevicePath pathDown(const Scene& scene) {
     PathPlan plan{.duration = 4.0 * kWay, .indentation = kDepth, .slideLength = 12e-9};
     plan.place = startPlace(scene).head<2>();
-    return approachPath(scene, plan);
+    return slidePath(scene, plan);
 }
 
 int run(char** argv) {

@@ -25,7 +25,7 @@ DevicePath path(const Scene& scene) {
     const Vector3 above = startPlace(scene);
     PathPlan plan{.duration = 4.0 * kIndent, .indentation = kDepth, .slideLength = 12e-9};
     plan.place = above.head<2>();
-    return approachPath(scene, plan);
+    return slidePath(scene, plan);
 }
 
 /// Watches the run from frame to frame and saves each picture once.

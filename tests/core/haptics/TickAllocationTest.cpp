@@ -17,7 +17,7 @@ namespace {
 
 /// Runs the approach of a scene and watches every tick of it.
 void expectNoAllocation(const Scene& scene) {
-    const DevicePath path = approachPath(scene, {.duration = 2.0});
+    const DevicePath path = slidePath(scene, {.duration = 2.0});
     SimulatedAfm afm(scene.surface, truthOf(scene));
     TickMemory memory;
     TickInput input;
@@ -115,7 +115,7 @@ TEST(TickAllocation, NorDoSeveralClosestPoints) {
 
 TEST(TickAllocation, TheRunningLoopAllocatesNothing) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
-    ScriptedDevice device(approachPath(scene, {.duration = 0.5}), scene.settings.positionGain);
+    ScriptedDevice device(slidePath(scene, {.duration = 0.5}), scene.settings.positionGain);
     SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, device, afm);
     loop.start();
