@@ -21,6 +21,8 @@
 #include "core/scene/BelievedModel.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <iostream>
@@ -43,6 +45,43 @@ struct ExploreOptions {
     SceneOverrides overrides;
 };
 
+/// A path that --path has a word for.
+struct PathWord {
+    const char* word;
+    DevicePath (*plan)(const Scene&, const PathPlan&);
+};
+constexpr std::array<PathWord, 3> kPathWords{
+    {{"approach", approachPath}, {"raster", rasterPath}, {"scratch", scratchPath}}};
+
+/// Null where it is none, but the name of a file.
+const PathWord* findPathWord(const std::string& text) {
+    const auto* const found = std::ranges::find(
+        kPathWords, text, [](const PathWord& path) { return std::string(path.word); });
+    return found == kPathWords.end() ? nullptr : found;
+}
+
+/// For people: "approach, raster, scratch".
+std::string pathWords() {
+    std::string words;
+    for (const PathWord& path : kPathWords) {
+        words.append(words.empty() ? "" : ", ").append(path.word);
+    }
+    return words;
+}
+
+/// A bare word that is no file is more likely a slip in one of the words.
+CLI::Validator pathWordOrFile() {
+    return {[](const std::string& text) {
+                std::error_code ignored;
+                const bool isBare = text.find_first_of("./") == std::string::npos;
+                const bool isNothing = isBare && findPathWord(text) == nullptr &&
+                                       !std::filesystem::exists(text, ignored);
+                return isNothing ? "expected " + pathWords() + " or a CSV file, not '" + text + "'"
+                                 : std::string();
+            },
+            ""};
+}
+
 struct PlannedRun {
     DevicePath path;
     double duration = 0.0;  // [s]
@@ -51,14 +90,8 @@ struct PlannedRun {
 PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
     PathPlan plan;
     plan.duration = options.duration > 0.0 ? options.duration : kDefaultDuration;
-    if (options.path == "approach") {
-        return {approachPath(scene, plan), plan.duration};
-    }
-    if (options.path == "raster") {
-        return {rasterPath(scene, plan), plan.duration};
-    }
-    if (options.path == "scratch") {
-        return {scratchPath(scene, plan), plan.duration};
+    if (const PathWord* const path = findPathWord(options.path)) {
+        return {path->plan(scene, plan), plan.duration};
     }
     DevicePath path = readDevicePath(options.path);
     const double duration = options.duration > 0.0 ? options.duration : path.back().time;
@@ -193,8 +226,9 @@ void addExploreCommand(CLI::App& program) {
     addForce(*command, options->force);
     command
         ->add_option("--path", options->path,
-                     "approach, raster, scratch, or a CSV file with time_s, x_m, y_m, z_m")
-        ->capture_default_str();
+                     pathWords() + ", or a CSV file with time_s, x_m, y_m, z_m")
+        ->capture_default_str()
+        ->check(pathWordOrFile());
     command
         ->add_option("--duration", options->duration,
                      "of the run [s]; default 10, or the length of the CSV path")
