@@ -27,7 +27,7 @@ class OutputFolder {
 public:
     /// Makes the folder where there is none; what killed commands left in it goes.
     /// @param force guarded files may go
-    /// @throw Error where there are guarded files, or the folder cannot be written
+    /// @throw Error where there are guarded files, FileError where the folder cannot be written
     OutputFolder(std::filesystem::path folder, FolderContent content, bool force = false);
     /// Without commit() all is as before.
     ~OutputFolder();

@@ -13,8 +13,8 @@ constexpr double kNoiseMargin = 6.0;  // setpoint over the deviation of the mean
 /// Ticks over which the mean must go; one where there is no noise.
 std::size_t meanLength(double deviation, double setpoint) {
     const double ratio = kNoiseMargin * deviation / setpoint;
-    const double ticks = std::clamp(std::ceil(ratio * ratio), 1.0,
-                                    static_cast<double>(RecentMean::kMaxLength));
+    const double ticks =
+        std::clamp(std::ceil(ratio * ratio), 1.0, static_cast<double>(RecentMean::kMaxLength));
     return static_cast<std::size_t>(ticks);
 }
 

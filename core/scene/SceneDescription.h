@@ -2,6 +2,7 @@
 
 #include "core/EnumTable.h"
 #include "core/contact/Material.h"
+#include "core/contact/Within.h"
 #include "core/contact/laws/ContactOptions.h"
 #include "core/probe/Cantilever.h"
 #include "core/probe/DetectorCalibration.h"
@@ -96,6 +97,10 @@ struct SceneDescription {
 
 inline constexpr double kMinSetpoint = 1e-12;  ///< [N]
 inline constexpr double kMaxSetpoint = 1e-3;   ///< [N]
+/// Whether a scene may have this setpoint [N].
+[[nodiscard]] inline bool isSetpoint(double force) noexcept {
+    return isWithin(force, kMinSetpoint, kMaxSetpoint);
+}
 
 /// The scene that a height map alone stands for: polystyrene, 15 nm silicon tip, 14 N/m lever.
 [[nodiscard]] SceneDescription defaultScene();

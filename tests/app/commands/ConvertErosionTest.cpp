@@ -91,7 +91,7 @@ TEST_F(ConvertErosion, RefusesWhereItCannotWriteBeforeItErodesAndNamesTheFile) {
     EXPECT_EQ(unknown.exitCode, 2);
     EXPECT_NE(unknown.output.find("--certainty: map.foo"), std::string::npos) << unknown.output;
     const auto nowhere = convert(" --erode 15e-9 --certainty /nonexistent/map.gsf");
-    EXPECT_EQ(nowhere.exitCode, 1);
+    EXPECT_EQ(nowhere.exitCode, 3);
     EXPECT_NE(nowhere.output.find("/nonexistent/map.gsf"), std::string::npos) << nowhere.output;
     for (const auto& run : {unknown, nowhere}) {
         EXPECT_EQ(run.output.find("eroded"), std::string::npos) << run.output;

@@ -108,6 +108,19 @@ TEST(ExplorePaths, RasterScratchAndFileRunToTheirEnd) {
     }
 }
 
+/// "zigzag: there is no such file" was all that it said.
+TEST(ExplorePaths, ThatAreNeitherAWordNorAFileAreRefusedWithTheWords) {
+    const test::ScratchFolder scratch;
+    const auto out = scratch.file("out");
+    const auto run = test::runProgram("explore " + test::shippedScene("silicon").string() +
+                                      " --path zigzag --out " + out.string());
+    EXPECT_EQ(run.exitCode, 2) << run.output;
+    EXPECT_NE(run.output.find("expected approach, raster, scratch or a CSV file, not 'zigzag'"),
+              std::string::npos)
+        << run.output;
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
 /// What the scene overrules and what its law misses is in the error: it said 0 %.
 TEST(ExploreModel, TellsTheWholeErrorOfItsForces) {
     const test::ScratchFolder scratch;

@@ -130,15 +130,22 @@ TEST(Loop, DrawsEveryViewMeanwhile) {
     }
 }
 
-TEST(Usage, UnwritableOutputExitsWith1) {
+/// As a file that cannot be read; a scan that could not be written ended with 1.
+TEST(Usage, AFileOrFolderThatCannotBeMadeExitsWith3) {
     const std::string scene = test::shippedScene("silicon").string();
+    const std::string scan = std::string(ASPERITY_DATA_DIR) + "/samples/steps.gsf";
     const std::vector<std::string> calls = {
         "explore " + scene + " --duration 0.1 --out /proc/nothing",
-        "convert " + test::shippedScene("x").parent_path().parent_path().string() +
-            "/samples/steps.gsf /proc/nothing.gwy"};
+        "loop " + scene + " --duration 0.1 --record /proc/nothing",
+        "extremes --states 10000 --out /proc/nothing",
+        "convert " + scan + " /proc/nothing.gwy",
+        "convert " + scan + " /nonexistent/scan.gwy",
+        "curve --out /nonexistent/curve.csv",
+        "curve --figure /nonexistent/curve.png"};
     for (const std::string& call : calls) {
         const auto run = test::runProgram(call);
-        EXPECT_EQ(run.exitCode, 1) << call << "\n" << run.output;
+        EXPECT_EQ(run.exitCode, 3) << call << "\n" << run.output;
+        EXPECT_EQ(run.output.find("force_n"), std::string::npos) << "before it works: " << call;
     }
 }
 
