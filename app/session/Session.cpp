@@ -22,6 +22,7 @@ Session::Session(MainWindow& window)
     , scenes_(window, runs_)
     , fidelity_(window, runs_)
     , paths_(window, runs_, devices_)
+    , engaging_(window, runs_, devices_)
     , views_(window, runs_) {
     runs_.setSink([this](const TickSample& sample) {
         views_.take(sample);
@@ -51,6 +52,7 @@ void Session::advance() {
     const double elapsed = std::min(now - std::exchange(lastFrame_, now), kMaxFrameTime);
     if (run() != nullptr) {
         devices_.advance(elapsed);
+        engaging_.advance();
         runs_.fetch();
         recordings_.advance();
         views_.show(now);

@@ -23,11 +23,12 @@ using DevicePath = std::vector<PathPoint>;
 
 /// How far a scripted device goes; lengths are those of the base.
 struct PathPlan {
-    double duration = 10.0;             ///< [s]
-    double clearance = 6e-9;            ///< above first geometric contact, at start and end [m]
-    double indentation = 3e-9;          ///< of the base below first geometric contact [m]
-    double slideLength = 24e-9;         ///< [m]
-    std::optional<Vector2> place = {};  ///< in the scan [m]; empty: each path's own
+    double duration = 10.0;               ///< [s]
+    double clearance = 6e-9;              ///< above first geometric contact, at start and end [m]
+    double indentation = 3e-9;            ///< of the base below first geometric contact [m]
+    double slideLength = 24e-9;           ///< [m]
+    std::optional<Vector2> place = {};    ///< in the scan [m]; empty: each path's own
+    std::optional<double> setpoint = {};  ///< of an approach [N]; empty: the scene's
 };
 
 /// Height of the base at which the tip first touches the surface from above (x, y) [m].

@@ -26,7 +26,7 @@ double expectedDepth(const Scene& scene, double force) {
 PlannedApproach planApproach(const Scene& scene, const PathPlan& plan) {
     const Vector3 start = pathStart(scene, plan);
     const double clearance = start.z() - touchHeight(scene, start.x(), start.y());
-    const double setpoint = scene.description.setpoint;
+    const double setpoint = plan.setpoint.value_or(scene.description.setpoint);
     const double descent = clearance + expectedDepth(scene, setpoint);
     const double speed = descent / (kDescentShare * plan.duration);
     return {.start = start,

@@ -11,7 +11,7 @@ struct PlannedApproach {
     ApproachPlan plan;
 };
 
-/// Straight down to the scene's setpoint and up again; by itself at the highest feature of the
+/// Straight down to a setpoint and up again; by itself at the highest feature of the
 /// scan. Speed and distances are such that all of it takes the plan's duration where the sample is
 /// about as the scene says.
 [[nodiscard]] PlannedApproach planApproach(const Scene& scene, const PathPlan& plan);

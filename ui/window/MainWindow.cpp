@@ -3,6 +3,7 @@
 #include "ui/panels/CantileverPanel.h"
 #include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/ControlBar.h"
+#include "ui/panels/EngageBar.h"
 #include "ui/panels/FidelityPanel.h"
 #include "ui/panels/ForcePanel.h"
 #include "ui/panels/LoadingBar.h"
@@ -88,6 +89,7 @@ MainWindow::MainWindow()
     : menus_(new WindowMenus(*menuBar()))
     , controls_(new ControlBar(this))
     , banner_(new StateBanner(this))
+    , engage_(new EngageBar(this))
     , view_(new ZoomView(this))
     , loading_(new LoadingBar(this))
     , bottomLine_(newBottomLine(this, loading_))
@@ -99,6 +101,7 @@ MainWindow::MainWindow()
     connectMenus();
     showFrameOf(*view_, *overview_);
     giveFocusBack(*controls_, *view_);
+    connect(engage_, &EngageBar::setpointEntered, view_, [this] { view_->setFocus(); });
     showScene(nullptr, {});
     showLoading({});
     resize(1600, 1000);
@@ -110,6 +113,7 @@ QWidget* MainWindow::leftSide() {
     QVBoxLayout* column = newColumn(*side);
     column->addWidget(banner_);
     panels_.push_back(banner_);
+    column->addWidget(engage_);
     column->addWidget(view_, 1);
     auto* bars = new QHBoxLayout;
     bars->setSpacing(3 * kGap);
@@ -212,6 +216,7 @@ void MainWindow::showLoading(const QString& name) {
 void MainWindow::lock() {
     setAcceptDrops(false);
     controls_->setEnabled(false);
+    engage_->setEnabled(false);
     overview_->setEnabled(false);
     fidelity_->setEnabled(false);
     for (QAction* action : findChildren<QAction*>()) {

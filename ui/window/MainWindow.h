@@ -12,6 +12,7 @@ class QStackedLayout;
 namespace asperity {
 
 class ControlBar;
+class EngageBar;
 class FidelityPanel;
 class LoadingBar;
 class LoopStatusBar;
@@ -32,6 +33,7 @@ public:
     [[nodiscard]] WindowMenus& menus() { return *menus_; }
     [[nodiscard]] ControlBar& controls() { return *controls_; }
     [[nodiscard]] StateBanner& banner() { return *banner_; }
+    [[nodiscard]] EngageBar& engage() { return *engage_; }
     [[nodiscard]] ZoomView& view() { return *view_; }
     [[nodiscard]] OverviewPanel& overview() { return *overview_; }
     /// A window of its own, hidden at first.
@@ -75,6 +77,7 @@ private:
     WindowMenus* menus_;
     ControlBar* controls_;
     StateBanner* banner_;
+    EngageBar* engage_;
     ZoomView* view_;
     LoadingBar* loading_;
     QStackedLayout* bottomLine_;  ///< hint, loading

@@ -30,14 +30,30 @@ TEST(Usage, EverySubcommandHasHelp) {
 }
 
 TEST(Usage, WrongCallsExitWith2) {
-    for (const std::string call :
-         {"fly", "loop --rate 1", "loop --duration nan", "devices now", "explore", "explore x.gsf",
-          "explore a --out b --duration -1", "explore a --out b --duration x",
-          "explore a --out b --duration nan", "explore a --out ''", "replay a --out ''",
-          "explore a --out b --level flat", "info", "extremes", "extremes --out a --states 10",
-          "convert a b.gsf --residual --smoothing-px nan",
-          "convert a b.gsf --residual --smoothing-m nan",
-          "convert a b.gsf --residual --smoothing-m inf", "project a --points b --sigma nan"}) {
+    for (const std::string call : {"fly",
+                                   "loop --rate 1",
+                                   "loop --duration nan",
+                                   "devices now",
+                                   "explore",
+                                   "explore x.gsf",
+                                   "explore a --out b --duration -1",
+                                   "explore a --out b --duration x",
+                                   "explore a --out b --duration nan",
+                                   "explore a --out ''",
+                                   "replay a --out ''",
+                                   "explore a --out b --level flat",
+                                   "explore a --out b --setpoint 5nm",
+                                   "explore a --out b --setpoint 5",
+                                   "explore a --out b --setpoint x",
+                                   "explore a --out b --setpoint -5nN",
+                                   "explore a --out b --path slide --setpoint 5nN",
+                                   "info",
+                                   "extremes",
+                                   "extremes --out a --states 10",
+                                   "convert a b.gsf --residual --smoothing-px nan",
+                                   "convert a b.gsf --residual --smoothing-m nan",
+                                   "convert a b.gsf --residual --smoothing-m inf",
+                                   "project a --points b --sigma nan"}) {
         const auto run = test::runProgram(call);
         EXPECT_EQ(run.exitCode, 2) << call << "\n" << run.output;
     }
