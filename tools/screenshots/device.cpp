@@ -17,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr double kWay = 3.0;           // time to go in [s]
-constexpr double kDepth = 4e-9;        // of the base below first touch [m]
+constexpr double kDepth = 0.7e-9;      // of the base below first touch [m]
 constexpr double kPressing = 0.3;      // device force [N]
 constexpr double kPictureAfter = 2.0;  // the guide is there [s]
 

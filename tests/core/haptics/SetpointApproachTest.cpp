@@ -27,14 +27,14 @@ double springForce(double z) {
 }
 
 /// An approach and all that came of it.
-struct Run {
+struct Course {
     SetpointApproach approach;
     Vector3 base = kStart;
     Vector3 lowest = kStart;
     double force = 0.0;  ///< of the tick in which the descent ended, above the free one [N]
 
     template <class Force>
-    Run(const ApproachPlan& plan, double duration, const Force& forceAt) : approach(plan, kStart) {
+    Course(const ApproachPlan& plan, double duration, const Force& forceAt) : approach(plan, kStart) {
         double last = 0.0;
         for (int i = 0; i * kTimeStep < duration; ++i) {
             const ApproachPhase before = approach.phase();
@@ -49,7 +49,7 @@ struct Run {
 };
 
 TEST(SetpointApproach, StopsAtTheSetpointAboveTheBaselineAndReturnsToItsStart) {
-    const Run run(kPlan, 2.0, springForce);
+    const Course run(kPlan, 2.0, springForce);
     EXPECT_TRUE(run.approach.hasEngaged());
     EXPECT_EQ(run.approach.phase(), ApproachPhase::Done);
     const double step = kStiffness * kPlan.speed * kTimeStep;  // of the force in a tick
@@ -78,7 +78,7 @@ TEST(SetpointApproach, RestsFirstAndDwellsAsLongAsAsked) {
 }
 
 TEST(SetpointApproach, WithoutAContactItEndsAtItsLimitAndReturns) {
-    const Run run(kPlan, 5.0, [](double) { return 40e-9; });
+    const Course run(kPlan, 5.0, [](double) { return 40e-9; });
     EXPECT_FALSE(run.approach.hasEngaged());
     EXPECT_EQ(run.approach.phase(), ApproachPhase::Done);
     EXPECT_NEAR(kStart.z() - run.lowest.z(), kPlan.maxDescent, 1e-18);
@@ -88,7 +88,7 @@ TEST(SetpointApproach, WithoutAContactItEndsAtItsLimitAndReturns) {
 TEST(SetpointApproach, StaysAtTheSetpointWhereTheDwellHasNoEnd) {
     ApproachPlan plan = kPlan;
     plan.dwell = std::numeric_limits<double>::infinity();
-    const Run run(plan, 5.0, springForce);
+    const Course run(plan, 5.0, springForce);
     EXPECT_EQ(run.approach.phase(), ApproachPhase::Dwell);
     EXPECT_EQ(run.base, run.lowest);
 }
@@ -100,7 +100,7 @@ TEST(SetpointApproach, NoiseNeitherEndsTheDescentNorKeepsItFromEnding) {
         std::normal_distribution<double> noise(0.0, 1.5e-9);
         ApproachPlan plan = kPlan;
         plan.speed = 1e-9;
-        const Run run(plan, 12.0, [&](double z) { return springForce(z) + noise(random); });
+        const Course run(plan, 12.0, [&](double z) { return springForce(z) + noise(random); });
         EXPECT_TRUE(run.approach.hasEngaged()) << seed;
         EXPECT_LT(run.lowest.z(), kSurface) << "stopped in free air, seed " << seed;
         EXPECT_NEAR(run.force, plan.setpoint, 0.5 * plan.setpoint) << seed;
@@ -108,7 +108,7 @@ TEST(SetpointApproach, NoiseNeitherEndsTheDescentNorKeepsItFromEnding) {
 }
 
 TEST(SetpointApproach, AForceThatIsNoNumberEndsTheDescent) {
-    const Run run(kPlan, 3.0, [](double z) {
+    const Course run(kPlan, 3.0, [](double z) {
         return z < 26e-9 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
     });
     EXPECT_FALSE(run.approach.hasEngaged());
