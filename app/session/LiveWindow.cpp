@@ -9,6 +9,7 @@
 
 #include <exception>
 #include <iostream>
+#include <utility>
 
 namespace asperity {
 
@@ -23,6 +24,11 @@ LiveWindow::Display::Display() {
         throw Error("no display to open the window on; `asperity explore` works without one");
     }
     requireDrawingMemory({});
+    // As large as the desktop has its other programs, 1.5 times, too.
+    QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QApplication::setHighDpiScaleFactorRoundingPolicy(
+        Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
 }
 
 bool LiveWindow::Application::notify(QObject* receiver, QEvent* event) {
@@ -39,6 +45,10 @@ LiveWindow::LiveWindow()
     : arguments_{programName, nullptr}
     , application_(argumentCount_, arguments_)
     , session_((applyTheme(application_), window_)) {}
+
+void LiveWindow::remember(std::unique_ptr<QSettings> settings) {
+    memory_.emplace(window_, std::move(settings));
+}
 
 int LiveWindow::exec() {
     const QuitOnSignal quitOnSignal;

@@ -11,6 +11,7 @@
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/Dialogs.h"
+#include "ui/window/Placement.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
@@ -20,11 +21,15 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedLayout>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
 #include <functional>
+#include <utility>
 
 namespace asperity {
 
@@ -35,12 +40,25 @@ constexpr int kLeftShare = 69;  // of the width, against kRightShare
 constexpr int kRightShare = 31;
 constexpr int kMessageTime = 8000;   // [ms]
 constexpr int kColumnMinimum = 372;  // [px]
+constexpr QSize kUsualSize(1600, 1000);
 
 QVBoxLayout* newColumn(QWidget& side) {
     auto* column = new QVBoxLayout(&side);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGap);
     return column;
+}
+
+/// Scrolls a column of panels where the window is too low for it.
+QScrollArea* newScroller(QWidget* column, QWidget* window) {
+    auto* area = new QScrollArea(window);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(column);
+    area->setMinimumWidth(column->minimumWidth() + area->verticalScrollBar()->sizeHint().width());
+    return area;
 }
 
 /// Hint and loading in one place, so that nothing moves when a file is loaded.
@@ -101,7 +119,7 @@ MainWindow::MainWindow()
     giveFocusBack(*controls_, *view_);
     showScene(nullptr, {});
     showLoading({});
-    resize(1600, 1000);
+    setGeometry(openingPlace(kUsualSize, screen()->availableGeometry()));
     view_->setFocus();
 }
 
@@ -133,11 +151,14 @@ QWidget* MainWindow::rightSide() {
     const auto add = [this, column](auto* panel, int share) {
         column->addWidget(panel, share);
         panels_.push_back(panel);
+        panel->setFoldable();
+        cards_.push_back(panel);
     };
     add(new ForcePanel(this), 4);
     add(new CantileverPanel(this), 3);
     add(overview_, 3);
-    return side;
+    column->addStretch();
+    return newScroller(side, this);
 }
 
 void MainWindow::placeAll() {
@@ -152,8 +173,15 @@ void MainWindow::placeAll() {
     sides->addWidget(rightSide(), kRightShare);
     rows->addLayout(sides, 1);
     setCentralWidget(middle);
-    statusBar()->addPermanentWidget(loopStatus_);
+    statusBar()->addWidget(loopStatus_, 1);  // a message takes the whole line for a while
     panels_.push_back(loopStatus_);
+}
+
+void MainWindow::placeFidelity() {
+    if (!std::exchange(fidelityPlaced_, true)) {
+        fidelity_->setGeometry(
+            placeBeside(frameGeometry(), fidelity_->size(), screen()->availableGeometry()));
+    }
 }
 
 void MainWindow::connectMenus() {
@@ -181,6 +209,7 @@ void MainWindow::connectMenus() {
     on(menus_->zoomOut, [this] { view_->setHalfWidth(view_->halfWidth() * 1.25); });
     on(menus_->resetView, [this] { view_->resetCamera(); });
     connect(menus_, &WindowMenus::magnificationChosen, view_, &ZoomView::setMagnification);
+    on(menus_->fidelity, [this] { placeFidelity(); });
     on(menus_->fidelity, [this] {
         fidelity_->show();
         fidelity_->raise();

@@ -11,6 +11,7 @@ class QStackedLayout;
 
 namespace asperity {
 
+class Card;
 class ControlBar;
 class FidelityPanel;
 class LoadingBar;
@@ -22,7 +23,8 @@ class WindowMenus;
 class ZoomView;
 
 /// Places the panels: knobs on top, the zoomed view large on the left, forces, cantilever and the
-/// whole scan in a column on the right, the loop's timing below.
+/// whole scan in a column on the right, the loop's timing below. Opens in the middle of the screen,
+/// no larger than it; where the window is low the column scrolls.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -39,6 +41,8 @@ public:
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
     /// All that show a run beside the view.
     [[nodiscard]] const std::vector<RunPanel*>& panels() const { return panels_; }
+    /// Those of the column on the right, from the top.
+    [[nodiscard]] const std::vector<Card*>& cards() const { return cards_; }
 
     /// Which files the dialog that opens a scan shows first, beside scenes: "*.gwy".
     void setScanFiles(const QStringList& patterns) { scanFiles_ = patterns; }
@@ -69,6 +73,8 @@ private:
     [[nodiscard]] QWidget* leftSide();
     [[nodiscard]] QWidget* rightSide();
     void placeAll();
+    /// Beside this window, before it is shown for the first time.
+    void placeFidelity();
     void connectMenus();
 
     QStringList scanFiles_;
@@ -81,7 +87,9 @@ private:
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
+    bool fidelityPlaced_ = false;
     std::vector<RunPanel*> panels_;
+    std::vector<Card*> cards_;
 };
 
 }  // namespace asperity
