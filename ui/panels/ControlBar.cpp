@@ -74,7 +74,7 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new FlowLayout(t
     startPause_->setToolTip(QStringLiteral("Let the run go on or stand still"));
     forces_ = addButton("forces", QStringLiteral("Forces are off"));
     forces_->setCheckable(true);
-    forces_->setToolTip(QStringLiteral("Whether the hand feels forces (Esc: off)"));
+    forces_->setToolTip(QStringLiteral("Whether the hand feels forces"));
     addSeparator(*row_);
     material_ = addCombo("material", QStringLiteral("Material"));
     device_ = addCombo("hand", QStringLiteral("Hand"));

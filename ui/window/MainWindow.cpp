@@ -62,12 +62,8 @@ QScrollArea* newScroller(QWidget* column, QWidget* window) {
 }
 
 /// Hint and loading in one place, so that nothing moves when a file is loaded.
-QStackedLayout* newBottomLine(QWidget* window, QWidget* loading) {
-    auto* hint = new QLabel(window);
+QStackedLayout* newBottomLine(QLabel* hint, QWidget* loading) {
     hint->setObjectName(QStringLiteral("hint"));
-    hint->setText(
-        MainWindow::tr("Drag: move the tip   ·   Wheel: up and down   ·   Right drag: turn   ·   "
-                       "Ctrl + wheel: zoom   ·   Esc: forces off"));
     hint->setAlignment(Qt::AlignCenter);
     auto* line = new QStackedLayout;
     line->addWidget(hint);
@@ -108,7 +104,8 @@ MainWindow::MainWindow()
     , banner_(new StateBanner(this))
     , view_(new ZoomView(this))
     , loading_(new LoadingBar(this))
-    , bottomLine_(newBottomLine(this, loading_))
+    , hint_(new QLabel(this))
+    , bottomLine_(newBottomLine(hint_, loading_))
     , overview_(new OverviewPanel(this))
     , loopStatus_(new LoopStatusBar(this))
     , fidelity_(new FidelityPanel(this)) {
@@ -119,6 +116,7 @@ MainWindow::MainWindow()
     giveFocusBack(*controls_, *view_);
     showScene(nullptr, {});
     showLoading({});
+    setEmergencyStop(false);
     setGeometry(openingPlace(kUsualSize, screen()->availableGeometry()));
     view_->setFocus();
 }
@@ -236,6 +234,13 @@ void MainWindow::showLoading(const QString& name) {
     loading_->begin(name);
     bottomLine_->setCurrentIndex(name.isEmpty() ? 0 : 1);
     menus_->cancelLoading->setEnabled(!name.isEmpty());
+}
+
+void MainWindow::setEmergencyStop(bool active) {
+    menus_->forcesOff->setShortcut(active ? QKeySequence(Qt::Key_Escape) : QKeySequence());
+    const QString gestures = tr("Drag: move the tip   ·   Wheel: up and down   ·   "
+                                "Right drag: turn   ·   Ctrl + wheel: zoom");
+    hint_->setText(active ? tr("%1   ·   Esc: forces off").arg(gestures) : gestures);
 }
 
 void MainWindow::lock() {

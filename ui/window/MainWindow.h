@@ -7,6 +7,7 @@
 
 #include <vector>
 
+class QLabel;
 class QStackedLayout;
 
 namespace asperity {
@@ -53,6 +54,8 @@ public:
     [[nodiscard]] LoadingBar& loading() { return *loading_; }
     /// A short message for a while.
     void tell(const QString& message);
+    /// Whether Esc switches the forces of a device off; else it closes what is open, no more.
+    void setEmergencyStop(bool active);
     /// Nothing can be changed any more: for measurements.
     void lock();
     /// A message that must be read; the window goes on meanwhile.
@@ -83,6 +86,7 @@ private:
     StateBanner* banner_;
     ZoomView* view_;
     LoadingBar* loading_;
+    QLabel* hint_;
     QStackedLayout* bottomLine_;  ///< hint, loading
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
