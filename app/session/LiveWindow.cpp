@@ -3,6 +3,7 @@
 #include "app/session/QuitOnSignal.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "vtkplugins/pictures/Display.h"
 #include "vtkplugins/pictures/DrawingMemory.h"
@@ -29,6 +30,11 @@ LiveWindow::Display::Display() {
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     QApplication::setHighDpiScaleFactorRoundingPolicy(
         Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+}
+
+LiveWindow::Application::Application(int& argumentCount, char** arguments)
+    : QApplication(argumentCount, arguments) {
+    keepDecimalPoint();
 }
 
 bool LiveWindow::Application::notify(QObject* receiver, QEvent* event) {

@@ -35,7 +35,7 @@ private:
     /// An exception must not cross Qt's event loop: it ends the program in good order.
     class Application : public QApplication {
     public:
-        using QApplication::QApplication;
+        Application(int& argumentCount, char** arguments);
         bool notify(QObject* receiver, QEvent* event) override;
     };
 
