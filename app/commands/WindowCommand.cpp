@@ -91,6 +91,7 @@ int openWindow(const WindowOptions& options) {
         requireFreeForRun(options.record, options.force);
     }
     LiveWindow live;
+    live.remember(userSettings());
     live.window().setScanFiles(scanFiles());
     live.session().recordings().recoverCutOff();
     if (!options.record.empty()) {

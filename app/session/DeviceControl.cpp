@@ -235,6 +235,7 @@ void DeviceControl::show() {
     const bool isListed = device_.driver() != nullptr || device_.followsPath();
     const auto found = std::find(list_.begin(), list_.end(), device_.driver());
     window_.controls().setDevice(isListed ? static_cast<int>(found - list_.begin()) : -1);
+    window_.setEmergencyStop(runs_.run()->device().specification().rendersForce());
     runs_.showKnobs();
 }
 

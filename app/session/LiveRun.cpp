@@ -20,6 +20,8 @@ auto inWords(const Ask& ask) {
     }
 }
 
+bool isGone(Fault fault) { return fault == Fault::DeviceLost || fault == Fault::DeviceSilent; }
+
 }  // namespace
 
 Vector3 startPlace(const Scene& scene) {
@@ -45,13 +47,25 @@ EnergyWatch LiveRun::newEnergyWatch() const { return {loaded_.scene.timeStep(), 
 void LiveRun::fetch(const TickSink& sink) {
     const double begin = processorSeconds();
     loop_.drain([&](const TickSample& sample) {
-        blackBox_.take(sample);
+        keep(sample);
         energy_.take(sample);
         sink(sample);
         ++fetchCost_.ticks;
     });
     blackBox_.mark(loop_.snapshot());
     fetchCost_.time += processorSeconds() - begin;
+}
+
+void LiveRun::keep(const TickSample& sample) {
+    // Each device begins with a start of the loop.
+    const bool seenBefore = deviceSeen_ && starts_ == sample.input.starts;
+    deviceSeen_ = seenBefore || sample.input.device.connected;
+    starts_ = sample.input.starts;
+    const bool wasFrozen = blackBox_.frozen();
+    blackBox_.take(sample);
+    if (!wasFrozen && awaitsDevice() && sample.output.fault == Fault::DeviceLost) {
+        blackBox_.restart();
+    }
 }
 
 void LiveRun::apply(const Settings& settings) noexcept {
@@ -106,11 +120,14 @@ void LiveRun::takeDevice(const MakeDevice& make) {
 }
 
 /// A device is where it is, not where the base waits: the first tick measures that before the
-/// device drives the tip.
+/// device drives the tip. That the device before it has gone is no fault of one that only senses.
 void LiveRun::seat(std::unique_ptr<HapticDevice> device) {
     const DeviceSpecification specification = device->specification();
-    const Settings settings =
+    Settings settings =
         inWords([&] { return coupling_.takeOver(specification, device->delay(), settings_); });
+    if (!specification.rendersForce() && isGone(loop_.snapshot().sample.output.fault)) {
+        ++settings.rearms;
+    }
     if (specification.rendersForce() && loop_.snapshot().statistics.ticks == 0) {
         loop_.step();
     }

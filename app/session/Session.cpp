@@ -36,15 +36,26 @@ Session::Session(MainWindow& window)
 
 Session::~Session() { runs_.end(); }
 
-// Forces go off whatever has the focus: a spin box, a menu, a message.
 bool Session::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
         if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-            runs_.setForces(false);
-            scenes_.cancelOpen();
+            stop();
         }
     }
     return QObject::eventFilter(watched, event);
+}
+
+/// What Esc does beside what the widget with the focus makes of it. The forces of a device with
+/// motors go off whatever has the focus: a spin box, a menu, a message.
+void Session::stop() {
+    if (run() != nullptr && run()->device().specification().rendersForce()) {
+        runs_.setForces(false);
+    }
+    const bool closesSomething = QApplication::activePopupWidget() != nullptr ||
+                                 QApplication::activeModalWidget() != nullptr;
+    if (!closesSomething) {
+        scenes_.cancelOpen();
+    }
 }
 
 void Session::advance() {

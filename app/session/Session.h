@@ -34,6 +34,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void stop();
     void advance();
 
     // In the order in which they hear that a run begins or ends.

@@ -24,6 +24,7 @@ ZoomView::ZoomView(QWidget* parent) : GestureWidget(parent), picture_(renderWind
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
     format.setSamples(0);  // and SetMultiSamples: multisampling takes half the frame rate
     setFormat(format);
+    setEnableHiDPI(false);  // letters are scaled where they are drawn: showLabels()
     setRenderWindow(renderWindow_);
     renderWindow_->GetInteractor()->SetInteractorStyle(nullptr);  // events are handled here
     connect(&picture_, &ZoomPicture::terrainPlaced, this, &ZoomView::disturb);

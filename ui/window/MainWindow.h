@@ -7,10 +7,12 @@
 
 #include <vector>
 
+class QLabel;
 class QStackedLayout;
 
 namespace asperity {
 
+class Card;
 class ControlBar;
 class EngageBar;
 class FidelityPanel;
@@ -23,7 +25,8 @@ class WindowMenus;
 class ZoomView;
 
 /// Places the panels: knobs on top, the zoomed view large on the left, forces, cantilever and the
-/// whole scan in a column on the right, the loop's timing below.
+/// whole scan in a column on the right, the loop's timing below. Opens in the middle of the screen,
+/// no larger than it; where the window is low the column scrolls.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -41,6 +44,8 @@ public:
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
     /// All that show a run beside the view.
     [[nodiscard]] const std::vector<RunPanel*>& panels() const { return panels_; }
+    /// Those of the column on the right, from the top.
+    [[nodiscard]] const std::vector<Card*>& cards() const { return cards_; }
 
     /// Which files the dialog that opens a scan shows first, beside scenes: "*.gwy".
     void setScanFiles(const QStringList& patterns) { scanFiles_ = patterns; }
@@ -51,6 +56,8 @@ public:
     [[nodiscard]] LoadingBar& loading() { return *loading_; }
     /// A short message for a while.
     void tell(const QString& message);
+    /// Whether Esc switches the forces of a device off; else it closes what is open, no more.
+    void setEmergencyStop(bool active);
     /// Nothing can be changed any more: for measurements.
     void lock();
     /// A message that must be read; the window goes on meanwhile.
@@ -71,6 +78,8 @@ private:
     [[nodiscard]] QWidget* leftSide();
     [[nodiscard]] QWidget* rightSide();
     void placeAll();
+    /// Beside this window, before it is shown for the first time.
+    void placeFidelity();
     void connectMenus();
 
     QStringList scanFiles_;
@@ -80,11 +89,14 @@ private:
     EngageBar* engage_;
     ZoomView* view_;
     LoadingBar* loading_;
+    QLabel* hint_;
     QStackedLayout* bottomLine_;  ///< hint, loading
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
+    bool fidelityPlaced_ = false;
     std::vector<RunPanel*> panels_;
+    std::vector<Card*> cards_;
 };
 
 }  // namespace asperity

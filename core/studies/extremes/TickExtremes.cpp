@@ -79,7 +79,7 @@ std::vector<TickOutput> ticksOf(const Scene& scene, double depth, int ticks) {
 ValidityFlags doubts(ValidityFlags flags, bool referenceHolds) {
     ValidityFlags left;
     for (const ValidityTraits& one : kValidityTraits) {
-        const bool counts = one.severity == Severity::Doubt &&
+        const bool counts = one.severity != Severity::Notice &&
                             (referenceHolds || one.flag != Validity::SearchNotExhaustive);
         left.set(one.flag, counts && flags.has(one.flag));
     }
