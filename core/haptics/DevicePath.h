@@ -30,6 +30,8 @@ struct PathPlan {
     std::optional<Vector2> place = {};  ///< in the scan [m]; empty: each path's own
 };
 
+// By themselves, paths begin where the scan holds data, if it does so anywhere in its middle part.
+
 /// Approach, indent, slide and retract; by itself at the highest feature of the scan.
 [[nodiscard]] DevicePath approachPath(const Scene& scene, const PathPlan& plan);
 
