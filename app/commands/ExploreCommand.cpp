@@ -148,8 +148,8 @@ struct FinishedRun {
 
 void tellOutcome(const FinishedRun& run) {
     const RunEvents& events = run.events;
-    for (const Validity flag :
-         {Validity::LargeContact, Validity::Anisotropic, Validity::EstimateInconsistent}) {
+    for (const Validity flag : {Validity::FilledPixel, Validity::LargeContact,
+                                Validity::Anisotropic, Validity::EstimateInconsistent}) {
         const int index = std::countr_zero(static_cast<std::uint32_t>(flag));
         if (const long ticks = events.flagged.at(index); ticks > 0) {
             std::cerr << "note: in " << ticks << " of " << events.ticks
@@ -201,7 +201,7 @@ struct Prepared {
 
 Prepared prepare(const ExploreOptions& options) {
     LoadedScene loaded = loadSceneOnTerminal(options.input, options.overrides);
-    for (const std::string& note : loaded.notes) {
+    for (const std::string& note : notesOn(loaded)) {
         std::cerr << "note: " << printable(note) << '\n';
     }
     PlannedRun plan = planRun(loaded.scene, options);

@@ -125,4 +125,9 @@ void OutputFolder::commit() {
     claim_.keep();
 }
 
+void requireOutputFolder(const std::filesystem::path& folder, const FolderContent& content,
+                         bool force) {
+    const OutputFolder probe(folder, content, force);
+}
+
 }  // namespace asperity

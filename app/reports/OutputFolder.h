@@ -54,4 +54,9 @@ private:
     FileDescriptor lock_{-1};
 };
 
+/// Refuses what an OutputFolder refuses, before long work is done for it, and leaves nothing.
+/// @throw as OutputFolder
+void requireOutputFolder(const std::filesystem::path& folder, const FolderContent& content,
+                         bool force);
+
 }  // namespace asperity

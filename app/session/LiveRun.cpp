@@ -2,6 +2,7 @@
 
 #include "core/haptics/device/PointerDevice.h"
 #include "core/scene/BelievedModel.h"
+#include "core/surface/MeasuredPlace.h"
 #include "core/words/ScaleWords.h"
 
 #include <utility>
@@ -25,7 +26,9 @@ bool isGone(Fault fault) { return fault == Fault::DeviceLost || fault == Fault::
 }  // namespace
 
 Vector3 startPlace(const Scene& scene) {
-    return waitingPlace(scene, 0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
+    const BSplineSurface& surface = scene.surface;
+    const Vector2 middle = 0.5 * Vector2(surface.sizeX(), surface.sizeY());
+    return waitingPlace(scene, nearestMeasured(surface, middle));
 }
 
 LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument& makeInstrument)

@@ -99,7 +99,7 @@ private:
     EnergyWatch energy_;
 };
 
-/// In the middle of the scan, above the sample [m].
+/// Above the sample, where it holds data, as near to the middle of the scan as can be [m].
 [[nodiscard]] Vector3 startPlace(const Scene& scene);
 
 }  // namespace asperity

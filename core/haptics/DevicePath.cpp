@@ -1,5 +1,6 @@
 #include "core/haptics/DevicePath.h"
 
+#include "core/surface/MeasuredPlace.h"
 #include "core/surface/deformation/ContactHeight.h"
 
 #include <algorithm>
@@ -155,14 +156,16 @@ DevicePath scratchPath(const Scene& scene, const PathPlan& plan) {
     const double length = std::min(5.0 * plan.slideLength, 0.8 * scene.surface.sizeX());
     const Vector2 middle =
         plan.place.value_or(0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
-    const double startX = std::clamp(middle.x() - 0.5 * length, 0.02 * scene.surface.sizeX(),
-                                     0.98 * scene.surface.sizeX() - length);
-    const double y = inside(middle.y(), scene.surface.sizeY());
+    const Vector2 asked(std::clamp(middle.x() - 0.5 * length, 0.02 * scene.surface.sizeX(),
+                                   0.98 * scene.surface.sizeX() - length),
+                        inside(middle.y(), scene.surface.sizeY()));
+    const Vector2 start = plan.place ? asked : nearestMeasured(scene.surface, asked);
+    const double endX = std::min(start.x() + length, 0.98 * scene.surface.sizeX());
     const double clearance = clearanceFor(scene, plan);
-    PathBuilder path(scene, plan, above(scene, startX, y, clearance));
-    path.moveTo(above(scene, startX, y, 0.0), 0.15);
-    path.follow(startX + length, y, 2.0 * plan.indentation, 0.6);
-    path.moveTo(above(scene, startX + length, y, clearance), 0.25);
+    PathBuilder path(scene, plan, above(scene, start.x(), start.y(), clearance));
+    path.moveTo(above(scene, start.x(), start.y(), 0.0), 0.15);
+    path.follow(endX, start.y(), 2.0 * plan.indentation, 0.6);
+    path.moveTo(above(scene, endX, start.y(), clearance), 0.25);
     return path.take();
 }
 

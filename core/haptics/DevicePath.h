@@ -34,6 +34,8 @@ struct PathPlan {
 /// Height of the base at which the tip first touches the surface from above (x, y) [m].
 [[nodiscard]] double touchHeight(const Scene& scene, double x, double y);
 
+// By themselves, paths begin where the scan holds data, if it does so anywhere in its middle part.
+
 /// Where a path begins, out of the sample's reach: above its place, or by itself above the highest
 /// feature of the scan [m].
 [[nodiscard]] Vector3 pathStart(const Scene& scene, const PathPlan& plan);

@@ -1,3 +1,4 @@
+#include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/tables/CsvTable.h"
 #include "core/scene/Validity.h"
 #include "tests/app/ProgramRun.h"
@@ -15,6 +16,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace asperity {
 namespace {
@@ -189,6 +191,28 @@ TEST(ExplorePaths, ThatAreNeitherAWordNorAFileAreRefusedWithTheWords) {
               std::string::npos)
         << run.output;
     EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+/// No path can begin on data where there are none but at the edge.
+TEST(ExplorePaths, WithoutDataUnderThemSaySo) {
+    const test::ScratchFolder scratch;
+    HeightMap edge{.columns = 128,
+                   .rows = 128,
+                   .pitchX = 2e-9,
+                   .pitchY = 2e-9,
+                   .heights = std::vector<double>(128 * 128, std::nan("")),
+                   .invalid = {}};
+    for (int row = 0; row < edge.rows; ++row) {
+        edge.heights[edge.index(row, 0)] = 0.0;
+    }
+    writeHeightMap(scratch.file("edge.gsf"), edge, {});
+    const auto run =
+        test::runProgram("explore " + scratch.file("edge.gsf").string() +
+                         " --level none --duration 0.1 --out " + scratch.file("out").string());
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_NE(run.output.find("note: in 101 of 101 ticks: the scan holds no data here"),
+              std::string::npos)
+        << run.output;
 }
 
 /// What the scene overrules and what its law misses is in the error: it said 0 %.
