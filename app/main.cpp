@@ -28,7 +28,7 @@ namespace {
 // The exit codes are part of the command line's contract.
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
-constexpr int kUnreadableInput = 3;
+constexpr int kFileError = 3;
 
 int run(int argc, char** argv) {
     CLI::App program("Asperity: touch a real AFM scan, in forces and in pictures");
@@ -73,9 +73,9 @@ int main(int argc, char** argv) {
             throw asperity::Error("standard output could not be written");
         }
         return status;
-    } catch (const asperity::InputError& error) {
+    } catch (const asperity::FileError& error) {
         std::cerr << "asperity: " << error.what() << '\n';
-        return kUnreadableInput;
+        return kFileError;
     } catch (const std::bad_alloc&) {
         std::cerr << "asperity: out of memory\n";
         return kFailed;

@@ -15,16 +15,24 @@ public:
     explicit Error(const std::string& message) : std::runtime_error(printable(message)) {}
 };
 
+/// A file or folder that cannot be read, or cannot be made where it is asked for. The program
+/// prints it and exits with 3.
+class FileError : public Error {
+public:
+    /// @param file path as the user gave it
+    /// @param what is wrong with it
+    FileError(const std::string& file, const std::string& what) : Error(file + ": " + what) {}
+};
+
 /// An input that cannot be read: names the file, the place in it and what was expected there.
-/// The program prints it and exits with 3.
-class InputError : public Error {
+class InputError : public FileError {
 public:
     /// @param file  path as the user gave it
     /// @param place where in the file ("line 12", "[sample] youngs_modulus_pa", "byte 4096"); may
     /// be empty
     /// @param what  what was found and what was expected instead
     InputError(const std::string& file, const std::string& place, const std::string& what)
-        : Error(file + ": " + (place.empty() ? "" : place + ": ") + what) {}
+        : FileError(file, (place.empty() ? "" : place + ": ") + what) {}
 };
 
 }  // namespace asperity

@@ -11,14 +11,41 @@
 
 namespace asperity {
 
-/// Ends work that several threads share: each of them calls it some ten times a second.
+/// How much of the work that several threads share is done, as its Progress is told.
+class ShareReport {
+public:
+    /// @param progress may be null; is told on this thread alone
+    /// @param done pieces, of `count`; all must outlive this
+    ShareReport(Progress* progress, const std::atomic<int>& done, int count)
+        : progress_(progress), done_(done), count_(count) {}
+
+    /// Reports what was not reported yet, in steps of 2 %.
+    void operator()() {
+        constexpr int kReports = 50;
+        const double share = static_cast<double>(done_) / count_;
+        if (progress_ != nullptr && share >= next_) {
+            next_ = share + 1.0 / kReports;
+            progress_->report(share);
+        }
+    }
+
+private:
+    Progress* progress_;
+    const std::atomic<int>& done_;
+    int count_;
+    double next_ = 0.0;
+};
+
+/// Ends work that several threads share, and has its progress reported: each of them calls it some
+/// ten times a second.
 class CancelCheck {
 public:
     /// Of work that nothing cancels.
     CancelCheck() = default;
-    /// @param asked may be null; is asked on this thread alone @param ended what all threads share;
-    /// both must outlive this
-    CancelCheck(const Progress* asked, std::atomic<bool>& ended) : asked_(asked), ended_(&ended) {}
+    /// @param asked may be null; is asked on this thread alone @param ended what all threads share
+    /// @param report of the thread that asks, else null; all must outlive this
+    CancelCheck(const Progress* asked, std::atomic<bool>& ended, ShareReport* report)
+        : asked_(asked), ended_(&ended), report_(report) {}
 
     /// @throw Canceled as soon as the work is canceled, or has failed on another thread
     void operator()() const {
@@ -28,11 +55,15 @@ public:
         if (ended_ != nullptr && *ended_) {
             throw Canceled();
         }
+        if (report_ != nullptr) {
+            (*report_)();
+        }
     }
 
 private:
     const Progress* asked_ = nullptr;
     std::atomic<bool>* ended_ = nullptr;
+    ShareReport* report_ = nullptr;
 };
 
 /// Waits for a share of the work that another thread does.
@@ -51,28 +82,27 @@ inline void waitFor(std::future<void>& share, const CancelCheck& check) {
 /// work throws
 template <class Work>
 void shareOut(int count, Progress* progress, const Work& work) {
-    constexpr int kReports = 50;
     std::atomic<int> next = 0;
+    std::atomic<int> done = 0;
     std::atomic<bool> ended = false;
-    const auto run = [&](Progress* told) {
-        const CancelCheck check(told, ended);
+    ShareReport report(progress, done, count);
+    const auto run = [&](const CancelCheck& check) {
         for (int index = next++; index < count; index = next++) {
             check();
-            if (told != nullptr && index % (count / kReports + 1) == 0) {
-                told->report(static_cast<double>(index) / count);
-            }
             work(index, check);
+            ++done;
         }
     };
     const int threads = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, count);
     std::vector<std::future<void>> others;
     for (int i = 1; i < threads; ++i) {
-        others.push_back(std::async(std::launch::async, run, nullptr));
+        others.push_back(std::async(std::launch::async, run, CancelCheck(nullptr, ended, nullptr)));
     }
     try {
-        run(progress);
+        const CancelCheck check(progress, ended, &report);
+        run(check);
         for (std::future<void>& other : others) {
-            waitFor(other, CancelCheck(progress, ended));
+            waitFor(other, check);
         }
     } catch (...) {
         ended = true;  // the others end, too

@@ -14,8 +14,8 @@ namespace {
 
 std::string reasonOf(int error) { return std::generic_category().message(error); }
 
-/// Where a file of this name is to be, symbolic links followed. @throw Error when it cannot be
-/// there
+/// Where a file of this name is to be, symbolic links followed. @throw FileError when it cannot
+/// be there
 std::filesystem::path placeOf(const std::filesystem::path& target) {
     std::error_code failure;
     const std::filesystem::file_type kind = std::filesystem::status(target, failure).type();
@@ -25,10 +25,10 @@ std::filesystem::path placeOf(const std::filesystem::path& target) {
                    : target;
     }
     if (failure) {
-        throw Error(target.string() + ": cannot be written: " + failure.message());
+        throw FileError(target.string(), "cannot be written: " + failure.message());
     }
     if (kind != std::filesystem::file_type::regular) {
-        throw Error(target.string() + ": cannot be written: it is there and no regular file");
+        throw FileError(target.string(), "cannot be written: it is there and no regular file");
     }
     return std::filesystem::canonical(target);
 }
@@ -55,8 +55,9 @@ FileDescriptor TemporaryFile::created() {
             break;
         }
     }
-    throw Error(target_.string() + ": cannot be written: " +
-                (errno == ENOENT ? "its folder is missing" : reasonOf(errno)));
+    throw FileError(target_.string(),
+                    "cannot be written: " +
+                        (errno == ENOENT ? "its folder is missing" : reasonOf(errno)));
 }
 
 TemporaryFile::~TemporaryFile() {

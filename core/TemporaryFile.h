@@ -16,7 +16,7 @@ namespace asperity {
 /// followed. Encoders that open path() themselves find the file there and truncate it.
 class TemporaryFile {
 public:
-    /// @throw Error when the target's folder cannot be written, or the target is there and no
+    /// @throw FileError when the target's folder cannot be written, or the target is there and no
     ///        regular file: a folder, a device, a pipe
     explicit TemporaryFile(std::filesystem::path target);
     ~TemporaryFile();
@@ -40,7 +40,7 @@ private:
     FileDescriptor file_;  ///< holds the lock
 };
 
-/// Refuses a target that a TemporaryFile refuses, before long work is done for it. @throw Error
+/// Refuses a target that a TemporaryFile refuses, before long work is done for it. @throw FileError
 void requireWritable(const std::filesystem::path& target);
 
 /// A text or binary stream into a TemporaryFile.

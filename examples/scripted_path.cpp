@@ -28,7 +28,7 @@ void printForces(const char* file) {
     using namespace asperity;
     const Scene scene = sceneOf(file);
     SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
-    const DevicePath path = approachPath(scene, {.duration = 2.0, .slideLength = 20e-9});
+    const DevicePath path = slidePath(scene, {.duration = 2.0, .slideLength = 20e-9});
     const long ticks = std::lround(2.0 / scene.timeStep());
     std::printf("time_s,base_z_m,model_n,estimate_n,flags\n");
     runVirtually(scene, path, afm, ticks, [](const TickSample& sample) {

@@ -115,7 +115,7 @@ FOREIGN = {
     r"Q[A-Z]": "ui/ app/ bench/ tests/ tools/",
     r"hidapi": "hardware/ tests/",
     r"(Imf|OpenEXR)": "core/io/heightmap/ core/io/fields bench/ tests/",
-    r"(tiff|png)": "core/io/heightmap/ app/ tests/",
+    r"(tiff|png)": "core/io/heightmap/ app/ tests/ tools/samples",
     r"toml": "core/io/scene app/ tests/",
     r"openssl": "core/io",
     r"nlohmann": "app/ bench/ tests/",

@@ -7,7 +7,7 @@
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-input=${1:-$top/data/scenes/polystyrene.toml}
+input=${1:-$top/data/scenes/granular_film.toml}
 out=${2:-$top/docs/pictures}
 command -v pngquant >/dev/null || {
     echo "screenshots.sh: no pngquant; tools/install_packages.sh tools/developer_packages.txt installs it" >&2

@@ -37,6 +37,9 @@ QString styleSheet() {
         QPushButton:pressed, QToolButton:pressed { background: %4; }
         QPushButton:checked, QToolButton:checked { background: %6; border-color: %2; color: %2; }
         QPushButton:focus, QToolButton:focus { border-color: %2; }
+        QToolButton[heading="true"] {
+            background: transparent; border: none; padding: 0; font-weight: bold; }
+        QToolButton[heading="true"]:hover { color: %2; }
         QPushButton#startPause {
             background: %2; border-color: %2; color: %5; font-weight: bold; }
         QPushButton#startPause:hover { background: %7; }

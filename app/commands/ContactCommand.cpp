@@ -1,6 +1,7 @@
 #include "app/commands/ContactCommand.h"
 
 #include "app/commands/CaseFiles.h"
+#include "core/Error.h"
 #include "core/Version.h"
 #include "core/contact/laws/ContactModel.h"
 #include "core/contact/laws/LawChoice.h"
@@ -19,13 +20,13 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// One row of the table.
 struct ContactCase {
-    std::string model;
+    ContactLaw law = {};
     ContactPair pair;
     double cohesiveStress = 0.0;  ///< [Pa]
     double filmThickness = 0.0;   ///< [m]; 0: a half-space
     double poissonRatio = kNaN;   ///< of the film
     double indentation = 0.0;     ///< [m]
-    std::string branch;
+    ContactBranch branch = ContactBranch::Far;
 };
 
 /// What comes of it.
@@ -41,8 +42,28 @@ double numberOr(const CsvTable& table, std::size_t row, const std::string& colum
     return table.has(column) ? table.number(row, column) : otherwise;
 }
 
+/// What a cell stands for. @throw InputError when it is none of the words that the column may hold
+template <class Value>
+Value wordIn(const CsvTable& table, std::size_t row, const std::string& column,
+             const std::optional<Value>& value, const std::string& words) {
+    if (!value) {
+        throw InputError(table.file(),
+                         "line " + std::to_string(table.line(row)) + ": column '" + column + "'",
+                         "expected one of " + words + ", found '" + table.text(row, column) + "'");
+    }
+    return *value;
+}
+
+std::optional<ContactBranch> branchOf(const std::string& word) {
+    if (word == "approach") {
+        return ContactBranch::Far;
+    }
+    return word == "retract" ? std::optional(ContactBranch::Bonded) : std::nullopt;
+}
+
 ContactCase readCase(const CsvTable& table, std::size_t row) {
-    return {.model = table.text(row, "model"),
+    return {.law = wordIn(table, row, "model", fromKey<ContactLaw>(table.text(row, "model")),
+                          keyList<ContactLaw>()),
             .pair = {.tipRadius = table.number(row, "radius_m"),
                      .reducedModulus = table.number(row, "e_star_pa"),
                      .workOfAdhesion = table.number(row, "work_of_adhesion_j_m2")},
@@ -50,7 +71,8 @@ ContactCase readCase(const CsvTable& table, std::size_t row) {
             .filmThickness = numberOr(table, row, "film_thickness_m", 0.0),
             .poissonRatio = numberOr(table, row, "poisson_ratio", kNaN),
             .indentation = table.number(row, "indentation_m"),
-            .branch = table.text(row, "branch")};
+            .branch = wordIn(table, row, "branch", branchOf(table.text(row, "branch")),
+                             "approach, retract")};
 }
 
 bool usesStress(ContactLaw law) {
@@ -79,29 +101,21 @@ std::string statusOf(const ContactModel& model, const ContactState& state) {
 }
 
 ContactAnswer answerTo(const ContactCase& asked) {
-    const auto law = fromKey<ContactLaw>(asked.model);
-    if (!law) {
-        return {"unknown_model"};
-    }
-    if (asked.branch != "approach" && asked.branch != "retract") {
-        return {"unknown_branch"};
-    }
     const double stress =
-        usesStress(*law) ? asked.cohesiveStress : asked.pair.workOfAdhesion / kCohesiveRange;
+        usesStress(asked.law) ? asked.cohesiveStress : asked.pair.workOfAdhesion / kCohesiveRange;
     const ContactStatus pairStatus = checkPair(asked.pair, stress);
     if (pairStatus != ContactStatus::Solved) {
         return {keyOf(pairStatus)};
     }
-    const ContactStatus sampleStatus = filmStatus(*law, asked);
+    const ContactStatus sampleStatus = filmStatus(asked.law, asked);
     if (sampleStatus != ContactStatus::Solved) {
         return {keyOf(sampleStatus)};
     }
-    const ContactModel model(*law, asked.pair,
+    const ContactModel model(asked.law, asked.pair,
                              {.cohesiveStress = stress,
                               .filmThickness = asked.filmThickness,
                               .film = {.poissonRatio = asked.poissonRatio}});
-    const ContactMemory memory{
-        asked.branch == "approach" ? ContactBranch::Far : ContactBranch::Bonded, 0.0};
+    const ContactMemory memory{asked.branch, 0.0};
     const ContactState state = model.equilibrium(asked.indentation, 0.0, memory);
     if (!state.solved()) {
         return {keyOf(state.status)};

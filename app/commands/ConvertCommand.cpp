@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -38,6 +39,7 @@ struct ConvertOptions {
     double smoothingLength = 0.0;  ///< above 0: in place of smoothingPixels [m]
     double tipRadius = 0.0;        ///< of the tip whose shape is taken out [m]; 0: none is
     std::string certainty;         ///< file for the certainty map; empty: none
+    bool force = false;            ///< files that are there may go
 };
 
 /// A scan is often the only copy of a measurement.
@@ -64,10 +66,10 @@ const std::vector<const HeightMapFormat*>& formats() {
     return all;
 }
 
-/// The formats that can be written, each by the first of its extensions.
-std::string writtenFormats() {
+/// Those of the formats that can be written, each by the first of its extensions.
+std::string writtenFormats(HeightMapFormats formats) {
     std::string text;
-    for (const HeightMapFormat* format : formats()) {
+    for (const HeightMapFormat* format : formats) {
         if (format->write != nullptr) {
             text.append(text.empty() ? "" : " ").append(format->extensions.front());
         }
@@ -76,11 +78,29 @@ std::string writtenFormats() {
 }
 
 /// Before long work is done for it. @param option that names the file
-void requireWritableMap(const std::string& option, const std::string& file) {
+void requireWritableMap(const std::string& option, const std::string& file, bool force) {
     if (const std::string refusal = writeRefusal(file, formats()); !refusal.empty()) {
         throw CLI::ValidationError(option, refusal);
     }
     requireWritable(file);
+    std::error_code unknown;
+    if (!force && std::filesystem::exists(file, unknown)) {
+        throw Error(file + ": it is there already; give another file, or replace it with --force");
+    }
+}
+
+/// A certainty of 1 is no height of a meter. @throw CLI::ValidationError
+void requireNumbers(const std::string& file) {
+    std::vector<const HeightMapFormat*> images;
+    std::ranges::copy_if(formats(), std::back_inserter(images),
+                         [](const HeightMapFormat* format) { return !format->isShape; });
+    if (!writeRefusal(file, images).empty()) {
+        throw CLI::ValidationError(
+            "--certainty", file +
+                               ": this file type holds heights alone, and a certainty has no "
+                               "unit; it goes into " +
+                               writtenFormats(images));
+    }
 }
 
 void writeMap(const std::filesystem::path& path, const HeightRows& map, const HeightMapMeta& meta) {
@@ -126,6 +146,7 @@ void writeCertainty(const ConvertOptions& options, const ScanReconstruction& kno
         }
     };
     meta.title = "Certainty (1: touched by the imaging tip)";
+    meta.unit = "";
     writeMap(options.certainty, map, meta);
 }
 
@@ -182,9 +203,10 @@ void convertPlainly(const ConvertOptions& options) {
 void convert(const ConvertOptions& options) {
     const CancelOnSignal cancel;  // between one piece of work and the next, too
     refuseToOverwriteInput(options);
-    requireWritableMap("OUT", options.output);
+    requireWritableMap("OUT", options.output, options.force);
     if (!options.certainty.empty()) {
-        requireWritableMap("--certainty", options.certainty);
+        requireWritableMap("--certainty", options.certainty, options.force);
+        requireNumbers(options.certainty);
     }
     if (options.residual || options.tipRadius > 0.0) {
         convertFiltered(options);
@@ -197,11 +219,13 @@ void convert(const ConvertOptions& options) {
 
 void addConvertCommand(CLI::App& program) {
     auto options = std::make_shared<ConvertOptions>();
-    CLI::App* command = program.add_subcommand(
-        "convert", "Write one height map of a file in another format: " + writtenFormats());
+    CLI::App* command =
+        program.add_subcommand("convert", "Write one height map of a file in another format: " +
+                                              writtenFormats(formats()));
     command->add_option("IN", options->input, "height-map file")->required();
     command->add_option("OUT", options->output, "file to write; its extension names the format")
         ->required();
+    command->add_flag("--force", options->force, "replace files that are there");
     command->add_option("--channel", options->channel,
                         "name of the channel (default: the height that a lab user expects)");
     addLevelingOption(*command, options->leveling, "default none");

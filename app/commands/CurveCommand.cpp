@@ -6,6 +6,7 @@
 #include "app/commands/VirtualDisplay.h"
 #include "core/FormattedText.h"
 #include "core/PrintableText.h"
+#include "core/TemporaryFile.h"
 #include "core/Version.h"
 #include "core/contact/laws/ForceCurve.h"
 #include "core/contact/laws/LawChoice.h"
@@ -137,6 +138,7 @@ void curve(const CurveOptions& options) {
     requireWritableTable(options.out, inputs);
     std::optional<VirtualDisplay> display;  // before anything is written
     if (!options.figure.empty()) {
+        requireWritable(options.figure);
         display.emplace();
     }
     std::vector<CurveResult> results;

@@ -3,6 +3,7 @@
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
+#include "app/commands/SetpointOption.h"
 #include "app/commands/VirtualDisplay.h"
 #include "app/program/CancelOnSignal.h"
 #include "app/program/LoadedScene.h"
@@ -13,6 +14,8 @@
 #include "app/reports/RunSummary.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
+#include "core/SiFormat.h"
+#include "core/haptics/ApproachDevice.h"
 #include "core/haptics/DevicePath.h"
 #include "core/haptics/RunEvents.h"
 #include "core/haptics/VirtualRun.h"
@@ -21,11 +24,14 @@
 #include "core/scene/BelievedModel.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <variant>
 
 namespace asperity {
 
@@ -33,32 +39,75 @@ namespace {
 
 constexpr double kDefaultDuration = 10.0;  // [s]
 constexpr double kMaxDuration = 3600.0;    // [s]
+constexpr const char* kApproach = "approach";
 
 struct ExploreOptions {
     std::string input;
     std::string out;
-    std::string path = "approach";
+    std::string path = kApproach;
     double duration = 0.0;  // [s]; 0: the path's own
     bool force = false;
     SceneOverrides overrides;
 };
 
+/// How the base moves: as planned, or down to a setpoint.
+using Motion = std::variant<DevicePath, PlannedApproach>;
+
+/// A path that --path has a word for.
+struct PathWord {
+    const char* word;
+    Motion (*plan)(const Scene&, const PathPlan&);
+};
+
+template <auto plan>
+Motion motion(const Scene& scene, const PathPlan& asked) {
+    return plan(scene, asked);
+}
+
+constexpr std::array<PathWord, 4> kPathWords{{{kApproach, motion<planApproach>},
+                                              {"slide", motion<slidePath>},
+                                              {"raster", motion<rasterPath>},
+                                              {"scratch", motion<scratchPath>}}};
+
+/// Null where it is none, but the name of a file.
+const PathWord* findPathWord(const std::string& text) {
+    const auto* const found = std::ranges::find(
+        kPathWords, text, [](const PathWord& path) { return std::string(path.word); });
+    return found == kPathWords.end() ? nullptr : found;
+}
+
+/// For people: "approach, raster, scratch".
+std::string pathWords() {
+    std::string words;
+    for (const PathWord& path : kPathWords) {
+        words.append(words.empty() ? "" : ", ").append(path.word);
+    }
+    return words;
+}
+
+/// A bare word that is no file is more likely a slip in one of the words.
+CLI::Validator pathWordOrFile() {
+    return {[](const std::string& text) {
+                std::error_code ignored;
+                const bool isBare = text.find_first_of("./") == std::string::npos;
+                const bool isNothing = isBare && findPathWord(text) == nullptr &&
+                                       !std::filesystem::exists(text, ignored);
+                return isNothing ? "expected " + pathWords() + " or a CSV file, not '" + text + "'"
+                                 : std::string();
+            },
+            ""};
+}
+
 struct PlannedRun {
-    DevicePath path;
+    Motion motion;
     double duration = 0.0;  // [s]
 };
 
 PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
     PathPlan plan;
     plan.duration = options.duration > 0.0 ? options.duration : kDefaultDuration;
-    if (options.path == "approach") {
-        return {approachPath(scene, plan), plan.duration};
-    }
-    if (options.path == "raster") {
-        return {rasterPath(scene, plan), plan.duration};
-    }
-    if (options.path == "scratch") {
-        return {scratchPath(scene, plan), plan.duration};
+    if (const PathWord* const path = findPathWord(options.path)) {
+        return {path->plan(scene, plan), plan.duration};
     }
     DevicePath path = readDevicePath(options.path);
     const double duration = options.duration > 0.0 ? options.duration : path.back().time;
@@ -67,6 +116,12 @@ PlannedRun planRun(const Scene& scene, const ExploreOptions& options) {
                          "the path lasts longer than an hour; give a shorter --duration");
     }
     return {std::move(path), duration};
+}
+
+void requireApproach(const ExploreOptions& options) {
+    if (options.overrides.setpoint && options.path != kApproach) {
+        throw CLI::ValidationError("--setpoint", "holds for --path approach only");
+    }
 }
 
 /// Everything that is kept of a run while it goes on.
@@ -82,14 +137,28 @@ struct RunKeeper {
     }
 };
 
-void tellOutcome(const RunEvents& events) {
-    for (const Validity flag :
-         {Validity::LargeContact, Validity::Anisotropic, Validity::EstimateInconsistent}) {
+/// What is left of a run when its scene is gone.
+struct FinishedRun {
+    RunEvents events;
+    RunCurves curves;
+    RunPictures pictures;
+    double tickRate = 0.0;         ///< [Hz]
+    std::optional<double> missed;  ///< the setpoint that the force did not reach [N]
+};
+
+void tellOutcome(const FinishedRun& run) {
+    const RunEvents& events = run.events;
+    for (const Validity flag : {Validity::FilledPixel, Validity::LargeContact,
+                                Validity::Anisotropic, Validity::EstimateInconsistent}) {
         const int index = std::countr_zero(static_cast<std::uint32_t>(flag));
         if (const long ticks = events.flagged.at(index); ticks > 0) {
             std::cerr << "note: in " << ticks << " of " << events.ticks
                       << " ticks: " << kValidityTraits.at(index).words << '\n';
         }
+    }
+    if (run.missed) {
+        std::cerr << "note: the force did not reach the setpoint of " << formatSi(*run.missed, "N")
+                  << "\n";
     }
     if (!events.snapIn) {
         std::cerr << "note: the tip never snapped into contact\n";
@@ -99,27 +168,29 @@ void tellOutcome(const RunEvents& events) {
     }
 }
 
-/// What is left of a run when its scene is gone.
-struct FinishedRun {
-    RunEvents events;
-    RunCurves curves;
-    RunPictures pictures;
-    double tickRate = 0.0;  ///< [Hz]
-};
-
+/// @return the setpoint that the force did not reach [N]
 /// @throw Canceled
-void run(const Scene& scene, const PlannedRun& plan, AfmController& afm, RunKeeper& keeper) {
+std::optional<double> run(const Scene& scene, const PlannedRun& plan, AfmController& afm,
+                          RunKeeper& keeper) {
     const long ticks = std::lround(plan.duration / scene.timeStep()) + 1;
     constexpr long kReports = 50;
     long done = 0;
     ProgressLine line("running");
-    runVirtually(scene, plan.path, afm, ticks, [&](const TickSample& sample) {
+    const TickSink take = [&](const TickSample& sample) {
         if (done % (ticks / kReports + 1) == 0) {
             reportTo(&line, static_cast<double>(done) / static_cast<double>(ticks));
         }
         ++done;
         keeper.take(sample);
-    });
+    };
+    if (const auto* const path = std::get_if<DevicePath>(&plan.motion)) {
+        runVirtually(scene, *path, afm, ticks, take);
+        return std::nullopt;
+    }
+    const auto& approach = std::get<PlannedApproach>(plan.motion);
+    ApproachDevice device(approach, scene.settings.positionGain);
+    runVirtually(scene, device, afm, ticks, take);
+    return device.hasEngaged() ? std::nullopt : std::optional(approach.plan.setpoint);
 }
 
 /// A scene and what its device is to do.
@@ -130,7 +201,7 @@ struct Prepared {
 
 Prepared prepare(const ExploreOptions& options) {
     LoadedScene loaded = loadSceneOnTerminal(options.input, options.overrides);
-    for (const std::string& note : loaded.notes) {
+    for (const std::string& note : notesOn(loaded)) {
         std::cerr << "note: " << printable(note) << '\n';
     }
     PlannedRun plan = planRun(loaded.scene, options);
@@ -142,7 +213,7 @@ FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& o
     const auto& [loaded, plan] = prepared;
     const Scene& scene = loaded.scene;
     RunKeeper keeper{.recorder = RunRecorder(out), .events = {}, .curves = {}};
-    run(scene, plan, *instrumentOf(scene), keeper);
+    const std::optional<double> missed = run(scene, plan, *instrumentOf(scene), keeper);
     keeper.recorder.close();
 
     const RunEvents& events = keeper.events.events();
@@ -151,7 +222,8 @@ FinishedRun finishedRun(const Prepared& prepared, const std::filesystem::path& o
     return {.events = events,
             .curves = std::move(keeper.curves),
             .pictures = RunPictures(scene, events),
-            .tickRate = scene.description.tickRate};
+            .tickRate = scene.description.tickRate,
+            .missed = missed};
 }
 
 /// @throw Canceled
@@ -161,6 +233,7 @@ void draw(const FinishedRun& run, const std::filesystem::path& folder) {
 }
 
 void explore(const ExploreOptions& options) {
+    requireApproach(options);
     const CancelOnSignal cancel;   // between one piece of work and the next, too
     const VirtualDisplay display;  // before anything is written: pictures need it at the end
     std::optional<Prepared> prepared(prepare(options));
@@ -176,7 +249,7 @@ void explore(const ExploreOptions& options) {
         throw;
     }
     out.commit();
-    tellOutcome(run->events);
+    tellOutcome(*run);
     std::cout << run->events.ticks << " ticks at " << run->tickRate << " Hz; results in "
               << printable(options.out) << "/\n";
 }
@@ -186,20 +259,22 @@ void explore(const ExploreOptions& options) {
 void addExploreCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "explore",
-        "Approach, indent, slide, retract by a scripted hand; pictures, fields, force log");
+        "Approach to a force setpoint and retract, or follow a path; pictures, fields, force log");
     const auto options = std::make_shared<ExploreOptions>();
     command->add_option("INPUT", options->input, "height map or scene.toml")->required();
     addOutputFolder(*command, options->out, "folder for the results");
     addForce(*command, options->force);
     command
         ->add_option("--path", options->path,
-                     "approach, raster, scratch, or a CSV file with time_s, x_m, y_m, z_m")
-        ->capture_default_str();
+                     pathWords() + ", or a CSV file with time_s, x_m, y_m, z_m")
+        ->capture_default_str()
+        ->check(pathWordOrFile());
     command
         ->add_option("--duration", options->duration,
                      "of the run [s]; default 10, or the length of the CSV path")
         ->check(CLI::Range(1e-3, kMaxDuration))
         ->check(finiteNumber());
+    addSetpointOption(*command, options->overrides.setpoint);
     command->add_option("--channel", options->overrides.channel, "channel of the height map");
     addLevelingOption(*command, options->overrides.leveling, "default: as the scene says, plane");
     command->callback([options] { explore(*options); });

@@ -3,6 +3,7 @@
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/VirtualDisplay.h"
+#include "app/program/CancelOnSignal.h"
 #include "app/reports/CouplingMap.h"
 #include "app/reports/CouplingReport.h"
 #include "app/reports/ExtremesMap.h"
@@ -42,14 +43,15 @@ void reportDefects(const ExtremesFindings& findings) {
 }
 
 void extremes(const ExtremesOptions& options) {
+    const CancelOnSignal cancel;   // between one piece of work and the next, too
     const VirtualDisplay display;  // before anything is written: the map needs it at the end
-    OutputFolder out(
-        options.out,
-        {.own = {"extremes.csv", "coupling.csv", "extremes.png", "coupling.png"}, .guarded = {}},
-        options.force);
+    const FolderContent content{
+        .own = {"extremes.csv", "coupling.csv", "extremes.png", "coupling.png"}, .guarded = {}};
+    requireOutputFolder(options.out, content, options.force);
     const auto start = std::chrono::steady_clock::now();
     const ExtremesFindings findings = findingsOf(options.states);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    OutputFolder out(options.out, content, options.force);
     out.collect([&](const std::filesystem::path& folder) {
         writeRegions(folder / "extremes.csv", findings.regions);
         writeHolds(folder / "coupling.csv", findings.holds);

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -27,8 +28,28 @@ namespace {
 
 struct InfoOptions {
     std::string file;
+    std::string channel;  ///< empty: all
     bool json = false;
 };
+
+/// An open file, and which of its channels are shown.
+struct Report {
+    const ScanFile& file;
+    std::string path;  ///< as the user gave it
+    std::vector<const ScanChannel*> channels;
+};
+
+Report reportOf(const ScanFile& file, const InfoOptions& options) {
+    Report shown{.file = file, .path = options.file, .channels = {}};
+    if (!options.channel.empty()) {
+        shown.channels = {&channelNamed(file.contents(), options.file, options.channel)};
+        return shown;
+    }
+    for (const ScanChannel& channel : file.contents().channels) {
+        shown.channels.push_back(&channel);
+    }
+    return shown;
+}
 
 bool isDefault(const HeightMapFile& file, const ScanChannel& channel) {
     return &channel == &file.channels.at(file.defaultChannel) && isTopography(channel);
@@ -96,26 +117,31 @@ nlohmann::json channelJson(const ScanFile& file, const ScanChannel& channel) {
 }
 
 /// Of the reader, and what holds for every scan.
-std::vector<std::string> notesOf(const HeightMapFile& file) {
+std::vector<std::string> notesOf(const Report& shown) {
+    const HeightMapFile& file = shown.file.contents();
     std::vector<std::string> notes = file.notes;
-    if (isTopography(file.channels.at(file.defaultChannel))) {
+    for (const ScanChannel* const channel : shown.channels) {
+        std::ranges::copy(ownNotes(*channel), std::back_inserter(notes));
+    }
+    if (std::ranges::any_of(shown.channels,
+                            [](const ScanChannel* channel) { return isTopography(*channel); })) {
         notes.emplace_back(kScanHoldsItsTip);
     }
     return notes;
 }
 
-void printJson(const ScanFile& scan, const std::string& path) {
-    const HeightMapFile& file = scan.contents();
+void printJson(const Report& shown) {
+    const HeightMapFile& file = shown.file.contents();
     nlohmann::json channels = nlohmann::json::array();
-    for (const ScanChannel& channel : file.channels) {
-        channels.push_back(channelJson(scan, channel));
+    for (const ScanChannel* const channel : shown.channels) {
+        channels.push_back(channelJson(shown.file, *channel));
     }
     const ScanChannel& first = file.channels.at(file.defaultChannel);
     const nlohmann::json defaultName =
         isTopography(first) ? nlohmann::json(first.name) : nlohmann::json();
-    const nlohmann::json report = {{"file", pathText(path)},  {"format", file.format},
-                                   {"sha256", scan.sha256()}, {"default_channel", defaultName},
-                                   {"channels", channels},    {"notes", notesOf(file)}};
+    const nlohmann::json report = {
+        {"file", pathText(shown.path)},   {"format", file.format}, {"sha256", shown.file.sha256()},
+        {"default_channel", defaultName}, {"channels", channels},  {"notes", notesOf(shown)}};
     std::cout << jsonText(report) << '\n';
 }
 
@@ -184,19 +210,28 @@ Row channelRow(const ScanFile& file, const ScanChannel& channel) {
             std::to_string(statistics.invalidPixels)};
 }
 
-void printForPeople(const ScanFile& scan, const std::string& path) {
-    const HeightMapFile& file = scan.contents();
-    std::cout << printable(path) << "\n" << file.format << "\n\n";
+/// What the mark of a channel stands for.
+std::string legendOf(const Report& shown) {
+    const HeightMapFile& file = shown.file.contents();
+    if (!isTopography(file.channels.at(file.defaultChannel))) {
+        return "No channel is a height map; ";
+    }
+    const bool showsDefault = std::ranges::any_of(
+        shown.channels, [&file](const ScanChannel* channel) { return isDefault(file, *channel); });
+    return showsDefault ? "* taken when no channel is named; " : "";
+}
+
+void printForPeople(const Report& shown) {
+    const HeightMapFile& file = shown.file.contents();
+    std::cout << printable(shown.path) << "\n" << file.format << "\n\n";
     std::vector<Row> rows = {
         {"  channel", "direction", "pixels", "size", "min", "max", "mean", "rms", "invalid"}};
-    for (const ScanChannel& channel : file.channels) {
-        rows.push_back(channelRow(scan, channel));
+    for (const ScanChannel* const channel : shown.channels) {
+        rows.push_back(channelRow(shown.file, *channel));
     }
     printTable(std::move(rows));
-    const bool hasHeight = isTopography(file.channels.at(file.defaultChannel));
-    std::cout << (hasHeight ? "\n* taken when no channel is named; rms is about the mean\n"
-                            : "\nNo channel is a height map; rms is about the mean\n");
-    for (const std::string& note : notesOf(file)) {
+    std::cout << '\n' << legendOf(shown) << "rms is about the mean\n";
+    for (const std::string& note : notesOf(shown)) {
         std::cout << "- " << printable(note) << '\n';
     }
 }
@@ -208,13 +243,16 @@ void addInfoCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "info", "Say what a height-map file holds: channels, sizes, heights");
     command->add_option("FILE", options->file, "height-map file")->required();
+    command->add_option("--channel", options->channel,
+                        "name of the one channel to show (default: all)");
     command->add_flag("--json", options->json, "print JSON with SI values in full precision");
     command->callback([options] {
         const ScanFile file(options->file);
+        const Report shown = reportOf(file, *options);
         if (options->json) {
-            printJson(file, options->file);
+            printJson(shown);
         } else {
-            printForPeople(file, options->file);
+            printForPeople(shown);
         }
     });
 }

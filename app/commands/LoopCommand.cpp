@@ -56,7 +56,7 @@ LoadedScene loadForLoop(const LoopOptions& options) {
 
 /// The same approach again and again; the way back from its end leads high over the sample.
 DevicePath repeatedApproach(const Scene& scene, double duration) {
-    const DevicePath once = approachPath(scene, {.duration = kOnePath});
+    const DevicePath once = slidePath(scene, {.duration = kOnePath});
     DevicePath path = once;
     while (path.back().time < duration) {
         const DevicePath back =
@@ -79,15 +79,23 @@ bool isDone(const AlternatingBlocks& blocks, double begin, const LoopOptions& op
            static_cast<double>(blocks.pairs()) >= std::floor(0.5 * options.duration);
 }
 
-void print(const LoopOptions& options, LiveRun& run, const AlternatingBlocks& blocks,
-           double writingTime, std::vector<ViewRate> views) {
+/// What was measured with and written meanwhile.
+struct LoopMeasurement {
+    const AlternatingBlocks& blocks;
+    double elapsed = 0.0;         ///< [s]
+    double writingTime = 0.0;     ///< of a tick [s]
+    std::vector<ViewRate> views;  ///< empty: without a window
+};
+
+void print(const LoopOptions& options, LiveRun& run, const LoopMeasurement& measured) {
     const LoopReport report{.rate = run.scene().description.tickRate,
                             .duration = options.duration,
+                            .elapsed = measured.elapsed,
                             .statistics = run.loop().snapshot().statistics,
-                            .blocks = blocks,
+                            .blocks = measured.blocks,
                             .fetchTime = run.fetchCost().perTick(),
-                            .writingTime = writingTime,
-                            .views = std::move(views)};
+                            .writingTime = measured.writingTime,
+                            .views = measured.views};
     std::cout << (options.json ? loopReportJson(report) : loopReportText(report)) << '\n';
 }
 
@@ -164,9 +172,10 @@ void runBare(const LoopOptions& options) {
         blocks.poll();
     }
     blocks.finish();
+    const double elapsed = monotonicSeconds() - begin;
     fetch();
     const double writingTime = recording ? finish(*recording) : 0.0;
-    print(options, run, blocks, writingTime, {});
+    print(options, run, {blocks, elapsed, writingTime, {}});
 }
 
 void runInWindow(const LoopOptions& options) {
@@ -195,11 +204,12 @@ void runInWindow(const LoopOptions& options) {
     poll.start(kPoll);
     live.exec();
     blocks.finish();
+    const double elapsed = monotonicSeconds() - begin;
     recordings.finish();
     if (!recordings.failure().isEmpty()) {
         failRecording(options.record, recordings.failure().toStdString());
     }
-    print(options, run, blocks, recordings.writingTime(), session.views().rates());
+    print(options, run, {blocks, elapsed, recordings.writingTime(), session.views().rates()});
 }
 
 }  // namespace
@@ -213,7 +223,10 @@ void addLoopCommand(CLI::App& program) {
     command->add_option("--rate", options->rate, "of the loop [Hz]; default: as the scene says")
         ->check(CLI::Range(100.0, 20000.0))
         ->check(finiteNumber());
-    command->add_option("--duration", options->duration, "of the measurement [s]")
+    command
+        ->add_option("--duration", options->duration,
+                     "of the measurement without loading [s]: the loop and a bare loop in turn, "
+                     "1 s each")
         ->capture_default_str()
         ->check(CLI::Range(0.1, 3600.0))
         ->check(finiteNumber());

@@ -7,8 +7,8 @@
 
 namespace asperity {
 
-ProgressLine::ProgressLine(std::string work)
-    : work_(std::move(work)), isTerminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(std::string work, std::chrono::seconds pause)
+    : work_(std::move(work)), isTerminal_(isatty(STDERR_FILENO) == 1), pause_(pause) {}
 
 ProgressLine::~ProgressLine() {
     if (isTerminal_) {
@@ -18,8 +18,17 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::report(double fraction) {
     const long percent = std::lround(100.0 * fraction);
-    if (isTerminal_ && std::exchange(shown_, percent) != percent) {
+    if (std::exchange(shown_, percent) == percent) {
+        return;
+    }
+    if (isTerminal_) {
         std::cerr << '\r' << work_ << ' ' << percent << " %\033[K" << std::flush;
+        return;
+    }
+    const auto now = std::chrono::steady_clock::now();
+    if (now - lastLine_ >= pause_) {
+        lastLine_ = now;
+        std::cerr << work_ << ' ' << percent << " %\n";
     }
 }
 

@@ -4,16 +4,18 @@
 #include "app/program/LoadedScene.h"
 #include "core/Progress.h"
 
+#include <chrono>
 #include <string>
 
 namespace asperity {
 
-/// Shows on the terminal how far long work is; silent where standard error is no terminal. The line
-/// is wiped at the end. SIGINT, SIGTERM and SIGHUP cancel the work. One at a time.
+/// Shows on standard error how far long work is: on a terminal in one line, which is wiped at the
+/// end; elsewhere, as in a log, in a line now and then. SIGINT, SIGTERM and SIGHUP cancel the work.
+/// One at a time.
 class ProgressLine : public Progress {
 public:
-    /// @param work a word for people: "loading"
-    explicit ProgressLine(std::string work);
+    /// @param work a word for people: "loading" @param pause between lines of a log
+    explicit ProgressLine(std::string work, std::chrono::seconds pause = std::chrono::seconds(10));
     ~ProgressLine() override;
 
     void report(double fraction) override;
@@ -23,6 +25,8 @@ private:
     CancelOnSignal cancel_;
     std::string work_;
     bool isTerminal_;
+    std::chrono::seconds pause_;
+    std::chrono::steady_clock::time_point lastLine_ = std::chrono::steady_clock::now();
     long shown_ = -1;  ///< percent
 };
 

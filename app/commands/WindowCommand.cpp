@@ -40,7 +40,8 @@ void recordFromTheStart(Session& session, const RecordingPlace& place) {
 
 /// Shows the window, and the file as soon as it is loaded. Where that fails the program ends as
 /// every command does; from then on the window stays, whatever a user opens in it.
-int execWith(LiveWindow& live, const std::filesystem::path& input) {
+int execWith(LiveWindow& live, const std::filesystem::path& input,
+             const SceneOverrides& overrides) {
     SceneControl& scenes = live.session().scenes();
     std::exception_ptr reason;
     const auto quits = QObject::connect(&scenes, &SceneControl::openFailed, [&scenes, &reason] {
@@ -50,7 +51,7 @@ int execWith(LiveWindow& live, const std::filesystem::path& input) {
     const auto goOn = [quits] { QObject::disconnect(quits); };
     QObject::connect(&live.session().runs(), &RunControl::begun, goOn);
     QObject::connect(&scenes, &SceneControl::openCanceled, goOn);
-    scenes.open(input);
+    scenes.open(input, overrides);
     const int status = live.exec();
     if (reason) {
         std::rethrow_exception(reason);
@@ -75,6 +76,7 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
                     "height map or scene.toml to open in the window; without one, the scene that "
                     "comes with the program")
         ->check(noMistypedCommand());
+    program.add_option("--channel", options->channel, "channel of the height map to open");
     program
         .add_option("--record", options->record,
                     "folder: record every tick of the scene from the first one on")
@@ -84,13 +86,16 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
 }
 
 int openWindow(const WindowOptions& options) {
+    const SceneOverrides overrides{.channel = options.channel};
     if (!options.input.empty() && !haveDisplay()) {
-        (void)loadSceneOnTerminal(options.input, {});  // what is wrong with the input comes first
+        (void)loadSceneOnTerminal(options.input,
+                                  overrides);  // what is wrong with the input comes first
     }
     if (!options.record.empty()) {
         requireFreeForRun(options.record, options.force);
     }
     LiveWindow live;
+    live.remember(userSettings());
     live.window().setScanFiles(scanFiles());
     live.session().recordings().recoverCutOff();
     if (!options.record.empty()) {
@@ -98,7 +103,7 @@ int openWindow(const WindowOptions& options) {
     }
     const std::filesystem::path input =
         options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
-    return input.empty() ? live.exec() : execWith(live, input);
+    return input.empty() ? live.exec() : execWith(live, input, overrides);
 }
 
 }  // namespace asperity

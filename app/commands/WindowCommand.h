@@ -11,9 +11,10 @@ namespace asperity {
 
 /// What `asperity [FILE or SCENE.toml]` was given.
 struct WindowOptions {
-    std::string input;   ///< empty: the scene that comes with the program
-    std::string record;  ///< folder for a recording from the first tick on; empty: none
-    bool force = false;  ///< an earlier run in that folder may go
+    std::string input;    ///< empty: the scene that comes with the program
+    std::string channel;  ///< of the input's height map; empty: as the scene says
+    std::string record;   ///< folder for a recording from the first tick on; empty: none
+    bool force = false;   ///< an earlier run in that folder may go
 };
 
 /// Adds the options of the program itself, without a subcommand.

@@ -46,7 +46,7 @@ std::vector<std::filesystem::path> dataFiles(const std::filesystem::path& kind) 
 }
 
 std::filesystem::path defaultSceneFile() {
-    const std::filesystem::path file = dataFolder() / "scenes" / "polystyrene.toml";
+    const std::filesystem::path file = dataFolder() / "scenes" / "granular_film.toml";
     std::error_code ignored;
     return std::filesystem::exists(file, ignored) ? file : std::filesystem::path();
 }

@@ -61,18 +61,25 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
 
 LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
                       Progress* progress) {
-    const SceneDescription description = sceneFromInput(input);
+    SceneDescription description = sceneFromInput(input);
+    description.setpoint = overrides.setpoint.value_or(description.setpoint);
     try {
         LoadedScene loaded = description.sample.shape ? shapeScene(description, overrides)
                                                       : mapScene(description, overrides, progress);
         loaded.needs = fitModel(loaded.scene);
-        std::ranges::move(sceneNotes(loaded.scene, loaded.needs), std::back_inserter(loaded.notes));
+        std::ranges::move(surfaceNotes(loaded.scene), std::back_inserter(loaded.notes));
         return loaded;
     } catch (const InputError&) {
         throw;
     } catch (const Error& error) {
         throw InputError(input.string(), "", error.what());
     }
+}
+
+std::vector<std::string> notesOn(const LoadedScene& loaded) {
+    std::vector<std::string> notes = loaded.notes;
+    std::ranges::move(forceNotes(loaded.scene, loaded.needs), std::back_inserter(notes));
+    return notes;
 }
 
 LoadedScene withMaterial(LoadedScene loaded, const SampleMaterial& material) {

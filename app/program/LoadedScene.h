@@ -18,6 +18,7 @@ struct SceneOverrides {
     std::string channel;
     std::optional<Leveling> leveling;
     std::optional<double> smoothingPixels;  ///< [pixel]
+    std::optional<double> setpoint;         ///< of an approach [N]
 };
 
 /// A scene with what is known of the file that it stands on.
@@ -25,9 +26,12 @@ struct LoadedScene {
     Scene scene;
     std::string format;              ///< of the height map, for people; "shape" without one
     std::string sha256;              ///< of the height map's file; empty without one
-    std::vector<std::string> notes;  ///< one sentence each: leveling, decisions of the reader
+    std::vector<std::string> notes;  ///< on the heights, a sentence each: of reader and leveling
     SceneNeeds needs;                ///< why the scene's model is what it is
 };
+
+/// All that was decided about a scene: its notes, and those on the force.
+[[nodiscard]] std::vector<std::string> notesOn(const LoadedScene& loaded);
 
 /// Loads a scene file or a height map, fits the surface, sets up the instrument.
 /// @throw InputError when anything it needs cannot be read or is out of range; Canceled

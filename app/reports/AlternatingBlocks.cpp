@@ -6,8 +6,6 @@ namespace asperity {
 
 namespace {
 
-constexpr double kBlock = 1.0;  // [s]
-
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());

@@ -12,6 +12,8 @@ namespace asperity {
 /// machine does to both falls out of their ratio.
 class AlternatingBlocks {
 public:
+    static constexpr double kBlock = 1.0;  ///< length of a turn [s]
+
     AlternatingBlocks(HapticLoop& loop, double rate);
     ~AlternatingBlocks();
     AlternatingBlocks(const AlternatingBlocks&) = delete;

@@ -38,7 +38,7 @@ bool ClaimedFolder::make() const {
     std::error_code failure;
     const bool made = std::filesystem::create_directories(folder_, failure);
     if (failure) {
-        throw Error(folder_.string() + ": the folder cannot be made: " + failure.message());
+        throw FileError(folder_.string(), "the folder cannot be made: " + failure.message());
     }
     return made;
 }

@@ -10,7 +10,7 @@ namespace asperity {
 /// would take each other's files. File systems without locks grant every claim.
 class ClaimedFolder {
 public:
-    /// @throw Error where it cannot be made, or something writes into it
+    /// @throw FileError where it cannot be made, Error where something writes into it
     explicit ClaimedFolder(std::filesystem::path folder);
     /// Without keep(), a folder that it made goes, while nothing is in it.
     ~ClaimedFolder();

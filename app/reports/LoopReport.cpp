@@ -43,6 +43,8 @@ std::string loopReportJson(const LoopReport& report) {
     nlohmann::ordered_json json{{"version", kVersion},
                                 {"rate_hz", report.rate},
                                 {"duration_s", report.duration},
+                                {"elapsed_s", report.elapsed},
+                                {"block_s", AlternatingBlocks::kBlock},
                                 {"scheduling", keyOf(report.statistics.policy)},
                                 {"ticks", report.statistics.ticks},
                                 {"overruns", report.statistics.overruns},
@@ -72,6 +74,9 @@ std::string loopReportText(const LoopReport& report) {
          << (report.statistics.policy == SchedulingPolicy::Ordinary
                  ? " (SCHED_FIFO is not permitted to this user)"
                  : "")
+         << "\nduration       " << formatSi(report.elapsed, "s")
+         << ": the loop and a bare loop in turn, " << formatSi(AlternatingBlocks::kBlock, "s")
+         << " each; ticks are those of the loop"
          << "\ntick time      " << quantilesText(blocks.own().tick) << "\nlateness       "
          << quantilesText(blocks.own().lateness) << "\nbare loop      "
          << quantilesText(blocks.bare()) << "\noverruns       " << report.statistics.overruns

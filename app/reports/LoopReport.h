@@ -16,7 +16,8 @@ struct ViewRate {
 /// What `asperity loop` measured. Times of fetching and writing are those of a processor.
 struct LoopReport {
     double rate = 0.0;      ///< asked for [Hz]
-    double duration = 0.0;  ///< of the whole measurement [s]
+    double duration = 0.0;  ///< of loop and bare loop together, asked for [s]
+    double elapsed = 0.0;   ///< the same, as it was [s]
     LoopStatistics statistics;
     const AlternatingBlocks& blocks;
     double fetchTime = 0.0;       ///< to fetch one tick, into the black box too [s]

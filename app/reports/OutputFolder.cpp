@@ -31,8 +31,8 @@ void OutputFolder::requireAllowed() const {
     for (const std::string& name : content_.own) {
         std::error_code unknown;
         if (std::filesystem::is_directory(folder_ / name, unknown)) {
-            throw Error((folder_ / name).string() +
-                        ": cannot be written: it is there and a folder");
+            throw FileError((folder_ / name).string(),
+                            "cannot be written: it is there and a folder");
         }
     }
     if (isGrowing(folder_ / run_files::kInput)) {
@@ -69,8 +69,8 @@ void OutputFolder::makeStaging() {
             return;
         }
     }
-    throw Error(folder_.string() +
-                ": cannot be written: " + std::generic_category().message(errno));
+    throw FileError(folder_.string(),
+                    "cannot be written: " + std::generic_category().message(errno));
 }
 
 void OutputFolder::remove(const std::filesystem::path& name) const {
@@ -123,6 +123,11 @@ void OutputFolder::commit() {
     }
     moveOut(whole);
     claim_.keep();
+}
+
+void requireOutputFolder(const std::filesystem::path& folder, const FolderContent& content,
+                         bool force) {
+    const OutputFolder probe(folder, content, force);
 }
 
 }  // namespace asperity

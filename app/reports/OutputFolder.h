@@ -27,7 +27,7 @@ class OutputFolder {
 public:
     /// Makes the folder where there is none; what killed commands left in it goes.
     /// @param force guarded files may go
-    /// @throw Error where there are guarded files, or the folder cannot be written
+    /// @throw Error where there are guarded files, FileError where the folder cannot be written
     OutputFolder(std::filesystem::path folder, FolderContent content, bool force = false);
     /// Without commit() all is as before.
     ~OutputFolder();
@@ -53,5 +53,10 @@ private:
     std::filesystem::path staging_;
     FileDescriptor lock_{-1};
 };
+
+/// Refuses what an OutputFolder refuses, before long work is done for it, and leaves nothing.
+/// @throw as OutputFolder
+void requireOutputFolder(const std::filesystem::path& folder, const FolderContent& content,
+                         bool force);
 
 }  // namespace asperity

@@ -36,7 +36,7 @@ Json inputJson(const LoadedScene& loaded) {
             {"size_y_m", surface.sizeY()},
             {"removed_slope_x", loaded.scene.removedPlane.slopeX},
             {"removed_slope_y", loaded.scene.removedPlane.slopeY},
-            {"notes", loaded.notes}};
+            {"notes", notesOn(loaded)}};
 }
 
 Json termJson(const TermNeed& need, const SceneNeeds& needs) {

@@ -1,10 +1,13 @@
 #include "app/session/ActiveDevice.h"
 
 #include "app/program/DataFolder.h"
+#include "core/haptics/LiftStep.h"
+#include "core/haptics/PlannedApproach.h"
 #include "core/haptics/ScriptedDevice.h"
 #include "core/haptics/device/PilotedDevice.h"
 #include "hardware/piloted/PilotedDrivers.h"
 
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -13,6 +16,10 @@ namespace asperity {
 namespace {
 
 constexpr double kJourney = 1.5;  // [s]
+
+// To engage takes about two seconds: down to right above the sample, then slowly to the setpoint.
+constexpr double kCoarse = 0.7;  // [s]
+constexpr double kFine = 3.0;    // of an approach with its way back [s]
 
 }  // namespace
 
@@ -33,6 +40,7 @@ void ActiveDevice::take(const DeviceDriver* driver, const LiveRun::MakeDevice& m
     run_->takeDevice(make);
     device_ = &run_->device();
     driver_ = driver;
+    approach_ = nullptr;
     if (const PilotedDevice* const piloted = run_->device().piloted()) {
         pilot_ = DevicePilot(piloted->start());
     }
@@ -54,6 +62,33 @@ void ActiveDevice::follow(const DevicePath& path) {
         return std::make_unique<ScriptedDevice>(std::move(way), run_->settings().positionGain,
                                                 run_->devicePosition());
     });
+}
+
+void ActiveDevice::approachBy(const MakeLeadIn& makeLeadIn, const ApproachPlan& plan) {
+    const ApproachDevice* made = nullptr;
+    take(nullptr, [&] {
+        auto device = std::make_unique<ApproachDevice>(
+            makeLeadIn(), plan, run_->settings().positionGain, run_->devicePosition());
+        made = device.get();
+        return device;
+    });
+    approach_ = made;
+}
+
+void ActiveDevice::approach(const PlannedApproach& approach) {
+    approachBy([&] { return leadIn(approach.start); }, approach.plan);
+}
+
+void ActiveDevice::engage(double setpoint) {
+    const Vector2 here = run_->basePosition().head<2>();
+    PlannedApproach planned =
+        planApproach(run_->scene(), {.duration = kFine, .place = here, .setpoint = setpoint});
+    planned.plan.dwell = std::numeric_limits<double>::infinity();
+    const auto straightDown = [&]() -> DevicePath {
+        const Vector3 base = run_->basePosition();
+        return {{0.0, base}, {kCoarse, {base.x(), base.y(), planned.start.z()}}};
+    };
+    approachBy(straightDown, planned.plan);
 }
 
 HidTransport& ActiveDevice::hid() {
@@ -79,6 +114,23 @@ void ActiveDevice::displace(const Vector3& displacement) {
     if (piloted() != nullptr) {
         pilot_.displace(reach() * displacement);
     }
+}
+
+double ActiveDevice::pilotedHeight() const {
+    const ContactState& contact = run_->loop().snapshot().sample.output.model.contact;
+    const double height = contact.branch == ContactBranch::Far ? -contact.indentation : 0.0;
+    const Vector3 ahead = pilot_.target() - run_->devicePosition();
+    return height + run_->settings().positionGain * ahead.z();
+}
+
+void ActiveDevice::lift(double notches, double fineStep) {
+    if (piloted() == nullptr) {
+        return;
+    }
+    const double gain = run_->settings().positionGain;
+    const double height = pilotedHeight();
+    const double lifted = liftedHeight(height, notches, gain * reach() * fineStep);
+    pilot_.displace((lifted - height) / gain * Vector3::UnitZ());
 }
 
 void ActiveDevice::setVelocity(const Vector3& velocity) {

@@ -23,9 +23,10 @@ namespace asperity {
 
 namespace {
 
-constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half widths/s]
-constexpr double kTurnSpeed = 1.0;    // of a device's axes: the force turns with them [rad/s]
-constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
+constexpr double kKeySpeed = 0.25;  // along the sample, of held keys [half widths/s]
+constexpr double kTurnSpeed = 1.0;  // of a device's axes: the force turns with them [rad/s]
+constexpr double kLiftPerHalfWidth = 1.0 / 400.0;  // a notch near the sample: 0.1 nm of 80 nm
+constexpr double kKeySpeedUp = 0.05;               // and across it [half widths/s]
 
 /// Where held keys send the device, world frame [half widths/s].
 Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
@@ -49,8 +50,11 @@ DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
     controls.setDevices(names);
     connect(&controls, &ControlBar::deviceChosen, this, &DeviceControl::choose);
     connect(&controls, &ControlBar::knobTurned, this, &DeviceControl::turnKnob);
-    connect(&window.view(), &ZoomView::tipDragged, this, [this](double dx, double dy, double dz) {
-        device_.displace({dx, dy, dz});
+    connect(&window.view(), &ZoomView::tipDragged, this, [this](double dx, double dy) {
+        device_.displace({dx, dy, 0.0});
+    });
+    connect(&window.view(), &ZoomView::lifted, this, [this](double notches) {
+        device_.lift(notches, kLiftPerHalfWidth * window_.view().halfWidth());
     });
     connect(&window.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
         travelTo({x, y});
@@ -116,6 +120,32 @@ void DeviceControl::use(const DeviceDriver& driver) {
 void DeviceControl::follow(const DevicePath& path) {
     device_.follow(path);
     show();
+}
+
+void DeviceControl::approach(const PlannedApproach& approach) {
+    device_.approach(approach);
+    show();
+}
+
+void DeviceControl::engage(double setpoint) {
+    device_.engage(setpoint);
+    show();
+}
+
+void DeviceControl::withdraw() {
+    if (device_.followsPath()) {
+        use(pointerDriver());
+    }
+    const Vector3 base = runs_.run()->basePosition();
+    if (base.z() < waitingPlace(runs_.run()->scene(), base.head<2>()).z()) {
+        travelTo(base.head<2>());
+    }
+}
+
+void DeviceControl::releaseApproach() {
+    if (device_.approaching() != nullptr) {
+        use(pointerDriver());
+    }
 }
 
 void DeviceControl::pilotDevice(const DevicePath& path) {
@@ -205,6 +235,7 @@ void DeviceControl::show() {
     const bool isListed = device_.driver() != nullptr || device_.followsPath();
     const auto found = std::find(list_.begin(), list_.end(), device_.driver());
     window_.controls().setDevice(isListed ? static_cast<int>(found - list_.begin()) : -1);
+    window_.setEmergencyStop(runs_.run()->device().specification().rendersForce());
     runs_.showKnobs();
 }
 

@@ -20,6 +20,16 @@ public:
 
     /// The device follows a path of the base from its start. There is a run.
     void follow(const DevicePath& path);
+    /// The device approaches, from where the approach begins. There is a run.
+    void approach(const PlannedApproach& approach);
+    /// Approaches where the tip is, up to a setpoint [N], and stays there. There is a run.
+    void engage(double setpoint);
+    /// Goes up from the sample, out of its reach. There is a run.
+    void withdraw();
+    /// The approach that has the tip; null: none has.
+    [[nodiscard]] const ApproachDevice* approaching() const { return device_.approaching(); }
+    /// Mouse and keyboard take the tip where an approach has it.
+    void releaseApproach();
     /// A user pilots the simulated device along a path of the base from its start. There is a run.
     void pilotDevice(const DevicePath& path);
     /// Once a frame, before its ticks: moves the device on [s]. There is a run.

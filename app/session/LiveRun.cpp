@@ -2,6 +2,7 @@
 
 #include "core/haptics/device/PointerDevice.h"
 #include "core/scene/BelievedModel.h"
+#include "core/surface/MeasuredPlace.h"
 #include "core/words/ScaleWords.h"
 
 #include <utility>
@@ -20,10 +21,14 @@ auto inWords(const Ask& ask) {
     }
 }
 
+bool isGone(Fault fault) { return fault == Fault::DeviceLost || fault == Fault::DeviceSilent; }
+
 }  // namespace
 
 Vector3 startPlace(const Scene& scene) {
-    return waitingPlace(scene, 0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
+    const BSplineSurface& surface = scene.surface;
+    const Vector2 middle = 0.5 * Vector2(surface.sizeX(), surface.sizeY());
+    return waitingPlace(scene, nearestMeasured(surface, middle));
 }
 
 LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument& makeInstrument)
@@ -45,13 +50,25 @@ EnergyWatch LiveRun::newEnergyWatch() const { return {loaded_.scene.timeStep(), 
 void LiveRun::fetch(const TickSink& sink) {
     const double begin = processorSeconds();
     loop_.drain([&](const TickSample& sample) {
-        blackBox_.take(sample);
+        keep(sample);
         energy_.take(sample);
         sink(sample);
         ++fetchCost_.ticks;
     });
     blackBox_.mark(loop_.snapshot());
     fetchCost_.time += processorSeconds() - begin;
+}
+
+void LiveRun::keep(const TickSample& sample) {
+    // Each device begins with a start of the loop.
+    const bool seenBefore = deviceSeen_ && starts_ == sample.input.starts;
+    deviceSeen_ = seenBefore || sample.input.device.connected;
+    starts_ = sample.input.starts;
+    const bool wasFrozen = blackBox_.frozen();
+    blackBox_.take(sample);
+    if (!wasFrozen && awaitsDevice() && sample.output.fault == Fault::DeviceLost) {
+        blackBox_.restart();
+    }
 }
 
 void LiveRun::apply(const Settings& settings) noexcept {
@@ -106,11 +123,14 @@ void LiveRun::takeDevice(const MakeDevice& make) {
 }
 
 /// A device is where it is, not where the base waits: the first tick measures that before the
-/// device drives the tip.
+/// device drives the tip. That the device before it has gone is no fault of one that only senses.
 void LiveRun::seat(std::unique_ptr<HapticDevice> device) {
     const DeviceSpecification specification = device->specification();
-    const Settings settings =
+    Settings settings =
         inWords([&] { return coupling_.takeOver(specification, device->delay(), settings_); });
+    if (!specification.rendersForce() && isGone(loop_.snapshot().sample.output.fault)) {
+        ++settings.rearms;
+    }
     if (specification.rendersForce() && loop_.snapshot().statistics.ticks == 0) {
         loop_.step();
     }

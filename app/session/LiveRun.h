@@ -61,6 +61,8 @@ public:
     /// @throw what `make` throws, or Error where no scale holds; the present device stays then
     void takeDevice(const MakeDevice& make);
     [[nodiscard]] HapticDevice& device() noexcept { return *device_; }
+    /// Whether the device was chosen before it was there: that it is not is no accident.
+    [[nodiscard]] bool awaitsDevice() const noexcept { return !deviceSeen_; }
     /// What is known of a force-feedback device.
     [[nodiscard]] const CouplingKeeper& coupling() const noexcept { return coupling_; }
     /// Makes sure that a force-feedback device could hold the tip of this scene. @throw Error why
@@ -79,6 +81,7 @@ public:
 private:
     void apply(const Settings& settings) noexcept;
     void seat(std::unique_ptr<HapticDevice> device);
+    void keep(const TickSample& sample);
     [[nodiscard]] EnergyWatch newEnergyWatch() const;
 
     LoadedScene loaded_;
@@ -90,11 +93,13 @@ private:
     std::unique_ptr<HalfSpaceWorker> halfSpace_;
     HapticLoop loop_;
     BlackBox blackBox_;
+    std::uint32_t starts_ = 0;  ///< of the loop, at the newest tick fetched
+    bool deviceSeen_ = true;    ///< it was connected in a tick since then
     FetchCost fetchCost_;
     EnergyWatch energy_;
 };
 
-/// In the middle of the scan, above the sample [m].
+/// Above the sample, where it holds data, as near to the middle of the scan as can be [m].
 [[nodiscard]] Vector3 startPlace(const Scene& scene);
 
 }  // namespace asperity

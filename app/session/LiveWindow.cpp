@@ -3,12 +3,14 @@
 #include "app/session/QuitOnSignal.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "vtkplugins/pictures/Display.h"
 #include "vtkplugins/pictures/DrawingMemory.h"
 
 #include <exception>
 #include <iostream>
+#include <utility>
 
 namespace asperity {
 
@@ -23,6 +25,16 @@ LiveWindow::Display::Display() {
         throw Error("no display to open the window on; `asperity explore` works without one");
     }
     requireDrawingMemory({});
+    // As large as the desktop has its other programs, 1.5 times, too.
+    QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QApplication::setHighDpiScaleFactorRoundingPolicy(
+        Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+}
+
+LiveWindow::Application::Application(int& argumentCount, char** arguments)
+    : QApplication(argumentCount, arguments) {
+    keepDecimalPoint();
 }
 
 bool LiveWindow::Application::notify(QObject* receiver, QEvent* event) {
@@ -39,6 +51,10 @@ LiveWindow::LiveWindow()
     : arguments_{programName, nullptr}
     , application_(argumentCount_, arguments_)
     , session_((applyTheme(application_), window_)) {}
+
+void LiveWindow::remember(std::unique_ptr<QSettings> settings) {
+    memory_.emplace(window_, std::move(settings));
+}
 
 int LiveWindow::exec() {
     const QuitOnSignal quitOnSignal;

@@ -2,8 +2,12 @@
 
 #include "app/session/Session.h"
 #include "ui/window/MainWindow.h"
+#include "ui/window/WindowMemory.h"
 
 #include <QApplication>
+
+#include <memory>
+#include <optional>
 
 namespace asperity {
 
@@ -15,6 +19,9 @@ public:
 
     [[nodiscard]] Session& session() { return session_; }
     [[nodiscard]] MainWindow& window() { return window_; }
+
+    /// The window opens as `settings` remember it, and leaves there how it is in the end.
+    void remember(std::unique_ptr<QSettings> settings);
 
     /// Shows the window and stays until it is closed, or the program is asked to end by SIGINT,
     /// SIGTERM or SIGHUP. @return the exit status
@@ -28,7 +35,7 @@ private:
     /// An exception must not cross Qt's event loop: it ends the program in good order.
     class Application : public QApplication {
     public:
-        using QApplication::QApplication;
+        Application(int& argumentCount, char** arguments);
         bool notify(QObject* receiver, QEvent* event) override;
     };
 
@@ -37,6 +44,7 @@ private:
     char* arguments_[2];
     Application application_;
     MainWindow window_;
+    std::optional<WindowMemory> memory_;
     Session session_;
 };
 

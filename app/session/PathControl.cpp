@@ -4,6 +4,7 @@
 #include "core/Error.h"
 #include "core/io/scene/DevicePathFile.h"
 #include "ui/panels/ControlBar.h"
+#include "ui/panels/EngageBar.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/window/MainWindow.h"
 
@@ -18,11 +19,13 @@ namespace {
 
 struct PlannedPath {
     const char* name;
-    DevicePath (*plan)(const Scene&, const PathPlan&);
+    DevicePath (*plan)(const Scene&, const PathPlan&);  ///< null: an approach to the setpoint
 };
 
-constexpr std::array<PlannedPath, 3> kPaths{
-    {{"Approach", approachPath}, {"Raster", rasterPath}, {"Scratch", scratchPath}}};
+constexpr std::array<PlannedPath, 4> kPaths{{{"Approach", nullptr},
+                                             {"Slide", slidePath},
+                                             {"Raster", rasterPath},
+                                             {"Scratch", scratchPath}}};
 
 /// A path in other units than meters would lead the tip far away, and take as long.
 /// @throw InputError when the path leaves the scan by more than its width
@@ -71,12 +74,22 @@ void PathControl::follow(const DevicePath& path) {
     window_.overview().showPath(outline(path));
 }
 
+void PathControl::approach(const PlannedApproach& approach) {
+    devices_.approach(approach);
+    window_.overview().showPath(outline({{0.0, approach.start}}));
+}
+
 void PathControl::choose(int index) {
     if (runs_.run() != nullptr) {
         const Vector2 here = runs_.run()->basePosition().head<2>();
+        const Scene& scene = runs_.run()->scene();
+        const PlannedPath& path = kPaths.at(static_cast<std::size_t>(index));
         window_.controls().setPath(index);
-        follow(
-            kPaths.at(static_cast<std::size_t>(index)).plan(runs_.run()->scene(), {.place = here}));
+        if (path.plan != nullptr) {
+            follow(path.plan(scene, {.place = here}));
+        } else {
+            approach(planApproach(scene, {.place = here, .setpoint = window_.engage().setpoint()}));
+        }
     }
 }
 

@@ -18,6 +18,7 @@ public:
 
 private:
     void choose(int index);
+    void approach(const PlannedApproach& approach);
     using ReadPath = std::function<DevicePath(const std::filesystem::path&)>;
     bool followFile(const QString& file, const ReadPath& read);
     void replayRecording(const std::filesystem::path& forceLog);

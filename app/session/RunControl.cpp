@@ -59,7 +59,8 @@ void RunControl::use(LoadedScene scene) {
 }
 
 bool RunControl::forcesMayAct() {
-    return run_->settings().forcesOn && run_->loop().snapshot().sample.output.fault == Fault::None;
+    const bool hasFault = run_->loop().snapshot().sample.output.fault != Fault::None;
+    return run_->settings().forcesOn && (!hasFault || run_->awaitsDevice());
 }
 
 void RunControl::begin(LoadedScene scene, const Vector3& start, const Settings& settings) {
@@ -137,7 +138,12 @@ void RunControl::turn(const std::function<void(Settings&)>& knobs) {
 
 void RunControl::setForces(bool on) {
     window_.controls().setForcesOn(on);
+    const bool before = run_ && run_->settings().forcesOn;
     turn([on](Settings& settings) { settings.forcesOn = on; });
+    if (run_ && run_->settings().forcesOn != before) {
+        window_.tell(on ? tr("Forces are on")
+                        : tr("Forces are off; the button above switches them on again"));
+    }
 }
 
 void RunControl::showKnobs() {

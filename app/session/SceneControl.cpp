@@ -48,10 +48,11 @@ void SceneControl::readMaterials() {
     }
 }
 
-void SceneControl::open(const std::filesystem::path& input) {
+void SceneControl::open(const std::filesystem::path& input, const SceneOverrides& overrides) {
     loading_ = QString::fromStdString(printable(input.filename().string()));
     window_.showLoading(loading_);
-    loader_.start([input](Progress& progress) { return loadScene(input, {}, &progress); });
+    loader_.start(
+        [input, overrides](Progress& progress) { return loadScene(input, overrides, &progress); });
 }
 
 void SceneControl::cancelOpen() {

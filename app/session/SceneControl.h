@@ -17,7 +17,7 @@ public:
 
     /// Loads in the background, then shows; says so in the window when that fails. Another one that
     /// is being loaded is given up.
-    void open(const std::filesystem::path& input);
+    void open(const std::filesystem::path& input, const SceneOverrides& overrides = {});
     /// Cancels what is being loaded; the scene stays as it is.
     void cancelOpen();
     /// Why the last scene that failed to open did so; null: none did.

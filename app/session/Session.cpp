@@ -22,6 +22,7 @@ Session::Session(MainWindow& window)
     , scenes_(window, runs_)
     , fidelity_(window, runs_)
     , paths_(window, runs_, devices_)
+    , engaging_(window, runs_, devices_)
     , views_(window, runs_) {
     runs_.setSink([this](const TickSample& sample) {
         views_.take(sample);
@@ -35,15 +36,26 @@ Session::Session(MainWindow& window)
 
 Session::~Session() { runs_.end(); }
 
-// Forces go off whatever has the focus: a spin box, a menu, a message.
 bool Session::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
         if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-            runs_.setForces(false);
-            scenes_.cancelOpen();
+            stop();
         }
     }
     return QObject::eventFilter(watched, event);
+}
+
+/// What Esc does beside what the widget with the focus makes of it. The forces of a device with
+/// motors go off whatever has the focus: a spin box, a menu, a message.
+void Session::stop() {
+    if (run() != nullptr && run()->device().specification().rendersForce()) {
+        runs_.setForces(false);
+    }
+    const bool closesSomething = QApplication::activePopupWidget() != nullptr ||
+                                 QApplication::activeModalWidget() != nullptr;
+    if (!closesSomething) {
+        scenes_.cancelOpen();
+    }
 }
 
 void Session::advance() {
@@ -51,6 +63,7 @@ void Session::advance() {
     const double elapsed = std::min(now - std::exchange(lastFrame_, now), kMaxFrameTime);
     if (run() != nullptr) {
         devices_.advance(elapsed);
+        engaging_.advance();
         runs_.fetch();
         recordings_.advance();
         views_.show(now);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/session/DeviceControl.h"
+#include "app/session/EngageControl.h"
 #include "app/session/FidelityControl.h"
 #include "app/session/PathControl.h"
 #include "app/session/RecordingControl.h"
@@ -33,6 +34,7 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void stop();
     void advance();
 
     // In the order in which they hear that a run begins or ends.
@@ -42,6 +44,7 @@ private:
     SceneControl scenes_;
     FidelityControl fidelity_;
     PathControl paths_;
+    EngageControl engaging_;
     ViewControl views_;
     QTimer frames_;
     double lastFrame_ = 0.0;  ///< [s]

@@ -22,7 +22,7 @@ namespace asperity {
 namespace {
 
 constexpr int kSeeds = 30;
-constexpr double kSlideFrom = 3.5;  // of a run of 10 s, see approachPath() [s]
+constexpr double kSlideFrom = 3.5;  // of a run of 10 s, see slidePath() [s]
 constexpr double kSlideTo = 6.5;    // [s]
 constexpr long kTicks = 10001;
 
@@ -73,7 +73,7 @@ void runOnce(const Scene& scene, const PathPlan& plan, std::uint64_t seed, CaseR
     truth.seed = seed;
     SimulatedAfm afm(scene.trueSurface(), truth);
     bool seen = false;
-    runVirtually(scene, approachPath(scene, plan), afm, kTicks, [&](const TickSample& sample) {
+    runVirtually(scene, slidePath(scene, plan), afm, kTicks, [&](const TickSample& sample) {
         const TickOutput& out = sample.output;
         const bool flagged = out.flags.has(Validity::EstimateInconsistent);
         if (sample.time <= kSlideFrom || sample.time >= kSlideTo) {

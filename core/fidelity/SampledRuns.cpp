@@ -42,7 +42,7 @@ SampledRuns::SampledRuns(Scene& scene, double longestTick) : scene_(scene) {
     const auto record = [&](const DevicePath& path) {
         runs_.push_back(recordRun(scene, path, duration));
     };
-    record(approachPath(scene, {.duration = duration}));
+    record(slidePath(scene, {.duration = duration}));
     last_ = runModel(scene, runs_);
     slow_ = tickTime() > longestTick;
     if (slow_) {
@@ -50,7 +50,7 @@ SampledRuns::SampledRuns(Scene& scene, double longestTick) : scene_(scene) {
     }
     for (const Vector2& share : {Vector2(0.31, 0.62), Vector2(0.71, 0.27)}) {
         const Vector2 place = share.cwiseProduct(size);
-        record(approachPath(scene, {.duration = duration, .place = place}));
+        record(slidePath(scene, {.duration = duration, .place = place}));
     }
     record(rasterPath(scene, {.duration = duration}));
     refer(reference);

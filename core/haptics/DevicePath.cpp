@@ -1,5 +1,6 @@
 #include "core/haptics/DevicePath.h"
 
+#include "core/surface/MeasuredPlace.h"
 #include "core/surface/deformation/ContactHeight.h"
 
 #include <algorithm>
@@ -13,12 +14,6 @@ namespace {
 constexpr double kFeatureMargin = 0.03;  // of the scan's width, kept free at each edge
 constexpr double kSlideDirection = std::numbers::pi / 3.0;  // so that both signals take part [rad]
 constexpr int kRasterLines = 8;
-
-/// Apex height at which the tip first touches the surface from above.
-double touchHeight(const Scene& scene, double x, double y) {
-    const double radius = scene.description.tip.radius;
-    return tipContactHeight(scene.surface, x, y, radius) - radius;
-}
 
 /// The base must rise by more than the lever holds back before the tip lets go.
 double clearanceFor(const Scene& scene, const PathPlan& plan) {
@@ -107,10 +102,21 @@ Vector3 positionAt(const DevicePath& path, double time) {
     return before.position + share * (next->position - before.position);
 }
 
-DevicePath approachPath(const Scene& scene, const PathPlan& plan) {
-    const Vector2 top = featureFor(scene, plan);
+double touchHeight(const Scene& scene, double x, double y) {
+    const double radius = scene.description.tip.radius;
+    return tipContactHeight(scene.surface, x, y, radius) - radius;
+}
+
+Vector3 pathStart(const Scene& scene, const PathPlan& plan) {
+    const Vector2 place = featureFor(scene, plan);
+    return above(scene, place.x(), place.y(), clearanceFor(scene, plan));
+}
+
+DevicePath slidePath(const Scene& scene, const PathPlan& plan) {
+    const Vector3 start = pathStart(scene, plan);
+    const Vector2 top = start.head<2>();
     const double clearance = clearanceFor(scene, plan);
-    PathBuilder path(scene, plan, above(scene, top.x(), top.y(), clearance));
+    PathBuilder path(scene, plan, start);
     path.moveTo(above(scene, top.x(), top.y(), -plan.indentation), 0.3);
     path.hold(0.05);
     const double endX =
@@ -150,14 +156,16 @@ DevicePath scratchPath(const Scene& scene, const PathPlan& plan) {
     const double length = std::min(5.0 * plan.slideLength, 0.8 * scene.surface.sizeX());
     const Vector2 middle =
         plan.place.value_or(0.5 * Vector2(scene.surface.sizeX(), scene.surface.sizeY()));
-    const double startX = std::clamp(middle.x() - 0.5 * length, 0.02 * scene.surface.sizeX(),
-                                     0.98 * scene.surface.sizeX() - length);
-    const double y = inside(middle.y(), scene.surface.sizeY());
+    const Vector2 asked(std::clamp(middle.x() - 0.5 * length, 0.02 * scene.surface.sizeX(),
+                                   0.98 * scene.surface.sizeX() - length),
+                        inside(middle.y(), scene.surface.sizeY()));
+    const Vector2 start = plan.place ? asked : nearestMeasured(scene.surface, asked);
+    const double endX = std::min(start.x() + length, 0.98 * scene.surface.sizeX());
     const double clearance = clearanceFor(scene, plan);
-    PathBuilder path(scene, plan, above(scene, startX, y, clearance));
-    path.moveTo(above(scene, startX, y, 0.0), 0.15);
-    path.follow(startX + length, y, 2.0 * plan.indentation, 0.6);
-    path.moveTo(above(scene, startX + length, y, clearance), 0.25);
+    PathBuilder path(scene, plan, above(scene, start.x(), start.y(), clearance));
+    path.moveTo(above(scene, start.x(), start.y(), 0.0), 0.15);
+    path.follow(endX, start.y(), 2.0 * plan.indentation, 0.6);
+    path.moveTo(above(scene, endX, start.y(), clearance), 0.25);
     return path.take();
 }
 

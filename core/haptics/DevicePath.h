@@ -23,15 +23,25 @@ using DevicePath = std::vector<PathPoint>;
 
 /// How far a scripted device goes; lengths are those of the base.
 struct PathPlan {
-    double duration = 10.0;             ///< [s]
-    double clearance = 6e-9;            ///< above first geometric contact, at start and end [m]
-    double indentation = 3e-9;          ///< of the base below first geometric contact [m]
-    double slideLength = 24e-9;         ///< [m]
-    std::optional<Vector2> place = {};  ///< in the scan [m]; empty: each path's own
+    double duration = 10.0;               ///< [s]
+    double clearance = 6e-9;              ///< above first geometric contact, at start and end [m]
+    double indentation = 3e-9;            ///< of the base below first geometric contact [m]
+    double slideLength = 24e-9;           ///< [m]
+    std::optional<Vector2> place = {};    ///< in the scan [m]; empty: each path's own
+    std::optional<double> setpoint = {};  ///< of an approach [N]; empty: the scene's
 };
 
+/// Height of the base at which the tip first touches the surface from above (x, y) [m].
+[[nodiscard]] double touchHeight(const Scene& scene, double x, double y);
+
+// By themselves, paths begin where the scan holds data, if it does so anywhere in its middle part.
+
+/// Where a path begins, out of the sample's reach: above its place, or by itself above the highest
+/// feature of the scan [m].
+[[nodiscard]] Vector3 pathStart(const Scene& scene, const PathPlan& plan);
+
 /// Approach, indent, slide and retract; by itself at the highest feature of the scan.
-[[nodiscard]] DevicePath approachPath(const Scene& scene, const PathPlan& plan);
+[[nodiscard]] DevicePath slidePath(const Scene& scene, const PathPlan& plan);
 
 /// Lines to and fro over a square, in contact; by itself around the highest feature.
 [[nodiscard]] DevicePath rasterPath(const Scene& scene, const PathPlan& plan);

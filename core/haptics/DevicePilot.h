@@ -29,6 +29,8 @@ public:
     void setVelocity(const Vector3& velocity);
     /// The base shall go this way, world; also when the gain changes on the way.
     void follow(DevicePath journey);
+    /// Where the device shall be now [m].
+    [[nodiscard]] const Vector3& target() const noexcept { return target_; }
     [[nodiscard]] bool traveling() const noexcept { return !journey_.empty(); }
 
     /// Where the device shall be after a frame of so many seconds.

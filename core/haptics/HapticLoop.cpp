@@ -85,6 +85,7 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     input.measurement = afm_.exchange(command.base);
     sample.output = tick(scene_, input, command, latest_.memory);
     tellForce(sample.output.deviceForce);
+    device_->observe(sample.output);
 }
 
 /// What no governor guards is never told a force.

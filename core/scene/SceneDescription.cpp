@@ -144,6 +144,7 @@ void checkScene(const SceneDescription& scene) {
     require(scene.tickRate >= 100.0 && scene.tickRate <= 20000.0,
             "[haptics]: rate_hz must lie between 100 and 20000");
     checkSettings(scene.settings);
+    require(isSetpoint(scene.setpoint), "[approach]: setpoint_n must lie between 1e-12 and 1e-3");
     require(scene.zoomHalfWidth >= 0.0 && std::isfinite(scene.zoomHalfWidth),
             "[view]: zoom_half_width_m must be zero or a positive number of meters");
 }

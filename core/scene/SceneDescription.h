@@ -2,6 +2,7 @@
 
 #include "core/EnumTable.h"
 #include "core/contact/Material.h"
+#include "core/contact/Within.h"
 #include "core/contact/laws/ContactOptions.h"
 #include "core/probe/Cantilever.h"
 #include "core/probe/DetectorCalibration.h"
@@ -90,8 +91,16 @@ struct SceneDescription {
     /// That a run starts with; scene files say those that have a key, see listSettings().
     Settings settings{
         .guide = {.stiffness = 200.0, .damping = 0.5, .forceLimit = 1.0, .captureDistance = 50e-9}};
+    double setpoint = 5e-9;      ///< at which an approach ends: force along z [N]
     double zoomHalfWidth = 0.0;  ///< of the zoomed view [m]; 0: chosen from the contact
 };
+
+inline constexpr double kMinSetpoint = 1e-12;  ///< [N]
+inline constexpr double kMaxSetpoint = 1e-3;   ///< [N]
+/// Whether a scene may have this setpoint [N].
+[[nodiscard]] inline bool isSetpoint(double force) noexcept {
+    return isWithin(force, kMinSetpoint, kMaxSetpoint);
+}
 
 /// The scene that a height map alone stands for: polystyrene, 15 nm silicon tip, 14 N/m lever.
 [[nodiscard]] SceneDescription defaultScene();

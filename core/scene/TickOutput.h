@@ -26,8 +26,7 @@ inline constexpr auto kEnumTable<Fault> = std::to_array<EnumRow<Fault>>(
     {{Fault::None, "none", ""},
      {Fault::NotFinite, "not_finite", "a value was not a number: forces are off"},
      {Fault::DeviceLost, "device_lost", "the hand's device is not there: forces are off"},
-     {Fault::DeviceSilent, "device_silent",
-      "the hand's device sends nothing any more: forces are off"},
+     {Fault::DeviceSilent, "device_silent", "the hand's device is silent: forces are off"},
      {Fault::VelocityTrip, "velocity_trip", "the hand was too fast: forces are off"},
      {Fault::SolverFailed, "solver_failed", "no equilibrium of the tip was found: forces are off"},
      {Fault::InstrumentLost, "instrument_lost", "the instrument is not there: forces are off"}});

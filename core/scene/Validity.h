@@ -35,66 +35,90 @@ enum class Validity : std::uint32_t {
     StaleSignals = 1U << 20U,  ///< measured so long ago that the lever may have bent since
 };
 
-/// What a flag means for a result.
+/// What a flag means for a result, the mildest first.
 enum class Severity : std::uint8_t {
-    Notice,  ///< announces what comes; the result holds
-    Doubt,   ///< the result does not hold in full
+    Notice,       ///< announces what comes; the result holds
+    Approximate,  ///< the result holds, less exactly
+    Doubt,        ///< the result does not hold in full
+    Invalid,      ///< there is no result to rely on
+};
+
+/// What a flag is found in.
+enum class FlagBasis : std::uint8_t {
+    Tick,     ///< a single tick
+    Contact,  ///< likewise, and it means nothing once the contact is gone
+    Signals,  ///< noisy signals: a single tick says little, many ticks do
 };
 
 /// Traits of a flag; what logs, panels, files and summaries show is made from this.
 struct ValidityTraits {
     Validity flag;
     const char* key;    ///< in logs and summaries
+    const char* brief;  ///< for people in a hurry: 24 characters at most
     const char* words;  ///< for people
     Severity severity;
+    FlagBasis basis;
 };
 
 /// By bit.
 inline constexpr std::array kValidityTraits{
-    ValidityTraits{Validity::LargeContact, "large_contact",
-                   "contact radius above 0.3 tip radii: beyond half-space theory", Severity::Doubt},
-    ValidityTraits{Validity::OutsideScan, "outside_scan", "tip outside the scan", Severity::Doubt},
-    ValidityTraits{Validity::FilledPixel, "filled_pixel",
-                   "the scan holds no data here: height filled in", Severity::Doubt},
-    ValidityTraits{Validity::ClosestPointNotFound, "foot_not_found",
-                   "closest point of the surface not found", Severity::Doubt},
-    ValidityTraits{Validity::NotInEquilibrium, "not_in_equilibrium",
-                   "no equilibrium of tip and cantilever found", Severity::Doubt},
-    ValidityTraits{Validity::FrictionLock, "friction_lock", "friction would lock the cantilever",
-                   Severity::Doubt},
-    ValidityTraits{Validity::ModelContradicted, "model_contradicted",
-                   "signals contradict the contact model by more than 3 sigma", Severity::Doubt},
-    ValidityTraits{Validity::SingularGeometry, "singular_geometry",
-                   "signals say little about one direction of the force", Severity::Doubt},
-    ValidityTraits{Validity::Anisotropic, "curved_sample",
+    ValidityTraits{Validity::LargeContact, "large_contact", "contact radius > 0.3 R",
+                   "contact radius above 0.3 tip radii: beyond half-space theory", Severity::Doubt,
+                   FlagBasis::Contact},
+    ValidityTraits{Validity::OutsideScan, "outside_scan", "tip outside the scan",
+                   "tip outside the scan", Severity::Invalid, FlagBasis::Tick},
+    ValidityTraits{Validity::FilledPixel, "filled_pixel", "no data here: filled in",
+                   "the scan holds no data here: height filled in", Severity::Doubt,
+                   FlagBasis::Tick},
+    ValidityTraits{Validity::ClosestPointNotFound, "foot_not_found", "closest point not found",
+                   "closest point of the surface not found", Severity::Invalid, FlagBasis::Tick},
+    ValidityTraits{Validity::NotInEquilibrium, "not_in_equilibrium", "equilibrium not found",
+                   "no equilibrium of tip and cantilever found", Severity::Invalid,
+                   FlagBasis::Tick},
+    ValidityTraits{Validity::FrictionLock, "friction_lock", "friction locks the lever",
+                   "friction would lock the cantilever", Severity::Invalid, FlagBasis::Contact},
+    ValidityTraits{Validity::ModelContradicted, "model_contradicted", "signals contradict model",
+                   "signals contradict the contact model by more than 3 sigma", Severity::Doubt,
+                   FlagBasis::Signals},
+    ValidityTraits{Validity::SingularGeometry, "singular_geometry", "one direction uncertain",
+                   "signals say little about one direction of the force", Severity::Approximate,
+                   FlagBasis::Contact},
+    ValidityTraits{Validity::Anisotropic, "curved_sample", "anisotropic curvature",
                    "surface curved so that one effective radius is a rough word for it",
-                   Severity::Doubt},
-    ValidityTraits{Validity::NarrowValley, "sharp_valley",
-                   "valley as sharp as the tip: the contact law does not hold", Severity::Doubt},
-    ValidityTraits{Validity::SeveralContactPoints, "several_feet",
-                   "tip touches at several places: forces summed", Severity::Doubt},
-    ValidityTraits{Validity::TipNotHeld, "tip_not_held",
-                   "the cantilever cannot hold the tip where the hand wants it", Severity::Doubt},
-    ValidityTraits{Validity::ElasticLimit, "elastic_limit",
-                   "peak pressure exceeds onset of yield (about 0.6 hardness)", Severity::Doubt},
-    ValidityTraits{Validity::ThinFilm, "thin_film",
-                   "contact too wide for the film's thickness and the contact law",
-                   Severity::Doubt},
-    ValidityTraits{Validity::SnapInAhead, "snap_in_ahead", "the tip is about to snap in",
-                   Severity::Notice},
-    ValidityTraits{Validity::Implausible, "implausible_estimate",
-                   "estimated force breaks the friction law", Severity::Doubt},
-    ValidityTraits{Validity::UncertainPixel, "uncertain_pixel",
-                   "height uncertain: the imaging tip may not have touched here", Severity::Doubt},
-    ValidityTraits{Validity::SearchNotExhaustive, "feet_unproven",
+                   Severity::Approximate, FlagBasis::Contact},
+    ValidityTraits{Validity::NarrowValley, "sharp_valley", "valley narrower than tip",
+                   "valley as sharp as the tip: the contact law does not hold", Severity::Doubt,
+                   FlagBasis::Contact},
+    ValidityTraits{Validity::SeveralContactPoints, "several_feet", "several contact points",
+                   "tip touches at several places: forces summed", Severity::Approximate,
+                   FlagBasis::Contact},
+    ValidityTraits{Validity::TipNotHeld, "tip_not_held", "tip cannot be held here",
+                   "the cantilever cannot hold the tip where the hand wants it", Severity::Doubt,
+                   FlagBasis::Tick},
+    ValidityTraits{Validity::ElasticLimit, "elastic_limit", "pressure above yield",
+                   "peak pressure exceeds onset of yield (about 0.6 hardness)", Severity::Doubt,
+                   FlagBasis::Contact},
+    ValidityTraits{Validity::ThinFilm, "thin_film", "contact wide for film",
+                   "contact too wide for the film's thickness and the contact law", Severity::Doubt,
+                   FlagBasis::Contact},
+    ValidityTraits{Validity::SnapInAhead, "snap_in_ahead", "snap-in ahead",
+                   "the tip is about to snap in", Severity::Notice, FlagBasis::Tick},
+    ValidityTraits{Validity::Implausible, "implausible_estimate", "friction law violated",
+                   "estimated force breaks the friction law", Severity::Doubt, FlagBasis::Signals},
+    ValidityTraits{Validity::UncertainPixel, "uncertain_pixel", "height uncertain here",
+                   "height uncertain: the imaging tip may not have touched here",
+                   Severity::Approximate, FlagBasis::Contact},
+    ValidityTraits{Validity::SearchNotExhaustive, "feet_unproven", "search not exhaustive",
                    "other places may be as near to the tip as those it is felt on",
-                   Severity::Doubt},
-    ValidityTraits{Validity::LawOutOfRange, "law_out_of_range",
-                   "adhesion beyond the reach of the law", Severity::Doubt},
-    ValidityTraits{Validity::EstimateInconsistent, "estimate_inconsistent",
-                   "signals contradict friction law or noise: error bars widened", Severity::Doubt},
-    ValidityTraits{Validity::StaleSignals, "stale_signals",
-                   "the instrument answers late: its signals count less", Severity::Doubt},
+                   Severity::Approximate, FlagBasis::Tick},
+    ValidityTraits{Validity::LawOutOfRange, "law_out_of_range", "adhesion beyond the law",
+                   "adhesion beyond the reach of the law", Severity::Doubt, FlagBasis::Contact},
+    ValidityTraits{Validity::EstimateInconsistent, "estimate_inconsistent", "error bars widened",
+                   "signals contradict friction law or noise: error bars widened",
+                   Severity::Approximate, FlagBasis::Signals},
+    ValidityTraits{Validity::StaleSignals, "stale_signals", "instrument answers late",
+                   "the instrument answers late: its signals count less", Severity::Approximate,
+                   FlagBasis::Tick},
 };
 
 inline constexpr std::size_t kValidityFlagCount = kValidityTraits.size();

@@ -40,7 +40,7 @@ double holdError(const ModelRun& held, double rate, const ModelRun& finest) {
 }  // namespace
 
 std::vector<RateResult> studyRates(Scene& scene, double duration, const Progress* progress) {
-    const Course course{approachPath(scene, {.duration = duration}), duration, progress};
+    const Course course{slidePath(scene, {.duration = duration}), duration, progress};
     const ModelRun finest = runAt(scene, course, kReferenceRate);
     std::vector<RateResult> results;
     for (double rate = kMinRate; rate <= kMaxRate; rate *= 2.0) {

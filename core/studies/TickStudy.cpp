@@ -46,7 +46,7 @@ TickStudy::TickStudy(Scene& scene, const TradeOffPlan& plan, Progress* progress)
     : scene_(scene), plan_(plan), progress_(progress), model_(wholeModel(scene.description)) {
     const Vector2 other(0.31 * scene.surface.sizeX(), 0.62 * scene.surface.sizeY());
     for (const DevicePath& path :
-         {approachPath(scene, {.duration = plan.duration}),
+         {slidePath(scene, {.duration = plan.duration}),
           rasterPath(scene, {.duration = plan.duration, .place = other})}) {
         runs_.push_back(recordRun(scene, path, plan.duration, progress));
     }

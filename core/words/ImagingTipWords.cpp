@@ -16,6 +16,9 @@ std::string certainPercent(const Scene& scene) {
 }  // namespace
 
 std::string imagingTipNote(const Scene& scene) {
+    if (scene.shape) {
+        return "imaging tip: none, the sample is an exact shape that no tip recorded";
+    }
     const SampleDescription& sample = scene.description.sample;
     if (sample.imagingTipRadius == 0.0) {
         return std::string("imaging tip: ") + kScanHoldsItsTip +
@@ -34,6 +37,9 @@ std::string imagingTipNote(const Scene& scene) {
 }
 
 std::string imagingTipWords(const Scene& scene) {
+    if (scene.shape) {
+        return "Exact shape, no imaging tip";
+    }
     const SampleDescription& sample = scene.description.sample;
     if (sample.imagingTipRadius == 0.0) {
         return "Holds the imaging tip's shape";

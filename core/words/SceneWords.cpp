@@ -44,16 +44,15 @@ std::string sampleName(const SampleDescription& sample) {
     return "plane of slope " + formatSi(sample.shape->slope, "rad");
 }
 
-std::vector<std::string> sceneNotes(const Scene& scene, const SceneNeeds& needs) {
-    std::vector<std::string> notes;
+std::vector<std::string> surfaceNotes(const Scene& scene) {
     if (scene.shape) {
-        notes.emplace_back("the sample is an exact shape, drawn by 256 x 256 heights");
-    } else {
-        notes = {levelingNote(scene), imagingTipNote(scene)};
+        return {"the sample is an exact shape, drawn by 256 x 256 heights"};
     }
-    notes.push_back(lawNote(scene));
-    notes.push_back(modelNote(needs));
-    return notes;
+    return {levelingNote(scene), imagingTipNote(scene)};
+}
+
+std::vector<std::string> forceNotes(const Scene& scene, const SceneNeeds& needs) {
+    return {lawNote(scene), modelNote(needs)};
 }
 
 }  // namespace asperity

@@ -10,8 +10,10 @@ namespace asperity {
 /// What the sample is: its file and channel, or its shape.
 [[nodiscard]] std::string sampleName(const SampleDescription& sample);
 
-/// What was decided about a scene that was loaded, one sentence each: its heights, its contact law,
-/// its model.
-[[nodiscard]] std::vector<std::string> sceneNotes(const Scene& scene, const SceneNeeds& needs);
+/// What was decided about the heights of a scene, one sentence each.
+[[nodiscard]] std::vector<std::string> surfaceNotes(const Scene& scene);
+
+/// What was decided about its force, one sentence each: the contact law, the model.
+[[nodiscard]] std::vector<std::string> forceNotes(const Scene& scene, const SceneNeeds& needs);
 
 }  // namespace asperity

@@ -72,7 +72,7 @@ TEST(TemporaryFile, RefusesWhatIsThereAndNoRegularFile) {
 TEST(TemporaryFile, AskingWhetherItCanBeWrittenLeavesNothing) {
     const test::ScratchFolder scratch;
     EXPECT_NO_THROW(requireWritable(scratch.file("out.txt")));
-    EXPECT_THROW(requireWritable(scratch.file("none/out.txt")), Error);
+    EXPECT_THROW(requireWritable(scratch.file("none/out.txt")), FileError);
     EXPECT_TRUE(fs::is_empty(scratch.path()));
 }
 

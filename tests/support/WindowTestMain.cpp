@@ -1,3 +1,4 @@
+#include "ui/NumberText.h"
 #include "ui/Theme.h"
 #include "vtkplugins/pictures/Display.h"
 
@@ -19,6 +20,7 @@ public:
     void SetUp() override {
         if (asperity::haveDisplay()) {
             application_ = std::make_unique<QApplication>(argc_, argv_);
+            asperity::keepDecimalPoint();
             asperity::applyTheme(*application_);
             return;
         }

@@ -97,6 +97,18 @@ TEST_F(VtkFormats, ImageMarksPixelsWithoutData) {
     }
 }
 
+TEST_F(VtkFormats, ImageOfNumbersWithoutAUnitHoldsNoHeights) {
+    writeHeightMap(file("map.vti"), rowsOf(smallMap()), {.title = "Certainty", .unit = ""}, nullptr,
+                   kVtkFormats);
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(file("map.vti").c_str());
+    reader->Update();
+    EXPECT_EQ(reader->GetOutput()->GetPointData()->GetArray("height"), nullptr);
+    EXPECT_NE(reader->GetOutput()->GetPointData()->GetArray("Certainty"), nullptr);
+    EXPECT_FALSE(kVtiFormat.isShape);
+    EXPECT_TRUE(kVtpFormat.isShape && kStlFormat.isShape);
+}
+
 TEST_F(VtkFormats, MeshRunsThroughThePixelCenters) {
     write("map.vtp", smallMap());
     vtkNew<vtkXMLPolyDataReader> reader;

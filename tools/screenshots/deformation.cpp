@@ -85,7 +85,7 @@ SceneDescription sceneOf(const std::string& material) {
 RunEvents approached(const Scene& scene, const PathPlan& plan) {
     RunEventRecorder recorder;
     SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
-    runVirtually(scene, approachPath(scene, plan), afm,
+    runVirtually(scene, slidePath(scene, plan), afm,
                  std::lround(plan.duration / scene.timeStep()) + 1,
                  [&recorder](const TickSample& sample) { recorder.take(sample); });
     return recorder.events();

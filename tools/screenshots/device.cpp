@@ -17,14 +17,14 @@ namespace asperity {
 namespace {
 
 constexpr double kWay = 3.0;           // time to go in [s]
-constexpr double kDepth = 4e-9;        // of the base below first touch [m]
+constexpr double kDepth = 0.7e-9;      // of the base below first touch [m]
 constexpr double kPressing = 0.3;      // device force [N]
 constexpr double kPictureAfter = 2.0;  // the guide is there [s]
 
 DevicePath pathDown(const Scene& scene) {
     PathPlan plan{.duration = 4.0 * kWay, .indentation = kDepth, .slideLength = 12e-9};
     plan.place = startPlace(scene).head<2>();
-    return approachPath(scene, plan);
+    return slidePath(scene, plan);
 }
 
 int run(char** argv) {

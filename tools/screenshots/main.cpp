@@ -1,5 +1,5 @@
-/// Opens the live window, lets a scripted device indent and retract, and saves what the window
-/// shows at the deepest indentation and shortly before pull-off. Usage: asperity_screenshots
+/// Opens the live window, approaches to the setpoint of the scene and retracts, and saves what the
+/// window shows at the setpoint and shortly before pull-off. Usage: asperity_screenshots
 /// SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX
 
 #include "app/commands/VirtualDisplay.h"
@@ -17,16 +17,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kIndent = 3.0;  // time to go in, and again to come out [s]
-constexpr double kDepth = 4e-9;  // of the base below first touch [m]
-
-/// Straight down in the middle of the scan, a slide, and slowly up again.
-DevicePath path(const Scene& scene) {
-    const Vector3 above = startPlace(scene);
-    PathPlan plan{.duration = 4.0 * kIndent, .indentation = kDepth, .slideLength = 12e-9};
-    plan.place = above.head<2>();
-    return approachPath(scene, plan);
-}
+constexpr double kDuration = 12.0;  // of the approach and the way back [s]
 
 /// Watches the run from frame to frame and saves each picture once.
 class Photographer {
@@ -34,10 +25,11 @@ public:
     Photographer(LiveWindow& live, std::string prefix) : live_(live), prefix_(std::move(prefix)) {}
 
     void look() {
-        const TickOutput& now = live_.session().run()->loop().snapshot().sample.output;
-        const double indentation = now.model.contact.indentation;
+        Session& session = live_.session();
+        const TickOutput& now = session.run()->loop().snapshot().sample.output;
         const bool bonded = now.model.contact.branch == ContactBranch::Bonded;
-        if (!indented_ && bonded && indentation > 0.0 && settled(indentation)) {
+        const ApproachDevice* const approach = session.devices().approaching();
+        if (!indented_ && approach != nullptr && approach->phase() == ApproachPhase::Dwell) {
             save("indenting");
             indented_ = true;
         }
@@ -47,15 +39,11 @@ public:
             retracting_ = true;
             live_.window().close();
         }
-        last_ = indentation;
     }
 
     [[nodiscard]] bool isDone() const { return retracting_; }
 
 private:
-    [[nodiscard]] bool settled(double indentation) const {
-        return indentation > 0.5e-9 && indentation <= last_;
-    }
     /// Force at which the tip lets go, about [N].
     [[nodiscard]] double pull(const TipState& state) const {
         const ContactPair pair = contactModelAt(live_.session().run()->scene(), state).pair();
@@ -68,7 +56,6 @@ private:
 
     LiveWindow& live_;
     std::string prefix_;
-    double last_ = 0.0;
     bool indented_ = false;
     bool retracting_ = false;
 };
@@ -78,7 +65,9 @@ int run(char** argv) {
     LiveWindow live;
     live.window().resize(std::stoi(argv[2]), std::stoi(argv[3]));
     live.session().runs().use(loadScene(argv[1], {}));
-    live.session().paths().follow(path(live.session().run()->scene()));
+    const Scene& scene = live.session().run()->scene();
+    live.session().devices().approach(planApproach(
+        scene, {.duration = kDuration, .place = Vector2(startPlace(scene).head<2>())}));
     Photographer photographer(live, argv[4]);
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, [&photographer] { photographer.look(); });

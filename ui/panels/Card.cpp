@@ -3,6 +3,7 @@
 #include "ui/Theme.h"
 
 #include <QHBoxLayout>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
 
@@ -21,18 +22,47 @@ void colorText(QLabel& label, QRgb color) {
 }  // namespace
 
 Card::Card(const QString& title, QWidget* parent)
-    : QFrame(parent), body_(new QVBoxLayout(this)), note_(captionLabel(QString(), this)) {
+    : QFrame(parent)
+    , heading_(new QToolButton(this))
+    , note_(captionLabel(QString(), this))
+    , content_(new QWidget(this))
+    , body_(new QVBoxLayout(content_)) {
     setProperty("card", true);
-    auto* heading = new QLabel(title, this);
-    heading->setFont(theme::boldFont());
+    heading_->setProperty("heading", true);
+    heading_->setText(title);
+    heading_->setFont(theme::boldFont());
+    heading_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    heading_->setFocusPolicy(Qt::NoFocus);
+    heading_->setAttribute(Qt::WA_TransparentForMouseEvents);
     note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     auto* top = new QHBoxLayout;
-    top->addWidget(heading);
+    top->addWidget(heading_);
     top->addWidget(note_, 1);
-    body_->setContentsMargins(kMargin, kMargin / 2, kMargin, kMargin - 2);
+    body_->setContentsMargins(0, 0, 0, 0);
     body_->setSpacing(kMargin / 2);
-    body_->addLayout(top);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kMargin, kMargin / 2, kMargin, kMargin - 2);
+    column->setSpacing(kMargin / 2);
+    column->addLayout(top);
+    column->addWidget(content_, 1);
+}
+
+QString Card::title() const { return heading_->text(); }
+
+void Card::setFoldable() {
+    heading_->setAttribute(Qt::WA_TransparentForMouseEvents, false);
+    connect(heading_, &QToolButton::clicked, this, [this] { setFolded(!folded_); });
+    setFolded(folded_);
+}
+
+void Card::setFolded(bool folded) {
+    folded_ = folded;
+    content_->setVisible(!folded);
+    heading_->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
+    heading_->setToolTip(folded ? tr("Unfold this panel") : tr("Fold this panel"));
+    // Folded it leaves its room to the other panels.
+    setSizePolicy(QSizePolicy::Preferred, folded ? QSizePolicy::Maximum : QSizePolicy::Preferred);
 }
 
 QLabel* captionLabel(const QString& text, QWidget* parent) {

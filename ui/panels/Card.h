@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QString>
 
+class QToolButton;
 class QVBoxLayout;
 
 namespace asperity {
@@ -13,6 +14,12 @@ class Card : public QFrame {
 public:
     explicit Card(const QString& title, QWidget* parent = nullptr);
 
+    [[nodiscard]] QString title() const;
+    /// From now on a click on the title folds the card: then it is as high as its title.
+    void setFoldable();
+    void setFolded(bool folded);
+    [[nodiscard]] bool isFolded() const { return folded_; }
+
 protected:
     /// Where the panel puts its contents.
     [[nodiscard]] QVBoxLayout& body() { return *body_; }
@@ -20,8 +27,11 @@ protected:
     void setNote(const QString& note) { note_->setText(note); }
 
 private:
-    QVBoxLayout* body_;
+    QToolButton* heading_;
     QLabel* note_;
+    QWidget* content_;  ///< below the heading
+    QVBoxLayout* body_;
+    bool folded_ = false;
 };
 
 /// What a number is: small and gray.

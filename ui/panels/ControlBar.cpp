@@ -4,6 +4,7 @@
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/ControlIcons.h"
+#include "ui/panels/FlowLayout.h"
 #include "ui/panels/GainSpinBox.h"
 #include "ui/panels/WheelGuard.h"
 
@@ -20,7 +21,7 @@ namespace asperity {
 namespace {
 
 constexpr int kControlHeight = 26;   ///< [px]
-constexpr int kMaxComboWidth = 260;  ///< [px]
+constexpr int kMaxGroupWidth = 260;  ///< of a list with what belongs to it [px]
 
 void setNames(QComboBox& combo, const QStringList& names) {
     const QSignalBlocker blocker(combo);
@@ -31,23 +32,27 @@ void setNames(QComboBox& combo, const QStringList& names) {
     }
 }
 
-void addWithCaption(QHBoxLayout& bar, const QString& caption, const QList<QWidget*>& widgets,
+void addWithCaption(FlowLayout& bar, const QString& caption, const QList<QWidget*>& widgets,
                     int stretch) {
-    auto* column = new QVBoxLayout;
+    auto* group = new QWidget(bar.parentWidget());
+    auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(1);
-    column->addWidget(captionLabel(caption, bar.parentWidget()));
+    column->addWidget(captionLabel(caption, group));
     auto* row = new QHBoxLayout;
     row->setSpacing(3);
     for (QWidget* widget : widgets) {
         row->addWidget(widget);
     }
     column->addLayout(row);
-    bar.addLayout(column, stretch);
+    group->setMaximumWidth(kMaxGroupWidth);
+    bar.addWidget(group, stretch);
 }
 
-void addSeparator(QHBoxLayout& bar) {
+void addSeparator(FlowLayout& bar) {
     auto* line = new QFrame(bar.parentWidget());
     line->setFrameShape(QFrame::VLine);
+    line->setFixedHeight(kControlHeight);
     QPalette palette = line->palette();
     palette.setColor(QPalette::WindowText, theme::kFaint);
     line->setFrameShadow(QFrame::Plain);
@@ -62,25 +67,24 @@ void setQuietly(GainSpinBox& box, double value) {
 
 }  // namespace
 
-ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(this)) {
+ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new FlowLayout(this)) {
     row_->setContentsMargins(8, 4, 8, 4);
     row_->setSpacing(8);
     startPause_ = addButton("startPause", QStringLiteral("Pause"));
     startPause_->setToolTip(QStringLiteral("Let the run go on or stand still"));
     forces_ = addButton("forces", QStringLiteral("Forces are off"));
     forces_->setCheckable(true);
-    forces_->setToolTip(QStringLiteral("Whether the hand feels forces (Esc: off)"));
+    forces_->setToolTip(QStringLiteral("Whether the hand feels forces"));
     addSeparator(*row_);
     material_ = addCombo("material", QStringLiteral("Material"));
     device_ = addCombo("hand", QStringLiteral("Hand"));
     path_ = addCombo("path", QStringLiteral("Path"));
     addKnobs();
-    row_->addStretch(0);
-    addSeparator(*row_);
+    row_->addStretch();
     record_ = addButton("record", QStringLiteral("Recording"));
     record_->setCheckable(true);
     record_->setToolTip(QStringLiteral("Write every tick to a log"));
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     setRunning(false);
     setForcesOn(true);
     setRecording(false);
@@ -92,7 +96,7 @@ QPushButton* ControlBar::addButton(const char* objectName, const QString& widest
     button->setObjectName(QString::fromUtf8(objectName));
     button->ensurePolished();
     button->setFixedSize(button->sizeHint().width(), kControlHeight);
-    row_->addWidget(button, 0, Qt::AlignBottom);
+    row_->addWidget(button);
     return button;
 }
 
@@ -101,7 +105,6 @@ QComboBox* ControlBar::addCombo(const char* objectName, const QString& caption) 
     combo->setObjectName(QString::fromUtf8(objectName));
     combo->setFixedHeight(kControlHeight);
     combo->setMinimumContentsLength(8);
-    combo->setMaximumWidth(kMaxComboWidth);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     guardFromWheel(*combo);
     QList<QWidget*> widgets{combo};

@@ -7,18 +7,18 @@
 #include <string>
 
 class QComboBox;
-class QHBoxLayout;
 class QPushButton;
 class QToolButton;
 
 namespace asperity {
 
+class FlowLayout;
 class GainSpinBox;
 struct SettingField;
 struct Settings;
 
-/// The knobs above the views. Setters show a state and emit nothing; signals tell what the user
-/// changed.
+/// The knobs above the views, in two lines where the window is narrow. Setters show a state and
+/// emit nothing; signals tell what the user changed.
 class ControlBar : public QWidget {
     Q_OBJECT
 
@@ -56,7 +56,7 @@ private:
     void addKnob(const SettingField& field);
     void connectInputs();
 
-    QHBoxLayout* row_;
+    FlowLayout* row_;
     QPushButton* startPause_;
     QPushButton* forces_;
     QComboBox* material_;

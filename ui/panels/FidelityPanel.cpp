@@ -3,11 +3,11 @@
 #include "core/words/ModelWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
+#include "ui/panels/NumberBox.h"
 #include "ui/panels/PercentText.h"
 #include "ui/panels/TradeOffChart.h"
 #include "ui/panels/WheelGuard.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -61,7 +61,7 @@ FidelityPanel::FidelityPanel(QWidget* parent)
     : QWidget(parent, Qt::Tool)
     , terms_(new TermTable(this))
     , summary_(new QLabel(this))
-    , tolerance_(new QDoubleSpinBox(this))
+    , tolerance_(new NumberBox(this))
     , automatic_(new QPushButton(tr("All automatic"), this))
     , chart_(new TradeOffChart(this))
     , key_(new QLabel(this))
@@ -89,7 +89,6 @@ QWidget* FidelityPanel::termCard() {
     tolerance_->setRange(0.0, 100.0);
     tolerance_->setDecimals(2);
     tolerance_->setSuffix(tr(" %"));
-    tolerance_->setKeyboardTracking(false);
     tolerance_->setToolTip(
         tr("By how much terms left out may change forces and the surface, together"));
     guardFromWheel(*tolerance_);

@@ -7,12 +7,12 @@
 
 #include <optional>
 
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
 namespace asperity {
 
+class NumberBox;
 class TradeOffChart;
 
 /// Speed against accuracy, a window of its own: the terms of the model with what each is worth, and
@@ -49,7 +49,7 @@ private:
 
     TermTable* terms_;
     QLabel* summary_;
-    QDoubleSpinBox* tolerance_;
+    NumberBox* tolerance_;
     QPushButton* automatic_;
     TradeOffChart* chart_;
     QLabel* key_;

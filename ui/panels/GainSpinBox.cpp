@@ -25,10 +25,9 @@ double nextBelow(double value) {
 
 }  // namespace
 
-GainSpinBox::GainSpinBox(double low, double high, QWidget* parent) : QDoubleSpinBox(parent) {
+GainSpinBox::GainSpinBox(double low, double high, QWidget* parent) : NumberBox(parent) {
     setDecimals(kDecimals);
     setRange(low, high);
-    setKeyboardTracking(false);
 }
 
 void GainSpinBox::stepBy(int steps) {
@@ -44,15 +43,6 @@ QString GainSpinBox::textFromValue(double value) const {
     return text.replace(QStringLiteral("e+0"), QStringLiteral("e"))
         .replace(QStringLiteral("e+"), QStringLiteral("e"))
         .replace(QStringLiteral("e-0"), QStringLiteral("e-"));
-}
-
-double GainSpinBox::valueFromText(const QString& text) const { return text.toDouble(); }
-
-QValidator::State GainSpinBox::validate(QString& text, int& /*position*/) const {
-    bool isNumber = false;
-    const double value = text.toDouble(&isNumber);
-    const bool inside = isNumber && value >= minimum() && value <= maximum();
-    return inside ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 }  // namespace asperity

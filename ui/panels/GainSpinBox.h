@@ -1,19 +1,17 @@
 #pragma once
 
-#include <QDoubleSpinBox>
+#include "ui/panels/NumberBox.h"
 
 namespace asperity {
 
 /// A number box for gains, which run over many powers of ten: steps go 1, 2, 5, 10, ...
-class GainSpinBox : public QDoubleSpinBox {
+class GainSpinBox : public NumberBox {
 public:
     /// @param low, high limits, both > 0
     GainSpinBox(double low, double high, QWidget* parent = nullptr);
 
     void stepBy(int steps) override;
     [[nodiscard]] QString textFromValue(double value) const override;
-    [[nodiscard]] double valueFromText(const QString& text) const override;
-    QValidator::State validate(QString& text, int& position) const override;
 };
 
 }  // namespace asperity

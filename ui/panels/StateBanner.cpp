@@ -6,19 +6,19 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
-#include <QStringList>
+#include <QToolTip>
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
 
 namespace asperity {
 
 namespace {
 
-constexpr int kHeight = 32;        ///< [px]
-constexpr double kFlagHold = 0.5;  ///< how long a flag stays shown [s of physics time]
-constexpr double kNever = -std::numeric_limits<double>::infinity();
+constexpr int kHeight = 32;      ///< [px]
+constexpr int kMaxLetters = 60;  ///< of the whole line
+const QString kBetween = QStringLiteral(" · ");
 
 template <class Value>
 QString wordsOf(Value value) {
@@ -59,19 +59,12 @@ StateBanner::StateBanner(QWidget* parent)
     clear();
 }
 
-void StateBanner::take(const TickSample& sample) noexcept {
-    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
-        if (sample.output.flags.has(kValidityTraits.at(i).flag)) {
-            lastSeen_.at(i) = sample.time;
-        }
-    }
-}
+void StateBanner::take(const TickSample& sample) noexcept { shown_.take(sample); }
 
 void StateBanner::show(const Snapshot& snapshot) {
     latest_ = snapshot;
     hasRun_ = true;
-    showState();
-    showFlags();
+    showLine();
 }
 
 void StateBanner::setHalfSpace(const HalfSpaceAnswer* answer) {
@@ -85,43 +78,101 @@ void StateBanner::setHalfSpace(const HalfSpaceAnswer* answer) {
 
 void StateBanner::setPaused(bool paused) {
     paused_ = paused;
-    showState();
+    showLine();
 }
 
 void StateBanner::clear() {
     latest_ = {};
     hasRun_ = false;
-    lastSeen_.fill(kNever);
+    shown_.clear();
     setHalfSpace(nullptr);
     setEnergyGiven(false);
-    showState();
-    showFlags();
+    showLine();
 }
 
-QString StateBanner::stateWords() const {
+QStringList StateBanner::stateWords() const {
     const TickOutput& output = latest_.sample.output;
     if (output.fault != Fault::None) {
-        return QStringLiteral("fault: ") + wordsOf(output.fault);
+        return {tr("fault: %1").arg(wordsOf(output.fault))};
     }
     if (!hasRun_) {
-        return paused_ ? QStringLiteral("paused") : QStringLiteral("not started");
+        return {paused_ ? tr("paused") : tr("not started")};
     }
     QStringList words;
     if (paused_) {
-        words << QStringLiteral("paused");
+        words << tr("paused");
     }
     if (const QString force = wordsOf(output.forceState); !force.isEmpty()) {
         words << force;
     }
     const TickInput& input = latest_.sample.input;
     if (!edgeForce(input.settings.workspace, input.device.position).isZero(0.0)) {
-        words << QStringLiteral("edge of the workspace: clutch (C)");
+        words << tr("edge of the workspace: clutch (C)");
     }
-    words << wordsOf(output.region());
+    return words << wordsOf(output.region());
+}
+
+std::vector<StateBanner::Caution> StateBanner::cautions() const {
+    std::vector<Caution> found;
+    if (energyGiven_) {
+        found.push_back({tr("hand and device begin to shake"),
+                         tr("hand and device begin to shake: hold firmer, or turn the force gain "
+                            "down"),
+                         Severity::Invalid});
+    }
+    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+        if (shown_.isShown(i, latest_.sample)) {
+            const ValidityTraits& flag = kValidityTraits.at(i);
+            found.push_back(
+                {QString::fromLatin1(flag.brief), QString::fromLatin1(flag.words), flag.severity});
+        }
+    }
+    if (!notHolding_.isEmpty()) {
+        found.push_back({tr("closed form shown"), notHolding_, Severity::Approximate});
+    }
+    std::ranges::stable_sort(found, std::ranges::greater{}, &Caution::severity);
+    return found;
+}
+
+void StateBanner::showLine() {
+    const QStringList whole = stateWords();
+    const std::vector<Caution> all = cautions();
+    QString caution = all.empty() ? QString() : all.front().brief;
+    if (all.size() > 1) {
+        caution += tr(" +%1").arg(all.size() - 1);
+    }
+    QStringList state = whole;
+    const auto isTooLong = [&] {
+        const int between = caution.isEmpty() ? 0 : kBetween.size();
+        return state.join(kBetween).size() + between + caution.size() > kMaxLetters;
+    };
+    // The color says where the tip is, if the words cannot.
+    while (state.size() > 1 && isTooLong()) {
+        state.removeLast();
+    }
+    if (isTooLong()) {
+        caution.clear();
+    }
+    state_->setText(state.join(kBetween));
+    flags_->setText(flags_->fontMetrics().elidedText(caution, Qt::ElideRight, flags_->width()));
+    rearm_->setVisible(latest_.sample.output.fault != Fault::None);
+    showDetails(whole, all);
+    showColor();
+}
+
+void StateBanner::showDetails(const QStringList& state, const std::vector<Caution>& cautions) {
+    QStringList details{state.join(kBetween)};
     if (!halfSpace_.isEmpty()) {
-        words << halfSpace_;
+        details << halfSpace_;
     }
-    return words.join(QStringLiteral(" · "));
+    for (const Caution& caution : cautions) {
+        details << caution.words;
+    }
+    const QString text = details.join(QLatin1Char('\n'));
+    if (text != details_) {
+        details_ = text;
+        setToolTip(text);
+    }
 }
 
 QRgb StateBanner::stateColor() const {
@@ -146,9 +197,7 @@ QRgb StateBanner::stateColor() const {
     return theme::kInk;
 }
 
-void StateBanner::showState() {
-    state_->setText(stateWords());
-    rearm_->setVisible(latest_.sample.output.fault != Fault::None);
+void StateBanner::showColor() {
     const QRgb color = stateColor();
     if (color == shownColor_) {
         return;  // style sheets are slow to set
@@ -162,36 +211,10 @@ void StateBanner::showState() {
                            QColor(color).darker(125).name()));
 }
 
-bool StateBanner::isShown(std::size_t index) const {
-    const ValidityTraits& flag = kValidityTraits.at(index);
-    const double age = latest_.sample.time - lastSeen_.at(index);
-    // A notice of what is to come is void when it has come.
-    const bool lingers = flag.severity != Severity::Notice && age >= 0.0 && age < kFlagHold;
-    return lingers || latest_.sample.output.flags.has(flag.flag);
-}
+void StateBanner::resizeEvent(QResizeEvent* /*event*/) { showLine(); }
 
-void StateBanner::showFlags() {
-    QStringList words;
-    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
-        if (isShown(i)) {
-            words << QString::fromLatin1(kValidityTraits.at(i).words);
-        }
-    }
-    if (energyGiven_) {
-        words << QStringLiteral("hand and device begin to shake: hold firmer, or turn the force "
-                                "gain down");
-    }
-    if (!notHolding_.isEmpty()) {
-        words << notHolding_;
-    }
-    const QString whole = words.join(QStringLiteral(" · "));
-    if (whole != caution_) {
-        caution_ = whole;
-        flags_->setToolTip(words.join(QLatin1Char('\n')));
-    }
-    flags_->setText(flags_->fontMetrics().elidedText(caution_, Qt::ElideRight, flags_->width()));
+void StateBanner::mousePressEvent(QMouseEvent* event) {
+    QToolTip::showText(event->globalPos(), details_, this);
 }
-
-void StateBanner::resizeEvent(QResizeEvent* /*event*/) { showFlags(); }
 
 }  // namespace asperity

@@ -3,18 +3,21 @@
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/scene/Validity.h"
 #include "ui/panels/RunPanel.h"
+#include "ui/panels/ShownFlags.h"
 
 #include <QFrame>
+#include <QStringList>
 
-#include <array>
+#include <vector>
 
 class QLabel;
 class QPushButton;
 
 namespace asperity {
 
-/// One line that always shows in words and color where the tip is, whether forces act, what went
-/// wrong, and what a result does not hold for. Its height never changes.
+/// One line of at most 60 characters that always shows in words and color where the tip is, whether
+/// forces act, what went wrong, and the most severe reason to doubt a result. All else is in its
+/// tool tip, which a click shows, too. Its height never changes.
 class StateBanner : public QFrame, public RunPanel {
     Q_OBJECT
 
@@ -26,8 +29,8 @@ public:
     void take(const TickSample& sample) noexcept override;
     void show(const Snapshot& snapshot) override;
     using QWidget::show;
-    /// What the half-space says of the contact, shown from the next tick on: its own force beside
-    /// the law's, or that it does not hold; null: nothing.
+    /// What the half-space says of the contact, from the next tick on: its own force beside the
+    /// law's, or that it does not hold; null: nothing.
     void setHalfSpace(const HalfSpaceAnswer* answer);
     /// Whether a force-feedback device is given energy that nobody put in; shown from the next tick
     /// on.
@@ -41,21 +44,32 @@ Q_SIGNALS:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
 
 private:
-    void showState();
-    void showFlags();
-    [[nodiscard]] QString stateWords() const;
+    /// A reason to doubt a result, or a warning.
+    struct Caution {
+        QString brief;
+        QString words;
+        Severity severity;
+    };
+
+    void showLine();
+    void showColor();
+    /// The most important part first.
+    [[nodiscard]] QStringList stateWords() const;
+    /// The most severe one first.
+    [[nodiscard]] std::vector<Caution> cautions() const;
+    void showDetails(const QStringList& state, const std::vector<Caution>& cautions);
     [[nodiscard]] QRgb stateColor() const;
-    [[nodiscard]] bool isShown(std::size_t index) const;
 
     Snapshot latest_;
     bool hasRun_ = false;
     bool paused_ = false;
     bool energyGiven_ = false;
-    std::array<double, kValidityFlagCount> lastSeen_{};  ///< time of each flag [s]
+    ShownFlags shown_;
     QRgb shownColor_ = 0;
-    QString caution_;     ///< all flags, whole
+    QString details_;     ///< all there is to say
     QString halfSpace_;   ///< its force beside the law's
     QString notHolding_;  ///< why it is not shown
     QLabel* state_;

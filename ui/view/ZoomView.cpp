@@ -13,8 +13,7 @@ namespace asperity {
 namespace {
 
 constexpr double kZoomStep = 1.2;
-constexpr double kTurnPerPixel = 0.006;            // [rad]
-constexpr double kLiftPerHalfWidth = 1.0 / 400.0;  // 0.1 nm in a frame 80 nm wide
+constexpr double kTurnPerPixel = 0.006;  // [rad]
 
 constexpr int kSettlingTime = 200;  // [ms]
 constexpr int kFrameTime = 15;      // [ms]
@@ -25,6 +24,7 @@ ZoomView::ZoomView(QWidget* parent) : GestureWidget(parent), picture_(renderWind
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
     format.setSamples(0);  // and SetMultiSamples: multisampling takes half the frame rate
     setFormat(format);
+    setEnableHiDPI(false);  // letters are scaled where they are drawn: showLabels()
     setRenderWindow(renderWindow_);
     renderWindow_->GetInteractor()->SetInteractorStyle(nullptr);  // events are handled here
     connect(&picture_, &ZoomPicture::terrainPlaced, this, &ZoomView::disturb);
@@ -56,12 +56,7 @@ void ZoomView::connectGestures() {
         if (picture_.frame()) {
             const double scale = picture_.metersPerPixel(height());
             const Vector3 move = camera_.horizontalMove(scale * pixels.x(), -scale * pixels.y());
-            Q_EMIT tipDragged(move.x(), move.y(), 0.0);
-        }
-    });
-    connect(this, &ZoomView::lifted, this, [this](double notches) {
-        if (picture_.frame()) {
-            Q_EMIT tipDragged(0.0, 0.0, notches * kLiftPerHalfWidth * halfWidth());
+            Q_EMIT tipDragged(move.x(), move.y());
         }
     });
 }

@@ -15,8 +15,8 @@ namespace asperity {
 
 /// The large live view: surface, deformed contact, tip and force around the tip, in 3-D.
 ///
-/// Left drag moves the tip in its horizontal plane, the wheel moves it up and down; right drag
-/// turns the view.
+/// Left drag moves the tip in its horizontal plane, right drag turns the view; what the wheel does
+/// to the tip is the caller's (GestureWidget::lifted).
 class ZoomView : public GestureWidget {
     Q_OBJECT
 
@@ -58,8 +58,8 @@ public:
     void setCacheEnabled(bool enabled);
 
 Q_SIGNALS:
-    /// The user asks the tip to go by this much, world [m].
-    void tipDragged(double dx, double dy, double dz);
+    /// The user asks the tip to go along the sample by this much, world [m].
+    void tipDragged(double dx, double dy);
     void frameChanged();   ///< window() is another
     void scalesChanged();  ///< a color scale is another
     void frameRendered();

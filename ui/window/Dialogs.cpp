@@ -22,7 +22,8 @@ QString controlsText() {
         "<tr><td><b>Ctrl + wheel</b>, <b>+</b>, <b>−</b></td><td>zoom</td></tr>"
         "<tr><td><b>Double click</b> on the scan</td><td>travel there</td></tr>"
         "<tr><td><b>Space</b></td><td>pause and go on</td></tr>"
-        "<tr><td><b>Esc</b></td><td>forces off; stops loading</td></tr></table>");
+        "<tr><td><b>Esc</b></td><td>closes a menu or a message; else stops loading; "
+        "always: the forces of a device with motors go off</td></tr></table>");
 }
 
 void openBox(QWidget* window, QMessageBox::Icon icon, const QString& title, const QString& text,

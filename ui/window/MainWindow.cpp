@@ -3,6 +3,7 @@
 #include "ui/panels/CantileverPanel.h"
 #include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/ControlBar.h"
+#include "ui/panels/EngageBar.h"
 #include "ui/panels/FidelityPanel.h"
 #include "ui/panels/ForcePanel.h"
 #include "ui/panels/LoadingBar.h"
@@ -11,6 +12,7 @@
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/Dialogs.h"
+#include "ui/window/Placement.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
@@ -20,11 +22,15 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedLayout>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
 #include <functional>
+#include <utility>
 
 namespace asperity {
 
@@ -35,6 +41,7 @@ constexpr int kLeftShare = 69;  // of the width, against kRightShare
 constexpr int kRightShare = 31;
 constexpr int kMessageTime = 8000;   // [ms]
 constexpr int kColumnMinimum = 372;  // [px]
+constexpr QSize kUsualSize(1600, 1000);
 
 QVBoxLayout* newColumn(QWidget& side) {
     auto* column = new QVBoxLayout(&side);
@@ -43,13 +50,21 @@ QVBoxLayout* newColumn(QWidget& side) {
     return column;
 }
 
+/// Scrolls a column of panels where the window is too low for it.
+QScrollArea* newScroller(QWidget* column, QWidget* window) {
+    auto* area = new QScrollArea(window);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(column);
+    area->setMinimumWidth(column->minimumWidth() + area->verticalScrollBar()->sizeHint().width());
+    return area;
+}
+
 /// Hint and loading in one place, so that nothing moves when a file is loaded.
-QStackedLayout* newBottomLine(QWidget* window, QWidget* loading) {
-    auto* hint = new QLabel(window);
+QStackedLayout* newBottomLine(QLabel* hint, QWidget* loading) {
     hint->setObjectName(QStringLiteral("hint"));
-    hint->setText(
-        MainWindow::tr("Drag: move the tip   ·   Wheel: up and down   ·   Right drag: turn   ·   "
-                       "Ctrl + wheel: zoom   ·   Esc: forces off"));
     hint->setAlignment(Qt::AlignCenter);
     auto* line = new QStackedLayout;
     line->addWidget(hint);
@@ -88,9 +103,11 @@ MainWindow::MainWindow()
     : menus_(new WindowMenus(*menuBar()))
     , controls_(new ControlBar(this))
     , banner_(new StateBanner(this))
+    , engage_(new EngageBar(this))
     , view_(new ZoomView(this))
     , loading_(new LoadingBar(this))
-    , bottomLine_(newBottomLine(this, loading_))
+    , hint_(new QLabel(this))
+    , bottomLine_(newBottomLine(hint_, loading_))
     , overview_(new OverviewPanel(this))
     , loopStatus_(new LoopStatusBar(this))
     , fidelity_(new FidelityPanel(this)) {
@@ -99,9 +116,11 @@ MainWindow::MainWindow()
     connectMenus();
     showFrameOf(*view_, *overview_);
     giveFocusBack(*controls_, *view_);
+    connect(engage_, &EngageBar::setpointEntered, view_, [this] { view_->setFocus(); });
     showScene(nullptr, {});
     showLoading({});
-    resize(1600, 1000);
+    setEmergencyStop(false);
+    setGeometry(openingPlace(kUsualSize, screen()->availableGeometry()));
     view_->setFocus();
 }
 
@@ -110,6 +129,7 @@ QWidget* MainWindow::leftSide() {
     QVBoxLayout* column = newColumn(*side);
     column->addWidget(banner_);
     panels_.push_back(banner_);
+    column->addWidget(engage_);
     column->addWidget(view_, 1);
     auto* bars = new QHBoxLayout;
     bars->setSpacing(3 * kGap);
@@ -133,11 +153,14 @@ QWidget* MainWindow::rightSide() {
     const auto add = [this, column](auto* panel, int share) {
         column->addWidget(panel, share);
         panels_.push_back(panel);
+        panel->setFoldable();
+        cards_.push_back(panel);
     };
     add(new ForcePanel(this), 4);
     add(new CantileverPanel(this), 3);
     add(overview_, 3);
-    return side;
+    column->addStretch();
+    return newScroller(side, this);
 }
 
 void MainWindow::placeAll() {
@@ -152,8 +175,15 @@ void MainWindow::placeAll() {
     sides->addWidget(rightSide(), kRightShare);
     rows->addLayout(sides, 1);
     setCentralWidget(middle);
-    statusBar()->addPermanentWidget(loopStatus_);
+    statusBar()->addWidget(loopStatus_, 1);  // a message takes the whole line for a while
     panels_.push_back(loopStatus_);
+}
+
+void MainWindow::placeFidelity() {
+    if (!std::exchange(fidelityPlaced_, true)) {
+        fidelity_->setGeometry(
+            placeBeside(frameGeometry(), fidelity_->size(), screen()->availableGeometry()));
+    }
 }
 
 void MainWindow::connectMenus() {
@@ -181,6 +211,7 @@ void MainWindow::connectMenus() {
     on(menus_->zoomOut, [this] { view_->setHalfWidth(view_->halfWidth() * 1.25); });
     on(menus_->resetView, [this] { view_->resetCamera(); });
     connect(menus_, &WindowMenus::viewOptionsChosen, view_, &ZoomView::setOptions);
+    on(menus_->fidelity, [this] { placeFidelity(); });
     on(menus_->fidelity, [this] {
         fidelity_->show();
         fidelity_->raise();
@@ -209,9 +240,17 @@ void MainWindow::showLoading(const QString& name) {
     menus_->cancelLoading->setEnabled(!name.isEmpty());
 }
 
+void MainWindow::setEmergencyStop(bool active) {
+    menus_->forcesOff->setShortcut(active ? QKeySequence(Qt::Key_Escape) : QKeySequence());
+    const QString gestures = tr("Drag: move the tip   ·   Wheel: up and down   ·   "
+                                "Right drag: turn   ·   Ctrl + wheel: zoom");
+    hint_->setText(active ? tr("%1   ·   Esc: forces off").arg(gestures) : gestures);
+}
+
 void MainWindow::lock() {
     setAcceptDrops(false);
     controls_->setEnabled(false);
+    engage_->setEnabled(false);
     overview_->setEnabled(false);
     fidelity_->setEnabled(false);
     for (QAction* action : findChildren<QAction*>()) {

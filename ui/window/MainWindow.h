@@ -7,11 +7,14 @@
 
 #include <vector>
 
+class QLabel;
 class QStackedLayout;
 
 namespace asperity {
 
+class Card;
 class ControlBar;
+class EngageBar;
 class FidelityPanel;
 class LoadingBar;
 class LoopStatusBar;
@@ -22,7 +25,8 @@ class WindowMenus;
 class ZoomView;
 
 /// Places the panels: knobs on top, the zoomed view large on the left, forces, cantilever and the
-/// whole scan in a column on the right, the loop's timing below.
+/// whole scan in a column on the right, the loop's timing below. Opens in the middle of the screen,
+/// no larger than it; where the window is low the column scrolls.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -32,6 +36,7 @@ public:
     [[nodiscard]] WindowMenus& menus() { return *menus_; }
     [[nodiscard]] ControlBar& controls() { return *controls_; }
     [[nodiscard]] StateBanner& banner() { return *banner_; }
+    [[nodiscard]] EngageBar& engage() { return *engage_; }
     [[nodiscard]] ZoomView& view() { return *view_; }
     [[nodiscard]] OverviewPanel& overview() { return *overview_; }
     /// A window of its own, hidden at first.
@@ -39,6 +44,8 @@ public:
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
     /// All that show a run beside the view.
     [[nodiscard]] const std::vector<RunPanel*>& panels() const { return panels_; }
+    /// Those of the column on the right, from the top.
+    [[nodiscard]] const std::vector<Card*>& cards() const { return cards_; }
 
     /// Which files the dialog that opens a scan shows first, beside scenes: "*.gwy".
     void setScanFiles(const QStringList& patterns) { scanFiles_ = patterns; }
@@ -49,6 +56,8 @@ public:
     [[nodiscard]] LoadingBar& loading() { return *loading_; }
     /// A short message for a while.
     void tell(const QString& message);
+    /// Whether Esc switches the forces of a device off; else it closes what is open, no more.
+    void setEmergencyStop(bool active);
     /// Nothing can be changed any more: for measurements.
     void lock();
     /// A message that must be read; the window goes on meanwhile.
@@ -69,19 +78,25 @@ private:
     [[nodiscard]] QWidget* leftSide();
     [[nodiscard]] QWidget* rightSide();
     void placeAll();
+    /// Beside this window, before it is shown for the first time.
+    void placeFidelity();
     void connectMenus();
 
     QStringList scanFiles_;
     WindowMenus* menus_;
     ControlBar* controls_;
     StateBanner* banner_;
+    EngageBar* engage_;
     ZoomView* view_;
     LoadingBar* loading_;
+    QLabel* hint_;
     QStackedLayout* bottomLine_;  ///< hint, loading
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
+    bool fidelityPlaced_ = false;
     std::vector<RunPanel*> panels_;
+    std::vector<Card*> cards_;
 };
 
 }  // namespace asperity

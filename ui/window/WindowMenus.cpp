@@ -38,7 +38,6 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
     startPause = menu->addAction(tr("Start or &pause"));
     startPause->setShortcut(tr("Space"));
     forcesOff = menu->addAction(tr("&Forces off"));
-    forcesOff->setShortcut(tr("Esc"));
     resetFault = menu->addAction(tr("Take &back a fault"));
     menu->addSeparator();
     followPathFile = menu->addAction(tr("Follow a path from a &file…"));

@@ -71,10 +71,14 @@ void write(Writer* writer, vtkDataObject* data, const std::filesystem::path& tar
     requireWritten(isWritten);
 }
 
-void writeVti(const std::filesystem::path& target, const HeightRows& map,
-              const HeightMapMeta& /*meta*/, Progress* progress) {
+void writeVti(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
+              Progress* progress) {
     ProgressPart filling(progress, 0.0, 0.3);
-    const auto image = imageOf(map, heightArray(map, &filling));
+    const auto values = heightArray(map, &filling);
+    if (meta.unit.empty()) {
+        values->SetName(meta.title.c_str());
+    }
+    const auto image = imageOf(map, values);
     ProgressPart writing(progress, 0.3, 1.0);
     write(vtkNew<vtkXMLImageDataWriter>().Get(), image, target, &writing);
 }
@@ -101,12 +105,13 @@ constexpr std::array<std::string_view, 1> kStl{".stl"};
 const HeightMapFormat kVtiFormat = {
     .name = "VTK image .vti", .extensions = kVti, .write = writeVti};
 const HeightMapFormat kVtpFormat = {
-    .name = "VTK triangles .vtp", .extensions = kVtp, .write = writeVtp};
+    .name = "VTK triangles .vtp", .extensions = kVtp, .write = writeVtp, .isShape = true};
 const HeightMapFormat kStlFormat = {
     .name = "STL triangles .stl",
     .extensions = kStl,
     .write = [](const std::filesystem::path& target, const HeightRows& map,
                 const HeightMapMeta& /*meta*/,
-                Progress* progress) { writeStl(target, map, progress); }};
+                Progress* progress) { writeStl(target, map, progress); },
+    .isShape = true};
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include "core/haptics/device/DeviceSpecification.h"
 #include "core/haptics/device/DeviceStatus.h"
 #include "core/scene/TickInput.h"
+#include "core/scene/TickOutput.h"
 
 namespace asperity {
 
@@ -26,6 +27,9 @@ public:
     /// The device force [N]. Loop thread only. A force-feedback device switches its motors off by
     /// itself when it gets no force for a while, as from a program that crashed.
     virtual void setForce(const Vector3& /*force*/) noexcept {}
+
+    /// What the last tick computed: for devices that move by the measured force. Loop thread only.
+    virtual void observe(const TickOutput& /*output*/) noexcept {}
 
     /// The handle is in the device's rest pose now: for devices whose encoders count from there.
     /// Any thread; wait-free.

@@ -8,6 +8,7 @@
 #include "core/io/heightmap/StoredRows.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace asperity {
 
@@ -121,23 +122,43 @@ HeightMapFile readHeightMapFile(const std::filesystem::path& path) {
     return readWhole(FileBytes(path));
 }
 
-const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesystem::path& path,
-                                 const std::string& name) {
-    const ScanChannel* channel =
-        name.empty() ? &defaultHeight(file, path.string()) : findChannel(file, name);
+std::vector<std::string> ownNotes(const ScanChannel& channel) {
+    std::vector<std::string> notes;
+    for (const std::string& note : channel.notes) {
+        notes.push_back("'" + channel.name + "': " + note);
+    }
+    return notes;
+}
+
+std::vector<std::string> notesOn(const HeightMapFile& file, const ScanChannel& channel) {
+    std::vector<std::string> notes = file.notes;
+    std::ranges::move(ownNotes(channel), std::back_inserter(notes));
+    return notes;
+}
+
+const ScanChannel& channelNamed(const HeightMapFile& file, const std::filesystem::path& path,
+                                const std::string& name) {
+    const ScanChannel* const channel = findChannel(file, name);
     if (channel == nullptr) {
         throw InputError(path.string(), "",
                          "there is no channel '" + name + "'; there are " + channelNames(file));
     }
-    const std::string place = "channel '" + channel->name + "'";
-    if (!channel->isHeight()) {
-        const std::string unit = channel->unit.empty() ? "no unit" : "the unit " + channel->unit;
+    return *channel;
+}
+
+const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesystem::path& path,
+                                 const std::string& name) {
+    const ScanChannel& channel =
+        name.empty() ? defaultHeight(file, path.string()) : channelNamed(file, path, name);
+    const std::string place = "channel '" + channel.name + "'";
+    if (!channel.isHeight()) {
+        const std::string unit = channel.unit.empty() ? "no unit" : "the unit " + channel.unit;
         throw InputError(path.string(), place, "it has " + unit + "; a height map is a length");
     }
-    if (!channel->hasSize()) {
+    if (!channel.hasSize()) {
         throw InputError(path.string(), place, "the file does not say how large the scan is");
     }
-    return *channel;
+    return channel;
 }
 
 }  // namespace asperity

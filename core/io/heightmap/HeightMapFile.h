@@ -19,6 +19,7 @@ struct ScanChannel {
     double originX = 0.0;  ///< offset of the scan in the instrument's frame [m]
     double originY = 0.0;  ///< [m]
     std::map<std::string, std::string> metadata;
+    std::vector<std::string> notes;  ///< what the reader had to decide about it, a sentence each
 
     [[nodiscard]] bool isHeight() const { return unit == "m"; }
     /// Whether the file says how large the scan is, in meters.
@@ -32,8 +33,14 @@ struct HeightMapFile {
     std::string format;  ///< for people: "Bruker NanoScope", "Gwyddion .gwy"
     std::vector<ScanChannel> channels;
     std::size_t defaultChannel = 0;  ///< the one that a lab user expects
-    std::vector<std::string> notes;  ///< what the reader had to decide, one sentence each
+    std::vector<std::string> notes;  ///< as those of a channel, on the whole file
 };
+
+/// The notes on a channel, each with its name.
+[[nodiscard]] std::vector<std::string> ownNotes(const ScanChannel& channel);
+/// What a user of the channel should know: the notes on the file, and its own.
+[[nodiscard]] std::vector<std::string> notesOn(const HeightMapFile& file,
+                                               const ScanChannel& channel);
 
 /// Extensions that files which can be read usually have: ".gwy"; `*` in them stands for any text.
 [[nodiscard]] std::vector<std::string> readableExtensions();
@@ -42,6 +49,11 @@ struct HeightMapFile {
 /// @throw InputError when the file cannot be read whole, changes meanwhile, is of an unknown type,
 ///        or holds a value that no instrument measures (a height beyond 1 km)
 [[nodiscard]] HeightMapFile readHeightMapFile(const std::filesystem::path& path);
+
+/// The channel of this name, whatever it shows; of several, one that is a height.
+/// @throw InputError when there is none
+[[nodiscard]] const ScanChannel&
+channelNamed(const HeightMapFile& file, const std::filesystem::path& path, const std::string& name);
 
 /// The named channel (empty: the default one) as a height map.
 /// @throw InputError when there is no such channel, when its unit is not a length, when its lateral

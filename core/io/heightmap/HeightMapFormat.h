@@ -36,6 +36,7 @@ struct HeightMapMeta {
     std::string title = "Height";  ///< UTF-8
     double originX = 0.0;          ///< offset of the scan in the instrument's frame [m]
     double originY = 0.0;          ///< [m]
+    std::string unit = "m";        ///< of the values; empty: they are numbers, no heights
 };
 
 /// A file type: who reads it, who writes it. A further format is a folder of its own that defines
@@ -56,6 +57,7 @@ struct HeightMapFormat {
     /// it is not written. Heights are NaN where there are no data. @throw Error; Canceled
     void (*write)(const std::filesystem::path& target, const HeightRows& map,
                   const HeightMapMeta& meta, Progress* progress);
+    bool isShape = false;  ///< values are written as coordinates: it holds heights and nothing else
 };
 
 /// Every type is known by as many bytes.

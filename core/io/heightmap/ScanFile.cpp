@@ -18,7 +18,7 @@ BasicHeightScan<Map> ScanFile::readScan(const std::string& name, const Read& rea
             .map = read(storedOf(channel)),
             .originX = channel.originX,
             .originY = channel.originY,
-            .notes = contents().notes};
+            .notes = notesOn(contents(), channel)};
 }
 
 HeightScan ScanFile::readHeightScan(const std::string& name, Progress* progress) const {
@@ -39,7 +39,7 @@ SceneScan ScanFile::readSceneScan(const std::string& name, Progress* progress) c
 
 HeightChannel ScanFile::readHeightChannel(const std::string& name, Progress* progress) const {
     const ScanChannel& channel = heightChannel(contents(), bytes_.name(), name);
-    HeightChannel result{.channel = channel, .notes = contents().notes};
+    HeightChannel result{.channel = channel, .notes = notesOn(contents(), channel)};
     result.channel.map = readHeightMap(storedOf(channel), bytes_, progress);
     return result;
 }

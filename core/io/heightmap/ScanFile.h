@@ -23,7 +23,7 @@ struct BasicHeightScan {
     Map map;
     double originX = 0.0;            ///< offset of the scan in the instrument's frame [m]
     double originY = 0.0;            ///< [m]
-    std::vector<std::string> notes;  ///< of the whole file
+    std::vector<std::string> notes;  ///< on the file and this channel
 };
 using HeightScan = BasicHeightScan<ScanMap>;
 /// In double precision, so that the curvature of fine pixels is no rounding error; a large one in
@@ -36,7 +36,7 @@ inline constexpr std::size_t kLargeScan = std::size_t{1} << 22U;
 /// One height channel of a file, as exactly as the file gives it.
 struct HeightChannel {
     ScanChannel channel;
-    std::vector<std::string> notes;  ///< of the whole file
+    std::vector<std::string> notes;  ///< on the file and this channel
 };
 
 /// A height-map file that stays open: what it holds is known, and its heights are read when they

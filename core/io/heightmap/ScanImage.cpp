@@ -62,14 +62,14 @@ std::size_t countInvalid(const HeightMap& map) {
     return static_cast<std::size_t>(std::ranges::count(map.invalid, true));
 }
 
-void settleSize(ScanChannel& channel, std::vector<std::string>& notes) {
+void settleSize(ScanChannel& channel) {
     const bool positive = channel.map.pitchX > 0.0 && channel.map.pitchY > 0.0;
     if (!positive) {
         channel.map.pitchX = channel.map.pitchY = 0.0;
-        notes.push_back("'" + channel.name + "': the file gives no lateral size");
+        channel.notes.emplace_back("the file gives no lateral size");
     } else if (channel.lateralUnit.empty() && channel.isHeight()) {
         channel.lateralUnit = "m";
-        notes.push_back("'" + channel.name + "': the lateral size has no unit; meters are assumed");
+        channel.notes.emplace_back("the lateral size has no unit; meters are assumed");
     }
 }
 

@@ -41,9 +41,9 @@ void invalidateNonFinite(HeightMap& map);
 
 [[nodiscard]] std::size_t countInvalid(const HeightMap& map);
 
-/// Adds notes on what the channel lacks. A height map that gives numbers for its size but no unit
-/// is taken as meters.
-void settleSize(ScanChannel& channel, std::vector<std::string>& notes);
+/// Notes what the channel lacks. A height map that gives numbers for its size but no unit is taken
+/// as meters.
+void settleSize(ScanChannel& channel);
 
 /// "forward" or "backward" when the channel's name says so, else empty.
 [[nodiscard]] std::string directionFromName(std::string_view name);

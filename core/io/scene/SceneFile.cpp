@@ -163,6 +163,9 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
     readPhysics(TomlSection(table, path, "physics"), scene);
     readFidelity(TomlSection(table, path, "fidelity"), scene);
     readHaptics(TomlSection(table, path, "haptics"), scene);
+    TomlSection approach(table, path, "approach");
+    scene.setpoint = approach.number("setpoint_n", scene.setpoint);
+    approach.refuseUnknownKeys();
     TomlSection view(table, path, "view");
     scene.zoomHalfWidth = view.number("zoom_half_width_m", scene.zoomHalfWidth);
     view.refuseUnknownKeys();
@@ -170,8 +173,8 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
 
 void refuseUnknownSections(const toml::table& table, const std::filesystem::path& path) {
     TomlSection root(table, path, "");
-    for (const char* name :
-         {"sample", "tip", "probe", "truth", "physics", "fidelity", "haptics", "view"}) {
+    for (const char* name : {"sample", "tip", "probe", "truth", "physics", "fidelity", "haptics",
+                             "approach", "view"}) {
         root.allow(name);
     }
     root.refuseUnknownKeys();
@@ -305,6 +308,7 @@ std::string sceneText(const SceneDescription& scene) {
                                 {"meniscus_range_m", scene.meniscus.range}}},
         {"fidelity", fidelityTable(scene)},
         {"haptics", hapticsTable(scene)},
+        {"approach", toml::table{{"setpoint_n", scene.setpoint}}},
         {"view", toml::table{{"zoom_half_width_m", scene.zoomHalfWidth}}}};
     std::ostringstream text;
     text << table << '\n';

@@ -69,7 +69,7 @@ std::vector<TickOutput> ticksOf(const Scene& scene, double depth, int ticks) {
                         .slideLength = 2.0 * radius};
     SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
     std::vector<TickOutput> outputs;
-    runVirtually(scene, approachPath(scene, plan), afm, ticks,
+    runVirtually(scene, slidePath(scene, plan), afm, ticks,
                  [&](const TickSample& sample) { outputs.push_back(sample.output); });
     return outputs;
 }
@@ -79,7 +79,7 @@ std::vector<TickOutput> ticksOf(const Scene& scene, double depth, int ticks) {
 ValidityFlags doubts(ValidityFlags flags, bool referenceHolds) {
     ValidityFlags left;
     for (const ValidityTraits& one : kValidityTraits) {
-        const bool counts = one.severity == Severity::Doubt &&
+        const bool counts = one.severity != Severity::Notice &&
                             (referenceHolds || one.flag != Validity::SearchNotExhaustive);
         left.set(one.flag, counts && flags.has(one.flag));
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace asperity {
 
@@ -205,6 +206,29 @@ private:
     Vector2 bestPlace_ = Vector2::Zero();
 };
 
+/// The highest of the pixel centers, and of the middle, that are allowed; brought into the box.
+template <class IsAllowed>
+std::optional<Vector2> highestPixel(const BSplineSurface& surface, const Box& box,
+                                    const IsAllowed& isAllowed) {
+    std::optional<Vector2> highest;
+    double height = -std::numeric_limits<double>::max();
+    const auto consider = [&](const Vector2& place) {
+        const double here = surface.at(place.x(), place.y()).height;
+        if (here > height && isAllowed(place)) {
+            height = here;
+            highest = place;
+        }
+    };
+    consider(0.5 * Vector2(surface.sizeX(), surface.sizeY()));
+    const BSplineSurface::Grid& grid = surface.grid();
+    for (int row = 0; row < grid.rows; ++row) {
+        for (int column = 0; column < grid.columns; ++column) {
+            consider(box.nearest(Vector2((column + 0.5) * grid.pitchX, (row + 0.5) * grid.pitchY)));
+        }
+    }
+    return highest;
+}
+
 }  // namespace
 
 double tipContactHeight(const BSplineSurface& surface, double x, double y, double tipRadius) {
@@ -226,23 +250,15 @@ SurfacePlace highestPlace(const BSplineSurface& surface, double marginFraction) 
     }
     const Vector2 size(surface.sizeX(), surface.sizeY());
     const Box box{.low = marginFraction * size, .high = (1.0 - marginFraction) * size};
-    const BSplineSurface::Grid& grid = surface.grid();
-    Vector2 highest = 0.5 * size;
-    double height = surface.at(highest.x(), highest.y()).height;
-    for (int row = 0; row < grid.rows; ++row) {
-        for (int column = 0; column < grid.columns; ++column) {
-            const Vector2 place =
-                box.nearest(Vector2((column + 0.5) * grid.pitchX, (row + 0.5) * grid.pitchY));
-            const double here = surface.at(place.x(), place.y()).height;
-            if (here > height) {
-                height = here;
-                highest = place;
-            }
-        }
-    }
+    const auto everywhere = [](const Vector2&) { return true; };
+    const auto measured = [&](const Vector2& p) { return surface.isMeasured(p.x(), p.y()); };
+    const std::optional<Vector2> withData = highestPixel(surface, box, measured);
+    const Vector2 highest =
+        withData ? *withData : highestPixel(surface, box, everywhere).value_or(0.5 * size);
     const SurfaceDepth depth(surface, box);
     const BoxMinimum top = BoxNewton(depth, box, 0.25 * finestPitch(surface)).minimize(highest);
-    return {.x = top.place.x(), .y = top.place.y(), .height = top.model.surface.height};
+    const Vector2 place = withData && !measured(top.place) ? highest : top.place;
+    return {.x = place.x(), .y = place.y(), .height = surface.at(place.x(), place.y()).height};
 }
 
 }  // namespace asperity

@@ -19,7 +19,8 @@ struct SurfacePlace {
 [[nodiscard]] double tipContactHeight(const BSplineSurface& surface, double x, double y,
                                       double tipRadius);
 
-/// The highest place that is farther from each edge than `marginFraction` (0 to 0.5) of the scan.
+/// The highest place that is farther from each edge than `marginFraction` (0 to 0.5) of the scan:
+/// of those at which the scan holds data, if there are any.
 /// @throw Error when the margin is outside that range
 [[nodiscard]] SurfacePlace highestPlace(const BSplineSurface& surface, double marginFraction);
 

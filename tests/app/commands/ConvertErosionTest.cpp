@@ -74,6 +74,45 @@ TEST_F(ConvertErosion, TakesTheTipOutAndWritesWhereThatIsCertain) {
         << run.output;
 }
 
+/// It was a map of heights of 0 and 1 m.
+TEST_F(ConvertErosion, WritesACertaintyAsANumberWithoutAUnit) {
+    ASSERT_EQ(convert(" --erode 15e-9 --certainty " + map.string()).exitCode, 0);
+    const std::string gwy = scratch.file("certain.gwy").string();
+    ASSERT_EQ(convert(" --force --erode 15e-9 --certainty " + gwy).exitCode, 0);
+    for (const std::filesystem::path& file : {map, std::filesystem::path(gwy)}) {
+        const ScanChannel& channel = readHeightMapFile(file).channels.at(0);
+        EXPECT_EQ(channel.unit, "") << file;
+        EXPECT_EQ(channel.lateralUnit, "m") << file;
+        EXPECT_FALSE(channel.isHeight()) << file;
+    }
+    for (const char* const shape : {"certain.stl", "certain.vtp"}) {
+        const auto run =
+            convert(" --force --erode 15e-9 --certainty " + scratch.file(shape).string());
+        EXPECT_EQ(run.exitCode, 2) << run.output;
+        EXPECT_NE(run.output.find("a certainty has no unit"), std::string::npos) << run.output;
+        EXPECT_NE(run.output.find(".gwy .gsf"), std::string::npos) << run.output;
+        EXPECT_FALSE(std::filesystem::exists(scratch.file(shape)));
+    }
+}
+
+TEST_F(ConvertErosion, ReplacesAFileOnlyWhenItIsAskedTo) {
+    const auto earlier = scratch.write("certain.gsf", "earlier");
+    const auto refused = convert(" --erode 15e-9 --certainty " + earlier.string());
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_NE(refused.output.find(earlier.string() + ": it is there already"), std::string::npos)
+        << refused.output;
+    EXPECT_EQ(test::contentOf(earlier), "earlier");
+    EXPECT_FALSE(std::filesystem::exists(output));
+    EXPECT_EQ(convert(" --force --erode 15e-9 --certainty " + earlier.string()).exitCode, 0);
+    const std::string before = test::contentOf(output);
+    const auto again = convert(" --level plane");
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_NE(again.output.find("--force"), std::string::npos) << again.output;
+    EXPECT_EQ(test::contentOf(output), before);
+    EXPECT_EQ(convert(" --level plane --force").exitCode, 0);
+    EXPECT_NE(test::contentOf(output), before);
+}
+
 TEST_F(ConvertErosion, RefusesWhatMakesNoSense) {
     for (const std::string options :
          {" --erode 0", " --erode -1e-9", " --erode nan", " --erode inf", " --erode tip",
@@ -91,7 +130,7 @@ TEST_F(ConvertErosion, RefusesWhereItCannotWriteBeforeItErodesAndNamesTheFile) {
     EXPECT_EQ(unknown.exitCode, 2);
     EXPECT_NE(unknown.output.find("--certainty: map.foo"), std::string::npos) << unknown.output;
     const auto nowhere = convert(" --erode 15e-9 --certainty /nonexistent/map.gsf");
-    EXPECT_EQ(nowhere.exitCode, 1);
+    EXPECT_EQ(nowhere.exitCode, 3);
     EXPECT_NE(nowhere.output.find("/nonexistent/map.gsf"), std::string::npos) << nowhere.output;
     for (const auto& run : {unknown, nowhere}) {
         EXPECT_EQ(run.output.find("eroded"), std::string::npos) << run.output;

@@ -117,7 +117,7 @@ TEST(Decouple, SaysWhatDoesNotFit) {
     EXPECT_EQ(run.output, "asperity: " + twice.string() +
                               ": header: the column 'case' is one that is added here\n");
     const auto good = scratch.write("good.csv", std::string(kHeader) + kGoodRow);
-    EXPECT_EQ(test::runProgram(callFor(probe, good) + " --out /proc/a.csv").exitCode, 1);
+    EXPECT_EQ(test::runProgram(callFor(probe, good) + " --out /proc/a.csv").exitCode, 3);
     EXPECT_EQ(test::runProgram(callFor(probe, good) + " --out ''").exitCode, 2);
     EXPECT_EQ(test::runProgram("decouple --probe '' --cases " + good.string()).exitCode, 2);
     EXPECT_EQ(test::runProgram(callFor(good.string(), good)).exitCode, 3) << "no probe file";

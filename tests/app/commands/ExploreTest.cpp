@@ -1,4 +1,6 @@
+#include "core/io/heightmap/HeightMapWriter.h"
 #include "core/io/tables/CsvTable.h"
+#include "core/scene/Validity.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/Sanitized.h"
@@ -6,12 +8,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace asperity {
 namespace {
@@ -71,8 +76,8 @@ TEST_P(Explore, LeavesPicturesFieldsLogAndSummary) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Inputs, Explore,
-                         ::testing::Values("polystyrene", "silicon_oxide", "silicone_rubber",
-                                           "silicon", "real scan"),
+                         ::testing::Values("granular_film", "polystyrene", "silicon_oxide",
+                                           "silicone_rubber", "silicon", "real scan"),
                          [](const auto& test) {
                              return test.param == "real scan" ? std::string("RealScan")
                                                               : test.param;
@@ -91,13 +96,80 @@ TEST(ExploreTwice, GivesTheSameBytes) {
     }
 }
 
-TEST(ExplorePaths, RasterScratchAndFileRunToTheirEnd) {
+/// Of the estimated force along z and of the lateral way of the base, over a run.
+struct Extremes {
+    double strongestPush = 0.0;  // [N]
+    double farthestAside = 0.0;  // [m]
+
+    explicit Extremes(const std::filesystem::path& folder) {
+        const CsvTable log = readCsv(folder / "force_log.csv");
+        for (std::size_t row = 0; row < log.rows(); ++row) {
+            strongestPush = std::max(strongestPush, log.number(row, "est_fz_n"));
+            farthestAside = std::max(
+                farthestAside, std::hypot(log.number(row, "base_x_m") - log.number(0, "base_x_m"),
+                                          log.number(row, "base_y_m") - log.number(0, "base_y_m")));
+        }
+    }
+};
+
+// It went 3 nm deep, whatever the force, and slid aside.
+TEST(ExploreSetpoint, EndsTheApproachAndNothingGoesAside) {
+    const test::ScratchFolder scratch;
+    const std::string scene = test::shippedScene("silicon_oxide").string();
+    for (const auto& [option, setpoint] :
+         {std::pair("", 5e-9), std::pair(" --setpoint 12nN", 12e-9),
+          std::pair(" --setpoint '0.8 nN'", 0.8e-9)}) {
+        const auto out = scratch.path() / "out";
+        const auto run =
+            test::runProgram("explore " + scene + option + " --duration 3 --out " + out.string());
+        ASSERT_EQ(run.exitCode, 0) << run.output;
+        const Extremes extremes(out);
+        EXPECT_NEAR(extremes.strongestPush, setpoint, 0.7e-9) << option;
+        EXPECT_LT(extremes.farthestAside, 1e-15) << option;
+        EXPECT_EQ(summaryOf(out)["scene"]["approach"]["setpoint_n"], setpoint);
+    }
+}
+
+TEST(ExploreSetpoint, ThatIsNotReachedIsSaid) {
+    const test::ScratchFolder scratch;
+    const auto scene = scratch.write(
+        "soft.toml", "[sample]\nshape = \"plane\"\n[truth]\nyoungs_modulus_pa = 5e6\n");
+    const auto run = test::runProgram("explore " + scene.string() + " --duration 2 --out " +
+                                      scratch.file("out").string() + " --setpoint 50nN");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_NE(run.output.find("the force did not reach the setpoint of 50 nN"), std::string::npos)
+        << run.output;
+}
+
+// What a new user sees first is a run on which every number holds.
+TEST(ExploreDefaultScene, RaisesNoDoubt) {
+    const test::ScratchFolder scratch;
+    const auto out = scratch.path() / "out";
+    const auto run = test::runProgram("explore " + test::shippedScene("granular_film").string() +
+                                      " --duration 4 --out " + out.string());
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    const nlohmann::json summary = summaryOf(out);
+    const nlohmann::json& flagged = summary["statistics"]["ticks_flagged"];
+    for (const ValidityTraits& traits : kValidityTraits) {
+        // Point-blank at a jump the noise of a single tick may contradict the model.
+        const long allowed = traits.flag == Validity::ModelContradicted ? 4 : 0;
+        if (traits.severity == Severity::Doubt) {
+            EXPECT_LE(flagged[traits.key].get<long>(), allowed) << traits.key;
+        }
+    }
+    EXPECT_TRUE(summary["snap_in"].is_object());
+    EXPECT_TRUE(summary["pull_off"].is_object());
+}
+
+TEST(ExplorePaths, SlideRasterScratchAndFileRunToTheirEnd) {
     const test::ScratchFolder scratch;
     const auto file = scratch.write("path.csv", "time_s,x_m,y_m,z_m\n"
                                                 "0,2e-7,2e-7,1e-7\n0.4,2e-7,2.1e-7,9e-8\n");
     const std::string scene = test::shippedScene("silicon_oxide").string();
-    const std::pair<std::string, std::size_t> paths[] = {
-        {"raster --duration 1", 1001}, {"scratch --duration 1", 1001}, {file.string(), 401}};
+    const std::pair<std::string, std::size_t> paths[] = {{"slide --duration 1", 1001},
+                                                         {"raster --duration 1", 1001},
+                                                         {"scratch --duration 1", 1001},
+                                                         {file.string(), 401}};
     for (const auto& [path, ticks] : paths) {
         const auto out = scratch.path() / "out";
         std::ostringstream call;
@@ -106,6 +178,41 @@ TEST(ExplorePaths, RasterScratchAndFileRunToTheirEnd) {
         ASSERT_EQ(run.exitCode, 0) << run.output;
         expectWholeLog(out, ticks, 1000.0);
     }
+}
+
+/// "zigzag: there is no such file" was all that it said.
+TEST(ExplorePaths, ThatAreNeitherAWordNorAFileAreRefusedWithTheWords) {
+    const test::ScratchFolder scratch;
+    const auto out = scratch.file("out");
+    const auto run = test::runProgram("explore " + test::shippedScene("silicon").string() +
+                                      " --path zigzag --out " + out.string());
+    EXPECT_EQ(run.exitCode, 2) << run.output;
+    EXPECT_NE(run.output.find("expected approach, raster, scratch or a CSV file, not 'zigzag'"),
+              std::string::npos)
+        << run.output;
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+/// No path can begin on data where there are none but at the edge.
+TEST(ExplorePaths, WithoutDataUnderThemSaySo) {
+    const test::ScratchFolder scratch;
+    HeightMap edge{.columns = 128,
+                   .rows = 128,
+                   .pitchX = 2e-9,
+                   .pitchY = 2e-9,
+                   .heights = std::vector<double>(128 * 128, std::nan("")),
+                   .invalid = {}};
+    for (int row = 0; row < edge.rows; ++row) {
+        edge.heights[edge.index(row, 0)] = 0.0;
+    }
+    writeHeightMap(scratch.file("edge.gsf"), edge, {});
+    const auto run =
+        test::runProgram("explore " + scratch.file("edge.gsf").string() +
+                         " --level none --duration 0.1 --out " + scratch.file("out").string());
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_NE(run.output.find("note: in 101 of 101 ticks: the scan holds no data here"),
+              std::string::npos)
+        << run.output;
 }
 
 /// What the scene overrules and what its law misses is in the error: it said 0 %.

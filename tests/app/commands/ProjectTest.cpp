@@ -65,6 +65,18 @@ TEST(Project, GivesClosestPointsOnTheSurfaceAlongItsNormal) {
     EXPECT_EQ(out.number(2, "u"), 0.0);
 }
 
+/// No force has a part in it: notes on contact law and model were in the table.
+TEST(Project, NotesWhatWasDoneToTheHeightsAlone) {
+    const test::ScratchFolder scratch;
+    const auto points = scratch.write("points.csv", kPoints);
+    const auto run =
+        test::runProgram("project " + sample("self_affine.gsf") + " --points " + points.string());
+    EXPECT_NE(run.output.find("# leveling: "), std::string::npos) << run.output;
+    for (const char* const ofForce : {"contact law", "model:", "Maugis"}) {
+        EXPECT_EQ(run.output.find(ofForce), std::string::npos) << run.output;
+    }
+}
+
 TEST(Project, FindsTheExactDistanceOfASphere) {
     const test::ScratchFolder scratch;
     const auto scene =

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <thread>
@@ -75,6 +76,23 @@ TEST_F(Signals, EndExploreWhileItDrawsAndAnEarlierRunIsLeftWhole) {
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
         EXPECT_EQ(test::contentOf(file.path()), "earlier") << file.path();
     }
+}
+
+/// A folder without a result stood there while it worked, and stayed when it was killed.
+TEST_F(Signals, ThatEndExtremesLeaveNoFolder) {
+    const std::filesystem::path out = scratch.file("none");
+    test::ChildProgram child({"extremes", "--out", out.string()});
+    const std::filesystem::path threads = "/proc/" + std::to_string(child.id()) + "/task";
+    const auto works = [&] {  // on all cores
+        return std::distance(std::filesystem::directory_iterator(threads), {}) > 1;
+    };
+    for (int i = 0; i < 10000 && !child.hasEnded() && !works(); ++i) {
+        pause();
+    }
+    EXPECT_FALSE(std::filesystem::exists(out));
+    child.send(SIGTERM);
+    EXPECT_EQ(child.wait().exitCode, 1);
+    EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 TEST_F(Signals, OfAClosedTerminalEndInGoodOrderToo) {

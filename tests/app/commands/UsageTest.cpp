@@ -30,14 +30,30 @@ TEST(Usage, EverySubcommandHasHelp) {
 }
 
 TEST(Usage, WrongCallsExitWith2) {
-    for (const std::string call :
-         {"fly", "loop --rate 1", "loop --duration nan", "devices now", "explore", "explore x.gsf",
-          "explore a --out b --duration -1", "explore a --out b --duration x",
-          "explore a --out b --duration nan", "explore a --out ''", "replay a --out ''",
-          "explore a --out b --level flat", "info", "extremes", "extremes --out a --states 10",
-          "convert a b.gsf --residual --smoothing-px nan",
-          "convert a b.gsf --residual --smoothing-m nan",
-          "convert a b.gsf --residual --smoothing-m inf", "project a --points b --sigma nan"}) {
+    for (const std::string call : {"fly",
+                                   "loop --rate 1",
+                                   "loop --duration nan",
+                                   "devices now",
+                                   "explore",
+                                   "explore x.gsf",
+                                   "explore a --out b --duration -1",
+                                   "explore a --out b --duration x",
+                                   "explore a --out b --duration nan",
+                                   "explore a --out ''",
+                                   "replay a --out ''",
+                                   "explore a --out b --level flat",
+                                   "explore a --out b --setpoint 5nm",
+                                   "explore a --out b --setpoint 5",
+                                   "explore a --out b --setpoint x",
+                                   "explore a --out b --setpoint -5nN",
+                                   "explore a --out b --path slide --setpoint 5nN",
+                                   "info",
+                                   "extremes",
+                                   "extremes --out a --states 10",
+                                   "convert a b.gsf --residual --smoothing-px nan",
+                                   "convert a b.gsf --residual --smoothing-m nan",
+                                   "convert a b.gsf --residual --smoothing-m inf",
+                                   "project a --points b --sigma nan"}) {
         const auto run = test::runProgram(call);
         EXPECT_EQ(run.exitCode, 2) << call << "\n" << run.output;
     }
@@ -78,6 +94,13 @@ TEST(Usage, WithoutADisplayTheWindowReadsItsInputFirst) {
     }
 }
 
+TEST(Usage, TheWindowTakesTheChannelThatIsNamed) {
+    const std::string scan = std::string(ASPERITY_DATA_DIR) + "/samples/steps.gsf";
+    const auto run = test::runProgram(scan + " --channel Phase", "DISPLAY=");
+    EXPECT_EQ(run.exitCode, 3) << run.output;
+    EXPECT_NE(run.output.find("there is no channel 'Phase'"), std::string::npos) << run.output;
+}
+
 TEST(Usage, WithoutADisplayTheWindowSaysWhatWorksInstead) {
     const auto run = test::runProgram(test::shippedScene("silicon").string(), "DISPLAY=");
     EXPECT_EQ(run.exitCode, 1) << run.output;
@@ -98,6 +121,19 @@ TEST(Loop, MeasuresItselfBesideABareLoop) {
     EXPECT_GT(report["median_block_p99_lateness_ratio"], 0.0);
     EXPECT_FALSE(report.contains("frames_per_second"));
     EXPECT_FALSE(report.contains("recording"));
+    EXPECT_EQ(report["duration_s"], 2.5);
+    EXPECT_GE(report["elapsed_s"], 2.5);
+    EXPECT_EQ(report["block_s"], 1.0);
+}
+
+/// "1993 ticks at 1000 Hz" was all that was said of 3 s.
+TEST(Loop, SaysWhatItsDurationCovers) {
+    const auto run = test::runProgram("loop --duration 0.3");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    EXPECT_NE(run.output.find(": the loop and a bare loop in turn, 1 s each"), std::string::npos)
+        << run.output;
+    const auto help = test::runProgram("loop --help");
+    EXPECT_NE(help.output.find("a bare loop in turn"), std::string::npos) << help.output;
 }
 
 /// What was recorded during a measurement is a run like any other, and its cost is told.
@@ -130,15 +166,22 @@ TEST(Loop, DrawsEveryViewMeanwhile) {
     }
 }
 
-TEST(Usage, UnwritableOutputExitsWith1) {
+/// As a file that cannot be read; a scan that could not be written ended with 1.
+TEST(Usage, AFileOrFolderThatCannotBeMadeExitsWith3) {
     const std::string scene = test::shippedScene("silicon").string();
+    const std::string scan = std::string(ASPERITY_DATA_DIR) + "/samples/steps.gsf";
     const std::vector<std::string> calls = {
         "explore " + scene + " --duration 0.1 --out /proc/nothing",
-        "convert " + test::shippedScene("x").parent_path().parent_path().string() +
-            "/samples/steps.gsf /proc/nothing.gwy"};
+        "loop " + scene + " --duration 0.1 --record /proc/nothing",
+        "extremes --states 10000 --out /proc/nothing",
+        "convert " + scan + " /proc/nothing.gwy",
+        "convert " + scan + " /nonexistent/scan.gwy",
+        "curve --out /nonexistent/curve.csv",
+        "curve --figure /nonexistent/curve.png"};
     for (const std::string& call : calls) {
         const auto run = test::runProgram(call);
-        EXPECT_EQ(run.exitCode, 1) << call << "\n" << run.output;
+        EXPECT_EQ(run.exitCode, 3) << call << "\n" << run.output;
+        EXPECT_EQ(run.output.find("force_n"), std::string::npos) << "before it works: " << call;
     }
 }
 
@@ -152,6 +195,41 @@ TEST(Info, GivesTheSameInJsonAsTheFileHolds) {
     EXPECT_NEAR(channel["max"].get<double>() - channel["min"].get<double>(), 1e-8, 1e-10);
     EXPECT_TRUE(channel["corners"]["top_left"].is_number());
     EXPECT_EQ(channel["unit"], "m");
+}
+
+TEST(Info, ShowsTheOneChannelThatIsNamed) {
+    const std::string scan = std::string(ASPERITY_DATA_DIR) + "/samples/steps.gsf";
+    const auto all = test::runProgram("info --json " + scan);
+    const auto name = nlohmann::json::parse(all.output)["channels"][0]["name"].get<std::string>();
+    const auto one = test::runProgram("info --json " + scan + " --channel '" + name + "'");
+    EXPECT_EQ(one.exitCode, 0);
+    EXPECT_EQ(one.output, all.output);
+    const auto none = test::runProgram("info " + scan + " --channel Phase");
+    EXPECT_EQ(none.exitCode, 3);
+    EXPECT_NE(none.output.find("there is no channel 'Phase'; there are '" + name + "' (m)"),
+              std::string::npos)
+        << none.output;
+}
+
+/// 10,001 of 10,001 ticks of a run were over pixels that the mask takes out, which nothing said;
+/// and the notes were on every channel of the file.
+TEST(MaskedScan, IsExploredWhereItHoldsDataWithNotesOnItsOwnChannel) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    const std::string scan = test::sharedData("afm/derived/frt2_with_mask.gwy").string();
+    const auto info = test::runProgram("info " + scan + " --channel 'Intensity (top sensor) 1'");
+    EXPECT_EQ(info.exitCode, 0) << info.output;
+    EXPECT_EQ(info.output.find("Topography"), std::string::npos) << info.output;
+    const test::ScratchFolder scratch;
+    for (const std::string path : {"approach", "raster", "scratch"}) {
+        const auto out = scratch.file(path);
+        const auto run = test::runProgram("explore " + scan + " --duration 1 --path " + path +
+                                          " --out " + out.string());
+        ASSERT_EQ(run.exitCode, 0) << run.output;
+        EXPECT_NE(run.output.find("'Topography"), std::string::npos) << run.output;
+        EXPECT_EQ(run.output.find("'Intensity"), std::string::npos) << run.output;
+        const auto summary = nlohmann::json::parse(test::contentOf(out / "summary.json"));
+        EXPECT_EQ(summary["statistics"]["ticks_flagged"]["filled_pixel"], 0) << path;
+    }
 }
 
 TEST(Convert, WritesEveryFormatItNames) {

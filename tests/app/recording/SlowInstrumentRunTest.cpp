@@ -19,7 +19,7 @@ namespace {
 TEST(SlowInstrumentRun, IsRecordedAndReplaysToTheSameBits) {
     const test::ScratchFolder folder;
     LoadedScene loaded = loadScene(test::shippedScene("polystyrene"), {});
-    const DevicePath path = approachPath(loaded.scene, {.duration = 1.5});
+    const DevicePath path = slidePath(loaded.scene, {.duration = 1.5});
     test::SlowAfm* instrument = nullptr;
     LiveRun run(std::move(loaded), path.front().position, [&](const Scene& scene) {
         auto slow = std::make_unique<test::SlowAfm>(scene.trueSurface(), truthOf(scene), 20e-3);

@@ -36,7 +36,7 @@ RunEvents explored(const Scene& scene) {
     const PathPlan plan;
     SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
     RunEventRecorder recorder;
-    runVirtually(scene, approachPath(scene, plan), afm,
+    runVirtually(scene, slidePath(scene, plan), afm,
                  std::lround(plan.duration / scene.timeStep()) + 1,
                  [&](const TickSample& sample) { recorder.take(sample); });
     return recorder.events();

@@ -2,8 +2,11 @@
 
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ControlBar.h"
+#include "ui/panels/EngageBar.h"
 
 #include <QComboBox>
+
+#include <algorithm>
 
 namespace asperity::test {
 namespace {
@@ -20,11 +23,28 @@ protected:
 
 TEST_F(PathControlTest, FollowsAPlannedPath) {
     useFlatScene();
-    Q_EMIT window.controls().pathChosen(1);
+    Q_EMIT window.controls().pathChosen(2);
     EXPECT_EQ(shown("hand"), "Scripted path");
     EXPECT_EQ(shown("path"), "Raster");
     Q_EMIT devices.pathWanted();
     EXPECT_EQ(shown("path"), "Approach");
+}
+
+TEST_F(PathControlTest, AnApproachEndsAtTheSetpointOfTheWindow) {
+    useFlatScene();
+    window.engage().setSetpoint(2e-9);
+    Q_EMIT window.controls().pathChosen(0);
+    EXPECT_EQ(shown("path"), "Approach");
+    ASSERT_NE(devices.approaching(), nullptr);
+    const Vector3 start = run().basePosition();
+    double strongest = 0.0;
+    EXPECT_TRUE(eventually([&] {
+        const TickOutput& out = run().loop().snapshot().sample.output;
+        strongest = std::max(strongest, out.estimate.force.z());
+        return devices.approaching()->phase() == ApproachPhase::Retract;
+    }));
+    EXPECT_NEAR(strongest, 2e-9, 0.6e-9);
+    EXPECT_LT((run().basePosition() - start).head<2>().norm(), 1e-15) << "straight down";
 }
 
 TEST_F(PathControlTest, FollowsTheFileThatIsChosen) {

@@ -34,6 +34,14 @@ TEST_F(SceneControlTest, SaysWhyAFileCannotBeOpened) {
     EXPECT_EQ(runs.run(), nullptr);
 }
 
+TEST_F(SceneControlTest, OpensTheChannelThatIsNamed) {
+    scenes.open(kSteps, {.channel = "Phase"});
+    ASSERT_TRUE(eventually([this] { return failed.count() == 1; }));
+    EXPECT_NE(complaint().find("there is no channel 'Phase'"), std::string::npos);
+    scenes.open(kSteps, {.channel = "Vicinal Au(111), steps of 0.235 nm"});
+    EXPECT_TRUE(eventually([this] { return begun.count() == 1; }));
+}
+
 TEST_F(SceneControlTest, NothingComesOfWhatIsCanceled) {
     scenes.cancelOpen();
     EXPECT_EQ(canceled.count(), 0) << "nothing is being loaded";

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace asperity::test {
 namespace {
@@ -47,17 +48,32 @@ TEST_F(Window, TheWheelBringsTheTipIntoContactAndBack) {
 
 TEST_F(Window, ShiftMakesTheWheelTenTimesFiner) {
     openFlatScene();
-    const auto climb = [this](Qt::KeyboardModifiers modifiers) {
+    const auto climb = [this](int notches, Qt::KeyboardModifiers modifiers) {
         live(400);
         const double before = session.run()->basePosition().z();
-        turnWheel(4, modifiers);
+        for (int i = 0; i < std::abs(notches); ++i) {
+            turnWheel(notches > 0 ? 1 : -1, modifiers);
+        }
         live(400);
         return session.run()->basePosition().z() - before;
     };
-    const double coarse = climb(Qt::NoModifier);
-    const double fine = climb(Qt::ShiftModifier);
+    const double coarse = climb(1, Qt::NoModifier);
+    const double back = climb(-10, Qt::ShiftModifier);
     EXPECT_GT(coarse, 0.0);
-    EXPECT_NEAR(fine, 0.1 * coarse, 1e-3 * coarse);
+    EXPECT_NEAR(back, -coarse, 1e-3 * coarse);
+}
+
+// 75 notches led from where a run begins to the contact.
+TEST_F(Window, AFewNotchesOfTheWheelLeadToTheContact) {
+    openFlatScene();
+    int notches = 0;
+    while (!inContact() && notches < 40) {
+        turnWheel(-1);
+        ++notches;
+        live(150);
+    }
+    EXPECT_TRUE(inContact()) << state();
+    EXPECT_LE(notches, 20);
 }
 
 TEST_F(Window, AReleasedKeyStopsTheTip) {

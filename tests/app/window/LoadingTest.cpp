@@ -109,12 +109,12 @@ TEST_F(WindowThatLoads, TheMenuCancels) {
     expectTheNextToBeTheFirstShown();
 }
 
-TEST_F(WindowThatLoads, EscCancelsAndTakesTheForcesAway) {
+TEST_F(WindowThatLoads, EscCancelsAndLeavesTheForcesWhereNoDeviceHasAny) {
     shown_.clear();
     session.scenes().open(large_);
     QTest::keyClick(&window, Qt::Key_Escape);
     EXPECT_FALSE(isLoading());
-    EXPECT_FALSE(session.run()->settings().forcesOn);
+    EXPECT_TRUE(session.run()->settings().forcesOn);
     expectTheNextToBeTheFirstShown();
 }
 

@@ -43,7 +43,7 @@ TEST_P(PlannedPath, RisesInTimeStaysInTheScanAndLeavesTheSampleAtTheEnd) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PlannedPath,
-                         ::testing::Values(&approachPath, &rasterPath, &scratchPath));
+                         ::testing::Values(&slidePath, &rasterPath, &scratchPath));
 
 TEST(DevicePath, AJourneyClearsTheHillsOnItsWay) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
@@ -61,7 +61,7 @@ TEST(DevicePath, AJourneyClearsTheHillsOnItsWay) {
 
 TEST(DevicePath, ApproachesTheHighestFeature) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
-    const DevicePath path = approachPath(scene, {});
+    const DevicePath path = slidePath(scene, {});
     const Vector3& start = path.front().position;
     EXPECT_NEAR(scene.surface.at(start.x(), start.y()).height, 6.0_nm, 0.05_nm);
 }
@@ -72,7 +72,7 @@ TEST(DevicePath, UnderABluntTipASlideHasFewSteps) {
     HeightMap map = test::flatMap();
     map.pitchX = map.pitchY = 2.0_um;
     const Scene scene = buildScene(description, map);
-    const DevicePath path = approachPath(scene, {.slideLength = 20.0_um});
+    const DevicePath path = slidePath(scene, {.slideLength = 20.0_um});
     EXPECT_GT(path.size(), 50U);
     EXPECT_LT(path.size(), 100U) << "steps of half a nanometer took minutes to lay out";
 }

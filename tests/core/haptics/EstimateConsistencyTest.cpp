@@ -13,7 +13,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kSlideFrom = 3.5;   // of approachPath() over 10 s [s]
+constexpr double kSlideFrom = 3.5;   // of slidePath() over 10 s [s]
 constexpr double kSlideTo = 6.5005;  // [s]
 
 /// How true the covariance of the estimate is while the tip slides, per degree of freedom.
@@ -36,7 +36,7 @@ Honesty honestyOf(const Friction& friction) {
     SceneDescription description = test::plainScene();
     description.truth.material.friction = friction;
     Scene scene = buildScene(description, test::flatMap());
-    const DevicePath path = approachPath(scene, {.duration = 10.0, .indentation = 1.0_nm});
+    const DevicePath path = slidePath(scene, {.duration = 10.0, .indentation = 1.0_nm});
     Honesty honesty;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         InstrumentTruth truth = truthOf(scene);
@@ -135,7 +135,7 @@ TEST(EstimateConsistency, ContradictsAModelThatStillAdheresAtOnce) {
     description.truth.material.workOfAdhesion = 0.02;
     const Scene scene = buildScene(description, test::flatMap());
     SimulatedAfm afm(scene.surface, truthOf(scene));
-    const DevicePath path = approachPath(scene, {.duration = 10.0, .indentation = 1.0_nm});
+    const DevicePath path = slidePath(scene, {.duration = 10.0, .indentation = 1.0_nm});
     std::optional<double> alone;  // since when only the model is bonded
     std::optional<double> noticed;
     runVirtually(scene, path, afm, 10001, [&](const TickSample& sample) {

@@ -48,8 +48,14 @@ public:
         return {.position = position_, .connected = connected.load()};
     }
     void setForce(const Vector3& force) noexcept override { forceZ = force.z(); }
+    void observe(const TickOutput& output) noexcept override {
+        seenZ = output.base.position.z();
+        ++seen;
+    }
 
     std::atomic<bool> connected{true};
+    std::atomic<double> seenZ{0.0};  ///< height of the base in the last tick's output [m]
+    std::atomic<long> seen{0};       ///< outputs
     std::atomic<double> forceZ{0.0};
 
 private:
@@ -74,6 +80,14 @@ TEST(HapticLoop, AStepIsATickWithoutTheClock) {
     std::vector<double> times;
     bench.loop.drain([&times](const TickSample& sample) { times.push_back(sample.time); });
     EXPECT_EQ(times, (std::vector<double>{0.0, bench.scene.timeStep()}));
+}
+
+TEST(HapticLoop, ADeviceSeesWhatEveryTickComputed) {
+    Bench bench;
+    bench.loop.step();
+    bench.loop.step();
+    EXPECT_EQ(bench.device.seen, 2);
+    EXPECT_EQ(bench.device.seenZ, bench.loop.snapshot().sample.output.base.position.z());
 }
 
 TEST(HapticLoop, MakesTheSameTicksAsAVirtualRun) {

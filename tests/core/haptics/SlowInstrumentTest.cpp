@@ -19,7 +19,7 @@ protected:
     Scene scene = buildScene(description, test::hillyMap());
     SimulatedAfm now{scene.trueSurface(), truthOf(scene)};  ///< what is true in this tick
     test::SlowAfm slow{scene.trueSurface(), truthOf(scene), kPeriod};
-    DevicePath path = approachPath(scene, {.duration = 10.0, .slideLength = 60.0_nm});
+    DevicePath path = slidePath(scene, {.duration = 10.0, .slideLength = 60.0_nm});
 };
 
 TEST_F(SlowInstrument, LosesWeightAndTheEstimateStaysTrue) {

@@ -1,4 +1,5 @@
 #include "core/Units.h"
+#include "core/haptics/ApproachDevice.h"
 #include "core/haptics/HapticLoop.h"
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/ScriptedDevice.h"
@@ -17,7 +18,7 @@ namespace {
 
 /// Runs the approach of a scene and watches every tick of it.
 void expectNoAllocation(const Scene& scene) {
-    const DevicePath path = approachPath(scene, {.duration = 2.0});
+    const DevicePath path = slidePath(scene, {.duration = 2.0});
     SimulatedAfm afm(scene.surface, truthOf(scene));
     TickMemory memory;
     TickInput input;
@@ -115,7 +116,7 @@ TEST(TickAllocation, NorDoSeveralClosestPoints) {
 
 TEST(TickAllocation, TheRunningLoopAllocatesNothing) {
     const Scene scene = buildScene(test::plainScene(), test::hillyMap());
-    ScriptedDevice device(approachPath(scene, {.duration = 0.5}), scene.settings.positionGain);
+    ScriptedDevice device(slidePath(scene, {.duration = 0.5}), scene.settings.positionGain);
     SimulatedAfm afm(scene.surface, truthOf(scene));
     HapticLoop loop(scene, device, afm);
     loop.start();
@@ -128,6 +129,20 @@ TEST(TickAllocation, TheRunningLoopAllocatesNothing) {
     }
     EXPECT_EQ(test::allocationCount(), before);
     EXPECT_TRUE(touched);
+}
+
+TEST(TickAllocation, NorDoesAnApproachToTheSetpoint) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    ApproachDevice device(planApproach(scene, {.duration = 1.0}), scene.settings.positionGain);
+    SimulatedAfm afm(scene.surface, truthOf(scene));
+    std::size_t before = 0;
+    runVirtually(scene, device, afm, 1001, [&](const TickSample& sample) {
+        if (sample.time > 0.0) {
+            ASSERT_EQ(test::allocationCount(), before) << "at " << sample.time << " s";
+        }
+        before = test::allocationCount();
+    });
+    EXPECT_TRUE(device.hasEngaged());
 }
 
 TEST(TickAllocation, CounterSeesOperatorNewAndEigen) {

@@ -62,7 +62,7 @@ protected:
         const Scene scene = buildScene(description, test::hillyMap());
         kappa = scene.belief.cantilever.couplingRatio();
         SimulatedAfm afm(scene.surface, truthOf(scene));
-        const DevicePath path = approachPath(scene, {.duration = 10.0, .slideLength = 60.0_nm});
+        const DevicePath path = slidePath(scene, {.duration = 10.0, .slideLength = 60.0_nm});
         runVirtually(scene, path, afm, 10000, [&](const TickSample& sample) {
             const TipState& truth = afm.trueState();
             ticks.push_back({sample.output, truth.force, truth.contact.contactRadius > 0.0});

@@ -108,6 +108,8 @@ TEST(Scene, RefusesEachValueOutsideItsRange) {
         [nan](SceneDescription& s) { s.settings.forceGain = nan; },
         [](SceneDescription& s) { s.settings.correctionBandwidth = -1.0; },
         [](SceneDescription& s) { s.zoomHalfWidth = -1.0; },
+        [](SceneDescription& s) { s.setpoint = 0.0; },
+        [nan](SceneDescription& s) { s.setpoint = nan; },
         [](SceneDescription& s) { s.sample.smoothingPixels = -1.0; },
     };
     int index = 0;

@@ -20,12 +20,16 @@ TEST(Validity, NamesOnlyWhatIsSet) {
 TEST(Validity, EveryFlagHasItsOwnKeyAndWords) {
     std::set<std::string> keys{""};
     std::set<std::string> words{""};
+    std::set<std::string> briefs{""};
     for (const ValidityTraits& one : kValidityTraits) {
         keys.insert(one.key);
         words.insert(one.words);
+        briefs.insert(one.brief);
+        EXPECT_LE(std::string(one.brief).size(), 24U) << one.brief;
     }
     EXPECT_EQ(keys.size(), 1 + kValidityFlagCount);
     EXPECT_EQ(words.size(), 1 + kValidityFlagCount);
+    EXPECT_EQ(briefs.size(), 1 + kValidityFlagCount);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "tools/samples/SampleScans.h"
 
+#include "core/Error.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "tests/support/ReferenceTable.h"
+#include "tools/samples/ParkScan.h"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +34,42 @@ TEST(SampleScans, AreThoseInTheRepositoryByteForByte) {
         EXPECT_TRUE(stored == bytesOf(folder / sample.fileName)) << sample.fileName;
     }
     std::filesystem::remove_all(folder);
+}
+
+std::filesystem::path parkFile() { return test::sharedData("afm/park/example_ps.tiff"); }
+
+TEST(ParkScan, HasTheHeightsThatGwyddionReads) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    const HeightMap film = readParkScan(parkFile());
+    ASSERT_EQ(film.columns, 512);
+    ASSERT_EQ(film.rows, 512);
+    EXPECT_DOUBLE_EQ(film.sizeX(), 1e-6);
+    // From CHANNELS.csv: the corners and the pixel at a third and a fourth.
+    EXPECT_NEAR(film.at(0, 0), -2.019951079e-09, 1e-17);
+    EXPECT_NEAR(film.at(0, 511), 8.95068831e-10, 1e-17);
+    EXPECT_NEAR(film.at(511, 0), 3.838167321e-09, 1e-17);
+    EXPECT_NEAR(film.at(511, 511), 2.083638621e-09, 1e-17);
+    EXPECT_NEAR(film.at(170, 128), 6.032147946e-09, 1e-17);
+}
+
+TEST(ParkScan, IsWhatTheGranularFilmIsCutOutOf) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    const HeightMap film = readParkScan(parkFile());
+    const HeightMap part = granularFilm(film);
+    EXPECT_EQ(part.at(0, 0), film.at(119, 122));
+    EXPECT_EQ(part.at(255, 255), film.at(374, 377));
+    const auto written = std::filesystem::path(testing::TempDir()) / "granular_film.gsf";
+    writeHeightMap(written, part, {.title = kGranularFilmTitle});
+    EXPECT_TRUE(bytesOf(written) == bytesOf(std::filesystem::path(ASPERITY_DATA_DIR) / "samples" /
+                                            "granular_film.gsf"));
+    std::filesystem::remove(written);
+}
+
+TEST(ParkScan, RefusesAnotherTiff) {
+    const auto other = std::filesystem::path(testing::TempDir()) / "other.tiff";
+    writeHeightMap(other, makeSampleScans().front().map, {.title = "no Park file"});
+    EXPECT_THROW((void)readParkScan(other), InputError);
+    std::filesystem::remove(other);
 }
 
 TEST(SampleScans, AreSmoothEnoughForASplineNotToRing) {

@@ -31,5 +31,15 @@ TEST(ImagingTipWords, IsSpokenOfInEveryScene) {
     EXPECT_TRUE(says(imagingTipWords(scannedRidges(20.0_nm, true)), "taken out"));
 }
 
+/// The window said of an exact sphere that it holds the shape of a tip.
+TEST(ImagingTipWords, AnExactShapeHoldsNone) {
+    SceneDescription description = test::plainScene();
+    description.sample.shape = {.kind = ShapeKind::Sphere, .radius = 100e-9, .size = 110e-9};
+    const Scene sphere = buildScene(description);
+    EXPECT_EQ(imagingTipWords(sphere), "Exact shape, no imaging tip");
+    EXPECT_FALSE(says(imagingTipNote(sphere), kScanHoldsItsTip));
+    EXPECT_TRUE(says(imagingTipNote(sphere), "no tip recorded"));
+}
+
 }  // namespace
 }  // namespace asperity

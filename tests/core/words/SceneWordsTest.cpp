@@ -9,16 +9,19 @@ namespace {
 
 std::vector<std::string> notesOf(SceneDescription description, Leveling leveling) {
     description.sample.leveling = leveling;
-    return sceneNotes(buildScene(description, test::slopedMap(0.1)), {});
+    return surfaceNotes(buildScene(description, test::slopedMap(0.1)));
 }
 
 TEST(SceneWords, TellOfHeightsTipLawAndModel) {
     const std::vector<std::string> notes = notesOf(test::plainScene(), Leveling::None);
-    ASSERT_EQ(notes.size(), 4U);
+    ASSERT_EQ(notes.size(), 2U);
     EXPECT_EQ(notes[0], "leveling: none, heights as the file gives them");
     EXPECT_EQ(notes[1].find("imaging tip: "), 0U) << notes[1];
-    EXPECT_EQ(notes[2].find("contact law: "), 0U) << notes[2];
-    EXPECT_EQ(notes[3].find("model: "), 0U) << notes[3];
+    const Scene scene = buildScene(test::plainScene(), test::slopedMap(0.1));
+    const std::vector<std::string> ofForce = forceNotes(scene, {});
+    ASSERT_EQ(ofForce.size(), 2U);
+    EXPECT_EQ(ofForce[0].find("contact law: "), 0U) << ofForce[0];
+    EXPECT_EQ(ofForce[1].find("model: "), 0U) << ofForce[1];
 }
 
 TEST(SceneWords, NameThePlaneThatWasRemoved) {
@@ -32,8 +35,8 @@ TEST(SceneWords, NameThePlaneThatWasRemoved) {
 TEST(SceneWords, TellOfAShapeInPlaceOfTheHeights) {
     SceneDescription description = test::plainScene();
     description.sample.shape = {.kind = ShapeKind::Sphere, .radius = 100e-9, .size = 110e-9};
-    const std::vector<std::string> notes = sceneNotes(buildScene(description), {});
-    ASSERT_EQ(notes.size(), 3U);
+    const std::vector<std::string> notes = surfaceNotes(buildScene(description));
+    ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0], "the sample is an exact shape, drawn by 256 x 256 heights");
 }
 

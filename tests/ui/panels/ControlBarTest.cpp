@@ -207,5 +207,17 @@ TEST_F(ControlBarTest, FitsASmallWindowWithNothingCutOff) {
     }
 }
 
+TEST_F(ControlBarTest, TakesTwoLinesInANarrowWindow) {
+    const int line = bar.heightForWidth(1600);
+    EXPECT_GT(bar.heightForWidth(1000), line);
+    bar.resize(1000, bar.heightForWidth(1000));
+    bar.grab();
+    for (const auto* widget : bar.findChildren<QWidget*>()) {
+        if (widget->parentWidget() == &bar) {
+            EXPECT_TRUE(bar.rect().contains(widget->geometry()));
+        }
+    }
+}
+
 }  // namespace
 }  // namespace asperity

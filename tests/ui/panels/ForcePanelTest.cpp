@@ -173,7 +173,7 @@ TEST(ForcePanel, CurvesShowARunFromContactToPullOff) {
     double weakest = 0.0;
     double lowest = INFINITY;
     TickSample last;
-    const DevicePath path = approachPath(scene, {.duration = 9.0});
+    const DevicePath path = slidePath(scene, {.duration = 9.0});
     runVirtually(scene, path, afm, 9000, [&](const TickSample& sample) {
         panel.take(sample);
         strongest = std::max(strongest, sample.output.estimate.force.z());

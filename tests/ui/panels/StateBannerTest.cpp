@@ -4,6 +4,8 @@
 
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTest>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <gtest/gtest.h>
@@ -138,8 +140,9 @@ TEST(StateBanner, SaysInWordsWhatAResultDoesNotHoldFor) {
     banner.resize(1200, banner.height());
     banner.grab();
     banner.show(test::snapshotOf(flagged(1.0, Validity::LargeContact)));
-    EXPECT_EQ(test::textOf(banner, "flags"),
-              QStringLiteral("contact radius above 0.3 tip radii: beyond half-space theory"));
+    EXPECT_EQ(test::textOf(banner, "flags"), QStringLiteral("contact radius > 0.3 R"));
+    EXPECT_TRUE(banner.toolTip().contains(
+        QStringLiteral("contact radius above 0.3 tip radii: beyond half-space theory")));
     banner.show(test::snapshotOf(far()));
     EXPECT_EQ(test::textOf(banner, "flags"), QString());
 }
@@ -152,12 +155,12 @@ TEST(StateBanner, SaysWhatTheHalfSpaceFindsOrThatItDoesNotHold) {
     answer.force = 4.6e-9;
     banner.setHalfSpace(&answer);
     banner.show(test::snapshotOf(far()));
-    EXPECT_TRUE(test::textOf(banner, "state").contains(QStringLiteral("half-space: normal force")));
+    EXPECT_TRUE(banner.toolTip().contains(QStringLiteral("half-space: normal force")));
     answer.verdict = HalfSpaceVerdict::LargeContact;
     banner.setHalfSpace(&answer);
     banner.show(test::snapshotOf(far()));
     EXPECT_TRUE(test::textOf(banner, "flags").contains(QStringLiteral("closed form shown")));
-    EXPECT_FALSE(test::textOf(banner, "state").contains(QStringLiteral("half-space")));
+    EXPECT_FALSE(banner.toolTip().contains(QStringLiteral("half-space: normal force")));
     answer.verdict = HalfSpaceVerdict::NotBonded;
     banner.setHalfSpace(&answer);
     banner.show(test::snapshotOf(far()));
@@ -179,31 +182,106 @@ TEST(StateBanner, AFlagOfASingleTickStaysLongEnoughToBeRead) {
     EXPECT_EQ(test::textOf(banner, "flags"), QString());
 }
 
-TEST(StateBanner, FlagsThatDoNotFitAreWholeInTheToolTip) {
+TEST(StateBanner, ShowsTheMostSevereFlagAndTheRestOnDemand) {
     StateBanner banner;
-    banner.resize(500, banner.height());
-    banner.grab();
-    TickSample sample = flagged(1.0, Validity::LargeContact);
-    sample.output.flags.set(Validity::ModelContradicted, true);
+    banner.resize(800, banner.height());
+    static_cast<QWidget&>(banner).show();
+    TickSample sample = flagged(1.0, Validity::Anisotropic);
+    sample.output.flags.set(Validity::LargeContact, true);
+    sample.output.flags.set(Validity::OutsideScan, true);
     banner.show(test::snapshotOf(sample));
-    const auto* flags = banner.findChild<QLabel*>(QStringLiteral("flags"));
-    ASSERT_NE(flags, nullptr);
-    EXPECT_LE(flags->fontMetrics().horizontalAdvance(flags->text()), flags->width());
-    EXPECT_TRUE(flags->text().endsWith(QStringLiteral("…")));
-    EXPECT_TRUE(flags->toolTip().contains("signals contradict the contact model"));
-    EXPECT_TRUE(flags->toolTip().contains("beyond half-space theory"));
+    EXPECT_EQ(test::textOf(banner, "flags"), QStringLiteral("tip outside the scan +2"));
+    QTest::mouseClick(&banner, Qt::LeftButton);
+    EXPECT_TRUE(QToolTip::isVisible());
+    const QStringList details = QToolTip::text().split('\n');
+    ASSERT_EQ(details.size(), 4);
+    EXPECT_EQ(details[0], QStringLiteral("far"));
+    EXPECT_EQ(details[1], QStringLiteral("tip outside the scan"));
+    EXPECT_TRUE(details[2].contains(QStringLiteral("beyond half-space theory")));
+    EXPECT_TRUE(details[3].contains(QStringLiteral("effective radius")));
+    QToolTip::hideText();
+}
+
+/// As a user reads it: what is left, then what is right.
+int lettersOf(const StateBanner& banner) {
+    const QString flags = test::textOf(banner, "flags");
+    return stateOf(banner).size() + (flags.isEmpty() ? 0 : 3 + flags.size());
+}
+
+TEST(StateBanner, IsAShortLineWhateverIsWrong) {
+    StateBanner banner;
+    banner.resize(1200, banner.height());
+    banner.grab();
+    banner.setEnergyGiven(true);
+    for (TickSample sample : {far(), bonded(0.0), bonded(3e-9)}) {
+        for (const ValidityTraits& one : kValidityTraits) {
+            sample.output.flags.set(one.flag, true);  // one more each time
+            for (const ForceState state : kValues<ForceState>) {
+                sample.output.forceState = state;
+                banner.setPaused(state == ForceState::Off);
+                banner.show(test::snapshotOf(sample));
+                EXPECT_LE(lettersOf(banner), 60) << stateOf(banner).toStdString();
+            }
+        }
+        for (const Fault fault : kValues<Fault>) {
+            sample.output.fault = fault;
+            banner.show(test::snapshotOf(sample));
+            EXPECT_LE(lettersOf(banner), 60) << stateOf(banner).toStdString();
+        }
+    }
+}
+
+TEST(StateBanner, FlagsOfAContactVanishWithIt) {
+    StateBanner banner;
+    banner.resize(1200, banner.height());
+    banner.grab();
+    TickSample sample = bonded(3e-9);
+    sample.output.flags.set(Validity::ElasticLimit, true);
+    banner.take(sample);
+    banner.show(test::snapshotOf(sample));
+    EXPECT_EQ(test::textOf(banner, "flags"), QStringLiteral("pressure above yield"));
+    sample = far();
+    sample.time += 1e-3;
+    banner.take(sample);
+    banner.show(test::snapshotOf(sample));
+    EXPECT_EQ(test::textOf(banner, "flags"), QString()) << "at once";
+}
+
+/// Whether the line ever showed a flag that every `period`-th tick of a second raises [ms].
+bool everShows(StateBanner& banner, Validity flag, int period) {
+    bool shown = false;
+    TickSample sample = far();
+    for (int i = 1; i <= 1000; ++i) {
+        sample.time += 1e-3;
+        sample.output.flags = {};
+        sample.output.flags.set(flag, i % period == 0);
+        banner.take(sample);
+        banner.show(test::snapshotOf(sample));
+        shown = shown || !test::textOf(banner, "flags").isEmpty();
+    }
+    return shown;
+}
+
+TEST(StateBanner, NoiseContradictsAModelOnlyOverManyTicks) {
+    for (const Validity flag :
+         {Validity::ModelContradicted, Validity::EstimateInconsistent, Validity::Implausible}) {
+        StateBanner banner;
+        banner.resize(1200, banner.height());
+        banner.grab();
+        EXPECT_FALSE(everShows(banner, flag, 300)) << "three sigma";
+        EXPECT_FALSE(everShows(banner, flag, 3));
+        EXPECT_TRUE(everShows(banner, flag, 1));
+    }
 }
 
 TEST(StateBanner, WarnsWhileTheDeviceIsGivenEnergy) {
     StateBanner banner;
-    const auto* flags = banner.findChild<QLabel*>(QStringLiteral("flags"));
-    ASSERT_NE(flags, nullptr);
     banner.setEnergyGiven(true);
     banner.show(test::snapshotOf(far()));
-    EXPECT_TRUE(flags->toolTip().contains("begin to shake"));
+    EXPECT_TRUE(banner.toolTip().contains("begin to shake"));
     banner.setEnergyGiven(false);
     banner.show(test::snapshotOf(far()));
-    EXPECT_FALSE(flags->toolTip().contains("begin to shake"));
+    EXPECT_FALSE(banner.toolTip().contains("begin to shake"));
 }
 
 TEST(StateBanner, EveryFaultHasWords) {

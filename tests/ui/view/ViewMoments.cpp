@@ -13,7 +13,7 @@ ViewMoments momentsOf(const Scene& scene) {
     SimulatedAfm afm(scene.surface, truthOf(scene));
     RunEventRecorder recorder;
     std::optional<TickSample> first;
-    runVirtually(scene, approachPath(scene, plan), afm, 4000, [&](const TickSample& sample) {
+    runVirtually(scene, slidePath(scene, plan), afm, 4000, [&](const TickSample& sample) {
         recorder.take(sample);
         if (!first) {
             first = sample;

@@ -4,6 +4,8 @@
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ZoomViewFixture.h"
 
+#include <vtkRenderWindow.h>
+
 #include <QApplication>
 #include <QMouseEvent>
 #include <QOpenGLFunctions>
@@ -300,6 +302,13 @@ TEST_F(ZoomViewTest, FitsItsPictureToItsSize) {
         }
     }
     EXPECT_EQ(view->grabFramebuffer().size(), QSize(400, 560));
+}
+
+TEST_F(ZoomViewTest, LettersAreScaledOnceOnAScreenOfSmallPixels) {
+    view->setCustomDevicePixelRatio(2.0);
+    view->resize(500, 400);
+    settle();
+    EXPECT_EQ(view->renderWindow()->GetDPI(), 72) << "not by VTK as well";
 }
 
 }  // namespace asperity::test

@@ -8,8 +8,8 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <algorithm>
 
-// OpenEXR with one float channel Y in meters and Gwyddion's attributes. Half floats would turn 20
-// nm into 0. Source: docs/formats.md 9.
+// OpenEXR with one float channel Y, heights in meters, and Gwyddion's attributes. Half floats would
+// turn 20 nm into 0. Source: docs/formats.md 9.
 
 namespace asperity {
 
@@ -25,7 +25,7 @@ Imf::Header header(const HeightRows& map, const HeightMapMeta& meta) {
     header.insert("Gwy::YOffset", Imf::DoubleAttribute(meta.originY));
     header.insert("Gwy::ZScale", Imf::DoubleAttribute(1.0));
     header.insert("Gwy::XYUnit", Imf::StringAttribute("m"));
-    header.insert("Gwy::ZUnit", Imf::StringAttribute("m"));
+    header.insert("Gwy::ZUnit", Imf::StringAttribute(meta.unit));
     header.insert("Gwy::Title", Imf::StringAttribute(meta.title));
     return header;
 }

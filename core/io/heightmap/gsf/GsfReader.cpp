@@ -35,7 +35,7 @@ public:
         parseHeader(std::string_view(start_).substr(kMagic.size(), headerEnd - kMagic.size()));
         StoredScan result;
         result.channels.push_back(channel(dataAfter(headerEnd)));
-        settleSize(result.channels.back().channel, result.notes);
+        settleSize(result.channels.back().channel);
         return result;
     }
 

@@ -25,8 +25,9 @@ std::string header(const HeightRows& map, const HeightMapMeta& meta) {
     return "Gwyddion Simple Field 1.0\nXRes = " + std::to_string(map.columns) +
            "\nYRes = " + std::to_string(map.rows) + "\nXReal = " + exactText(map.sizeX()) +
            "\nYReal = " + exactText(map.sizeY()) + "\nXOffset = " + exactText(meta.originX) +
-           "\nYOffset = " + exactText(meta.originY) +
-           "\nXYUnits = m\nZUnits = m\nTitle = " + oneLine(meta.title) + "\n";
+           "\nYOffset = " + exactText(meta.originY) + "\nXYUnits = m" +
+           (meta.unit.empty() ? "" : "\nZUnits = " + meta.unit) +
+           "\nTitle = " + oneLine(meta.title) + "\n";
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ private:
         if (parts.metadata) {
             channel.metadata = readMetadata(*parts.metadata);
         }
-        settleSize(channel, result_.notes);
+        settleSize(channel);
         result_.channels.push_back(
             {.channel = std::move(channel),
              .factor = data.unit.factor,
@@ -180,7 +180,7 @@ private:
     }
 
     /// Importers put void pixels into the mask and fill the data by interpolation.
-    DataField maskOf(const ScanChannel& channel, const GwyObject& object) {
+    DataField maskOf(ScanChannel& channel, const GwyObject& object) const {
         DataField mask = readField(object);
         if (mask.size.columns != channel.map.columns || mask.size.rows != channel.map.rows) {
             throw InputError(file_, place(object),
@@ -194,7 +194,7 @@ private:
             marked += std::ranges::count_if(values, marks);
         }
         if (marked > 0) {
-            result_.notes.push_back("'" + channel.name + "': " + std::to_string(marked) +
+            channel.notes.push_back(std::to_string(marked) +
                                     " pixels marked by the file's mask are taken as invalid");
         }
         return mask;

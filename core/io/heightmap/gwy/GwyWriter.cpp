@@ -96,9 +96,10 @@ private:
     std::vector<std::streampos> begins_;  ///< places of the sizes of objects that have not ended
 };
 
-void writeMeter(GwyStream& stream, std::string_view name) {
+/// @param unit empty: none
+void writeUnit(GwyStream& stream, std::string_view name, std::string_view unit) {
     stream.begin(name, "GwySIUnit");
-    stream.text("unitstr", "m");
+    stream.text("unitstr", unit);
     stream.end();
 }
 
@@ -110,7 +111,7 @@ void writeGeometry(GwyStream& stream, const HeightRows& map, const HeightMapMeta
     stream.number("yreal", map.sizeY());
     stream.number("xoff", meta.originX);
     stream.number("yoff", meta.originY);
-    writeMeter(stream, "si_unit_xy");
+    writeUnit(stream, "si_unit_xy", "m");
 }
 
 /// The format forbids NaN: pixels without data hold the lowest height, and the mask marks them.
@@ -120,7 +121,7 @@ void writeHeights(GwyStream& stream, const HeightRows& map, const HeightMapMeta&
     writeGeometry(stream, map, meta);
     stream.numbers("data", map, progress,
                    [filling](double height) { return isFiniteHeight(height) ? height : filling; });
-    writeMeter(stream, "si_unit_z");
+    writeUnit(stream, "si_unit_z", meta.unit);
     stream.end();
 }
 

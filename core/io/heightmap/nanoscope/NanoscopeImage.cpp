@@ -166,21 +166,19 @@ NanoscopeScale NanoscopeImage::sensitivity(const std::string& softScale,
 
 std::vector<std::string> NanoscopeImage::notes() const {
     std::vector<std::string> notes;
-    const std::string channel = "'" + name() + "': ";
     const NanoscopeLayout found = layout();
     if (found.size.rows < found.plannedRows) {
-        notes.push_back(channel + "the scan was stopped after " + std::to_string(found.size.rows) +
-                        " of " + std::to_string(found.plannedRows) + " lines");
+        notes.push_back("the scan was stopped after " + std::to_string(found.size.rows) + " of " +
+                        std::to_string(found.plannedRows) + " lines");
     }
     const double ratio = parseAspectRatio(image_->find("Aspect ratio"));
     const double stated = found.sizeX / found.sizeY;
     if (std::abs(ratio - stated) > 0.01 * stated) {
-        notes.push_back(channel + "the aspect ratio disagrees with the scan size, which is used");
+        notes.emplace_back("the aspect ratio disagrees with the scan size, which is used");
     }
     const std::string* planefit = image_->find("Offline planefit");
     if (planefit != nullptr && !planefit->empty() && *planefit != "None") {
-        notes.push_back(channel + "the heights were leveled before they were saved (" + *planefit +
-                        ")");
+        notes.push_back("the heights were leveled before they were saved (" + *planefit + ")");
     }
     return notes;
 }

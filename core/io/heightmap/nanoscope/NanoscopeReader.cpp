@@ -119,16 +119,14 @@ private:
         }
     }
 
-    void addNotes(const NanoscopeImage& image, ScanChannel& channel, int sampleBytes) {
-        for (const std::string& note : image.notes()) {
-            result_.notes.push_back(note);
-        }
+    static void addNotes(const NanoscopeImage& image, ScanChannel& channel, int sampleBytes) {
+        channel.notes = image.notes();
         if (image.bytesPerPixel() != sampleBytes) {
-            result_.notes.push_back(
-                "'" + channel.name + "': the header says " + std::to_string(image.bytesPerPixel()) +
-                " bytes a sample, but this version stores " + std::to_string(sampleBytes));
+            channel.notes.push_back("the header says " + std::to_string(image.bytesPerPixel()) +
+                                    " bytes a sample, but this version stores " +
+                                    std::to_string(sampleBytes));
         }
-        settleSize(channel, result_.notes);
+        settleSize(channel);
     }
 
     /// Everything but the other images; the image's own entries win.

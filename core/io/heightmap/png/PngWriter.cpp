@@ -31,7 +31,7 @@ TextKeys textKeys(const HeightRows& map, const HeightMapMeta& meta, const Height
                      {"Gwy::XYUnit", "m"},
                      {"Gwy::ZMin", exactText(range.lowest)},
                      {"Gwy::ZMax", exactText(range.highest)},
-                     {"Gwy::ZUnit", "m"}};
+                     {"Gwy::ZUnit", meta.unit}};
     if (range.missing > 0) {
         keys.emplace_back("Comment", std::to_string(range.missing) +
                                          " pixels without data are shown at the lowest height");

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-// A matrix of heights as Gwyddion exports it: four comment lines, then the rows from the top.
+// A matrix of heights as Gwyddion exports it: comment lines, then the rows from the top.
 // Source: docs/formats.md 4.
 
 namespace asperity {
@@ -22,7 +22,8 @@ void writeText(const std::filesystem::path& target, const HeightRows& map,
                const HeightMapMeta& meta, Progress* progress) {
     std::ofstream stream(target, std::ios::binary);
     stream << "# Channel: " << oneLine(meta.title) << "\n# Width: " << exactText(map.sizeX())
-           << " m\n# Height: " << exactText(map.sizeY()) << " m\n# Value units: m\n";
+           << " m\n# Height: " << exactText(map.sizeY()) << " m\n"
+           << (meta.unit.empty() ? "" : "# Value units: " + meta.unit + "\n");
     forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
         std::string line;
         for (const double height : heights) {

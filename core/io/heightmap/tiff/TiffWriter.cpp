@@ -6,8 +6,8 @@
 #include <memory>
 #include <tiffio.h>
 
-// A float32 TIFF in meters. The resolution tags are rounded fractions, so that the description
-// repeats the size in full. Source: docs/formats.md 9.
+// A float32 TIFF, heights in meters. The resolution tags are rounded fractions, so that the
+// description repeats the size in full. Source: docs/formats.md 9.
 
 namespace asperity {
 
@@ -25,7 +25,8 @@ constexpr std::size_t kClassicLimit = 4'000'000'000U;
 std::string description(const HeightRows& map, const HeightMapMeta& meta) {
     return "Gwy::Title=" + meta.title + "\nGwy::XReal=" + exactText(map.sizeX()) +
            "\nGwy::YReal=" + exactText(map.sizeY()) + "\nGwy::XOffset=" + exactText(meta.originX) +
-           "\nGwy::YOffset=" + exactText(meta.originY) + "\nGwy::XYUnit=m\nGwy::ZUnit=m\n";
+           "\nGwy::YOffset=" + exactText(meta.originY) +
+           "\nGwy::XYUnit=m\nGwy::ZUnit=" + meta.unit + "\n";
 }
 
 void setTags(TIFF* tiff, const HeightRows& map, const HeightMapMeta& meta) {

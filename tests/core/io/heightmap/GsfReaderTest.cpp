@@ -75,7 +75,7 @@ TEST(GsfReader, NanIsInvalid) {
 TEST(GsfReader, MissingLateralUnitIsTakenAsMetersAndSaid) {
     const HeightMapFile file = read(gsfFile(std::string(kSize) + "ZUnits = m\n", kValues));
     EXPECT_TRUE(file.channels.at(0).hasSize());
-    EXPECT_THAT(file.notes.at(0), HasSubstr("meters are assumed"));
+    EXPECT_THAT(file.channels.at(0).notes.at(0), HasSubstr("meters are assumed"));
 }
 
 TEST(GsfReader, MissingSizeOrHeightUnitIsNotGuessed) {

@@ -1,7 +1,9 @@
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
 #include "tests/support/Refusal.h"
+#include "tests/support/ScratchFolder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +15,9 @@ namespace asperity::test {
 
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 HeightMapFile read(const std::string& bytes) { return readHeightMapBytes(bytes, "scan.gwy"); }
 
@@ -61,7 +65,23 @@ TEST(GwyReader, MaskedPixelsAreInvalid) {
     EXPECT_EQ(map.invalid, (PixelMask{0, 1, 0, 0, 1, 0}));
     EXPECT_TRUE(std::isnan(map.at(0, 1)));
     EXPECT_EQ(map.at(0, 0), 1e-9);
-    EXPECT_THAT(file.notes.at(0), HasSubstr("2 pixels"));
+    EXPECT_THAT(file.channels.at(0).notes.at(0), HasSubstr("2 pixels"));
+}
+
+/// A scene on one image named the masks of all.
+TEST(GwyReader, AMaskIsNotedOnItsOwnImageAlone) {
+    const std::string mask =
+        gwyObjectBytes("GwyDataField", sizeOf(2, 3) + gwyNumbers("data", {0, 1, 0, 0, 1, 1}));
+    const ScratchFolder folder;
+    const auto path = folder.write(
+        "two.gwy",
+        gwyFile(gwyComponent("/0/data", smallGwyField()) + gwyText("/0/data/title", "Height") +
+                gwyComponent("/1/data", smallGwyField()) + gwyText("/1/data/title", "Masked") +
+                gwyComponent("/1/mask", mask)));
+    EXPECT_THAT(readHeightScan(path, "Height").notes, IsEmpty());
+    EXPECT_THAT(readHeightChannel(path, "Height").notes, IsEmpty());
+    EXPECT_THAT(readHeightScan(path, "Masked").notes,
+                ElementsAre("'Masked': 3 pixels marked by the file's mask are taken as invalid"));
 }
 
 TEST(GwyReader, NanAndInfinityAreInvalid) {

@@ -177,6 +177,26 @@ TEST(HeightMapWriter, TextReadsBackToTheSameBits) {
     }
 }
 
+/// Every map was one of heights in meters, whatever its values were.
+TEST(HeightMapWriter, NumbersWithoutAUnitAreNoHeights) {
+    const ScratchFolder folder;
+    const HeightMapMeta numbers{.title = "Certainty", .unit = ""};
+    const auto written = [&](const char* name) {
+        writeHeightMap(folder.file(name), rowsOf(bumpyMap(7, 4)), numbers);
+        return folder.file(name);
+    };
+    for (const char* name : {"map.gwy", "map.gsf"}) {
+        const ScanChannel channel = readHeightMapFile(written(name)).channels.at(0);
+        EXPECT_EQ(channel.unit, "") << name;
+        EXPECT_EQ(channel.lateralUnit, "m") << name;
+        EXPECT_DOUBLE_EQ(channel.map.pitchX, bumpyMap(7, 4).pitchX) << name;
+    }
+    EXPECT_EQ(readExr(written("map.exr")).text.at("Gwy::ZUnit"), "");
+    EXPECT_EQ(readPng(written("map.png")).text.at("Gwy::ZUnit"), "");
+    EXPECT_THAT(readTiff(written("map.tiff")).text.at("description"), HasSubstr("Gwy::ZUnit=\n"));
+    EXPECT_THAT(contentOf(written("map.txt")), testing::Not(HasSubstr("Value units")));
+}
+
 TEST(HeightMapWriter, FlatAndEmptyMapsAreLegal) {
     HeightMap flat = bumpyMap(2, 2);
     flat.heights.assign(4, 3e-9);

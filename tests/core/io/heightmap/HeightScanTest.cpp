@@ -26,7 +26,7 @@ void expectSameMap(const std::filesystem::path& path) {
     const HeightScan scan = readHeightScan(path, "");
     EXPECT_EQ(scan.format, file.format);
     EXPECT_EQ(scan.channel, channel.name);
-    EXPECT_EQ(scan.notes, file.notes);
+    EXPECT_EQ(scan.notes, notesOn(file, channel));
     EXPECT_EQ(scan.map.columns, channel.map.columns);
     EXPECT_EQ(scan.map.rows, channel.map.rows);
     EXPECT_EQ(scan.map.pitchX, channel.map.pitchX);
@@ -146,7 +146,7 @@ TEST(HeightChannel, IsTheMapAsTheFileGivesIt) {
     EXPECT_EQ(read.channel.map.pitchX, expected.map.pitchX);
     EXPECT_EQ(read.channel.map.invalid, expected.map.invalid);
     EXPECT_EQ(read.channel.map.at(300, 7), expected.map.at(300, 7));
-    EXPECT_EQ(read.notes, file.notes);
+    EXPECT_EQ(read.notes, notesOn(file, expected));
     const HeightScan scan = readHeightScan(folder.file("map.gwy"), "");
     EXPECT_EQ(scan.originX, 1.0_um);
     EXPECT_EQ(scan.originY, 2.0_um);

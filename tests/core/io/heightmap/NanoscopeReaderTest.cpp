@@ -137,7 +137,7 @@ TEST(NanoscopeReader, StatedHeightOfTheScanWinsOverAnOddAspectRatio) {
     text.aspectRatio = "0.512";
     const HeightMapFile file = readHeightMapBytes(nanoscopeFile(text), "scan");
     EXPECT_DOUBLE_EQ(file.channels.at(0).map.sizeY(), 20e-9);
-    EXPECT_THAT(file.notes.at(0), HasSubstr("aspect ratio"));
+    EXPECT_THAT(file.channels.at(0).notes.at(0), HasSubstr("aspect ratio"));
 }
 
 TEST(NanoscopeReader, StoppedScanShowsItsStoredLinesOnlyAndSaysSo) {
@@ -148,13 +148,14 @@ TEST(NanoscopeReader, StoppedScanShowsItsStoredLinesOnlyAndSaysSo) {
     const HeightMapFile file = readHeightMapBytes(nanoscopeFile(text), "scan");
     EXPECT_EQ(file.channels.at(0).map.rows, 2);
     EXPECT_DOUBLE_EQ(file.channels.at(0).map.sizeY(), 20e-9);
-    EXPECT_THAT(file.notes.at(0), HasSubstr("stopped after 2 of 8 lines"));
+    EXPECT_THAT(file.channels.at(0).notes.at(0), HasSubstr("stopped after 2 of 8 lines"));
 }
 
 TEST(NanoscopeReader, EarlierLevelingIsNoted) {
     NanoscopeText text;
     text.extra = "\\Offline Planefit: Full\r\n";
-    EXPECT_THAT(readHeightMapBytes(nanoscopeFile(text), "scan").notes.at(0), HasSubstr("leveled"));
+    EXPECT_THAT(readHeightMapBytes(nanoscopeFile(text), "scan").channels.at(0).notes.at(0),
+                HasSubstr("leveled"));
 }
 
 TEST(NanoscopeReader, ZeroScanSizeIsUnknownNotOneMeter) {

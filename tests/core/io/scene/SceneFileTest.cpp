@@ -103,6 +103,18 @@ shape_slope_rad = 0.3
     EXPECT_EQ(sceneText(readScene(write("again.toml", slopeText))), slopeText);
 }
 
+TEST_F(SceneFile, ReadsTheSetpointOfAnApproach) {
+    const std::string map = "[sample]\nfile = \"map.gsf\"\n";
+    EXPECT_EQ(readScene(write("scene.toml", map)).setpoint, 5e-9);
+    const SceneDescription scene =
+        readScene(write("scene.toml", map + "[approach]\nsetpoint_n = 2e-10\n"));
+    EXPECT_EQ(scene.setpoint, 2e-10);
+    EXPECT_EQ(readScene(write("again.toml", sceneText(scene))).setpoint, 2e-10);
+    EXPECT_NE(refusal(map + "[approach]\nsetpoint_n = 0\n").find("[approach]: setpoint_n must lie"),
+              std::string::npos);
+    EXPECT_NE(refusal(map + "[approach]\nsetpoint = 1e-9\n"), "");
+}
+
 TEST_F(SceneFile, RefusesAShapeThatIsNone) {
     const std::string path = (scratch.path() / "scene.toml").string();
     EXPECT_EQ(refusal("[sample]\nshape = \"cone\"\n"),

@@ -152,6 +152,33 @@ TEST(HighestPlace, KeepsTheMarginToTheEdges) {
     EXPECT_THROW((void)highestPlace(surface, -0.1), Error);
 }
 
+/// A hill of 3 x 3 pixels, the middle one of which holds no data.
+HeightMap hillWithAHole() {
+    HeightMap map = flatMap({.columns = 9, .rows = 9, .sizeX = 9.0_um, .sizeY = 9.0_um});
+    for (int row = 5; row <= 7; ++row) {
+        for (int column = 5; column <= 7; ++column) {
+            map.heights[map.index(row, column)] = 50.0_nm;
+        }
+    }
+    map.invalid.assign(81, false);
+    map.invalid[map.index(6, 6)] = true;
+    return map;
+}
+
+/// The tip of a scripted path never met the sample, but heights that were filled in.
+TEST(HighestPlace, HoldsData) {
+    const BSplineSurface surface = fitSurface(hillWithAHole());
+    const SurfacePlace top = highestPlace(surface, 0.03);
+    EXPECT_TRUE(surface.isMeasured(top.x, top.y)) << top.x << ' ' << top.y;
+    EXPECT_NEAR(top.height, 50.0_nm, 1.0_nm);
+    HeightMap empty = hillWithAHole();
+    empty.invalid.assign(81, true);
+    empty.invalid[0] = false;
+    const BSplineSurface filled = fitSurface(empty);
+    const SurfacePlace none = highestPlace(filled, 0.2);
+    EXPECT_FALSE(filled.isMeasured(none.x, none.y)) << "only the corner does";
+}
+
 TEST(HighestPlace, IsDefinedOnALevelSurface) {
     const SurfacePlace place = highestPlace(fitSurface(flatMap(kScan)), 0.1);
     EXPECT_TRUE(place.x > 0.0 && place.x < kSize);

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/haptics/DevicePath.h"
+#include "core/haptics/PlannedApproach.h"
+#include "core/haptics/device/HapticDevice.h"
+
+#include <atomic>
+
+namespace asperity {
+
+/// A device that approaches the sample until the estimated force reaches a setpoint. It knows the
+/// force of the tick before; what it makes of it is a device position as any other, so that a
+/// recording of it replays without it.
+class ApproachDevice final : public HapticDevice {
+public:
+    /// For a run that begins with it.
+    /// @param positionGain base displacement per device displacement while the device runs
+    ApproachDevice(const PlannedApproach& approach, double positionGain);
+    /// For a device that takes over from another one.
+    /// @param leadIn of the base, from where it is to where the approach starts, world [m]
+    /// @param start  where that device is, in the device's frame, while the base is where `leadIn`
+    ///               begins
+    ApproachDevice(DevicePath leadIn, const ApproachPlan& plan, double positionGain, Vector3 start);
+
+    [[nodiscard]] DeviceSpecification specification() const noexcept override {
+        return kSensesOnly;
+    }
+    DeviceState advance(double timeStep) noexcept override;
+    void observe(const TickOutput& output) noexcept override;
+
+    /// Any thread; wait-free.
+    [[nodiscard]] ApproachPhase phase() const noexcept { return phase_; }
+    /// Whether the force has reached the setpoint. Any thread; wait-free.
+    [[nodiscard]] bool hasEngaged() const noexcept { return engaged_; }
+
+private:
+    [[nodiscard]] Vector3 nextBase(double timeStep) noexcept;
+
+    DevicePath leadIn_;
+    SetpointApproach approach_;
+    double positionGain_;
+    Vector3 start_;         ///< of the device [m]
+    double time_ = 0.0;     ///< along the lead-in [s]
+    double force_ = 0.0;    ///< of the last tick, along z [N]
+    bool started_ = false;  ///< the first step only begins
+    std::atomic<ApproachPhase> phase_ = ApproachPhase::Baseline;
+    std::atomic<bool> engaged_ = false;
+};
+
+}  // namespace asperity

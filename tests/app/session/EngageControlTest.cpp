@@ -1,0 +1,106 @@
+#include "app/session/EngageControl.h"
+
+#include "tests/app/session/ControlFixture.h"
+#include "ui/panels/ControlBar.h"
+#include "ui/panels/EngageBar.h"
+
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace asperity::test {
+namespace {
+
+class EngageControlTest : public ControlFixture {
+protected:
+    /// Frames until something holds.
+    bool framesUntil(const std::function<bool()>& holds, int milliseconds = 20000) {
+        return eventually(
+            [&] {
+                devices.advance(0.01);
+                engaging.advance();
+                return holds();
+            },
+            milliseconds);
+    }
+    const TickOutput& latest() { return run().loop().snapshot().sample.output; }
+    std::string device() {
+        return window.findChild<QComboBox*>("hand")->currentText().toStdString();
+    }
+    QPushButton& button(const char* name) { return *window.findChild<QPushButton*>(name); }
+    bool engaged() { return told().starts_with("Engaged"); }
+
+    DeviceControl devices{window, runs};
+    EngageControl engaging{window, runs, devices};
+};
+
+// It took 75 notches of the wheel, and more care than an AFM asks for.
+TEST_F(EngageControlTest, EngagesFromFarInAboutTwoSecondsAndGivesTheTipBack) {
+    useFlatScene();
+    ASSERT_TRUE(framesUntil([this] { return latest().region() == TipRegion::Far; }));
+    const Vector3 start = run().basePosition();
+    window.engage().setSetpoint(3e-9);
+    QElapsedTimer time;
+    time.start();
+    button("engage").click();
+    EXPECT_EQ(device(), "Scripted path");
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    EXPECT_LT(time.elapsed(), 4000);
+    EXPECT_EQ(told(), "Engaged at 3 nN");
+    EXPECT_EQ(device(), "Mouse and keyboard");
+    EXPECT_NEAR(latest().model.force.z(), 3e-9, 0.6e-9);
+    EXPECT_LT((run().basePosition() - start).head<2>().norm(), 1e-15);
+    const double engagedAt = run().basePosition().z();
+    ASSERT_FALSE(framesUntil([] { return false; }, 300));
+    EXPECT_NEAR(run().basePosition().z(), engagedAt, 1e-13) << "the tip stays";
+}
+
+TEST_F(EngageControlTest, WithdrawsOutOfTheSamplesReachAlsoWhileItEngages) {
+    useFlatScene();
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
+    button("withdraw").click();
+    ASSERT_TRUE(framesUntil([this] { return run().basePosition().z() > 5e-9; }));
+    EXPECT_EQ(latest().region(), TipRegion::Far);
+    button("engage").click();
+    ASSERT_TRUE(framesUntil([this] { return run().basePosition().z() < 4e-9; }));
+    button("withdraw").click();
+    EXPECT_EQ(device(), "Mouse and keyboard");
+    ASSERT_TRUE(framesUntil([this] { return run().basePosition().z() > 5e-9; }));
+}
+
+TEST_F(EngageControlTest, TheSetpointIsThatOfTheSceneAndStaysOverAnotherMaterial) {
+    SceneDescription description = plainScene();
+    description.setpoint = 2e-9;
+    runs.use({.scene = buildScene(description, flatMap()),
+              .format = "made for the test",
+              .sha256 = "",
+              .notes = {}});
+    EXPECT_DOUBLE_EQ(window.engage().setpoint(), 2e-9);
+    window.engage().setSetpoint(7e-9);
+    runs.rebuild([](LoadedScene scene) { return scene; });
+    EXPECT_DOUBLE_EQ(window.engage().setpoint(), 7e-9);
+    useFlatScene();
+    EXPECT_DOUBLE_EQ(window.engage().setpoint(), 5e-9) << "another scene";
+}
+
+TEST_F(EngageControlTest, AForceFeedbackDeviceApproachesByHand) {
+    useFlatScene();
+    auto& list = *window.findChild<QComboBox*>("hand");
+    Q_EMIT window.controls().deviceChosen(list.findText("Simulated device"));
+    ASSERT_TRUE(framesUntil([this] { return !button("engage").isEnabled(); }, 2000));
+    EXPECT_NE(button("engage").toolTip().indexOf("force-feedback"), -1);
+    Q_EMIT window.controls().deviceChosen(list.findText("Mouse and keyboard"));
+    EXPECT_TRUE(framesUntil([this] { return button("engage").isEnabled(); }, 2000));
+}
+
+TEST_F(EngageControlTest, WithoutARunNothingHappens) {
+    button("engage").click();
+    button("withdraw").click();
+    EXPECT_EQ(complaint(), "");
+}
+
+}  // namespace
+}  // namespace asperity::test

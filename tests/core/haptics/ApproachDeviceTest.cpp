@@ -1,0 +1,105 @@
+#include "core/haptics/ApproachDevice.h"
+
+#include "core/Units.h"
+#include "core/haptics/VirtualRun.h"
+#include "core/scene/SceneTruth.h"
+#include "tests/support/TestScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+constexpr double kDuration = 4.0;  // [s]
+
+std::vector<TickSample> approached(const Scene& scene, ApproachDevice& device) {
+    SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
+    std::vector<TickSample> samples;
+    runVirtually(scene, device, afm, 4001,
+                 [&](const TickSample& sample) { samples.push_back(sample); });
+    return samples;
+}
+
+std::vector<TickSample> approached(const Scene& scene) {
+    ApproachDevice device(planApproach(scene, {.duration = kDuration}),
+                          scene.settings.positionGain);
+    std::vector<TickSample> samples = approached(scene, device);
+    EXPECT_TRUE(device.hasEngaged());
+    EXPECT_EQ(device.phase(), ApproachPhase::Done) << "not back in time";
+    return samples;
+}
+
+double strongestPush(const std::vector<TickSample>& samples) {
+    double strongest = 0.0;
+    for (const TickSample& sample : samples) {
+        strongest = std::max(strongest, sample.output.model.force.z());
+    }
+    return strongest;
+}
+
+TEST(ApproachDevice, EndsAtTheSetpointStraightBelowItsStart) {
+    for (const double setpoint : {0.5_nN, 5.0_nN, 20.0_nN}) {
+        SceneDescription description = test::plainScene();
+        description.setpoint = setpoint;
+        const Scene scene = buildScene(description, test::hillyMap());
+        const std::vector<TickSample> samples = approached(scene);
+        EXPECT_NEAR(strongestPush(samples), setpoint, 0.3_nN + 0.02 * setpoint);
+        const Vector3& start = samples.front().output.base.position;
+        for (const TickSample& sample : samples) {
+            ASSERT_EQ(sample.output.base.position.head<2>(), start.head<2>());
+        }
+        EXPECT_EQ(samples.back().output.base.position, start);
+        EXPECT_EQ(samples.back().output.region(), TipRegion::Far) << "pulled off";
+    }
+}
+
+// What the sample is decides, not what the scene takes it to be.
+TEST(ApproachDevice, FollowsTheMeasuredForceWhereTheSampleIsNotAsBelieved) {
+    SceneDescription description = test::plainScene();
+    description.truth.material.elastic.youngsModulus *= 0.5;
+    const Scene scene = buildScene(description, test::flatMap());
+    SimulatedAfm afm(scene.trueSurface(), truthOf(scene));
+    ApproachDevice device(planApproach(scene, {.duration = kDuration}),
+                          scene.settings.positionGain);
+    double strongest = 0.0;
+    runVirtually(scene, device, afm, 4001, [&](const TickSample&) {
+        strongest = std::max(strongest, afm.trueState().force.z());
+    });
+    EXPECT_NEAR(strongest, scene.description.setpoint, 0.5_nN);
+}
+
+TEST(ApproachDevice, MovesByItsGainFromWhereTheDeviceBeforeWas) {
+    const Scene scene = buildScene(test::plainScene(), test::flatMap());
+    constexpr double kGain = 0.5;
+    const Vector3 device(1.0, 2.0, 3.0);
+    const Vector3 base(50.0_nm, 50.0_nm, 40.0_nm);
+    const PlannedApproach planned = planApproach(scene, {.place = base.head<2>()});
+    ApproachDevice approach({{0.0, base}, {0.1, planned.start}}, planned.plan, kGain, device);
+    EXPECT_EQ(approach.advance(1e-3).position, device);
+    Vector3 last = device;
+    for (int i = 0; i < 100; ++i) {
+        last = approach.advance(1e-3).position;
+    }
+    EXPECT_NEAR(last.z() - device.z(), (planned.start.z() - base.z()) / kGain, 1e-15);
+    EXPECT_EQ(approach.phase(), ApproachPhase::Baseline);
+}
+
+TEST(ApproachDevice, TheRecordedInputReplaysToTheSameBits) {
+    const Scene scene = buildScene(test::plainScene(), test::hillyMap());
+    const std::vector<TickSample> first = approached(scene);
+    const std::vector<TickSample> second = approached(scene);
+    ASSERT_EQ(first.size(), second.size());
+    TickMemory memory;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        ASSERT_EQ(first[i].input.device.position, second[i].input.device.position) << i;
+        const TickOutput replayed = tick(scene, first[i].input, memory);
+        ASSERT_EQ(replayed.estimate.force, first[i].output.estimate.force) << i;
+        ASSERT_EQ(replayed.base.position, first[i].output.base.position) << i;
+    }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,143 @@
+#include "core/haptics/SetpointApproach.h"
+
+#include "core/Units.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace asperity {
+namespace {
+
+constexpr double kTimeStep = 1e-3;  // [s]
+const Vector3 kStart(10e-9, 20e-9, 30e-9);
+constexpr double kSurface = 24e-9;   // [m]
+constexpr double kStiffness = 14.0;  // [N/m]
+
+constexpr ApproachPlan kPlan{
+    .setpoint = 5e-9, .speed = 10e-9, .baseline = 0.1, .dwell = 0.05, .maxDescent = 20e-9};
+
+/// A sample that pulls for a nanometer and then pushes, on a lever whose free signal is not zero.
+double springForce(double z) {
+    const double depth = kSurface - z;
+    const double force = depth < 0.0 ? 0.0 : kStiffness * depth - 2e-9;
+    return force + 40e-9;
+}
+
+/// An approach and all that came of it.
+struct Course {
+    SetpointApproach approach;
+    Vector3 base = kStart;
+    Vector3 lowest = kStart;
+    double force = 0.0;  ///< of the tick in which the descent ended, above the free one [N]
+
+    template <class Force>
+    Course(const ApproachPlan& plan, double duration, const Force& forceAt) : approach(plan, kStart) {
+        double last = 0.0;
+        for (int i = 0; i * kTimeStep < duration; ++i) {
+            const ApproachPhase before = approach.phase();
+            base = approach.advance(kTimeStep, last);
+            if (before == ApproachPhase::Descent && approach.phase() == ApproachPhase::Dwell) {
+                force = springForce(base.z()) - springForce(kStart.z());
+            }
+            lowest = base.z() < lowest.z() ? base : lowest;
+            last = forceAt(base.z());
+        }
+    }
+};
+
+TEST(SetpointApproach, StopsAtTheSetpointAboveTheBaselineAndReturnsToItsStart) {
+    const Course run(kPlan, 2.0, springForce);
+    EXPECT_TRUE(run.approach.hasEngaged());
+    EXPECT_EQ(run.approach.phase(), ApproachPhase::Done);
+    const double step = kStiffness * kPlan.speed * kTimeStep;  // of the force in a tick
+    EXPECT_GE(run.force, kPlan.setpoint - 1e-15);
+    EXPECT_LE(run.force, kPlan.setpoint + 1.01 * step);
+    EXPECT_EQ(run.base, kStart);
+    EXPECT_EQ(run.lowest.head<2>(), kStart.head<2>()) << "straight down";
+}
+
+TEST(SetpointApproach, RestsFirstAndDwellsAsLongAsAsked) {
+    SetpointApproach approach(kPlan, kStart);
+    int resting = 0;
+    int dwelling = 0;
+    double last = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vector3 base = approach.advance(kTimeStep, last);
+        last = springForce(base.z());
+        resting += approach.phase() == ApproachPhase::Baseline ? 1 : 0;
+        dwelling += approach.phase() == ApproachPhase::Dwell ? 1 : 0;
+        if (approach.phase() == ApproachPhase::Baseline) {
+            ASSERT_EQ(base, kStart);
+        }
+    }
+    EXPECT_NEAR(resting, 100, 2);
+    EXPECT_NEAR(dwelling, 50, 2);
+}
+
+TEST(SetpointApproach, WithoutAContactItEndsAtItsLimitAndReturns) {
+    const Course run(kPlan, 5.0, [](double) { return 40e-9; });
+    EXPECT_FALSE(run.approach.hasEngaged());
+    EXPECT_EQ(run.approach.phase(), ApproachPhase::Done);
+    EXPECT_NEAR(kStart.z() - run.lowest.z(), kPlan.maxDescent, 1e-18);
+    EXPECT_EQ(run.base, kStart);
+}
+
+TEST(SetpointApproach, StaysAtTheSetpointWhereTheDwellHasNoEnd) {
+    ApproachPlan plan = kPlan;
+    plan.dwell = std::numeric_limits<double>::infinity();
+    const Course run(plan, 5.0, springForce);
+    EXPECT_EQ(run.approach.phase(), ApproachPhase::Dwell);
+    EXPECT_EQ(run.base, run.lowest);
+}
+
+// A sixth of the setpoint is the noise; of 20,000 ticks far from the sample some are above it.
+TEST(SetpointApproach, NoiseNeitherEndsTheDescentNorKeepsItFromEnding) {
+    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
+        std::mt19937 random(seed);
+        std::normal_distribution<double> noise(0.0, 1.5e-9);
+        ApproachPlan plan = kPlan;
+        plan.speed = 1e-9;
+        const Course run(plan, 12.0, [&](double z) { return springForce(z) + noise(random); });
+        EXPECT_TRUE(run.approach.hasEngaged()) << seed;
+        EXPECT_LT(run.lowest.z(), kSurface) << "stopped in free air, seed " << seed;
+        EXPECT_NEAR(run.force, plan.setpoint, 0.5 * plan.setpoint) << seed;
+    }
+}
+
+TEST(SetpointApproach, AForceThatIsNoNumberEndsTheDescent) {
+    const Course run(kPlan, 3.0, [](double z) {
+        return z < 26e-9 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+    });
+    EXPECT_FALSE(run.approach.hasEngaged());
+    EXPECT_GT(run.lowest.z(), 25.9e-9);
+    EXPECT_EQ(run.base, kStart);
+}
+
+TEST(RunningMoments, AreMeanAndDeviation) {
+    RunningMoments moments;
+    EXPECT_EQ(moments.deviation(), 0.0);
+    for (const double value : {2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0}) {
+        moments.add(1e6 + value);
+    }
+    EXPECT_DOUBLE_EQ(moments.mean(), 1e6 + 5.0);
+    EXPECT_NEAR(moments.deviation(), std::sqrt(32.0 / 7.0), 1e-9);
+}
+
+TEST(RecentMean, IsOfTheLastValues) {
+    RecentMean mean(3);
+    EXPECT_EQ(mean.mean(), 0.0);
+    mean.add(1.0);
+    mean.add(2.0);
+    EXPECT_FALSE(mean.isFull());
+    EXPECT_DOUBLE_EQ(mean.mean(), 1.5);
+    mean.add(6.0);
+    mean.add(7.0);
+    EXPECT_TRUE(mean.isFull());
+    EXPECT_DOUBLE_EQ(mean.mean(), 5.0);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,134 @@
+#include "ui/window/MainWindow.h"
+
+#include "tests/support/TestScenes.h"
+#include "ui/panels/Card.h"
+#include "ui/panels/FidelityPanel.h"
+#include "ui/window/Placement.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QtTest>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace asperity::test {
+namespace {
+
+bool holdsText(const QWidget& widget) {
+    return qobject_cast<const QLabel*>(&widget) != nullptr ||
+           qobject_cast<const QAbstractButton*>(&widget) != nullptr ||
+           qobject_cast<const QComboBox*>(&widget) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr;
+}
+
+std::string nameOf(const QWidget& widget) {
+    const auto* label = qobject_cast<const QLabel*>(&widget);
+    return (widget.metaObject()->className() + (" " + widget.objectName()) +
+            (label != nullptr ? " " + label->text() : QString()))
+        .toStdString();
+}
+
+/// Those whose text has too little room, or that lie in part outside of what holds them.
+std::string cutIn(const QWidget& whole) {
+    std::string cut;
+    for (const QWidget* widget : whole.findChildren<QWidget*>()) {
+        if (!widget->isVisibleTo(&whole) || widget->window() != &whole || !holdsText(*widget)) {
+            continue;
+        }
+        const bool elides = widget->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored;
+        const bool isNarrow = !elides && widget->width() < widget->minimumSizeHint().width();
+        if (isNarrow || widget->height() < widget->minimumSizeHint().height() - 1 ||
+            !widget->parentWidget()->rect().contains(widget->geometry())) {
+            cut += nameOf(*widget) + "; ";
+        }
+    }
+    return cut;
+}
+
+class MainWindowTest : public ::testing::Test {
+protected:
+    void showAt(const QSize& size) {
+        window.showScene(&scene, QStringLiteral("a flat sample"));
+        window.resize(size);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        QTest::qWait(50);
+        ASSERT_EQ(window.size(), size) << "it is not too large for that";
+    }
+    QScrollArea& scroller() { return *window.findChild<QScrollArea*>(); }
+
+    Scene scene = buildScene(plainScene(), flatMap());
+    MainWindow window;
+};
+
+TEST_F(MainWindowTest, OpensOnTheScreen) {
+    EXPECT_TRUE(window.screen()->availableGeometry().contains(window.geometry()));
+}
+
+TEST_F(MainWindowTest, CutsNothingFromASmallScreenToALargeOne) {
+    for (const QSize& size : {QSize(1012, 658), QSize(1280, 800), QSize(1920, 1080)}) {
+        showAt(size);
+        EXPECT_EQ(cutIn(window), "") << size.width() << " x " << size.height();
+        EXPECT_LE(scroller().widget()->width(), scroller().viewport()->width());
+    }
+}
+
+TEST_F(MainWindowTest, PanelsThatDoNotFitAreScrolledTo) {
+    showAt({1012, 658});
+    QScrollBar& bar = *scroller().verticalScrollBar();
+    ASSERT_GT(bar.maximum(), 0);
+    scroller().ensureWidgetVisible(window.cards().back());
+    EXPECT_GT(bar.value(), 0);
+}
+
+TEST_F(MainWindowTest, AFoldedPanelLeavesItsRoomToTheOthers) {
+    showAt({1280, 800});
+    Card& first = *window.cards().front();
+    Card& last = *window.cards().back();
+    const int before = last.height();
+    first.setFolded(true);
+    QTest::qWait(50);
+    EXPECT_LT(first.height(), 40);
+    EXPECT_GT(last.height(), before);
+    first.setFolded(false);
+    QTest::qWait(50);
+    EXPECT_EQ(last.height(), before);
+    for (Card* card : window.cards()) {
+        card->setFolded(true);
+    }
+    QTest::qWait(50);
+    EXPECT_LT(last.geometry().bottom(), 200) << "all stand at the top";
+}
+
+TEST_F(MainWindowTest, FidelityOpensBesideItAndStaysWhereItIsPut) {
+    showAt({1012, 658});
+    FidelityPanel& fidelity = window.fidelity();
+    window.menus().fidelity->trigger();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&fidelity));
+    const QRect screen = window.screen()->availableGeometry();
+    EXPECT_TRUE(screen.contains(fidelity.geometry()));
+    EXPECT_GT(fidelity.pos().x(), window.pos().x());
+    fidelity.move(40, 60);
+    fidelity.hide();
+    window.menus().fidelity->trigger();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&fidelity));
+    EXPECT_EQ(fidelity.pos(), QPoint(40, 60));
+}
+
+TEST_F(MainWindowTest, FidelityFitsASmallScreen) {
+    FidelityPanel& fidelity = window.fidelity();
+    EXPECT_LE(fidelity.minimumSizeHint().width(), 1012);
+    EXPECT_LE(fidelity.minimumSizeHint().height(), 658);
+}
+
+}  // namespace
+}  // namespace asperity::test
