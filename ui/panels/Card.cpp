@@ -21,19 +21,23 @@ void colorText(QLabel& label, QRgb color) {
 }  // namespace
 
 Card::Card(const QString& title, QWidget* parent)
-    : QFrame(parent), body_(new QVBoxLayout(this)), note_(captionLabel(QString(), this)) {
+    : QFrame(parent)
+    , body_(new QVBoxLayout(this))
+    , heading_(new QHBoxLayout)
+    , note_(captionLabel(QString(), this)) {
     setProperty("card", true);
-    auto* heading = new QLabel(title, this);
-    heading->setFont(theme::boldFont());
+    auto* name = new QLabel(title, this);
+    name->setFont(theme::boldFont());
     note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    auto* top = new QHBoxLayout;
-    top->addWidget(heading);
-    top->addWidget(note_, 1);
+    heading_->addWidget(name);
+    heading_->addWidget(note_, 1);
     body_->setContentsMargins(kMargin, kMargin / 2, kMargin, kMargin - 2);
     body_->setSpacing(kMargin / 2);
-    body_->addLayout(top);
+    body_->addLayout(heading_);
 }
+
+void Card::addToHeading(QWidget* control) { heading_->addWidget(control); }
 
 QLabel* captionLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);

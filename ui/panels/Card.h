@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QString>
 
+class QHBoxLayout;
 class QVBoxLayout;
 
 namespace asperity {
@@ -18,9 +19,12 @@ protected:
     [[nodiscard]] QVBoxLayout& body() { return *body_; }
     /// A few words beside the title.
     void setNote(const QString& note) { note_->setText(note); }
+    /// A control at the right of the title.
+    void addToHeading(QWidget* control);
 
 private:
     QVBoxLayout* body_;
+    QHBoxLayout* heading_;
     QLabel* note_;
 };
 

@@ -40,23 +40,30 @@ void UnloadingFit::add(const ForceDistancePoint& point) noexcept {
     baseForce_ += base * force;
     baseSeparation_ += base * separation;
     separation2_ += separation * separation;
+    force2_ += force * force;
+}
+
+Reading UnloadingFit::slopeOf(double sum, double sumOfSquares,
+                              double sumOfProducts) const noexcept {
+    const double spread = baseBase_ - base_ * base_ / count_;
+    const double slope = (sumOfProducts - base_ * sum / count_) / spread;
+    const double scatter = sumOfSquares - sum * sum / count_ - slope * slope * spread;
+    return {.value = slope, .sigma = std::sqrt(std::max(0.0, scatter) / (count_ - 2.0) / spread)};
 }
 
 std::optional<Reading> UnloadingFit::stiffness() const noexcept {
-    const double spread = baseBase_ - base_ * base_ / count_;
-    if (count_ < kMinTicks || !(spread > 0.0)) {
+    if (count_ < kMinTicks || !(baseBase_ * count_ > base_ * base_)) {
         return std::nullopt;
     }
-    const double forceSlope = (baseForce_ - base_ * force_ / count_) / spread;
-    const double slope = (baseSeparation_ - base_ * separation_ / count_) / spread;
-    const double scatter =
-        separation2_ - separation_ * separation_ / count_ - slope * slope * spread;
-    const double sigma = std::sqrt(std::max(0.0, scatter) / (count_ - 2.0) / spread);
-    if (!(forceSlope < 0.0) || !(slope > kSure * sigma)) {
+    const Reading force = slopeOf(force_, force2_, baseForce_);
+    const Reading separation = slopeOf(separation_, separation2_, baseSeparation_);
+    if (!(force.value < -kSure * force.sigma) || !(separation.value > kSure * separation.sigma)) {
         return std::nullopt;
     }
-    const double stiffness = -forceSlope / slope;
-    return Reading{.value = stiffness, .sigma = stiffness * sigma / slope};
+    const double stiffness = -force.value / separation.value;
+    // The same noise moves both slopes, in opposite directions.
+    const double share = separation.sigma / separation.value - force.sigma / force.value;
+    return Reading{.value = stiffness, .sigma = stiffness * share};
 }
 
 }  // namespace asperity

@@ -21,12 +21,15 @@ public:
     /// @param force the trend [N]
     void take(const ForceDistancePoint& point, double force) noexcept;
 
-    /// None where there is no unloading yet, or its slope is less than three times its standard
-    /// deviation: then the contact is stiffer than the lever can tell [N/m].
+    /// None where there is no unloading yet, or a slope is less than three times its standard
+    /// deviation: then the contact is stiffer, or softer, than the lever can tell [N/m].
     [[nodiscard]] std::optional<Reading> stiffness() const noexcept;
 
 private:
     void add(const ForceDistancePoint& point) noexcept;
+    /// Of a quantity over the base distance, from its sums. There is some spread.
+    [[nodiscard]] Reading slopeOf(double sum, double sumOfSquares,
+                                  double sumOfProducts) const noexcept;
 
     bool open_ = false;
     double endForce_ = 0.0;  ///< below which unloading counts no more [N]
@@ -40,6 +43,7 @@ private:
     double baseForce_ = 0.0;       ///< [N m]
     double baseSeparation_ = 0.0;  ///< [m^2]
     double separation2_ = 0.0;     ///< [m^2]
+    double force2_ = 0.0;          ///< [N^2]
 };
 
 }  // namespace asperity
