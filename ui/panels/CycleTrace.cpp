@@ -44,14 +44,15 @@ void CycleTrace::take(const CycleDetector& detector) noexcept {
 }
 
 void CycleTrace::enter(CyclePhase phase) noexcept {
+    const bool touches = phase == CyclePhase::Contact && phase_ == CyclePhase::Apart;
     phase_ = phase;
     ticks_ = 0.0;
-    if (phase == CyclePhase::Contact) {
+    if (touches) {
         while (size_ > kKeptBefore) {
             thin();
         }
         spacing_ = kMinSpacing;
-    } else if (size_ > kKeptOfContact) {
+    } else if (phase == CyclePhase::Complete && size_ > kKeptOfContact) {
         thin();
     }
 }

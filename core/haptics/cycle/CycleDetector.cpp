@@ -25,12 +25,17 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
     const bool acts = trend_.pushes() || trend_.pulls();
 
-    if (cycle_.phase != CyclePhase::Contact) {
-        takeApart(time, turned, trend_.pushes() || (bonded && acts));
-    } else {
-        const double pull = cycle_.pullOff ? cycle_.pullOff->value : 0.0;
-        const bool stillPulls = trend_.pulls() && -trend_.force() > kResidualPull * pull;
+    const double pull = cycle_.pullOff ? cycle_.pullOff->value : 0.0;
+    const bool stillPulls = trend_.pulls() && -trend_.force() > kResidualPull * pull;
+
+    // A model without adhesion lets go where the force is zero: the pull is still to come.
+    if (cycle_.complete() && stillPulls && branch_.branch() == CurveBranch::Retract) {
+        cycle_.phase = CyclePhase::Contact;
+    }
+    if (cycle_.phase == CyclePhase::Contact) {
         takeContact(time, turned, bonded || trend_.pushes() || stillPulls);
+    } else {
+        takeApart(time, turned, trend_.pushes() || (bonded && acts));
     }
     if (started_ && (acts || cycle_.phase == CyclePhase::Contact)) {
         takeAreas(before, forceBefore);

@@ -15,9 +15,9 @@ namespace asperity {
 /// The tip touches when the estimate pushes beyond its noise, or pulls while the contact model has
 /// snapped in. It is off when neither is so: the model has let go, and the estimate shows no more
 /// than half of the strongest pull. An instrument and its model seldom come off in the same tick;
-/// the later of the two ends the cycle. A cycle begins when the tip turns to the sample in free
-/// air. However often it turns or rests in contact, the cycle goes on, and what it says of the
-/// retract is of the last one. O(1) a tick, allocation-free.
+/// the later of the two ends the cycle, and a pull that comes only then reopens it. A cycle begins
+/// when the tip turns to the sample in free air. However often it turns or rests in contact, the
+/// cycle goes on, and what it says of the retract is of the last one. O(1) a tick, allocation-free.
 class CycleDetector {
 public:
     /// A tick without a point (no equilibrium, values that are not finite) is left out.
