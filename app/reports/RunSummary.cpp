@@ -114,6 +114,31 @@ Json pullOffJson(const RunEvents& events) {
     return json;
 }
 
+Json readingJson(const std::optional<Reading>& reading) {
+    return reading ? Json(reading->value) : Json(nullptr);
+}
+
+/// What the force-distance curve of a cycle shows; null: it shows no such thing.
+Json cycleJson(const ContactCycle& cycle) {
+    return {{"touch_s", cycle.touchTime},
+            {"off_s", cycle.complete() ? Json(cycle.offTime) : Json(nullptr)},
+            {"pull_off_force_n", readingJson(cycle.pullOff)},
+            {"pull_off_force_sigma_n", cycle.pullOff ? Json(cycle.pullOff->sigma) : Json(nullptr)},
+            {"adhesion_work_j", cycle.adhesionWork},
+            {"hysteresis_j", cycle.hysteresis},
+            {"contact_stiffness_n_m", readingJson(cycle.stiffness)},
+            {"max_force_n", cycle.maxForce},
+            {"max_indentation_m", cycle.maxIndentation}};
+}
+
+Json cyclesJson(const std::vector<ContactCycle>& cycles) {
+    Json list = Json::array();
+    for (const ContactCycle& cycle : cycles) {
+        list.push_back(cycleJson(cycle));
+    }
+    return list;
+}
+
 Json flagsJson(const RunEvents& events) {
     Json flags = Json::object();
     for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
@@ -137,6 +162,7 @@ std::string runSummary(const LoadedScene& loaded, const RunEvents& events) {
           {"largest_estimated_force_n", events.largestEstimatedForce},
           {"ticks_flagged", flagsJson(events)},
           {"ticks_faulted", events.faults}}},
+        {"cycles", cyclesJson(events.cycles)},
         {"snap_in", jumpJson(events.beforeSnapIn, events.snapIn)},
         {"pull_off", pullOffJson(events)},
         {"largest_indentation", optionalState(events.deepest)},

@@ -53,6 +53,7 @@ void RunEventRecorder::take(const TickSample& sample) {
     ++events_.ticks;
     takeJumps(sample);
     takeExtremes(sample);
+    takeCycle(sample);
     for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
         if (sample.output.flags.has(kValidityTraits.at(i).flag)) {
             ++events_.flagged.at(i);
@@ -100,6 +101,18 @@ void RunEventRecorder::takeExtremes(const TickSample& sample) {
     events_.largestForce = std::max(events_.largestForce, sample.output.model.force.norm());
     events_.largestEstimatedForce =
         std::max(events_.largestEstimatedForce, sample.output.estimate.force.norm());
+}
+
+void RunEventRecorder::takeCycle(const TickSample& sample) {
+    cycles_.take(sample.time, sample.input, sample.output);
+    if (!cycles_.cycle().touched()) {
+        return;
+    }
+    if (lastCycle_ != cycles_.number()) {
+        lastCycle_ = cycles_.number();
+        events_.cycles.emplace_back();
+    }
+    events_.cycles.back() = cycles_.cycle();
 }
 
 }  // namespace asperity

@@ -1,14 +1,18 @@
 #pragma once
 
 #include "core/haptics/VirtualRun.h"
+#include "core/haptics/cycle/CycleDetector.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace asperity {
 
-/// What is worth telling of a run afterwards. Jumps and indentation are those of the contact model
-/// that the operator's side believes, as all of the tick's states are.
+/// What is worth telling of a run afterwards. Jumps and the samples' indentation are those of the
+/// contact model that the operator's side believes, as all of the tick's states are; cycles are
+/// read from the estimate.
 struct RunEvents {
     long ticks = 0;
     std::optional<TickSample> beforeSnapIn;
@@ -24,6 +28,8 @@ struct RunEvents {
     double largestEstimatedForce = 0.0;              ///< magnitude [N]
     std::array<long, kValidityFlagCount> flagged{};  ///< ticks with each flag
     long faults = 0;  ///< ticks with the force switched off by a fault
+    /// As the signals have them, in order; the last one may still be in contact.
+    std::vector<ContactCycle> cycles;
 };
 
 /// Finds the last moment of a contact in which signals and model both hold the tip. The tip of the
@@ -54,9 +60,12 @@ public:
 private:
     void takeJumps(const TickSample& sample);
     void takeExtremes(const TickSample& sample);
+    void takeCycle(const TickSample& sample);
 
     RunEvents events_;
     HoldRecorder holds_;
+    CycleDetector cycles_;
+    std::int64_t lastCycle_ = -1;  ///< number of the newest one in events_
     std::optional<TickSample> previous_;
 };
 

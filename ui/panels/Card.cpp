@@ -24,6 +24,7 @@ void colorText(QLabel& label, QRgb color) {
 Card::Card(const QString& title, QWidget* parent)
     : QFrame(parent)
     , heading_(new QToolButton(this))
+    , top_(new QHBoxLayout)
     , note_(captionLabel(QString(), this))
     , content_(new QWidget(this))
     , body_(new QVBoxLayout(content_)) {
@@ -36,15 +37,14 @@ Card::Card(const QString& title, QWidget* parent)
     heading_->setAttribute(Qt::WA_TransparentForMouseEvents);
     note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    auto* top = new QHBoxLayout;
-    top->addWidget(heading_);
-    top->addWidget(note_, 1);
+    top_->addWidget(heading_);
+    top_->addWidget(note_, 1);
     body_->setContentsMargins(0, 0, 0, 0);
     body_->setSpacing(kMargin / 2);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kMargin, kMargin / 2, kMargin, kMargin - 2);
     column->setSpacing(kMargin / 2);
-    column->addLayout(top);
+    column->addLayout(top_);
     column->addWidget(content_, 1);
 }
 
@@ -64,6 +64,8 @@ void Card::setFolded(bool folded) {
     // Folded it leaves its room to the other panels.
     setSizePolicy(QSizePolicy::Preferred, folded ? QSizePolicy::Maximum : QSizePolicy::Preferred);
 }
+
+void Card::addToHeading(QWidget* control) { top_->addWidget(control); }
 
 QLabel* captionLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);

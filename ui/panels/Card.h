@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QString>
 
+class QHBoxLayout;
 class QToolButton;
 class QVBoxLayout;
 
@@ -25,9 +26,12 @@ protected:
     [[nodiscard]] QVBoxLayout& body() { return *body_; }
     /// A few words beside the title.
     void setNote(const QString& note) { note_->setText(note); }
+    /// A control at the right of the title.
+    void addToHeading(QWidget* control);
 
 private:
     QToolButton* heading_;
+    QHBoxLayout* top_;  ///< heading, note, controls
     QLabel* note_;
     QWidget* content_;  ///< below the heading
     QVBoxLayout* body_;

@@ -2,19 +2,13 @@
 
 #include "ui/Theme.h"
 #include "ui/panels/AxisTicks.h"
+#include "ui/panels/QwtParts.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
 #include <qwt_painter.h>
 #include <qwt_plot.h>
-#include <qwt_plot_canvas.h>
-#include <qwt_plot_curve.h>
-#include <qwt_plot_grid.h>
-#include <qwt_plot_layout.h>
-#include <qwt_plot_marker.h>
-#include <qwt_scale_div.h>
 #include <qwt_scale_draw.h>
-#include <qwt_scale_widget.h>
 #include <qwt_text.h>
 
 #include <algorithm>
@@ -26,48 +20,7 @@ namespace {
 
 constexpr int kIntervals = 400;       ///< of a history: about one a pixel
 constexpr double kCurveWidth = 1.3;   ///< [px]
-constexpr int kTickLength = 4;        ///< [px]
 constexpr int kMinTickDistance = 14;  ///< [px]
-constexpr int kMinCanvasHeight = 40;  ///< [px]
-constexpr int kMaxLabelDigits = 6;    ///< letters of a label for which room is kept
-
-/// A curve in pieces: a value that is not a number parts two of them.
-class PiecewiseCurve : public QwtPlotCurve {
-public:
-    // NOLINTNEXTLINE(readability-function-size): the parameters are Qwt's
-    void drawSeries(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
-                    const QRectF& canvas, int from, int to) const override {
-        const int last = to < 0 ? static_cast<int>(dataSize()) - 1 : to;
-        int begin = from;
-        for (int i = from; i <= last + 1; ++i) {
-            const bool atEnd = i == last + 1;
-            if (!atEnd && !std::isnan(sample(i).y())) {
-                continue;
-            }
-            if (i > begin) {
-                QwtPlotCurve::drawSeries(painter, xMap, yMap, canvas, begin, i - 1);
-            }
-            begin = i + 1;
-        }
-    }
-};
-
-/// Numbers with the same count of decimals at every tick.
-class ValueScaleDraw : public QwtScaleDraw {
-public:
-    void setDecimals(int decimals) {
-        if (decimals_ != decimals) {
-            decimals_ = decimals;
-            invalidateCache();
-        }
-    }
-    [[nodiscard]] QwtText label(double value) const override {
-        return QString::number(value, 'f', decimals_);
-    }
-
-private:
-    int decimals_ = 0;
-};
 
 class TimeScaleDraw : public QwtScaleDraw {
 public:
@@ -75,15 +28,6 @@ public:
         return QStringLiteral("%1 s").arg(value);
     }
 };
-
-int decimalsFor(const std::vector<double>& ticks) {
-    const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
-    return std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
-}
-
-QwtScaleDiv divisions(double low, double high, const std::vector<double>& ticks) {
-    return QwtScaleDiv(low, high, {}, {}, QList<double>(ticks.begin(), ticks.end()));
-}
 
 QString legendText(const CurvePlotSetup& setup, const QString& unit) {
     QString text = QStringLiteral("<b>%1</b> [%2]").arg(setup.title, unit);
@@ -116,8 +60,8 @@ private:
     CurvePlotSetup setup_;
     QLabel* title_;
     QwtPlot* plot_;
-    ValueScaleDraw* valueLabels_ = nullptr;  ///< owned by the plot
-    std::vector<PiecewiseCurve*> curves_;    ///< owned by the plot
+    NumberScaleDraw* valueLabels_ = nullptr;  ///< owned by the plot
+    std::vector<PiecewiseCurve*> curves_;     ///< owned by the plot
     QString unit_;
     AxisRange range_;
     std::size_t tickRoom_ = 0;
@@ -139,45 +83,18 @@ CurvePlot::Canvas::Canvas(const CurvePlotSetup& setup, CurvePlot* owner)
 }
 
 void CurvePlot::Canvas::buildAxes(const CurvePlotSetup& setup) {
-    auto* canvas = new QwtPlotCanvas(plot_);
-    canvas->setFrameStyle(QFrame::NoFrame);
-    canvas->setPaintAttribute(QwtPlotCanvas::BackingStore, false);  // every frame is a new one
-    plot_->setCanvas(canvas);
-    plot_->setCanvasBackground(QColor(theme::kPaper));
-    plot_->setMinimumSize(120, kMinCanvasHeight);
-    plot_->plotLayout()->setAlignCanvasToScales(true);
-    plot_->plotLayout()->setSpacing(0);
-
-    valueLabels_ = new ValueScaleDraw;
+    valueLabels_ = new NumberScaleDraw;
     plot_->setAxisScaleDraw(QwtPlot::yLeft, valueLabels_);
     plot_->setAxisScaleDraw(QwtPlot::xBottom, new TimeScaleDraw);
     plot_->setAxisScaleDiv(QwtPlot::xBottom, divisions(-kSpan, 0.0, {-8.0, -6.0, -4.0, -2.0}));
     plot_->enableAxis(QwtPlot::xBottom, setup.timeLabels == TimeLabels::Shown);
-    for (const int axis : {QwtPlot::yLeft, QwtPlot::xBottom}) {
-        plot_->setAxisFont(axis, theme::textFont(theme::kSmallSize - 1));
-        QPalette palette;
-        palette.setColor(QPalette::WindowText, theme::kFaint);
-        palette.setColor(QPalette::Text, theme::kMuted);
-        plot_->axisWidget(axis)->setPalette(palette);
-        plot_->axisWidget(axis)->setMargin(0);
-        QwtScaleDraw* draw = plot_->axisScaleDraw(axis);
-        draw->setTickLength(QwtScaleDiv::MajorTick, kTickLength);
-        draw->setSpacing(2);
-    }
-    const QFontMetrics metrics(theme::textFont(theme::kSmallSize - 1));
-    valueLabels_->setMinimumExtent(kMaxLabelDigits * metrics.horizontalAdvance(QLatin1Char('0')) +
-                                   kTickLength + 2);
+    styleLivePlot(*plot_);
+    valueLabels_->setMinimumExtent(valueLabelRoom());
 }
 
 void CurvePlot::Canvas::buildItems(const CurvePlotSetup& setup) {
-    auto* grid = new QwtPlotGrid;
-    grid->setPen(QColor(theme::kFaint), 0.0, Qt::SolidLine);
-    grid->attach(plot_);
     if (setup.zero == ZeroLine::Shown) {
-        auto* zero = new QwtPlotMarker;
-        zero->setLineStyle(QwtPlotMarker::HLine);
-        zero->setLinePen(QColor(theme::kMuted), 0.0, Qt::SolidLine);
-        zero->attach(plot_);
+        addZeroLine(*plot_);
     }
     for (const CurvePlotSetup::Curve& curve : setup.curves) {
         curves_.push_back(new PiecewiseCurve);
@@ -203,7 +120,7 @@ void CurvePlot::Canvas::showRange(const AxisRange& range) {
     range_ = range;
     tickRoom_ = room;
     const std::vector<double> ticks = axisTicks(range.low, range.high, static_cast<int>(room));
-    valueLabels_->setDecimals(decimalsFor(ticks));
+    valueLabels_->set(decimalsFor(ticks));
     plot_->setAxisScaleDiv(QwtPlot::yLeft, divisions(range.low, range.high, ticks));
 }
 

@@ -1,9 +1,13 @@
 #include "ui/panels/ForcePanel.h"
 
 #include "core/Units.h"
+#include "core/scene/Scene.h"
 #include "ui/Theme.h"
+#include "ui/panels/CyclePanel.h"
 
 #include <QGridLayout>
+#include <QStackedLayout>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -46,6 +50,22 @@ QString placeText(double value, const SiScale& scale, int decimals) {
     return QString::fromStdString(scaledText(value, scale, decimals));
 }
 
+/// What the distance between tip and surface is called in a state, and its value [m].
+struct NamedDistance {
+    QString name;
+    double value = 0.0;
+};
+
+/// Adhesion may hold a tip in contact above the undeformed surface, which it has pulled up.
+NamedDistance distanceOf(const ContactState& contact) {
+    if (contact.region() != TipRegion::Contact) {
+        return {ForcePanel::tr("gap"), -contact.indentation};
+    }
+    return contact.indentation < 0.0
+               ? NamedDistance{ForcePanel::tr("neck height"), -contact.indentation}
+               : NamedDistance{ForcePanel::tr("indentation"), contact.indentation};
+}
+
 /// Lengths in micrometers need more decimals: a tenth of a nanometer must show.
 /// @param largest of the lengths shown [m]
 int decimalsOf(double largest, const SiScale& scale) {
@@ -60,11 +80,18 @@ ForcePanel::ForcePanel(QWidget* parent)
     , forceScale_("N", kMinForce)
     , placeScale_("m", kMinLength)
     , heightScale_("m", kMinLength)
-    , gapScale_("m", kMinLength)
+    , distanceScale_("m", kMinLength)
     , radiusScale_("m", kMinLength)
     , forcePlot_(new CurvePlot(forceSetup(), this))
-    , heightPlot_(new CurvePlot(heightSetup(), this)) {
-    setNote(QStringLiteral("estimate ± standard deviation"));
+    , heightPlot_(new CurvePlot(heightSetup(), this))
+    , cycles_(new CyclePanel(this))
+    , tabs_(new QTabBar(this)) {
+    buildNumbers();
+    buildCurves();
+    clear();
+}
+
+void ForcePanel::buildNumbers() {
     auto* grid = new QGridLayout;
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(4);
@@ -77,11 +104,30 @@ ForcePanel::ForcePanel(QWidget* parent)
         grid->setColumnStretch(gapColumn, 1);
     }
     body().addLayout(grid);
+}
+
+/// One of two pages, chosen in the heading: no height is lost to tabs.
+void ForcePanel::buildCurves() {
     forcePlot_->setObjectName(QStringLiteral("forcePlot"));
     heightPlot_->setObjectName(QStringLiteral("heightPlot"));
-    body().addWidget(forcePlot_, 5);
-    body().addWidget(heightPlot_, 4);
-    clear();
+    auto* overTime = new QWidget(this);
+    auto* column = new QVBoxLayout(overTime);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(body().spacing());
+    column->addWidget(forcePlot_, 5);
+    column->addWidget(heightPlot_, 4);
+    auto* pages = new QStackedLayout;
+    pages->addWidget(cycles_);
+    pages->addWidget(overTime);
+    tabs_->setObjectName(QStringLiteral("curveTabs"));
+    tabs_->addTab(tr("Force–distance"));
+    tabs_->addTab(tr("Force–time"));
+    tabs_->setFont(theme::textFont(theme::kSmallSize));
+    tabs_->setDrawBase(false);
+    tabs_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
+    connect(tabs_, &QTabBar::currentChanged, pages, &QStackedLayout::setCurrentIndex);
+    addToHeading(tabs_);
+    body().addLayout(pages, 1);
 }
 
 void ForcePanel::buildForces(QGridLayout& grid) {
@@ -97,6 +143,10 @@ void ForcePanel::buildForces(QGridLayout& grid) {
         force_.at(axis) = valueLabel(objectName, QStringLiteral("-88.88 µN"), this);
         sigma_.at(axis) =
             valueLabel(objectName + QStringLiteral("Sigma"), QStringLiteral("± 88.88"), this);
+        const QString meaning = tr("Estimate from the two lever signals ± one standard deviation");
+        for (QLabel* const label : {name, force_.at(axis), sigma_.at(axis)}) {
+            label->setToolTip(meaning);
+        }
         grid.addWidget(name, row, 0);
         grid.addWidget(force_.at(axis), row, 1);
         grid.addWidget(sigma_.at(axis), row, 2);
@@ -117,11 +167,20 @@ void ForcePanel::buildPosition(QGridLayout& grid) {
 }
 
 void ForcePanel::buildContact(QGridLayout& grid) {
-    gap_ = valueLabel(QStringLiteral("gap"), QStringLiteral("-88.88 µm"), this);
+    distanceName_ = captionLabel(tr("gap"), this);
+    distanceName_->setObjectName(QStringLiteral("distanceName"));
+    distanceName_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    distanceName_->setMinimumWidth(
+        distanceName_->fontMetrics().horizontalAdvance(QStringLiteral("contact radius")));
+    distance_ = valueLabel(QStringLiteral("distance"), QStringLiteral("-88.88 µm"), this);
     contactRadius_ = valueLabel(QStringLiteral("contactRadius"), QStringLiteral("-88.88 µm"), this);
-    gap_->setToolTip(QStringLiteral("Between tip and surface; negative: indented"));
-    grid.addWidget(captionLabel(QStringLiteral("gap"), this), 0, 7, Qt::AlignRight);
-    grid.addWidget(gap_, 1, 7, Qt::AlignRight);
+    const QString meaning =
+        tr("From the tip to the undeformed surface: gap before contact, indentation in contact, "
+           "neck height where adhesion pulls the surface up");
+    distanceName_->setToolTip(meaning);
+    distance_->setToolTip(meaning);
+    grid.addWidget(distanceName_, 0, 7, Qt::AlignRight);
+    grid.addWidget(distance_, 1, 7, Qt::AlignRight);
     grid.addWidget(captionLabel(QStringLiteral("contact radius"), this), 2, 7, Qt::AlignRight);
     grid.addWidget(contactRadius_, 3, 7, Qt::AlignRight);
 }
@@ -130,6 +189,7 @@ void ForcePanel::take(const TickSample& sample) noexcept {
     const Vector3& force = sample.output.estimate.force;
     forcePlot_->take(sample.time, {force.x(), force.y(), force.z()});
     heightPlot_->take(sample.time, {sample.output.tip.z()});
+    cycles_->take(sample);
 }
 
 void ForcePanel::show(const Snapshot& snapshot) {
@@ -139,6 +199,7 @@ void ForcePanel::show(const Snapshot& snapshot) {
     showContact(output.model.contact);
     forcePlot_->refresh();
     heightPlot_->refresh();
+    cycles_->refresh();
 }
 
 void ForcePanel::showForces(const ForceEstimate& estimate) {
@@ -165,21 +226,29 @@ void ForcePanel::showPosition(const Vector3& tip) {
 }
 
 void ForcePanel::showContact(const ContactState& contact) {
-    const double gap = -contact.indentation;
-    gap_->setText(text(gap, gapScale_.fit(gap)));
+    const NamedDistance distance = distanceOf(contact);
+    distanceName_->setText(distance.name);
+    distance_->setText(text(distance.value, distanceScale_.fit(distance.value)));
     contactRadius_->setText(text(contact.contactRadius, radiusScale_.fit(contact.contactRadius)));
 }
 
 void ForcePanel::clear() {
     for (QLabel* label : {force_[0], force_[1], force_[2], magnitude_, tip_[0], tip_[1], tip_[2],
-                          gap_, contactRadius_}) {
+                          distance_, contactRadius_}) {
         label->setText(QStringLiteral("–"));
     }
     for (QLabel* label : sigma_) {
         label->clear();
     }
+    distanceName_->setText(tr("gap"));
     forcePlot_->clear();
     heightPlot_->clear();
+    cycles_->end();
+}
+
+void ForcePanel::begin(const Scene& scene) {
+    const std::string& name = scene.description.sample.material.name;
+    cycles_->begin(QString::fromStdString(name).replace('_', ' '));
 }
 
 }  // namespace asperity

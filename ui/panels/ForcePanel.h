@@ -8,16 +8,20 @@
 #include <array>
 
 class QGridLayout;
+class QTabBar;
 
 namespace asperity {
 
-/// The estimated force on the tip with its standard deviation, the tip's place, gap and contact
-/// radius: as numbers and as curves.
+class CyclePanel;
+
+/// The estimated force on the tip with its standard deviation, the tip's place, gap or indentation
+/// and contact radius as numbers; below them curves over the distance or over the last seconds.
 class ForcePanel : public Card, public RunPanel {
 public:
     explicit ForcePanel(QWidget* parent = nullptr);
 
     void clear() override;
+    void begin(const Scene& scene) override;
     /// For the curves.
     void take(const TickSample& sample) noexcept override;
     /// The numbers of the latest tick, and the curves.
@@ -25,7 +29,11 @@ public:
     using QWidget::show;
     [[nodiscard]] const char* slowName() const override { return "forces"; }
 
+    [[nodiscard]] const CyclePanel& cycles() const { return *cycles_; }
+
 private:
+    void buildNumbers();
+    void buildCurves();
     void buildForces(QGridLayout& grid);
     void buildPosition(QGridLayout& grid);
     void buildContact(QGridLayout& grid);
@@ -37,15 +45,18 @@ private:
     std::array<QLabel*, 3> sigma_{};
     QLabel* magnitude_ = nullptr;
     std::array<QLabel*, 3> tip_{};
-    QLabel* gap_ = nullptr;
+    QLabel* distanceName_ = nullptr;  ///< gap, indentation or neck height
+    QLabel* distance_ = nullptr;
     QLabel* contactRadius_ = nullptr;
     SteadyScale forceScale_;
     SteadyScale placeScale_;   ///< of x and y
     SteadyScale heightScale_;  ///< of z
-    SteadyScale gapScale_;
+    SteadyScale distanceScale_;
     SteadyScale radiusScale_;
     CurvePlot* forcePlot_;
     CurvePlot* heightPlot_;
+    CyclePanel* cycles_;
+    QTabBar* tabs_;
 };
 
 }  // namespace asperity

@@ -25,7 +25,7 @@ Vector3 standardDeviation(const Matrix3& covariance) {
 
 /// The columns of force_log.csv.
 template <class Cell>
-void listLog(const TickSample& sample, const Cell& cell) {
+void listLog(const TickSample& sample, CurveBranch branch, const Cell& cell) {
     const TickOutput& out = sample.output;
     cell({"time_s"}, sample.time);
     listVector(cell, "base_", out.base.position, "_m");
@@ -40,6 +40,8 @@ void listLog(const TickSample& sample, const Cell& cell) {
     cell({"contact_radius_m"}, out.model.contact.contactRadius);
     cell({"state"}, out.fault == Fault::None ? keyOf(out.region()) : keyOf(out.fault));
     cell({"flags"}, validityText(out.flags));
+    cell({"indentation_m"}, out.model.contact.indentation);
+    cell({"branch"}, keyOf(branch));
 }
 
 /// The columns of tick_input.csv.
@@ -95,10 +97,11 @@ TickTable::TickTable(const std::filesystem::path& path, const char* what,
 
 ForceLogWriter::ForceLogWriter(const std::filesystem::path& path)
     : TickTable(path, "what the run did, one row a tick",
-                columnNames([](const auto& cell) { listLog({}, cell); })) {}
+                columnNames([](const auto& cell) { listLog({}, {}, cell); })) {}
 
 void ForceLogWriter::take(const TickSample& sample) {
-    addCells(csv_, [&sample](const auto& cell) { listLog(sample, cell); });
+    const CurveBranch branch = branch_.take(sample.input, sample.output);
+    addCells(csv_, [&](const auto& cell) { listLog(sample, branch, cell); });
     csv_.endRow();
 }
 

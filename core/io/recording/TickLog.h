@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/haptics/VirtualRun.h"
+#include "core/haptics/cycle/CurveBranch.h"
 #include "core/io/tables/CsvTable.h"
 #include "core/io/tables/CsvWriter.h"
 
@@ -28,12 +29,16 @@ protected:
     CsvWriter csv_;
 };
 
-/// Writes force_log.csv: what a run did; `state` and `flags` are words.
+/// Writes force_log.csv: what a run did; `state`, `flags` and `branch` are words. A log begins on
+/// the approach branch, wherever in a run it begins, so that its replay says the same.
 class ForceLogWriter : public TickTable {
 public:
     /// @throw Error when the file is there or cannot be made
     explicit ForceLogWriter(const std::filesystem::path& path);
     void take(const TickSample& sample);
+
+private:
+    BranchTracker branch_;
 };
 
 /// Writes tick_input.csv: all that a run depended on besides its scene.

@@ -91,6 +91,36 @@ TEST(RunEvents, SignalsThatNeverPullHoldNothing) {
               -1.0);
 }
 
+TEST(RunEvents, ListsCyclesUpToOneThatIsStillInContact) {
+    RunEventRecorder recorder;
+    double time = 0.0;
+    // Base height and force [nm, nN]; each is held for a while.
+    const auto hold = [&](double height, double force) {
+        for (int i = 0; i < 40; ++i) {
+            TickSample sample = pullOf(time += 1e-3, force * 1e-9, force * 1e-9);
+            const bool bonded = force != 0.0;
+            sample.output.model.contact.branch =
+                bonded ? ContactBranch::Bonded : ContactBranch::Far;
+            sample.output.estimate.covariance = 0.01e-18 * Matrix3::Identity();
+            sample.output.base.position.z() = height * 1e-9;
+            recorder.take(sample);
+        }
+    };
+    hold(5.0, 0.0);
+    for (const double pull : {-3.0, -4.0}) {
+        hold(-1.0, 8.0);
+        hold(1.0, pull);
+        hold(5.0, 0.0);
+    }
+    hold(-1.0, 6.0);
+    const std::vector<ContactCycle>& cycles = recorder.events().cycles;
+    ASSERT_EQ(cycles.size(), 3U);
+    EXPECT_NEAR(cycles[0].pullOff.value().value, 3e-9, 1e-15);
+    EXPECT_NEAR(cycles[1].pullOff.value().value, 4e-9, 1e-15);
+    EXPECT_FALSE(cycles[2].complete());
+    EXPECT_NEAR(cycles[2].maxForce, 6e-9, 1e-15);
+}
+
 TEST(RunEvents, CountsFlagsAndFaults) {
     RunEventRecorder recorder;
     TickSample sample = sampleOf(0.0, ContactBranch::Far, 0.0, 0.0);

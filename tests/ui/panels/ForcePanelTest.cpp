@@ -22,6 +22,7 @@ TickSample indented() {
     sample.output.estimate.covariance.diagonal() << 0.01e-18, 0.04e-18, 0.09e-18;
     sample.output.tip = Vector3(1.23456e-6, 0.5e-6, 34.56e-9);
     sample.output.model.contact.indentation = 1.63e-9;
+    sample.output.model.contact.branch = ContactBranch::Bonded;
     sample.output.model.contact.contactRadius = 5.79e-9;
     return sample;
 }
@@ -42,16 +43,35 @@ TEST(ForcePanel, ShowsForcesWithTheirStandardDeviations) {
     EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 0.30"));
 }
 
-TEST(ForcePanel, ShowsPlaceGapAndContactRadius) {
+TEST(ForcePanel, ShowsPlaceIndentationAndContactRadius) {
     ForcePanel panel;
     panel.show(test::snapshotOf(indented()));
     EXPECT_EQ(test::textOf(panel, "tipX"), QStringLiteral("1.2346 µm"));
     EXPECT_EQ(test::textOf(panel, "tipY"), QStringLiteral("0.5000 µm")) << "one unit for x and y";
     EXPECT_EQ(test::textOf(panel, "tipZ"), QStringLiteral("34.56 nm"));
-    EXPECT_EQ(test::textOf(panel, "gap"), QStringLiteral("-1.63 nm")) << "indented";
+    EXPECT_EQ(test::textOf(panel, "distanceName"), QStringLiteral("indentation"));
+    EXPECT_EQ(test::textOf(panel, "distance"), QStringLiteral("1.63 nm"));
     EXPECT_EQ(test::textOf(panel, "contactRadius"), QStringLiteral("5.79 nm"));
     panel.show(test::snapshotOf(test::tickWithForce(2.0, Vector3::Zero())));
     EXPECT_EQ(test::textOf(panel, "contactRadius"), QStringLiteral("0 nm"));
+}
+
+TEST(ForcePanel, TheDistanceIsPositiveUnderAClearName) {
+    ForcePanel panel;
+    TickSample sample = indented();
+    ContactState& contact = sample.output.model.contact;
+    const auto shown = [&] {
+        panel.show(test::snapshotOf(sample));
+        return test::textOf(panel, "distanceName") + QLatin1Char(' ') +
+               test::textOf(panel, "distance");
+    };
+    contact.indentation = -0.5e-9;
+    EXPECT_EQ(shown(), QStringLiteral("neck height 0.50 nm")) << "pulled up, still in contact";
+    contact.cohesiveRadius = 2e-9;
+    contact.contactRadius = 0.0;
+    EXPECT_EQ(shown(), QStringLiteral("gap 0.50 nm")) << "bonded across a gap";
+    contact = {.indentation = -7e-9};
+    EXPECT_EQ(shown(), QStringLiteral("gap 7.00 nm"));
 }
 
 TEST(ForcePanel, TheUnitIsThatOfTheLargestForceOrOfItsUncertainty) {
@@ -80,7 +100,7 @@ TEST(ForcePanel, NothingMovesWhenTheNumbersChange) {
     panel.resize(370, 270);
     panel.show(test::snapshotOf(indented()));
     const auto* force = panel.findChild<QLabel*>(QStringLiteral("forceX"));
-    const auto* gap = panel.findChild<QLabel*>(QStringLiteral("gap"));
+    const auto* gap = panel.findChild<QLabel*>(QStringLiteral("distance"));
     ASSERT_NE(force, nullptr);
     const QSize size = force->size();
     const QSize hint = panel.minimumSizeHint();
@@ -160,7 +180,7 @@ TEST(ForcePanel, ClearForgetsNumbersAndCurves) {
     panel.clear();
     EXPECT_EQ(test::textOf(panel, "forceZ"), QStringLiteral("–"));
     EXPECT_EQ(test::textOf(panel, "forceZSigma"), QString());
-    EXPECT_EQ(test::textOf(panel, "gap"), QStringLiteral("–"));
+    EXPECT_EQ(test::textOf(panel, "distance"), QStringLiteral("–"));
     EXPECT_TRUE(plotOf(panel, "forcePlot").history(2).isEmpty());
     EXPECT_TRUE(plotOf(panel, "heightPlot").history(0).isEmpty());
 }

@@ -101,7 +101,7 @@ TEST(TickLog, ColumnsKeepNamesAndOrder) {
               "time_s,base_x_m,base_y_m,base_z_m,tip_x_m,tip_y_m,tip_z_m,est_fx_n,est_fy_n,"
               "est_fz_n,est_sigma_fx_n,est_sigma_fy_n,est_sigma_fz_n,model_fx_n,model_fy_n,"
               "model_fz_n,hand_fx_n,hand_fy_n,hand_fz_n,alpha_rad,theta_rad,gap_m,"
-              "contact_radius_m,state,flags");
+              "contact_radius_m,state,flags,indentation_m,branch");
     EXPECT_EQ(columnsOf.operator()<TickInputWriter>("tick_input.csv"),
               "time_s,time_step_s,hand_x_m,hand_y_m,hand_z_m,buttons,connected,alpha_rad,"
               "theta_rad,age_s,starts,hand_max_force_n,hand_streams,hand_age_s,"
@@ -152,6 +152,25 @@ TEST(TickLog, ForceLogSaysGapStateAndFlagsInWords) {
     EXPECT_EQ(table.number(0, "est_sigma_fy_n"), 2e-9);
     EXPECT_EQ(table.text(0, "state"), "contact");
     EXPECT_EQ(table.text(0, "flags"), "outside_scan");
+    EXPECT_EQ(table.number(0, "indentation_m"), 1e-9);
+}
+
+TEST(TickLog, ForceLogSaysApproachAndRetract) {
+    const test::ScratchFolder scratch;
+    const auto path = scratch.path() / "force_log.csv";
+    ForceLogWriter writer(path);
+    for (const double height : {3e-9, 1e-9, 1e-9, 2e-9, 2e-9, 1.5e-9}) {
+        TickSample sample;
+        sample.output.base.position.z() = height;
+        writer.take(sample);
+    }
+    writer.close();
+    const CsvTable table = readCsv(path);
+    std::string branches;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        branches += table.text(row, "branch") + ' ';
+    }
+    EXPECT_EQ(branches, "approach approach approach retract retract approach ");
 }
 
 TEST(TickLog, RefusesDamagedInputsWithTheirLine) {

@@ -1,0 +1,111 @@
+#include "core/haptics/cycle/CycleDetector.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kTicksOff = 5;           ///< in a row that end a cycle: one may be noise
+constexpr double kResidualPull = 0.5;  ///< of the strongest: attraction that a free tip may feel
+
+}  // namespace
+
+void CycleDetector::take(double time, const TickInput& input, const TickOutput& out) noexcept {
+    if (!hasPoint(out)) {
+        return;
+    }
+    const CurveBranch branchBefore = branch_.branch();
+    const ForceDistancePoint before = point_;
+    const double forceBefore = trend_.force();
+    point_ = forceDistancePoint(out);
+    trend_.take(point_.force, point_.sigma);
+    const bool turned = branch_.take(input, out) != branchBefore;
+    const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
+    const bool acts = trend_.pushes() || trend_.pulls();
+
+    const double pull = cycle_.pullOff ? cycle_.pullOff->value : 0.0;
+    const bool stillPulls = trend_.pulls() && -trend_.force() > kResidualPull * pull;
+
+    // A model without adhesion lets go where the force is zero: the pull is still to come.
+    if (cycle_.complete() && stillPulls && branch_.branch() == CurveBranch::Retract) {
+        cycle_.phase = CyclePhase::Contact;
+    }
+    if (cycle_.phase == CyclePhase::Contact) {
+        takeContact(time, turned, bonded || trend_.pushes() || stillPulls);
+    } else {
+        takeApart(time, turned, trend_.pushes() || (bonded && acts));
+    }
+    if (started_ && (acts || cycle_.phase == CyclePhase::Contact)) {
+        takeAreas(before, forceBefore);
+    }
+    started_ = true;
+}
+
+void CycleDetector::begin() noexcept {
+    cycle_ = {};
+    ++number_;
+}
+
+void CycleDetector::takeApart(double time, bool turned, bool touches) noexcept {
+    const bool anew = turned && branch_.branch() == CurveBranch::Approach;
+    if (anew || (touches && cycle_.complete())) {
+        begin();
+    }
+    if (touches) {
+        cycle_.phase = CyclePhase::Contact;
+        cycle_.touchTime = time;
+        deepest_ = std::numeric_limits<double>::infinity();
+        ticksOff_ = 0;
+        takeUnloading();
+    }
+}
+
+void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
+    ticksOff_ = held ? 0 : ticksOff_ + 1;
+    if (ticksOff_ >= kTicksOff) {
+        cycle_.phase = CyclePhase::Complete;
+        cycle_.offTime = time;
+        return;
+    }
+    cycle_.maxForce = std::max(cycle_.maxForce, trend_.force());
+    cycle_.maxIndentation = std::max(cycle_.maxIndentation, -point_.separation);
+    takeUnloading();
+    if (branch_.branch() != CurveBranch::Retract) {
+        return;
+    }
+    if (turned) {
+        cycle_.pullOff.reset();
+        cycle_.adhesionWork = 0.0;
+    }
+    const double pull = -trend_.force();
+    if (trend_.pulls() && pull > (cycle_.pullOff ? cycle_.pullOff->value : 0.0)) {
+        cycle_.pullOff = {.value = pull, .sigma = trend_.sigma()};
+        cycle_.pullOffSeparation = point_.separation;
+        cycle_.pullOffBaseDistance = point_.baseDistance;
+    }
+}
+
+/// By the trapezoidal rule, over the base distance: it has no noise.
+void CycleDetector::takeAreas(const ForceDistancePoint& before, double forceBefore) noexcept {
+    const double way = point_.baseDistance - before.baseDistance;
+    const double force = trend_.force();
+    cycle_.hysteresis -= 0.5 * (force + forceBefore) * way;
+    if (cycle_.phase == CyclePhase::Contact && branch_.branch() == CurveBranch::Retract) {
+        const double pull = std::max(0.0, -force) + std::max(0.0, -forceBefore);
+        cycle_.adhesionWork += 0.5 * pull * way;
+    }
+}
+
+void CycleDetector::takeUnloading() noexcept {
+    if (point_.baseDistance < deepest_) {
+        deepest_ = point_.baseDistance;
+        unloading_.restart(point_, trend_.force());
+    } else {
+        unloading_.take(point_, trend_.force());
+    }
+    cycle_.stiffness = unloading_.stiffness();
+}
+
+}  // namespace asperity

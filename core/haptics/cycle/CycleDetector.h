@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/haptics/cycle/ContactCycle.h"
+#include "core/haptics/cycle/CurveBranch.h"
+#include "core/haptics/cycle/ForceDistancePoint.h"
+#include "core/haptics/cycle/ForceTrend.h"
+#include "core/haptics/cycle/UnloadingFit.h"
+
+#include <cstdint>
+
+namespace asperity {
+
+/// Finds the cycles of a run, tick by tick: approach, contact, retract, off.
+///
+/// The tip touches when the estimate pushes beyond its noise, or pulls while the contact model has
+/// snapped in. It is off when neither is so: the model has let go, and the estimate shows no more
+/// than half of the strongest pull. An instrument and its model seldom come off in the same tick;
+/// the later of the two ends the cycle, and a pull that comes only then reopens it. A cycle begins
+/// when the tip turns to the sample in free air. However often it turns or rests in contact, the
+/// cycle goes on, and what it says of the retract is of the last one. O(1) a tick, allocation-free.
+class CycleDetector {
+public:
+    /// A tick without a point (no equilibrium, values that are not finite) is left out.
+    void take(double time, const TickInput& input, const TickOutput& out) noexcept;
+
+    /// The present cycle, or the last one as long as the tip does not approach anew.
+    [[nodiscard]] const ContactCycle& cycle() const noexcept { return cycle_; }
+    /// How many cycles have begun before it.
+    [[nodiscard]] std::int64_t number() const noexcept { return number_; }
+    /// Of the latest tick.
+    [[nodiscard]] CurveBranch branch() const noexcept { return branch_.branch(); }
+    [[nodiscard]] const ForceDistancePoint& point() const noexcept { return point_; }
+
+private:
+    void takeApart(double time, bool turned, bool touches) noexcept;
+    void takeContact(double time, bool turned, bool held) noexcept;
+    void takeAreas(const ForceDistancePoint& before, double forceBefore) noexcept;
+    void takeUnloading() noexcept;
+    void begin() noexcept;
+
+    ContactCycle cycle_;
+    std::int64_t number_ = 0;
+    BranchTracker branch_;
+    ForceTrend trend_;
+    ForceDistancePoint point_;
+    UnloadingFit unloading_;
+    double deepest_ = 0.0;  ///< base distance [m]
+    int ticksOff_ = 0;      ///< without a sign of contact, in a row
+    bool started_ = false;
+};
+
+}  // namespace asperity

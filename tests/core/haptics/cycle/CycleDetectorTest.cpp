@@ -1,0 +1,164 @@
+#include "core/haptics/cycle/CycleDetector.h"
+
+#include "tests/core/haptics/cycle/SpringContact.h"
+#include "tests/support/AllocationCounter.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace asperity {
+namespace {
+
+using test::SpringContact;
+
+/// What the force changes within two ticks: the trend turns that much later [N].
+constexpr double kForceStep = 2.0 * SpringContact::kTogether * SpringContact::kStep;
+constexpr double kWorkTolerance = 0.02 * SpringContact::kWork;
+
+TEST(CycleDetector, ReadsAllOfACycle) {
+    SpringContact run;
+    run.oneCycle();
+    const ContactCycle& cycle = run.cycle();
+    EXPECT_TRUE(cycle.complete());
+    EXPECT_LT(cycle.touchTime, cycle.offTime);
+    EXPECT_NEAR(cycle.maxForce, 2e-9 * SpringContact::kTogether, kForceStep);
+    EXPECT_NEAR(cycle.maxIndentation, 2e-9 * SpringContact::kTogether / SpringContact::kContact,
+                1e-14);
+    EXPECT_NEAR(cycle.pullOff.value().value, SpringContact::kPull, kForceStep);
+    EXPECT_NEAR(cycle.adhesionWork, SpringContact::kWork, kWorkTolerance);
+    EXPECT_NEAR(cycle.hysteresis, SpringContact::kWork, kWorkTolerance) << "all else is elastic";
+    EXPECT_NEAR(cycle.stiffness.value().value, SpringContact::kContact,
+                1e-6 * SpringContact::kContact);
+}
+
+TEST(CycleDetector, SaysWhereThePullOffWas) {
+    SpringContact run;
+    run.oneCycle();
+    const double base = SpringContact::kPull / SpringContact::kTogether;
+    EXPECT_NEAR(run.cycle().pullOffBaseDistance, base, 1.01 * SpringContact::kStep);
+    EXPECT_NEAR(run.cycle().pullOffSeparation, SpringContact::kPull / SpringContact::kContact,
+                1.01 * SpringContact::kStep);
+}
+
+TEST(CycleDetector, NoiseNeitherAddsNorLosesACycle) {
+    SpringContact run(SpringContact::kSigma);
+    for (int i = 1; i <= 30; ++i) {
+        run.oneCycle();
+        ASSERT_EQ(run.touches, i);
+        ASSERT_TRUE(run.cycle().complete());
+        EXPECT_NEAR(run.cycle().pullOff.value().value, SpringContact::kPull,
+                    2.0 * SpringContact::kSigma);
+        EXPECT_NEAR(run.cycle().adhesionWork, SpringContact::kWork, 0.05 * SpringContact::kWork);
+        EXPECT_NEAR(run.cycle().hysteresis, SpringContact::kWork, 0.15 * SpringContact::kWork);
+        EXPECT_NEAR(run.cycle().stiffness.value().value, SpringContact::kContact,
+                    5.0 * run.cycle().stiffness.value().sigma);
+    }
+}
+
+TEST(CycleDetector, HoveringInFreeAirIsNoCycle) {
+    SpringContact run(SpringContact::kSigma);
+    for (int i = 0; i < 40; ++i) {
+        run.moveTo(1e-9);
+        run.moveTo(4e-9);
+        run.rest(1000);
+    }
+    EXPECT_EQ(run.touches, 0);
+}
+
+TEST(CycleDetector, AttractionWithoutContactIsNoCycle) {
+    SpringContact run(SpringContact::kSigma);
+    run.attraction = 2e-9;
+    run.moveTo(0.2e-9);
+    run.rest(500);
+    run.moveTo(4e-9);
+    EXPECT_EQ(run.touches, 0);
+}
+
+TEST(CycleDetector, AUserMayRestAnywhere) {
+    SpringContact run(SpringContact::kSigma);
+    for (const double place : {1e-9, -1e-9, -2e-9, 0.0, 0.3e-9}) {  // of no force, too
+        run.moveTo(place);
+        run.rest(3000);
+        EXPECT_LE(run.touches, 1);
+    }
+    EXPECT_EQ(run.cycle().phase, CyclePhase::Contact);
+    run.moveTo(4e-9);
+    EXPECT_EQ(run.touches, 1);
+    EXPECT_TRUE(run.cycle().complete());
+    EXPECT_NEAR(run.cycle().pullOff.value().value, SpringContact::kPull,
+                2.0 * SpringContact::kSigma);
+}
+
+TEST(CycleDetector, TurnsInContactBelongToTheCycleAndTheLastRetractCounts) {
+    SpringContact run;
+    run.moveTo(-2e-9);
+    run.moveTo(0.4e-9);  // pulls by 4.4 nN
+    run.moveTo(-3e-9);
+    EXPECT_NEAR(run.cycle().pullOff.value().value, 0.4e-9 * SpringContact::kTogether, kForceStep);
+    run.moveTo(4e-9);
+    EXPECT_EQ(run.touches, 1);
+    EXPECT_NEAR(run.cycle().pullOff.value().value, SpringContact::kPull, kForceStep);
+    EXPECT_NEAR(run.cycle().adhesionWork, SpringContact::kWork, kWorkTolerance);
+    EXPECT_NEAR(run.cycle().hysteresis, SpringContact::kWork, kWorkTolerance)
+        << "to and fro on the same line dissipates nothing";
+}
+
+TEST(CycleDetector, AModelThatLetsGoEarlyOrLateChangesNoReading) {
+    for (const long lag : {-1L, 0L, 300L}) {
+        SCOPED_TRACE(lag);
+        SpringContact run(SpringContact::kSigma);
+        run.modelLag = lag;
+        run.oneCycle();
+        run.oneCycle();
+        EXPECT_EQ(run.detector.number(), 1);
+        EXPECT_TRUE(run.cycle().complete());
+        EXPECT_NEAR(run.cycle().pullOff.value().value, SpringContact::kPull,
+                    2.0 * SpringContact::kSigma);
+    }
+}
+
+TEST(CycleDetector, AttractionThatIsLeftAfterPullOffEndsNoLessACycle) {
+    SpringContact run(SpringContact::kSigma);
+    run.attraction = 1.5e-9;
+    run.moveTo(-2e-9);
+    run.moveTo(0.6e-9);  // it came off here, within reach of the attraction
+    EXPECT_TRUE(run.cycle().complete());
+    run.moveTo(-2e-9);
+    EXPECT_EQ(run.touches, 2);
+}
+
+TEST(CycleDetector, EachApproachInFreeAirBeginsACycle) {
+    SpringContact run;
+    EXPECT_EQ(run.detector.number(), 0);
+    run.oneCycle();
+    EXPECT_EQ(run.detector.number(), 0);
+    EXPECT_TRUE(run.cycle().complete()) << "it stays while the tip does not approach";
+    run.moveTo(3e-9);
+    EXPECT_EQ(run.detector.number(), 1);
+    EXPECT_FALSE(run.cycle().touched());
+}
+
+TEST(CycleDetector, TicksWithoutAnEquilibriumAreLeftOut) {
+    SpringContact run;
+    run.moveTo(-2e-9);
+    const ContactCycle before = run.cycle();
+    run.solved = false;
+    run.moveTo(-2.5e-9);
+    EXPECT_EQ(run.cycle().maxForce, before.maxForce);
+    TickOutput out;
+    out.estimate.force.z() = std::numeric_limits<double>::quiet_NaN();
+    run.detector.take(1.0, {}, out);
+    EXPECT_EQ(run.cycle().maxForce, before.maxForce);
+}
+
+TEST(CycleDetector, AllocatesNothing) {
+    SpringContact run(SpringContact::kSigma);
+    const std::size_t before = test::allocationCount();
+    run.oneCycle();
+    run.oneCycle();
+    EXPECT_EQ(test::allocationCount(), before);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,147 @@
+#include "ui/panels/CyclePanel.h"
+
+#include "tests/core/haptics/cycle/SpringContact.h"
+#include "tests/ui/panels/PanelSamples.h"
+#include "ui/panels/CycleTable.h"
+
+#include <QComboBox>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+using test::SpringContact;
+
+/// The panel with a contact that it watches.
+struct CyclePanelTest : ::testing::Test {
+    void SetUp() override { panel.begin(QStringLiteral("polystyrene")); }
+
+    void cycles(int count) {
+        for (int i = 0; i < count; ++i) {
+            move(-2e-9);
+            move(4e-9);
+        }
+        panel.refresh();
+    }
+    void move(double distance) {
+        run.onTick = [this] { panel.take(run.sample); };
+        run.moveTo(distance);
+    }
+    void changeMaterial(const char* name) {
+        panel.end();
+        panel.begin(QString::fromUtf8(name));
+        run = SpringContact(SpringContact::kSigma);
+    }
+    [[nodiscard]] QString materials() const {
+        QStringList names;
+        for (int row = 0; row < panel.table().rows(); ++row) {
+            names << panel.table().text(row, CycleTable::Material);
+        }
+        return names.join(QStringLiteral(", "));
+    }
+
+    CyclePanel panel;
+    SpringContact run{SpringContact::kSigma};
+};
+
+TEST_F(CyclePanelTest, ReadsOutTheCycleWithUnits) {
+    cycles(1);
+    const CycleTable& table = panel.table();
+    ASSERT_EQ(table.rows(), 1);
+    EXPECT_EQ(table.text(0, CycleTable::Material), QStringLiteral("polystyrene"));
+    EXPECT_TRUE(table.text(0, CycleTable::PullOff).endsWith(QStringLiteral(" nN")));
+    EXPECT_NEAR(table.text(0, CycleTable::PullOff).split(' ').front().toDouble(), 5.0, 0.2);
+    EXPECT_TRUE(table.text(0, CycleTable::Work).endsWith(QStringLiteral(" aJ")));
+    EXPECT_NEAR(table.text(0, CycleTable::Work).split(' ').front().toDouble(),
+                1e18 * SpringContact::kWork, 0.1);
+    EXPECT_TRUE(table.text(0, CycleTable::Stiffness).endsWith(QStringLiteral(" N/m")));
+    EXPECT_TRUE(table.details(0).contains(QStringLiteral("±")));
+}
+
+TEST_F(CyclePanelTest, AnOpenCycleHasNoAreaYet) {
+    move(-2e-9);
+    panel.refresh();
+    EXPECT_EQ(panel.table().text(0, CycleTable::PullOff), QStringLiteral("–"));
+    EXPECT_EQ(panel.table().text(0, CycleTable::Hysteresis), QStringLiteral("–"));
+}
+
+TEST_F(CyclePanelTest, CyclesStayOverAChangeOfMaterial) {
+    cycles(2);
+    changeMaterial("silicon oxide");
+    panel.refresh();
+    EXPECT_EQ(materials(), QStringLiteral("polystyrene, polystyrene"));
+    cycles(1);
+    EXPECT_EQ(materials(), QStringLiteral("silicon oxide, polystyrene, polystyrene"));
+}
+
+TEST_F(CyclePanelTest, ManyCyclesOfOneMaterialDoNotDriveTheOtherAway) {
+    cycles(1);
+    changeMaterial("silicon oxide");
+    cycles(6);
+    EXPECT_EQ(panel.table().rows(), ForceDistancePlot::kMaxCycles);
+    EXPECT_TRUE(materials().endsWith(QStringLiteral("polystyrene")));
+}
+
+TEST_F(CyclePanelTest, HoveringKeepsNothing) {
+    for (int i = 0; i < 3; ++i) {
+        move(2e-9);
+        move(4e-9);
+    }
+    changeMaterial("silicon oxide");
+    panel.refresh();
+    EXPECT_EQ(panel.table().rows(), 0);
+}
+
+TEST_F(CyclePanelTest, ClearForgetsAllButACycleInContact) {
+    cycles(3);
+    panel.findChild<QToolButton*>(QStringLiteral("clearCycles"))->click();
+    EXPECT_EQ(panel.table().rows(), 0);
+    cycles(1);
+    move(-1e-9);
+    panel.findChild<QToolButton*>(QStringLiteral("clearCycles"))->click();
+    EXPECT_EQ(panel.table().rows(), 1);
+}
+
+TEST_F(CyclePanelTest, TheDistanceIsTheSeparationOrTheBases) {
+    cycles(1);
+    const double separation = panel.plot().distanceRange().low;
+    EXPECT_LT(separation, 0.0) << "indented";
+    panel.findChild<QComboBox*>(QStringLiteral("distanceAxis"))->setCurrentIndex(1);
+    EXPECT_LE(panel.plot().distanceRange().low, -2e-9);
+    EXPECT_GT(separation, panel.plot().distanceRange().low) << "the lever is bent";
+}
+
+TEST_F(CyclePanelTest, AFarApproachDoesNotSqueezeTheContact) {
+    move(300e-9);
+    cycles(1);
+    move(300e-9);
+    panel.refresh();
+    EXPECT_LT(panel.plot().distanceRange().high, 3e-9);
+    EXPECT_LE(panel.plot().forceRange().low, -SpringContact::kPull);
+}
+
+TEST_F(CyclePanelTest, BranchesHaveTheirColorsAndOlderOnesAreFainter) {
+    cycles(1);
+    panel.resize(370, 220);
+    const auto count = [this](int age) {
+        const QImage image = panel.grab().toImage();
+        return std::pair(test::pixelsLike(image, branchColors(age).approach),
+                         test::pixelsLike(image, branchColors(age).retract));
+    };
+    const auto [approach, retract] = count(0);
+    EXPECT_GT(approach, 60);
+    EXPECT_GT(retract, 60);
+    EXPECT_LT(count(1).second, 20);
+    cycles(1);
+    EXPECT_GT(count(1).second, 20);
+}
+
+TEST_F(CyclePanelTest, FitsTheColumnOfASmallWindow) {
+    EXPECT_LE(panel.minimumSizeHint().width(), 350);
+    EXPECT_LE(panel.minimumSizeHint().height(), 130);
+}
+
+}  // namespace
+}  // namespace asperity

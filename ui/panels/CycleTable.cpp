@@ -1,0 +1,154 @@
+#include "ui/panels/CycleTable.h"
+
+#include "ui/Steady.h"
+#include "ui/Theme.h"
+#include "ui/panels/ForceDistancePlot.h"
+
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSwatch = 16;          ///< width of the two lines in a cycle's colors [px]
+constexpr int kSwatchDistance = 4;   ///< to what follows [px]
+constexpr double kFirstShare = 0.3;  ///< of the width: the material's column
+const QString kNothing = QStringLiteral("–");
+
+// One unit for all rows, so that they compare at sight; 1 aJ is 1 nN nm.
+const SiScale kNanonewtons{1e9, "nN"};
+const SiScale kNanometers{1e9, "nm"};
+const SiScale kAttojoules{1e18, "aJ"};
+const SiScale kPerMeter{1.0, "N/m"};
+
+QString text(double value, const SiScale& scale) {
+    return QString::fromStdString(threeDigitText(value, scale));
+}
+
+QString text(const std::optional<Reading>& reading, const SiScale& scale) {
+    return reading ? text(reading->value, scale) : kNothing;
+}
+
+QString withSigma(const std::optional<Reading>& reading, const SiScale& scale) {
+    return reading ? text(reading->value, {scale.factor, ""}) + QStringLiteral("± ") +
+                         text(reading->sigma, scale)
+                   : kNothing;
+}
+
+QString nameOf(int column) {
+    switch (column) {
+    case CycleTable::PullOff:
+        return CycleTable::tr("pull-off");
+    case CycleTable::Work:
+        return CycleTable::tr("work");
+    case CycleTable::Hysteresis:
+        return CycleTable::tr("hysteresis");
+    case CycleTable::Stiffness:
+        return CycleTable::tr("stiffness");
+    default:
+        return {};
+    }
+}
+
+QString explanation() {
+    return CycleTable::tr("Pull-off: strongest pull of the retract branch\n"
+                          "Work: work of adhesion, area between the retract branch and zero force\n"
+                          "Hysteresis: area between approach and retract\n"
+                          "Stiffness: of the contact, where unloading begins");
+}
+
+}  // namespace
+
+CycleTable::CycleTable(QWidget* parent) : QWidget(parent) {
+    setFont(theme::textFont(theme::kSmallSize));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+}
+
+void CycleTable::setRows(const std::vector<CycleRow>& newestFirst) {
+    rows_ = newestFirst;
+    update();
+}
+
+QString CycleTable::text(int row, Column column) const {
+    const auto& [material, cycle] = rows_.at(static_cast<std::size_t>(row));
+    switch (column) {
+    case PullOff:
+        return asperity::text(cycle.pullOff, kNanonewtons);
+    case Work:
+        return cycle.pullOff ? asperity::text(cycle.adhesionWork, kAttojoules) : kNothing;
+    case Hysteresis:  // an open loop has no area
+        return cycle.complete() ? asperity::text(cycle.hysteresis, kAttojoules) : kNothing;
+    case Stiffness:
+        return asperity::text(cycle.stiffness, kPerMeter);
+    default:
+        return material;
+    }
+}
+
+QString CycleTable::details(int row) const {
+    const auto& [material, cycle] = rows_.at(static_cast<std::size_t>(row));
+    return tr("%1\nPull-off force: %2\nWork of adhesion: %3\nHysteresis: %4\nContact stiffness: "
+              "%5\nMaximum force: %6\nMaximum indentation: %7")
+        .arg(material, withSigma(cycle.pullOff, kNanonewtons), text(row, Work),
+             text(row, Hysteresis), withSigma(cycle.stiffness, kPerMeter),
+             asperity::text(cycle.maxForce, kNanonewtons),
+             asperity::text(cycle.maxIndentation, kNanometers));
+}
+
+int CycleTable::lineHeight() const { return fontMetrics().height(); }
+
+QSize CycleTable::sizeHint() const {
+    return {1, (1 + ForceDistancePlot::kMaxCycles) * lineHeight()};
+}
+
+QSize CycleTable::minimumSizeHint() const { return {1, 2 * lineHeight()}; }
+
+QRect CycleTable::cell(int line, int column) const {
+    const int first = static_cast<int>(kFirstShare * width());
+    const int other = (width() - first) / (kColumns - 1);
+    return column == Material
+               ? QRect(0, line * lineHeight(), first, lineHeight())
+               : QRect(first + (column - 1) * other, line * lineHeight(), other, lineHeight());
+}
+
+void CycleTable::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setPen(QColor(theme::kMuted));
+    for (int column = Material + 1; column < kColumns; ++column) {
+        painter.drawText(cell(0, column), Qt::AlignRight | Qt::AlignVCenter, nameOf(column));
+    }
+    for (int row = 0; row < rows() && (row + 2) * lineHeight() <= height(); ++row) {
+        paintRow(painter, row);
+    }
+}
+
+void CycleTable::paintRow(QPainter& painter, int row) const {
+    const BranchColors colors = branchColors(row);
+    QRect first = cell(row + 1, Material);
+    const int middle = first.center().y();
+    painter.fillRect(QRect(0, middle - 2, kSwatch, 2), colors.approach);
+    painter.fillRect(QRect(0, middle + 1, kSwatch, 2), colors.retract);
+    first.setLeft(kSwatch + kSwatchDistance);
+    painter.setPen(QColor(row == 0 ? theme::kInk : theme::kMuted));
+    painter.drawText(first, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(row, Material), Qt::ElideRight, first.width()));
+    for (int column = Material + 1; column < kColumns; ++column) {
+        painter.drawText(cell(row + 1, column), Qt::AlignRight | Qt::AlignVCenter,
+                         text(row, static_cast<Column>(column)));
+    }
+}
+
+bool CycleTable::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) {
+        return QWidget::event(event);
+    }
+    const auto* const help = static_cast<QHelpEvent*>(event);
+    const int row = help->pos().y() / lineHeight() - 1;
+    QToolTip::showText(help->globalPos(), row >= 0 && row < rows() ? details(row) : explanation(),
+                       this);
+    return true;
+}
+
+}  // namespace asperity

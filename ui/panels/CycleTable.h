@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/haptics/cycle/ContactCycle.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <vector>
+
+class QPainter;
+
+namespace asperity {
+
+/// A cycle with the material that it was made on.
+struct CycleRow {
+    QString material;
+    ContactCycle cycle;
+};
+
+/// What is read from the curves of a few cycles, the newest on top: pull-off force, work of
+/// adhesion, hysteresis and contact stiffness, with units. Rows without room are left out, so that
+/// the table grows and shrinks with its panel; the tool tip of a row says all of its cycle.
+class CycleTable : public QWidget {
+    Q_OBJECT
+
+public:
+    enum Column { Material, PullOff, Work, Hysteresis, Stiffness, kColumns };
+
+    explicit CycleTable(QWidget* parent = nullptr);
+
+    /// Each row's colors are those of its place, see branchColors().
+    void setRows(const std::vector<CycleRow>& newestFirst);
+    [[nodiscard]] int rows() const { return static_cast<int>(rows_.size()); }
+    [[nodiscard]] QString text(int row, Column column) const;
+    /// All of a cycle, with standard deviations.
+    [[nodiscard]] QString details(int row) const;
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+    bool event(QEvent* event) override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] int lineHeight() const;
+    [[nodiscard]] QRect cell(int line, int column) const;
+    void paintRow(QPainter& painter, int row) const;
+
+    std::vector<CycleRow> rows_;
+};
+
+}  // namespace asperity

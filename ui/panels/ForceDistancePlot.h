@@ -1,0 +1,69 @@
+#pragma once
+
+// Compiled as C++17 too: Qwt's headers are not C++20.
+#include "ui/Steady.h"
+
+#include <QColor>
+#include <QPointF>
+#include <QVector>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QHBoxLayout;
+
+namespace asperity {
+
+/// Colors of the two branches, told apart with any color vision.
+struct BranchColors {
+    QColor approach;
+    QColor retract;
+};
+
+/// Those of the newest cycle (age 0), or of an older one: the older the fainter.
+[[nodiscard]] BranchColors branchColors(int age);
+
+/// One cycle as it is drawn; points are distance [m] and force [N]. A force that is not a number
+/// parts two pieces.
+struct DrawnCycle {
+    QVector<QPointF> approach;
+    QVector<QPointF> retract;
+    std::optional<QPointF> pullOff;  ///< marked with a ring
+};
+
+/// Force-distance curves of a few cycles over one another, the newest in full colors.
+class ForceDistancePlot : public QWidget {
+public:
+    static constexpr int kMaxCycles = 4;
+
+    explicit ForceDistancePlot(QWidget* parent = nullptr);
+    ~ForceDistancePlot() override;
+    ForceDistancePlot(const ForceDistancePlot&) = delete;
+    ForceDistancePlot& operator=(const ForceDistancePlot&) = delete;
+
+    /// @param newestFirst at most kMaxCycles
+    /// @param distances   what the distance axis must hold [m]
+    void setCycles(const std::vector<DrawnCycle>& newestFirst, const AxisRange& distances);
+    /// Another quantity is on the distance axis: it ranges itself anew.
+    void forgetRange();
+    /// Where controls of the plot stand, beside its legend.
+    [[nodiscard]] QHBoxLayout& heading();
+
+    [[nodiscard]] const AxisRange& forceRange() const { return forces_.range(); }        ///< [N]
+    [[nodiscard]] const AxisRange& distanceRange() const { return distances_.range(); }  ///< [m]
+
+private:
+    class Canvas;  ///< what Qwt draws
+
+    void fitRanges(const std::vector<DrawnCycle>& cycles, const AxisRange& distances);
+
+    SteadyRange forces_;
+    SteadyRange distances_;
+    SteadyScale forceScale_;
+    SteadyScale distanceScale_;
+    std::unique_ptr<Canvas> canvas_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,102 @@
+#include "ui/panels/QwtParts.h"
+
+#include "ui/Theme.h"
+
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_grid.h>
+#include <qwt_plot_layout.h>
+#include <qwt_plot_marker.h>
+#include <qwt_scale_widget.h>
+#include <qwt_text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kTickLength = 4;        ///< [px]
+constexpr int kMinCanvasHeight = 40;  ///< [px]
+constexpr int kMaxLabelDigits = 6;    ///< letters of a label for which room is kept
+
+}  // namespace
+
+// NOLINTNEXTLINE(readability-function-size): the parameters are Qwt's
+void PiecewiseCurve::drawSeries(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+                                const QRectF& canvas, int from, int to) const {
+    const int last = to < 0 ? static_cast<int>(dataSize()) - 1 : to;
+    int begin = from;
+    for (int i = from; i <= last + 1; ++i) {
+        const bool atEnd = i == last + 1;
+        if (!atEnd && !std::isnan(sample(i).y())) {
+            continue;
+        }
+        if (i > begin) {
+            QwtPlotCurve::drawSeries(painter, xMap, yMap, canvas, begin, i - 1);
+        }
+        begin = i + 1;
+    }
+}
+
+void NumberScaleDraw::set(int decimals, const QString& unit) {
+    if (decimals_ != decimals || unit_ != unit) {
+        decimals_ = decimals;
+        unit_ = unit;
+        invalidateCache();
+    }
+}
+
+QwtText NumberScaleDraw::label(double value) const {
+    const QString number = QString::number(value, 'f', decimals_);
+    return unit_.isEmpty() ? number : number + QLatin1Char(' ') + unit_;
+}
+
+int decimalsFor(const std::vector<double>& ticks) {
+    const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
+    return std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 9);
+}
+
+QwtScaleDiv divisions(double low, double high, const std::vector<double>& ticks) {
+    return QwtScaleDiv(low, high, {}, {}, QList<double>(ticks.begin(), ticks.end()));
+}
+
+void styleLivePlot(QwtPlot& plot) {
+    auto* canvas = new QwtPlotCanvas(&plot);
+    canvas->setFrameStyle(QFrame::NoFrame);
+    canvas->setPaintAttribute(QwtPlotCanvas::BackingStore, false);  // every frame is a new one
+    plot.setCanvas(canvas);
+    plot.setCanvasBackground(QColor(theme::kPaper));
+    plot.setMinimumSize(120, kMinCanvasHeight);
+    plot.plotLayout()->setAlignCanvasToScales(true);
+    plot.plotLayout()->setSpacing(0);
+    for (const int axis : {QwtPlot::yLeft, QwtPlot::xBottom}) {
+        plot.setAxisFont(axis, theme::textFont(theme::kSmallSize - 1));
+        QPalette palette;
+        palette.setColor(QPalette::WindowText, theme::kFaint);
+        palette.setColor(QPalette::Text, theme::kMuted);
+        plot.axisWidget(axis)->setPalette(palette);
+        plot.axisWidget(axis)->setMargin(0);
+        QwtScaleDraw* draw = plot.axisScaleDraw(axis);
+        draw->setTickLength(QwtScaleDiv::MajorTick, kTickLength);
+        draw->setSpacing(2);
+    }
+    auto* grid = new QwtPlotGrid;
+    grid->setPen(QColor(theme::kFaint), 0.0, Qt::SolidLine);
+    grid->attach(&plot);
+}
+
+void addZeroLine(QwtPlot& plot) {
+    auto* zero = new QwtPlotMarker;
+    zero->setLineStyle(QwtPlotMarker::HLine);
+    zero->setLinePen(QColor(theme::kMuted), 0.0, Qt::SolidLine);
+    zero->attach(&plot);
+}
+
+double valueLabelRoom() {
+    const QFontMetrics metrics(theme::textFont(theme::kSmallSize - 1));
+    return kMaxLabelDigits * metrics.horizontalAdvance(QLatin1Char('0')) + kTickLength + 2;
+}
+
+}  // namespace asperity

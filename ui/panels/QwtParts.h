@@ -1,0 +1,48 @@
+#pragma once
+
+// Compiled as C++17 too: Qwt's headers are not C++20.
+#include <QString>
+#include <qwt_plot_curve.h>
+#include <qwt_scale_div.h>
+#include <qwt_scale_draw.h>
+
+#include <vector>
+
+class QwtPlot;
+
+// What the live plots have in common.
+
+namespace asperity {
+
+/// A curve in pieces: a value that is not a number parts two of them.
+class PiecewiseCurve : public QwtPlotCurve {
+public:
+    // NOLINTNEXTLINE(readability-function-size): the parameters are Qwt's
+    void drawSeries(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+                    const QRectF& canvas, int from, int to) const override;
+};
+
+/// Numbers with the same count of decimals at every tick, and a unit after each where there is one.
+class NumberScaleDraw : public QwtScaleDraw {
+public:
+    void set(int decimals, const QString& unit = {});
+    [[nodiscard]] QwtText label(double value) const override;
+
+private:
+    int decimals_ = 0;
+    QString unit_;
+};
+
+/// How many decimals tell these ticks apart.
+[[nodiscard]] int decimalsFor(const std::vector<double>& ticks);
+
+[[nodiscard]] QwtScaleDiv divisions(double low, double high, const std::vector<double>& ticks);
+
+/// A plot on paper with gray axes, a grid below what is attached later, and no frame.
+void styleLivePlot(QwtPlot& plot);
+/// A line at zero force or value.
+void addZeroLine(QwtPlot& plot);
+/// Room for the labels of the value axis, so that the canvas stays where it is.
+[[nodiscard]] double valueLabelRoom();
+
+}  // namespace asperity
