@@ -22,7 +22,8 @@ Session::Session(MainWindow& window)
     , scenes_(window, runs_)
     , fidelity_(window, runs_)
     , paths_(window, runs_, devices_)
-    , views_(window, runs_) {
+    , views_(window, runs_)
+    , entries_(window, runs_, devices_) {
     runs_.setSink([this](const TickSample& sample) {
         views_.take(sample);
         recordings_.take(sample);
@@ -55,6 +56,7 @@ void Session::advance() {
         recordings_.advance();
         views_.show(now);
     }
+    entries_.show();
 }
 
 }  // namespace asperity

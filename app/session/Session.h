@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/session/DeviceControl.h"
+#include "app/session/EntryControl.h"
 #include "app/session/FidelityControl.h"
 #include "app/session/PathControl.h"
 #include "app/session/RecordingControl.h"
@@ -43,6 +44,7 @@ private:
     FidelityControl fidelity_;
     PathControl paths_;
     ViewControl views_;
+    EntryControl entries_;
     QTimer frames_;
     double lastFrame_ = 0.0;  ///< [s]
 };

@@ -182,6 +182,10 @@ void MainWindow::connectMenus() {
     on(menus_->resetView, [this] { view_->resetCamera(); });
     connect(menus_, &WindowMenus::magnificationChosen, view_, &ZoomView::setMagnification);
     on(menus_->fidelity, [this] {
+        if (fidelity_->isVisible()) {
+            fidelity_->hide();
+            return;
+        }
         fidelity_->show();
         fidelity_->raise();
         fidelity_->activateWindow();
@@ -214,6 +218,7 @@ void MainWindow::lock() {
     controls_->setEnabled(false);
     overview_->setEnabled(false);
     fidelity_->setEnabled(false);
+    menus_->lock();
     for (QAction* action : findChildren<QAction*>()) {
         action->setEnabled(action == menus_->quit);
     }
