@@ -54,7 +54,8 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
             .format = std::move(scan.format),
             .sha256 = std::move(hash),
             .notes = std::move(scan.notes),
-            .needs = {}};
+            .needs = {},
+            .channels = heightChannels(file.contents())};
 }
 
 }  // namespace

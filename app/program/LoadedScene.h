@@ -28,6 +28,7 @@ struct LoadedScene {
     std::string sha256;              ///< of the height map's file; empty without one
     std::vector<std::string> notes;  ///< on the heights, a sentence each: of reader and leveling
     SceneNeeds needs;                ///< why the scene's model is what it is
+    std::vector<std::string> channels = {};  ///< of the file, those that can be taken instead
 };
 
 /// All that was decided about a scene: its notes, and those on the force.

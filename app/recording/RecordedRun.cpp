@@ -5,6 +5,8 @@
 #include "core/GrowingFile.h"
 #include "core/io/recording/TickLog.h"
 #include "core/io/recording/TickMemoryFile.h"
+#include "core/io/scene/SceneFile.h"
+#include "core/words/SceneWords.h"
 
 #include <algorithm>
 #include <fstream>
@@ -66,6 +68,19 @@ std::string sentenceOf(RunState state) {
         break;
     }
     return {};
+}
+
+std::optional<RecordedSample> sampleOf(const std::filesystem::path& folder) {
+    if (!isThere(folder / run_files::kScene)) {
+        return std::nullopt;
+    }
+    try {
+        const SampleDescription sample = sceneFromInput(folder / run_files::kScene).sample;
+        return RecordedSample{
+            .sha256 = recordedHash(folder), .channel = sample.channel, .name = sampleName(sample)};
+    } catch (const InputError&) {  // its tables may be all that is left of a run
+        return std::nullopt;
+    }
 }
 
 CsvTable readRunTable(const std::filesystem::path& file) {

@@ -5,6 +5,7 @@
 #include "core/io/tables/CsvTable.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,16 @@ struct RecordedRun {
 
 /// @throw InputError
 [[nodiscard]] RecordedRun readRun(const std::filesystem::path& folder);
+
+/// The sample that a run was made on.
+struct RecordedSample {
+    std::string sha256;   ///< of the scan's file; empty: a shape
+    std::string channel;  ///< of the scan
+    std::string name;     ///< for people
+};
+
+/// @return nothing where the folder does not say
+[[nodiscard]] std::optional<RecordedSample> sampleOf(const std::filesystem::path& folder);
 
 /// One of its tables, up to the last whole line where the run is not complete. @throw InputError
 [[nodiscard]] CsvTable readRunTable(const std::filesystem::path& file);

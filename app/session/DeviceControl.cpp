@@ -166,9 +166,9 @@ void DeviceControl::travelTo(const Vector2& place) {
 }
 
 void DeviceControl::turnKnob(const QString& column, double value) {
+    // A number that was being typed into the knob when it was disabled.
     if (column == QLatin1String("position_gain") && device_.followsPath()) {
         window_.controls().setKnobs(runs_.run()->settings());
-        window_.tell(tr("A path is in places of the scan: the position gain waits for a hand"));
         return;
     }
     runs_.turn([&](Settings& settings) { setSetting(settings, column.toStdString(), value); });
@@ -188,10 +188,6 @@ void DeviceControl::chooseGuide(FixtureKind kind) {
                                    ? sample.output.model.tip
                                    : sample.output.base.position;
     });
-    if (kind != FixtureKind::None && !run.settings().coupling.couples()) {
-        window_.tell(tr("A guide pulls at a hand with a coupling: take a device with motors, or "
-                        "give the scene a coupling"));
-    }
 }
 
 void DeviceControl::advance(double seconds) {
@@ -236,6 +232,10 @@ void DeviceControl::show() {
     const auto found = std::find(list_.begin(), list_.end(), device_.driver());
     window_.controls().setDevice(isListed ? static_cast<int>(found - list_.begin()) : -1);
     window_.setEmergencyStop(runs_.run()->device().specification().rendersForce());
+    window_.controls().refuseKnob(
+        "position_gain", device_.followsPath()
+                             ? tr("A path is in places of the scan, whatever the position gain is")
+                             : QString());
     runs_.showKnobs();
 }
 

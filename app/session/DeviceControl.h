@@ -34,6 +34,8 @@ public:
     void pilotDevice(const DevicePath& path);
     /// Once a frame, before its ticks: moves the device on [s]. There is a run.
     void advance(double seconds);
+    /// Whether a device has the tip whose axes are not those of the screen.
+    [[nodiscard]] bool hasHardware() const { return device_.isHardware(); }
 
 Q_SIGNALS:
     /// The user wants the device to follow a path.

@@ -73,7 +73,13 @@ void FidelityControl::connectInputs() {
             return scene;
         });
     });
-    connect(&panel, &FidelityPanel::automaticRequested, this, [choose] { choose(allAutomatic); });
+    connect(&panel, &FidelityPanel::automaticRequested, this, [change] {
+        change([](SceneDescription scene) {
+            scene.choices = allAutomatic(scene.choices);
+            scene.tolerance = defaultScene().tolerance;
+            return scene;
+        });
+    });
     connect(&panel, &FidelityPanel::optionsPicked, this, &FidelityControl::pickOptions);
     connect(&panel, &FidelityPanel::measureRequested, this, &FidelityControl::measure);
     connect(&panel, &FidelityPanel::stopRequested, this, [this] { study_.cancel(); });
@@ -103,15 +109,10 @@ void FidelityControl::pickOptions(const ForceModelOptions& options) {
 }
 
 void FidelityControl::measure() {
-    if (runs_.run() == nullptr || study_.isBusy()) {
+    if (runs_.run() == nullptr || study_.isBusy() || !canBeStudied(runs_.run()->scene())) {
         return;
     }
     const Scene& scene = runs_.run()->scene();
-    if (!canBeStudied(scene)) {
-        window_.complain(tr("A scan of more than 2048 × 2048 pixels is not measured beside the "
-                            "run; asperity tradeoff does it."));
-        return;
-    }
     // A copy: the study changes its model.
     study_.start([own = std::make_shared<Scene>(scene)](Progress& progress) {
         return studyTradeOff(*own, kPlan, &progress);
@@ -124,6 +125,10 @@ void FidelityControl::showScene() {
     const Scene& scene = runs_.run()->scene();
     study_.cancel();
     window_.fidelity().showTradeOff(std::nullopt);
+    window_.fidelity().refuseMeasuring(
+        canBeStudied(scene) ? QString()
+                            : tr("A scan of more than 2048 × 2048 pixels is not measured beside "
+                                 "the run: asperity tradeoff does it"));
     window_.fidelity().showModel(runs_.run()->loaded().needs, scene.description.choices);
 }
 

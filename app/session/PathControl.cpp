@@ -3,15 +3,18 @@
 #include "app/recording/RecordedRun.h"
 #include "core/Error.h"
 #include "core/io/scene/DevicePathFile.h"
+#include "core/words/SceneWords.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/EngageBar.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/window/MainWindow.h"
 
 #include <QPolygonF>
+#include <QStringList>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace asperity {
 
@@ -27,18 +30,37 @@ constexpr std::array<PlannedPath, 4> kPaths{{{"Approach", nullptr},
                                              {"Raster", rasterPath},
                                              {"Scratch", scratchPath}}};
 
-/// A path in other units than meters would lead the tip far away, and take as long.
+/// A path in other units than meters, or of a larger scan, would lead the tip far away, and take as
+/// long. @param why it may do so
 /// @throw InputError when the path leaves the scan by more than its width
-void requireNear(const Scene& scene, const DevicePath& path, const std::string& file) {
+void requireNear(const Scene& scene, const DevicePath& path, const std::string& file,
+                 const std::string& why) {
     const double reach = 2.0 * std::max(scene.surface.sizeX(), scene.surface.sizeY());
     for (const PathPoint& point : path) {
         const Vector2 place = point.position.head<2>();
         if (!scene.surface.contains(place.x(), place.y()) && place.norm() > reach) {
             throw InputError(file, "at " + std::to_string(point.time) + " s",
-                             "the path leaves the scan by more than its width: x_m, y_m and z_m "
-                             "must be meters from its lower left corner");
+                             "the path leaves the scan by more than its width: " + why);
         }
     }
+}
+
+constexpr const char* kInMeters = "x_m, y_m and z_m must be meters from its lower left corner";
+
+/// Of a recording on another sample than that of the run, both: "recorded on ps.gwy, channel
+/// Height; followed on steps.gsf, channel Height". Empty: it is the same, or nobody knows.
+QString bothSamples(const LoadedScene& here, const std::filesystem::path& recording) {
+    const std::optional<RecordedSample> recorded = sampleOf(recording);
+    const SampleDescription& sample = here.scene.description.sample;
+    const std::string name = sampleName(sample);
+    const auto isSame = [&] {
+        return recorded->sha256 == here.sha256 && recorded->channel == sample.channel &&
+               (!here.sha256.empty() || recorded->name == name);
+    };
+    return !recorded || isSame()
+               ? QString()
+               : PathControl::tr("recorded on %1; followed on %2")
+                     .arg(QString::fromStdString(recorded->name), QString::fromStdString(name));
 }
 
 /// A path from above, thin enough to draw [m].
@@ -64,7 +86,7 @@ PathControl::PathControl(MainWindow& window, RunControl& runs, DeviceControl& de
     connect(&window.controls(), &ControlBar::pathChosen, this, &PathControl::choose);
     connect(&devices, &DeviceControl::pathWanted, this, [this] { choose(0); });
     connect(&window, &MainWindow::pathFileChosen, this,
-            [this](const QString& file) { followFile(file, readDevicePath); });
+            [this](const QString& file) { followFile(file, readDevicePath, kInMeters); });
     connect(&window, &MainWindow::recordingChosen, this,
             [this](const QString& file) { replayRecording(file.toStdString()); });
 }
@@ -94,13 +116,13 @@ void PathControl::choose(int index) {
 }
 
 /// @return whether the device follows it
-bool PathControl::followFile(const QString& file, const ReadPath& read) {
+bool PathControl::followFile(const QString& file, const ReadPath& read, const std::string& whyFar) {
     if (runs_.run() == nullptr) {
         return false;
     }
     try {
         const DevicePath path = read(file.toStdString());
-        requireNear(runs_.run()->scene(), path, file.toStdString());
+        requireNear(runs_.run()->scene(), path, file.toStdString(), whyFar);
         window_.controls().setPath(-1);
         follow(path);
         return true;
@@ -111,14 +133,27 @@ bool PathControl::followFile(const QString& file, const ReadPath& read) {
 }
 
 void PathControl::replayRecording(const std::filesystem::path& forceLog) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
     const auto read = [](const std::filesystem::path& file) {
         return readRecordedPath(readRunTable(file));
     };
-    if (followFile(QString::fromStdString(forceLog.string()), read)) {
-        const std::string cutOff = sentenceOf(stateOf(forceLog.parent_path()));
-        if (!cutOff.empty()) {
-            window_.tell(QString::fromStdString(cutOff));
-        }
+    const std::filesystem::path folder = forceLog.parent_path();
+    const QString both = bothSamples(runs_.run()->loaded(), folder);
+    if (!followFile(QString::fromStdString(forceLog.string()), read,
+                    both.isEmpty() ? kInMeters : both.toStdString())) {
+        return;
+    }
+    QStringList words;
+    if (!both.isEmpty()) {
+        words << tr("Another scan: %1").arg(both);
+    }
+    if (const std::string cutOff = sentenceOf(stateOf(folder)); !cutOff.empty()) {
+        words << QString::fromStdString(cutOff);
+    }
+    if (!words.isEmpty()) {
+        window_.tell(words.join(QStringLiteral(" · ")));
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace asperity {
 
@@ -20,7 +21,8 @@ private:
     void choose(int index);
     void approach(const PlannedApproach& approach);
     using ReadPath = std::function<DevicePath(const std::filesystem::path&)>;
-    bool followFile(const QString& file, const ReadPath& read);
+    /// @param whyFar why the path may leave the scan by far
+    bool followFile(const QString& file, const ReadPath& read, const std::string& whyFar);
     void replayRecording(const std::filesystem::path& forceLog);
 
     MainWindow& window_;

@@ -31,7 +31,12 @@ SceneControl::SceneControl(MainWindow& window, RunControl& runs)
     connect(window.menus().cancelLoading, &QAction::triggered, this, &SceneControl::cancelOpen);
     connect(&window.loading(), &LoadingBar::cancelRequested, this, &SceneControl::cancelOpen);
     connect(&window.controls(), &ControlBar::materialChosen, this, &SceneControl::chooseMaterial);
+    connect(&window.menus(), &WindowMenus::channelChosen, this,
+            [this](const QString& name) { open(open_, {.channel = name.toStdString()}); });
     connect(&runs, &RunControl::begun, this, &SceneControl::showMaterials);
+    connect(&runs, &RunControl::begun, this, &SceneControl::showChannels);
+    connect(this, &SceneControl::openCanceled, this, &SceneControl::showChannels);
+    connect(this, &SceneControl::openFailed, this, &SceneControl::showChannels);
 }
 
 void SceneControl::readMaterials() {
@@ -49,6 +54,7 @@ void SceneControl::readMaterials() {
 }
 
 void SceneControl::open(const std::filesystem::path& input, const SceneOverrides& overrides) {
+    asked_ = input;
     loading_ = QString::fromStdString(printable(input.filename().string()));
     window_.showLoading(loading_);
     loader_.start(
@@ -72,6 +78,7 @@ void SceneControl::endLoading() {
 
 void SceneControl::use(LoadedScene& scene) {
     endLoading();
+    open_ = asked_;
     runs_.use(std::move(scene));
 }
 
@@ -99,6 +106,18 @@ void SceneControl::chooseMaterial(int index) {
     }
     runs_.rebuild(
         [&material](LoadedScene scene) { return withMaterial(std::move(scene), material); });
+}
+
+void SceneControl::showChannels() {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    QStringList names;
+    for (const std::string& name : runs_.run()->loaded().channels) {
+        names << QString::fromStdString(name);
+    }
+    const SampleDescription& sample = runs_.run()->scene().description.sample;
+    window_.menus().setChannels(names, QString::fromStdString(sample.channel));
 }
 
 void SceneControl::showMaterials() {

@@ -31,6 +31,8 @@ private:
     void readMaterials();
     void chooseMaterial(int index);
     void showMaterials();
+    /// Of the scan that is open.
+    void showChannels();
     void endLoading();
     void use(LoadedScene& scene);
     void fail(const std::exception_ptr& reason);
@@ -38,7 +40,9 @@ private:
     MainWindow& window_;
     RunControl& runs_;
     std::vector<SampleMaterial> materials_;
-    QString loading_;  ///< name of the file that is being loaded; empty: none
+    std::filesystem::path asked_;  ///< the file that was asked for last
+    std::filesystem::path open_;   ///< the file that is shown
+    QString loading_;              ///< name of the file that is being loaded; empty: none
     std::exception_ptr openError_;
     BackgroundWork<LoadedScene> loader_;
 };

@@ -23,7 +23,8 @@ Session::Session(MainWindow& window)
     , fidelity_(window, runs_)
     , paths_(window, runs_, devices_)
     , engaging_(window, runs_, devices_)
-    , views_(window, runs_) {
+    , views_(window, runs_)
+    , entries_(window, runs_, devices_) {
     runs_.setSink([this](const TickSample& sample) {
         views_.take(sample);
         recordings_.take(sample);
@@ -68,6 +69,7 @@ void Session::advance() {
         recordings_.advance();
         views_.show(now);
     }
+    entries_.show();
 }
 
 }  // namespace asperity

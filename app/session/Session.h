@@ -2,6 +2,7 @@
 
 #include "app/session/DeviceControl.h"
 #include "app/session/EngageControl.h"
+#include "app/session/EntryControl.h"
 #include "app/session/FidelityControl.h"
 #include "app/session/PathControl.h"
 #include "app/session/RecordingControl.h"
@@ -46,6 +47,7 @@ private:
     PathControl paths_;
     EngageControl engaging_;
     ViewControl views_;
+    EntryControl entries_;
     QTimer frames_;
     double lastFrame_ = 0.0;  ///< [s]
 };

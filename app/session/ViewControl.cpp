@@ -1,12 +1,17 @@
 #include "app/session/ViewControl.h"
 
+#include "core/Error.h"
+#include "core/TemporaryFile.h"
 #include "ui/panels/LoopStatusBar.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ContactShape.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/MainWindow.h"
 
+#include <QFileInfo>
+#include <QImageWriter>
 #include <QPixmap>
+#include <QStringList>
 
 namespace asperity {
 
@@ -14,6 +19,38 @@ namespace {
 
 // Faster than the eye reads numbers, and half of what redrawing the panels costs.
 constexpr int kFramesPerPanelFrame = 2;
+
+/// A name without a type gets the usual one.
+QString withPictureType(const QString& file) {
+    return QFileInfo(file).suffix().isEmpty() ? file + QStringLiteral(".png") : file;
+}
+
+/// The types that are written here, of those that people save pictures in: ".png .jpg".
+QString pictureTypes() {
+    const QList<QByteArray> written = QImageWriter::supportedImageFormats();
+    QStringList types;
+    for (const char* const type : {"png", "jpg", "jpeg", "tif", "tiff", "bmp", "webp"}) {
+        if (written.contains(type)) {
+            types << QStringLiteral(".") + QString::fromLatin1(type);
+        }
+    }
+    return types.join(QLatin1Char(' '));
+}
+
+/// Why no picture can be written to this file; empty: it can.
+QString pictureRefusal(const QString& file) {
+    const QByteArray type = QFileInfo(file).suffix().toLower().toLatin1();
+    if (!QImageWriter::supportedImageFormats().contains(type)) {
+        return ViewControl::tr("%1: no picture can be written with this extension; known are %2")
+            .arg(file, pictureTypes());
+    }
+    try {
+        requireWritable(file.toStdString());
+        return {};
+    } catch (const Error& error) {
+        return QString::fromUtf8(error.what());
+    }
+}
 
 }  // namespace
 
@@ -76,7 +113,12 @@ std::vector<ViewRate> ViewControl::rates() const {
     return rates;
 }
 
-void ViewControl::savePicture(const QString& file) {
+void ViewControl::savePicture(const QString& chosen) {
+    const QString file = withPictureType(chosen);
+    if (const QString refusal = pictureRefusal(file); !refusal.isEmpty()) {
+        window_.complain(refusal);
+        return;
+    }
     if (runs_.run() != nullptr) {
         runs_.fetch();
         draw(runs_.run()->loop().snapshot(), true);

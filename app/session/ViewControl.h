@@ -26,7 +26,8 @@ private:
     void solveHalfSpace(const Snapshot& latest);
     /// The same tick in the large view and the panels, or only in those that are drawn each time.
     void draw(const Snapshot& latest, bool everywhere);
-    void savePicture(const QString& file);
+    /// @param chosen name of the file, with a type or without
+    void savePicture(const QString& chosen);
 
     MainWindow& window_;
     RunControl& runs_;

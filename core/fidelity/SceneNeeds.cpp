@@ -58,7 +58,7 @@ private:
     TermNeed& need(ModelTerm term) { return needs_.terms[static_cast<std::size_t>(term)]; }
 
     void weigh(TermNeed& need) {
-        if (!isPossible(need.term, scene_.description)) {
+        if (!need.possible) {
             return;
         }
         const TermPair models = pairOf(need.term, needs_.full);
@@ -211,8 +211,9 @@ SceneNeeds fitModel(Scene& scene, double longestTick) {
     SceneNeeds needs{.terms = {}, .full = usualModel(scene.description)};
     needs.tolerance = scene.description.tolerance;
     for (const ModelTerm term : kModelTerms) {
-        needs.terms.push_back(
-            {.term = term, .overruled = isSettled(term, scene.description.choices)});
+        needs.terms.push_back({.term = term,
+                               .overruled = isSettled(term, scene.description.choices),
+                               .possible = isPossible(term, scene.description)});
     }
     setModel(scene, needs.full);
     needs.model = needs.full;

@@ -22,6 +22,7 @@ struct TermNeed {
     ModelTerm term = ModelTerm::Adhesion;
     bool on = true;
     bool overruled = false;        ///< the scene says so itself
+    bool possible = true;          ///< false: the sample has nothing to put in
     std::optional<TermFact> fact;  ///< none: of the surface, not possible, or not measured
     /// What leaving it out of the model changes that has it and all terms that it does not exclude:
     /// the force in the sampled run, see SampledRuns; of terms of the surface its displacement, as

@@ -71,11 +71,8 @@ std::string reasonText(const TermNeed& need, const SceneNeeds& needs) {
     if (!needs.measured) {
         return formatted("not tried: a tick takes %.2g ms here", needs.fullTick * 1e3);
     }
-    if (isOfSurface(need.term)) {
-        return surfaceText(need.term, needs.surface);
-    }
-    return need.term == ModelTerm::FilmBase ? "the sample is no film"
-                                            : "the materials do not adhere";
+    return isOfSurface(need.term) ? surfaceText(need.term, needs.surface)
+                                  : whyImpossible(need.term);
 }
 
 /// Two digits without a power of ten; what is not zero is not shown as zero.
@@ -90,6 +87,10 @@ void list(std::string& names, ModelTerm term) {
 }
 
 }  // namespace
+
+const char* whyImpossible(ModelTerm term) noexcept {
+    return term == ModelTerm::FilmBase ? "the sample is no film" : "the materials do not adhere";
+}
 
 std::string whyOf(const LawChoice& choice) {
     const char* const reason = kLawReasons.at(static_cast<std::size_t>(choice.reason));

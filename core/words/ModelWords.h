@@ -25,6 +25,9 @@ namespace asperity {
 /// of one that matters and is not in also what took its place. @param need one of the scene's
 [[nodiscard]] std::string whyOf(const TermNeed& need, const SceneNeeds& needs);
 
+/// Why a term cannot be in at all, see TermNeed::possible, in one clause.
+[[nodiscard]] const char* whyImpossible(ModelTerm term) noexcept;
+
 /// The error of a model's force and what makes it up, in one clause: "forces within 5.4 % of their
 /// rms in 97 ticks of 100: 0.2 % by what is left out, 5.2 % by what no contact law has beside the
 /// rest (sphere correction)".

@@ -22,6 +22,7 @@ namespace {
 
 constexpr int kControlHeight = 26;   ///< [px]
 constexpr int kMaxGroupWidth = 260;  ///< of a list with what belongs to it [px]
+constexpr const char* kTip = "tip";  ///< property: what a knob says while it can be turned
 
 void setNames(QComboBox& combo, const QStringList& names) {
     const QSignalBlocker blocker(combo);
@@ -136,6 +137,7 @@ void ControlBar::addKnobs() {
 void ControlBar::addKnob(const SettingField& field) {
     auto* box = new GainSpinBox(field.knob.low, field.knob.high, this);
     box->setObjectName(QString::fromUtf8(field.knob.name));
+    box->setProperty(kTip, QString::fromUtf8(field.knob.toolTip));
     box->setToolTip(QString::fromUtf8(field.knob.toolTip));
     box->setFixedSize(96, kControlHeight);
     guardFromWheel(*box);
@@ -198,6 +200,12 @@ void ControlBar::setKnobs(const Settings& settings) {
             setQuietly(*knob->second, static_cast<double>(value));
         }
     });
+}
+
+void ControlBar::refuseKnob(const std::string& column, const QString& reason) {
+    GainSpinBox& box = *knobs_.at(column);
+    box.setEnabled(reason.isEmpty());
+    box.setToolTip(reason.isEmpty() ? box.property(kTip).toString() : reason);
 }
 
 void ControlBar::setRecording(bool recording) {

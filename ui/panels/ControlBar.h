@@ -36,6 +36,9 @@ public:
     void setRunning(bool running);
     void setForcesOn(bool on);
     void setKnobs(const Settings& settings);
+    /// Disables a knob that cannot be turned now. @param column of its setting
+    /// @param reason that its tool tip says; empty: it can
+    void refuseKnob(const std::string& column, const QString& reason);
     void setRecording(bool recording);
 
 Q_SIGNALS:

@@ -92,7 +92,8 @@ QWidget* FidelityPanel::termCard() {
     tolerance_->setToolTip(
         tr("By how much terms left out may change forces and the surface, together"));
     guardFromWheel(*tolerance_);
-    automatic_->setToolTip(tr("Law, terms, feet and deformation as the scene requires"));
+    automatic_->setToolTip(
+        tr("Law, terms, closest points and deformation as the scene requires within 5 %"));
     auto* row = new QHBoxLayout;
     row->addWidget(summary_, 1);
     row->addWidget(captionLabel(tr("Tolerance"), this));
@@ -159,6 +160,11 @@ void FidelityPanel::showTradeOff(const std::optional<TradeOff>& study) {
                         "this scene, and how far its forces are from the best.");
     chart_->setPoints(study_ ? pointsOf(*study_) : TradeOffPoints{}, hint);
     showCurrent();
+}
+
+void FidelityPanel::refuseMeasuring(const QString& reason) {
+    measure_->setEnabled(reason.isEmpty());
+    measure_->setToolTip(reason);
 }
 
 void FidelityPanel::setMeasuring(std::optional<double> fraction) {

@@ -28,6 +28,8 @@ public:
     /// None: the chart is empty.
     void showTradeOff(const std::optional<TradeOff>& study);
     [[nodiscard]] const std::optional<TradeOff>& tradeOff() const { return study_; }
+    /// Why no study can be made of this scene; empty: one can.
+    void refuseMeasuring(const QString& reason);
     /// How far a study is, 0..1; none: there is none under way.
     void setMeasuring(std::optional<double> fraction);
 
@@ -36,7 +38,7 @@ Q_SIGNALS:
     void termChosen(asperity::ModelTerm term, std::optional<bool> on);
     void toleranceChosen(double share);  ///< of forces and of indentations
     void optionsPicked(const asperity::ForceModelOptions& options);
-    void automaticRequested();  ///< nothing shall be overruled
+    void automaticRequested();  ///< nothing shall be overruled, with the tolerance by default
     void measureRequested();
     void stopRequested();  ///< of the study under way
 

@@ -7,6 +7,7 @@
 
 #include <QComboBox>
 #include <QHeaderView>
+#include <QStandardItemModel>
 
 #include <algorithm>
 
@@ -95,8 +96,10 @@ void TermTable::show(const SceneNeeds& needs, const ModelChoices& choices) {
         const auto need = std::ranges::find(
             needs.terms, kModelTerms.at(static_cast<std::size_t>(row)), &TermNeed::term);
         const bool isKnown = need != needs.terms.end();
-        showNeed(row, isKnown ? *need : TermNeed{}, isKnown ? whyOf(*need, needs) : "");
+        const std::string why = isKnown ? whyOf(*need, needs) : "";
+        showNeed(row, isKnown ? *need : TermNeed{}, why);
         showChoice(row, choices);
+        setPossible(row, !isKnown || need->possible);
     }
     resizeColumnToContents(Choice);
     fitHeight();
@@ -120,6 +123,14 @@ void TermTable::showChoice(int row, const ModelChoices& choices) {
     combo.setItemText(Auto, byLaw ? tr("as the law says") : tr("auto"));
     combo.setCurrentIndex(itemOf(asperity::choiceOf(kModelTerms.at(index), choices)));
     combo.setEnabled(true);
+}
+
+void TermTable::setPossible(int row, bool possible) {
+    const auto index = static_cast<std::size_t>(row);
+    auto& entries = dynamic_cast<QStandardItemModel&>(*choices_.at(index)->model());
+    entries.item(On)->setEnabled(possible);
+    entries.item(On)->setToolTip(
+        possible ? QString() : QString::fromUtf8(whyImpossible(kModelTerms.at(index))));
 }
 
 /// Taking again what the law says changes nothing.

@@ -34,6 +34,8 @@ private:
     void addRow(int row);
     void showNeed(int row, const TermNeed& need, const std::string& reason);
     void showChoice(int row, const ModelChoices& choices);
+    /// Whether the term can be on; where not, the entry says why.
+    void setPossible(int row, bool possible);
     void choose(ModelTerm term, int item);
     void setText(int row, int column, const QString& text);
     /// All rows in sight, each as high as its words need at this width.

@@ -213,6 +213,10 @@ void MainWindow::connectMenus() {
     connect(menus_, &WindowMenus::viewOptionsChosen, view_, &ZoomView::setOptions);
     on(menus_->fidelity, [this] { placeFidelity(); });
     on(menus_->fidelity, [this] {
+        if (fidelity_->isVisible()) {
+            fidelity_->hide();
+            return;
+        }
         fidelity_->show();
         fidelity_->raise();
         fidelity_->activateWindow();
@@ -253,6 +257,7 @@ void MainWindow::lock() {
     engage_->setEnabled(false);
     overview_->setEnabled(false);
     fidelity_->setEnabled(false);
+    menus_->lock();
     for (QAction* action : findChildren<QAction*>()) {
         action->setEnabled(action == menus_->quit);
     }

@@ -9,6 +9,24 @@
 
 namespace asperity {
 
+namespace {
+
+constexpr const char* kTip = "tip";  ///< property: what an entry says while it works
+
+void explain(QAction& entry, const QString& tip) {
+    entry.setProperty(kTip, tip);
+    entry.setToolTip(tip);
+}
+
+/// A menu that shows why an entry does not work.
+QMenu* addMenu(QMenuBar& bar, const QString& title) {
+    QMenu* menu = bar.addMenu(title);
+    menu->setToolTipsVisible(true);
+    return menu;
+}
+
+}  // namespace
+
 WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
     addFileMenu(bar);
     addRunMenu(bar);
@@ -18,9 +36,12 @@ WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
 }
 
 void WindowMenus::addFileMenu(QMenuBar& bar) {
-    QMenu* menu = bar.addMenu(tr("&File"));
+    QMenu* menu = addMenu(bar, tr("&File"));
     open = menu->addAction(tr("&Open scan or scene…"));
     open->setShortcut(QKeySequence::Open);
+    channels_ = menu->addMenu(tr("C&hannel"));
+    channels_->setObjectName(QStringLiteral("channels"));
+    setChannels({}, {});
     cancelLoading = menu->addAction(tr("&Cancel loading"));
     savePicture = menu->addAction(tr("&Save picture of the window…"));
     savePicture->setShortcut(QKeySequence::Save);
@@ -34,7 +55,7 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
 }
 
 void WindowMenus::addRunMenu(QMenuBar& bar) {
-    QMenu* menu = bar.addMenu(tr("&Run"));
+    QMenu* menu = addMenu(bar, tr("&Run"));
     startPause = menu->addAction(tr("Start or &pause"));
     startPause->setShortcut(tr("Space"));
     forcesOff = menu->addAction(tr("&Forces off"));
@@ -48,15 +69,14 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
 }
 
 void WindowMenus::addDeviceMenu(QMenuBar& bar) {
-    QMenu* menu = bar.addMenu(tr("H&and"));
-    menu->setToolTipsVisible(true);
+    QMenu* menu = addMenu(bar, tr("H&and"));
     tipControl = menu->addAction(tr("Commands the &tip"));
-    tipControl->setToolTip(tr("The base goes ahead by the deflection that the model expects"));
+    explain(*tipControl, tr("The base goes ahead by the deflection that the model expects"));
     clutch = menu->addAction(tr("&Clutch"));
     clutch->setShortcut(tr("C"));
-    clutch->setToolTip(tr("The hand moves, the tip stays; the force comes on anew afterwards"));
+    explain(*clutch, tr("The hand moves, the tip stays; the force comes on anew afterwards"));
     followsView = menu->addAction(tr("Device follows the &view"));
-    followsView->setToolTip(tr("Right, away and up of the device are those of the screen"));
+    explain(*followsView, tr("Right, away and up of the device are those of the screen"));
     for (QAction* action : {tipControl, clutch, followsView}) {
         action->setCheckable(true);
     }
@@ -66,6 +86,7 @@ void WindowMenus::addDeviceMenu(QMenuBar& bar) {
 }
 
 void WindowMenus::addGuides(QMenu& menu) {
+    menu.setToolTipsVisible(true);
     auto* group = new QActionGroup(&menu);
     const auto add = [&](FixtureKind kind, const QString& text) {
         QAction* action = group->addAction(text);
@@ -82,6 +103,39 @@ void WindowMenus::addGuides(QMenu& menu) {
 }
 
 void WindowMenus::setGuide(FixtureKind kind) { guides_.at(kind)->setChecked(true); }
+
+void WindowMenus::setChannels(const QStringList& names, const QString& present) {
+    delete channelGroup_;
+    channels_->clear();
+    channelGroup_ = new QActionGroup(channels_);
+    for (const QString& name : names) {
+        QAction* entry = channelGroup_->addAction(QString(name).replace('&', QStringLiteral("&&")));
+        entry->setCheckable(true);
+        entry->setChecked(name == present);
+        channels_->addAction(entry);
+        connect(entry, &QAction::triggered, this, [this, name] { Q_EMIT channelChosen(name); });
+    }
+    refuse(*channels_->menuAction(),
+           names.size() > 1 ? QString() : tr("There is no other height channel to choose"));
+}
+
+void WindowMenus::refuse(QAction& entry, const QString& reason) {
+    const auto known = refusals_.find(&entry);
+    if (locked_ || (known != refusals_.end() && known->second == reason)) {
+        return;
+    }
+    refusals_[&entry] = reason;
+    entry.setEnabled(reason.isEmpty());
+    entry.setToolTip(reason.isEmpty() ? entry.property(kTip).toString() : reason);
+}
+
+void WindowMenus::refuseGuides(const QString& reason) {
+    for (const auto& [kind, entry] : guides_) {
+        if (kind != FixtureKind::None) {
+            refuse(*entry, reason);
+        }
+    }
+}
 
 void WindowMenus::addViewMenu(QMenuBar& bar) {
     QMenu* menu = bar.addMenu(tr("&View"));

@@ -4,10 +4,13 @@
 #include "ui/view/ViewOptions.h"
 
 #include <QObject>
+#include <QString>
+#include <QStringList>
 
 #include <map>
 
 class QAction;
+class QActionGroup;
 class QMenu;
 class QMenuBar;
 
@@ -49,10 +52,21 @@ public:
     /// Shows which guide there is.
     void setGuide(FixtureKind kind);
 
+    /// Shows which channels of the scan there are to choose from, and which one is open.
+    void setChannels(const QStringList& names, const QString& present);
+
+    /// Disables an entry that cannot work now. @param reason that its tool tip says; empty: it can
+    void refuse(QAction& entry, const QString& reason);
+    /// The same for all guides but none.
+    void refuseGuides(const QString& reason);
+    /// From now on every entry stays as it is.
+    void lock() { locked_ = true; }
+
 Q_SIGNALS:
     void viewOptionsChosen(ViewOptions options);
     /// A guide through where the tip is now, or none.
     void guideChosen(FixtureKind kind);
+    void channelChosen(const QString& name);
 
 private:
     void addFileMenu(QMenuBar& bar);
@@ -62,7 +76,11 @@ private:
     void addViewMenu(QMenuBar& bar);
     void addHelpMenu(QMenuBar& bar);
 
+    QMenu* channels_;
+    QActionGroup* channelGroup_ = nullptr;  ///< of its entries
     std::map<FixtureKind, QAction*> guides_;
+    std::map<QAction*, QString> refusals_;  ///< as they are shown
+    bool locked_ = false;
 };
 
 }  // namespace asperity

@@ -10,6 +10,7 @@ struct DeviceSpecification {
     double effectiveMass = 0.0;    ///< of the handle [kg]
     double workspaceRadius = 0.0;  ///< of the ball about its zero in which the handle moves [m]
     bool streams = false;          ///< it reports all the time: that it falls silent is a fault
+    bool calibrates = false;       ///< HapticDevice::calibrate() says where it is
 
     [[nodiscard]] bool rendersForce() const noexcept { return maxForce > 0.0; }
 };

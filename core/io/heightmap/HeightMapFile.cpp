@@ -146,6 +146,17 @@ const ScanChannel& channelNamed(const HeightMapFile& file, const std::filesystem
     return *channel;
 }
 
+std::vector<std::string> heightChannels(const HeightMapFile& file) {
+    std::vector<std::string> names;
+    for (const ScanChannel& channel : file.channels) {
+        if (channel.isHeight() && channel.hasSize() &&
+            std::ranges::count(names, channel.name) == 0) {
+            names.push_back(channel.name);
+        }
+    }
+    return names;
+}
+
 const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesystem::path& path,
                                  const std::string& name) {
     const ScanChannel& channel =

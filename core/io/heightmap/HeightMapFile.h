@@ -55,6 +55,9 @@ struct HeightMapFile {
 [[nodiscard]] const ScanChannel&
 channelNamed(const HeightMapFile& file, const std::filesystem::path& path, const std::string& name);
 
+/// Names of the channels that heightChannel() takes, each once.
+[[nodiscard]] std::vector<std::string> heightChannels(const HeightMapFile& file);
+
 /// The named channel (empty: the default one) as a height map.
 /// @throw InputError when there is no such channel, when its unit is not a length, when its lateral
 ///        size is unknown, or when only a deflection, amplitude or phase image could be the default

@@ -75,7 +75,8 @@ DeviceSpecification readSpecification(TomlSection& section) {
             .maxDamping = positiveIfKnown(section, "max_damping_n_s_m"),
             .effectiveMass = positiveIfKnown(section, "effective_mass_kg"),
             .workspaceRadius = positiveIfKnown(section, "workspace_radius_m"),
-            .streams = true};
+            .streams = true,
+            .calibrates = true};
 }
 
 }  // namespace

@@ -68,14 +68,14 @@ TEST_F(LargeScan, TakesAtMostTwoAndAHalfTimesItsSize) {
     const std::string out = scratch.file("out").string();
     EXPECT_LE(share({"project", "IN", "--points", points, "--out", out}), 2.5);
     EXPECT_LE(share({"project", scene.string(), "--points", points, "--out", out}), 2.5);
-    EXPECT_LE(share({"convert", "IN", out + ".gsf", "--level", "plane"}), 2.5);
-    EXPECT_LE(share({"convert", "IN", out + ".gwy"}), 2.5);
-    EXPECT_LE(share({"convert", "IN", out + ".exr"}), 2.5);
-    EXPECT_LE(share({"convert", "IN", out + ".png"}), 2.5);
-    EXPECT_LE(share({"convert", "IN", out + ".stl"}), 2.5);
-    EXPECT_LE(
-        share({"convert", "IN", out + ".tiff", "--erode", "20e-9", "--certainty", out + "2.gsf"}),
-        2.5);
+    EXPECT_LE(share({"convert", "--force", "IN", out + ".gsf", "--level", "plane"}), 2.5);
+    EXPECT_LE(share({"convert", "--force", "IN", out + ".gwy"}), 2.5);
+    EXPECT_LE(share({"convert", "--force", "IN", out + ".exr"}), 2.5);
+    EXPECT_LE(share({"convert", "--force", "IN", out + ".png"}), 2.5);
+    EXPECT_LE(share({"convert", "--force", "IN", out + ".stl"}), 2.5);
+    EXPECT_LE(share({"convert", "--force", "IN", out + ".tiff", "--erode", "20e-9", "--certainty",
+                     out + ".gsf"}),
+              2.5);
 }
 
 TEST_F(LargeScan, IsLookedAtRowByRow) {

@@ -65,6 +65,31 @@ TEST_F(PathControlTest, RefusesAPathInOtherUnitsAndKeepsTheDevice) {
     EXPECT_EQ(shown("hand"), "Mouse and keyboard");
 }
 
+/// What `asperity explore` leaves of a run on a sphere, with a path of the base.
+std::filesystem::path runOnASphere(ScratchFolder& folder, const std::string& rows) {
+    (void)folder.write("scene.toml", "[sample]\nshape = \"sphere\"\nshape_radius_m = 50e-9\n");
+    (void)folder.write("summary.json", R"({"input": {"sha256": ""}})");
+    return folder.write("force_log.csv", "time_s,base_x_m,base_y_m,base_z_m\n" + rows);
+}
+
+/// Its path was followed without a word, or said to be in other units than meters.
+TEST_F(PathControlTest, OfARecordingOnAnotherSampleBothAreNamed) {
+    useFlatScene();
+    const std::string both = "recorded on sphere of radius 50 nm; followed on ";
+    const auto replay = [this](const std::filesystem::path& log) {
+        Q_EMIT window.recordingChosen(QString::fromStdString(log.string()));
+    };
+    replay(runOnASphere(folder, "0,40e-9,60e-9,9e-9\n0.2,50e-9,60e-9,9e-9\n"));
+    EXPECT_NE(told().find("Another scan: " + both), std::string::npos) << told();
+    EXPECT_EQ(shown("hand"), "Scripted path");
+    EXPECT_EQ(complaint(), "");
+    replay(runOnASphere(folder, "0,40e-6,60e-6,9e-9\n0.2,50e-6,60e-6,9e-9\n"));
+    const std::string far = complaint();
+    EXPECT_NE(far.find("leaves the scan by more than its width: " + both), std::string::npos)
+        << far;
+    EXPECT_EQ(far.find("meters"), std::string::npos) << far;
+}
+
 TEST_F(PathControlTest, WithoutARunNothingHappens) {
     Q_EMIT window.controls().pathChosen(1);
     Q_EMIT window.pathFileChosen("no such file");

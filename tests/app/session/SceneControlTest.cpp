@@ -1,9 +1,14 @@
 #include "app/session/SceneControl.h"
 
 #include "tests/app/session/ControlFixture.h"
+#include "tests/core/io/heightmap/SyntheticScans.h"
 #include "ui/panels/ControlBar.h"
 
+#include <QAction>
 #include <QComboBox>
+#include <QMenu>
+
+#include <vector>
 
 namespace asperity::test {
 namespace {
@@ -15,6 +20,17 @@ protected:
     QSignalSpy failed{&scenes, &SceneControl::openFailed};
     QSignalSpy canceled{&scenes, &SceneControl::openCanceled};
 };
+
+/// An image of a Gwyddion file.
+std::string levelImage(int number, const char* title) {
+    const std::string key = "/" + std::to_string(number) + "/data";
+    const std::string field =
+        gwyObjectBytes("GwyDataField", gwyInteger("xres", 32) + gwyInteger("yres", 32) +
+                                           gwyNumber("xreal", 64e-9) + gwyNumber("yreal", 64e-9) +
+                                           gwyUnit("si_unit_xy", "m") + gwyUnit("si_unit_z", "m") +
+                                           gwyNumbers("data", std::vector<double>(32 * 32, 0.0)));
+    return gwyComponent(key, field) + gwyText(key + "/title", title);
+}
 
 const std::filesystem::path kSteps = std::filesystem::path(ASPERITY_DATA_DIR) / "samples/steps.gsf";
 
@@ -40,6 +56,26 @@ TEST_F(SceneControlTest, OpensTheChannelThatIsNamed) {
     EXPECT_NE(complaint().find("there is no channel 'Phase'"), std::string::npos);
     scenes.open(kSteps, {.channel = "Vicinal Au(111), steps of 0.235 nm"});
     EXPECT_TRUE(eventually([this] { return begun.count() == 1; }));
+}
+
+/// Another channel could not be opened at all.
+TEST_F(SceneControlTest, OffersTheHeightChannelsOfTheScan) {
+    const auto channelMenu = [this] { return window.findChild<QMenu*>("channels"); };
+    scenes.open(kSteps);
+    ASSERT_TRUE(eventually([this] { return begun.count() == 1; }));
+    EXPECT_FALSE(channelMenu()->menuAction()->isEnabled());
+    EXPECT_EQ(channelMenu()->menuAction()->toolTip(), "There is no other height channel to choose");
+    scenes.open(
+        folder.write("two.gwy", gwyFile(levelImage(0, "Height") + levelImage(1, "Z & sensor"))));
+    ASSERT_TRUE(eventually([this] { return begun.count() == 2; }));
+    ASSERT_TRUE(channelMenu()->menuAction()->isEnabled());
+    const QList<QAction*> entries = channelMenu()->actions();
+    ASSERT_EQ(entries.size(), 2);
+    EXPECT_TRUE(entries[1]->isChecked()) << "the sensor's, by default";
+    entries[0]->trigger();
+    ASSERT_TRUE(eventually([this] { return begun.count() == 3; }));
+    EXPECT_EQ(run().scene().description.sample.channel, "Height");
+    EXPECT_TRUE(channelMenu()->actions().front()->isChecked());
 }
 
 TEST_F(SceneControlTest, NothingComesOfWhatIsCanceled) {

@@ -45,7 +45,27 @@ TEST_F(ViewControlTest, SavesAPictureWithAndWithoutARun) {
     EXPECT_EQ(save("run.png"), window.size());
     EXPECT_TRUE(told().starts_with("Saved as ")) << told();
     (void)save("no/such/folder.png");
-    EXPECT_NE(complaint().find("the picture cannot be written"), std::string::npos);
+    EXPECT_NE(complaint().find("folder.png: cannot be written: its folder is missing"),
+              std::string::npos);
+}
+
+/// "the picture cannot be written" was all that was said of another type.
+TEST_F(ViewControlTest, SaysInWhichTypesAPictureCanBeSaved) {
+    const auto save = [this](const char* name) {
+        Q_EMIT window.pictureFileChosen(QString::fromStdString(folder.file(name).string()));
+    };
+    save("window.doc");
+    const std::string refusal = complaint();
+    EXPECT_NE(refusal.find("window.doc: no picture can be written with this extension"),
+              std::string::npos)
+        << refusal;
+    EXPECT_NE(refusal.find(".png .jpg"), std::string::npos) << refusal;
+    save("window.JPG");
+    EXPECT_EQ(complaint(), "");
+    EXPECT_EQ(QImage(QString::fromStdString(folder.file("window.JPG").string())).size(),
+              window.size());
+    save("window");
+    EXPECT_TRUE(std::filesystem::exists(folder.file("window.png"))) << "the usual type";
 }
 
 }  // namespace

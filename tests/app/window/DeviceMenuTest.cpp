@@ -8,6 +8,8 @@
 #include <QMenuBar>
 #include <QtTest>
 
+#include <algorithm>
+
 namespace asperity::test {
 namespace {
 
@@ -25,16 +27,15 @@ protected:
     Vector3 base() { return session.run()->basePosition(); }
     Vector3 device() { return session.run()->devicePosition(); }
     Vector3 deviceForce() { return session.run()->loop().snapshot().sample.output.deviceForce; }
-    /// By the entry's name, as a user would.
-    void chooseGuide(const QString& name) {
-        for (QAction* const action : window.menuBar()->findChildren<QAction*>()) {
-            if (action->text().remove('&') == name) {
-                action->trigger();
-                return;
-            }
-        }
-        FAIL() << name.toStdString();
+    /// By its name, as a user finds it.
+    QAction& entry(const QString& name) {
+        const auto actions = window.menuBar()->findChildren<QAction*>();
+        const auto found = std::ranges::find_if(
+            actions, [&](QAction* action) { return action->text().remove('&') == name; });
+        EXPECT_NE(found, actions.end()) << name.toStdString();
+        return **found;
     }
+    void chooseGuide(const QString& name) { entry(name).trigger(); }
 };
 
 TEST_F(DeviceMenu, AClutchLetsTheDeviceMoveAndTheTipStay) {
@@ -70,9 +71,20 @@ TEST_F(DeviceMenu, AGuideHoldsTheTipBack) {
     EXPECT_TRUE(eventually([this] { return deviceForce().norm() < 0.05; })) << deviceForce().norm();
 }
 
-TEST_F(DeviceMenu, SaysWhatAGuideNeeds) {
-    chooseGuide("Point where the tip is");
-    EXPECT_TRUE(told().starts_with("A guide pulls at a hand with a coupling")) << told();
+/// They could be chosen and did nothing.
+TEST_F(DeviceMenu, EntriesThatADeviceCannotServeAreDisabledAndSayWhy) {
+    const QAction& guide = entry("Point where the tip is");
+    EXPECT_FALSE(guide.isEnabled());
+    EXPECT_TRUE(guide.toolTip().startsWith("A guide needs a coupling"));
+    EXPECT_TRUE(entry("None").isEnabled());
+    for (const QAction* const action : {menus().calibrate, menus().followsView}) {
+        EXPECT_FALSE(action->isEnabled()) << action->text().toStdString();
+    }
+    EXPECT_TRUE(menus().followsView->toolTip().startsWith("Mouse and keyboard follow the view"));
+    leadWithDevice();
+    EXPECT_TRUE(eventually([&] { return guide.isEnabled(); }));
+    EXPECT_FALSE(guide.toolTip().startsWith("A guide needs"));
+    EXPECT_FALSE(menus().calibrate->isEnabled()) << "it counts from no rest pose";
 }
 
 TEST_F(DeviceMenu, TheEdgeOfTheWorkspaceIsFeltAndToldAndAClutchLeadsOn) {

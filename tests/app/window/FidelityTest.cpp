@@ -6,7 +6,9 @@
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QtTest>
 
@@ -131,6 +133,25 @@ TEST_F(Fidelity, AModelThatCannotBeIsRefusedAndTheSceneStays) {
     EXPECT_EQ(session.run(), run);
     EXPECT_NE(window.findChild<QWidget*>("qt_msgbox_label"), nullptr);
     EXPECT_FALSE(scene().description.choices.law.has_value());
+}
+
+TEST_F(Fidelity, AllAutomaticResetsTheTolerance) {
+    auto* tolerance = child<QDoubleSpinBox>("tolerance");
+    tolerance->setValue(20.0);
+    ASSERT_DOUBLE_EQ(scene().description.tolerance, 0.2);
+    QTest::mouseClick(child<QPushButton>("allAutomatic"), Qt::LeftButton);
+    EXPECT_DOUBLE_EQ(scene().description.tolerance, 0.05);
+    EXPECT_EQ(tolerance->value(), 5.0);
+}
+
+TEST_F(Fidelity, TheKeyThatOpensItClosesIt) {
+    window.menus().fidelity->trigger();
+    EXPECT_FALSE(panel().isVisible());
+    window.menus().fidelity->trigger();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel()));
+    QApplication::setActiveWindow(&panel());
+    QTest::keyClick(&panel(), Qt::Key_F6);
+    EXPECT_FALSE(panel().isVisible()) << "while it has the focus, too";
 }
 
 TEST_F(Fidelity, MeasuresBesideTheRun) {

@@ -163,6 +163,32 @@ TEST_F(FidelityPanelTest, AGivenLawSaysItsTermsUntilAPersonDoes) {
     EXPECT_EQ(choiceOf(ModelTerm::Adhesion).currentText(), QStringLiteral("auto"));
 }
 
+/// Choosing it opened a box that refused it.
+TEST_F(FidelityPanelTest, ATermThatCannotBeInCannotBeTurnedOnAndSaysWhy) {
+    SceneNeeds noFilm = needs();
+    noFilm.terms[static_cast<std::size_t>(ModelTerm::FilmBase)].possible = false;
+    panel.showModel(noFilm, {});
+    const int on = choiceOf(ModelTerm::FilmBase).findText(QStringLiteral("on"));
+    const auto isEnabled = [on](const QComboBox& combo) {
+        return combo.model()->index(on, 0).flags().testFlag(Qt::ItemIsEnabled);
+    };
+    EXPECT_FALSE(isEnabled(choiceOf(ModelTerm::FilmBase)));
+    EXPECT_EQ(choiceOf(ModelTerm::FilmBase).itemData(on, Qt::ToolTipRole).toString(),
+              QStringLiteral("the sample is no film"));
+    EXPECT_TRUE(isEnabled(choiceOf(ModelTerm::Friction)));
+    panel.showModel(needs(), {});
+    EXPECT_TRUE(isEnabled(choiceOf(ModelTerm::FilmBase)));
+}
+
+TEST_F(FidelityPanelTest, WhatCannotBeMeasuredSaysWhy) {
+    auto* measure = panel.findChild<QPushButton*>("measure");
+    panel.refuseMeasuring(QStringLiteral("too large"));
+    EXPECT_FALSE(measure->isEnabled());
+    EXPECT_EQ(measure->toolTip(), QStringLiteral("too large"));
+    panel.refuseMeasuring({});
+    EXPECT_TRUE(measure->isEnabled());
+}
+
 TEST_F(FidelityPanelTest, TheToleranceIsToldAsAShare) {
     QSignalSpy chosen(&panel, &FidelityPanel::toleranceChosen);
     auto* box = panel.findChild<QDoubleSpinBox*>("tolerance");

@@ -86,7 +86,7 @@ protected:
         SimulatedAfm afm(scene.surface, truthOf(scene));
         std::vector<Seen> all;
         int tick = 0;
-        runVirtually(scene, approachPath(scene, plan), afm, 4000, [&](const TickSample& sample) {
+        runVirtually(scene, slidePath(scene, plan), afm, 4000, [&](const TickSample& sample) {
             if (tick++ % 16 == 0) {
                 show(sample);
                 all.push_back(seen(sample));

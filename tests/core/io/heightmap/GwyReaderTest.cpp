@@ -78,6 +78,7 @@ TEST(GwyReader, AMaskIsNotedOnItsOwnImageAlone) {
         gwyFile(gwyComponent("/0/data", smallGwyField()) + gwyText("/0/data/title", "Height") +
                 gwyComponent("/1/data", smallGwyField()) + gwyText("/1/data/title", "Masked") +
                 gwyComponent("/1/mask", mask)));
+    EXPECT_THAT(heightChannels(readHeightMapFile(path)), ElementsAre("Height", "Masked"));
     EXPECT_THAT(readHeightScan(path, "Height").notes, IsEmpty());
     EXPECT_THAT(readHeightChannel(path, "Height").notes, IsEmpty());
     EXPECT_THAT(readHeightScan(path, "Masked").notes,

@@ -230,7 +230,7 @@ bool endsEarly(const std::function<void(const CancelCheck&)>& work) {
     const CanceledLater progress(kQuestions);
     std::atomic<bool> ended = false;
     try {
-        work(CancelCheck(&progress, ended));
+        work(CancelCheck(&progress, ended, nullptr));
     } catch (const Canceled&) {
         return true;
     }

@@ -1,0 +1,58 @@
+#include "app/session/EntryControl.h"
+
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+
+namespace asperity {
+
+namespace {
+
+/// Empty where it works.
+QString unless(bool works, const QString& reason) { return works ? QString() : reason; }
+
+}  // namespace
+
+EntryControl::EntryControl(MainWindow& window, const RunControl& runs, const DeviceControl& devices)
+    : window_(window), runs_(runs), devices_(devices) {
+    show();
+}
+
+void EntryControl::show() {
+    showThoseOfARun();
+    showThoseOfADevice();
+}
+
+void EntryControl::showThoseOfARun() {
+    WindowMenus& menus = window_.menus();
+    LiveRun* const run = runs_.run();
+    const QString noRun = unless(run != nullptr, QObject::tr("Open a scan or a scene first"));
+    for (QAction* const entry :
+         {menus.record, menus.saveLastSeconds, menus.startPause, menus.followPathFile,
+          menus.followRecording, menus.tipControl, menus.clutch}) {
+        menus.refuse(*entry, noRun);
+    }
+    const bool isFaulty =
+        run != nullptr && run->loop().snapshot().sample.output.fault != Fault::None;
+    menus.refuse(*menus.resetFault, unless(isFaulty, QObject::tr("There is no fault to reset")));
+}
+
+void EntryControl::showThoseOfADevice() {
+    WindowMenus& menus = window_.menus();
+    LiveRun* const run = runs_.run();
+    menus.refuse(
+        *menus.followsView,
+        unless(run != nullptr && devices_.hasHardware(),
+               QObject::tr("Mouse and keyboard follow the view already; it is for other devices")));
+    menus.refuse(
+        *menus.calibrate,
+        unless(
+            run != nullptr && run->device().specification().calibrates,
+            QObject::tr("This device needs no calibration: no encoders count from a rest pose")));
+    menus.refuseGuides(
+        unless(run != nullptr && run->settings().coupling.couples(),
+               QObject::tr("A guide needs a coupling: of a device with motors, or of the scene")));
+}
+
+}  // namespace asperity

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/session/DeviceControl.h"
+#include "app/session/RunControl.h"
+
+namespace asperity {
+
+/// Which entries of the menus can work now: the others are disabled, and their tool tips say why.
+class EntryControl {
+public:
+    /// @param window, runs, devices outlive this
+    EntryControl(MainWindow& window, const RunControl& runs, const DeviceControl& devices);
+
+    /// Once a frame.
+    void show();
+
+private:
+    void showThoseOfARun();
+    void showThoseOfADevice();
+
+    MainWindow& window_;
+    const RunControl& runs_;
+    const DeviceControl& devices_;
+};
+
+}  // namespace asperity
