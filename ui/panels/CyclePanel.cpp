@@ -103,10 +103,10 @@ void CyclePanel::dropOne() {
 }
 
 void CyclePanel::clear() {
-    older_.clear();
     if (present_.cycle.phase != CyclePhase::Contact) {
         end();
     }
+    older_.clear();
     plot_->forgetRange();
     refresh();
 }

@@ -53,7 +53,8 @@ QString legendText(const QString& unit) {
 }  // namespace
 
 BranchColors branchColors(int age) {
-    const auto index = static_cast<std::size_t>(std::clamp(age, 0, int(kFaintness.size()) - 1));
+    const auto index =
+        static_cast<std::size_t>(std::clamp(age, 0, ForceDistancePlot::kMaxCycles - 1));
     return {faded(theme::kBlue, kFaintness[index]), faded(theme::kOrange, kFaintness[index])};
 }
 

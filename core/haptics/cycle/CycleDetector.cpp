@@ -1,6 +1,7 @@
 #include "core/haptics/cycle/CycleDetector.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace asperity {
@@ -9,6 +10,11 @@ namespace {
 
 constexpr int kTicksOff = 5;           ///< in a row that end a cycle: one may be noise
 constexpr double kResidualPull = 0.5;  ///< of the strongest: attraction that a free tip may feel
+
+/// Whether the base goes along the sample rather than to it or from it.
+bool slides(const BaseMotion& base) noexcept {
+    return std::hypot(base.velocity.x(), base.velocity.y()) > std::abs(base.velocity.z());
+}
 
 }  // namespace
 
@@ -22,6 +28,7 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
     point_ = forceDistancePoint(out);
     trend_.take(point_.force, point_.sigma);
     const bool turned = branch_.take(input, out) != branchBefore;
+    slides_ = slides(out.base);
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
     const bool acts = trend_.pushes() || trend_.pulls();
 
@@ -98,8 +105,9 @@ void CycleDetector::takeAreas(const ForceDistancePoint& before, double forceBefo
     }
 }
 
+/// Where the tip slides, rough ground changes the distance: unloading begins after that.
 void CycleDetector::takeUnloading() noexcept {
-    if (point_.baseDistance < deepest_) {
+    if (slides_ || point_.baseDistance < deepest_) {
         deepest_ = point_.baseDistance;
         unloading_.restart(point_, trend_.force());
     } else {

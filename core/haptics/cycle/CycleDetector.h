@@ -46,6 +46,7 @@ private:
     UnloadingFit unloading_;
     double deepest_ = 0.0;  ///< base distance [m]
     int ticksOff_ = 0;      ///< without a sign of contact, in a row
+    bool slides_ = false;
     bool started_ = false;
 };
 

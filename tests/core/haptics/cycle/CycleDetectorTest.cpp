@@ -128,6 +128,21 @@ TEST(CycleDetector, AttractionThatIsLeftAfterPullOffEndsNoLessACycle) {
     EXPECT_EQ(run.touches, 2);
 }
 
+TEST(CycleDetector, ASlideInContactIsNoUnloading) {
+    SpringContact run;
+    run.moveTo(-2e-9);
+    run.sample.output.base.velocity.x() = 1e-8;
+    for (int i = 0; i < 20; ++i) {  // over rough ground
+        run.moveTo(-1.9e-9);
+        run.moveTo(-2e-9);
+    }
+    EXPECT_FALSE(run.cycle().stiffness);
+    run.sample.output.base.velocity.x() = 0.0;
+    run.moveTo(4e-9);
+    EXPECT_NEAR(run.cycle().stiffness.value().value, SpringContact::kContact,
+                1e-6 * SpringContact::kContact);
+}
+
 TEST(CycleDetector, EachApproachInFreeAirBeginsACycle) {
     SpringContact run;
     EXPECT_EQ(run.detector.number(), 0);
