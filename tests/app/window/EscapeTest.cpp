@@ -1,5 +1,6 @@
 #include "tests/app/window/WindowFixture.h"
 #include "ui/panels/FidelityPanel.h"
+#include "ui/view/ZoomView.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAbstractSpinBox>
