@@ -17,10 +17,11 @@ constexpr int kTicks = 5;  // along an edge, about
 
 // Pixels from the edge, outwards.
 constexpr double kTickLength = 6.0;
-constexpr double kLabelDistance = 18.0;
-constexpr double kTitleDistance = 40.0;
+constexpr double kLabelDistance = 12.0;
+constexpr double kTitleDistance = 10.0;  // from the labels
 
 constexpr double kTextSize = 12.0;
+constexpr double kSideways = 0.4;  // share of a direction from which on it leads to a side
 
 using Project = std::function<PixelPoint(const Vector3&)>;
 
@@ -45,9 +46,19 @@ PixelPoint beside(const Project& project, const Vector3& place, const Vector3& d
     return {from.x + pixels * (to.x - from.x) / length, from.y + pixels * (to.y - from.y) / length};
 }
 
+/// Text that lies outwards of its place.
+TextStyle textBeside(const Project& project, const Edge& edge) {
+    const Vector3 place = edge.at(edge.low);
+    const double sideways = beside(project, place, edge.outwards, 1.0).x - project(place).x;
+    const Align align = sideways < -kSideways  ? Align::Right
+                        : sideways > kSideways ? Align::Left
+                                               : Align::Center;
+    return {.size = kTextSize, .align = align};
+}
+
 void paintEdge(Painter& painter, const Edge& edge, const Project& project) {
     const LineStyle line{.color = palette::kInk, .width = 1.0};
-    const TextStyle text{.size = kTextSize, .align = Align::Center};
+    const TextStyle text = textBeside(project, edge);
     painter.line({project(edge.at(edge.low)), project(edge.at(edge.high))}, line);
     const std::vector<double> ticks = niceTicks(edge.low, edge.high, kTicks);
     const SiScale scale = siScaleFor(std::max(std::abs(edge.low), std::abs(edge.high)), "m");
@@ -56,13 +67,16 @@ void paintEdge(Painter& painter, const Edge& edge, const Project& project) {
         shown.push_back(scale.factor * tick);
     }
     const std::vector<std::string> labels = tickLabels(shown);
+    double room = kTextSize;
     for (std::size_t i = 0; i < ticks.size(); ++i) {
+        room = std::max(room, painter.textWidth(labels[i], text));
         const Vector3 place = edge.at(ticks[i]);
         painter.line({project(place), beside(project, place, edge.outwards, kTickLength)}, line);
         painter.text(beside(project, place, edge.outwards, kLabelDistance), labels[i], text);
     }
     const Vector3 middle = edge.at(0.5 * (edge.low + edge.high));
-    painter.text(beside(project, middle, edge.outwards, kTitleDistance),
+    const double distance = kLabelDistance + room + kTitleDistance;
+    painter.text(beside(project, middle, edge.outwards, distance),
                  std::string(edge.name) + " [" + scale.unit + "]", text);
 }
 
