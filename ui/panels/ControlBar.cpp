@@ -21,6 +21,7 @@ namespace asperity {
 namespace {
 
 constexpr int kControlHeight = 26;   ///< [px]
+constexpr int kLetterRoom = 8;       ///< [px]
 constexpr int kMaxGroupWidth = 260;  ///< of a list with what belongs to it [px]
 
 void setNames(QComboBox& combo, const QStringList& names) {
@@ -95,7 +96,8 @@ QPushButton* ControlBar::addButton(const char* objectName, const QString& widest
     auto* button = new QPushButton(controlIcon(ControlIcon::Start), widest, this);
     button->setObjectName(QString::fromUtf8(objectName));
     button->ensurePolished();
-    button->setFixedSize(button->sizeHint().width(), kControlHeight);
+    // Letters are wider than measured where a pixel of the window is 1.5 of the screen.
+    button->setFixedSize(button->sizeHint().width() + kLetterRoom, kControlHeight);
     row_->addWidget(button);
     return button;
 }
