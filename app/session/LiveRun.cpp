@@ -21,6 +21,11 @@ auto inWords(const Ask& ask) {
     }
 }
 
+/// Of a device that is not plugged in, may not be opened, or is not calibrated yet.
+bool isMissing(const DeviceStatus& status) {
+    return status.problem != DeviceProblem::None || !status.calibrated;
+}
+
 bool isGone(Fault fault) { return fault == Fault::DeviceLost || fault == Fault::DeviceSilent; }
 
 }  // namespace
@@ -60,10 +65,8 @@ void LiveRun::fetch(const TickSink& sink) {
 }
 
 void LiveRun::keep(const TickSample& sample) {
-    // Each device begins with a start of the loop.
-    const bool seenBefore = deviceSeen_ && starts_ == sample.input.starts;
-    deviceSeen_ = seenBefore || sample.input.device.connected;
-    starts_ = sample.input.starts;
+    const bool isOfDevice = sample.input.starts > startsBefore_;
+    awaited_ = awaited_ && !(isOfDevice && sample.input.device.connected);
     const bool wasFrozen = blackBox_.frozen();
     blackBox_.take(sample);
     if (!wasFrozen && awaitsDevice() && sample.output.fault == Fault::DeviceLost) {
@@ -135,6 +138,8 @@ void LiveRun::seat(std::unique_ptr<HapticDevice> device) {
         loop_.step();
     }
     apply(settings);
+    awaited_ = isMissing(device->status());
+    startsBefore_ = loop_.snapshot().sample.input.starts;
     loop_.setDevice(*device);
     device_ = std::move(device);
     energy_ = newEnergyWatch();

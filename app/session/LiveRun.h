@@ -62,7 +62,7 @@ public:
     void takeDevice(const MakeDevice& make);
     [[nodiscard]] HapticDevice& device() noexcept { return *device_; }
     /// Whether the device was chosen before it was there: that it is not is no accident.
-    [[nodiscard]] bool awaitsDevice() const noexcept { return !deviceSeen_; }
+    [[nodiscard]] bool awaitsDevice() const noexcept { return awaited_; }
     /// What is known of a force-feedback device.
     [[nodiscard]] const CouplingKeeper& coupling() const noexcept { return coupling_; }
     /// Makes sure that a force-feedback device could hold the tip of this scene. @throw Error why
@@ -93,8 +93,8 @@ private:
     std::unique_ptr<HalfSpaceWorker> halfSpace_;
     HapticLoop loop_;
     BlackBox blackBox_;
-    std::uint32_t starts_ = 0;  ///< of the loop, at the newest tick fetched
-    bool deviceSeen_ = true;    ///< it was connected in a tick since then
+    bool awaited_ = false;            ///< see awaitsDevice()
+    std::uint32_t startsBefore_ = 0;  ///< of the loop, before the device got it
     FetchCost fetchCost_;
     EnergyWatch energy_;
 };

@@ -25,11 +25,11 @@ LiveWindow::Display::Display() {
         throw Error("no display to open the window on; `asperity explore` works without one");
     }
     requireDrawingMemory({});
-    // As large as the desktop has its other programs, 1.5 times, too.
+    // As large as the desktop has its other programs, but never so that the window does not fit.
     QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     QApplication::setHighDpiScaleFactorRoundingPolicy(
-        Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+        Qt::HighDpiScaleFactorRoundingPolicy::RoundPreferFloor);
 }
 
 LiveWindow::Application::Application(int& argumentCount, char** arguments)

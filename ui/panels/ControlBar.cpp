@@ -21,6 +21,7 @@ namespace asperity {
 namespace {
 
 constexpr int kControlHeight = 26;   ///< [px]
+constexpr int kLetterRoom = 8;       ///< [px]
 constexpr int kMaxGroupWidth = 260;  ///< of a list with what belongs to it [px]
 constexpr const char* kTip = "tip";  ///< property: what a knob says while it can be turned
 
@@ -96,7 +97,8 @@ QPushButton* ControlBar::addButton(const char* objectName, const QString& widest
     auto* button = new QPushButton(controlIcon(ControlIcon::Start), widest, this);
     button->setObjectName(QString::fromUtf8(objectName));
     button->ensurePolished();
-    button->setFixedSize(button->sizeHint().width(), kControlHeight);
+    // Letters are wider than measured where a pixel of the window is 1.5 of the screen.
+    button->setFixedSize(button->sizeHint().width() + kLetterRoom, kControlHeight);
     row_->addWidget(button);
     return button;
 }

@@ -11,19 +11,23 @@ namespace asperity {
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setLocale(QLocale::c());
     setKeyboardTracking(false);
-    connect(lineEdit(), &QLineEdit::textChanged, this, [this] {
+    const auto color = [this] {
         QPalette colors = lineEdit()->palette();
         colors.setColor(QPalette::Text,
                         lineEdit()->hasAcceptableInput() ? theme::kInk : theme::kFault);
         lineEdit()->setPalette(colors);
-    });
+    };
+    connect(lineEdit(), &QLineEdit::textChanged, this, color);
+    connect(this, &QAbstractSpinBox::editingFinished, this, color);  // by Qt's own text
 }
 
 QString NumberBox::withoutUnit(const QString& text) const {
     const QString unit = suffix().trimmed();
-    const QString whole = text.trimmed();
-    const bool hasUnit = !unit.isEmpty() && whole.endsWith(unit);
-    return hasUnit ? whole.chopped(unit.size()) : whole;
+    QString number = text.trimmed();
+    while (!unit.isEmpty() && number.endsWith(unit)) {  // typed beside the one that is shown
+        number = number.chopped(unit.size()).trimmed();
+    }
+    return number;
 }
 
 double NumberBox::valueFromText(const QString& text) const {

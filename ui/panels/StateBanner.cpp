@@ -213,7 +213,10 @@ void StateBanner::showColor() {
 
 void StateBanner::resizeEvent(QResizeEvent* /*event*/) { showLine(); }
 
-void StateBanner::mousePressEvent(QMouseEvent* event) {
+void StateBanner::mousePressEvent(QMouseEvent* event) { event->accept(); }
+
+// A tool tip that a press shows would vanish with the release.
+void StateBanner::mouseReleaseEvent(QMouseEvent* event) {
     QToolTip::showText(event->globalPos(), details_, this);
 }
 

@@ -50,6 +50,15 @@ QVBoxLayout* newColumn(QWidget& side) {
     return column;
 }
 
+/// A column that shrinks to what its panels need before it has to be scrolled.
+class PanelColumn : public QWidget {
+public:
+    using QWidget::QWidget;
+    [[nodiscard]] int heightForWidth(int width) const override {
+        return layout()->minimumHeightForWidth(width);
+    }
+};
+
 /// Scrolls a column of panels where the window is too low for it.
 QScrollArea* newScroller(QWidget* column, QWidget* window) {
     auto* area = new QScrollArea(window);
@@ -147,7 +156,7 @@ QWidget* MainWindow::leftSide() {
 }
 
 QWidget* MainWindow::rightSide() {
-    auto* side = new QWidget(this);
+    auto* side = new PanelColumn(this);
     side->setMinimumWidth(kColumnMinimum);
     QVBoxLayout* column = newColumn(*side);
     const auto add = [this, column](auto* panel, int share) {

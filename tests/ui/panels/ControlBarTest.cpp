@@ -209,8 +209,8 @@ TEST_F(ControlBarTest, FitsASmallWindowWithNothingCutOff) {
 
 TEST_F(ControlBarTest, TakesTwoLinesInANarrowWindow) {
     const int line = bar.heightForWidth(1600);
-    EXPECT_GT(bar.heightForWidth(1000), line);
-    bar.resize(1000, bar.heightForWidth(1000));
+    EXPECT_GT(bar.heightForWidth(800), line);
+    bar.resize(800, bar.heightForWidth(800));
     bar.grab();
     for (const auto* widget : bar.findChildren<QWidget*>()) {
         if (widget->parentWidget() == &bar) {
