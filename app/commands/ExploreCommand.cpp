@@ -76,7 +76,7 @@ const PathWord* findPathWord(const std::string& text) {
     return found == kPathWords.end() ? nullptr : found;
 }
 
-/// For people: "approach, raster, scratch".
+/// For people: "approach, slide, raster, scratch".
 std::string pathWords() {
     std::string words;
     for (const PathWord& path : kPathWords) {

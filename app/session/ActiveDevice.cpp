@@ -124,7 +124,7 @@ double ActiveDevice::pilotedHeight() const {
 }
 
 void ActiveDevice::lift(double notches, double fineStep) {
-    if (piloted() == nullptr) {
+    if (piloted() == nullptr || !(fineStep > 0.0)) {
         return;
     }
     const double gain = run_->settings().positionGain;

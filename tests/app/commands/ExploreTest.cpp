@@ -187,7 +187,8 @@ TEST(ExplorePaths, ThatAreNeitherAWordNorAFileAreRefusedWithTheWords) {
     const auto run = test::runProgram("explore " + test::shippedScene("silicon").string() +
                                       " --path zigzag --out " + out.string());
     EXPECT_EQ(run.exitCode, 2) << run.output;
-    EXPECT_NE(run.output.find("expected approach, raster, scratch or a CSV file, not 'zigzag'"),
+    EXPECT_NE(run.output.find("expected approach, slide, raster, scratch or a CSV "
+                              "file, not 'zigzag'"),
               std::string::npos)
         << run.output;
     EXPECT_FALSE(std::filesystem::exists(out));

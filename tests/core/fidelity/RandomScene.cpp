@@ -80,8 +80,8 @@ std::vector<RecordedRun> runsElsewhere(const Scene& scene) {
     std::vector<RecordedRun> runs;
     for (const Vector2& share : {Vector2(0.5, 0.45), Vector2(0.15, 0.8), Vector2(0.85, 0.6)}) {
         const Vector2 place = share.cwiseProduct(size);
-        runs.push_back(recordRun(
-            scene, slidePath(scene, {.duration = kDuration, .place = place}), kDuration));
+        runs.push_back(
+            recordRun(scene, slidePath(scene, {.duration = kDuration, .place = place}), kDuration));
     }
     return runs;
 }

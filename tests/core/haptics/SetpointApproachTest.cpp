@@ -34,7 +34,8 @@ struct Course {
     double force = 0.0;  ///< of the tick in which the descent ended, above the free one [N]
 
     template <class Force>
-    Course(const ApproachPlan& plan, double duration, const Force& forceAt) : approach(plan, kStart) {
+    Course(const ApproachPlan& plan, double duration, const Force& forceAt)
+        : approach(plan, kStart) {
         double last = 0.0;
         for (int i = 0; i * kTimeStep < duration; ++i) {
             const ApproachPhase before = approach.phase();
