@@ -79,7 +79,8 @@ QString CycleTable::text(int row, Column column) const {
     case Work:
         return cycle.pullOff ? asperity::text(cycle.adhesionWork, kAttojoules) : kNothing;
     case Hysteresis:  // an open loop has no area
-        return cycle.complete() ? asperity::text(cycle.hysteresis, kAttojoules) : kNothing;
+        return cycle.complete() && !cycle.slid ? asperity::text(cycle.hysteresis, kAttojoules)
+                                               : kNothing;
     case Stiffness:
         return asperity::text(cycle.stiffness, kPerMeter);
     default:

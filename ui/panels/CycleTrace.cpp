@@ -7,8 +7,8 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMinSpacing = 2e-12;  ///< [m]
-constexpr double kJump = 6.0;          ///< standard deviations of a tick
+constexpr double kMinSpacing = 10e-12;  ///< [m]: a few ticks, whose noise their mean reduces
+constexpr double kJump = 6.0;           ///< standard deviations of a tick
 /// Points that are kept of the way to the sample, and of all before the way back from it.
 constexpr std::size_t kKeptBefore = CycleTrace::kRoom / 8;
 constexpr std::size_t kKeptOfContact = 3 * CycleTrace::kRoom / 4;

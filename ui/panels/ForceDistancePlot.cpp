@@ -20,12 +20,13 @@ namespace asperity {
 
 namespace {
 
-constexpr double kMinForces = 0.2e-9;     ///< extent of the force axis [N]
-constexpr double kMinDistances = 0.5e-9;  ///< extent of the distance axis [m]
-constexpr double kCurveWidth = 1.4;       ///< [px]
-constexpr int kMinTickHeight = 14;        ///< between ticks of the force axis [px]
-constexpr int kMinTickWidth = 52;         ///< between those of the distance axis [px]
-constexpr int kRingSize = 7;              ///< [px]
+constexpr double kMinForces = 0.2e-9;      ///< extent of the force axis [N]
+constexpr double kMinDistances = 0.5e-9;   ///< extent of the distance axis [m]
+constexpr double kMinDistanceUnit = 1e-9;  ///< distances are in nm or larger units [m]
+constexpr double kCurveWidth = 1.4;        ///< [px]
+constexpr int kMinTickHeight = 14;         ///< between ticks of the force axis [px]
+constexpr int kMinTickWidth = 52;          ///< between those of the distance axis [px]
+constexpr int kRingSize = 7;               ///< [px]
 /// Share of paper in the colors of the newest cycle and of the older ones.
 constexpr std::array<double, ForceDistancePlot::kMaxCycles> kFaintness = {0.0, 0.45, 0.62, 0.74};
 
@@ -175,7 +176,7 @@ ForceDistancePlot::ForceDistancePlot(QWidget* parent)
     , forces_(kMinForces)
     , distances_(kMinDistances)
     , forceScale_("N", kMinForces)
-    , distanceScale_("m", kMinDistances)
+    , distanceScale_("m", kMinDistanceUnit)
     , canvas_(std::make_unique<Canvas>(this)) {
     setCycles({}, {});
 }

@@ -36,6 +36,7 @@ struct ContactCycle {
     /// Work of adhesion: area between the last retract branch and zero force, where it pulls [J]
     double adhesionWork = 0.0;
     double hysteresis = 0.0;  ///< area between approach and retract: energy dissipated [J]
+    bool slid = false;        ///< moved sideways in contact: `hysteresis` is of no closed curve
     /// Contact stiffness at the beginning of unloading; none: no such branch, or the contact is
     /// stiffer than the lever can tell [N/m]
     std::optional<Reading> stiffness;

@@ -11,6 +11,8 @@ namespace {
 constexpr int kTicksOff = 5;           ///< in a row that end a cycle: one may be noise
 constexpr double kResidualPull = 0.5;  ///< of the strongest: attraction that a free tip may feel
 
+constexpr double kSlide = 1e-9;  ///< sideways, more than the jitter of a device [m]
+
 /// Whether the base goes along the sample rather than to it or from it.
 bool slides(const BaseMotion& base) noexcept {
     return std::hypot(base.velocity.x(), base.velocity.y()) > std::abs(base.velocity.z());
@@ -29,6 +31,7 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
     trend_.take(point_.force, point_.sigma);
     const bool turned = branch_.take(input, out) != branchBefore;
     slides_ = slides(out.base);
+    place_ = out.base.position.head<2>();
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
     const bool acts = trend_.pushes() || trend_.pulls();
 
@@ -63,6 +66,7 @@ void CycleDetector::takeApart(double time, bool turned, bool touches) noexcept {
     if (touches) {
         cycle_.phase = CyclePhase::Contact;
         cycle_.touchTime = time;
+        touched_ = place_;
         deepest_ = std::numeric_limits<double>::infinity();
         ticksOff_ = 0;
         takeUnloading();
@@ -76,6 +80,7 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
         cycle_.offTime = time;
         return;
     }
+    cycle_.slid = cycle_.slid || (place_ - touched_).norm() > kSlide;
     cycle_.maxForce = std::max(cycle_.maxForce, trend_.force());
     cycle_.maxIndentation = std::max(cycle_.maxIndentation, -point_.separation);
     takeUnloading();

@@ -44,8 +44,10 @@ private:
     ForceTrend trend_;
     ForceDistancePoint point_;
     UnloadingFit unloading_;
-    double deepest_ = 0.0;  ///< base distance [m]
-    int ticksOff_ = 0;      ///< without a sign of contact, in a row
+    double deepest_ = 0.0;               ///< base distance [m]
+    Vector2 place_ = Vector2::Zero();    ///< of the base [m]
+    Vector2 touched_ = Vector2::Zero();  ///< where the tip touched [m]
+    int ticksOff_ = 0;                   ///< without a sign of contact, in a row
     bool slides_ = false;
     bool started_ = false;
 };

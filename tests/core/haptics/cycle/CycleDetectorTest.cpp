@@ -137,10 +137,13 @@ TEST(CycleDetector, ASlideInContactIsNoUnloading) {
         run.moveTo(-2e-9);
     }
     EXPECT_FALSE(run.cycle().stiffness);
+    EXPECT_FALSE(run.cycle().slid) << "it went nowhere yet";
     run.sample.output.base.velocity.x() = 0.0;
+    run.sample.output.base.position.x() = 5e-9;
     run.moveTo(4e-9);
     EXPECT_NEAR(run.cycle().stiffness.value().value, SpringContact::kContact,
                 1e-6 * SpringContact::kContact);
+    EXPECT_TRUE(run.cycle().slid);
 }
 
 TEST(CycleDetector, EachApproachInFreeAirBeginsACycle) {
