@@ -40,7 +40,7 @@ CyclePanel::CyclePanel(QWidget* parent)
 void CyclePanel::buildHeading() {
     axis_->setObjectName(QStringLiteral("distanceAxis"));
     axis_->addItem(tr("separation"));
-    axis_->addItem(tr("base displacement"));
+    axis_->addItem(tr("base position"));
     axis_->setToolTip(tr("Distance axis: separation of tip and undeformed surface, negative: "
                          "indented; or of the undeflected tip, which the base sets"));
     auto* clearAll = new QToolButton(this);

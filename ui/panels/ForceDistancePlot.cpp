@@ -46,7 +46,7 @@ QString legendText(const QString& unit) {
         return QStringLiteral("&nbsp; <span style='color:%1'><b>&#x2501;</b></span>&nbsp;%2")
             .arg(color.name(), name);
     };
-    return QStringLiteral("<b>%1</b> [%2]").arg(QWidget::tr("Force"), unit) +
+    return QStringLiteral("<b>F</b> [%1]").arg(unit) +
            entry(colors.approach, QWidget::tr("approach")) +
            entry(colors.retract, QWidget::tr("retract"));
 }

@@ -120,8 +120,8 @@ void ForcePanel::buildCurves() {
     pages->addWidget(cycles_);
     pages->addWidget(overTime);
     tabs_->setObjectName(QStringLiteral("curveTabs"));
-    tabs_->addTab(tr("Force–distance"));
-    tabs_->addTab(tr("Force–time"));
+    tabs_->addTab(tr("vs. distance"));
+    tabs_->addTab(tr("vs. time"));
     tabs_->setFont(theme::textFont(theme::kSmallSize));
     tabs_->setDrawBase(false);
     tabs_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view

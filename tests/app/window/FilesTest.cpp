@@ -150,8 +150,8 @@ TEST_F(Window, TellsOfARecordingThatWasCutOffAndRepeatsIt) {
     { const Recording cutOff({run}, session.run()->loaded(), {}, 0.0); }
     std::ofstream(run / run_files::kInput, std::ios::app) << "0.5,1\n1.5,1\n2.5,1\n3.5,1";
     std::ofstream(run / run_files::kLog, std::ios::app)
-        << "0.5,50e-9,60e-9,3e-9" << std::string(21, ',') << "\n1.5,50e-9,60e-9,-3e-9"
-        << std::string(21, ',') << "\n2.5,5";
+        << "0.5,50e-9,60e-9,3e-9" << std::string(23, ',') << "\n1.5,50e-9,60e-9,-3e-9"
+        << std::string(23, ',') << "\n2.5,5";
     Q_EMIT window.recordingChosen(QString::fromStdString((run / run_files::kLog).string()));
     ASSERT_TRUE(eventually([this] { return inContact(); })) << state();
     EXPECT_NE(told().find("cut off"), std::string::npos) << told();
