@@ -8,6 +8,8 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include <algorithm>
+
 namespace asperity {
 
 namespace {
@@ -63,11 +65,15 @@ QString explanation() {
 
 CycleTable::CycleTable(QWidget* parent) : QWidget(parent) {
     setFont(theme::textFont(theme::kSmallSize));
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);  // the plot has the rest
 }
 
 void CycleTable::setRows(const std::vector<CycleRow>& newestFirst) {
+    const bool grows = rows_.size() != newestFirst.size();
     rows_ = newestFirst;
+    if (grows) {
+        updateGeometry();
+    }
     update();
 }
 
@@ -100,9 +106,7 @@ QString CycleTable::details(int row) const {
 
 int CycleTable::lineHeight() const { return fontMetrics().height(); }
 
-QSize CycleTable::sizeHint() const {
-    return {1, (1 + ForceDistancePlot::kMaxCycles) * lineHeight()};
-}
+QSize CycleTable::sizeHint() const { return {1, (1 + std::max(1, rows())) * lineHeight()}; }
 
 QSize CycleTable::minimumSizeHint() const { return {1, 2 * lineHeight()}; }
 

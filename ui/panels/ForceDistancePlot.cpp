@@ -24,6 +24,7 @@ constexpr double kMinForces = 0.2e-9;      ///< extent of the force axis [N]
 constexpr double kMinDistances = 0.5e-9;   ///< extent of the distance axis [m]
 constexpr double kMinDistanceUnit = 1e-9;  ///< distances are in nm or larger units [m]
 constexpr double kCurveWidth = 1.4;        ///< [px]
+constexpr int kMinHeight = 96;             ///< of the plot [px]
 constexpr int kMinTickHeight = 14;         ///< between ticks of the force axis [px]
 constexpr int kMinTickWidth = 52;          ///< between those of the distance axis [px]
 constexpr int kRingSize = 7;               ///< [px]
@@ -110,6 +111,7 @@ ForceDistancePlot::Canvas::Canvas(ForceDistancePlot* owner)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(1);
     layout->addLayout(heading_);
+    plot_->setMinimumHeight(kMinHeight);
     layout->addWidget(plot_, 1);
 }
 
