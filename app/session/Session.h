@@ -3,6 +3,7 @@
 #include "app/session/DeviceControl.h"
 #include "app/session/EngageControl.h"
 #include "app/session/FidelityControl.h"
+#include "app/session/ParameterControl.h"
 #include "app/session/PathControl.h"
 #include "app/session/RecordingControl.h"
 #include "app/session/RunControl.h"
@@ -45,6 +46,7 @@ private:
     FidelityControl fidelity_;
     PathControl paths_;
     EngageControl engaging_;
+    ParameterControl parameters_;
     ViewControl views_;
     QTimer frames_;
     double lastFrame_ = 0.0;  ///< [s]

@@ -9,6 +9,7 @@
 #include "ui/panels/LoadingBar.h"
 #include "ui/panels/LoopStatusBar.h"
 #include "ui/panels/OverviewPanel.h"
+#include "ui/panels/ParameterPanel.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/Dialogs.h"
@@ -110,7 +111,8 @@ MainWindow::MainWindow()
     , bottomLine_(newBottomLine(hint_, loading_))
     , overview_(new OverviewPanel(this))
     , loopStatus_(new LoopStatusBar(this))
-    , fidelity_(new FidelityPanel(this)) {
+    , fidelity_(new FidelityPanel(this))
+    , parameters_(new ParameterPanel(this)) {
     setAcceptDrops(true);
     placeAll();
     connectMenus();
@@ -217,6 +219,15 @@ void MainWindow::connectMenus() {
         fidelity_->raise();
         fidelity_->activateWindow();
     });
+    on(menus_->parameters, [this] {
+        if (!std::exchange(parametersPlaced_, true)) {
+            parameters_->setGeometry(placeBeside(frameGeometry(), parameters_->sizeHint(),
+                                                 screen()->availableGeometry()));
+        }
+        parameters_->show();
+        parameters_->raise();
+        parameters_->activateWindow();
+    });
     on(menus_->controls, [this] { explainControls(this); });
     on(menus_->about, [this] { explainProgram(this); });
 }
@@ -253,6 +264,7 @@ void MainWindow::lock() {
     engage_->setEnabled(false);
     overview_->setEnabled(false);
     fidelity_->setEnabled(false);
+    parameters_->setEnabled(false);
     for (QAction* action : findChildren<QAction*>()) {
         action->setEnabled(action == menus_->quit);
     }

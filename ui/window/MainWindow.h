@@ -19,6 +19,7 @@ class FidelityPanel;
 class LoadingBar;
 class LoopStatusBar;
 class OverviewPanel;
+class ParameterPanel;
 class RunPanel;
 class StateBanner;
 class WindowMenus;
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] OverviewPanel& overview() { return *overview_; }
     /// A window of its own, hidden at first.
     [[nodiscard]] FidelityPanel& fidelity() { return *fidelity_; }
+    /// A window of its own, hidden at first.
+    [[nodiscard]] ParameterPanel& parameters() { return *parameters_; }
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
     /// All that show a run beside the view.
     [[nodiscard]] const std::vector<RunPanel*>& panels() const { return panels_; }
@@ -94,6 +97,8 @@ private:
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
+    ParameterPanel* parameters_;
+    bool parametersPlaced_ = false;
     bool fidelityPlaced_ = false;
     std::vector<RunPanel*> panels_;
     std::vector<Card*> cards_;
