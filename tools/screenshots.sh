@@ -9,17 +9,36 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 input=${1:-$top/data/scenes/granular_film.toml}
 out=${2:-$top/docs/pictures}
-command -v pngquant >/dev/null || {
-    echo "screenshots.sh: no pngquant; tools/install_packages.sh tools/developer_packages.txt installs it" >&2
-    exit 1
-}
+for program in pngquant montage; do
+    command -v $program >/dev/null || {
+        echo "screenshots.sh: no $program; tools/install_packages.sh tools/developer_packages.txt installs it" >&2
+        exit 1
+    }
+done
 "$top/tools/build.sh" release asperity_screenshots asperity_deformation_pictures asperity_fidelity_picture \
     asperity_device_picture
+moments=$(mktemp -d)
+trap 'rm -r "$moments"' EXIT
 unset DISPLAY  # the window's size must not depend on a window manager: it starts its own Xvfb
 for size in "1600 1000" "1280 800"; do
     read -r width height <<<"$size"
-    "$top/build/release/bin/asperity_screenshots" "$input" "$width" "$height" "$out/window_${width}_"
+    "$top/build/release/bin/asperity_screenshots" "$input" "$width" "$height" "$moments/"
+    for moment in indenting retracting; do
+        mv "$moments/$moment.png" "$out/window_${width}_$moment.png"
+    done
     pngquant --force --ext .png --speed 1 --quality 80-100 "$out/window_${width}_"*.png
+done
+# The whole cycle on three materials, side by side, on a small, a usual and a large screen of small pixels.
+cycle() {  # MATERIAL WIDTH HEIGHT SCALE NAME
+    xvfb-run -a -s "-screen 0 $(($2 * $4))x$(($3 * $4))x24 -noreset" env "QT_SCALE_FACTOR=$4" \
+        "$top/build/release/bin/asperity_screenshots" "$top/data/scenes/$1.toml" "$2" "$3" "$moments/"
+    montage "$moments/"{far,snapped_in,indenting,retracting,off}.png -tile 2x -geometry 960x+6+6 "$out/cycle_$1_$5.png"
+    pngquant --force --ext .png --speed 1 --quality 80-100 "$out/cycle_$1_$5.png"
+}
+for material in polystyrene silicon_oxide silicone_rubber; do
+    cycle "$material" 1280 800 1 1280
+    cycle "$material" 1920 1080 1 1920
+    cycle "$material" 1920 1080 2 4k
 done
 "$top/build/release/bin/asperity_fidelity_picture" "$input" "$out/fidelity.png"
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/fidelity.png"

@@ -89,6 +89,12 @@ LoadedScene withMaterial(LoadedScene loaded, const SampleMaterial& material) {
     return loaded;
 }
 
+LoadedScene withDescription(LoadedScene loaded, const SceneDescription& description) {
+    loaded.scene = withDescription(std::move(loaded.scene), description);
+    loaded.needs = fitModel(loaded.scene);
+    return loaded;
+}
+
 LoadedScene withChoices(LoadedScene loaded, const SceneDescription& choices) {
     loaded.scene.description = choices;
     loaded.needs = fitModel(loaded.scene);

@@ -43,6 +43,10 @@ struct LoadedScene {
 /// withMaterial()
 [[nodiscard]] LoadedScene withMaterial(LoadedScene loaded, const SampleMaterial& material);
 
+/// The same scan under another tip, lever and material, with the model that this requires.
+/// @throw Error as withDescription()
+[[nodiscard]] LoadedScene withDescription(LoadedScene loaded, const SceneDescription& description);
+
 /// The same scene with these choices in place of its own. @throw Error as buildScene()
 [[nodiscard]] LoadedScene withChoices(LoadedScene loaded, const SceneDescription& choices);
 

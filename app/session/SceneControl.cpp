@@ -5,6 +5,7 @@
 #include "core/PathText.h"
 #include "core/PrintableText.h"
 #include "core/io/scene/SceneFile.h"
+#include "core/scene/SceneParameter.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/window/MainWindow.h"
@@ -123,6 +124,9 @@ void SceneControl::showChannels() {
 void SceneControl::showMaterials() {
     const SampleMaterial& own = runs_.run()->scene().description.sample.material;
     if (std::find(materials_.begin(), materials_.end(), own) == materials_.end()) {
+        std::erase_if(materials_, [&own](const SampleMaterial& material) {
+            return material.name == own.name && own.name.ends_with(kEditedSuffix);
+        });
         materials_.push_back(own);
     }
     QStringList names;

@@ -23,6 +23,7 @@ Session::Session(MainWindow& window)
     , fidelity_(window, runs_)
     , paths_(window, runs_, devices_)
     , engaging_(window, runs_, devices_)
+    , parameters_(window, runs_)
     , views_(window, runs_)
     , entries_(window, runs_, devices_) {
     runs_.setSink([this](const TickSample& sample) {

@@ -4,6 +4,7 @@
 #include "app/session/EngageControl.h"
 #include "app/session/EntryControl.h"
 #include "app/session/FidelityControl.h"
+#include "app/session/ParameterControl.h"
 #include "app/session/PathControl.h"
 #include "app/session/RecordingControl.h"
 #include "app/session/RunControl.h"
@@ -46,6 +47,7 @@ private:
     FidelityControl fidelity_;
     PathControl paths_;
     EngageControl engaging_;
+    ParameterControl parameters_;
     ViewControl views_;
     EntryControl entries_;
     QTimer frames_;

@@ -146,6 +146,10 @@ Scene withMaterial(Scene scene, const SampleMaterial& material) {
         description.truth.material = material;
     }
     description.sample.material = material;
+    return withDescription(std::move(scene), description);
+}
+
+Scene withDescription(Scene scene, const SceneDescription& description) {
     checkScene(description);
     return assemble(description, {scene.removedPlane, std::move(scene.surface),
                                   std::move(scene.certainty), std::move(scene.shape)});

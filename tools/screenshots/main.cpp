@@ -1,6 +1,6 @@
 /// Opens the live window, approaches to the setpoint of the scene and retracts, and saves what the
-/// window shows at the setpoint and shortly before pull-off. Usage: asperity_screenshots
-/// SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX
+/// window shows of the whole cycle: far, snapped in, at the setpoint, shortly before pull-off and
+/// off. Usage: asperity_screenshots SCENE_OR_SCAN WIDTH HEIGHT OUT_PREFIX
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/session/LiveWindow.h"
@@ -10,8 +10,10 @@
 #include <QStatusBar>
 #include <QTimer>
 
+#include <functional>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -19,45 +21,70 @@ namespace {
 
 constexpr double kDuration = 12.0;  // of the approach and the way back [s]
 
+/// A moment of an approach and a retract that is worth a picture.
+struct Moment {
+    const char* name;
+    std::function<bool(Session&)> hasCome;
+};
+
+const TickOutput& newest(Session& session) {
+    return session.run()->loop().snapshot().sample.output;
+}
+
+bool isBonded(Session& session) {
+    return newest(session).model.contact.branch == ContactBranch::Bonded;
+}
+
+/// Force at which the tip lets go, about [N].
+double pull(Session& session) {
+    const ContactPair pair = contactModelAt(session.run()->scene(), newest(session).model).pair();
+    return -1.3 * std::numbers::pi * pair.tipRadius * pair.workOfAdhesion;
+}
+
+/// In their order.
+std::vector<Moment> moments() {
+    return {{"far",
+             [](Session& session) { return session.run()->loop().snapshot().sample.time > 1.0; }},
+            {"snapped_in", isBonded},
+            {"indenting",
+             [](Session& session) {
+                 const ApproachDevice* const approach = session.devices().approaching();
+                 return approach != nullptr && approach->phase() == ApproachPhase::Dwell;
+             }},
+            {"retracting",
+             [](Session& session) {
+                 return isBonded(session) &&
+                        newest(session).model.contact.force < 0.9 * pull(session);
+             }},
+            {"off", [](Session& session) { return !isBonded(session); }}};
+}
+
 /// Watches the run from frame to frame and saves each picture once.
 class Photographer {
 public:
     Photographer(LiveWindow& live, std::string prefix) : live_(live), prefix_(std::move(prefix)) {}
 
     void look() {
-        Session& session = live_.session();
-        const TickOutput& now = session.run()->loop().snapshot().sample.output;
-        const bool bonded = now.model.contact.branch == ContactBranch::Bonded;
-        const ApproachDevice* const approach = session.devices().approaching();
-        if (!indented_ && approach != nullptr && approach->phase() == ApproachPhase::Dwell) {
-            save("indenting");
-            indented_ = true;
+        if (isDone() || !moments_[next_].hasCome(live_.session())) {
+            return;
         }
-        if (indented_ && !retracting_ && bonded &&
-            now.model.contact.force < 0.9 * pull(now.model)) {
-            save("retracting");
-            retracting_ = true;
+        live_.window().statusBar()->clearMessage();  // it names the file of the picture before
+        Q_EMIT live_.window().pictureFileChosen(
+            QString::fromStdString(prefix_ + moments_[next_].name + ".png"));
+        ++next_;
+        if (isDone()) {
             live_.window().close();
         }
     }
 
-    [[nodiscard]] bool isDone() const { return retracting_; }
+    [[nodiscard]] bool isDone() const { return next_ == moments_.size(); }
+    [[nodiscard]] const char* awaited() const { return moments_[next_].name; }
 
 private:
-    /// Force at which the tip lets go, about [N].
-    [[nodiscard]] double pull(const TipState& state) const {
-        const ContactPair pair = contactModelAt(live_.session().run()->scene(), state).pair();
-        return -1.3 * std::numbers::pi * pair.tipRadius * pair.workOfAdhesion;
-    }
-    void save(const std::string& name) {
-        live_.window().statusBar()->clearMessage();  // it names the file of the picture before
-        Q_EMIT live_.window().pictureFileChosen(QString::fromStdString(prefix_ + name + ".png"));
-    }
-
     LiveWindow& live_;
     std::string prefix_;
-    bool indented_ = false;
-    bool retracting_ = false;
+    std::vector<Moment> moments_ = moments();
+    std::size_t next_ = 0;
 };
 
 int run(char** argv) {
@@ -75,7 +102,7 @@ int run(char** argv) {
     QTimer::singleShot(40000, &live.window(), &QWidget::close);
     const int status = live.exec();
     if (!photographer.isDone()) {
-        throw Error("the tip was not seen indenting and about to let go");
+        throw Error(std::string("the tip was not seen ") + photographer.awaited());
     }
     return status;
 }

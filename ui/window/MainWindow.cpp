@@ -9,6 +9,7 @@
 #include "ui/panels/LoadingBar.h"
 #include "ui/panels/LoopStatusBar.h"
 #include "ui/panels/OverviewPanel.h"
+#include "ui/panels/ParameterPanel.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/Dialogs.h"
@@ -30,7 +31,6 @@
 #include <QVBoxLayout>
 
 #include <functional>
-#include <utility>
 
 namespace asperity {
 
@@ -119,7 +119,8 @@ MainWindow::MainWindow()
     , bottomLine_(newBottomLine(hint_, loading_))
     , overview_(new OverviewPanel(this))
     , loopStatus_(new LoopStatusBar(this))
-    , fidelity_(new FidelityPanel(this)) {
+    , fidelity_(new FidelityPanel(this))
+    , parameters_(new ParameterPanel(this)) {
     setAcceptDrops(true);
     placeAll();
     connectMenus();
@@ -188,11 +189,18 @@ void MainWindow::placeAll() {
     panels_.push_back(loopStatus_);
 }
 
-void MainWindow::placeFidelity() {
-    if (!std::exchange(fidelityPlaced_, true)) {
-        fidelity_->setGeometry(
-            placeBeside(frameGeometry(), fidelity_->size(), screen()->availableGeometry()));
+void MainWindow::toggle(QWidget& panel) {
+    if (panel.isVisible()) {
+        panel.hide();
+        return;
     }
+    if (placed_.insert(&panel).second) {
+        panel.setGeometry(
+            placeBeside(frameGeometry(), panel.size(), screen()->availableGeometry()));
+    }
+    panel.show();
+    panel.raise();
+    panel.activateWindow();
 }
 
 void MainWindow::connectMenus() {
@@ -220,16 +228,8 @@ void MainWindow::connectMenus() {
     on(menus_->zoomOut, [this] { view_->setHalfWidth(view_->halfWidth() * 1.25); });
     on(menus_->resetView, [this] { view_->resetCamera(); });
     connect(menus_, &WindowMenus::viewOptionsChosen, view_, &ZoomView::setOptions);
-    on(menus_->fidelity, [this] { placeFidelity(); });
-    on(menus_->fidelity, [this] {
-        if (fidelity_->isVisible()) {
-            fidelity_->hide();
-            return;
-        }
-        fidelity_->show();
-        fidelity_->raise();
-        fidelity_->activateWindow();
-    });
+    on(menus_->fidelity, [this] { toggle(*fidelity_); });
+    on(menus_->parameters, [this] { toggle(*parameters_); });
     on(menus_->controls, [this] { explainControls(this); });
     on(menus_->about, [this] { explainProgram(this); });
 }
@@ -267,6 +267,7 @@ void MainWindow::lock() {
     overview_->setEnabled(false);
     fidelity_->setEnabled(false);
     menus_->lock();
+    parameters_->setEnabled(false);
     for (QAction* action : findChildren<QAction*>()) {
         action->setEnabled(action == menus_->quit);
     }

@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QStringList>
 
+#include <set>
 #include <vector>
 
 class QLabel;
@@ -19,6 +20,7 @@ class FidelityPanel;
 class LoadingBar;
 class LoopStatusBar;
 class OverviewPanel;
+class ParameterPanel;
 class RunPanel;
 class StateBanner;
 class WindowMenus;
@@ -41,6 +43,8 @@ public:
     [[nodiscard]] OverviewPanel& overview() { return *overview_; }
     /// A window of its own, hidden at first.
     [[nodiscard]] FidelityPanel& fidelity() { return *fidelity_; }
+    /// A window of its own, hidden at first.
+    [[nodiscard]] ParameterPanel& parameters() { return *parameters_; }
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
     /// All that show a run beside the view.
     [[nodiscard]] const std::vector<RunPanel*>& panels() const { return panels_; }
@@ -78,8 +82,8 @@ private:
     [[nodiscard]] QWidget* leftSide();
     [[nodiscard]] QWidget* rightSide();
     void placeAll();
-    /// Beside this window, before it is shown for the first time.
-    void placeFidelity();
+    /// Shows a panel that is a window of its own, at first beside this one; or hides it.
+    void toggle(QWidget& panel);
     void connectMenus();
 
     QStringList scanFiles_;
@@ -94,7 +98,8 @@ private:
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
-    bool fidelityPlaced_ = false;
+    ParameterPanel* parameters_;
+    std::set<QWidget*> placed_;  ///< panels that have stood beside this window
     std::vector<RunPanel*> panels_;
     std::vector<Card*> cards_;
 };

@@ -151,6 +151,8 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
     menu->addSeparator();
     fidelity = menu->addAction(tr("&Fidelity…"));
     fidelity->setShortcut(tr("F6"));
+    parameters = menu->addAction(tr("Scene &parameters…"));
+    parameters->setShortcut(tr("F7"));
 }
 
 void WindowMenus::addHelpMenu(QMenuBar& bar) {

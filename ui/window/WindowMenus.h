@@ -45,6 +45,7 @@ public:
     QAction* zoomOut;
     QAction* resetView;
     QAction* fidelity;
+    QAction* parameters;
 
     QAction* controls;
     QAction* about;
