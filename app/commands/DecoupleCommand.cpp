@@ -20,7 +20,7 @@ constexpr const char* kHelp =
     "  sigma_alpha_rad,sigma_theta_rad\n"
     "  friction_coefficient,shear_strength_pa,contact_area_m2\n"
     "  normal_force_model_n,normal_force_sigma_n\n"
-    "                           what a contact model says of the normal force, and how surely\n"
+    "                           normal force of a contact model, with its standard deviation\n"
     "With inv_ols_m_v and lateral_sensitivity_rad_v in the probe file, vertical_v,lateral_v,\n"
     "sigma_vertical_v,sigma_lateral_v may stand in place of the four columns in radians.\n"
     "All vectors and the covariance are in the lab frame. Added are fx_n,fy_n,fz_n,cxx_n2,cyy_n2,\n"

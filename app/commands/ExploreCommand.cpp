@@ -276,7 +276,7 @@ void addExploreCommand(CLI::App& program) {
         ->check(finiteNumber());
     addSetpointOption(*command, options->overrides.setpoint);
     command->add_option("--channel", options->overrides.channel, "channel of the height map");
-    addLevelingOption(*command, options->overrides.leveling, "default: as the scene says, plane");
+    addLevelingOption(*command, options->overrides.leveling, "default: as in the scene, or plane");
     command->callback([options] { explore(*options); });
 }
 

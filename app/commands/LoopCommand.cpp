@@ -45,7 +45,7 @@ LoadedScene loadForLoop(const LoopOptions& options) {
     const std::filesystem::path input =
         options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
     if (input.empty()) {
-        throw Error("the data that comes with the program is not there: name a scan or a scene");
+        throw Error("the program's data folder is missing: name a scan or a scene");
     }
     LoadedScene loaded = loadSceneOnTerminal(input, {});
     if (options.rate > 0.0) {
@@ -220,7 +220,7 @@ void addLoopCommand(CLI::App& program) {
     const auto options = std::make_shared<LoopOptions>();
     command->add_option("INPUT", options->input,
                         "height map or scene.toml; default: the scene that comes with the program");
-    command->add_option("--rate", options->rate, "of the loop [Hz]; default: as the scene says")
+    command->add_option("--rate", options->rate, "tick rate [Hz]; default: as in the scene")
         ->check(CLI::Range(100.0, 20000.0))
         ->check(finiteNumber());
     command
@@ -232,12 +232,12 @@ void addLoopCommand(CLI::App& program) {
         ->check(finiteNumber());
     command
         ->add_option("--record", options->record,
-                     "folder: record every tick meanwhile, and say what that costs")
+                     "folder: record every tick meanwhile, and report the cost")
         ->check(notEmpty());
     addForce(*command, options->force);
     command->add_flag("--simulated-device", options->simulatedDevice,
-                      "a person at the simulated haptic device leads the tip, not a script: with "
-                      "coupling, governor and edge");
+                      "drive the tip with a simulated force-feedback device, not a script: with "
+                      "coupling, governor and workspace edge");
     command->add_flag("--window", options->window, "with the window open and every view drawn");
     command->add_flag("--json", options->json, "as JSON");
     command->callback([options] { options->window ? runInWindow(*options) : runBare(*options); });

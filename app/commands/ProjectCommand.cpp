@@ -22,18 +22,19 @@ namespace {
 constexpr const char* kHelp =
     "The points are a CSV table with the columns x_m,y_m,z_m, in the world frame of the leveled\n"
     "map (x right, y up, origin at the lower left corner). Added are\n"
-    "  foot_x_m,foot_y_m,foot_z_m   the surface point nearest to the point\n"
+    "  foot_x_m,foot_y_m,foot_z_m   closest point on the surface\n"
     "  nx,ny,nz                     the surface's unit normal there, out of the sample\n"
     "  distance_m                   < 0: the point lies below the surface\n"
-    "  u,v                          the foot in the surface's own coordinates, 0..1\n"
+    "  u,v                          closest point in the surface's own coordinates, 0..1\n"
     "  iterations                   steps of Newton's method\n"
     "  certified                    true: proven that no surface point is nearer\n"
     "  proof                        nearest, or why it is not certified\n"
-    "  inside,measured              false: the foot lies on the edge of the scan; on a pixel\n"
+    "  inside,measured              false: that point lies on the edge of the scan; on a pixel\n"
     "                               without data\n"
     "  curvature_1_per_m,curvature_2_per_m\n"
     "                               principal curvatures there, > 0 for a bump\n"
-    "Where the point holds a nan, an infinity or more than 1e50 m there is no foot: its numbers\n"
+    "Where the point holds a nan, an infinity or more than 1e50 m there is no closest point: its "
+    "numbers\n"
     "are nan and the proof is not_converged.";
 
 struct ProjectOptions {

@@ -88,8 +88,7 @@ TEST(StateBanner, AFaultStandsAboveAllAndCanBeTakenBack) {
     sample.output.fault = Fault::DeviceLost;
     banner.setPaused(true);
     banner.show(test::snapshotOf(sample));
-    EXPECT_EQ(stateOf(banner),
-              QStringLiteral("fault: the hand's device is not there: forces are off"));
+    EXPECT_EQ(stateOf(banner), QStringLiteral("fault: device not connected: forces switched off"));
     EXPECT_FALSE(rearmButton(banner).isHidden());
     QSignalSpy asked(&banner, &StateBanner::rearmRequested);
     banner.findChild<QPushButton*>(QStringLiteral("rearm"))->click();
