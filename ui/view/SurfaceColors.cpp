@@ -4,6 +4,8 @@
 
 #include <vtkLookupTable.h>
 
+#include <QObject>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
