@@ -234,8 +234,9 @@ void addConvertCommand(CLI::App& program) {
         "write the residual of smoothing (data minus surface) in place of the map");
     CLI::Option* pixels =
         command
-            ->add_option("--smoothing-px", options->smoothingPixels,
-                         "of the residual's surface: standard deviation [pixel] (default 1)")
+            ->add_option(
+                "--smoothing-px", options->smoothingPixels,
+                "smoothing of the residual's surface: standard deviation [pixel] (default 1)")
             ->check(finiteNumber())
             ->check(CLI::Range(0.0, kMaxSmoothing))
             ->needs(residual);
@@ -246,7 +247,7 @@ void addConvertCommand(CLI::App& program) {
         ->excludes(pixels);
     auto* erode = command
                       ->add_option("--erode", options->tipRadius,
-                                   "take out the shape of the spherical tip that recorded the "
+                                   "remove the shape of the spherical tip that recorded the "
                                    "heights, by gray-scale erosion, after leveling: its radius "
                                    "[m]")
                       ->check(finiteNumber())

@@ -161,7 +161,7 @@ void curve(const CurveOptions& options) {
 
 void addCurveCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
-        "curve", "Approach and retract curve of a tip on a lever, with snap-in and pull-off");
+        "curve", "Compute approach and retract of a tip on a lever, with snap-in and pull-off");
     const auto options = std::make_shared<CurveOptions>();
     addCurveRequest(*command, options->request);
     command->add_option("--points", options->points, "number of points on each branch")

@@ -26,7 +26,7 @@ constexpr const char* kHelp =
     "All vectors and the covariance are in the lab frame. Added are fx_n,fy_n,fz_n,cxx_n2,cyy_n2,\n"
     "czz_n2,cxy_n2,cxz_n2,cyz_n2,condition,case; the case is regular, near_singular, no_sliding\n"
     "or invalid_input (a NaN, a normal without direction, a deviation that is not positive: the\n"
-    "numbers are then nan), followed by what is not plausible: |pushes_along |excess_friction\n"
+    "numbers are then nan), followed by implausibilities: |pushes_along |excess_friction\n"
     "|contradicts_model.";
 
 struct DecoupleOptions {
@@ -46,7 +46,8 @@ void decouple(const DecoupleOptions& options) {
 void addDecoupleCommand(CLI::App& program) {
     const auto options = std::make_shared<DecoupleOptions>();
     CLI::App* command = program.add_subcommand(
-        "decouple", "Lever signals to 3-D forces with covariance, for each case of a table");
+        "decouple",
+        "Compute 3-D forces with covariance from lever signals, for each case of a table");
     command->footer(kHelp);
     command->add_option("--probe", options->probe, "probe file (TOML)")
         ->required()

@@ -224,9 +224,10 @@ void addLoopCommand(CLI::App& program) {
         ->check(CLI::Range(100.0, 20000.0))
         ->check(finiteNumber());
     command
-        ->add_option("--duration", options->duration,
-                     "of the measurement without loading [s]: the loop and a bare loop in turn, "
-                     "1 s each")
+        ->add_option(
+            "--duration", options->duration,
+            "duration of the measurement without loading [s]: the loop and a bare loop in turn, "
+            "1 s each")
         ->capture_default_str()
         ->check(CLI::Range(0.1, 3600.0))
         ->check(finiteNumber());
@@ -238,8 +239,8 @@ void addLoopCommand(CLI::App& program) {
     command->add_flag("--simulated-device", options->simulatedDevice,
                       "drive the tip with a simulated force-feedback device, not a script: with "
                       "coupling, governor and workspace edge");
-    command->add_flag("--window", options->window, "with the window open and every view drawn");
-    command->add_flag("--json", options->json, "as JSON");
+    command->add_flag("--window", options->window, "open the window and draw every view meanwhile");
+    command->add_flag("--json", options->json, "print JSON");
     command->callback([options] { options->window ? runInWindow(*options) : runBare(*options); });
 }
 

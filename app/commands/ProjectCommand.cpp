@@ -33,9 +33,8 @@ constexpr const char* kHelp =
     "                               without data\n"
     "  curvature_1_per_m,curvature_2_per_m\n"
     "                               principal curvatures there, > 0 for a bump\n"
-    "Where the point holds a nan, an infinity or more than 1e50 m there is no closest point: its "
-    "numbers\n"
-    "are nan and the proof is not_converged.";
+    "Where the point holds a nan, an infinity or more than 1e50 m there is no closest point: its\n"
+    "numbers are nan and the proof is not_converged.";
 
 struct ProjectOptions {
     std::string input;
@@ -152,9 +151,10 @@ void project(const ProjectOptions& options) {
 
 void addProjectCommand(CLI::App& program) {
     const auto options = std::make_shared<ProjectOptions>();
-    CLI::App* command = program.add_subcommand(
-        "project", "Closest point on the fitted surface, with normal, curvatures and whether it is "
-                   "proven, for each point of a table");
+    CLI::App* command =
+        program.add_subcommand("project", "Compute the closest point on the fitted surface, with "
+                                          "normal, curvatures and whether it is "
+                                          "proven, for each point of a table");
     command->footer(kHelp);
     command->add_option("INPUT", options->input, "height map, or scene file")
         ->required()
@@ -165,11 +165,12 @@ void addProjectCommand(CLI::App& program) {
     addTableFile(*command, options->files.out);
     command->add_option("--channel", options->overrides.channel,
                         "channel of the file (default: its first height)");
-    addLevelingOption(*command, options->overrides.leveling, "default: as the scene, or plane");
+    addLevelingOption(*command, options->overrides.leveling, "default: as in the scene, or plane");
     command
-        ->add_option("--sigma", options->overrides.smoothingPixels,
-                     "standard deviation of the Gaussian low-pass [pixel] (default: as the scene, "
-                     "or 0)")
+        ->add_option(
+            "--sigma", options->overrides.smoothingPixels,
+            "standard deviation of the Gaussian low-pass [pixel] (default: as in the scene, "
+            "or 0)")
         ->check(finiteNumber())
         ->check(CLI::Range(0.0, 100.0));
     command->callback([options] { project(*options); });

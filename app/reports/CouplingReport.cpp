@@ -72,7 +72,8 @@ void printHolds(const std::vector<HoldOutcome>& holds) {
     std::printf("\n%8s %8s %14s %14s %14s %14s %14s %14s %14s %14s\n", "rate", "delay",
                 "coupled:", "", "", "", "", "not coupled:", "", "");
     std::printf("%8s %8s %14s %14s %14s %14s %14s %14s %14s %14s\n", "[Hz]", "[ms]", "still",
-                "noisy", "no coupling", "scale too high", "oscillates", "still", "noisy", "oscillates");
+                "noisy", "no coupling", "scale too high", "oscillates", "still", "noisy",
+                "oscillates");
     for (const auto& [place, count] : counts) {
         printCounts(place.first, place.second, count);
     }

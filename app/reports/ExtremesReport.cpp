@@ -41,9 +41,9 @@ std::string percent(long states, long all) {
 }
 
 void printModels(const std::vector<ExtremesRegion>& sums) {
-    std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %8s %8s %8s %9s %9s %9s %9s\n", "model", "tier",
-                "sample", "states", "exact", "valid", "off", "flagged", "unproven", "refused",
-                "force", "radius", "jump", "solver");
+    std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %8s %8s %8s %9s %9s %9s %9s\n", "model",
+                "setting", "sample", "states", "exact", "valid", "off", "flagged", "unproven",
+                "refused", "force", "radius", "snap-in", "solver");
     std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %8s %8s %8s %9s %9s %9s %9s\n", "", "", "", "",
                 "[%]", "[%]", "[%]", "[%]", "[%]", "[%]", "err. max", "err. max", "err. max",
                 "err. max");

@@ -75,7 +75,7 @@ int run(char** argv) {
     QTimer::singleShot(40000, &live.window(), &QWidget::close);
     const int status = live.exec();
     if (!photographer.isDone()) {
-        throw Error("the tip was not seen indenting and about to let go");
+        throw Error("the tip was not seen indenting and about to pull off");
     }
     return status;
 }

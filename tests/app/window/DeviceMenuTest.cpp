@@ -1,4 +1,4 @@
-// What the Hand menu does: clutch, guides; and the edge of a device's workspace.
+// What the Device menu does: clutch, guides; and the edge of a device's workspace.
 
 #include "tests/app/window/WindowFixture.h"
 #include "ui/window/WindowMenus.h"

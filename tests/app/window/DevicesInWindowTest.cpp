@@ -235,10 +235,10 @@ TEST_F(WindowWithDevice, ThePersonIsToldWhenTheDeviceIsGivenEnergy) {
     openFlatScene();
     session.run()->takeDevice([&shaken] { return std::make_unique<ShakenDevice>(shaken); });
     ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
-    EXPECT_EQ(text("flags").find("begin to shake"), std::string::npos);
+    EXPECT_EQ(text("flags").find("begins to oscillate"), std::string::npos);
     shaken = true;
     EXPECT_TRUE(eventually([this] {
-        return text("flags").find("begin to shake") != std::string::npos;
+        return text("flags").find("begins to oscillate") != std::string::npos;
     })) << session.run()->energy().observer()->energy();
     session.run()->takeDevice([] { return std::make_unique<PointerDevice>(Vector3::Zero()); });
 }

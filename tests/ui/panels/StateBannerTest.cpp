@@ -277,10 +277,10 @@ TEST(StateBanner, WarnsWhileTheDeviceIsGivenEnergy) {
     StateBanner banner;
     banner.setEnergyGiven(true);
     banner.show(test::snapshotOf(far()));
-    EXPECT_TRUE(banner.toolTip().contains("begin to shake"));
+    EXPECT_TRUE(banner.toolTip().contains("begins to oscillate"));
     banner.setEnergyGiven(false);
     banner.show(test::snapshotOf(far()));
-    EXPECT_FALSE(banner.toolTip().contains("begin to shake"));
+    EXPECT_FALSE(banner.toolTip().contains("begins to oscillate"));
 }
 
 TEST(StateBanner, EveryFaultHasWords) {
