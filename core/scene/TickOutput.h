@@ -51,12 +51,12 @@ template <>
 inline constexpr auto kEnumTable<ForceState> = std::to_array<NamedRow<ForceState>>(
     {{ForceState::Off, "forces off (Esc)"},
      {ForceState::Released, "forces off: hold the dead-man switch"},
-     {ForceState::Clutched, "clutch: the device moves, the tip stays"},
-     {ForceState::Waiting, "forces off until the force on the tip is small"},
+     {ForceState::Clutched, "clutch: device moves, tip stays"},
+     {ForceState::Waiting, "forces wait for a small tip force"},
      {ForceState::Engaging, "forces ramp up"},
      {ForceState::On, ""},
      {ForceState::Limited, "force at its limit"},
-     {ForceState::Fading, "forces fade: no reports from the device"},
+     {ForceState::Fading, "forces fade: device silent"},
      {ForceState::Fault, ""}});
 
 /// What one tick makes; lab frame.
