@@ -31,7 +31,7 @@ constexpr int kWrongUsage = 2;
 constexpr int kFileError = 3;
 
 int run(int argc, char** argv) {
-    CLI::App program("Asperity: touch a real AFM scan, in forces and in pictures");
+    CLI::App program("Asperity: an augmented-reality interface for an atomic force microscope");
     program.set_version_flag("--version", std::string("asperity ") + asperity::kVersion);
     program.require_subcommand(0, 1);
     const auto window = asperity::addWindowOptions(program);

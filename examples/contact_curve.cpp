@@ -28,7 +28,7 @@ int main() {
         print("retract", point);
     }
     if (curve.snapIn && curve.pullOff) {
-        std::fprintf(stderr, "snaps in at %.3f nm, lets go at %.2f nN\n",
+        std::fprintf(stderr, "snaps in at %.3f nm, pulls off at %.2f nN\n",
                      curve.snapIn->before.indentation * 1e9, curve.pullOff->before.force * 1e9);
     }
 }

@@ -168,7 +168,7 @@ void contact(const CaseFiles& files) {
 
 void addContactCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
-        "contact", "Force, contact radius and state for each case of a table, held at its "
+        "contact", "Compute force, contact radius and state for each case of a table, at its "
                    "indentation");
     command->footer(
         "Columns of the cases:\nmodel (" + keyList<ContactLaw>() +

@@ -85,7 +85,7 @@ void requireWritableMap(const std::string& option, const std::string& file, bool
     requireWritable(file);
     std::error_code unknown;
     if (!force && std::filesystem::exists(file, unknown)) {
-        throw Error(file + ": it is there already; give another file, or replace it with --force");
+        throw Error(file + ": the file exists; name another one, or replace it with --force");
     }
 }
 
@@ -225,17 +225,18 @@ void addConvertCommand(CLI::App& program) {
     command->add_option("IN", options->input, "height-map file")->required();
     command->add_option("OUT", options->output, "file to write; its extension names the format")
         ->required();
-    command->add_flag("--force", options->force, "replace files that are there");
+    command->add_flag("--force", options->force, "replace existing files");
     command->add_option("--channel", options->channel,
-                        "name of the channel (default: the height that a lab user expects)");
+                        "name of the channel (default: the topography)");
     addLevelingOption(*command, options->leveling, "default none");
     CLI::Option* residual = command->add_flag(
         "--residual", options->residual,
-        "write what smoothing takes from the map (data minus surface) in place of the map");
+        "write the residual of smoothing (data minus surface) in place of the map");
     CLI::Option* pixels =
         command
-            ->add_option("--smoothing-px", options->smoothingPixels,
-                         "of the residual's surface: standard deviation [pixel] (default 1)")
+            ->add_option(
+                "--smoothing-px", options->smoothingPixels,
+                "smoothing of the residual's surface: standard deviation [pixel] (default 1)")
             ->check(finiteNumber())
             ->check(CLI::Range(0.0, kMaxSmoothing))
             ->needs(residual);
@@ -246,7 +247,7 @@ void addConvertCommand(CLI::App& program) {
         ->excludes(pixels);
     auto* erode = command
                       ->add_option("--erode", options->tipRadius,
-                                   "take out the shape of the spherical tip that recorded the "
+                                   "remove the shape of the spherical tip that recorded the "
                                    "heights, by gray-scale erosion, after leveling: its radius "
                                    "[m]")
                       ->check(finiteNumber())

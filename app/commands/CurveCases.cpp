@@ -72,12 +72,14 @@ void addCurveRequest(CLI::App& command, CurveRequest& request) {
         .add_option("--material", request.materials,
                     "material file or the name of one in data/materials; may be given again")
         ->allow_extra_args(false);
-    command.add_option("--law", request.law, "contact law (default: as the scene, auto)")
+    command.add_option("--law", request.law, "contact law (default: as in the scene, or auto)")
         ->check(CLI::IsMember(lawNames()));
-    command.add_option("--radius", request.radius, "of the tip [m]")
+    command.add_option("--radius", request.radius, "tip radius [m]")
         ->check(finiteNumber())
         ->check(within(kMinTipRadius, kMaxTipRadius, "1e-12 to 1 m"));
-    command.add_option("--stiffness", request.stiffness, "of the lever along the normal [N/m]")
+    command
+        .add_option("--stiffness", request.stiffness,
+                    "stiffness of the lever along the normal [N/m]")
         ->check(finiteNumber())
         ->check(within(kMinStiffness, kMaxStiffness, "1e-6 to 1e12 N/m"));
 }

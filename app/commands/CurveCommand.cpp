@@ -48,7 +48,7 @@ CLI::Validator pngName() {
 /// "snap-in at -0.494 nm: -1.82 -> -7.92 nN, 1.2e-18 J lost".
 std::string jumpText(const char* name, const std::optional<TipJump>& jump) {
     if (!jump) {
-        return std::string(name) + ": none, the force has no jump";
+        return std::string(name) + ": none, the force is continuous";
     }
     return formatted("%s at base %.6g nm: force %.6g -> %.6g nN, %.4g J lost", name,
                      jump->basePosition * 1e9, jump->before.force * 1e9, jump->after.force * 1e9,
@@ -85,7 +85,7 @@ void writeCurves(std::ostream& out, const std::vector<CurveResult>& results, Pro
                                           ": quasi-static approach and retract curves",
                                       "base position > 0 towards the sample, 0 where tip and "
                                       "sample would first touch; both sides "
-                                      "of a jump have the same base position"};
+                                      "of a snap-in or pull-off have the same base position"};
     for (const CurveResult& result : results) {
         const std::vector<std::string> lines = summary(result);
         comments.insert(comments.end(), lines.begin(), lines.end());
@@ -161,10 +161,10 @@ void curve(const CurveOptions& options) {
 
 void addCurveCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
-        "curve", "Approach and retract curve of a tip on a lever, with snap-in and pull-off");
+        "curve", "Compute approach and retract of a tip on a lever, with snap-in and pull-off");
     const auto options = std::make_shared<CurveOptions>();
     addCurveRequest(*command, options->request);
-    command->add_option("--points", options->points, "along each way")
+    command->add_option("--points", options->points, "number of points on each branch")
         ->capture_default_str()
         ->check(CLI::Range(2, 1000000));
     addTableFile(*command, options->out);

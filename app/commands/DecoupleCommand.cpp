@@ -20,13 +20,13 @@ constexpr const char* kHelp =
     "  sigma_alpha_rad,sigma_theta_rad\n"
     "  friction_coefficient,shear_strength_pa,contact_area_m2\n"
     "  normal_force_model_n,normal_force_sigma_n\n"
-    "                           what a contact model says of the normal force, and how surely\n"
+    "                           normal force of a contact model, with its standard deviation\n"
     "With inv_ols_m_v and lateral_sensitivity_rad_v in the probe file, vertical_v,lateral_v,\n"
     "sigma_vertical_v,sigma_lateral_v may stand in place of the four columns in radians.\n"
     "All vectors and the covariance are in the lab frame. Added are fx_n,fy_n,fz_n,cxx_n2,cyy_n2,\n"
     "czz_n2,cxy_n2,cxz_n2,cyz_n2,condition,case; the case is regular, near_singular, no_sliding\n"
     "or invalid_input (a NaN, a normal without direction, a deviation that is not positive: the\n"
-    "numbers are then nan), followed by what is not plausible: |pushes_along |excess_friction\n"
+    "numbers are then nan), followed by implausibilities: |pushes_along |excess_friction\n"
     "|contradicts_model.";
 
 struct DecoupleOptions {
@@ -46,7 +46,8 @@ void decouple(const DecoupleOptions& options) {
 void addDecoupleCommand(CLI::App& program) {
     const auto options = std::make_shared<DecoupleOptions>();
     CLI::App* command = program.add_subcommand(
-        "decouple", "Lever signals to 3-D forces with covariance, for each case of a table");
+        "decouple",
+        "Compute 3-D forces with covariance from lever signals, for each case of a table");
     command->footer(kHelp);
     command->add_option("--probe", options->probe, "probe file (TOML)")
         ->required()

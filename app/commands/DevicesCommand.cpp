@@ -83,7 +83,7 @@ void printForPeople(const std::vector<DeviceDescription>& devices) {
 void addDevicesCommand(CLI::App& program) {
     auto json = std::make_shared<bool>(false);
     CLI::App* command = program.add_subcommand(
-        "devices", "List what can lead the tip: mouse, keyboard and devices");
+        "devices", "List input devices: mouse, keyboard, HID and force-feedback devices");
     command->add_flag("--json", *json, "print JSON");
     command->callback([json] {
         HidapiTransport transport;

@@ -257,9 +257,9 @@ void explore(const ExploreOptions& options) {
 }  // namespace
 
 void addExploreCommand(CLI::App& program) {
-    CLI::App* command = program.add_subcommand(
-        "explore",
-        "Approach to a force setpoint and retract, or follow a path; pictures, fields, force log");
+    CLI::App* command =
+        program.add_subcommand("explore", "Run an approach to a force setpoint and a retract, or "
+                                          "follow a path; write pictures, fields and a force log");
     const auto options = std::make_shared<ExploreOptions>();
     command->add_option("INPUT", options->input, "height map or scene.toml")->required();
     addOutputFolder(*command, options->out, "folder for the results");
@@ -271,12 +271,12 @@ void addExploreCommand(CLI::App& program) {
         ->check(pathWordOrFile());
     command
         ->add_option("--duration", options->duration,
-                     "of the run [s]; default 10, or the length of the CSV path")
+                     "duration of the run [s]; default: 10, or the duration of the CSV path")
         ->check(CLI::Range(1e-3, kMaxDuration))
         ->check(finiteNumber());
     addSetpointOption(*command, options->overrides.setpoint);
     command->add_option("--channel", options->overrides.channel, "channel of the height map");
-    addLevelingOption(*command, options->overrides.leveling, "default: as the scene says, plane");
+    addLevelingOption(*command, options->overrides.leveling, "default: as in the scene, or plane");
     command->callback([options] { explore(*options); });
 }
 

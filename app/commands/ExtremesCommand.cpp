@@ -38,7 +38,8 @@ void reportDefects(const ExtremesFindings& findings) {
         std::fprintf(stderr, "defect: %s\n", example.c_str());
     }
     if (findings.defects > 0) {
-        throw Error(std::to_string(findings.defects) + " states have answers that none may have");
+        throw Error(std::to_string(findings.defects) +
+                    " states have results that violate an invariant");
     }
 }
 
@@ -70,16 +71,17 @@ void extremes(const ExtremesOptions& options) {
 void addExtremesCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "extremes",
-        "Where each contact law, solver and the whole tick is exact, valid, flagged or "
-        "refused, and where a hand holds still, from the softest to the hardest sample");
+        "Map accuracy and validity of contact laws, solvers and the haptic loop over the "
+        "whole parameter range");
     const auto options = std::make_shared<ExtremesOptions>();
     addOutputFolder(*command, options->out, "folder for the tables and the maps");
     addForce(*command, options->force);
     command
         ->add_option("--states", options->states,
-                     "about how many states of tip, sample, lever and place there are, each "
+                     "approximate number of states of tip, sample, lever and position, each "
                      "evaluated with every "
-                     "law and solver or every foot search; some are hands on a virtual bench")
+                     "law and solver or every closest-point search; some are simulations of a "
+                     "coupled device")
         ->check(finiteNumber())
         ->check(CLI::Range(1e4, 1e9))
         ->capture_default_str();

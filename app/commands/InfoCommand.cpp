@@ -241,7 +241,7 @@ void printForPeople(const Report& shown) {
 void addInfoCommand(CLI::App& program) {
     auto options = std::make_shared<InfoOptions>();
     CLI::App* command = program.add_subcommand(
-        "info", "Say what a height-map file holds: channels, sizes, heights");
+        "info", "Show channels, size and height statistics of a height-map file");
     command->add_option("FILE", options->file, "height-map file")->required();
     command->add_option("--channel", options->channel,
                         "name of the one channel to show (default: all)");

@@ -45,7 +45,7 @@ LoadedScene loadForLoop(const LoopOptions& options) {
     const std::filesystem::path input =
         options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
     if (input.empty()) {
-        throw Error("the data that comes with the program is not there: name a scan or a scene");
+        throw Error("the program's data folder is missing: name a scan or a scene");
     }
     LoadedScene loaded = loadSceneOnTerminal(input, {});
     if (options.rate > 0.0) {
@@ -220,26 +220,27 @@ void addLoopCommand(CLI::App& program) {
     const auto options = std::make_shared<LoopOptions>();
     command->add_option("INPUT", options->input,
                         "height map or scene.toml; default: the scene that comes with the program");
-    command->add_option("--rate", options->rate, "of the loop [Hz]; default: as the scene says")
+    command->add_option("--rate", options->rate, "tick rate [Hz]; default: as in the scene")
         ->check(CLI::Range(100.0, 20000.0))
         ->check(finiteNumber());
     command
-        ->add_option("--duration", options->duration,
-                     "of the measurement without loading [s]: the loop and a bare loop in turn, "
-                     "1 s each")
+        ->add_option(
+            "--duration", options->duration,
+            "duration of the measurement without loading [s]: the loop and a bare loop in turn, "
+            "1 s each")
         ->capture_default_str()
         ->check(CLI::Range(0.1, 3600.0))
         ->check(finiteNumber());
     command
         ->add_option("--record", options->record,
-                     "folder: record every tick meanwhile, and say what that costs")
+                     "folder: record every tick meanwhile, and report the cost")
         ->check(notEmpty());
     addForce(*command, options->force);
     command->add_flag("--simulated-device", options->simulatedDevice,
-                      "a person at the simulated haptic device leads the tip, not a script: with "
-                      "coupling, governor and edge");
-    command->add_flag("--window", options->window, "with the window open and every view drawn");
-    command->add_flag("--json", options->json, "as JSON");
+                      "drive the tip with a simulated force-feedback device, not a script: with "
+                      "coupling, governor and workspace edge");
+    command->add_flag("--window", options->window, "open the window and draw every view meanwhile");
+    command->add_flag("--json", options->json, "print JSON");
     command->callback([options] { options->window ? runInWindow(*options) : runBare(*options); });
 }
 

@@ -22,19 +22,19 @@ namespace {
 constexpr const char* kHelp =
     "The points are a CSV table with the columns x_m,y_m,z_m, in the world frame of the leveled\n"
     "map (x right, y up, origin at the lower left corner). Added are\n"
-    "  foot_x_m,foot_y_m,foot_z_m   the surface point nearest to the point\n"
+    "  foot_x_m,foot_y_m,foot_z_m   closest point on the surface\n"
     "  nx,ny,nz                     the surface's unit normal there, out of the sample\n"
     "  distance_m                   < 0: the point lies below the surface\n"
-    "  u,v                          the foot in the surface's own coordinates, 0..1\n"
+    "  u,v                          closest point in the surface's own coordinates, 0..1\n"
     "  iterations                   steps of Newton's method\n"
     "  certified                    true: proven that no surface point is nearer\n"
     "  proof                        nearest, or why it is not certified\n"
-    "  inside,measured              false: the foot lies on the edge of the scan; on a pixel\n"
+    "  inside,measured              false: that point lies on the edge of the scan; on a pixel\n"
     "                               without data\n"
     "  curvature_1_per_m,curvature_2_per_m\n"
     "                               principal curvatures there, > 0 for a bump\n"
-    "Where the point holds a nan, an infinity or more than 1e50 m there is no foot: its numbers\n"
-    "are nan and the proof is not_converged.";
+    "Where the point holds a nan, an infinity or more than 1e50 m there is no closest point: its\n"
+    "numbers are nan and the proof is not_converged.";
 
 struct ProjectOptions {
     std::string input;
@@ -151,9 +151,10 @@ void project(const ProjectOptions& options) {
 
 void addProjectCommand(CLI::App& program) {
     const auto options = std::make_shared<ProjectOptions>();
-    CLI::App* command = program.add_subcommand(
-        "project", "Closest point on the fitted surface, with normal, curvatures and whether it is "
-                   "proven, for each point of a table");
+    CLI::App* command =
+        program.add_subcommand("project", "Compute the closest point on the fitted surface, with "
+                                          "normal, curvatures and whether it is "
+                                          "proven, for each point of a table");
     command->footer(kHelp);
     command->add_option("INPUT", options->input, "height map, or scene file")
         ->required()
@@ -164,11 +165,12 @@ void addProjectCommand(CLI::App& program) {
     addTableFile(*command, options->files.out);
     command->add_option("--channel", options->overrides.channel,
                         "channel of the file (default: its first height)");
-    addLevelingOption(*command, options->overrides.leveling, "default: as the scene, or plane");
+    addLevelingOption(*command, options->overrides.leveling, "default: as in the scene, or plane");
     command
-        ->add_option("--sigma", options->overrides.smoothingPixels,
-                     "standard deviation of the Gaussian low-pass [pixel] (default: as the scene, "
-                     "or 0)")
+        ->add_option(
+            "--sigma", options->overrides.smoothingPixels,
+            "standard deviation of the Gaussian low-pass [pixel] (default: as in the scene, "
+            "or 0)")
         ->check(finiteNumber())
         ->check(CLI::Range(0.0, 100.0));
     command->callback([options] { project(*options); });

@@ -128,7 +128,7 @@ void replay(const ReplayOptions& options) {
 
 void addReplayCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
-        "replay", "Run a recorded input again; say whether every tick is bit-identical");
+        "replay", "Replay a recorded run; check that every tick is bit-identical");
     const auto options = std::make_shared<ReplayOptions>();
     command->add_option("RUN", options->run, "folder that explore or a recording wrote")
         ->required();

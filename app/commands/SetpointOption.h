@@ -28,7 +28,7 @@ inline void addSetpointOption(CLI::App& command, std::optional<double>& setpoint
     command
         .add_option_function<std::string>(
             "--setpoint", [&setpoint](const std::string& text) { setpoint = parseSetpoint(text); },
-            "force that ends the approach, such as 5nN; default: as the scene says")
+            "force that ends the approach, such as 5nN; default: as in the scene")
         ->check(CLI::Validator(
             [](const std::string& text) {
                 return parseSetpoint(text)

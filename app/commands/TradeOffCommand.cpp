@@ -51,7 +51,7 @@ void tradeOff(const TradeOffOptions& options) {
 
 void addTradeOffCommand(CLI::App& program) {
     CLI::App* command =
-        program.add_subcommand("tradeoff", "Measured cost and error of every fidelity tier");
+        program.add_subcommand("tradeoff", "Measure cost and error of every model option");
     const auto options = std::make_shared<TradeOffOptions>();
     command->add_option("SCENE", options->scene,
                         "scene.toml or height map (default: the default scene)");

@@ -35,9 +35,9 @@ void EnergyLog::take(const TickSample& sample) {
         csv_.emplace(
             GrowingFile(path_),
             std::vector<std::string>{
-                std::string("Asperity ") + kVersion + ": energy at the hand; docs/haptics.md",
-                "energy_j: that the hand has lost to the coupling beyond what its spring stores, "
-                "less what leaked away; below -0.01 the hand is given energy that nobody put in",
+                std::string("Asperity ") + kVersion + ": energy at the device; docs/haptics.md",
+                "energy_j: from the device into the coupling, minus that stored in its spring and "
+                "that leaked away; below -0.01 the coupling supplies energy of its own",
                 "spring_j: stored by the coupling's spring for the force that acts at the handle"},
             columnNames(list));
     }

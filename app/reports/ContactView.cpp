@@ -34,7 +34,7 @@ std::string captionOf(const Scene& scene, const TickSample& sample) {
                           " radius on " + scene.description.sample.material.name + ".";
     std::replace(caption.begin(), caption.end(), '_', ' ');
     if (out.flags.has(Validity::LargeContact)) {
-        caption += " Contact radius above 0.3 tip radii: beyond what half-space theory holds for.";
+        caption += " Contact radius above 0.3 tip radii: beyond half-space theory.";
     }
     if (out.flags.bits() != 0) {
         caption += " Flags: " + validityText(out.flags) + ".";

@@ -12,11 +12,11 @@ namespace {
 
 /// Told apart with any color vision. Source: Okabe and Ito (2008).
 std::vector<ShareKey> keys() {
-    return {{{0, 158, 115}, "comes to rest"},
-            {{86, 180, 233}, "at rest but for the detector's noise"},
+    return {{{0, 158, 115}, "settles"},
+            {{86, 180, 233}, "settles, but for the detector's noise"},
             {{110, 110, 110}, "refused: no coupling for this rate and delay"},
-            {{190, 190, 190}, "refused: contact too stiff, or adhesion too strong, at the hand"},
-            {{213, 94, 0}, "shakes"},
+            {{190, 190, 190}, "refused: contact too stiff, or adhesion too strong, at the device"},
+            {{213, 94, 0}, "oscillates"},
             {{0, 0, 0}, "a defect"}};
 }
 
@@ -61,7 +61,7 @@ ShareMap mapOf(const std::vector<HoldOutcome>& holds, bool coupled, const RowCho
     const auto columns =
         placesOf(holds, [](const HoldOutcome& hold) { return hold.setting.tickRate; });
     const auto rows = placesOf(holds, row.of);
-    ShareMap map{.title = coupled ? "Coupled" : "Not coupled: the hand moves the base",
+    ShareMap map{.title = coupled ? "Coupled" : "Not coupled: the device moves the base",
                  .xLabel = "rate of the loop",
                  .yLabel = row.label,
                  .columns = namesOf(columns, "Hz"),
@@ -89,9 +89,9 @@ std::vector<HoldOutcome> judgedOnes(std::vector<HoldOutcome> holds) {
 
 ShareMapPage couplingMap(const std::vector<HoldOutcome>& holds) {
     const RowChoice delay{"delay from motion to force", delayOf, "s"};
-    const RowChoice stiffness{"contact at the hand, from", decadeOf, "N/m"};
+    const RowChoice stiffness{"contact stiffness at the device, from", decadeOf, "N/m"};
     const std::vector<HoldOutcome> judged = judgedOnes(holds);
-    ShareMapPage page{.title = "Whether a hand that holds a tip on a sample comes to rest: every "
+    ShareMapPage page{.title = "Stability of a device that holds a tip on a sample: every "
                                "sample, lever, scale and grip",
                       .keys = keys(),
                       .mapsPerRow = 2};

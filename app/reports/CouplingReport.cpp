@@ -39,17 +39,16 @@ void printCounts(double rate, double delay, const HoldCounts& counts) {
 }  // namespace
 
 void writeHolds(const std::filesystem::path& path, const std::vector<HoldOutcome>& holds) {
-    CsvWriter csv(
-        path,
-        {std::string("Asperity ") + kVersion +
-             ": hands that hold a tip on a sample, on the virtual bench; docs/extremes.md",
-         "contact: the largest stiffness of lever and contact, at the hand; felt: the same in "
-         "series with the coupling; both 0 where no coupling is offered",
-         "scale_holds: what the guard of the scale says; without a coupling it is tried whatever "
-         "it says"},
-        {"material", "work_of_adhesion_j_m2", "lever_n_m", "rate_hz", "delay_s", "position_gain",
-         "force_gain", "grip", "coupled", "verdict", "contact_n_m", "felt_n_m", "scale_holds",
-         "swing_m", "refusal"});
+    CsvWriter csv(path,
+                  {std::string("Asperity ") + kVersion +
+                       ": simulated devices that hold a tip on a sample; docs/extremes.md",
+                   "contact_n_m: maximum stiffness of lever and contact, at the device; felt_n_m: "
+                   "the same in series with the coupling; both 0 where no coupling is offered",
+                   "scale_holds: result of the stability check; without a coupling it is simulated "
+                   "regardless"},
+                  {"material", "work_of_adhesion_j_m2", "lever_n_m", "rate_hz", "delay_s",
+                   "position_gain", "force_gain", "grip", "coupled", "verdict", "contact_n_m",
+                   "felt_n_m", "scale_holds", "swing_m", "refusal"});
     for (const HoldOutcome& hold : holds) {
         const HoldSetting& setting = hold.setting;
         csv.add(setting.material).add(setting.workOfAdhesion).add(setting.leverStiffness);
@@ -72,7 +71,8 @@ void printHolds(const std::vector<HoldOutcome>& holds) {
     std::printf("\n%8s %8s %14s %14s %14s %14s %14s %14s %14s %14s\n", "rate", "delay",
                 "coupled:", "", "", "", "", "not coupled:", "", "");
     std::printf("%8s %8s %14s %14s %14s %14s %14s %14s %14s %14s\n", "[Hz]", "[ms]", "still",
-                "noisy", "no coupling", "scale too high", "shakes", "still", "noisy", "shakes");
+                "noisy", "no coupling", "scale too high", "oscillates", "still", "noisy",
+                "oscillates");
     for (const auto& [place, count] : counts) {
         printCounts(place.first, place.second, count);
     }

@@ -15,9 +15,9 @@ namespace {
 std::vector<ShareKey> keys() {
     return {{{0, 158, 115}, "exact: within 0.1 % of the reference"},
             {{86, 180, 233}, "valid: within 5 %"},
-            {{213, 94, 0}, "off: farther, and no flag says so"},
-            {{240, 228, 66}, "flagged: does not hold, and says so"},
-            {{204, 121, 167}, "unproven: the reference does not hold there"},
+            {{213, 94, 0}, "inaccurate: error above 5 %, not flagged"},
+            {{240, 228, 66}, "flagged: not valid, with a flag"},
+            {{204, 121, 167}, "unproven: the reference is not valid there"},
             {{110, 110, 110}, "refused, with a reason"}};
 }
 
@@ -103,7 +103,7 @@ ShareMap tickMap(const std::vector<ExtremesRegion>& regions) {
 
 ShareMapPage extremesMap(const std::vector<ExtremesRegion>& regions) {
     constexpr int kMapsPerRow = 6;
-    ShareMapPage page{.title = "Where each contact law holds: adhesive samples (Hertz on a film: "
+    ShareMapPage page{.title = "Validity of each contact law: adhesive samples (Hertz on a film: "
                                "films without adhesion), every lever and depth; Maugis-Dugdale on "
                                "the sphere, Hertz on a film and the tick are their own reference",
                       .keys = keys(),

@@ -41,9 +41,9 @@ std::string percent(long states, long all) {
 }
 
 void printModels(const std::vector<ExtremesRegion>& sums) {
-    std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %8s %8s %8s %9s %9s %9s %9s\n", "model", "tier",
-                "sample", "states", "exact", "valid", "off", "flagged", "unproven", "refused",
-                "force", "radius", "jump", "solver");
+    std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %8s %8s %8s %9s %9s %9s %9s\n", "model",
+                "setting", "sample", "states", "exact", "valid", "off", "flagged", "unproven",
+                "refused", "force", "radius", "snap-in", "solver");
     std::printf("%-11s %-9s %-12s %8s %6s %6s %6s %8s %8s %8s %9s %9s %9s %9s\n", "", "", "", "",
                 "[%]", "[%]", "[%]", "[%]", "[%]", "[%]", "err. max", "err. max", "err. max",
                 "err. max");
@@ -106,38 +106,38 @@ std::string kindOf(const std::string& sentence) {
 }
 
 void writeRegions(const std::filesystem::path& path, const std::vector<ExtremesRegion>& regions) {
-    CsvWriter csv(
-        path,
-        {std::string("Asperity ") + kVersion +
-             ": what the states of each model are worth, by region; docs/extremes.md",
-         "errors are relative to the reference, or the adhesion's own units where these "
-         "are larger; of states without a flag, but for flagged_force_error",
-         "jump_error: of the place of a jump, where only one of state and reference has jumped",
-         "unproven: not flagged, but the reference does not hold there; no errors",
-         "solver_error: the largest against the same law solved afresh"},
-        {"model",
-         "tier",
-         "sample",
-         "tip_radius_m",
-         "e_star_pa",
-         "rms_over_tip_radius",
-         "states",
-         "exact",
-         "valid",
-         "off",
-         "flagged",
-         "unproven",
-         "refused",
-         "main_reason",
-         "solver_error",
-         "force_error",
-         "force_error_at",
-         "contact_radius_error",
-         "contact_radius_error_at",
-         "jump_error",
-         "jump_error_at",
-         "flagged_force_error",
-         "flagged_force_error_at"});
+    CsvWriter csv(path,
+                  {std::string("Asperity ") + kVersion +
+                       ": accuracy of each model, by region; docs/extremes.md",
+                   "errors are relative to the reference, or the adhesion's own units where these "
+                   "are larger; of states without a flag, but for flagged_force_error",
+                   "jump_error: of the place of snap-in or pull-off, where only one of state and "
+                   "reference has it",
+                   "unproven: not flagged, but the reference is not valid there; no errors",
+                   "solver_error: maximum, against the exact solver of the same law"},
+                  {"model",
+                   "tier",
+                   "sample",
+                   "tip_radius_m",
+                   "e_star_pa",
+                   "rms_over_tip_radius",
+                   "states",
+                   "exact",
+                   "valid",
+                   "off",
+                   "flagged",
+                   "unproven",
+                   "refused",
+                   "main_reason",
+                   "solver_error",
+                   "force_error",
+                   "force_error_at",
+                   "contact_radius_error",
+                   "contact_radius_error_at",
+                   "jump_error",
+                   "jump_error_at",
+                   "flagged_force_error",
+                   "flagged_force_error_at"});
     for (const ExtremesRegion& region : regions) {
         addRegion(csv, region);
         csv.endRow();

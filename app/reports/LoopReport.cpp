@@ -20,7 +20,7 @@ nlohmann::ordered_json quantilesJson(const LatencyHistogram& times) {
 std::string quantilesText(const LatencyHistogram& times) {
     const LatencyQuantiles quantiles = times.quantiles();
     return "p50 " + formatSi(quantiles.median, "s") + ", p99 " + formatSi(quantiles.p99, "s") +
-           ", largest " + formatSi(quantiles.largest, "s");
+           ", maximum " + formatSi(quantiles.largest, "s");
 }
 
 /// Of one tick [s]: what fetches it hands it over, too.

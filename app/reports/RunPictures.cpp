@@ -21,7 +21,7 @@ DeformationView viewOf(const Scene& scene, const TickSample& sample, const char*
 
 std::vector<DeformationView> deformationViews(const Scene& scene, const RunEvents& events) {
     std::vector<DeformationView> views;
-    views.push_back(viewOf(scene, *events.deepest, "Largest indentation"));
+    views.push_back(viewOf(scene, *events.deepest, "Maximum indentation"));
     if (events.lastHold) {
         views.push_back(viewOf(scene, *events.lastHold, "Just before pull-off"));
     }
@@ -55,7 +55,7 @@ void RunPictures::write(const std::filesystem::path& folder, const RunCurves& cu
     writeOverviewPicture(
         folder / run_files::kOverview,
         {.title = name_,
-         .caption = "The tip at the largest indentation, " + timeText(deepest_.time) + ".",
+         .caption = "The tip at the maximum indentation, " + timeText(deepest_.time) + ".",
          .surface = surface_,
          .tip = deepest_.output.model.tip,
          .zoom = zoom_,

@@ -19,13 +19,13 @@ std::string title(const char* what) { return std::string("Asperity ") + kVersion
 
 void writeTicks(const std::filesystem::path& path, const TradeOff& study) {
     const TradeOffReference& reference = study.reference;
-    CsvWriter csv(path,
-                  {title("cost and error of each way for the tick; times are of this machine"),
-                   "errors on the same inputs against " + nameOf(reference.tick),
-                   "estimates against the true force inside the simulated instrument"},
-                  {"tier", "tick_p50_s", "tick_p99_s", "force_error_rms_n", "force_error_max_n",
-                   "contact_radius_error_max_m", "foot_error_max_m", "estimate_error_rms_n",
-                   "on_front"});
+    CsvWriter csv(
+        path,
+        {title("cost and error of each model option of the tick; times are of this machine"),
+         "errors on the same inputs against " + nameOf(reference.tick),
+         "estimates against the true force inside the simulated instrument"},
+        {"tier", "tick_p50_s", "tick_p99_s", "force_error_rms_n", "force_error_max_n",
+         "contact_radius_error_max_m", "foot_error_max_m", "estimate_error_rms_n", "on_front"});
     for (const auto* part : {&study.ticks, &study.decouplings}) {
         for (const TickResult& result : *part) {
             csv.add(nameOf(result.options)).add(result.median).add(result.p99);
@@ -41,7 +41,7 @@ void writeTicks(const std::filesystem::path& path, const TradeOff& study) {
 void writeFrames(const std::filesystem::path& path, const TradeOff& study) {
     CsvWriter csv(
         path,
-        {title("cost and error of each way to draw the contact; times are of this machine"),
+        {title("cost and error of each deformation model; times are of this machine"),
          "displacements against " + nameOf(study.reference.frame)},
         {"tier", "patch_p50_s", "surface_error_rms_m", "surface_error_max_m", "on_front"});
     for (const FrameResult& result : study.frames) {
@@ -55,7 +55,7 @@ void writeFrames(const std::filesystem::path& path, const TradeOff& study) {
 void writeCompositions(const std::filesystem::path& path, const TradeOff& study) {
     CsvWriter csv(
         path,
-        {title("whole ways to run the scene that no other beats, the cheapest first; load "
+        {title("Pareto-optimal configurations of the scene, the cheapest first; load "
                "of a core by ticks and 60 pictures a second, of this machine"),
          "error: of the force by tick and rate, or of the indentation by the picture, the "
          "larger share"},

@@ -25,8 +25,8 @@ std::string forceDoubtText(const TradeOffReference& reference) {
 
 const char* surfaceDoubtText(SurfaceDoubt doubt) {
     static constexpr std::array kTexts{"the half-space of half as many pixels a side against it",
-                                       "the half-space of half as many pixels a side does not hold",
-                                       "no half-space holds here, and nothing finer is known"};
+                                       "the half-space of half as many pixels a side is not valid",
+                                       "no half-space is valid here, and no finer model is known"};
     return kTexts.at(static_cast<std::size_t>(doubt));
 }
 
@@ -39,7 +39,7 @@ void printTick(const TickResult& r, char mark) {
 void printTicks(const TradeOff& study, double tolerance) {
     const TradeOffReference& reference = study.reference;
     std::printf("%-78s %8s %8s %10s %10s %9s %10s\n", "tick", "p50", "p99", "force err.",
-                "radius err.", "foot err.", "estimate");
+                "radius err.", "point err", "estimate");
     std::printf("%-78s %8s %8s %10s %10s %9s %10s\n", "", "[us]", "[us]", "rms [nN]", "max [nm]",
                 "max [nm]", "rms [nN]");
     for (const TickResult& r : study.ticks) {
@@ -49,10 +49,10 @@ void printTicks(const TradeOff& study, double tolerance) {
     for (const TickResult& r : study.decouplings) {
         printTick(r, ' ');
     }
-    std::printf(
-        "* no other is cheaper and as near to the reference: %s, %.2f us, force %.3g nN rms\n",
-        nameOf(reference.tick).c_str(), reference.tickMedian * 1e6, reference.forceScale * 1e9);
-    std::printf("  the reference itself: %.2g nN (%s)\n", reference.forceDoubt * 1e9,
+    std::printf("* Pareto-optimal; reference: %s, %.2f us, force %.3g nN rms\n",
+                nameOf(reference.tick).c_str(), reference.tickMedian * 1e6,
+                reference.forceScale * 1e9);
+    std::printf("  error of the reference: %.2g nN (%s)\n", reference.forceDoubt * 1e9,
                 forceDoubtText(reference).c_str());
     std::printf("  errors below that, and times within %.2g %%, count as the same\n",
                 study.timeResolution * 100.0);
@@ -71,11 +71,11 @@ void printFrames(const TradeOff& study) {
                     r.surfaceErrorMax * 1e9);
     }
     const TradeOffReference& reference = study.reference;
-    std::printf("  reference, at %d of %d contacts: %s; itself: %.2g nm (%s)\n", reference.contacts,
-                reference.contactsAsked, nameOf(reference.frame).c_str(),
+    std::printf("  reference, at %d of %d contacts: %s; its error: %.2g nm (%s)\n",
+                reference.contacts, reference.contactsAsked, nameOf(reference.frame).c_str(),
                 reference.surfaceDoubt * 1e9, surfaceDoubtText(reference.surfaceDoubtBy));
     if (reference.frame.deformation == DeformationModel::HalfSpace) {
-        std::printf("  there the law's normal force is %.2g nN rms off the half-space's own\n",
+        std::printf("  there the law's normal force differs by %.2g nN rms from the half-space's\n",
                     reference.halfSpaceForce * 1e9);
     }
     std::printf("\n");
@@ -96,7 +96,7 @@ void printComposition(const TradeOff& study, const Composition& whole) {
 }
 
 void printCompositions(const TradeOff& study, double tolerance) {
-    std::printf("whole ways, none cheaper and as near: load of a core (ticks and 60 pictures a "
+    std::printf("Pareto-optimal configurations: load of a core (ticks and 60 pictures a "
                 "second), error (of force or indentation, the larger share)\n");
     int number = 0;
     for (const Composition& whole : bestCompositions(study)) {
@@ -110,7 +110,7 @@ void printCompositions(const TradeOff& study, double tolerance) {
         std::printf("none\n");
     }
     if (study.reference.forceDoubt > tolerance * study.reference.forceScale) {
-        std::printf("   (the reference itself is not known so well)\n");
+        std::printf("   (the reference is not that accurate)\n");
     }
     std::printf("\n");
 }
@@ -126,7 +126,7 @@ void printTradeOff(const TradeOff& study, double tolerance) {
 
 void printNeeds(const SceneNeeds& needs) {
     std::printf(
-        "what the scene requires, within %.3g %%: what is left out automatically moves forces "
+        "what the scene requires, within %.3g %%: terms left out automatically change forces "
         "by %.2g %%, a tick takes %.2f us instead of %.2f us; %s\n",
         needs.tolerance * 100.0, needs.forceError * 100.0, needs.modelTick * 1e6,
         needs.fullTick * 1e6, forceErrorText(needs).c_str());
@@ -135,7 +135,7 @@ void printNeeds(const SceneNeeds& needs) {
         const double time = need.time * (isOfSurface(need.term) ? 1e3 : 1e6);
         std::printf("  %-21s %-4s %8.3g %%  %+7.2f %-10s  %s%s\n", nameOf(need.term),
                     need.on ? "on" : "off", need.effect * 100.0, time, unit,
-                    whyOf(need, needs).c_str(), need.overruled ? " (as the scene says)" : "");
+                    whyOf(need, needs).c_str(), need.overruled ? " (set by the scene)" : "");
     }
     std::printf("\n");
 }

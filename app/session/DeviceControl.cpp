@@ -233,9 +233,10 @@ void DeviceControl::show() {
     window_.controls().setDevice(isListed ? static_cast<int>(found - list_.begin()) : -1);
     window_.setEmergencyStop(runs_.run()->device().specification().rendersForce());
     window_.controls().refuseKnob(
-        "position_gain", device_.followsPath()
-                             ? tr("A path is in places of the scan, whatever the position gain is")
-                             : QString());
+        "position_gain",
+        device_.followsPath()
+            ? tr("A path gives positions on the scan: the position gain has no effect")
+            : QString());
     runs_.showKnobs();
 }
 

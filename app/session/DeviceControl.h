@@ -11,7 +11,7 @@ namespace asperity {
 class HeldKeys;
 
 /// Which device has the tip, as the window shows and a user chooses it, and what mouse, keys and
-/// the Hand menu do meanwhile.
+/// the Device menu do meanwhile.
 class DeviceControl : public QObject {
     Q_OBJECT
 

@@ -38,7 +38,7 @@ void EngageControl::withdraw() {
 
 void EngageControl::advance() {
     window_.engage().setRefusal(runs_.run()->coupling().coupled() != nullptr
-                                    ? tr("A force-feedback device approaches by hand")
+                                    ? tr("The operator approaches with the force-feedback device")
                                     : QString());
     const ApproachDevice* const approach = devices_.approaching();
     if (!engaging_ || approach == nullptr) {

@@ -44,15 +44,14 @@ void EntryControl::showThoseOfADevice() {
     menus.refuse(
         *menus.followsView,
         unless(run != nullptr && devices_.hasHardware(),
-               QObject::tr("Mouse and keyboard follow the view already; it is for other devices")));
+               QObject::tr("Mouse and keyboard follow the view already; for other devices only")));
     menus.refuse(
         *menus.calibrate,
-        unless(
-            run != nullptr && run->device().specification().calibrates,
-            QObject::tr("This device needs no calibration: no encoders count from a rest pose")));
+        unless(run != nullptr && run->device().specification().calibrates,
+               QObject::tr("This device needs no calibration: it has no encoders to zero")));
     menus.refuseGuides(
         unless(run != nullptr && run->settings().coupling.couples(),
-               QObject::tr("A guide needs a coupling: of a device with motors, or of the scene")));
+               QObject::tr("A guide needs a coupling: a force-feedback device's or the scene's")));
 }
 
 }  // namespace asperity

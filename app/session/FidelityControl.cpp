@@ -127,8 +127,8 @@ void FidelityControl::showScene() {
     window_.fidelity().showTradeOff(std::nullopt);
     window_.fidelity().refuseMeasuring(
         canBeStudied(scene) ? QString()
-                            : tr("A scan of more than 2048 × 2048 pixels is not measured beside "
-                                 "the run: asperity tradeoff does it"));
+                            : tr("A scan of more than 2048 × 2048 pixels cannot be measured during "
+                                 "the run: use asperity tradeoff"));
     window_.fidelity().showModel(runs_.run()->loaded().needs, scene.description.choices);
 }
 

@@ -25,10 +25,11 @@ struct PlannedPath {
     DevicePath (*plan)(const Scene&, const PathPlan&);  ///< null: an approach to the setpoint
 };
 
-constexpr std::array<PlannedPath, 4> kPaths{{{"Approach", nullptr},
-                                             {"Slide", slidePath},
-                                             {"Raster", rasterPath},
-                                             {"Scratch", scratchPath}}};
+constexpr std::array<PlannedPath, 4> kPaths{
+    {{QT_TRANSLATE_NOOP("asperity::PathControl", "Approach"), nullptr},
+     {QT_TRANSLATE_NOOP("asperity::PathControl", "Slide"), slidePath},
+     {QT_TRANSLATE_NOOP("asperity::PathControl", "Raster"), rasterPath},
+     {QT_TRANSLATE_NOOP("asperity::PathControl", "Scratch"), scratchPath}}};
 
 /// A path in other units than meters, or of a larger scan, would lead the tip far away, and take as
 /// long. @param why it may do so

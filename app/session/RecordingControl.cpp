@@ -161,13 +161,13 @@ void RecordingControl::saveLastSeconds() {
     try {
         BlackBox box = run.blackBox().release();
         if (box.samples().empty()) {
-            window_.tell(tr("There are no last seconds to save yet"));
+            window_.tell(tr("The black box is still empty"));
         } else {
             lastSeconds_ = writeLastSeconds(folderOfThisMoment(folder_), run.loaded(),
                                             std::move(box), run.device().delay());
         }
     } catch (const std::exception& error) {
-        window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));
+        window_.complain(tr("The last 10 s are not saved: %1").arg(error.what()));
     }
 }
 
@@ -185,7 +185,7 @@ void RecordingControl::finishLastSeconds() {
                          : tr("Fault %1: %2").arg(keyOf(written.fault), saved));
         Q_EMIT lastSecondsSaved(folder);
     } catch (const std::exception& error) {
-        window_.complain(tr("The last seconds are not saved: %1").arg(error.what()));
+        window_.complain(tr("The last 10 s are not saved: %1").arg(error.what()));
     }
 }
 

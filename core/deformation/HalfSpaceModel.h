@@ -14,7 +14,7 @@ namespace asperity {
 /// What is to be thought of an answer of the half-space.
 enum class HalfSpaceVerdict : std::uint8_t {
     Valid,
-    NotBonded,      ///< the tip touches nothing: nothing to solve
+    NotBonded,      ///< no contact: nothing to solve
     Film,           ///< the sample is a film, not a half-space
     NoZone,         ///< the contact law adheres without a cohesive zone (DMT, JKR)
     LargeContact,   ///< contact radius over tip radius > 0.3
@@ -29,15 +29,15 @@ enum class HalfSpaceVerdict : std::uint8_t {
 template <>
 inline constexpr auto kEnumTable<HalfSpaceVerdict> = std::to_array<NamedRow<HalfSpaceVerdict>>(
     {{HalfSpaceVerdict::Valid, "it is used"},
-     {HalfSpaceVerdict::NotBonded, "the tip touches nothing"},
+     {HalfSpaceVerdict::NotBonded, "no contact"},
      {HalfSpaceVerdict::Film, "the sample is a film"},
      {HalfSpaceVerdict::NoZone, "the contact law's adhesion has no cohesive zone"},
      {HalfSpaceVerdict::LargeContact, "contact radius above 0.3 tip radii"},
      {HalfSpaceVerdict::ReachesBorder, "the contact reaches the patch's border"},
      {HalfSpaceVerdict::TooCoarse, "contact or cohesive zone too narrow for its grid"},
      {HalfSpaceVerdict::Separate, "no contact on the real topography"},
-     {HalfSpaceVerdict::NotConverged, "it did not converge"},
-     {HalfSpaceVerdict::Canceled, "it was canceled"}});
+     {HalfSpaceVerdict::NotConverged, "did not converge"},
+     {HalfSpaceVerdict::Canceled, "canceled"}});
 
 /// The half-space's own view of one state of the tip.
 struct HalfSpaceAnswer {

@@ -13,7 +13,7 @@ VoltsToSignals::VoltsToSignals(const Cantilever& cantilever, const DetectorCalib
     const double determinant = 1.0 - (detector.verticalCrossTalk * detector.lateralCrossTalk);
     if (!(std::abs(determinant) > 1e-3)) {
         throw Error("cross_talk_vertical times cross_talk_lateral must not be 1: the detector "
-                    "could not tell bending from torsion");
+                    "could not separate bending from torsion");
     }
     // measured = [1, vertical; lateral, 1] true, in volts.
     Eigen::Matrix2d unmixed;

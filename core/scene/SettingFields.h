@@ -106,13 +106,13 @@ template <class Knobs, class Visitor>
 void listSettings(Knobs& settings, const Visitor& field) {
     field({.column = "position_gain",
            .limits = kAboveZero,
-           .knob = {2, "positionGain", "Position gain", "Way of the tip per way of the hand", 1e-12,
-                    1e3},
+           .knob = {2, "positionGain", "Position gain", "Base displacement per device displacement",
+                    1e-12, 1e3},
            .later = false},
           settings.positionGain);
     field({.column = "force_gain",
            .limits = kZeroOrMore,
-           .knob = {1, "forceGain", "Force gain", "Force at the hand per force at the tip", 1e-3,
+           .knob = {1, "forceGain", "Force gain", "Force on the device per force on the tip", 1e-3,
                     1e12},
            .later = false},
           settings.forceGain);

@@ -24,12 +24,12 @@ enum class Fault : std::uint8_t {
 template <>
 inline constexpr auto kEnumTable<Fault> = std::to_array<EnumRow<Fault>>(
     {{Fault::None, "none", ""},
-     {Fault::NotFinite, "not_finite", "a value was not a number: forces are off"},
-     {Fault::DeviceLost, "device_lost", "the hand's device is not there: forces are off"},
-     {Fault::DeviceSilent, "device_silent", "the hand's device is silent: forces are off"},
-     {Fault::VelocityTrip, "velocity_trip", "the hand was too fast: forces are off"},
-     {Fault::SolverFailed, "solver_failed", "no equilibrium of the tip was found: forces are off"},
-     {Fault::InstrumentLost, "instrument_lost", "the instrument is not there: forces are off"}});
+     {Fault::NotFinite, "not_finite", "value not finite: forces switched off"},
+     {Fault::DeviceLost, "device_lost", "device not connected: forces switched off"},
+     {Fault::DeviceSilent, "device_silent", "no reports from the device: forces switched off"},
+     {Fault::VelocityTrip, "velocity_trip", "device too fast: forces switched off"},
+     {Fault::SolverFailed, "solver_failed", "equilibrium not found: forces switched off"},
+     {Fault::InstrumentLost, "instrument_lost", "instrument not connected: forces switched off"}});
 
 /// What becomes of the force on its way to the device. A device that only senses knows On, Off,
 /// Fault.
@@ -51,12 +51,12 @@ template <>
 inline constexpr auto kEnumTable<ForceState> = std::to_array<NamedRow<ForceState>>(
     {{ForceState::Off, "forces off (Esc)"},
      {ForceState::Released, "forces off: hold the dead-man switch"},
-     {ForceState::Clutched, "clutch: the hand moves, the tip stays"},
-     {ForceState::Waiting, "forces wait until the tip feels little"},
-     {ForceState::Engaging, "forces come on"},
+     {ForceState::Clutched, "clutch: device moves, tip stays"},
+     {ForceState::Waiting, "forces wait for a small tip force"},
+     {ForceState::Engaging, "forces ramp up"},
      {ForceState::On, ""},
      {ForceState::Limited, "force at its limit"},
-     {ForceState::Fading, "forces fade: the hand's device is silent"},
+     {ForceState::Fading, "forces fade: device silent"},
      {ForceState::Fault, ""}});
 
 /// What one tick makes; lab frame.

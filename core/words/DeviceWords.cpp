@@ -21,7 +21,7 @@ std::string wordsOf(const DeviceStatus& status) {
     const std::string device = status.name + " at " + status.path;
     return status.calibrated
                ? device
-               : device + ": put the handle into its rest pose, then Hand > Calibrate";
+               : device + ": put the handle into its rest pose, then Device > Calibrate";
 }
 
 }  // namespace asperity

@@ -30,7 +30,7 @@ std::string imagingTipNote(const Scene& scene) {
         return tip + ": narrower than a pixel, so that the scan shows nothing of its shape";
     }
     const std::string certain = certainPercent(scene) +
-                                " of the pixels are places that it certainly touched (elsewhere "
+                                " of the pixels are certainly touched by it (elsewhere "
                                 "the flag uncertain_pixel)";
     return sample.erode ? tip + ": its shape was taken out by erosion; " + certain
                         : tip + ": " + kScanHoldsItsTip + "; " + certain;

@@ -16,51 +16,50 @@ namespace {
 
 /// In the order of LawReason.
 constexpr std::array kLawReasons{
-    "as asked for",
-    "as the scene says of its terms",
+    "as requested",
+    "set by the scene's terms",
     "auto: no adhesion",
     "auto: a film, no adhesion",
     "below 0.3: Maugis-Dugdale, exact from DMT to JKR, with its van der Waals tail before contact",
-    "above 0.3: the paraboloid does not hold, the exact sphere does"};
+    "above 0.3: paraboloid not valid, exact sphere used"};
 
 std::string factText(ModelTerm term, const TermFact& fact) {
     const auto [amount, other] = fact;
     switch (term) {
     case ModelTerm::Adhesion:
-        return formatted("it pulls with up to %.3g nN, pressed by up to %.3g nN", 1e9 * amount,
+        return formatted("adhesive force up to %.3g nN, load up to %.3g nN", 1e9 * amount,
                          1e9 * other);
     case ModelTerm::VanDerWaalsTail:
         return formatted("attraction reaches across the gap; transition parameter %.2g", amount);
     case ModelTerm::SphereCorrection:
-        return formatted("the contact is up to %.2g tip radii wide", amount);
+        return formatted("contact radius up to %.2g tip radii", amount);
     case ModelTerm::FilmBase:
-        return formatted("the contact is up to %.2g film thicknesses wide", amount);
+        return formatted("contact radius up to %.2g film thicknesses", amount);
     case ModelTerm::SampleCurvature:
-        return formatted("the sample is curved by up to %.2g of the tip's own curvature", amount);
+        return formatted("sample curvature up to %.2g of the tip's curvature", amount);
     case ModelTerm::Friction:
         return formatted("friction coefficient %.2g, shear strength %.2g MPa", amount,
                          1e-6 * other);
     case ModelTerm::Torsion:
-        return formatted("across the lever the tip yields %.2g times as much as along z", amount);
+        return formatted("lateral compliance is %.2g times that along z", amount);
     case ModelTerm::MountTilt:
-        return formatted("the lever is tilted by %.3g degrees", amount * 180.0 / std::numbers::pi);
+        return formatted("lever tilt %.3g degrees", amount * 180.0 / std::numbers::pi);
     default:
         return std::isinf(amount)
-                   ? "a shape may come near at several places"
-                   : formatted("hollows are curved by up to %.2g of the tip's own curvature",
-                               amount);
+                   ? "a shape may have several contact points"
+                   : formatted("valley curvature up to %.2g of the tip's curvature", amount);
     }
 }
 
 std::string surfaceText(ModelTerm term, const SurfaceNeeds& surface) {
     if (!surface.touches) {
-        return "the sampled runs touch nothing";
+        return "no contact in the sampled runs";
     }
     if (term == ModelTerm::OutsideDisplacement) {
-        return "a sample yields beyond the rim of the contact, too";
+        return "the surface is displaced outside the contact, too";
     }
     const bool somewhere = surface.halfSpace > 0.0;
-    return somewhere && !surface.halfSpaceHolds ? "it does not hold at every contact"
+    return somewhere && !surface.halfSpaceHolds ? "not valid at every contact"
                                                 : sentenceOf(surface.deepest);
 }
 
@@ -69,7 +68,7 @@ std::string reasonText(const TermNeed& need, const SceneNeeds& needs) {
         return factText(need.term, *need.fact);
     }
     if (!needs.measured) {
-        return formatted("not tried: a tick takes %.2g ms here", needs.fullTick * 1e3);
+        return formatted("not measured: a tick takes %.2g ms here", needs.fullTick * 1e3);
     }
     return isOfSurface(need.term) ? surfaceText(need.term, needs.surface)
                                   : whyImpossible(need.term);
@@ -124,7 +123,7 @@ std::string whyOf(const TermNeed& need, const SceneNeeds& needs) {
     for (const ModelTerm other : kModelTerms) {
         if (need.effect > needs.tolerance && exclude(need.term, other) && has(needs.full, other) &&
             !has(needs.full, need.term)) {
-            why += std::string("; no contact law has it beside the ") + nameOf(other);
+            why += std::string("; no contact law combines it with ") + nameOf(other);
         }
     }
     return why;
@@ -140,8 +139,8 @@ std::string forceErrorText(const SceneNeeds& needs) {
         std::string missed;
         std::ranges::for_each(needs.lawMisses, [&](ModelTerm term) { list(missed, term); });
         text += ": " + percent(needs.wholeError) + " by what is left out, " +
-                percent(needs.lawError) + " by what no contact law has beside the rest (" + missed +
-                ")";
+                percent(needs.lawError) + " by what no contact law combines with the rest (" +
+                missed + ")";
     }
     return text;
 }
@@ -162,8 +161,8 @@ std::string modelNote(const SceneNeeds& needs) {
 std::string nameOf(const ForceModelOptions& options) {
     std::string text = nameOf(options.law);
     text += options.solver == SolverSetting::Table ? ", table" : "";
-    text += options.solver == SolverSetting::Exact ? ", afresh" : "";
-    text += std::string(", ") + keyOf(options.closestPointSearch) + " feet";
+    text += options.solver == SolverSetting::Exact ? ", exact" : "";
+    text += std::string(", ") + keyOf(options.closestPointSearch) + " search";
     text += options.decoupling == DecouplingModel::Planar ? ", planar" : "";
     const char* before = ", without ";
     for (const ModelTerm term : kSwitchedTerms) {

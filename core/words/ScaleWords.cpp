@@ -6,20 +6,19 @@ namespace asperity {
 
 namespace {
 
-constexpr const char* kForceRemedy = ": a smaller force gain is needed";
-constexpr const char* kStiffnessRemedy =
-    ": a smaller force gain or a smaller position gain is needed";
+constexpr const char* kForceRemedy = ": reduce the force gain";
+constexpr const char* kStiffnessRemedy = ": reduce the force gain or the position gain";
 
 std::string newtonsPerMeter(double stiffness) { return formatSi(stiffness, "N/m"); }
 
 std::string contactRefusal(const ScaleJudgment& judgment) {
     const std::string bound = "(" + newtonsPerMeter(judgment.contactBound) + ")";
     if (judgment.guided && judgment.contactBound < 0.0) {
-        return "the guide alone is stiffer or more damped than the coupling bears at this rate: a "
+        return "the guide alone exceeds the stability limit of the coupling at this rate: a "
                "softer guide is needed";
     }
-    return "the contact is " + newtonsPerMeter(judgment.contact) +
-           " at the hand, more than the coupling bears at this rate " +
+    return "contact stiffness at the device of " + newtonsPerMeter(judgment.contact) +
+           " exceeds the stability limit of the coupling at this rate " +
            (judgment.guided ? "beside the guide " : "") + bound + kStiffnessRemedy;
 }
 
@@ -27,16 +26,16 @@ std::string contactRefusal(const ScaleJudgment& judgment) {
 
 std::string refusalOf(const ScaleJudgment& judgment) {
     if (!(judgment.felt <= judgment.feltBound)) {
-        return "the hand would feel " + newtonsPerMeter(judgment.felt) +
-               ", more than the device renders (" + newtonsPerMeter(judgment.feltBound) + ")" +
+        return "rendered stiffness of " + newtonsPerMeter(judgment.felt) +
+               " exceeds the limit of the device (" + newtonsPerMeter(judgment.feltBound) + ")" +
                kStiffnessRemedy;
     }
     if (!(judgment.contact <= judgment.contactBound)) {
         return contactRefusal(judgment);
     }
     if (!(judgment.adhesion <= judgment.forceBound)) {
-        return "the sample would hold the hand with " + formatSi(judgment.adhesion, "N") +
-               ", more than the motors may give (" + formatSi(judgment.forceBound, "N") + ")" +
+        return "adhesion at the device of " + formatSi(judgment.adhesion, "N") +
+               " exceeds its force limit (" + formatSi(judgment.forceBound, "N") + ")" +
                kForceRemedy;
     }
     return {};
@@ -48,7 +47,7 @@ std::string refusalOf(const CoupledDevice& device) {
 
 std::string feltWords(const DeviceScale& scale, const ScaleJudgment& judgment) {
     return "1 mm : " + formatSi(1e-3 * scale.positionGain, "m") +
-           ", 1 N : " + formatSi(1.0 / scale.forceGain, "N") + "; the hand feels " +
+           ", 1 N : " + formatSi(1.0 / scale.forceGain, "N") + "; stiffness at the device " +
            newtonsPerMeter(judgment.felt) + " of " + newtonsPerMeter(judgment.contact);
 }
 

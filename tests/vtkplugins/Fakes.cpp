@@ -80,7 +80,7 @@ BSplineSurface eggBox() {
 
 DeformationView hertzDent() {
     DeformationView view = viewOf(3.0_nm, 0.0);
-    view.title = "Largest indentation, t = 0.482 s";
+    view.title = "Maximum indentation, t = 0.482 s";
     view.caption = "Indentation 0.600 nm, contact radius 3.00 nm, normal force 185 nN. "
                    "Silicon tip on mica, work of adhesion 80 mJ/m², Maugis parameter 0.41.";
     view.force = Vector3(12.0_nN, 4.0_nN, 185.0_nN);

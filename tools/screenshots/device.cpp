@@ -53,7 +53,7 @@ int run(char** argv) {
     QTimer::singleShot(40000, &live.window(), &QWidget::close);
     const int status = live.exec();
     if (!saved) {
-        throw Error("the hand was not seen pressing");
+        throw Error("the device was not seen pressing");
     }
     return status;
 }

@@ -19,11 +19,11 @@ constexpr double kMinLength = 1e-12;  ///< [m]
 constexpr int kIntervals = 100;       ///< of the histories that scale the drawing
 
 CurvePlotSetup angleSetup() {
-    return {.title = QStringLiteral("Lever signals"),
+    return {.title = CantileverPanel::tr("Lever signals"),
             .unit = QStringLiteral("rad"),
             .smallest = 1e-6,
-            .curves = {{QStringLiteral("bending"), theme::kBlue},
-                       {QStringLiteral("torsion"), theme::kOrange}},
+            .curves = {{CantileverPanel::tr("bending"), theme::kBlue},
+                       {CantileverPanel::tr("torsion"), theme::kOrange}},
             .timeLabels = TimeLabels::Shown};
 }
 
@@ -39,7 +39,7 @@ double largestOf(const CurveHistory& history) {
 }  // namespace
 
 CantileverPanel::CantileverPanel(QWidget* parent)
-    : Card(QStringLiteral("Cantilever"), parent)
+    : Card(tr("Cantilever"), parent)
     , deflections_(CurvePlot::kSpan, kIntervals)
     , torsions_(CurvePlot::kSpan, kIntervals)
     , angleScale_("rad", kMinAngle)
@@ -63,13 +63,13 @@ void CantileverPanel::buildNumbers() {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(1);
-    grid->addWidget(captionLabel(QStringLiteral("bending"), this), 0, 0);
+    grid->addWidget(captionLabel(tr("bending"), this), 0, 0);
     grid->addWidget(bending_, 0, 1);
-    grid->addWidget(captionLabel(QStringLiteral("torsion"), this), 1, 0);
+    grid->addWidget(captionLabel(tr("torsion"), this), 1, 0);
     grid->addWidget(torsion_, 1, 1);
-    grid->addWidget(captionLabel(QStringLiteral("deflection z"), this), 0, 3);
+    grid->addWidget(captionLabel(tr("deflection z"), this), 0, 3);
     grid->addWidget(deflection_, 0, 4);
-    grid->addWidget(captionLabel(QStringLiteral("sideways"), this), 1, 3);
+    grid->addWidget(captionLabel(tr("sideways"), this), 1, 3);
     grid->addWidget(lateral_, 1, 4);
     grid->setColumnStretch(2, 1);
     body().addLayout(grid);
@@ -80,8 +80,7 @@ void CantileverPanel::begin(const Scene& scene) { setCantilever(scene.belief.can
 void CantileverPanel::setCantilever(const Cantilever& cantilever) {
     cantilever_ = cantilever;
     sketch_->setCantilever(cantilever);
-    setNote(QString::fromStdString(formatSi(cantilever.stiffness(), "N/m")) +
-            QStringLiteral(", length ") +
+    setNote(QString::fromStdString(formatSi(cantilever.stiffness(), "N/m")) + tr(", length ") +
             QString::fromStdString(formatSi(cantilever.geometry().length, "m")));
     clear();
 }

@@ -170,7 +170,7 @@ void CantileverSketch::drawSide(QPainter& painter, const View& view) const {
                       view.scale, std::sin(tilt), std::cos(tilt)};
     painter.setPen(QColor(theme::kMuted));
     painter.drawText(QRectF(0.0, 0.0, view.box.width(), kCaptionHeight), Qt::AlignLeft,
-                     QStringLiteral("from the side, bending") + timesText(bendingFactor()));
+                     tr("from the side, bending") + timesText(bendingFactor()));
 
     const BeamDrawing resting = bentBeam(*cantilever_, Vector3::Zero(), 0.0, map);
     painter.setPen(ghostPen());
@@ -209,7 +209,7 @@ void CantileverSketch::drawEnd(QPainter& painter, const View& view) const {
     const CantileverGeometry& beam = cantilever_->geometry();
     painter.setPen(QColor(theme::kMuted));
     painter.drawText(QRectF(view.box.left(), 0.0, view.box.width(), kCaptionHeight),
-                     Qt::AlignHCenter, QStringLiteral("torsion") + timesText(torsionFactor()));
+                     Qt::AlignHCenter, tr("torsion") + timesText(torsionFactor()));
     const double half = beam.width / 2.0 * view.scale;
     const double thick = std::max(kMinBeamThickness, beam.thickness * view.scale);
     const double height = beam.tipHeight * view.scale;

@@ -72,20 +72,20 @@ void setQuietly(GainSpinBox& box, double value) {
 ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new FlowLayout(this)) {
     row_->setContentsMargins(8, 4, 8, 4);
     row_->setSpacing(8);
-    startPause_ = addButton("startPause", QStringLiteral("Pause"));
-    startPause_->setToolTip(QStringLiteral("Let the run go on or stand still"));
-    forces_ = addButton("forces", QStringLiteral("Forces are off"));
+    startPause_ = addButton("startPause", tr("Pause"));
+    startPause_->setToolTip(tr("Start or pause the run"));
+    forces_ = addButton("forces", tr("Forces are off"));
     forces_->setCheckable(true);
-    forces_->setToolTip(QStringLiteral("Whether the hand feels forces"));
+    forces_->setToolTip(tr("Switch the forces on the device on or off"));
     addSeparator(*row_);
-    material_ = addCombo("material", QStringLiteral("Material"));
-    device_ = addCombo("hand", QStringLiteral("Hand"));
-    path_ = addCombo("path", QStringLiteral("Path"));
+    material_ = addCombo("material", tr("Material"));
+    device_ = addCombo("hand", tr("Device"));
+    path_ = addCombo("path", tr("Path"));
     addKnobs();
     row_->addStretch();
-    record_ = addButton("record", QStringLiteral("Recording"));
+    record_ = addButton("record", tr("Recording"));
     record_->setCheckable(true);
-    record_->setToolTip(QStringLiteral("Write every tick to a log"));
+    record_->setToolTip(tr("Write every tick to a log"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     setRunning(false);
     setForcesOn(true);
@@ -115,7 +115,7 @@ QComboBox* ControlBar::addCombo(const char* objectName, const QString& caption) 
         pathFile_ = new QToolButton(this);
         pathFile_->setObjectName(QStringLiteral("pathFile"));
         pathFile_->setText(QStringLiteral("…"));
-        pathFile_->setToolTip(QStringLiteral("Read a path from a file"));
+        pathFile_->setToolTip(tr("Follow a path from a file"));
         pathFile_->setFixedHeight(kControlHeight);
         widgets << pathFile_;
     }
@@ -186,14 +186,14 @@ void ControlBar::setPath(int index) { path_->setCurrentIndex(index); }
 
 void ControlBar::setRunning(bool running) {
     startPause_->setProperty("running", running);
-    startPause_->setText(running ? QStringLiteral("Pause") : QStringLiteral("Start"));
+    startPause_->setText(running ? tr("Pause") : tr("Start"));
     startPause_->setIcon(controlIcon(running ? ControlIcon::Pause : ControlIcon::Start));
 }
 
 void ControlBar::setForcesOn(bool on) {
     forces_->setChecked(on);
     forces_->setIcon(controlIcon(on ? ControlIcon::ForcesOn : ControlIcon::ForcesOff));
-    forces_->setText(on ? QStringLiteral("Forces are on") : QStringLiteral("Forces are off"));
+    forces_->setText(on ? tr("Forces are on") : tr("Forces are off"));
 }
 
 void ControlBar::setKnobs(const Settings& settings) {
@@ -213,7 +213,7 @@ void ControlBar::refuseKnob(const std::string& column, const QString& reason) {
 void ControlBar::setRecording(bool recording) {
     record_->setChecked(recording);
     record_->setIcon(controlIcon(ControlIcon::Record));
-    record_->setText(recording ? QStringLiteral("Recording") : QStringLiteral("Record"));
+    record_->setText(recording ? tr("Recording") : tr("Record"));
 }
 
 }  // namespace asperity

@@ -85,12 +85,11 @@ FidelityPanel::FidelityPanel(QWidget* parent)
 }
 
 QWidget* FidelityPanel::termCard() {
-    auto* card = new OpenCard(tr("What the model of this scene has"), this);
+    auto* card = new OpenCard(tr("Terms of the model"), this);
     tolerance_->setRange(0.0, 100.0);
     tolerance_->setDecimals(2);
     tolerance_->setSuffix(tr(" %"));
-    tolerance_->setToolTip(
-        tr("By how much terms left out may change forces and the surface, together"));
+    tolerance_->setToolTip(tr("Error of forces and surface allowed for all terms left out"));
     guardFromWheel(*tolerance_);
     automatic_->setToolTip(
         tr("Law, terms, closest points and deformation as the scene requires within 5 %"));
@@ -105,7 +104,7 @@ QWidget* FidelityPanel::termCard() {
 }
 
 QWidget* FidelityPanel::chartCard() {
-    auto* card = new OpenCard(tr("Ways for a tick: click a point to take it"), this);
+    auto* card = new OpenCard(tr("Model options: click a point to use it"), this);
     key_->setTextFormat(Qt::RichText);
     key_->setWordWrap(true);
     key_->setFixedWidth(kKeyWidth);
@@ -156,8 +155,8 @@ void FidelityPanel::showTradeOff(const std::optional<TradeOff>& study) {
     study_ = study;
     const QString hint =
         measuring_ ? tr("measuring…")
-                   : tr("Measure shows what each contact law, solver and search for feet costs on "
-                        "this scene, and how far its forces are from the best.");
+                   : tr("Measure the cost and force error of each contact law, solver and "
+                        "closest-point search on this scene.");
     chart_->setPoints(study_ ? pointsOf(*study_) : TradeOffPoints{}, hint);
     showCurrent();
 }

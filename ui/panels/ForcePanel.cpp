@@ -25,7 +25,7 @@ const std::array<QString, 3> kAxes = {QStringLiteral("X"), QStringLiteral("Y"),
                                       QStringLiteral("Z")};
 
 CurvePlotSetup forceSetup() {
-    return {.title = QStringLiteral("Force on the tip"),
+    return {.title = ForcePanel::tr("Force on the tip"),
             .unit = QStringLiteral("N"),
             .smallest = 0.2e-9,
             .curves = {{QStringLiteral("Fx"), theme::kBlue},
@@ -34,7 +34,7 @@ CurvePlotSetup forceSetup() {
 }
 
 CurvePlotSetup heightSetup() {
-    return {.title = QStringLiteral("Height z of the tip"),
+    return {.title = ForcePanel::tr("Height z of the tip"),
             .unit = QStringLiteral("m"),
             .smallest = 0.2e-9,
             .curves = {{QStringLiteral("z"), theme::kInk}},
@@ -76,7 +76,7 @@ int decimalsOf(double largest, const SiScale& scale) {
 }  // namespace
 
 ForcePanel::ForcePanel(QWidget* parent)
-    : Card(QStringLiteral("Force and position"), parent)
+    : Card(tr("Force and position"), parent)
     , forceScale_("N", kMinForce)
     , placeScale_("m", kMinLength)
     , heightScale_("m", kMinLength)
@@ -171,7 +171,7 @@ void ForcePanel::buildContact(QGridLayout& grid) {
     distanceName_->setObjectName(QStringLiteral("distanceName"));
     distanceName_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     distanceName_->setMinimumWidth(
-        distanceName_->fontMetrics().horizontalAdvance(QStringLiteral("contact radius")));
+        distanceName_->fontMetrics().horizontalAdvance(tr("contact radius")));
     distance_ = valueLabel(QStringLiteral("distance"), QStringLiteral("-88.88 µm"), this);
     contactRadius_ = valueLabel(QStringLiteral("contactRadius"), QStringLiteral("-88.88 µm"), this);
     const QString meaning =
@@ -181,7 +181,7 @@ void ForcePanel::buildContact(QGridLayout& grid) {
     distance_->setToolTip(meaning);
     grid.addWidget(distanceName_, 0, 7, Qt::AlignRight);
     grid.addWidget(distance_, 1, 7, Qt::AlignRight);
-    grid.addWidget(captionLabel(QStringLiteral("contact radius"), this), 2, 7, Qt::AlignRight);
+    grid.addWidget(captionLabel(tr("contact radius"), this), 2, 7, Qt::AlignRight);
     grid.addWidget(contactRadius_, 3, 7, Qt::AlignRight);
 }
 

@@ -8,7 +8,7 @@
 namespace asperity {
 
 ColorScale heightColors(double low, double high) {
-    ColorScale scale{.quantity = QStringLiteral("height"),
+    ColorScale scale{.quantity = QObject::tr("height"),
                      .unit = QStringLiteral("m"),
                      .low = low,
                      .high = high,

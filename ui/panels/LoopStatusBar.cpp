@@ -19,8 +19,8 @@ QString timeText(double seconds) { return QString::fromStdString(formatSi(second
 /// The loop's thread as the system treats it; the second says what would help.
 QString schedulingText(SchedulingPolicy policy) {
     return policy == SchedulingPolicy::Realtime
-               ? QStringLiteral("real-time")
-               : QStringLiteral("ordinary: no permission for SCHED_FIFO");
+               ? LoopStatusBar::tr("real-time")
+               : LoopStatusBar::tr("ordinary: no permission for SCHED_FIFO");
 }
 
 }  // namespace
@@ -29,14 +29,13 @@ LoopStatusBar::LoopStatusBar(QWidget* parent) : QWidget(parent) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 1, 8, 1);
     layout->setSpacing(4);
-    rate_ = addItem("rate", QStringLiteral("loop"), QStringLiteral("10,000 Hz"));
-    tickTime_ =
-        addItem("tickTime", QStringLiteral("tick p50 / p99"), QStringLiteral("88.8 µs / 88.8 µs"));
-    lateness_ = addItem("lateness", QStringLiteral("late p99"), QStringLiteral("88.8 µs"));
-    overruns_ = addItem("overruns", QStringLiteral("overruns"), QStringLiteral("88,888"));
-    lost_ = addItem("lost", QStringLiteral("lost"), QStringLiteral("88,888"));
-    ticks_ = addItem("ticks", QStringLiteral("ticks"), QStringLiteral("88,888,888"));
-    frames_ = addItem("frames", QStringLiteral("frames/s"), QStringLiteral("88.8"));
+    rate_ = addItem("rate", tr("loop"), QStringLiteral("10,000 Hz"));
+    tickTime_ = addItem("tickTime", tr("tick p50 / p99"), QStringLiteral("88.8 µs / 88.8 µs"));
+    lateness_ = addItem("lateness", tr("late p99"), QStringLiteral("88.8 µs"));
+    overruns_ = addItem("overruns", tr("overruns"), QStringLiteral("88,888"));
+    lost_ = addItem("lost", tr("lost"), QStringLiteral("88,888"));
+    ticks_ = addItem("ticks", tr("ticks"), QStringLiteral("88,888,888"));
+    frames_ = addItem("frames", tr("frames/s"), QStringLiteral("88.8"));
     layout->addStretch(1);
     scheduling_ = captionLabel(QString(), this);
     scheduling_->setObjectName(QStringLiteral("scheduling"));

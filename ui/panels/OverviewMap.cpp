@@ -106,7 +106,7 @@ QString OverviewMap::toolTipAt(const QPointF& pixel) const {
         return {};
     }
     const QPointF place = toPlace(pixel);
-    return QStringLiteral("height %1\nx %2, y %3\nDouble click: go there")
+    return tr("height %1\nx %2, y %3\nDouble click: go there")
         .arg(lengthText(heightAt(place)), lengthText(place.x()), lengthText(place.y()));
 }
 

@@ -53,7 +53,7 @@ QString sizeText(double width, double height) {
 }  // namespace
 
 OverviewPanel::OverviewPanel(QWidget* parent)
-    : Card(QStringLiteral("Overview"), parent)
+    : Card(tr("Overview"), parent)
     , map_(new OverviewMap(this))
     , colorBar_(new ColorBarWidget(this))
     , scanNote_(captionLabel(QString(), this))
@@ -71,7 +71,7 @@ OverviewPanel::OverviewPanel(QWidget* parent)
     scanNote_->setFixedWidth(kSideWidth);
     side->addWidget(scanNote_);
     side->addStretch(1);
-    auto* hint = captionLabel(QStringLiteral("Double click: go there"), this);
+    auto* hint = captionLabel(tr("Double click: go there"), this);
     hint->setContentsMargins(kLegendIndent, 0, 0, 0);
     side->addWidget(hint);
     auto* row = new QHBoxLayout;
@@ -96,18 +96,17 @@ void OverviewPanel::addLegend(QVBoxLayout& side) {
         side.addLayout(rowOf(mark, text));
     };
     const QPointF center(kMarkSize / 2.0, kMarkSize / 2.0);
-    add(markPixmap([&](QPainter& painter) { drawTipMark(painter, center); }),
-        QStringLiteral("tip"));
+    add(markPixmap([&](QPainter& painter) { drawTipMark(painter, center); }), tr("tip"));
     add(markPixmap([](QPainter& painter) {
             drawFrameMark(painter, QRectF(3, 4, kMarkSize - 6, kMarkSize - 8));
         }),
-        QStringLiteral("zoomed view"));
+        tr("zoomed view"));
     add(markPixmap([&](QPainter& painter) {
             drawPathMark(painter,
                          QVector<QPointF>{{2.0, center.y()}, {kMarkSize - 2.0, center.y()}});
         }),
-        QStringLiteral("path"));
-    filledLegend_->setLayout(rowOf(markPixmap(drawHatching), QStringLiteral("no data: filled in")));
+        tr("path"));
+    filledLegend_->setLayout(rowOf(markPixmap(drawHatching), tr("no data: filled in")));
     filledLegend_->setObjectName(QStringLiteral("filledLegend"));
     filledLegend_->hide();
     side.addWidget(filledLegend_);

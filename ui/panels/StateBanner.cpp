@@ -33,7 +33,7 @@ StateBanner::StateBanner(QWidget* parent)
     : QFrame(parent)
     , state_(new QLabel(this))
     , flags_(new QLabel(this))
-    , rearm_(new QPushButton(QStringLiteral("Take back"), this)) {
+    , rearm_(new QPushButton(tr("Reset fault"), this)) {
     setObjectName(QStringLiteral("stateBanner"));
     setFixedHeight(kHeight);
     state_->setObjectName(QStringLiteral("state"));
@@ -48,7 +48,7 @@ StateBanner::StateBanner(QWidget* parent)
     palette.setColor(QPalette::WindowText, theme::kCaution);
     flags_->setPalette(palette);
     rearm_->setObjectName(QStringLiteral("rearm"));
-    rearm_->setToolTip(QStringLiteral("Take back the fault: forces act again"));
+    rearm_->setToolTip(tr("Reset the fault: forces act again"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 2, 10, 2);
     layout->setSpacing(12);
@@ -115,10 +115,10 @@ QStringList StateBanner::stateWords() const {
 std::vector<StateBanner::Caution> StateBanner::cautions() const {
     std::vector<Caution> found;
     if (energyGiven_) {
-        found.push_back({tr("hand and device begin to shake"),
-                         tr("hand and device begin to shake: hold firmer, or turn the force gain "
-                            "down"),
-                         Severity::Invalid});
+        found.push_back(
+            {tr("device begins to oscillate"),
+             tr("device begins to oscillate: hold it more firmly or reduce the force gain"),
+             Severity::Invalid});
     }
     for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
         if (shown_.isShown(i, latest_.sample)) {

@@ -53,8 +53,8 @@ QString timeText(const TermNeed& need) {
 
 TermTable::TermTable(QWidget* parent)
     : QTableWidget(static_cast<int>(kModelTerms.size()), ColumnCount, parent), choices_() {
-    setHorizontalHeaderLabels({tr("Term"), tr("Choice"), tr("Now"), tr("Leaving it out changes"),
-                               tr("It costs"), tr("Why")});
+    setHorizontalHeaderLabels(
+        {tr("Term"), tr("Choice"), tr("Now"), tr("Effect if left out"), tr("Cost"), tr("Reason")});
     for (int row = 0; row < rowCount(); ++row) {
         addRow(row);
     }
@@ -120,7 +120,7 @@ void TermTable::showChoice(int row, const ModelChoices& choices) {
     QComboBox& combo = *choices_.at(index);
     lawIsGiven_ = choices.law.has_value();
     const bool byLaw = lawIsGiven_ && isOfLaw(kModelTerms.at(index));
-    combo.setItemText(Auto, byLaw ? tr("as the law says") : tr("auto"));
+    combo.setItemText(Auto, byLaw ? tr("set by the law") : tr("auto"));
     combo.setCurrentIndex(itemOf(asperity::choiceOf(kModelTerms.at(index), choices)));
     combo.setEnabled(true);
 }

@@ -4,6 +4,8 @@
 
 #include <vtkLookupTable.h>
 
+#include <QObject>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -90,10 +92,10 @@ Color SurfaceColors::moved(const Color& rest, double displacement) const {
     return {mix(rest.red, pushed.red), mix(rest.green, pushed.green), mix(rest.blue, pushed.blue)};
 }
 
-ColorScale SurfaceColors::heightScale() const { return scaleOf("height", heights_); }
+ColorScale SurfaceColors::heightScale() const { return scaleOf(QObject::tr("height"), heights_); }
 
 ColorScale SurfaceColors::displacementScale() const {
-    return scaleOf("displacement", displacements_);
+    return scaleOf(QObject::tr("displacement"), displacements_);
 }
 
 }  // namespace asperity

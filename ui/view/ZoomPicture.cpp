@@ -9,6 +9,8 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <QObject>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,6 +52,14 @@ bool isNearMiddle(const ScanWindow& patch, const Vector2& tip, double distance) 
 /// Size of tip and arrow as drawn: as the frame up close, less of it from afar [m].
 double gearSize(double halfWidth, double tipRadius) {
     return std::min(halfWidth, 1.5 * tipRadius + 0.4 * halfWidth);
+}
+
+/// Words with values in place of %1, %2.
+std::string filled(QString words, const std::vector<std::string>& values) {
+    for (const std::string& value : values) {
+        words = words.arg(QString::fromStdString(value));
+    }
+    return words.toStdString();
 }
 
 }  // namespace
@@ -274,14 +284,15 @@ void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelR
 std::vector<std::string> ZoomPicture::notes() const {
     std::vector<std::string> notes;
     if (options_.heightScale > 1.0) {
-        notes.push_back("heights ×" + tickLabels({options_.heightScale}).front());
+        notes.push_back(filled(QObject::tr("heights ×%1"), tickLabels({options_.heightScale})));
     }
     const double radius = scene_->belief.tipRadius();
     if (scale_.pixel > kWidePixel * radius) {
-        notes.push_back("Scan pixel " + formatSi(scale_.pixel, "m") +
-                        ": coarse for a tip radius of " + formatSi(radius, "m"));
+        notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for a tip radius of %2"),
+                               {formatSi(scale_.pixel, "m"), formatSi(radius, "m")}));
     } else if (scale_.pixel > kWidePixel * 2.0 * frame_->halfWidth()) {
-        notes.push_back("Scan pixel " + formatSi(scale_.pixel, "m") + ": coarse for this view");
+        notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for this view"),
+                               {formatSi(scale_.pixel, "m")}));
     }
     return notes;
 }
@@ -290,7 +301,8 @@ std::string ZoomPicture::tipAbove(int height, double pixelRatio) const {
     if (!contactShown_ || drawnPlace(apexOf(*contactShown_)).y() < pixelRatio * height) {
         return {};
     }
-    return "tip " + formatSi(-contactShown_->indentation, "m") + " above the surface";
+    return filled(QObject::tr("tip %1 above the surface"),
+                  {formatSi(-contactShown_->indentation, "m")});
 }
 
 void ZoomPicture::aim(const ViewCamera& camera, double aspect) {

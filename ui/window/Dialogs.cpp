@@ -16,14 +16,14 @@ QString controlsText() {
         "<tr><td><b>Wheel</b>, <b>Page Up</b>, <b>Page Down</b></td><td>away from the sample and "
         "into it</td></tr>"
         "<tr><td><b>Arrow keys</b></td><td>along the sample, as seen on the screen</td></tr>"
-        "<tr><td><b>Shift</b></td><td>a tenth of all that</td></tr>"
+        "<tr><td><b>Shift</b></td><td>one tenth of the step or speed</td></tr>"
         "<tr><td><b>Ctrl + arrows</b></td><td>five times as fast</td></tr>"
         "<tr><td><b>Right drag</b></td><td>turn the view</td></tr>"
         "<tr><td><b>Ctrl + wheel</b>, <b>+</b>, <b>−</b></td><td>zoom</td></tr>"
-        "<tr><td><b>Double click</b> on the scan</td><td>travel there</td></tr>"
-        "<tr><td><b>Space</b></td><td>pause and go on</td></tr>"
-        "<tr><td><b>Esc</b></td><td>closes a menu or a message; else stops loading; "
-        "always: the forces of a device with motors go off</td></tr></table>");
+        "<tr><td><b>Double click</b> on the scan</td><td>move the tip there</td></tr>"
+        "<tr><td><b>Space</b></td><td>pause and continue</td></tr>"
+        "<tr><td><b>Esc</b></td><td>close a menu or message, otherwise stop loading; "
+        "always switch off the forces of a force-feedback device</td></tr></table>");
 }
 
 void openBox(QWidget* window, QMessageBox::Icon icon, const QString& title, const QString& text,
@@ -49,7 +49,7 @@ QString askForPath(QWidget* window) {
 }
 
 QString askForRecording(QWidget* window) {
-    return QFileDialog::getOpenFileName(window, QObject::tr("Repeat a recording"), {},
+    return QFileDialog::getOpenFileName(window, QObject::tr("Replay a recording"), {},
                                         QObject::tr("Force logs (force_log.csv *.csv)"));
 }
 

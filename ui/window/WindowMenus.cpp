@@ -48,7 +48,7 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     record = menu->addAction(tr("&Record"));
     record->setCheckable(true);
     record->setShortcut(tr("Ctrl+R"));
-    saveLastSeconds = menu->addAction(tr("Save the &last seconds"));
+    saveLastSeconds = menu->addAction(tr("Save the &last 10 s (black box)"));
     menu->addSeparator();
     quit = menu->addAction(tr("&Quit"));
     quit->setShortcut(QKeySequence::Quit);
@@ -59,30 +59,33 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
     startPause = menu->addAction(tr("Start or &pause"));
     startPause->setShortcut(tr("Space"));
     forcesOff = menu->addAction(tr("&Forces off"));
-    resetFault = menu->addAction(tr("Take &back a fault"));
+    resetFault = menu->addAction(tr("Reset fa&ult"));
     menu->addSeparator();
     followPathFile = menu->addAction(tr("Follow a path from a &file…"));
-    followRecording = menu->addAction(tr("Repeat a &recording…"));
+    followRecording = menu->addAction(tr("Replay a &recording…"));
     for (QAction* action : {startPause, forcesOff}) {
         action->setShortcutContext(Qt::ApplicationShortcut);
     }
 }
 
 void WindowMenus::addDeviceMenu(QMenuBar& bar) {
-    QMenu* menu = addMenu(bar, tr("H&and"));
-    tipControl = menu->addAction(tr("Commands the &tip"));
-    explain(*tipControl, tr("The base goes ahead by the deflection that the model expects"));
+    QMenu* menu = addMenu(bar, tr("&Device"));
+    tipControl = menu->addAction(tr("&Tip position control"));
+    explain(*tipControl,
+            tr("The device commands the tip: the expected deflection is added to the base"));
     clutch = menu->addAction(tr("&Clutch"));
     clutch->setShortcut(tr("C"));
-    explain(*clutch, tr("The hand moves, the tip stays; the force comes on anew afterwards"));
+    explain(*clutch,
+            tr("Move the device while the tip stays; the force ramps up again afterwards"));
     followsView = menu->addAction(tr("Device follows the &view"));
-    explain(*followsView, tr("Right, away and up of the device are those of the screen"));
+    explain(*followsView,
+            tr("Right, back and up on the device are right, back and up on the screen"));
     for (QAction* action : {tipControl, clutch, followsView}) {
         action->setCheckable(true);
     }
     addGuides(*menu->addMenu(tr("&Guide")));
     menu->addSeparator();
-    calibrate = menu->addAction(tr("C&alibrate: the handle is in its rest pose"));
+    calibrate = menu->addAction(tr("C&alibrate (handle in its rest pose)"));
 }
 
 void WindowMenus::addGuides(QMenu& menu) {
@@ -96,9 +99,9 @@ void WindowMenus::addGuides(QMenu& menu) {
         connect(action, &QAction::triggered, this, [this, kind] { Q_EMIT guideChosen(kind); });
     };
     add(FixtureKind::None, tr("&None"));
-    add(FixtureKind::Point, tr("&Point where the tip is"));
-    add(FixtureKind::Line, tr("Upright &line through the tip"));
-    add(FixtureKind::Plane, tr("Level p&lane through the tip"));
+    add(FixtureKind::Point, tr("&Point at the tip"));
+    add(FixtureKind::Line, tr("Vertical &line through the tip"));
+    add(FixtureKind::Plane, tr("&Horizontal plane through the tip"));
     setGuide(FixtureKind::None);
 }
 
@@ -116,7 +119,7 @@ void WindowMenus::setChannels(const QStringList& names, const QString& present) 
         connect(entry, &QAction::triggered, this, [this, name] { Q_EMIT channelChosen(name); });
     }
     refuse(*channels_->menuAction(),
-           names.size() > 1 ? QString() : tr("There is no other height channel to choose"));
+           names.size() > 1 ? QString() : tr("The file holds no other height channel"));
 }
 
 void WindowMenus::refuse(QAction& entry, const QString& reason) {

@@ -28,7 +28,7 @@ void requirePlan(const ForceCurvePlan& plan) {
         throw Error("force curve: it must begin farther away than it ends, both within 1000 m");
     }
     if (plan.points < 2 || plan.points > kMaxPoints) {
-        throw Error("force curve: expected 2 to 1000000 points along each way");
+        throw Error("force curve: expected 2 to 1000000 points on each branch");
     }
 }
 

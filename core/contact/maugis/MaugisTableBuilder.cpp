@@ -20,11 +20,11 @@ void check(const MaugisTableRange& range) {
     using Range = MaugisTableRange;
     if (!isWithin(range.lambdaLow, Range::kMinLambda, Range::kMaxLambda) ||
         !isWithin(range.lambdaHigh, range.lambdaLow, Range::kMaxSpan * range.lambdaLow)) {
-        throw Error("Contact table: expected transition parameters from 1e-4 to 1e4, the largest "
-                    "at most 5 times the smallest");
+        throw Error("Contact table: expected transition parameters from 1e-4 to 1e4, the maximum "
+                    "at most 5 times the minimum");
     }
     if (!isWithin(range.largestIndentation, 0.0, Range::kMaxIndentation)) {
-        throw Error("Contact table: expected a largest indentation from 0 to 1e6 units");
+        throw Error("Contact table: expected a maximum indentation from 0 to 1e6 units");
     }
 }
 

@@ -20,7 +20,7 @@ constexpr double kDelayedStiffness = 1.0 / 6.0;  // Kc tau^2 / m
 void check(const DeviceSpecification& device, const LoopTiming& timing) {
     const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
     if (!positive(device.maxStiffness) || !positive(device.maxDamping)) {
-        throw Error("a haptic device's largest stiffness and damping must be positive numbers");
+        throw Error("a haptic device's maximum stiffness and damping must be positive numbers");
     }
     if (device.effectiveMass != 0.0 && !positive(device.effectiveMass)) {
         throw Error("a haptic device's effective mass must be a positive number, or 0: not known");

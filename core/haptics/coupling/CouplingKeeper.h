@@ -11,7 +11,7 @@ namespace asperity {
 /// A device cannot be held as it was asked for.
 struct CouplingRefused : Error {
     explicit CouplingRefused(const CoupledDevice& refused)
-        : Error("the haptic device cannot be held so"), device(refused) {}
+        : Error("the haptic device has no stable coupling"), device(refused) {}
 
     CoupledDevice device;
 };

@@ -146,7 +146,7 @@ void ChannelRows::requireNotLost() const {
                 refusePixel(
                     row, column,
                     "is stored as " + text(number) + " with a scale of " + text(stored_.factor) +
-                        " m, and single precision tells no height of the scan from zero" + kCause);
+                        " m, and every height of the scan is zero in single precision" + kCause);
             }
         }
     }

@@ -167,7 +167,7 @@ const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesyste
         throw InputError(path.string(), place, "it has " + unit + "; a height map is a length");
     }
     if (!channel.hasSize()) {
-        throw InputError(path.string(), place, "the file does not say how large the scan is");
+        throw InputError(path.string(), place, "the file does not hold the size of the scan");
     }
     return channel;
 }

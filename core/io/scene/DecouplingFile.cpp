@@ -120,7 +120,7 @@ std::vector<std::string> commentsFor(const std::string& probe, const std::string
     return {std::string("Asperity ") + kVersion + " decouple: signals to forces on the tip",
             "probe " + probe + ", stiffness " + exactText(lever.stiffness()) +
                 " N/m at the tip; cases " + cases,
-            "SI units as the column names say; all vectors and the covariance c.._n2 are in the "
+            "SI units as each column's name ends; all vectors and the covariance c.._n2 are in the "
             "lab frame; condition: of normal force and friction to signals, without unit",
             "case: regular, near_singular, no_sliding or invalid_input, then what is not plausible "
             "of the force: pushes_along, excess_friction, contradicts_model"};

@@ -94,7 +94,7 @@ WoodenHapticsDescription readWoodenHaptics(const std::filesystem::path& path) {
     device.countsPerTurn = positive(root, "counts_per_turn");
     device.motorConstant = positive(root, "motor_constant_nm_a");
     device.maxCurrent = required(root, "max_current_a", kMinFigure, kMaxCurrent,
-                                 "a number up to 32.767, the most that a report can say");
+                                 "a number up to 32.767, the maximum of a report");
     device.specification = readSpecification(root);
     root.refuseUnknownKeys();
     return device;

@@ -160,7 +160,7 @@ private:
         const ContactStop& stop = yardstick.stops[i];
         const auto sayWhere = [&] {
             return describe(by.lawOption, setting, stop.approach) +
-                   (stop.retract ? " on the way out" : " on the way in");
+                   (stop.retract ? " on retract" : " on approach");
         };
         const ContactState& state = course.states[i];
         if (!state.solved()) {
@@ -171,7 +171,7 @@ private:
         if (const char* defect = defectOf(state, setting, stop.approach)) {
             findings_.addDefect(sayWhere() + ": " + defect);
         } else if (compared.errors.solver > promiseOf(by.model)) {
-            findings_.addDefect(sayWhere() + ": the solver is farther off than it promises");
+            findings_.addDefect(sayWhere() + ": the solver's error exceeds its bound");
         } else {
             by.region.add(compared, sayWhere);
         }

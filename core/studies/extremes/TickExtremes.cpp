@@ -90,15 +90,15 @@ ValidityFlags doubts(ValidityFlags flags, bool referenceHolds) {
 const char* refusalOf(const TickOutput& output) {
     if (output.model.locked) {
         return "tick: friction would drag the tip deeper faster than the lever lifts it; no "
-               "equilibrium exists and the hand feels no force";
+               "equilibrium exists and force output is zero";
     }
     if (!output.model.converged && output.flags.has(Validity::OutsideScan)) {
         return "tick: the lever bends so far that the tip leaves the scan, and what lies there is "
                "not known";
     }
     if (!output.model.converged) {
-        return "tick: the search for the tip's place came to no rest (it hops between feet, or "
-               "leaves the scan and comes back), and the hand feels no force";
+        return "tick: tip equilibrium did not converge (alternates between contact points, or "
+               "leaves the scan); force output is zero";
     }
     return nullptr;
 }

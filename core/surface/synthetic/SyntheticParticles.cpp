@@ -20,7 +20,7 @@ double drawRadius(const Nanoparticles::Recipe& recipe, Random& random) {
             return radius;
         }
     }
-    throw Error("hardly any particle radius falls between the smallest and the largest");
+    throw Error("hardly any particle radius falls between the minimum and the maximum");
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST_F(ConvertErosion, ReplacesAFileOnlyWhenItIsAskedTo) {
     const auto earlier = scratch.write("certain.gsf", "earlier");
     const auto refused = convert(" --erode 15e-9 --certainty " + earlier.string());
     EXPECT_EQ(refused.exitCode, 1);
-    EXPECT_NE(refused.output.find(earlier.string() + ": it is there already"), std::string::npos)
+    EXPECT_NE(refused.output.find(earlier.string() + ": the file exists"), std::string::npos)
         << refused.output;
     EXPECT_EQ(test::contentOf(earlier), "earlier");
     EXPECT_FALSE(std::filesystem::exists(output));

@@ -57,7 +57,7 @@ TEST_F(DeviceControlTest, AsksForAPathAndKeepsItsGain) {
     EXPECT_EQ(shown(), "Scripted path");
     const auto* gain = window.findChild<QAbstractSpinBox*>("positionGain");
     EXPECT_FALSE(gain->isEnabled());
-    EXPECT_TRUE(gain->toolTip().startsWith("A path is in places of the scan"));
+    EXPECT_TRUE(gain->toolTip().startsWith("A path gives positions on the scan"));
     EXPECT_TRUE(window.findChild<QAbstractSpinBox*>("forceGain")->isEnabled());
     const double before = run().settings().positionGain;
     Q_EMIT window.controls().knobTurned("position_gain", 4.0 * before);

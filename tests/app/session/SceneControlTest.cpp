@@ -64,7 +64,7 @@ TEST_F(SceneControlTest, OffersTheHeightChannelsOfTheScan) {
     scenes.open(kSteps);
     ASSERT_TRUE(eventually([this] { return begun.count() == 1; }));
     EXPECT_FALSE(channelMenu()->menuAction()->isEnabled());
-    EXPECT_EQ(channelMenu()->menuAction()->toolTip(), "There is no other height channel to choose");
+    EXPECT_EQ(channelMenu()->menuAction()->toolTip(), "The file holds no other height channel");
     scenes.open(
         folder.write("two.gwy", gwyFile(levelImage(0, "Height") + levelImage(1, "Z & sensor"))));
     ASSERT_TRUE(eventually([this] { return begun.count() == 2; }));

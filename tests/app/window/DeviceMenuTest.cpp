@@ -1,4 +1,4 @@
-// What the Hand menu does: clutch, guides; and the edge of a device's workspace.
+// What the Device menu does: clutch, guides; and the edge of a device's workspace.
 
 #include "tests/app/window/WindowFixture.h"
 #include "ui/window/WindowMenus.h"
@@ -57,7 +57,7 @@ TEST_F(DeviceMenu, AClutchLetsTheDeviceMoveAndTheTipStay) {
 TEST_F(DeviceMenu, AGuideHoldsTheTipBack) {
     leadWithDevice();
     const double height = base().z();
-    chooseGuide("Level plane through the tip");
+    chooseGuide("Horizontal plane through the tip");
     live(700);
     press(Qt::Key_PageUp);
     ASSERT_TRUE(eventually([this] { return deviceForce().z() < -0.3; })) << deviceForce().z();
@@ -73,7 +73,7 @@ TEST_F(DeviceMenu, AGuideHoldsTheTipBack) {
 
 /// They could be chosen and did nothing.
 TEST_F(DeviceMenu, EntriesThatADeviceCannotServeAreDisabledAndSayWhy) {
-    const QAction& guide = entry("Point where the tip is");
+    const QAction& guide = entry("Point at the tip");
     EXPECT_FALSE(guide.isEnabled());
     EXPECT_TRUE(guide.toolTip().startsWith("A guide needs a coupling"));
     EXPECT_TRUE(entry("None").isEnabled());

@@ -65,7 +65,7 @@ TEST_F(WindowWithDevice, IsCoupledAtAScaleThatHoldsAndTheUserIsToldWhatIsFelt) {
     EXPECT_EQ(knobs().positionGain, 1e-6);
     EXPECT_EQ(knobs().forceGain, 1e8);
     EXPECT_EQ(child<QAbstractSpinBox>("forceGain")->text().toStdString(), "1e8");
-    EXPECT_TRUE(told().starts_with("1 mm : 1 nm, 1 N : 10 nN; the hand feels ")) << told();
+    EXPECT_TRUE(told().starts_with("1 mm : 1 nm, 1 N : 10 nN; stiffness at the device ")) << told();
 }
 
 TEST_F(WindowWithDevice, FeelsTheSampleAndLetsGo) {
@@ -107,10 +107,10 @@ TEST_F(WindowWithDevice, RefusesAGainThatDoesNotHoldAndTheKnobGoesBack) {
     EXPECT_EQ(knobs().forceGain, 1e8);
     EXPECT_EQ(child<QAbstractSpinBox>("forceGain")->text().toStdString(), "1e8");
     const std::string refusal = complaint();
-    EXPECT_NE(refusal.find("smaller force gain"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("reduce the force gain"), std::string::npos) << refusal;
     turn("positionGain", "1e-4");
     EXPECT_EQ(knobs().positionGain, 1e-6);
-    EXPECT_NE(complaint().find("smaller position gain"), std::string::npos);
+    EXPECT_NE(complaint().find("reduce the force gain or the position gain"), std::string::npos);
     turn("forceGain", "2e8");
     EXPECT_EQ(knobs().forceGain, 2e8);
     EXPECT_EQ(complaint(), "");
@@ -123,7 +123,7 @@ TEST_F(WindowWithDevice, GoesOnLeadingOverAnotherMaterialUnlessThatDoesNotHold) 
     choose("material", "silicon oxide");  // pulls with 18 nN
     EXPECT_EQ(child<QComboBox>("material")->currentText().toStdString(), "polystyrene");
     const std::string refusal = complaint();
-    EXPECT_NE(refusal.find("more than the motors may give (3 N)"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("exceeds its force limit (3 N)"), std::string::npos) << refusal;
     choose("material", "silicone rubber");
     EXPECT_EQ(child<QComboBox>("material")->currentText().toStdString(), "silicone rubber");
     EXPECT_EQ(deviceShown(), kSimulated);
@@ -235,10 +235,10 @@ TEST_F(WindowWithDevice, ThePersonIsToldWhenTheDeviceIsGivenEnergy) {
     openFlatScene();
     session.run()->takeDevice([&shaken] { return std::make_unique<ShakenDevice>(shaken); });
     ASSERT_TRUE(eventually([this] { return state() == "far"; })) << state();
-    EXPECT_EQ(text("flags").find("begin to shake"), std::string::npos);
+    EXPECT_EQ(text("flags").find("begins to oscillate"), std::string::npos);
     shaken = true;
     EXPECT_TRUE(eventually([this] {
-        return text("flags").find("begin to shake") != std::string::npos;
+        return text("flags").find("begins to oscillate") != std::string::npos;
     })) << session.run()->energy().observer()->energy();
     session.run()->takeDevice([] { return std::make_unique<PointerDevice>(Vector3::Zero()); });
 }

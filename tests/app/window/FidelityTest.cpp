@@ -104,7 +104,7 @@ TEST_F(Fidelity, AWayForTheTickIsPickedInTheChartAndTakenBack) {
     EXPECT_EQ(ofForce(scene().model), twoWays().ticks[1].options);
     EXPECT_TRUE(goesOn());
     EXPECT_EQ(panel().findChild<TradeOffChart*>()->current(), 1);
-    EXPECT_EQ(choiceOf(ModelTerm::Adhesion)->currentText(), QStringLiteral("as the law says"));
+    EXPECT_EQ(choiceOf(ModelTerm::Adhesion)->currentText(), QStringLiteral("set by the law"));
     pick(0);
     EXPECT_EQ(scene().model.law, ContactLaw::Hertz);
     QTest::mouseClick(child<QPushButton>("allAutomatic"), Qt::LeftButton);

@@ -172,7 +172,7 @@ TEST(SceneNeeds, WhereATickTakesTooLongAllStaysIn) {
     const SceneNeeds needs = fitModel(scene, 0.0);
     for (const TermNeed& need : needs.terms) {
         EXPECT_EQ(need.on, has(needs.full, need.term)) << nameOf(need.term);
-        EXPECT_EQ(whyOf(need, needs).find("not tried: a tick takes "), 0U) << whyOf(need, needs);
+        EXPECT_EQ(whyOf(need, needs).find("not measured: a tick takes "), 0U) << whyOf(need, needs);
     }
     EXPECT_FALSE(needs.measured);
     EXPECT_TRUE(scene.model.friction);

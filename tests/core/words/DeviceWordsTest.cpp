@@ -11,7 +11,7 @@ TEST(DeviceWords, NameTheDeviceAndWhatItWaitsFor) {
     EXPECT_EQ(wordsOf(status), "SpaceMouse Compact at /dev/hidraw7");
     status.calibrated = false;
     EXPECT_EQ(wordsOf(status), "SpaceMouse Compact at /dev/hidraw7: put the handle into its rest "
-                               "pose, then Hand > Calibrate");
+                               "pose, then Device > Calibrate");
     EXPECT_EQ(wordsOf({}), "");
 }
 

@@ -15,7 +15,7 @@ TEST(ForceErrorText, NamesWhatTheLawMisses) {
     EXPECT_EQ(
         forceErrorText(needs),
         "forces within 5.4 % of their rms in 97 ticks of 100: 0.2 % by what is left out, 5.2 % by "
-        "what no contact law has beside the rest (sphere correction)");
+        "what no contact law combines with the rest (sphere correction)");
 }
 
 TEST(ForceErrorText, SaysWhereNothingWasMeasured) {
@@ -45,7 +45,7 @@ TEST(ModelNote, ListsWhatIsLeftOutButForWhatTheLawMisses) {
 
 TEST(ForceModelOptions, AreNamedByWhatDiffersFromTheUsual) {
     EXPECT_EQ(nameOf(ForceModelOptions{.law = ContactLaw::Hertz}),
-              std::string(nameOf(ContactLaw::Hertz)) + ", certified feet");
+              std::string(nameOf(ContactLaw::Hertz)) + ", certified search");
     EXPECT_EQ(nameOf({.law = ContactLaw::Jkr,
                       .solver = SolverSetting::Table,
                       .closestPointSearch = SearchEffort::Local,
@@ -53,12 +53,12 @@ TEST(ForceModelOptions, AreNamedByWhatDiffersFromTheUsual) {
                       .friction = false,
                       .curvature = false}),
               std::string(nameOf(ContactLaw::Jkr)) +
-                  ", table, local feet, planar, without friction, sample curvature");
+                  ", table, local search, planar, without friction, sample curvature");
 }
 
 TEST(LawWords, SayWhyALawWasTaken) {
-    EXPECT_EQ(whyOf({ContactLaw::Jkr, LawReason::AskedFor}), "as asked for");
-    EXPECT_EQ(whyOf({ContactLaw::Jkr, LawReason::TermsOfScene}), "as the scene says of its terms");
+    EXPECT_EQ(whyOf({ContactLaw::Jkr, LawReason::AskedFor}), "as requested");
+    EXPECT_EQ(whyOf({ContactLaw::Jkr, LawReason::TermsOfScene}), "set by the scene's terms");
     EXPECT_EQ(whyOf({ContactLaw::Hertz, LawReason::NoAdhesion}), "auto: no adhesion");
     EXPECT_EQ(whyOf({ContactLaw::HertzFilm, LawReason::FilmWithoutAdhesion}),
               "auto: a film, no adhesion");
@@ -69,18 +69,18 @@ TEST(LawWords, NameTheWidthThatDecided) {
               "auto: contact radius over tip radius is 0.26 without load, below 0.3: "
               "Maugis-Dugdale, exact from DMT to JKR, with its van der Waals tail before contact");
     EXPECT_EQ(whyOf({ContactLaw::SphereSplit, LawReason::WideContact, 2.5}),
-              "auto: contact radius over tip radius is 2.5 without load, above 0.3: the paraboloid "
-              "does not hold, the exact sphere does");
+              "auto: contact radius over tip radius is 2.5 without load, above 0.3: paraboloid "
+              "not valid, exact sphere used");
 }
 
 TEST(LawWords, TellOfTheTableWhereThereIsOne) {
     SceneDescription description = test::plainScene();
     description.choices.law = ContactLaw::Hertz;
     EXPECT_EQ(lawNote(buildScene(description, test::flatMap())),
-              "contact law: hertz (as asked for)");
+              "contact law: hertz (as requested)");
     description.choices = {.law = ContactLaw::Maugis, .solver = SolverSetting::Table};
     EXPECT_NE(lawNote(buildScene(description, test::flatMap()))
-                  .find("(as asked for); tabulated, error at most "),
+                  .find("(as requested); tabulated, error at most "),
               std::string::npos);
 }
 
@@ -106,49 +106,48 @@ TermNeed factAbout(ModelTerm term, double amount, double other = 0.0) {
 
 TEST(TermWords, NameTheQuantityThatDecides) {
     EXPECT_EQ(whyOf(factAbout(ModelTerm::Adhesion, 6.2e-9, 0.05e-9), {}),
-              "it pulls with up to 6.2 nN, pressed by up to 0.05 nN");
+              "adhesive force up to 6.2 nN, load up to 0.05 nN");
     EXPECT_EQ(whyOf(factAbout(ModelTerm::VanDerWaalsTail, 0.5), {}),
               "attraction reaches across the gap; transition parameter 0.5");
     EXPECT_EQ(whyOf(factAbout(ModelTerm::SphereCorrection, 0.26), {}),
-              "the contact is up to 0.26 tip radii wide");
+              "contact radius up to 0.26 tip radii");
     EXPECT_EQ(whyOf(factAbout(ModelTerm::FilmBase, 1.5), {}),
-              "the contact is up to 1.5 film thicknesses wide");
+              "contact radius up to 1.5 film thicknesses");
     EXPECT_EQ(whyOf(factAbout(ModelTerm::SampleCurvature, 0.2), {}),
-              "the sample is curved by up to 0.2 of the tip's own curvature");
+              "sample curvature up to 0.2 of the tip's curvature");
     EXPECT_EQ(whyOf(factAbout(ModelTerm::Friction, 0.3, 2e6), {}),
               "friction coefficient 0.3, shear strength 2 MPa");
     EXPECT_EQ(whyOf(factAbout(ModelTerm::Torsion, 0.04), {}),
-              "across the lever the tip yields 0.04 times as much as along z");
-    EXPECT_EQ(whyOf(factAbout(ModelTerm::MountTilt, 0.2), {}),
-              "the lever is tilted by 11.5 degrees");
+              "lateral compliance is 0.04 times that along z");
+    EXPECT_EQ(whyOf(factAbout(ModelTerm::MountTilt, 0.2), {}), "lever tilt 11.5 degrees");
     EXPECT_EQ(whyOf(factAbout(ModelTerm::GlobalSearch, 1.2), {}),
-              "hollows are curved by up to 1.2 of the tip's own curvature");
+              "valley curvature up to 1.2 of the tip's curvature");
 }
 
 TEST(TermWords, SayWhyThereIsNoSuchQuantity) {
     const auto why = [](ModelTerm term, bool measured) {
         return whyOf({.term = term}, {.measured = measured, .fullTick = 0.012});
     };
-    EXPECT_EQ(why(ModelTerm::Friction, false), "not tried: a tick takes 12 ms here");
-    EXPECT_EQ(why(ModelTerm::HalfSpaceSolve, false), "not tried: a tick takes 12 ms here");
+    EXPECT_EQ(why(ModelTerm::Friction, false), "not measured: a tick takes 12 ms here");
+    EXPECT_EQ(why(ModelTerm::HalfSpaceSolve, false), "not measured: a tick takes 12 ms here");
     EXPECT_EQ(why(ModelTerm::FilmBase, true), "the sample is no film");
     EXPECT_EQ(why(ModelTerm::Adhesion, true), "the materials do not adhere");
     EXPECT_EQ(
         whyOf(factAbout(ModelTerm::GlobalSearch, std::numeric_limits<double>::infinity()), {}),
-        "a shape may come near at several places");
+        "a shape may have several contact points");
 }
 
 TEST(TermWords, TellOfTheSurfaceWhatTheContactsShowed) {
     SceneNeeds needs{.measured = true};
     const auto why = [&needs](ModelTerm term) { return whyOf({.term = term}, needs); };
-    EXPECT_EQ(why(ModelTerm::OutsideDisplacement), "the sampled runs touch nothing");
-    EXPECT_EQ(why(ModelTerm::HalfSpaceSolve), "the sampled runs touch nothing");
+    EXPECT_EQ(why(ModelTerm::OutsideDisplacement), "no contact in the sampled runs");
+    EXPECT_EQ(why(ModelTerm::HalfSpaceSolve), "no contact in the sampled runs");
     needs.surface = {.touches = true, .deepest = {.verdict = HalfSpaceVerdict::Film}};
     EXPECT_EQ(why(ModelTerm::OutsideDisplacement),
-              "a sample yields beyond the rim of the contact, too");
+              "the surface is displaced outside the contact, too");
     EXPECT_EQ(why(ModelTerm::HalfSpaceSolve), sentenceOf(needs.surface.deepest));
     needs.surface.halfSpace = 0.1;
-    EXPECT_EQ(why(ModelTerm::HalfSpaceSolve), "it does not hold at every contact");
+    EXPECT_EQ(why(ModelTerm::HalfSpaceSolve), "not valid at every contact");
     needs.surface.halfSpaceHolds = true;
     EXPECT_EQ(why(ModelTerm::HalfSpaceSolve), sentenceOf(needs.surface.deepest));
 }
@@ -157,13 +156,13 @@ TEST(TermWords, NameWhatTookThePlaceOfATermThatMatters) {
     SceneNeeds needs{.full = {.law = ContactLaw::HertzFilm}, .tolerance = 0.05};
     TermNeed adhesion = factAbout(ModelTerm::Adhesion, 6e-9, 1e-9);
     adhesion.effect = 0.3;
-    EXPECT_EQ(whyOf(adhesion, needs), "it pulls with up to 6 nN, pressed by up to 1 nN; no contact "
-                                      "law has it beside the film's base");
+    EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN; no contact law "
+                                      "combines it with the film's base");
     adhesion.effect = 0.01;
-    EXPECT_EQ(whyOf(adhesion, needs), "it pulls with up to 6 nN, pressed by up to 1 nN");
+    EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN");
     adhesion.effect = 0.3;
     needs.full.law = ContactLaw::Split;
-    EXPECT_EQ(whyOf(adhesion, needs), "it pulls with up to 6 nN, pressed by up to 1 nN");
+    EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN");
 }
 
 }  // namespace

@@ -14,35 +14,37 @@ constexpr ScaleJudgment kHolding{.contact = 1400.0,
 
 TEST(ScaleWords, TellTheScaleAndWhatIsFelt) {
     EXPECT_EQ(feltWords({.positionGain = 1e-6, .forceGain = 1e8}, kHolding),
-              "1 mm : 1 nm, 1 N : 10 nN; the hand feels 247 N/m of 1.4 kN/m");
+              "1 mm : 1 nm, 1 N : 10 nN; stiffness at the device 247 N/m of 1.4 kN/m");
 }
 
 TEST(ScaleWords, TellWhatIsTooMuchAndTheRemedy) {
     EXPECT_EQ(refusalOf(kHolding), "");
     ScaleJudgment judgment = kHolding;
     judgment.adhesion = 3.19;
-    EXPECT_EQ(refusalOf(judgment), "the sample would hold the hand with 3.19 N, more than the "
-                                   "motors may give (3 N): a smaller force gain is needed");
+    EXPECT_EQ(refusalOf(judgment),
+              "adhesion at the device of 3.19 N exceeds its force limit (3 N): "
+              "reduce the force gain");
     judgment.contact = 8400.0;
-    EXPECT_EQ(refusalOf(judgment), "the contact is 8.4 kN/m at the hand, more than the coupling "
-                                   "bears at this rate (6 kN/m): a smaller force gain or a smaller "
-                                   "position gain is needed");
+    EXPECT_EQ(refusalOf(judgment),
+              "contact stiffness at the device of 8.4 kN/m exceeds the stability "
+              "limit of the coupling at this rate (6 kN/m): reduce the force "
+              "gain or the position gain");
     judgment.felt = 1400.0;
-    EXPECT_EQ(refusalOf(judgment), "the hand would feel 1.4 kN/m, more than the device renders "
-                                   "(800 N/m): a smaller force gain or a smaller position gain is "
-                                   "needed");
+    EXPECT_EQ(refusalOf(judgment), "rendered stiffness of 1.4 kN/m exceeds the limit of the device "
+                                   "(800 N/m): reduce the force gain or the position gain");
 }
 
 TEST(ScaleWords, TellOfTheGuideBesideTheContact) {
     ScaleJudgment judgment = kHolding;
     judgment.guided = true;
     judgment.contactBound = 1000.0;
-    EXPECT_EQ(refusalOf(judgment), "the contact is 1.4 kN/m at the hand, more than the coupling "
-                                   "bears at this rate beside the guide (1 kN/m): a smaller force "
-                                   "gain or a smaller position gain is needed");
+    EXPECT_EQ(refusalOf(judgment),
+              "contact stiffness at the device of 1.4 kN/m exceeds the stability "
+              "limit of the coupling at this rate beside the guide (1 kN/m): "
+              "reduce the force gain or the position gain");
     judgment.contactBound = -1000.0;
-    EXPECT_EQ(refusalOf(judgment), "the guide alone is stiffer or more damped than the coupling "
-                                   "bears at this rate: a softer guide is needed");
+    EXPECT_EQ(refusalOf(judgment), "the guide alone exceeds the stability limit of the coupling at "
+                                   "this rate: a softer guide is needed");
 }
 
 TEST(ScaleWords, GiveTheDesignsOwnWordsWhereThereIsNoCoupling) {

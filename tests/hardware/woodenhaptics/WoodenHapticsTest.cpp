@@ -89,7 +89,7 @@ TEST(WoodenHaptics, BeforeItIsCalibratedItIsNotConnectedAndPushesNothing) {
     WoodenHaptics device(hid, shippedDevice());
     EXPECT_FALSE(device.status().calibrated);
     EXPECT_EQ(wordsOf(device.status()),
-              "Polhem at /dev/hidraw7: put the handle into its rest pose, then Hand > Calibrate");
+              "Polhem at /dev/hidraw7: put the handle into its rest pose, then Device > Calibrate");
     for (int i = 0; i < 20; ++i) {
         hid.send({readingReport(kHandle)});
         EXPECT_FALSE(device.advance(1e-3).connected);

@@ -152,7 +152,7 @@ TEST_F(FidelityPanelTest, AGivenLawSaysItsTermsUntilAPersonDoes) {
     panel.showModel(needs(), choices);
     for (const ModelTerm term : {ModelTerm::Adhesion, ModelTerm::VanDerWaalsTail,
                                  ModelTerm::SphereCorrection, ModelTerm::FilmBase}) {
-        EXPECT_EQ(choiceOf(term).currentText(), QStringLiteral("as the law says"));
+        EXPECT_EQ(choiceOf(term).currentText(), QStringLiteral("set by the law"));
     }
     EXPECT_EQ(choiceOf(ModelTerm::Friction).currentText(), QStringLiteral("auto"));
     Q_EMIT choiceOf(ModelTerm::Adhesion).activated(0);

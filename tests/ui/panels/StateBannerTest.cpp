@@ -88,8 +88,7 @@ TEST(StateBanner, AFaultStandsAboveAllAndCanBeTakenBack) {
     sample.output.fault = Fault::DeviceLost;
     banner.setPaused(true);
     banner.show(test::snapshotOf(sample));
-    EXPECT_EQ(stateOf(banner),
-              QStringLiteral("fault: the hand's device is not there: forces are off"));
+    EXPECT_EQ(stateOf(banner), QStringLiteral("fault: device not connected: forces switched off"));
     EXPECT_FALSE(rearmButton(banner).isHidden());
     QSignalSpy asked(&banner, &StateBanner::rearmRequested);
     banner.findChild<QPushButton*>(QStringLiteral("rearm"))->click();
@@ -278,10 +277,10 @@ TEST(StateBanner, WarnsWhileTheDeviceIsGivenEnergy) {
     StateBanner banner;
     banner.setEnergyGiven(true);
     banner.show(test::snapshotOf(far()));
-    EXPECT_TRUE(banner.toolTip().contains("begin to shake"));
+    EXPECT_TRUE(banner.toolTip().contains("begins to oscillate"));
     banner.setEnergyGiven(false);
     banner.show(test::snapshotOf(far()));
-    EXPECT_FALSE(banner.toolTip().contains("begin to shake"));
+    EXPECT_FALSE(banner.toolTip().contains("begins to oscillate"));
 }
 
 TEST(StateBanner, EveryFaultHasWords) {

@@ -122,7 +122,7 @@ private:
     static void addNotes(const NanoscopeImage& image, ScanChannel& channel, int sampleBytes) {
         channel.notes = image.notes();
         if (image.bytesPerPixel() != sampleBytes) {
-            channel.notes.push_back("the header says " + std::to_string(image.bytesPerPixel()) +
+            channel.notes.push_back("the header names " + std::to_string(image.bytesPerPixel()) +
                                     " bytes a sample, but this version stores " +
                                     std::to_string(sampleBytes));
         }

@@ -61,7 +61,7 @@ void encode(const std::vector<double>& heights, const HeightRange& range,
 
 /// Thrown through libpng, which is built with unwind tables and holds nothing that would leak.
 [[noreturn]] void throwError(png_structp /*png*/, png_const_charp message) {
-    throw Error(std::string("the PNG library says: ") + message);
+    throw Error(std::string("the PNG library reports: ") + message);
 }
 
 void ignoreWarning(png_structp /*png*/, png_const_charp /*message*/) {}

@@ -100,7 +100,7 @@ TEST(CouplingKeeper, AnAdhesionThatNoScaleMakesHoldableIsRefusedWithTheNumber) {
     CouplingKeeper keeper(scene);
     const std::string told =
         refusal([&] { static_cast<void>(keeper.takeOver(kPhantom, 1.0_ms, scene.settings)); });
-    EXPECT_NE(told.find("the sample would hold the hand with"), std::string::npos) << told;
+    EXPECT_NE(told.find("adhesion at the device of "), std::string::npos) << told;
     EXPECT_EQ(keeper.coupled(), nullptr);
 }
 
@@ -127,7 +127,7 @@ TEST(CouplingKeeper, AGainThatDoesNotHoldIsRefusedAndChangesNothing) {
     Settings wanted = knobs;
     wanted.forceGain = 6e8;  // some 6 nN of adhesion are 3.6 N
     const std::string told = refusal([&] { static_cast<void>(keeper.turned(wanted, 1.0_ms)); });
-    EXPECT_NE(told.find("smaller force gain"), std::string::npos) << told;
+    EXPECT_NE(told.find("reduce the force gain"), std::string::npos) << told;
     wanted.forceGain = 1e8;
     wanted.positionGain = 1e-5;  // 14 N/m are 14 kN/m
     EXPECT_NE(refusal([&] { static_cast<void>(keeper.turned(wanted, 1.0_ms)); }), "");

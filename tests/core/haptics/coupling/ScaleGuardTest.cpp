@@ -83,7 +83,7 @@ TEST(ScaleGuard, ARefusedScaleHoldsWithTheRemedyThatIsNamed) {
     const DeviceScale magnified{.positionGain = 1e-6, .forceGain = 6e8};
     const ScaleJudgment judged = judgeScale(kLever, magnified, kSoft, kPhantom);
     ASSERT_FALSE(judged.holds());
-    EXPECT_NE(refusalOf(judged).find("a smaller force gain or a smaller position gain"),
+    EXPECT_NE(refusalOf(judged).find("reduce the force gain or the position gain"),
               std::string::npos)
         << refusalOf(judged);
     for (const DeviceScale& remedied : {DeviceScale{1e-6, 3e8}, DeviceScale{0.5e-6, 6e8}}) {
