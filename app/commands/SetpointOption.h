@@ -6,6 +6,7 @@
 #include "core/scene/SceneDescription.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -19,7 +20,9 @@ inline std::optional<double> parseSetpoint(const std::string& text) {
     if (!number || !(unit.base == "N" || number->rest.empty())) {
         return std::nullopt;
     }
-    const double force = number->value * unit.factor;
+    // A power of ten below 1 is no exact double, its inverse is: 12nN is the very number 12e-9.
+    const double force = unit.factor < 1.0 ? number->value / std::round(1.0 / unit.factor)
+                                           : number->value * unit.factor;
     return isSetpoint(force) ? std::optional(force) : std::nullopt;
 }
 

@@ -162,15 +162,8 @@ void ContactLayer::showWalls(const ContactStyle& style) {
                                    .back = area.top == window.top,
                                    .left = area.left == window.left,
                                    .right = area.right == window.right});
-    vtkDataArray* normals = sides->GetPointData()->GetNormals();
-    vtkNew<vtkUnsignedCharArray> rgb;
-    rgb->SetNumberOfComponents(3);
-    for (vtkIdType id = 0; id < sides->GetNumberOfPoints(); ++id) {
-        const Vector3 normal(normals->GetTuple(id));
-        rgb->InsertNextTypedTuple(style.shading.lit(palette::kSide, normal, kWallMatt).data());
-    }
+    paint(sides, palette::kSide, style.shading, kWallMatt);
     sides->GetPointData()->SetNormals(nullptr);  // they are lit already
-    sides->GetPointData()->SetScalars(rgb);
     setData(walls_, sides);
 }
 

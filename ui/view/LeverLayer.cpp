@@ -2,13 +2,10 @@
 
 #include <vtkActor.h>
 #include <vtkCubeSource.h>
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <numbers>
 
@@ -49,14 +46,7 @@ void LeverLayer::show(const LeverPlace& place, const Shading& shading) {
     placed->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     placed->Update();
     data_->ShallowCopy(placed->GetOutput());
-    vtkDataArray* normals = data_->GetPointData()->GetNormals();
-    vtkNew<vtkUnsignedCharArray> rgb;
-    rgb->SetNumberOfComponents(3);
-    rgb->SetNumberOfTuples(data_->GetNumberOfPoints());
-    for (vtkIdType id = 0; id < data_->GetNumberOfPoints(); ++id) {
-        rgb->SetTypedTuple(id, shading.lit(palette::kLever, Vector3(normals->GetTuple(id))).data());
-    }
-    data_->GetPointData()->SetScalars(rgb);
+    paint(data_, palette::kLever, shading);
     slab_->VisibilityOn();
 }
 

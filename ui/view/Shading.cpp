@@ -1,9 +1,13 @@
 #include "ui/view/Shading.h"
 
 #include <vtkActor.h>
+#include <vtkDataArray.h>
 #include <vtkMapper.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 
@@ -23,6 +27,17 @@ std::array<unsigned char, 3> Shading::lit(const Color& color, const Vector3& nor
         return static_cast<unsigned char>(std::min(255.0, light * part + 0.5));
     };
     return {shade(color.red), shade(color.green), shade(color.blue)};
+}
+
+void paint(vtkPolyData* data, const Color& color, const Shading& shading, const Matt& matt) {
+    vtkDataArray* normals = data->GetPointData()->GetNormals();
+    vtkNew<vtkUnsignedCharArray> rgb;
+    rgb->SetNumberOfComponents(3);
+    rgb->SetNumberOfTuples(data->GetNumberOfPoints());
+    for (vtkIdType id = 0; id < data->GetNumberOfPoints(); ++id) {
+        rgb->SetTypedTuple(id, shading.lit(color, Vector3(normals->GetTuple(id)), matt).data());
+    }
+    data->GetPointData()->SetScalars(rgb);
 }
 
 vtkSmartPointer<vtkActor> surfaceAsColored(vtkPolyData* data) {

@@ -31,6 +31,10 @@ private:
     Vector3 toLight_;
 };
 
+/// Gives the points of `data`, which have normals in the world frame, the color of a surface there.
+void paint(vtkPolyData* data, const Color& color, const Shading& shading,
+           const Matt& matt = kPlainMatt);
+
 /// A surface that shows its points' RGB or RGBA scalars as they are.
 [[nodiscard]] vtkSmartPointer<vtkActor> surfaceAsColored(vtkPolyData* data);
 

@@ -4,13 +4,10 @@
 #include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkActor.h>
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
 
 namespace asperity {
 
@@ -51,7 +48,7 @@ void TipLayer::show(const ContactShape& shape, const TipStyle& style) {
     source_->Update();
     body_->ShallowCopy(source_->GetOutput());
     deform(shape);
-    light(style.shading);
+    paint(body_, palette::kTipBody, style.shading);
     style.space.apply(solid_);
     style.space.apply(drop_);
     solid_->VisibilityOn();
@@ -76,18 +73,6 @@ void TipLayer::deform(const ContactShape& shape) {
         deformed->SetPoint(id, Vector3(point + shape.tipDisplacement(distance) * axis).data());
     }
     body_->SetPoints(deformed);
-}
-
-void TipLayer::light(const Shading& shading) {
-    vtkDataArray* normals = body_->GetPointData()->GetNormals();
-    vtkNew<vtkUnsignedCharArray> rgb;
-    rgb->SetNumberOfComponents(3);
-    rgb->SetNumberOfTuples(body_->GetNumberOfPoints());
-    for (vtkIdType id = 0; id < body_->GetNumberOfPoints(); ++id) {
-        rgb->SetTypedTuple(id,
-                           shading.lit(palette::kTipBody, Vector3(normals->GetTuple(id))).data());
-    }
-    body_->GetPointData()->SetScalars(rgb);
 }
 
 void TipLayer::showDrop(const ContactShape& shape) {

@@ -38,7 +38,6 @@ public:
 
 private:
     void deform(const ContactShape& shape);
-    void light(const Shading& shading);
     void showDrop(const ContactShape& shape);
 
     vtkNew<vtkAspTipSource> source_;

@@ -126,7 +126,7 @@ TEST(ExploreSetpoint, EndsTheApproachAndNothingGoesAside) {
         const Extremes extremes(out);
         EXPECT_NEAR(extremes.strongestPush, setpoint, 0.7e-9) << option;
         EXPECT_LT(extremes.farthestAside, 1e-15) << option;
-        EXPECT_DOUBLE_EQ(summaryOf(out)["scene"]["approach"]["setpoint_n"], setpoint);
+        EXPECT_EQ(summaryOf(out)["scene"]["approach"]["setpoint_n"], setpoint);
     }
 }
 

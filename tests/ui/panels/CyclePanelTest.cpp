@@ -128,7 +128,7 @@ TEST_F(CyclePanelTest, BranchesHaveTheirColorsAndOlderOnesAreFainter) {
     move(4e-9);
     panel.refresh();
     const QImage first = panel.grab().toImage();
-    EXPECT_GT(test::pixelsLike(first, branchColors(0).approach), 30);
+    EXPECT_GT(test::pixelsLike(first, branchColors(0).approach), 60);
     EXPECT_GT(test::pixelsLike(first, branchColors(0).retract), 60);
     cycles(1);  // not as deep: the first one shows beyond it
     const QImage both = panel.grab().toImage();

@@ -18,8 +18,8 @@ namespace {
 /// So soft that the contact is wider than the tip.
 Scene rubberScene(std::optional<ContactLaw> law = ContactLaw::Split) {
     HeightMap map = test::flatMap();
-    map.pitchX *= 4.0;
-    map.pitchY *= 4.0;
+    map.pitchX *= 3.0;
+    map.pitchY *= 3.0;
     SceneDescription description = test::plainScene();
     description.sample.material.elastic = {.youngsModulus = 1e6, .poissonRatio = 0.5};
     description.sample.material.workOfAdhesion = 0.022;
@@ -83,7 +83,7 @@ TEST(ViewScale, IsThatOfTheContactWhereItIsWide) {
     const double unloaded = unloadedContactRadius(scene.belief.contact.pair());
     EXPECT_NEAR(unloaded, 37.4_nm, 0.5_nm);
     EXPECT_DOUBLE_EQ(scale.patch, 2.5 * unloaded);
-    EXPECT_DOUBLE_EQ(scale.usual, std::max(3.2 * unloaded, 15.0 * scale.pixel));
+    EXPECT_DOUBLE_EQ(scale.usual, 3.2 * unloaded);
     EXPECT_LT(scale.least, scale.usual);
 }
 
