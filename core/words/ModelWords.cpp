@@ -123,7 +123,7 @@ std::string whyOf(const TermNeed& need, const SceneNeeds& needs) {
     for (const ModelTerm other : kModelTerms) {
         if (need.effect > needs.tolerance && exclude(need.term, other) && has(needs.full, other) &&
             !has(needs.full, need.term)) {
-            why += std::string("; no contact law combines it with ") + nameOf(other);
+            why += std::string("; no contact law combines it with the ") + nameOf(other);
         }
     }
     return why;

@@ -29,8 +29,8 @@ namespace asperity {
 [[nodiscard]] const char* whyImpossible(ModelTerm term) noexcept;
 
 /// The error of a model's force and what makes it up, in one clause: "forces within 5.4 % of their
-/// rms in 97 ticks of 100: 0.2 % by what is left out, 5.2 % by what no contact law has beside the
-/// rest (sphere correction)".
+/// rms in 97 ticks of 100: 0.2 % by what is left out, 5.2 % by what no contact law combines with
+/// the rest (sphere correction)".
 [[nodiscard]] std::string forceErrorText(const SceneNeeds& needs);
 
 /// The same with the terms that the model leaves out, but for those its law has no room for: they

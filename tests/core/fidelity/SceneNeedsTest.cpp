@@ -103,7 +103,7 @@ TEST(SceneNeeds, SaysWhatKeepsATermOutThatMatters) {
     const TermNeed& adhesion = needOf(needs, ModelTerm::Adhesion);
     EXPECT_FALSE(adhesion.on);
     EXPECT_GT(adhesion.effect, needs.tolerance);
-    EXPECT_NE(whyOf(adhesion, needs).find("no contact law has it beside the film's base"),
+    EXPECT_NE(whyOf(adhesion, needs).find("no contact law combines it with the film's base"),
               std::string::npos)
         << whyOf(adhesion, needs);
     EXPECT_EQ(whyOf(needOf(needs, ModelTerm::Torsion), needs).find("no contact law"),

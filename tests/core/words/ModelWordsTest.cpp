@@ -157,7 +157,7 @@ TEST(TermWords, NameWhatTookThePlaceOfATermThatMatters) {
     TermNeed adhesion = factAbout(ModelTerm::Adhesion, 6e-9, 1e-9);
     adhesion.effect = 0.3;
     EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN; no contact law "
-                                      "combines it with film's base");
+                                      "combines it with the film's base");
     adhesion.effect = 0.01;
     EXPECT_EQ(whyOf(adhesion, needs), "adhesive force up to 6 nN, load up to 1 nN");
     adhesion.effect = 0.3;

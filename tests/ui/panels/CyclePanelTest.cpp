@@ -138,7 +138,7 @@ TEST_F(CyclePanelTest, BranchesHaveTheirColorsAndOlderOnesAreFainter) {
 
 TEST_F(CyclePanelTest, FitsTheColumnOfASmallWindow) {
     EXPECT_LE(panel.minimumSizeHint().width(), 350);
-    EXPECT_LE(panel.minimumSizeHint().height(), 160);
+    EXPECT_LE(panel.minimumSizeHint().height(), 130);
 }
 
 }  // namespace
