@@ -23,7 +23,8 @@ namespace {
 constexpr double kMinForces = 0.2e-9;      ///< extent of the force axis [N]
 constexpr double kMinDistances = 0.5e-9;   ///< extent of the distance axis [m]
 constexpr double kMinDistanceUnit = 1e-9;  ///< distances are in nm or larger units [m]
-constexpr double kCurveWidth = 1.4;        ///< [px]
+constexpr double kCurveWidth = 1.4;        ///< of a retract curve [px]
+constexpr double kApproachWidth = 3.0;     ///< shows on both sides of a retract curve upon it [px]
 constexpr int kMinHeight = 72;             ///< of the plot [px]
 constexpr int kMinTickHeight = 14;         ///< between ticks of the force axis [px]
 constexpr int kMinTickWidth = 52;          ///< between those of the distance axis [px]
@@ -117,14 +118,15 @@ ForceDistancePlot::Canvas::Canvas(ForceDistancePlot* owner)
 
 ForceDistancePlot::Canvas::Items ForceDistancePlot::Canvas::newItems(int age) {
     const BranchColors colors = branchColors(age);
-    const auto curve = [this](const QColor& color) {
+    const auto curve = [this](const QColor& color, double width) {
         auto* item = new PiecewiseCurve;
-        item->setPen(color, kCurveWidth, Qt::SolidLine);
+        item->setPen(color, width, Qt::SolidLine);
         item->setRenderHint(QwtPlotItem::RenderAntialiased);
         item->attach(plot_);
         return item;
     };
-    Items items{curve(colors.approach), curve(colors.retract), new QwtPlotMarker};
+    Items items{curve(colors.approach, kApproachWidth), curve(colors.retract, kCurveWidth),
+                new QwtPlotMarker};
     items.pullOff->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, QBrush(QColor(theme::kPaper)),
                                            QPen(colors.retract, kCurveWidth),
                                            {kRingSize, kRingSize}));

@@ -10,7 +10,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -23,8 +22,6 @@
 namespace asperity {
 
 namespace {
-
-constexpr double kHiddenOpacity = 0.4;  // of the rim behind the tip
 
 void setData(vtkActor* actor, vtkPolyData* data) {
     vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
@@ -78,7 +75,7 @@ std::vector<double> linePlaces(const Range& area, const Range& window, double sp
 
 }  // namespace
 
-ContactLayer::ContactLayer(vtkRenderer* solid, vtkRenderer* through) {
+ContactLayer::ContactLayer(vtkRenderer* solid, vtkRenderer* through) : hidden_(through) {
     points_->SetDataTypeToDouble();
     rgb_->SetNumberOfComponents(3);
     mesh_->SetPoints(points_);
@@ -87,15 +84,11 @@ ContactLayer::ContactLayer(vtkRenderer* solid, vtkRenderer* through) {
     vtkNew<vtkPolyData> nothing;
     grid_ = thinLines(nothing);
     rim_ = linesAsDrawn(nothing, palette::kContact, 2.0);
-    hiddenRim_ = linesAsDrawn(nothing, palette::kContact, 2.0);
-    hiddenRim_->GetProperty()->SetOpacity(kHiddenOpacity);
-    hiddenRim_->ForceOpaqueOn();  // blended all the same, without VTK's costly passes
     walls_ = surfaceAsColored(nothing);
     solid->AddActor(surface_);
     solid->AddActor(walls_);
     solid->AddActor(grid_);
     solid->AddActor(rim_);
-    through->AddActor(hiddenRim_);
     hide();
 }
 
@@ -106,7 +99,7 @@ void ContactLayer::hide() {
     walls_->VisibilityOff();
     grid_->VisibilityOff();
     rim_->VisibilityOff();
-    hiddenRim_->VisibilityOff();
+    hidden_.hide();
 }
 
 void ContactLayer::show(const Scene& scene, const ContactShape& shape, const ContactStyle& style) {
@@ -114,8 +107,8 @@ void ContactLayer::show(const Scene& scene, const ContactShape& shape, const Con
     showSurface(scene, shape, style);
     showWalls(style);
     showGrid(scene, shape, style);
-    showRim(scene, shape);
-    for (vtkActor* actor : {surface_, walls_, grid_, rim_, hiddenRim_}) {
+    showRim(scene, shape, style);
+    for (vtkActor* actor : {surface_, walls_, grid_, rim_}) {
         style.space.apply(actor);
     }
 }
@@ -201,11 +194,12 @@ void ContactLayer::showGrid(const Scene& scene, const ContactShape& shape,
     setData(grid_, grid.data());
 }
 
-void ContactLayer::showRim(const Scene& scene, const ContactShape& shape) {
+void ContactLayer::showRim(const Scene& scene, const ContactShape& shape,
+                           const ContactStyle& style) {
     const TipContact& contact = shape.contact();
     if (!(contact.contactRadius > 0.0)) {
         rim_->VisibilityOff();
-        hiddenRim_->VisibilityOff();
+        hidden_.hide();
         return;
     }
     constexpr int kPoints = 120;
@@ -221,7 +215,11 @@ void ContactLayer::showRim(const Scene& scene, const ContactShape& shape) {
     }
     const auto line = polyline(rim);
     setData(rim_, line);
-    setData(hiddenRim_, line);
+    hidden_.hide();
+    hidden_.showRim(line, style.space);
+    if (!style.isCut) {
+        hidden_.showDent(shape, mesh_, style.space);
+    }
 }
 
 }  // namespace asperity

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/view/ContactShape.h"
+#include "ui/view/HiddenContact.h"
 #include "ui/view/Shading.h"
 #include "ui/view/SurfaceColors.h"
 
@@ -24,10 +25,11 @@ struct ContactStyle {
     ScanWindow gridArea;       ///< that the grid covers
     ScanWindow window;         ///< of the terrain around the contact
     double bottom = 0.0;       ///< world z where the terrain's walls end below [m]
+    bool isCut = false;        ///< a section opens the contact to the eye
 };
 
 /// The deformed surface around the contact with its draped grid, its walls where it lies at an edge
-/// of the terrain, and the contact's rim; where something hides the rim it shows through faintly.
+/// of the terrain, and the contact's rim; what the tip hides of the contact shows through faintly.
 class ContactLayer {
 public:
     /// @param solid   where the surface goes
@@ -45,7 +47,7 @@ private:
     void showSurface(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
     void showWalls(const ContactStyle& style);
     void showGrid(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
-    void showRim(const Scene& scene, const ContactShape& shape);
+    void showRim(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
 
     int samples_ = 0;
     vtkNew<vtkPoints> points_;
@@ -55,7 +57,7 @@ private:
     vtkSmartPointer<vtkActor> walls_;
     vtkSmartPointer<vtkActor> grid_;
     vtkSmartPointer<vtkActor> rim_;
-    vtkSmartPointer<vtkActor> hiddenRim_;
+    HiddenContact hidden_;
 };
 
 }  // namespace asperity

@@ -215,7 +215,8 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
                    .gridSpacing = options_.grid ? gridSpacing(width) : 0.0,
                    .gridArea = terrain_.place().patch,
                    .window = window,
-                   .bottom = terrain_.bottom()});
+                   .bottom = terrain_.bottom(),
+                   .isCut = options_.section});
     showTip(shape, shading);
     showSection(shape, camera);
     contactShown_ = shape.contact();

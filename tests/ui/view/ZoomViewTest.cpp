@@ -61,8 +61,9 @@ TEST_F(ZoomViewTest, DrawsWithoutErrorsOfOpenGl) {
 
 TEST_F(ZoomViewTest, ShowsTheDentInBlueAndTheNeckInOrange) {
     const TipState& state = moments.deep.sample.output.model;
-    // Just before the rim: inside of it the tip is in the way.
-    const Vector3 inDent = state.closest.point + 1.2 * state.contact.contactRadius * towardsEye();
+    // Beside the arrow, inside of the rim: it shows through the tip.
+    const Vector3 inDent =
+        state.closest.point - 0.6 * state.contact.contactRadius * view->camera().right();
     const QColor rest = colorAt(pictureOf(moments.away), inDent);
     const QColor dent = colorAt(pictureOf(moments.deep), inDent);
     EXPECT_GT(difference(rest, dent), 60);
