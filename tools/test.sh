@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Asperity and runs its tests.
-# Usage: tools/test.sh [PRESET]   all tests of one preset but those labeled long: release-gate
-#                                 (default: release with precompiled headers), release, dev, asan,
-#                                 tsan, or of one sanitizer gate: asan-gate, tsan-gate
+# Usage: tools/test.sh [PRESET]   all tests of one preset but those labeled long: release
+#                                 (default), dev, asan, tsan, or of one sanitizer gate: asan-gate,
+#                                 tsan-gate
 #        tools/test.sh gates      the three gates in one run: the release tests; readers, tick and
 #                                 window with AddressSanitizer and UBSan, and a minute of each
 #                                 fuzzer; loop, recording and devices with ThreadSanitizer
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-wanted=${1:-release-gate}
+wanted=${1:-release}
 
 # The tests that draw need a display; a virtual one gives the same pictures everywhere.
 with_display() {
@@ -17,7 +17,7 @@ with_display() {
 
 packages=()
 case $wanted in
-release | release-gate | dev) ;;
+release | dev) ;;
 *) packages=("$top/tools/gate_packages.txt") ;;
 esac
 "$top/tools/install_packages.sh" "${packages[@]}"
@@ -31,7 +31,7 @@ if [ "$wanted" != gates ]; then
     exit
 fi
 
-"$top/tools/build.sh" release-gate
+"$top/tools/build.sh" release
 "$top/tools/build.sh" asan-gate asperity_gate
 "$top/tools/build.sh" tsan-gate asperity_gate
 
@@ -39,7 +39,7 @@ fi
 export ASPERITY_GATES=1
 gates=$top/build/gates
 mkdir -p "$gates"
-for preset in release-gate asan-gate tsan-gate; do
+for preset in release asan-gate tsan-gate; do
     echo "subdirs(\"$top/build/$preset\")"
 done >"$gates/CTestTestfile.cmake"
 with_display ctest --test-dir "$gates" --output-on-failure --no-tests=error -j2 --label-exclude '^long$'

@@ -11,7 +11,6 @@
 #include <QTimer>
 
 #include <functional>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -25,20 +24,25 @@ constexpr double kDuration = 12.0;  // of the approach and the way back [s]
 struct Moment {
     const char* name;
     std::function<bool(Session&)> hasCome;
+    bool isLast = false;  ///< its last frame is wanted, not its first
 };
 
 const TickOutput& newest(Session& session) {
     return session.run()->loop().snapshot().sample.output;
 }
 
+bool isIn(Session& session, ApproachPhase phase) {
+    const ApproachDevice* const approach = session.devices().approaching();
+    return approach != nullptr && approach->phase() == phase;
+}
+
 bool isBonded(Session& session) {
     return newest(session).model.contact.branch == ContactBranch::Bonded;
 }
 
-/// Force at which the tip lets go, about [N].
-double pull(Session& session) {
-    const ContactPair pair = contactModelAt(session.run()->scene(), newest(session).model).pair();
-    return -1.3 * std::numbers::pi * pair.tipRadius * pair.workOfAdhesion;
+bool isPulled(Session& session) {
+    return isBonded(session) && newest(session).model.contact.force < 0.0 &&
+           isIn(session, ApproachPhase::Retract);
 }
 
 /// In their order.
@@ -46,32 +50,26 @@ std::vector<Moment> moments() {
     return {{"far",
              [](Session& session) { return session.run()->loop().snapshot().sample.time > 1.0; }},
             {"snapped_in", isBonded},
-            {"indenting",
-             [](Session& session) {
-                 const ApproachDevice* const approach = session.devices().approaching();
-                 return approach != nullptr && approach->phase() == ApproachPhase::Dwell;
-             }},
-            {"retracting",
-             [](Session& session) {
-                 return isBonded(session) &&
-                        newest(session).model.contact.force < 0.9 * pull(session);
-             }},
+            {"indenting", [](Session& session) { return isIn(session, ApproachPhase::Dwell); }},
+            {.name = "retracting", .hasCome = isPulled, .isLast = true},
             {"off", [](Session& session) { return !isBonded(session); }}};
 }
 
-/// Watches the run from frame to frame and saves each picture once.
+/// Watches the run from frame to frame and saves a picture of each moment.
 class Photographer {
 public:
     Photographer(LiveWindow& live, std::string prefix) : live_(live), prefix_(std::move(prefix)) {}
 
     void look() {
-        if (isDone() || !moments_[next_].hasCome(live_.session())) {
+        if (isDone()) {
             return;
         }
-        live_.window().statusBar()->clearMessage();  // it names the file of the picture before
-        Q_EMIT live_.window().pictureFileChosen(
-            QString::fromStdString(prefix_ + moments_[next_].name + ".png"));
-        ++next_;
+        if (moments_[next_].hasCome(live_.session())) {
+            save(moments_[next_++]);
+        } else if (next_ > 0 && moments_[next_ - 1].isLast &&
+                   moments_[next_ - 1].hasCome(live_.session())) {
+            save(moments_[next_ - 1]);
+        }
         if (isDone()) {
             live_.window().close();
         }
@@ -81,6 +79,12 @@ public:
     [[nodiscard]] const char* awaited() const { return moments_[next_].name; }
 
 private:
+    void save(const Moment& moment) {
+        live_.window().statusBar()->clearMessage();  // it names the file of the picture before
+        Q_EMIT live_.window().pictureFileChosen(
+            QString::fromStdString(prefix_ + moment.name + ".png"));
+    }
+
     LiveWindow& live_;
     std::string prefix_;
     std::vector<Moment> moments_ = moments();

@@ -2,6 +2,8 @@
 
 #include "vtkplugins/pictures/Palette.h"
 
+#include <QObject>
+
 #include <algorithm>
 #include <cmath>
 
