@@ -8,6 +8,8 @@
 #include "ui/view/ZoomView.h"
 #include "ui/window/MainWindow.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QFileInfo>
 #include <QImageWriter>
 #include <QPixmap>
@@ -123,6 +125,7 @@ void ViewControl::savePicture(const QString& chosen) {
         runs_.fetch();
         draw(runs_.run()->loop().snapshot(), true);
     }
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // new texts get their room
     if (window_.grab().save(file)) {
         window_.tell(tr("Saved as %1").arg(file));
     } else {

@@ -4,6 +4,7 @@
 
 #include <QImage>
 #include <QLabel>
+#include <QtTest>
 
 namespace asperity::test {
 namespace {
@@ -47,6 +48,17 @@ TEST_F(ViewControlTest, SavesAPictureWithAndWithoutARun) {
     (void)save("no/such/folder.png");
     EXPECT_NE(complaint().find("folder.png: cannot be written: its folder is missing"),
               std::string::npos);
+}
+
+/// A picture at the moment of snap-in said "in c": the line's room was that of "far".
+TEST_F(ViewControlTest, APictureShowsTextsThatHaveJustChangedInFull) {
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    auto* state = window.findChild<QLabel*>(QStringLiteral("state"));
+    state->setText(QStringLiteral("a longer text than before"));
+    ASSERT_LT(state->width(), state->sizeHint().width());
+    Q_EMIT window.pictureFileChosen(QString::fromStdString(folder.file("now.png").string()));
+    EXPECT_GE(state->width(), state->sizeHint().width());
 }
 
 /// "the picture cannot be written" was all that was said of another type.
