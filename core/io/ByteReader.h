@@ -23,6 +23,14 @@ template <typename Number>
     return std::bit_cast<Number>(raw);
 }
 
+/// The same with its highest byte first.
+template <typename Number>
+[[nodiscard]] Number bigEndian(const char* bytes) {
+    std::array<char, sizeof(Number)> turned{};
+    std::reverse_copy(bytes, bytes + turned.size(), turned.begin());
+    return littleEndian<Number>(turned.data());
+}
+
 /// Appends a number with its lowest byte first.
 template <typename Number>
 void appendLittleEndian(std::string& bytes, Number value) {

@@ -29,6 +29,9 @@ public:
 
     /// The bytes at the front, fewer where there are fewer.
     [[nodiscard]] std::string start(std::uint64_t most) const;
+    [[nodiscard]] bool startsWith(std::string_view mark) const {
+        return start(mark.size()) == mark;
+    }
 
 private:
     std::string name_;

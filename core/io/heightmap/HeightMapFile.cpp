@@ -82,10 +82,9 @@ HeightMapContents contentsOf(const ByteSource& bytes) {
     if (bytes.size() == 0) {
         throw InputError(bytes.name(), "", "the file is empty");
     }
-    const std::string start = bytes.start(kMarkBytes);
     const auto* const format =
         std::ranges::find_if(kHeightMapFormats, [&](const HeightMapFormat* each) {
-            return each->read != nullptr && each->recognizes(start);
+            return each->read != nullptr && each->recognizes(bytes);
         });
     if (format == kHeightMapFormats.end()) {
         throw InputError(bytes.name(), "",
@@ -95,6 +94,7 @@ HeightMapContents contentsOf(const ByteSource& bytes) {
     HeightMapContents contents;
     contents.file.format = (*format)->name;
     contents.file.notes = std::move(scan.notes);
+    contents.file.provenance = std::move(scan.provenance);
     for (const StoredChannel& stored : scan.channels) {
         contents.file.channels.push_back(stored.channel);
     }

@@ -9,6 +9,14 @@
 
 namespace asperity {
 
+/// Something that the numbers of an image depend on, and where it comes from: "scale", "1.31e-10 m
+/// per count", "image list 2, @2:Z scale".
+struct Provenance {
+    std::string what;
+    std::string value;
+    std::string source;  ///< place in the file, or what decided where the file does not say
+};
+
 /// One image of a scan file, whatever it shows; lengths are in meters.
 struct ScanChannel {
     std::string name;
@@ -20,6 +28,7 @@ struct ScanChannel {
     double originY = 0.0;  ///< [m]
     std::map<std::string, std::string> metadata;
     std::vector<std::string> notes;  ///< what the reader had to decide about it, a sentence each
+    std::vector<Provenance> provenance;  ///< scale factors, orientation, ...
 
     [[nodiscard]] bool isHeight() const { return unit == "m"; }
     /// Whether the file says how large the scan is, in meters.
@@ -34,6 +43,7 @@ struct HeightMapFile {
     std::vector<ScanChannel> channels;
     std::size_t defaultChannel = 0;  ///< the one that a lab user expects
     std::vector<std::string> notes;  ///< as those of a channel, on the whole file
+    std::vector<Provenance> provenance;
 };
 
 /// The notes on a channel, each with its name.

@@ -29,6 +29,7 @@ struct StoredChannel {
 struct StoredScan {
     std::vector<StoredChannel> channels;
     std::vector<std::string> notes;
+    std::vector<Provenance> provenance;  ///< of the whole file
 };
 
 /// What a written file says about a height map besides its heights.
@@ -46,9 +47,9 @@ struct HeightMapFormat {
     /// That its files usually have, in lower case with their dot; `*` stands for any text. Writing
     /// goes by them, reading does not.
     std::span<const std::string_view> extensions;
-    /// Whether the content is of this type, damaged or not; null: it is not read.
-    /// @param start its first kMarkBytes bytes
-    bool (*recognizes)(std::string_view start);
+    /// Whether the content is of this type, damaged or not; null: it is not read. It looks at few
+    /// bytes.
+    bool (*recognizes)(const ByteSource& bytes);
     /// Checks the whole content, but leaves the values where they are. @param bytes must outlive
     /// the result
     /// @throw InputError when anything is missing or does not fit together
@@ -59,9 +60,6 @@ struct HeightMapFormat {
                   const HeightMapMeta& meta, Progress* progress);
     bool isShape = false;  ///< values are written as coordinates: it holds heights and nothing else
 };
-
-/// Every type is known by as many bytes.
-constexpr std::size_t kMarkBytes = 64;
 
 // Written, pixels without data are NaN where nothing else is said.
 extern const HeightMapFormat kGwyFormat;  ///< doubles; pixels without data are in a mask

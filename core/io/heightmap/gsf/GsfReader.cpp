@@ -1,8 +1,8 @@
 #include "core/Error.h"
-#include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/gsf/GsfWriter.h"
 
@@ -103,17 +103,9 @@ private:
         channel.originX = finiteOrZero(number("XOffset") * lateral.factor);
         channel.originY = finiteOrZero(number("YOffset") * lateral.factor);
         channel.metadata = fields_;
-        return {
-            .channel = channel,
-            .factor = vertical.factor,
-            .readRow = [&bytes = bytes_, data, columns = static_cast<std::size_t>(size_.columns)](
-                           int row, RowRoom& room, double* numbers) {
-                room.resize(columns * sizeof(float));
-                bytes.read(data + static_cast<std::uint64_t>(row) * room.size(), room);
-                for (std::size_t i = 0; i < columns; ++i) {
-                    numbers[i] = littleEndian<float>(room.data() + i * sizeof(float));
-                }
-            }};
+        return {.channel = channel,
+                .factor = vertical.factor,
+                .readRow = rowsOf(bytes_, {.size = size_, .place = data})};
     }
 
     /// Removes the field, so that what is left is metadata.
@@ -166,7 +158,7 @@ constexpr std::array<std::string_view, 1> kExtensions{".gsf"};
 const HeightMapFormat kGsfFormat = {
     .name = "Gwyddion Simple Field .gsf",
     .extensions = kExtensions,
-    .recognizes = [](std::string_view start) { return start.starts_with(kFamily); },
+    .recognizes = [](const ByteSource& bytes) { return bytes.startsWith(kFamily); },
     .read = [](const ByteSource& bytes) { return GsfReader(bytes).read(); },
     .write = writeGsf};
 

@@ -3,12 +3,12 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/gwy/GwyObject.h"
 #include "core/io/heightmap/gwy/GwyWriter.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 // Gwyddion's own files: one container whose keys are paths; /N/data is image N.
@@ -40,18 +40,10 @@ struct DataField {
     PhysicalUnit unit;
     ByteSpan values;  ///< doubles, top row first
 
-    void readRow(const ByteSource& source, int row, RowRoom& room, double* numbers) const {
-        const auto columns = static_cast<std::size_t>(size.columns);
-        room.resize(columns * sizeof(double));
-        source.read(values.place + static_cast<std::uint64_t>(row) * room.size(), room);
-        for (std::size_t i = 0; i < columns; ++i) {
-            numbers[i] = littleEndian<double>(room.data() + i * sizeof(double));
-        }
+    [[nodiscard]] ReadRow rows(const ByteSource& source) const {
+        return rowsOf(source, {.size = size, .type = SampleType::Float64, .place = values.place});
     }
 };
-
-/// Of a mask's values.
-bool marks(double value) { return value > 0.0; }
 
 /// "/12/data/title" → 12 and "data/title"; empty for a key that belongs to no image.
 struct ImageKey {
@@ -149,34 +141,18 @@ private:
         channel.originY = finiteOrZero(data.offsetY * data.lateralUnit.factor);
         channel.map = emptyMap(data.size, data.sizeX * data.lateralUnit.factor,
                                data.sizeY * data.lateralUnit.factor);
-        std::optional<DataField> mask;
+        ReadRow rows = data.rows(bytes_);
         if (parts.mask) {
-            mask = maskOf(channel, *parts.mask);
+            rows = masked(std::move(rows), data.size.columns,
+                          maskOf(channel, *parts.mask).rows(bytes_));
         }
         if (parts.metadata) {
             channel.metadata = readMetadata(*parts.metadata);
         }
         settleSize(channel);
-        result_.channels.push_back(
-            {.channel = std::move(channel),
-             .factor = data.unit.factor,
-             .readRow = [&bytes = bytes_, data, mask](int row, RowRoom& room, double* numbers) {
-                 data.readRow(bytes, row, room, numbers);
-                 if (mask) {
-                     removeMarked(bytes, *mask, row, room, numbers);
-                 }
-             }});
-    }
-
-    static void removeMarked(const ByteSource& bytes, const DataField& mask, int row, RowRoom& room,
-                             double* numbers) {
-        std::vector<double> values(static_cast<std::size_t>(mask.size.columns));
-        mask.readRow(bytes, row, room, values.data());
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (marks(values[i])) {
-                numbers[i] = std::numeric_limits<double>::quiet_NaN();
-            }
-        }
+        result_.channels.push_back({.channel = std::move(channel),
+                                    .factor = data.unit.factor,
+                                    .readRow = std::move(rows)});
     }
 
     /// Importers put void pixels into the mask and fill the data by interpolation.
@@ -189,9 +165,10 @@ private:
         std::ptrdiff_t marked = 0;
         RowRoom room;
         std::vector<double> values(static_cast<std::size_t>(mask.size.columns));
+        const ReadRow rows = mask.rows(bytes_);
         for (int row = 0; row < mask.size.rows; ++row) {
-            mask.readRow(bytes_, row, room, values.data());
-            marked += std::ranges::count_if(values, marks);
+            rows(row, room, values.data());
+            marked += std::ranges::count_if(values, isMarked);
         }
         if (marked > 0) {
             channel.notes.push_back(std::to_string(marked) +
@@ -284,8 +261,8 @@ const HeightMapFormat kGwyFormat = {
     .name = "Gwyddion .gwy",
     .extensions = kExtensions,
     .recognizes =
-        [](std::string_view start) {
-            return start.starts_with(kMagic) || start.starts_with(kOldMagic);
+        [](const ByteSource& bytes) {
+            return bytes.startsWith(kMagic) || bytes.startsWith(kOldMagic);
         },
     .read = [](const ByteSource& bytes) { return GwyReader(bytes).read(); },
     .write = writeGwy};

@@ -1,7 +1,7 @@
 #include "core/Error.h"
-#include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/nanoscope/NanoscopeHeader.h"
 #include "core/io/heightmap/nanoscope/NanoscopeImage.h"
@@ -71,52 +71,34 @@ private:
         channel.originY = image.scanLength("Y Offset");
         channel.map = emptyMap(layout.size, layout.sizeX, layout.sizeY);
         channel.metadata = metadata(section);
-        requireSamples(layout, place);
+        // Whatever the scan's direction was, the first stored row is the bottom of the image.
+        const SampleLayout samples{.size = layout.size,
+                                   .type = layout.sampleBytes == sizeof(std::int32_t)
+                                               ? SampleType::Int32
+                                               : SampleType::Int16,
+                                   .place = layout.offset,
+                                   .bottomFirst = true};
+        takeSamples(samples, place);
         addNotes(image, channel, layout.sampleBytes);
-        result_.channels.push_back(
-            {.channel = std::move(channel),
-             .factor = scale.factor,
-             .readRow = [&bytes = bytes_, layout](int row, RowRoom& room, double* counts) {
-                 readRow(bytes, layout, row, room, counts);
-             }});
+        result_.channels.push_back({.channel = std::move(channel),
+                                    .factor = scale.factor,
+                                    .readRow = rowsOf(bytes_, samples)});
     }
 
-    void requireSamples(const NanoscopeLayout& layout, const std::string& place) {
-        const std::uint64_t length =
-            layout.size.pixels() * static_cast<std::uint64_t>(layout.sampleBytes);
-        if (layout.offset > bytes_.size() || length > bytes_.size() - layout.offset) {
+    void takeSamples(const SampleLayout& samples, const std::string& place) {
+        requireSamples(bytes_, samples, place);
+        if (samples.place < headerEnd_) {
             throw InputError(file_, place,
-                             "its data end at byte " + std::to_string(layout.offset + length) +
-                                 ", but the file has " + std::to_string(bytes_.size()) +
-                                 "; it is truncated");
-        }
-        if (layout.offset < headerEnd_) {
-            throw InputError(file_, place,
-                             "its data start at byte " + std::to_string(layout.offset) +
+                             "its data start at byte " + std::to_string(samples.place) +
                                  ", but the header ends at " + std::to_string(headerEnd_));
         }
+        const std::uint64_t pastLast = samples.place + samples.bytes();
         for (const auto& [start, end] : taken_) {
-            if (layout.offset < end && start < layout.offset + length) {
+            if (samples.place < end && start < pastLast) {
                 throw InputError(file_, place, "its data overlap those of another image");
             }
         }
-        taken_.emplace_back(layout.offset, layout.offset + length);
-    }
-
-    /// Counts of a row. The first stored row is the bottom of the image, whatever the scan's
-    /// direction was.
-    static void readRow(const ByteSource& bytes, const NanoscopeLayout& layout, int row,
-                        RowRoom& room, double* counts) {
-        const auto width = static_cast<std::size_t>(layout.sampleBytes);
-        const auto columns = static_cast<std::size_t>(layout.size.columns);
-        const auto fromBelow = static_cast<std::uint64_t>(layout.size.rows - 1 - row);
-        room.resize(columns * width);
-        bytes.read(layout.offset + fromBelow * room.size(), room);
-        for (std::size_t i = 0; i < columns; ++i) {
-            const char* stored = room.data() + i * width;
-            counts[i] = width == sizeof(std::int32_t) ? littleEndian<std::int32_t>(stored)
-                                                      : littleEndian<std::int16_t>(stored);
-        }
+        taken_.emplace_back(samples.place, pastLast);
     }
 
     static void addNotes(const NanoscopeImage& image, ScanChannel& channel, int sampleBytes) {
@@ -167,9 +149,9 @@ const HeightMapFormat kNanoscopeFormat = {
     .name = "Bruker NanoScope",
     .extensions = kExtensions,
     .recognizes =
-        [](std::string_view start) {
-            return start.starts_with(kMagic) || start.starts_with(kTextMagic) ||
-                   start.starts_with(kForceMagic);
+        [](const ByteSource& bytes) {
+            return bytes.startsWith(kMagic) || bytes.startsWith(kTextMagic) ||
+                   bytes.startsWith(kForceMagic);
         },
     .read = [](const ByteSource& bytes) { return NanoscopeReader(bytes).read(); }};
 

@@ -1,0 +1,145 @@
+#include "core/io/heightmap/SampleRows.h"
+
+#include "core/Error.h"
+#include "core/io/ByteReader.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+template <typename Number>
+void convert(const char* stored, ByteOrder order, std::span<double> numbers) {
+    for (double& number : numbers) {
+        number = static_cast<double>(order == ByteOrder::Little ? littleEndian<Number>(stored)
+                                                                : bigEndian<Number>(stored));
+        stored += sizeof(Number);
+    }
+}
+
+void convert(SampleType type, ByteOrder order, const char* stored, std::span<double> numbers) {
+    switch (type) {
+    case SampleType::Int8:
+        return convert<std::int8_t>(stored, order, numbers);
+    case SampleType::UInt8:
+        return convert<std::uint8_t>(stored, order, numbers);
+    case SampleType::Int16:
+        return convert<std::int16_t>(stored, order, numbers);
+    case SampleType::UInt16:
+        return convert<std::uint16_t>(stored, order, numbers);
+    case SampleType::Int32:
+        return convert<std::int32_t>(stored, order, numbers);
+    case SampleType::UInt32:
+        return convert<std::uint32_t>(stored, order, numbers);
+    case SampleType::Float32:
+        return convert<float>(stored, order, numbers);
+    case SampleType::Float64:
+        return convert<double>(stored, order, numbers);
+    }
+}
+
+void readSamples(const ByteSource& bytes, const SampleLayout& layout, int row, RowRoom& room,
+                 double* numbers) {
+    const int stored = layout.bottomFirst ? layout.size.rows - 1 - row : row;
+    room.resize(layout.rowBytes());
+    bytes.read(layout.place + static_cast<std::uint64_t>(stored) * room.size(), room);
+    const std::span<double> whole(numbers, static_cast<std::size_t>(layout.size.columns));
+    convert(layout.type, layout.order, room.data(), whole);
+    if (layout.rightFirst) {
+        std::ranges::reverse(whole);
+    }
+}
+
+/// Samples that are decoded when they are first needed.
+class DecodedSamples {
+public:
+    explicit DecodedSamples(std::function<std::string()> decode) : decode_(std::move(decode)) {}
+
+    const ByteSource& bytes() {
+        std::call_once(once_, [this] {
+            samples_ = decode_();
+            source_ = std::make_unique<MemoryBytes>(samples_, "decoded samples");
+        });
+        return *source_;
+    }
+
+private:
+    std::function<std::string()> decode_;
+    std::once_flag once_;
+    std::string samples_;
+    std::unique_ptr<MemoryBytes> source_;
+};
+
+}  // namespace
+
+std::size_t sizeOf(SampleType type) {
+    switch (type) {
+    case SampleType::Int8:
+    case SampleType::UInt8:
+        return 1;
+    case SampleType::Int16:
+    case SampleType::UInt16:
+        return 2;
+    case SampleType::Int32:
+    case SampleType::UInt32:
+    case SampleType::Float32:
+        return 4;
+    case SampleType::Float64:
+        return 8;
+    }
+    return 0;
+}
+
+void requireSamples(const ByteSource& bytes, const SampleLayout& layout, const std::string& place) {
+    if (layout.place > bytes.size() || layout.bytes() > bytes.size() - layout.place) {
+        throw InputError(bytes.name(), place,
+                         "its data end at byte " + std::to_string(layout.place + layout.bytes()) +
+                             ", but the file has " + std::to_string(bytes.size()) +
+                             "; it is truncated");
+    }
+}
+
+ReadRow rowsOf(const ByteSource& bytes, const SampleLayout& layout) {
+    return [&bytes, layout](int row, RowRoom& room, double* numbers) {
+        readSamples(bytes, layout, row, room, numbers);
+    };
+}
+
+ReadRow rowsOfDecoded(std::function<std::string()> decode, const SampleLayout& layout) {
+    return [samples = std::make_shared<DecodedSamples>(std::move(decode)),
+            layout](int row, RowRoom& room, double* numbers) {
+        readSamples(samples->bytes(), layout, row, room, numbers);
+    };
+}
+
+ReadRow masked(ReadRow rows, int columns, ReadRow mask) {
+    return [rows = std::move(rows), columns, mask = std::move(mask)](int row, RowRoom& room,
+                                                                     double* numbers) {
+        rows(row, room, numbers);
+        std::vector<double> marks(static_cast<std::size_t>(columns));
+        mask(row, room, marks.data());
+        for (std::size_t i = 0; i < marks.size(); ++i) {
+            if (isMarked(marks[i])) {
+                numbers[i] = std::numeric_limits<double>::quiet_NaN();
+            }
+        }
+    };
+}
+
+ReadRow replaced(ReadRow rows, int columns, std::function<double(double)> replace) {
+    return [rows = std::move(rows), columns, replace = std::move(replace)](int row, RowRoom& room,
+                                                                           double* numbers) {
+        rows(row, room, numbers);
+        const std::span<double> whole(numbers, static_cast<std::size_t>(columns));
+        std::ranges::transform(whole, whole.begin(), replace);
+    };
+}
+
+}  // namespace asperity

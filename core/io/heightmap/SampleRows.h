@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/io/ByteSource.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/ScanImage.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace asperity {
+
+enum class SampleType : std::uint8_t {
+    Int8,
+    UInt8,
+    Int16,
+    UInt16,
+    Int32,
+    UInt32,
+    Float32,
+    Float64
+};
+
+[[nodiscard]] std::size_t sizeOf(SampleType type);  ///< [bytes]
+
+enum class ByteOrder : std::uint8_t { Little, Big };
+
+/// How the samples of an image lie in a file: row after row without gaps.
+struct SampleLayout {
+    ImageSize size;
+    SampleType type = SampleType::Float32;
+    ByteOrder order = ByteOrder::Little;
+    std::uint64_t place = 0;   ///< of the first sample [bytes]
+    bool bottomFirst = false;  ///< the first stored row is the lowest of the image
+    bool rightFirst = false;   ///< the first stored sample of a row is its rightmost
+
+    [[nodiscard]] std::uint64_t rowBytes() const {
+        return static_cast<std::uint64_t>(size.columns) * sizeOf(type);
+    }
+    [[nodiscard]] std::uint64_t bytes() const {
+        return static_cast<std::uint64_t>(size.rows) * rowBytes();
+    }
+};
+
+/// @param place for the message: what the samples belong to
+/// @throw InputError when the file does not hold all of them
+void requireSamples(const ByteSource& bytes, const SampleLayout& layout, const std::string& place);
+
+using ReadRow = decltype(StoredChannel::readRow);
+
+/// Reads rows of samples as they lie. @param bytes must outlive the result
+[[nodiscard]] ReadRow rowsOf(const ByteSource& bytes, const SampleLayout& layout);
+
+/// Reads rows of samples that have to be decoded first: all at once, when the first row is asked
+/// for.
+/// @param decode gives the samples of the layout, which begins at its byte 0 or later; it is called
+///        again only where it threw
+[[nodiscard]] ReadRow rowsOfDecoded(std::function<std::string()> decode,
+                                    const SampleLayout& layout);
+
+/// Whether a mask's value says that its pixel holds no data.
+[[nodiscard]] constexpr bool isMarked(double value) { return value > 0.0; }
+/// The same rows without the numbers that a mask of the same size marks.
+[[nodiscard]] ReadRow masked(ReadRow rows, int columns, ReadRow mask);
+
+/// The same rows with each number replaced, as of a marker for pixels without data.
+[[nodiscard]] ReadRow replaced(ReadRow rows, int columns, std::function<double(double)> replace);
+
+}  // namespace asperity

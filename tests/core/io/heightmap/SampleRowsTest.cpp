@@ -1,0 +1,126 @@
+#include "core/io/heightmap/SampleRows.h"
+
+#include "core/Error.h"
+#include "core/io/ByteReader.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+constexpr ImageSize kSize{.columns = 3, .rows = 2};
+
+std::vector<double> rowOf(const ReadRow& rows, int row) {
+    RowRoom room;
+    std::vector<double> numbers(kSize.columns);
+    rows(row, room, numbers.data());
+    return numbers;
+}
+
+/// Six numbers after two bytes that are none of them.
+template <typename Number>
+std::string stored(ByteOrder order, const std::vector<double>& numbers) {
+    std::string bytes = "ab";
+    for (const double number : numbers) {
+        std::string one;
+        appendLittleEndian(one, static_cast<Number>(number));
+        if (order == ByteOrder::Big) {
+            std::ranges::reverse(one);
+        }
+        bytes += one;
+    }
+    return bytes;
+}
+
+template <typename Number>
+void expectRead(SampleType type) {
+    const double low = static_cast<double>(std::numeric_limits<Number>::lowest());
+    const double high = static_cast<double>(std::numeric_limits<Number>::max());
+    const std::vector<double> numbers{low, 0.0, 1.0, 2.0, 100.0, high};
+    for (const ByteOrder order : {ByteOrder::Little, ByteOrder::Big}) {
+        const std::string content = stored<Number>(order, numbers);
+        const MemoryBytes bytes(content, "a file");
+        SampleLayout layout{.size = kSize, .type = type, .order = order, .place = 2};
+        EXPECT_EQ(sizeOf(type), sizeof(Number));
+        EXPECT_EQ(layout.bytes(), 6 * sizeof(Number));
+        EXPECT_NO_THROW(requireSamples(bytes, layout, "image"));
+        EXPECT_EQ(rowOf(rowsOf(bytes, layout), 0), (std::vector<double>{low, 0.0, 1.0}));
+        EXPECT_EQ(rowOf(rowsOf(bytes, layout), 1), (std::vector<double>{2.0, 100.0, high}));
+        layout.place = 3;
+        EXPECT_THROW(requireSamples(bytes, layout, "image"), InputError);
+    }
+}
+
+TEST(SampleRows, ReadsEveryTypeInBothByteOrders) {
+    expectRead<std::int8_t>(SampleType::Int8);
+    expectRead<std::uint8_t>(SampleType::UInt8);
+    expectRead<std::int16_t>(SampleType::Int16);
+    expectRead<std::uint16_t>(SampleType::UInt16);
+    expectRead<std::int32_t>(SampleType::Int32);
+    expectRead<std::uint32_t>(SampleType::UInt32);
+    expectRead<float>(SampleType::Float32);
+    expectRead<double>(SampleType::Float64);
+}
+
+const std::string kBytes = "\1\2\3\4\5\6";
+const SampleLayout kLayout{.size = kSize, .type = SampleType::Int8};
+
+TEST(SampleRows, TurnsWhatIsStoredFromBelowOrFromTheRight) {
+    const MemoryBytes bytes(kBytes, "a file");
+    SampleLayout layout = kLayout;
+    layout.bottomFirst = true;
+    EXPECT_EQ(rowOf(rowsOf(bytes, layout), 0), (std::vector<double>{4, 5, 6}));
+    layout.rightFirst = true;
+    EXPECT_EQ(rowOf(rowsOf(bytes, layout), 0), (std::vector<double>{6, 5, 4}));
+}
+
+TEST(SampleRows, ADistantPlaceIsNoOverflow) {
+    const MemoryBytes bytes(kBytes, "a file");
+    SampleLayout layout = kLayout;
+    layout.place = std::numeric_limits<std::uint64_t>::max() - 2;
+    EXPECT_THROW(requireSamples(bytes, layout, "image"), InputError);
+}
+
+TEST(SampleRows, DecodesOnceUnlessThatThrows) {
+    int decoded = 0;
+    const ReadRow rows = rowsOfDecoded(
+        [&decoded] {
+            if (++decoded == 1) {
+                throw InputError("a file", "", "damaged");
+            }
+            return kBytes;
+        },
+        kLayout);
+    EXPECT_EQ(decoded, 0);
+    EXPECT_THROW((void)rowOf(rows, 0), InputError);
+    EXPECT_EQ(rowOf(rows, 1), (std::vector<double>{4, 5, 6}));
+    EXPECT_EQ(rowOf(rows, 0), (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(decoded, 2);
+}
+
+TEST(SampleRows, LeavesOutWhatAMaskMarks) {
+    const MemoryBytes bytes(kBytes, "a file");
+    const ReadRow mask = [](int row, RowRoom&, double* numbers) {
+        std::fill_n(numbers, kSize.columns, 0.0);
+        numbers[row] = 1.0;
+    };
+    const std::vector<double> second = rowOf(masked(rowsOf(bytes, kLayout), 3, mask), 1);
+    EXPECT_EQ(second[0], 4.0);
+    EXPECT_TRUE(std::isnan(second[1]));
+    EXPECT_EQ(second[2], 6.0);
+}
+
+TEST(SampleRows, ReplacesNumbers) {
+    const MemoryBytes bytes(kBytes, "a file");
+    const ReadRow rows =
+        replaced(rowsOf(bytes, kLayout), 3, [](double number) { return 10.0 * number; });
+    EXPECT_EQ(rowOf(rows, 1), (std::vector<double>{40, 50, 60}));
+}
+
+}  // namespace
+}  // namespace asperity
