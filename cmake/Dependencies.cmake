@@ -9,6 +9,8 @@ find_package(tomlplusplus 3.3 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(TIFF REQUIRED)
 find_package(PNG REQUIRED)
+pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
+find_package(pugixml 1.13 REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(
   VTK 9.1 REQUIRED

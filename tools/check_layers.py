@@ -117,6 +117,7 @@ FOREIGN = {
     r"hidapi": "hardware/ tests/",
     r"(Imf|OpenEXR)": "core/io/heightmap/ core/io/fields bench/ tests/",
     r"(tiff|png)": "core/io/heightmap/ app/ tests/ tools/samples",
+    r"(zip|pugixml)": "core/io/heightmap/ tests/",
     r"toml": "core/io/scene app/ tests/",
     r"openssl": "core/io",
     r"nlohmann": "app/ bench/ tests/",
