@@ -275,6 +275,15 @@ void MainWindow::lock() {
 
 void MainWindow::complain(const QString& message) { complainIn(this, message); }
 
+/// QStatusBar hides what a message covers only where that is on the screen already.
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    if (const QString message = statusBar()->currentMessage(); !message.isEmpty()) {
+        statusBar()->clearMessage();
+        tell(message);
+    }
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
     if (urls.size() == 1 && urls.front().isLocalFile()) {

@@ -75,6 +75,7 @@ Q_SIGNALS:
     void pictureFileChosen(QString file);
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 

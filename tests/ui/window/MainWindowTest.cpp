@@ -74,6 +74,17 @@ TEST_F(MainWindowTest, OpensOnTheScreen) {
     EXPECT_TRUE(window.screen()->availableGeometry().contains(window.geometry()));
 }
 
+/// It was drawn over the loop's numbers.
+TEST_F(MainWindowTest, AMessageFromBeforeTheWindowOpenedHasTheBottomLineAlone) {
+    window.tell(QStringLiteral("scan.gsf"));
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    const auto* loop = window.findChild<QLabel*>(QStringLiteral("rate"));
+    EXPECT_FALSE(loop->isVisible());
+    window.tell(QString());
+    EXPECT_TRUE(loop->isVisible());
+}
+
 TEST_F(MainWindowTest, CutsNothingFromASmallScreenToALargeOne) {
     for (const QSize& size : {QSize(1012, 658), QSize(1280, 800), QSize(1920, 1080)}) {
         showAt(size);
