@@ -48,6 +48,7 @@ Scene rubberScene() {
 struct NamedScene {
     std::string name;
     std::function<Scene()> make;
+    double indentation = 3e-9;  ///< of the base below first contact [m]
 };
 
 /// One tick as it is seen.
@@ -82,7 +83,8 @@ protected:
 
     /// Some hundred ticks of an approach and a retract.
     std::vector<Seen> wholeCycle() {
-        const PathPlan plan{.duration = 4.0, .slideLength = 0.0};
+        const PathPlan plan{
+            .duration = 4.0, .indentation = GetParam().indentation, .slideLength = 0.0};
         SimulatedAfm afm(scene.surface, truthOf(scene));
         std::vector<Seen> all;
         int tick = 0;
@@ -135,7 +137,7 @@ TEST_P(Cycle, AnApproachingTipSinksOnTheScreen) {
 }
 
 TEST_P(Cycle, TheBlockHoldsTheDentAndTheViewBoth) {
-    const ViewMoments moments = momentsOf(scene);
+    const ViewMoments moments = momentsOf(scene, GetParam().indentation);
     show(moments.deep.sample);
     const TipState& state = moments.deep.sample.output.model;
     const double reach = picture.scale().patch;
@@ -183,7 +185,8 @@ INSTANTIATE_TEST_SUITE_P(Samples, Cycle,
                                            NamedScene{"slope", polystyreneOnSlope},
                                            NamedScene{"hills", hillyScene},
                                            NamedScene{"oxide", oxideScene},
-                                           NamedScene{"rubber", rubberScene}),
+                                           NamedScene{"rubber", rubberScene},
+                                           NamedScene{"rubber_deep", rubberScene, 36e-9}),
                          [](const auto& given) { return given.param.name; });
 
 /// What is drawn of a force estimate.
