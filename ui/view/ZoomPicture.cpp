@@ -28,7 +28,8 @@ constexpr double kMinFloor = 0.05;  // of block below a dent
 constexpr double kGuideReach = 0.4;
 constexpr double kOverlap = 0.015;  // of patch and terrain
 
-constexpr double kDentStep = 1.5;  // a dent that needs more room gets so many times its depth
+constexpr double kDentStep = 1.5;    // a dent that needs more room gets so many times its depth
+constexpr double kDentMargin = 0.1;  // of the picture's height, below a dent
 
 /// Pixels of a scan wider than this show less than the view seems to; parts of the tip's radius
 /// and of the view.
@@ -94,7 +95,7 @@ void ZoomPicture::setScene(const Scene* scene) {
     sample_.reset();
     halfSpace_.reset();
     frame_.reset();
-    dentDepth_ = 0.0;
+    forgetDents();
     contactShown_.reset();
     terrain_.hide();
     cache_.invalidate();
@@ -150,7 +151,7 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     terrain_.setPlace(scene_->surface, place);
     const std::array<double, 2> heights = terrain_.heightRange();
     const bool otherColors = colors_.fitHeights(heights[0], heights[1]);
-    terrain_.setBottom(drawnBottom() / options_.heightScale);
+    terrain_.setBottom(drawnBottom(dentDepth_) / options_.heightScale);
     Q_EMIT terrainPlaced();
     if (otherColors) {
         Q_EMIT scalesChanged();
@@ -160,9 +161,9 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     }
 }
 
-/// Where the block of sample ends below, as drawn [m].
-double ZoomPicture::drawnBottom() const {
-    return options_.heightScale * (colors_.heightRange().low - dentDepth_) -
+/// Where a block of sample with room for such dents ends below, as drawn [m].
+double ZoomPicture::drawnBottom(double dentDepth) const {
+    return options_.heightScale * (colors_.heightRange().low - dentDepth) -
            kBlockDepth * frame_->halfWidth();
 }
 
@@ -175,7 +176,7 @@ FrameBox ZoomPicture::frameBox() const {
     const double above = factor * heights.high - middle;
     return {.middle = {center.x(), center.y(), middle},
             .halfWidth = frame_->halfWidth(),
-            .below = middle - drawnBottom(),
+            .below = middle - drawnBottom(framedDepth_),
             .above = above,
             .tipTop = above + kTipTop * gearSize(frame_->halfWidth(), scene_->belief.tipRadius())};
 }
@@ -184,17 +185,30 @@ Shading ZoomPicture::shading(const ViewCamera& camera) const {
     return {camera, space(), options_.light};
 }
 
+void ZoomPicture::forgetDents() {
+    dentDepth_ = 0.0;
+    framedDepth_ = 0.0;
+}
+
 /// The block reaches below the deepest dent since the scene or the zoom changed. It does not shrink
-/// when the tip retracts: nothing but the tip shall move then.
+/// when the tip retracts: nothing but the tip shall move then. The camera stays, too, unless the
+/// dent would leave the picture.
 void ZoomPicture::makeRoomFor(const ContactShape& shape) {
     const double low = colors_.heightRange().low;
     const double floor = kMinFloor * frame_->halfWidth() / options_.heightScale;
     const double missing = terrain_.bottom() + floor - shape.lowest();
     if (missing > 0.0) {
         dentDepth_ = kDentStep * (low - shape.lowest());
-        terrain_.setBottom(drawnBottom() / options_.heightScale);
+        if (leavesPicture(shape.contactPoint())) {
+            framedDepth_ = dentDepth_;
+        }
+        terrain_.setBottom(drawnBottom(dentDepth_) / options_.heightScale);
         Q_EMIT terrainPlaced();
     }
+}
+
+bool ZoomPicture::leavesPicture(const Vector3& place) const {
+    return drawnPlace(place).y() < kDentMargin * still_->GetSize()[1];
 }
 
 void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera) {
@@ -317,14 +331,14 @@ void ZoomPicture::setOptions(const ViewOptions& options) {
     options_ = options;
     cache_.invalidate();
     if (frame_) {
-        dentDepth_ = 0.0;
-        terrain_.setBottom(drawnBottom() / options_.heightScale);
+        forgetDents();
+        terrain_.setBottom(drawnBottom(dentDepth_) / options_.heightScale);
         Q_EMIT terrainPlaced();
     }
 }
 
 void ZoomPicture::setHalfWidth(double halfWidth) {
-    dentDepth_ = 0.0;
+    forgetDents();
     frame_->setHalfWidth(std::max(halfWidth, scale_.least));
     if (!sample_ && !sameWindow(frame_->window(), terrain_.place().window)) {
         placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});

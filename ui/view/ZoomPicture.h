@@ -87,11 +87,13 @@ Q_SIGNALS:
 private:
     void follow(const Vector2& tip, double slack);
     void placeTerrain(const TerrainPlace& place);
-    [[nodiscard]] double drawnBottom() const;
+    [[nodiscard]] double drawnBottom(double dentDepth) const;
     [[nodiscard]] FrameBox frameBox() const;
     [[nodiscard]] DrawnSpace space() const { return {options_.heightScale}; }
     [[nodiscard]] Shading shading(const ViewCamera& camera) const;
+    void forgetDents();
     void makeRoomFor(const ContactShape& shape);
+    [[nodiscard]] bool leavesPicture(const Vector3& place) const;
     void showContact(const TickSample& sample, const ViewCamera& camera);
     void showTip(const ContactShape& shape, const Shading& shading);
     void showSection(const ContactShape& shape, const ViewCamera& camera);
@@ -105,7 +107,9 @@ private:
     std::optional<ViewFrame> frame_;
     SurfaceColors colors_;
     ViewOptions options_;
-    double dentDepth_ = 0.0;  ///< room for dents below the frame's lowest place at rest [m]
+    double dentDepth_ =
+        0.0;  ///< of the block below the frame's lowest place at rest, for dents [m]
+    double framedDepth_ = 0.0;  ///< the part of it that the camera makes room for [m]
     std::optional<TipContact> contactShown_;
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest
