@@ -151,7 +151,10 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     terrain_.setPlace(scene_->surface, place);
     const std::array<double, 2> heights = terrain_.heightRange();
     const bool otherColors = colors_.fitHeights(heights[0], heights[1]);
-    terrain_.setBottom(drawnBottom(dentDepth_) / options_.heightScale);
+    terrain_.setBottom(drawnBottom() / options_.heightScale);
+    if (isExtentAsked_ || !isTouching()) {  // the scale stays while the tip is in contact
+        fitExtent();
+    }
     Q_EMIT terrainPlaced();
     if (otherColors) {
         Q_EMIT scalesChanged();
@@ -161,24 +164,29 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     }
 }
 
-/// Where a block of sample with room for such dents ends below, as drawn [m].
-double ZoomPicture::drawnBottom(double dentDepth) const {
-    return options_.heightScale * (colors_.heightRange().low - dentDepth) -
+/// Where the block of sample ends below, as drawn [m].
+double ZoomPicture::drawnBottom() const {
+    return options_.heightScale * (colors_.heightRange().low - dentDepth_) -
            kBlockDepth * frame_->halfWidth();
 }
 
-/// Heights are those of the colors: they seldom change, so that the picture seldom jumps.
-FrameBox ZoomPicture::frameBox() const {
-    const Vector2& center = frame_->center();
+/// Of the heights of the colors, which seldom change, so that the picture seldom jumps [m].
+double ZoomPicture::drawnMiddle() const {
     const AxisRange& heights = colors_.heightRange();
-    const double factor = options_.heightScale;
-    const double middle = factor * 0.5 * (heights.low + heights.high);
-    const double above = factor * heights.high - middle;
-    return {.middle = {center.x(), center.y(), middle},
-            .halfWidth = frame_->halfWidth(),
-            .below = middle - drawnBottom(framedDepth_),
-            .above = above,
-            .tipTop = above + kTipTop * gearSize(frame_->halfWidth(), scene_->belief.tipRadius())};
+    return options_.heightScale * 0.5 * (heights.low + heights.high);
+}
+
+bool ZoomPicture::isTouching() const { return contactShown_ && contactShown_->contactRadius > 0.0; }
+
+/// From now on the picture holds what is in the frame at rest, and the tip above it.
+void ZoomPicture::fitExtent() {
+    const double above = options_.heightScale * colors_.heightRange().high - drawnMiddle();
+    extent_ = {.halfWidth = frame_->halfWidth(),
+               .below = drawnMiddle() - drawnBottom(),
+               .above = above,
+               .tipTop =
+                   above + kTipTop * gearSize(frame_->halfWidth(), scene_->belief.tipRadius())};
+    isExtentAsked_ = false;
 }
 
 Shading ZoomPicture::shading(const ViewCamera& camera) const {
@@ -187,28 +195,32 @@ Shading ZoomPicture::shading(const ViewCamera& camera) const {
 
 void ZoomPicture::forgetDents() {
     dentDepth_ = 0.0;
-    framedDepth_ = 0.0;
+    lowered_ = 0.0;
+    isExtentAsked_ = true;
 }
 
 /// The block reaches below the deepest dent since the scene or the zoom changed. It does not shrink
-/// when the tip retracts: nothing but the tip shall move then. The camera stays, too, unless the
-/// dent would leave the picture.
-void ZoomPicture::makeRoomFor(const ContactShape& shape) {
+/// when the tip retracts: nothing but the tip shall move then. The picture keeps its scale and, as
+/// long as the dent is in it, its place.
+void ZoomPicture::makeRoomFor(const ContactShape& shape, const ViewCamera& camera) {
     const double low = colors_.heightRange().low;
     const double floor = kMinFloor * frame_->halfWidth() / options_.heightScale;
     const double missing = terrain_.bottom() + floor - shape.lowest();
     if (missing > 0.0) {
         dentDepth_ = kDentStep * (low - shape.lowest());
-        if (leavesPicture(shape.contactPoint())) {
-            framedDepth_ = dentDepth_;
-        }
-        terrain_.setBottom(drawnBottom(dentDepth_) / options_.heightScale);
+        terrain_.setBottom(drawnBottom() / options_.heightScale);
         Q_EMIT terrainPlaced();
     }
+    keepInPicture(shape.contactPoint(), camera);
 }
 
-bool ZoomPicture::leavesPicture(const Vector3& place) const {
-    return drawnPlace(place).y() < kDentMargin * still_->GetSize()[1];
+void ZoomPicture::keepInPicture(const Vector3& place, const ViewCamera& camera) {
+    const int height = still_->GetSize()[1];
+    const double missing = kDentMargin * height - drawnPlace(place).y();
+    if (missing > 0.0) {
+        lowered_ += kDentStep * missing * metersPerPixel(height) / camera.up().z();
+        Q_EMIT terrainPlaced();
+    }
 }
 
 void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera) {
@@ -218,7 +230,7 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
     if (colors_.fitDisplacement(shape.largestDisplacement())) {
         Q_EMIT scalesChanged();
     }
-    makeRoomFor(shape);
+    makeRoomFor(shape, camera);
     const ScanWindow window = terrain_.place().window;
     const double width = std::max(window.right - window.left, window.top - window.bottom);
     const Shading shading = this->shading(camera);
@@ -323,7 +335,9 @@ std::string ZoomPicture::tipAbove(int height, double pixelRatio) const {
 void ZoomPicture::aim(const ViewCamera& camera, double aspect) {
     cache_.invalidate();
     if (frame_) {
-        camera.apply(still_->GetActiveCamera(), frameBox(), aspect);
+        FrameBox box = extent_;
+        box.middle = {frame_->center().x(), frame_->center().y(), drawnMiddle() - lowered_};
+        camera.apply(still_->GetActiveCamera(), box, aspect);
     }
 }
 
@@ -332,7 +346,8 @@ void ZoomPicture::setOptions(const ViewOptions& options) {
     cache_.invalidate();
     if (frame_) {
         forgetDents();
-        terrain_.setBottom(drawnBottom(dentDepth_) / options_.heightScale);
+        fitExtent();
+        terrain_.setBottom(drawnBottom() / options_.heightScale);
         Q_EMIT terrainPlaced();
     }
 }

@@ -87,13 +87,15 @@ Q_SIGNALS:
 private:
     void follow(const Vector2& tip, double slack);
     void placeTerrain(const TerrainPlace& place);
-    [[nodiscard]] double drawnBottom(double dentDepth) const;
-    [[nodiscard]] FrameBox frameBox() const;
+    [[nodiscard]] double drawnBottom() const;
+    [[nodiscard]] double drawnMiddle() const;
+    [[nodiscard]] bool isTouching() const;
+    void fitExtent();
     [[nodiscard]] DrawnSpace space() const { return {options_.heightScale}; }
     [[nodiscard]] Shading shading(const ViewCamera& camera) const;
     void forgetDents();
-    void makeRoomFor(const ContactShape& shape);
-    [[nodiscard]] bool leavesPicture(const Vector3& place) const;
+    void makeRoomFor(const ContactShape& shape, const ViewCamera& camera);
+    void keepInPicture(const Vector3& place, const ViewCamera& camera);
     void showContact(const TickSample& sample, const ViewCamera& camera);
     void showTip(const ContactShape& shape, const Shading& shading);
     void showSection(const ContactShape& shape, const ViewCamera& camera);
@@ -107,9 +109,10 @@ private:
     std::optional<ViewFrame> frame_;
     SurfaceColors colors_;
     ViewOptions options_;
-    double dentDepth_ =
-        0.0;  ///< of the block below the frame's lowest place at rest, for dents [m]
-    double framedDepth_ = 0.0;  ///< the part of it that the camera makes room for [m]
+    double dentDepth_ = 0.0;  ///< of the block below the frame's lowest place, for dents [m]
+    FrameBox extent_;         ///< what the camera makes room for; its middle goes with the frame
+    bool isExtentAsked_ = true;
+    double lowered_ = 0.0;  ///< camera below the middle of the frame, for a deep dent [m]
     std::optional<TipContact> contactShown_;
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest
