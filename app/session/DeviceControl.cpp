@@ -1,6 +1,7 @@
 #include "app/session/DeviceControl.h"
 
 #include "core/Error.h"
+#include "core/haptics/LiftStep.h"
 #include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/scene/SettingFields.h"
 #include "core/words/DeviceWords.h"
@@ -23,10 +24,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kKeySpeed = 0.25;  // along the sample, of held keys [half widths/s]
-constexpr double kTurnSpeed = 1.0;  // of a device's axes: the force turns with them [rad/s]
-constexpr double kLiftPerHalfWidth = 1.0 / 400.0;  // a notch near the sample: 0.1 nm of 80 nm
-constexpr double kKeySpeedUp = 0.05;               // and across it [half widths/s]
+constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half widths/s]
+constexpr double kTurnSpeed = 1.0;    // of a device's axes: the force turns with them [rad/s]
+constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
 
 /// Where held keys send the device, world frame [half widths/s].
 Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
@@ -54,7 +54,12 @@ DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
         device_.displace({dx, dy, 0.0});
     });
     connect(&window.view(), &ZoomView::lifted, this, [this](double notches) {
-        device_.lift(notches, kLiftPerHalfWidth * window_.view().halfWidth());
+        if (runs_.run() != nullptr) {
+            const Scene& scene = runs_.run()->scene();
+            device_.lift(notches,
+                         fineLiftStep(window_.view().halfWidth(), scene.description.setpoint,
+                                      scene.belief.cantilever.stiffness()));
+        }
     });
     connect(&window.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
         travelTo({x, y});

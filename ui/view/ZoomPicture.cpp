@@ -248,7 +248,14 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
     contactShown_ = shape.contact();
     guide_.show(sample.input.settings.guide, kGuideReach * frame_->halfWidth(), space());
     force_.show(sample.output.estimate, space().point(shape.contactPoint()), sample.time,
+                scale_.force,
                 kArrowRoom * gearSize(frame_->halfWidth(), shape.contact().tipRadius));
+}
+
+/// Farther out than the tip alone.
+bool ZoomPicture::showsLever() const {
+    const double halfWidth = frame_->halfWidth();
+    return gearSize(halfWidth, scene_->belief.tipRadius()) <= kSmallGear * halfWidth;
 }
 
 void ZoomPicture::showTip(const ContactShape& shape, const Shading& shading) {
@@ -258,7 +265,7 @@ void ZoomPicture::showTip(const ContactShape& shape, const Shading& shading) {
                       .paraboloidReach = scale_.paraboloidReach,
                       .space = space(),
                       .shading = shading});
-    if (gear > kSmallGear * frame_->halfWidth()) {
+    if (!showsLever()) {
         lever_.hide();
         return;
     }
@@ -307,13 +314,15 @@ void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelR
     labels_.show(content);
 }
 
-/// What a picture does not say by itself.
 std::vector<std::string> ZoomPicture::notes() const {
     std::vector<std::string> notes;
     if (options_.heightScale > 1.0) {
         notes.push_back(filled(QObject::tr("heights ×%1"), tickLabels({options_.heightScale})));
     }
     const double radius = scene_->belief.tipRadius();
+    if (showsLever()) {
+        notes.push_back(QObject::tr("lever not to scale").toStdString());
+    }
     if (scale_.pixel > kWidePixel * radius) {
         notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for a tip radius of %2"),
                                {formatSi(scale_.pixel, "m"), formatSi(radius, "m")}));

@@ -71,6 +71,8 @@ public:
     /// Contact and terrain have to be shown anew, and the camera to be aimed.
     void setOptions(const ViewOptions& options);
     [[nodiscard]] const ViewOptions& options() const { return options_; }
+    /// What the picture does not say by itself: a stretched height, coarse pixels.
+    [[nodiscard]] std::vector<std::string> notes() const;
     [[nodiscard]] const SurfaceColors& colors() const { return colors_; }
     /// What keeps the surface at rest from one frame to the next.
     [[nodiscard]] StaticLayer& cache() { return cache_; }
@@ -98,8 +100,8 @@ private:
     void keepInPicture(const Vector3& place, const ViewCamera& camera);
     void showContact(const TickSample& sample, const ViewCamera& camera);
     void showTip(const ContactShape& shape, const Shading& shading);
+    [[nodiscard]] bool showsLever() const;
     void showSection(const ContactShape& shape, const ViewCamera& camera);
-    [[nodiscard]] std::vector<std::string> notes() const;
     [[nodiscard]] std::string tipAbove(int height, double pixelRatio) const;
 
     const Scene* scene_ = nullptr;

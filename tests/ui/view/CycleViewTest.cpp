@@ -195,7 +195,7 @@ protected:
         ForceEstimate estimate;
         estimate.force = {0.0, 0.0, force};
         estimate.covariance = 1e-20 * Matrix3::Identity();  // 100 pN
-        layer.show(estimate, Vector3::Zero(), time, 40.0_nm);
+        layer.show(estimate, Vector3::Zero(), time, 1e-9, 40.0_nm);
         return layer.end().has_value();
     }
 

@@ -7,10 +7,18 @@
 
 #include <QtTest>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace asperity::test {
 namespace {
+
+HeightMap mapOfPitch(double pitch) {
+    HeightMap map = flatMap();
+    map.pitchX = pitch;
+    map.pitchY = pitch;
+    return map;
+}
 
 /// What there is to say of a picture without drawing it.
 class ZoomPictureTest : public ::testing::Test {
@@ -53,6 +61,26 @@ TEST_F(ZoomPictureTest, TheFrameGoesWithTheTipUnlessItIsDragged) {
     EXPECT_EQ(picture.frame()->center(), before);
     picture.showSample(camera, false);
     EXPECT_GT(picture.frame()->center().x(), before.x());
+}
+
+TEST_F(ZoomPictureTest, SaysWhatItDoesNotShowAsItIs) {
+    using testing::ElementsAre;
+    picture.setScene(&scene);
+    EXPECT_TRUE(picture.notes().empty());
+    ViewOptions options;
+    options.heightScale = 5.0;
+    picture.setOptions(options);
+    EXPECT_THAT(picture.notes(), ElementsAre("heights ×5"));
+    picture.setOptions({});
+    const Scene wide = buildScene(plainScene(), mapOfPitch(4e-9));
+    picture.setScene(&wide);
+    picture.setHalfWidth(1e-6);
+    EXPECT_THAT(picture.notes(), ElementsAre("lever not to scale"));
+    const Scene coarse = buildScene(plainScene(), mapOfPitch(24e-9));
+    picture.setScene(&coarse);
+    picture.setHalfWidth(picture.scale().least);
+    EXPECT_THAT(picture.notes(), ElementsAre("Scan pixel 24 nm: coarse for a tip radius of 15 nm"));
+    picture.setScene(nullptr);
 }
 
 /// Half of it higher than the other.
