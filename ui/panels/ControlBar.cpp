@@ -1,6 +1,7 @@
 #include "ui/panels/ControlBar.h"
 
 #include "core/scene/SettingFields.h"
+#include "ui/CoreWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/ControlIcons.h"
@@ -139,11 +140,11 @@ void ControlBar::addKnobs() {
 void ControlBar::addKnob(const SettingField& field) {
     auto* box = new GainSpinBox(field.knob.low, field.knob.high, this);
     box->setObjectName(QString::fromUtf8(field.knob.name));
-    box->setProperty(kTip, QString::fromUtf8(field.knob.toolTip));
-    box->setToolTip(QString::fromUtf8(field.knob.toolTip));
+    box->setProperty(kTip, coreWords(field.knob.toolTip));
+    box->setToolTip(coreWords(field.knob.toolTip));
     box->setFixedSize(96, kControlHeight);
     guardFromWheel(*box);
-    addWithCaption(*row_, QString::fromUtf8(field.knob.caption), {box}, 0);
+    addWithCaption(*row_, coreWords(field.knob.caption), {box}, 0);
     knobs_[field.column] = box;
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             [this, name = QString::fromUtf8(field.column)](double value) {

@@ -1,5 +1,6 @@
 #include "ui/panels/ParameterPanel.h"
 
+#include "ui/CoreWords.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/GainSpinBox.h"
 #include "ui/panels/WheelGuard.h"
@@ -13,7 +14,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 8;  // [px]
+constexpr int kGap = 8;         // [px]
+constexpr int kBoxWidth = 110;  // [px]
 
 /// Steps by factors where there is no zero.
 NumberBox* newBox(const SceneParameterTraits& traits, QWidget* parent) {
@@ -45,10 +47,11 @@ ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent, Qt::Tool) {
 void ParameterPanel::addRow(QGridLayout& grid, const SceneParameterTraits& traits) {
     NumberBox* box = newBox(traits, this);
     box->setObjectName(QString::fromUtf8(traits.key));
-    box->setToolTip(tr(traits.toolTip));
+    box->setToolTip(coreWords(traits.toolTip));
+    box->setMinimumWidth(kBoxWidth);
     guardFromWheel(*box);
     const int row = grid.rowCount();
-    grid.addWidget(captionLabel(tr(traits.caption), this), row, 0);
+    grid.addWidget(captionLabel(coreWords(traits.caption), this), row, 0);
     grid.addWidget(box, row, 1);
     boxes_[traits.value] = box;
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
