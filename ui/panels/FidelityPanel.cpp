@@ -6,6 +6,7 @@
 #include "ui/panels/Card.h"
 #include "ui/panels/NumberBox.h"
 #include "ui/panels/PercentText.h"
+#include "ui/panels/RefusalLine.h"
 #include "ui/panels/TradeOffChart.h"
 #include "ui/panels/WheelGuard.h"
 
@@ -101,6 +102,10 @@ QWidget* FidelityPanel::termCard() {
     row->addWidget(automatic_);
     card->body().addWidget(terms_);
     card->body().addLayout(row);
+    auto* refusal = new RefusalLine(this);
+    refusal->setMinimumHeight(refusal->fontMetrics().lineSpacing());
+    refusal->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    card->body().addWidget(refusal);
     return card;
 }
 

@@ -3,6 +3,7 @@
 #include "ui/CoreWords.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/GainSpinBox.h"
+#include "ui/panels/RefusalLine.h"
 #include "ui/panels/WheelGuard.h"
 
 #include <QGridLayout>
@@ -40,6 +41,7 @@ ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent, Qt::Tool) {
     for (const SceneParameterTraits& traits : kEnumTable<SceneParameter>) {
         addRow(*grid, traits);
     }
+    grid->addWidget(new RefusalLine(this), grid->rowCount(), 0, 1, 2);
     grid->setRowStretch(grid->rowCount(), 1);
     resize(sizeHint());
 }

@@ -8,6 +8,7 @@
 #include "ui/panels/ForcePanel.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/panels/LoopStatusBar.h"
+#include "ui/panels/NumberBox.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/panels/ParameterPanel.h"
 #include "ui/panels/StateBanner.h"
@@ -127,6 +128,7 @@ MainWindow::MainWindow()
     showFrameOf(*view_, *overview_);
     giveFocusBack(*controls_, *view_);
     connect(engage_, &EngageBar::setpointEntered, view_, [this] { view_->setFocus(); });
+    tellRefusals();
     showScene(nullptr, {});
     showLoading({});
     setEmergencyStop(false);
@@ -201,6 +203,14 @@ void MainWindow::toggle(QWidget& panel) {
     panel.show();
     panel.raise();
     panel.activateWindow();
+}
+
+void MainWindow::tellRefusals() {
+    for (const NumberBox* box : findChildren<NumberBox*>()) {
+        if (box->window() == this) {
+            connect(box, &NumberBox::refused, this, &MainWindow::tell);
+        }
+    }
 }
 
 void MainWindow::connectMenus() {

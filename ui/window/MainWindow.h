@@ -85,6 +85,8 @@ private:
     void placeAll();
     /// Shows a panel that is a window of its own, at first beside this one; or hides it.
     void toggle(QWidget& panel);
+    /// The bottom line says why a number is refused; windows of their own have lines of their own.
+    void tellRefusals();
     void connectMenus();
 
     QStringList scanFiles_;

@@ -5,17 +5,21 @@
 #include "ui/panels/ChoiceBox.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/FidelityPanel.h"
+#include "ui/panels/ParameterPanel.h"
+#include "ui/view/ZoomView.h"
 #include "ui/window/Placement.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStatusBar>
 #include <QStyleOptionComboBox>
 #include <QtTest>
 
@@ -121,6 +125,46 @@ TEST_F(MainWindowTest, AFoldedPanelLeavesItsRoomToTheOthers) {
     }
     QTest::qWait(50);
     EXPECT_LT(last.geometry().bottom(), 200) << "all stand at the top";
+}
+
+/// The tool tip with the reason was gone with the focus before anybody saw it.
+TEST_F(MainWindowTest, TheBottomLineSaysWhyANumberIsRefusedWhereverTheFocusGoes) {
+    showAt({1280, 800});
+    QApplication::setActiveWindow(&window);
+    for (const char* name : {"forceGain", "positionGain", "setpoint"}) {
+        for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Tab}) {
+            window.tell({});
+            auto& box = *window.findChild<QAbstractSpinBox*>(name);
+            box.setFocus();
+            ASSERT_TRUE(box.hasFocus());
+            box.selectAll();
+            QTest::keyClicks(&box, QStringLiteral("oops"));
+            QTest::keyClick(&box, end);
+            EXPECT_FALSE(box.hasFocus()) << name;
+            EXPECT_TRUE(window.view().hasFocus() || end == Qt::Key_Tab) << name;
+            QTest::qWait(400);
+            EXPECT_TRUE(window.statusBar()->currentMessage().startsWith("“oops” is not taken"))
+                << name << ": " << window.statusBar()->currentMessage().toStdString();
+        }
+    }
+}
+
+TEST_F(MainWindowTest, WindowsOfTheirOwnSayARefusalThemselves) {
+    showAt({1280, 800});
+    for (QWidget* tool :
+         {static_cast<QWidget*>(&window.fidelity()), static_cast<QWidget*>(&window.parameters())}) {
+        tool->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(tool));
+        QApplication::setActiveWindow(tool);
+        auto& box = *tool->findChild<QAbstractSpinBox*>();
+        box.setFocus();
+        box.selectAll();
+        QTest::keyClicks(&box, QStringLiteral("oops"));
+        QTest::keyClick(&box, Qt::Key_Tab);
+        const auto& line = *tool->findChild<QLabel*>(QStringLiteral("refusal"));
+        EXPECT_TRUE(line.text().startsWith("“oops” is not taken")) << line.text().toStdString();
+        EXPECT_TRUE(window.statusBar()->currentMessage().isEmpty());
+    }
 }
 
 /// Room for letters in a list's box.
