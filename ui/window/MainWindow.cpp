@@ -27,6 +27,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QShortcut>
 #include <QStackedLayout>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -129,6 +130,8 @@ MainWindow::MainWindow()
     giveFocusBack(*controls_, *view_);
     connect(engage_, &EngageBar::setpointEntered, view_, [this] { view_->setFocus(); });
     tellRefusals();
+    closeByEscape(*fidelity_);
+    closeByEscape(*parameters_);
     showScene(nullptr, {});
     showLoading({});
     setEmergencyStop(false);
@@ -205,6 +208,17 @@ void MainWindow::toggle(QWidget& panel) {
     panel.activateWindow();
 }
 
+void MainWindow::closeByEscape(QWidget& panel) {
+    auto* escape = new QShortcut(Qt::Key_Escape, &panel);
+    connect(escape, &QShortcut::activated, &panel, [&panel] {
+        for (NumberBox* box : panel.findChildren<NumberBox*>()) {
+            box->discardTyped();
+        }
+        panel.hide();
+    });
+    toolClosers_.push_back(escape);
+}
+
 void MainWindow::tellRefusals() {
     for (const NumberBox* box : findChildren<NumberBox*>()) {
         if (box->window() == this) {
@@ -265,6 +279,9 @@ void MainWindow::showLoading(const QString& name) {
 
 void MainWindow::setEmergencyStop(bool active) {
     menus_->forcesOff->setShortcut(active ? QKeySequence(Qt::Key_Escape) : QKeySequence());
+    for (QShortcut* escape : toolClosers_) {
+        escape->setEnabled(!active);
+    }
     const QString gestures = tr("Drag: move the tip   ·   Wheel: up and down   ·   "
                                 "Right drag: turn   ·   Ctrl + wheel: zoom");
     hint_->setText(active ? tr("%1   ·   Esc: forces off").arg(gestures) : gestures);
