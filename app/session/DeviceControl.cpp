@@ -8,6 +8,7 @@
 #include "core/words/ScaleWords.h"
 #include "hardware/DeviceRegistry.h"
 #include "hardware/piloted/PilotedDrivers.h"
+#include "ui/CoreWords.h"
 #include "ui/HeldKeys.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/OverviewPanel.h"
@@ -202,7 +203,7 @@ void DeviceControl::advance(double seconds) {
     turnAxes(seconds);
     const std::string words = wordsOf(runs_.run()->device().status());
     if (words != std::exchange(told_, words) && !words.empty()) {
-        window_.tell(QString::fromStdString(words));
+        window_.tell(coreWords(words));
     }
     followDelay();
 }
@@ -228,7 +229,7 @@ void DeviceControl::followDelay() {
     if (coupled.holds()) {
         tell();
     } else {
-        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(refusalOf(coupled))));
+        window_.complain(tr("Forces are off: %1").arg(coreWords(refusalOf(coupled))));
     }
 }
 
@@ -249,8 +250,8 @@ void DeviceControl::show() {
 void DeviceControl::tell() {
     if (const CoupledDevice* const coupled = runs_.run()->coupling().coupled()) {
         const Settings& settings = runs_.run()->settings();
-        window_.tell(QString::fromStdString(
-            feltWords({settings.positionGain, settings.forceGain}, coupled->judgment)));
+        window_.tell(
+            coreWords(feltWords({settings.positionGain, settings.forceGain}, coupled->judgment)));
     }
 }
 
