@@ -16,6 +16,7 @@ INSTEAD = {
     r"leads? the tip|led": "drives, controls",
     r"(comes?|came) to (no )?rest": "settles, did not converge",
     r"takes? back": "reset",
+    r"resting": "undeformed",
     r"scene says|law says|file says?": "as in the scene",
     r"rough word|none cheaper|no other beats": "approximate, Pareto-optimal",
 }
@@ -34,7 +35,7 @@ def texts(source):
 
 def main():
     files = [file for folder in FOLDERS for file in sorted((TOP / folder).rglob("*"))
-             if file.suffix in (".cpp", ".h")]
+             if file.suffix in (".cpp", ".cxx", ".h")]
     found = [f"{file.relative_to(TOP)}:{line}: '{word.group()}' in \"{text}\": write {instead}"
              for file in files for line, text in texts(file.read_text())
              for fault, instead in FAULTS.items() for word in fault.finditer(text)]

@@ -3,9 +3,11 @@
 #include "core/SiFormat.h"
 #include "core/deformation/ContactPatch.h"
 #include "core/words/ModelWords.h"
+#include "ui/view/ViewScale.h"
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 namespace asperity {
@@ -14,21 +16,36 @@ namespace {
 
 constexpr int kPatchSamples = 241;
 
-/// Half the width of the zoomed view: the surface that visibly follows the tip.
+/// Half the width of the zoomed view: the surface that visibly follows the tip, no wider, since it
+/// is drawn true to scale.
 double zoomHalfWidth(const Scene& scene, const TickSample& sample) {
     const double given = scene.description.zoomHalfWidth;
     if (given > 0.0) {
         return given;
     }
-    return std::max(scene.belief.tipRadius(), 4.0 * sample.output.model.contact.contactRadius);
+    // A contact that is displaced by d is about sqrt(R d) wide, with or without adhesion.
+    const ContactState& contact = sample.output.model.contact;
+    const double tip = scene.belief.tipRadius();
+    const double reach = std::sqrt(tip * std::abs(contact.indentation));
+    return std::max({4.0 * contact.contactRadius, std::min(4.0 * reach, tip), 0.1 * tip});
+}
+
+/// The distance between tip and surface, as its state is called. Adhesion may hold a tip in contact
+/// above the undeformed surface, which it has pulled up.
+std::string distanceText(const ContactState& contact) {
+    const char* name = contact.region() != TipRegion::Contact ? "Gap"
+                       : contact.indentation < 0.0            ? "Neck height"
+                                                              : "Indentation";
+    const bool isAbove = contact.region() != TipRegion::Contact || contact.indentation < 0.0;
+    return name + (" " + formatSi(isAbove ? -contact.indentation : contact.indentation, "m"));
 }
 
 std::string captionOf(const Scene& scene, const TickSample& sample) {
     const TickOutput& out = sample.output;
     const ContactState& contact = out.model.contact;
-    std::string caption = "Indentation " + formatSi(contact.indentation, "m") +
-                          ", contact radius " + formatSi(contact.contactRadius, "m") +
-                          ", normal force " + formatSi(out.model.normalForce, "N") + " (model), " +
+    std::string caption = distanceText(contact) + ", contact radius " +
+                          formatSi(contact.contactRadius, "m") + ", normal force " +
+                          formatSi(out.model.normalForce, "N") + " (model), " +
                           formatSi(out.estimate.force.dot(out.model.normal), "N") +
                           " (estimate). Tip of " + formatSi(scene.belief.tipRadius(), "m") +
                           " radius on " + scene.description.sample.material.name + ".";
@@ -83,6 +100,7 @@ DeformationView contactView(const Scene& scene, const TickSample& sample,
             .patch = drawnPatch(scene, deformation, zoomGrid(scene, sample)),
             .tipCenter = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
             .tipRadius = scene.belief.tipRadius(),
+            .paraboloidReach = viewScale(scene).paraboloidReach,
             .tipDisplacement =
                 [deformation = deformation](double distance) {
                     return deformation.tipDisplacement(distance);

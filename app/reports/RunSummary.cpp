@@ -126,6 +126,7 @@ Json cycleJson(const ContactCycle& cycle) {
             {"pull_off_force_sigma_n", cycle.pullOff ? Json(cycle.pullOff->sigma) : Json(nullptr)},
             {"adhesion_work_j", cycle.adhesionWork},
             {"hysteresis_j", cycle.slid ? Json(nullptr) : Json(cycle.hysteresis)},
+            {"area_sigma_j", cycle.areaSigma},
             {"contact_stiffness_n_m", readingJson(cycle.stiffness)},
             {"max_force_n", cycle.maxForce},
             {"max_indentation_m", cycle.maxIndentation}};

@@ -1,12 +1,14 @@
 #include "app/session/DeviceControl.h"
 
 #include "core/Error.h"
+#include "core/haptics/LiftStep.h"
 #include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/scene/SettingFields.h"
 #include "core/words/DeviceWords.h"
 #include "core/words/ScaleWords.h"
 #include "hardware/DeviceRegistry.h"
 #include "hardware/piloted/PilotedDrivers.h"
+#include "ui/CoreWords.h"
 #include "ui/HeldKeys.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/OverviewPanel.h"
@@ -23,10 +25,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kKeySpeed = 0.25;  // along the sample, of held keys [half widths/s]
-constexpr double kTurnSpeed = 1.0;  // of a device's axes: the force turns with them [rad/s]
-constexpr double kLiftPerHalfWidth = 1.0 / 400.0;  // a notch near the sample: 0.1 nm of 80 nm
-constexpr double kKeySpeedUp = 0.05;               // and across it [half widths/s]
+constexpr double kKeySpeed = 0.25;    // along the sample, of held keys [half widths/s]
+constexpr double kTurnSpeed = 1.0;    // of a device's axes: the force turns with them [rad/s]
+constexpr double kKeySpeedUp = 0.05;  // and across it [half widths/s]
 
 /// Where held keys send the device, world frame [half widths/s].
 Vector3 keyVelocity(const KeyDirection& keys, const ViewCamera& camera) {
@@ -54,7 +55,12 @@ DeviceControl::DeviceControl(MainWindow& window, RunControl& runs)
         device_.displace({dx, dy, 0.0});
     });
     connect(&window.view(), &ZoomView::lifted, this, [this](double notches) {
-        device_.lift(notches, kLiftPerHalfWidth * window_.view().halfWidth());
+        if (runs_.run() != nullptr) {
+            const Scene& scene = runs_.run()->scene();
+            device_.lift(notches,
+                         fineLiftStep(window_.view().halfWidth(), scene.description.setpoint,
+                                      scene.belief.cantilever.stiffness()));
+        }
     });
     connect(&window.overview(), &OverviewPanel::placeChosen, this, [this](double x, double y) {
         travelTo({x, y});
@@ -197,7 +203,7 @@ void DeviceControl::advance(double seconds) {
     turnAxes(seconds);
     const std::string words = wordsOf(runs_.run()->device().status());
     if (words != std::exchange(told_, words) && !words.empty()) {
-        window_.tell(QString::fromStdString(words));
+        window_.tell(coreWords(words));
     }
     followDelay();
 }
@@ -223,7 +229,7 @@ void DeviceControl::followDelay() {
     if (coupled.holds()) {
         tell();
     } else {
-        window_.complain(tr("Forces are off: %1").arg(QString::fromStdString(refusalOf(coupled))));
+        window_.complain(tr("Forces are off: %1").arg(coreWords(refusalOf(coupled))));
     }
 }
 
@@ -244,8 +250,8 @@ void DeviceControl::show() {
 void DeviceControl::tell() {
     if (const CoupledDevice* const coupled = runs_.run()->coupling().coupled()) {
         const Settings& settings = runs_.run()->settings();
-        window_.tell(QString::fromStdString(
-            feltWords({settings.positionGain, settings.forceGain}, coupled->judgment)));
+        window_.tell(
+            coreWords(feltWords({settings.positionGain, settings.forceGain}, coupled->judgment)));
     }
 }
 

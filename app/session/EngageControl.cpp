@@ -33,6 +33,7 @@ void EngageControl::withdraw() {
     if (runs_.run() != nullptr) {
         engaging_ = false;
         devices_.withdraw();
+        window_.tell(tr("Withdrawing"));
     }
 }
 

@@ -51,6 +51,7 @@ RecordingControl::RecordingControl(MainWindow& window, RunControl& runs)
         }
     });
     connect(&runs, &RunControl::ending, this, &RecordingControl::saveAll);
+    connect(&runs, &RunControl::begun, this, &RecordingControl::tellOfCutRecording);
 }
 
 void RecordingControl::take(const TickSample& sample) {
@@ -190,10 +191,17 @@ void RecordingControl::finishLastSeconds() {
 }
 
 void RecordingControl::saveAll() {
+    cut_ = recording_ ? QString::fromStdString(recording_->folder().string()) : QString();
     finish();
     finishLastSeconds();
     saveLastSeconds();
     finishLastSeconds();
+}
+
+void RecordingControl::tellOfCutRecording() {
+    if (!cut_.isEmpty()) {
+        window_.tell(tr("The scene changed: the recording in %1 has ended").arg(cut_));
+    }
 }
 
 void RecordingControl::show() {

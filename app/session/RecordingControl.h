@@ -53,6 +53,8 @@ private:
     void finishLastSeconds();
     /// All that the run still holds, before it goes.
     void saveAll();
+    /// Over the name of the next scene.
+    void tellOfCutRecording();
 
     MainWindow& window_;
     RunControl& runs_;
@@ -60,7 +62,8 @@ private:
     std::unique_ptr<RecordingThread> recording_;
     double after_ = 0.0;  ///< what came until then is not of the recording [s]
     QString failure_;
-    double writingTime_ = 0.0;                                ///< [s]
+    QString cut_;               ///< folder of the recording that the last change of scene ended
+    double writingTime_ = 0.0;  ///< [s]
     std::future<LastSeconds> lastSeconds_;                    ///< being written; not valid: none
     std::future<std::vector<RecoveredRecording>> recovered_;  ///< not valid: nothing to tell of
 };

@@ -50,10 +50,14 @@ bool Session::eventFilter(QObject* watched, QEvent* event) {
 /// What Esc does beside what the widget with the focus makes of it. The forces of a device with
 /// motors go off whatever has the focus: a spin box, a menu, a message.
 void Session::stop() {
-    if (run() != nullptr && run()->device().specification().rendersForce()) {
+    const bool stopsForces = run() != nullptr && run()->device().specification().rendersForce();
+    if (stopsForces) {
         runs_.setForces(false);
     }
-    const bool closesSomething = QApplication::activePopupWidget() != nullptr ||
+    const QWidget* const active = QApplication::activeWindow();
+    const bool closesTool =
+        !stopsForces && active != nullptr && active->windowType() == Qt::Tool;  // by its shortcut
+    const bool closesSomething = closesTool || QApplication::activePopupWidget() != nullptr ||
                                  QApplication::activeModalWidget() != nullptr;
     if (!closesSomething) {
         scenes_.cancelOpen();

@@ -11,4 +11,11 @@ namespace asperity {
 /// @return the new height [m]
 [[nodiscard]] double liftedHeight(double height, double notches, double fineStep) noexcept;
 
+/// One notch near the sample: a part of what the view shows, but in a wide view no more than moves
+/// a lever in contact by a fifth of the setpoint, or a tenth of a nanometer [m].
+/// @param halfWidth of the view [m]
+/// @param setpoint  [N]
+/// @param stiffness of the lever [N/m]
+[[nodiscard]] double fineLiftStep(double halfWidth, double setpoint, double stiffness) noexcept;
+
 }  // namespace asperity

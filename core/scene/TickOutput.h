@@ -49,7 +49,7 @@ enum class ForceState : std::uint8_t {
 /// For people; empty where it acts as wanted or a fault says why it does not.
 template <>
 inline constexpr auto kEnumTable<ForceState> = std::to_array<NamedRow<ForceState>>(
-    {{ForceState::Off, "forces off (Esc)"},
+    {{ForceState::Off, "forces off"},
      {ForceState::Released, "forces off: hold the dead-man switch"},
      {ForceState::Clutched, "clutch: device moves, tip stays"},
      {ForceState::Waiting, "forces wait for a small tip force"},

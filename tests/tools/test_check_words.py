@@ -25,6 +25,9 @@ class CheckWords(PlantedTree):
         self.refuses({f"{folder}/X.cpp": ('tell("the hand moves");\n', "'the hand'")
                       for folder in ("app", "core", "hardware", "tools", "ui", "vtkplugins")})
 
+    def test_sources_of_vtk(self):
+        self.refuses({"vtkplugins/X.cxx": ('say("over the resting surface");\n', "'resting'")})
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -3,6 +3,7 @@
 #include "vtkplugins/pictures/ChartAxis.h"
 #include "vtkplugins/pictures/Decimation.h"
 #include "vtkplugins/pictures/LabelPlacer.h"
+#include "vtkplugins/pictures/RestingPatch.h"
 #include "vtkplugins/pictures/Stretch.h"
 #include "vtkplugins/pictures/Ticks.h"
 
@@ -107,22 +108,9 @@ TEST(LabelPlacer, LabelsKeepClearOfDotsLinesAndEachOther) {
     }
 }
 
-TEST(Stretch, MultipliesTheDistanceFromTheRestingSurface) {
-    const SurfacePatch patch = test::hertzDent().patch;
-    const Stretch stretch(patch, Vector3::UnitZ(), 10.0);
-    const Vector3 bottom = patch.points[patch.index(60, 60)];
-    const Vector3 drawn = stretch.point(bottom);
-    EXPECT_EQ(drawn.x(), bottom.x());
-    EXPECT_EQ(drawn.y(), bottom.y());
-    EXPECT_NEAR(drawn.z(), 5.0_nm - 6.0_nm, 1e-18);
-    for (const Vector3& rest : patch.rest) {
-        EXPECT_NEAR(stretch.point(rest).z(), rest.z(), 1e-21);
-    }
-}
-
 namespace {
 
-/// The resting plane z = 0.3 x.
+/// The plane at rest z = 0.3 x.
 SurfacePatch slope() {
     SurfacePatch patch;
     patch.columns = 5;
@@ -137,34 +125,18 @@ SurfacePatch slope() {
 
 }  // namespace
 
-TEST(Stretch, MovesAlongItsDirectionOnASlope) {
-    const Vector3 outward = Vector3(-0.3, 0.0, 1.0).normalized();
-    const Stretch stretch(slope(), outward, 5.0);
-    const Vector3 closest(2.0_nm, 1.0_nm, 0.6_nm);
-    EXPECT_LT((stretch.point(closest + 0.1_nm * outward) - (closest + 0.5_nm * outward)).norm(),
-              1e-18);
-    EXPECT_LT((stretch.point(closest) - closest).norm(), 1e-18);
+// It drew displacements a hundred times as large on a surface that was not, and the tip a spindle.
+TEST(Stretch, MultipliesAllHeightsAlike) {
+    const Stretch stretch(10.0);
+    const Vector3 drawn = stretch.point(Vector3(500.0_nm, 400.0_nm, 4.4_nm));
+    EXPECT_LT((drawn - Vector3(500.0_nm, 400.0_nm, 44.0_nm)).norm(), 1e-20);
+    EXPECT_EQ(Stretch(1.0).point(drawn), drawn);
 }
 
 TEST(Stretch, TurnsNormalsWithTheSurface) {
-    // Vertically, a plane of slope 0.1 over one of 0.3 becomes one of slope 0.3 - 4 * 0.2 = -0.5.
-    const Stretch vertical(slope(), Vector3::UnitZ(), 4.0);
-    const Vector3 normal =
-        vertical.normal(Vector3(2.0_nm, 1.5_nm, 0.2_nm), Vector3(-0.1, 0.0, 1.0).normalized());
-    EXPECT_LT((normal - Vector3(0.5, 0.0, 1.0).normalized()).norm(), 1e-12);
-
-    // Along any direction the stretched normal stands on stretched tangents.
-    const Vector3 outward = Vector3(-0.3, 0.1, 1.0).normalized();
-    const Stretch tilted(slope(), outward, 7.0);
-    const Vector3 point(2.0_nm, 1.5_nm, 0.65_nm);
-    const Vector3 before = Vector3(0.2, -0.4, 1.0).normalized();
-    const Vector3 after = tilted.normal(point, before);
-    const Vector3 tangent = before.unitOrthogonal();
-    for (const Vector3& along : {tangent, Vector3(before.cross(tangent))}) {
-        const Vector3 moved =
-            tilted.point(point + 1.0_pm * along) - tilted.point(point - 1.0_pm * along);
-        EXPECT_NEAR(after.dot(moved.normalized()), 0.0, 1e-6);
-    }
+    // A plane of slope 0.1 becomes one of slope 0.4.
+    const Vector3 normal = Stretch(4.0).normal(Vector3(-0.1, 0.0, 1.0).normalized());
+    EXPECT_LT((normal - Vector3(-0.4, 0.0, 1.0).normalized()).norm(), 1e-12);
 }
 
 TEST(RestingPatch, FindsTheClosestPointAndWhatMovedWithIt) {

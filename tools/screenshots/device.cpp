@@ -17,8 +17,8 @@ namespace asperity {
 namespace {
 
 constexpr double kWay = 3.0;           // time to go in [s]
-constexpr double kDepth = 0.7e-9;      // of the base below first touch [m]
-constexpr double kPressing = 0.3;      // device force [N]
+constexpr double kDepth = 1.2e-9;      // of the base below first touch [m]
+constexpr double kPressing = 0.08;     // device force [N]
 constexpr double kPictureAfter = 2.0;  // the guide is there [s]
 
 DevicePath pathDown(const Scene& scene) {

@@ -1,14 +1,15 @@
 #include "ui/panels/ControlBar.h"
 
 #include "core/scene/SettingFields.h"
+#include "ui/CoreWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
+#include "ui/panels/ChoiceBox.h"
 #include "ui/panels/ControlIcons.h"
 #include "ui/panels/FlowLayout.h"
 #include "ui/panels/GainSpinBox.h"
 #include "ui/panels/WheelGuard.h"
 
-#include <QComboBox>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -24,15 +25,6 @@ constexpr int kControlHeight = 26;   ///< [px]
 constexpr int kLetterRoom = 8;       ///< [px]
 constexpr int kMaxGroupWidth = 260;  ///< of a list with what belongs to it [px]
 constexpr const char* kTip = "tip";  ///< property: what a knob says while it can be turned
-
-void setNames(QComboBox& combo, const QStringList& names) {
-    const QSignalBlocker blocker(combo);
-    combo.clear();
-    combo.addItems(names);
-    for (int i = 0; i < names.size(); ++i) {
-        combo.setItemData(i, names.at(i), Qt::ToolTipRole);  // the box may be too narrow for it
-    }
-}
 
 void addWithCaption(FlowLayout& bar, const QString& caption, const QList<QWidget*>& widgets,
                     int stretch) {
@@ -103,12 +95,10 @@ QPushButton* ControlBar::addButton(const char* objectName, const QString& widest
     return button;
 }
 
-QComboBox* ControlBar::addCombo(const char* objectName, const QString& caption) {
-    auto* combo = new QComboBox(this);
+ChoiceBox* ControlBar::addCombo(const char* objectName, const QString& caption) {
+    auto* combo = new ChoiceBox(this);
     combo->setObjectName(QString::fromUtf8(objectName));
     combo->setFixedHeight(kControlHeight);
-    combo->setMinimumContentsLength(8);
-    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     guardFromWheel(*combo);
     QList<QWidget*> widgets{combo};
     if (combo->objectName() == QStringLiteral("path")) {
@@ -139,11 +129,11 @@ void ControlBar::addKnobs() {
 void ControlBar::addKnob(const SettingField& field) {
     auto* box = new GainSpinBox(field.knob.low, field.knob.high, this);
     box->setObjectName(QString::fromUtf8(field.knob.name));
-    box->setProperty(kTip, QString::fromUtf8(field.knob.toolTip));
-    box->setToolTip(QString::fromUtf8(field.knob.toolTip));
+    box->setProperty(kTip, coreWords(field.knob.toolTip));
+    box->setToolTip(coreWords(field.knob.toolTip));
     box->setFixedSize(96, kControlHeight);
     guardFromWheel(*box);
-    addWithCaption(*row_, QString::fromUtf8(field.knob.caption), {box}, 0);
+    addWithCaption(*row_, coreWords(field.knob.caption), {box}, 0);
     knobs_[field.column] = box;
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             [this, name = QString::fromUtf8(field.column)](double value) {
@@ -172,11 +162,11 @@ void ControlBar::connectInputs() {
     connect(pathFile_, &QToolButton::clicked, this, &ControlBar::pathFileRequested);
 }
 
-void ControlBar::setMaterials(const QStringList& names) { setNames(*material_, names); }
+void ControlBar::setMaterials(const QStringList& names) { material_->setNames(names); }
 
-void ControlBar::setDevices(const QStringList& names) { setNames(*device_, names); }
+void ControlBar::setDevices(const QStringList& names) { device_->setNames(names); }
 
-void ControlBar::setPaths(const QStringList& names) { setNames(*path_, names); }
+void ControlBar::setPaths(const QStringList& names) { path_->setNames(names); }
 
 void ControlBar::setMaterial(int index) { material_->setCurrentIndex(index); }
 

@@ -6,12 +6,12 @@
 #include <map>
 #include <string>
 
-class QComboBox;
 class QPushButton;
 class QToolButton;
 
 namespace asperity {
 
+class ChoiceBox;
 class FlowLayout;
 class GainSpinBox;
 struct SettingField;
@@ -54,7 +54,7 @@ Q_SIGNALS:
 
 private:
     QPushButton* addButton(const char* objectName, const QString& widest);
-    QComboBox* addCombo(const char* objectName, const QString& caption);
+    ChoiceBox* addCombo(const char* objectName, const QString& caption);
     void addKnobs();
     void addKnob(const SettingField& field);
     void connectInputs();
@@ -62,9 +62,9 @@ private:
     FlowLayout* row_;
     QPushButton* startPause_;
     QPushButton* forces_;
-    QComboBox* material_;
-    QComboBox* device_;
-    QComboBox* path_;
+    ChoiceBox* material_;
+    ChoiceBox* device_;
+    ChoiceBox* path_;
     QToolButton* pathFile_;
     std::map<std::string, GainSpinBox*> knobs_;  ///< by column
     QPushButton* record_;

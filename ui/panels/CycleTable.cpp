@@ -14,15 +14,15 @@ namespace asperity {
 
 namespace {
 
+constexpr int kLeastRows = 2;        ///< that show on the smallest screen: to compare
 constexpr int kSwatch = 16;          ///< width of the two lines in a cycle's colors [px]
 constexpr int kSwatchDistance = 4;   ///< to what follows [px]
 constexpr double kFirstShare = 0.3;  ///< of the width: the material's column
 const QString kNothing = QStringLiteral("–");
 
-// One unit for all rows, so that they compare at sight; 1 aJ is 1 nN nm.
+// One unit for all rows, so that they compare at sight.
 const SiScale kNanonewtons{1e9, "nN"};
 const SiScale kNanometers{1e9, "nm"};
-const SiScale kAttojoules{1e18, "aJ"};
 const SiScale kPerMeter{1.0, "N/m"};
 
 QString text(double value, const SiScale& scale) {
@@ -54,6 +54,17 @@ QString nameOf(int column) {
     }
 }
 
+std::optional<Reading> workOf(const ContactCycle& cycle) {
+    return cycle.pullOff ? std::optional(Reading{cycle.adhesionWork, cycle.areaSigma})
+                         : std::nullopt;
+}
+
+/// An open loop has no area, and one that could be nothing but noise is none.
+std::optional<Reading> hysteresisOf(const ContactCycle& cycle) {
+    const bool isKnown = cycle.complete() && !cycle.slid && cycle.hysteresis > cycle.areaSigma;
+    return isKnown ? std::optional(Reading{cycle.hysteresis, cycle.areaSigma}) : std::nullopt;
+}
+
 QString explanation() {
     return CycleTable::tr("Pull-off: strongest pull of the retract branch\n"
                           "Work: work of adhesion, area between the retract branch and zero force\n"
@@ -83,10 +94,9 @@ QString CycleTable::text(int row, Column column) const {
     case PullOff:
         return asperity::text(cycle.pullOff, kNanonewtons);
     case Work:
-        return cycle.pullOff ? asperity::text(cycle.adhesionWork, kAttojoules) : kNothing;
-    case Hysteresis:  // an open loop has no area
-        return cycle.complete() && !cycle.slid ? asperity::text(cycle.hysteresis, kAttojoules)
-                                               : kNothing;
+        return asperity::text(workOf(cycle), energies());
+    case Hysteresis:
+        return asperity::text(hysteresisOf(cycle), energies());
     case Stiffness:
         return asperity::text(cycle.stiffness, kPerMeter);
     default:
@@ -98,17 +108,31 @@ QString CycleTable::details(int row) const {
     const auto& [material, cycle] = rows_.at(static_cast<std::size_t>(row));
     return tr("%1\nPull-off force: %2\nWork of adhesion: %3\nHysteresis: %4\nContact stiffness: "
               "%5\nMaximum force: %6\nMaximum indentation: %7")
-        .arg(material, withSigma(cycle.pullOff, kNanonewtons), text(row, Work),
-             text(row, Hysteresis), withSigma(cycle.stiffness, kPerMeter),
+        .arg(material, withSigma(cycle.pullOff, kNanonewtons), withSigma(workOf(cycle), energies()),
+             withSigma(hysteresisOf(cycle), energies()), withSigma(cycle.stiffness, kPerMeter),
              asperity::text(cycle.maxForce, kNanonewtons),
              asperity::text(cycle.maxIndentation, kNanometers));
+}
+
+/// Of the largest: 1 aJ is 1 nN nm.
+SiScale CycleTable::energies() const {
+    double largest = 0.0;
+    for (const auto& [material, cycle] : rows_) {
+        largest = std::max({largest, cycle.adhesionWork, cycle.hysteresis});
+    }
+    return largest < 1e-14   ? SiScale{1e18, "aJ"}
+           : largest < 1e-11 ? SiScale{1e15, "fJ"}
+           : largest < 1e-8  ? SiScale{1e12, "pJ"}
+                             : SiScale{1e9, "nJ"};
 }
 
 int CycleTable::lineHeight() const { return fontMetrics().height(); }
 
 QSize CycleTable::sizeHint() const { return {1, (1 + std::max(1, rows())) * lineHeight()}; }
 
-QSize CycleTable::minimumSizeHint() const { return {1, 2 * lineHeight()}; }
+QSize CycleTable::minimumSizeHint() const {
+    return {1, (1 + std::clamp(rows(), 1, kLeastRows)) * lineHeight()};
+}
 
 QRect CycleTable::cell(int line, int column) const {
     const int first = static_cast<int>(kFirstShare * width());

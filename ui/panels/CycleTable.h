@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/SiFormat.h"
 #include "core/haptics/cycle/ContactCycle.h"
 
 #include <QString>
@@ -43,6 +44,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    [[nodiscard]] SiScale energies() const;
     [[nodiscard]] int lineHeight() const;
     [[nodiscard]] QRect cell(int line, int column) const;
     void paintRow(QPainter& painter, int row) const;

@@ -1,10 +1,12 @@
 #include "ui/panels/FidelityPanel.h"
 
 #include "core/words/ModelWords.h"
+#include "ui/CoreWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/NumberBox.h"
 #include "ui/panels/PercentText.h"
+#include "ui/panels/RefusalLine.h"
 #include "ui/panels/TradeOffChart.h"
 #include "ui/panels/WheelGuard.h"
 
@@ -39,7 +41,7 @@ TradeOffPoints pointsOf(const TradeOff& study) {
     for (const TickResult& result : study.ticks) {
         shown.points.push_back({.time = result.median,
                                 .error = result.forceErrorRms,
-                                .name = QString::fromStdString(nameOf(result.options)),
+                                .name = coreWords(nameOf(result.options)),
                                 .onFront = result.onFront});
     }
     return shown;
@@ -100,6 +102,10 @@ QWidget* FidelityPanel::termCard() {
     row->addWidget(automatic_);
     card->body().addWidget(terms_);
     card->body().addLayout(row);
+    auto* refusal = new RefusalLine(this);
+    refusal->setMinimumHeight(refusal->fontMetrics().lineSpacing());
+    refusal->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    card->body().addWidget(refusal);
     return card;
 }
 
@@ -144,7 +150,7 @@ void FidelityPanel::showModel(const SceneNeeds& needs, const ModelChoices& choic
     const QSignalBlocker blocker(tolerance_);
     tolerance_->setValue(100.0 * needs.tolerance);
     summary_->setText(tr("Model: %1; a tick takes %2 µs instead of %3 µs.")
-                          .arg(QString::fromStdString(forceErrorText(needs)))
+                          .arg(coreWords(forceErrorText(needs)))
                           .arg(1e6 * needs.modelTick, 0, 'f', 2)
                           .arg(1e6 * needs.fullTick, 0, 'f', 2));
     now_ = ofForce(needs.model);
@@ -191,7 +197,7 @@ void FidelityPanel::showCurrent() {
 /// What the numbers in the chart stand for, and the ring.
 QString FidelityPanel::keyText() const {
     QString text = tr("<p><span style='color:%1'><b>◯</b></span> now: %2</p>")
-                       .arg(QColor(theme::kOrange).name(), QString::fromStdString(nameOf(now_)));
+                       .arg(QColor(theme::kOrange).name(), coreWords(nameOf(now_)));
     if (!study_) {
         return text;
     }

@@ -3,6 +3,8 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace asperity {
 
@@ -57,8 +59,14 @@ std::vector<FlowLayout::Line> FlowLayout::linesFor(int width) const {
         }
         const int hint = entry.item->sizeHint().width();
         if (lines.empty() || used + spacing() + hint > width) {
+            const Entry* last = lines.empty() ? nullptr : lines.back().back();
             lines.emplace_back();
             used = -spacing();
+            if (last != nullptr && last->item->spacerItem() != nullptr) {
+                lines.at(lines.size() - 2).pop_back();
+                lines.back().push_back(last);
+                used = 0;
+            }
         }
         lines.back().push_back(&entry);
         used += spacing() + hint;
@@ -66,21 +74,44 @@ std::vector<FlowLayout::Line> FlowLayout::linesFor(int width) const {
     return lines;
 }
 
+/// Those that ask for more than their share have it, and stretch no more. @return shares of the
+/// rest
+int FlowLayout::giveHints(const Line& line, std::vector<int>& widths, std::vector<int>& stretches,
+                          int& left) {
+    int shares = std::accumulate(stretches.begin(), stretches.end(), 0);
+    for (std::size_t i = 0; i < line.size() && shares > 0;) {
+        const int hint = line[i]->item->sizeHint().width();
+        const int share = std::max(0, left) * stretches[i] / shares;
+        if (stretches[i] == 0 || widths[i] + share >= hint) {
+            ++i;
+            continue;
+        }
+        left -= hint - widths[i];
+        widths[i] = hint;
+        shares -= std::exchange(stretches[i], 0);
+        i = 0;  // the others' share is smaller now
+    }
+    return shares;
+}
+
 std::vector<int> FlowLayout::widthsIn(const Line& line, int width) const {
     std::vector<int> widths;
+    std::vector<int> stretches;
     int left = width + spacing();
-    int shares = 0;
     for (const Entry* entry : line) {
-        widths.push_back(entry->item->sizeHint().width());
+        const int hint = entry->item->sizeHint().width();
+        const int least = entry->item->minimumSize().width();
+        widths.push_back(entry->stretch > 0 ? std::min(least, hint) : hint);
+        stretches.push_back(entry->stretch);
         left -= widths.back() + spacing();
-        shares += entry->stretch;
     }
+    int shares = giveHints(line, widths, stretches, left);
     // One that reaches its maximum leaves more to those after it: spacers stand last.
     for (std::size_t i = 0; i < line.size() && left > 0 && shares > 0; ++i) {
         const int largest = line[i]->item->maximumSize().width();
-        const int share = left * line[i]->stretch / shares;
+        const int share = left * stretches[i] / shares;
         const int more = std::min(share, std::max(0, largest - widths[i]));
-        shares -= line[i]->stretch;
+        shares -= stretches[i];
         widths[i] += more;
         left -= more;
     }

@@ -6,8 +6,9 @@
 
 namespace asperity {
 
-/// Puts widgets beside one another, and in further lines where the width is used up. What is left
-/// of a line's width goes to those that stretch, up to their maximum width. Widgets of a line are
+/// Puts widgets beside one another, and in further lines where the width that they ask for is used
+/// up. Those of a line that stretch share its width beyond their minimum widths, up to their
+/// maximum width; one that asks for more than its share has that first. Widgets of a line are
 /// aligned at its bottom.
 class FlowLayout : public QLayout {
 public:
@@ -15,8 +16,9 @@ public:
     ~FlowLayout() override;
 
     /// @param stretch 0: keeps the width of its size hint; else takes this share of what is left
+    /// beyond minimum widths, and no less than its size hint
     void addWidget(QWidget* widget, int stretch = 0);
-    /// Room that separates what is before it from what is after it.
+    /// Room that separates what is before it from what is after it, in whose line it is.
     void addStretch();
 
     void addItem(QLayoutItem* item) override;
@@ -36,6 +38,9 @@ private:
         int stretch;
     };
     using Line = std::vector<const Entry*>;
+
+    static int giveHints(const Line& line, std::vector<int>& widths, std::vector<int>& stretches,
+                         int& left);
 
     [[nodiscard]] std::vector<Line> linesFor(int width) const;
     [[nodiscard]] std::vector<int> widthsIn(const Line& line, int width) const;

@@ -38,11 +38,4 @@ void GainSpinBox::stepBy(int steps) {
     setValue(next);
 }
 
-QString GainSpinBox::textFromValue(double value) const {
-    QString text = QString::number(value, 'g', 4);
-    return text.replace(QStringLiteral("e+0"), QStringLiteral("e"))
-        .replace(QStringLiteral("e+"), QStringLiteral("e"))
-        .replace(QStringLiteral("e-0"), QStringLiteral("e-"));
-}
-
 }  // namespace asperity

@@ -11,7 +11,6 @@ public:
     GainSpinBox(double low, double high, QWidget* parent = nullptr);
 
     void stepBy(int steps) override;
-    [[nodiscard]] QString textFromValue(double value) const override;
 };
 
 }  // namespace asperity

@@ -8,6 +8,15 @@
 
 namespace asperity {
 
+namespace {
+
+constexpr int kMinDigits = 4;   ///< before a power of ten is shorter
+constexpr int kMaxDigits = 12;  ///< the others are of units and rounding
+constexpr int kMaxQuoted = 24;  ///< letters of what was typed
+const QColor kRefused(0xfb, 0xdd, 0xdd);
+
+}  // namespace
+
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setLocale(QLocale::c());
     setKeyboardTracking(false);
@@ -19,6 +28,9 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     };
     connect(lineEdit(), &QLineEdit::textChanged, this, color);
     connect(this, &QAbstractSpinBox::editingFinished, this, color);  // by Qt's own text
+    const auto unmark = [this] { mark(false); };
+    connect(lineEdit(), &QLineEdit::textEdited, this, unmark);
+    connect(this, qOverload<double>(&QDoubleSpinBox::valueChanged), this, unmark);
 }
 
 QString NumberBox::withoutUnit(const QString& text) const {
@@ -34,6 +46,20 @@ double NumberBox::valueFromText(const QString& text) const {
     return numberFromText(withoutUnit(text)).value_or(value());
 }
 
+QString NumberBox::textFromValue(double value) const {
+    const double shown = QString::number(value, 'g', kMaxDigits).toDouble();
+    QString text;
+    for (int digits = kMinDigits; digits <= kMaxDigits; ++digits) {
+        text = QString::number(shown, 'g', digits);
+        if (text.toDouble() == shown) {
+            break;
+        }
+    }
+    return text.replace(QStringLiteral("e+0"), QStringLiteral("e"))
+        .replace(QStringLiteral("e+"), QStringLiteral("e"))
+        .replace(QStringLiteral("e-0"), QStringLiteral("e-"));
+}
+
 QValidator::State NumberBox::validate(QString& text, int& /*position*/) const {
     const std::optional<double> number = numberFromText(withoutUnit(text));
     const bool isTaken = number && *number >= minimum() && *number <= maximum();
@@ -41,12 +67,27 @@ QValidator::State NumberBox::validate(QString& text, int& /*position*/) const {
 }
 
 void NumberBox::fixup(QString& text) const {
-    QToolTip::showText(mapToGlobal(rect().bottomLeft()),
-                       tr("“%1” is not taken: a number from %2 to %3, such as 0.5 or 2e-3")
-                           .arg(withoutUnit(text))
-                           .arg(minimum())
-                           .arg(maximum()),
+    QString typed = withoutUnit(text);
+    if (typed.size() > kMaxQuoted) {
+        typed = typed.left(kMaxQuoted) + QStringLiteral("…");
+    }
+    const QString reason = tr("“%1” is not taken: a number from %2 to %3, such as 0.5 or 2e-3")
+                               .arg(typed, textFromValue(minimum()), textFromValue(maximum()));
+    QToolTip::showText(mapToGlobal(rect().bottomLeft()), reason,
                        const_cast<NumberBox*>(this));  // NOLINT: only its place is used
+    mark(true);
+    Q_EMIT refused(reason);
+}
+
+void NumberBox::discardTyped() {
+    setValue(value());
+    mark(false);
+}
+
+void NumberBox::mark(bool refused) const {
+    QPalette colors = lineEdit()->palette();
+    colors.setColor(QPalette::Base, refused ? kRefused : QColor(theme::kPaper));
+    lineEdit()->setPalette(colors);
 }
 
 }  // namespace asperity

@@ -4,19 +4,31 @@
 
 namespace asperity {
 
-/// A box for a number: takes what numberFromText() does, shows it as in files, and says visibly
-/// what it does not take: in red while it is typed, in words when it is to count.
+/// A box for a number: takes what numberFromText() does and shows it as in files, in the shortest
+/// form that keeps it. What it does not take is red while it is typed; when it is to count, the box
+/// is marked until the next letter and says why.
 class NumberBox : public QDoubleSpinBox {
+    Q_OBJECT
+
 public:
     explicit NumberBox(QWidget* parent = nullptr);
 
     [[nodiscard]] double valueFromText(const QString& text) const override;
+    [[nodiscard]] QString textFromValue(double value) const override;
     QValidator::State validate(QString& text, int& position) const override;
     /// Called with a text that is not taken; the value stays.
     void fixup(QString& text) const override;
+    /// What was typed and does not count yet is gone.
+    void discardTyped();
+
+Q_SIGNALS:
+    /// A text is not taken. A tool tip says it, too, but goes with the focus: show it where it
+    /// stays.
+    void refused(const QString& reason) const;
 
 private:
     [[nodiscard]] QString withoutUnit(const QString& text) const;
+    void mark(bool refused) const;
 };
 
 }  // namespace asperity

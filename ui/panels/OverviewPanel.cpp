@@ -3,6 +3,7 @@
 #include "core/SiFormat.h"
 #include "core/scene/Scene.h"
 #include "core/words/ImagingTipWords.h"
+#include "ui/CoreWords.h"
 #include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/MapMarks.h"
 #include "ui/panels/OverviewMap.h"
@@ -114,8 +115,7 @@ void OverviewPanel::addLegend(QVBoxLayout& side) {
 
 void OverviewPanel::begin(const Scene& scene) {
     setSurface(scene.surface);
-    setScanNote(QString::fromStdString(imagingTipWords(scene)),
-                QString::fromStdString(imagingTipNote(scene)));
+    setScanNote(coreWords(imagingTipWords(scene)), coreWords(imagingTipNote(scene)));
 }
 
 void OverviewPanel::setSurface(const BSplineSurface& surface) {

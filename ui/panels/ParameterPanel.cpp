@@ -1,7 +1,9 @@
 #include "ui/panels/ParameterPanel.h"
 
+#include "ui/CoreWords.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/GainSpinBox.h"
+#include "ui/panels/RefusalLine.h"
 #include "ui/panels/WheelGuard.h"
 
 #include <QGridLayout>
@@ -13,7 +15,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 8;  // [px]
+constexpr int kGap = 8;         // [px]
+constexpr int kBoxWidth = 110;  // [px]
 
 /// Steps by factors where there is no zero.
 NumberBox* newBox(const SceneParameterTraits& traits, QWidget* parent) {
@@ -38,6 +41,7 @@ ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent, Qt::Tool) {
     for (const SceneParameterTraits& traits : kEnumTable<SceneParameter>) {
         addRow(*grid, traits);
     }
+    grid->addWidget(new RefusalLine(this), grid->rowCount(), 0, 1, 2);
     grid->setRowStretch(grid->rowCount(), 1);
     resize(sizeHint());
 }
@@ -45,10 +49,11 @@ ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent, Qt::Tool) {
 void ParameterPanel::addRow(QGridLayout& grid, const SceneParameterTraits& traits) {
     NumberBox* box = newBox(traits, this);
     box->setObjectName(QString::fromUtf8(traits.key));
-    box->setToolTip(tr(traits.toolTip));
+    box->setToolTip(coreWords(traits.toolTip));
+    box->setMinimumWidth(kBoxWidth);
     guardFromWheel(*box);
     const int row = grid.rowCount();
-    grid.addWidget(captionLabel(tr(traits.caption), this), row, 0);
+    grid.addWidget(captionLabel(coreWords(traits.caption), this), row, 0);
     grid.addWidget(box, row, 1);
     boxes_[traits.value] = box;
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,

@@ -2,6 +2,7 @@
 
 #include "core/haptics/mapping/WorkspaceMapping.h"
 #include "core/words/ModelWords.h"
+#include "ui/CoreWords.h"
 #include "ui/Theme.h"
 
 #include <QHBoxLayout>
@@ -22,7 +23,7 @@ const QString kBetween = QStringLiteral(" · ");
 
 template <class Value>
 QString wordsOf(Value value) {
-    return QString::fromUtf8(nameOf(value));
+    return coreWords(nameOf(value));
 }
 
 bool actsFully(ForceState state) { return state == ForceState::On || state == ForceState::Limited; }
@@ -72,7 +73,7 @@ void StateBanner::setHalfSpace(const HalfSpaceAnswer* answer) {
     notHolding_.clear();
     // Far from the sample there is nothing to solve, and nothing wrong.
     if (answer != nullptr && answer->verdict != HalfSpaceVerdict::NotBonded) {
-        (answer->valid() ? halfSpace_ : notHolding_) = QString::fromStdString(sentenceOf(*answer));
+        (answer->valid() ? halfSpace_ : notHolding_) = coreWords(sentenceOf(*answer));
     }
 }
 
@@ -123,8 +124,7 @@ std::vector<StateBanner::Caution> StateBanner::cautions() const {
     for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
         if (shown_.isShown(i, latest_.sample)) {
             const ValidityTraits& flag = kValidityTraits.at(i);
-            found.push_back(
-                {QString::fromLatin1(flag.brief), QString::fromLatin1(flag.words), flag.severity});
+            found.push_back({coreWords(flag.brief), coreWords(flag.words), flag.severity});
         }
     }
     if (!notHolding_.isEmpty()) {

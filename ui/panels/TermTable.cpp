@@ -1,6 +1,7 @@
 #include "ui/panels/TermTable.h"
 
 #include "core/words/ModelWords.h"
+#include "ui/CoreWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/PercentText.h"
 #include "ui/panels/WheelGuard.h"
@@ -77,7 +78,7 @@ void TermTable::addRow(int row) {
     for (int column = 0; column < ColumnCount; ++column) {
         setItem(row, column, new QTableWidgetItem);
     }
-    setText(row, Term, QString::fromUtf8(nameOf(term)));
+    setText(row, Term, coreWords(nameOf(term)));
     auto* combo = new QComboBox(this);
     combo->setObjectName(QString::fromUtf8(nameOf(term)));
     combo->setEnabled(false);
@@ -110,7 +111,7 @@ void TermTable::showNeed(int row, const TermNeed& need, const std::string& reaso
     item(row, Now)->setForeground(QColor(need.on ? theme::kInk : theme::kMuted));
     setText(row, Effect, effectText(need));
     setText(row, Time, timeText(need));
-    const QString why = QString::fromStdString(reason);
+    const QString why = coreWords(reason);
     setText(row, Why, why);
     item(row, Why)->setToolTip(why);
 }
@@ -129,8 +130,8 @@ void TermTable::setPossible(int row, bool possible) {
     const auto index = static_cast<std::size_t>(row);
     auto& entries = dynamic_cast<QStandardItemModel&>(*choices_.at(index)->model());
     entries.item(On)->setEnabled(possible);
-    entries.item(On)->setToolTip(
-        possible ? QString() : QString::fromUtf8(whyImpossible(kModelTerms.at(index))));
+    entries.item(On)->setToolTip(possible ? QString()
+                                          : coreWords(whyImpossible(kModelTerms.at(index))));
 }
 
 /// Taking again what the law says changes nothing.

@@ -16,8 +16,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace asperity {
 
@@ -134,9 +132,7 @@ void ContactLayer::showSurface(const Scene& scene, const ContactShape& shape,
             const Vector3& rest = patch.rest[i];
             points_->SetPoint(id, patch.points[i].data());
             const double pushed = shape.displacements()[i];
-            const Color color = scene.surface.isMeasured(rest.x(), rest.y())
-                                    ? style.colors.at(rest.z(), pushed)
-                                    : style.colors.withoutData(pushed);
+            const Color color = style.colors.of(scene.surface, rest, pushed);
             const Vector3 normal = deformedNormal(shape, row, column);
             rgb_->SetTypedTuple(id, style.shading.lit(color, normal).data());
         }
@@ -202,23 +198,12 @@ void ContactLayer::showRim(const Scene& scene, const ContactShape& shape,
         hidden_.hide();
         return;
     }
-    constexpr int kPoints = 120;
-    const Vector3 across = contact.normal.unitOrthogonal();
-    const Vector3 third = contact.normal.cross(across);
-    std::vector<Vector3> rim;
-    for (int i = 0; i <= kPoints; ++i) {
-        const double angle = 2.0 * std::numbers::pi * (i % kPoints) / kPoints;
-        const Vector3 arm = std::cos(angle) * across + std::sin(angle) * third;
-        const Vector3 place = contact.closest + contact.contactRadius * arm;
-        rim.push_back(
-            shape.moved({place.x(), place.y(), scene.surface.at(place.x(), place.y()).height}));
-    }
-    const auto line = polyline(rim);
+    const auto line = polyline(circleInContact(scene, shape, contact.contactRadius));
     setData(rim_, line);
     hidden_.hide();
     hidden_.showRim(line, style.space);
     if (!style.isCut) {
-        hidden_.showDent(shape, mesh_, style.space);
+        hidden_.showDent(scene, shape, style.colors, style.space);
     }
 }
 

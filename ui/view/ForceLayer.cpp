@@ -1,5 +1,6 @@
 #include "ui/view/ForceLayer.h"
 
+#include "ui/view/ForceScale.h"
 #include "vtkplugins/module/vtkAspForceGlyphSource.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
@@ -39,26 +40,26 @@ void ForceLayer::hide() {
 }
 
 void ForceLayer::show(const ForceEstimate& estimate, const Vector3& start, double time,
-                      double room) {
+                      double usual, double room) {
     const Vector3& force = estimate.force;
     const double magnitude = force.stableNorm();
     const Vector3 direction = force.stableNormalized();
     const double sigma = std::sqrt(direction.dot(estimate.covariance * direction));
-    const double metersPerNewton = scale_.fit(magnitude, sigma, time, room);
+    const double length = arrowLength(magnitude, usual, room);
     if (!(magnitude > kSignificant * sigma)) {
         lastNoise_ = time;
     }
     const bool isKnown = !lastNoise_ || time < *lastNoise_ || time - *lastNoise_ > kConfirmation;
-    if (!isKnown || !(magnitude * metersPerNewton > kMinLength * room) || !force.allFinite()) {
+    if (!isKnown || !(length > kMinLength * room) || !force.allFinite()) {
         hide();
         return;
     }
     source_->SetContactPoint(start.x(), start.y(), start.z());
     source_->SetForce(force.x(), force.y(), force.z());
-    source_->SetMetersPerNewton(metersPerNewton);
+    source_->SetMetersPerNewton(length / magnitude);
     source_->Update();
     arrow_->VisibilityOn();
-    end_ = start + metersPerNewton * force;
+    end_ = start + length * direction;
 }
 
 }  // namespace asperity

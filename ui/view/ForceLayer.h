@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/probe/ForceDecoupling.h"
-#include "ui/view/ForceScale.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -25,8 +24,10 @@ public:
 
     /// @param start where the arrow begins, as drawn [m]
     /// @param time  of the run [s]
+    /// @param usual force whose arrow fills half of the room [N]
     /// @param room  length that the arrow may have [m]
-    void show(const ForceEstimate& estimate, const Vector3& start, double time, double room);
+    void show(const ForceEstimate& estimate, const Vector3& start, double time, double usual,
+              double room);
     void hide();
 
     /// Where the arrow ends; empty: the force is too small to show.
@@ -35,7 +36,6 @@ public:
 private:
     vtkNew<vtkAspForceGlyphSource> source_;
     vtkSmartPointer<vtkActor> arrow_;
-    ForceScale scale_;
     std::optional<double> lastNoise_;  ///< when the force was within its noise [s]
     std::optional<Vector3> end_;
 };

@@ -1,23 +1,31 @@
 #include "ui/view/HiddenContact.h"
 
 #include "ui/view/Shading.h"
+#include "vtkplugins/module/StripGrid.h"
 #include "vtkplugins/pictures/Palette.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkActor.h>
-#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
+#include <Eigen/Geometry>
+
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace asperity {
 
 namespace {
 
+constexpr int kAngles = 120;
+constexpr int kCircles = 13;  // the first is the contact's middle
 constexpr double kDentOpacity = 0.4;
 constexpr double kRimOpacity = 0.4;
 
@@ -26,33 +34,37 @@ void makeFaint(vtkActor* actor, double opacity) {
     actor->ForceOpaqueOn();  // blended all the same, without VTK's costly passes
 }
 
-/// The quadrilaterals of the patch that lie in the contact.
-vtkSmartPointer<vtkCellArray> cellsInContact(const ContactShape& shape) {
-    const SurfacePatch& patch = shape.patch();
-    const TipContact& contact = shape.contact();
-    const auto inside = [&](std::size_t i) {
-        const Vector3 arm = patch.rest[i] - contact.closest;
-        return (arm - arm.dot(contact.normal) * contact.normal).norm() <= contact.contactRadius;
-    };
-    vtkNew<vtkCellArray> cells;
-    for (int row = 0; row + 1 < patch.rows; ++row) {
-        for (int column = 0; column + 1 < patch.columns; ++column) {
-            const std::array<std::size_t, 4> corners{
-                patch.index(row, column), patch.index(row, column + 1),
-                patch.index(row + 1, column + 1), patch.index(row + 1, column)};
-            if (std::ranges::all_of(corners, inside)) {
-                std::array<vtkIdType, 4> ids{};
-                std::ranges::copy(corners, ids.begin());
-                cells->InsertNextCell(4, ids.data());
-            }
-        }
+/// Points of the surface at rest below a circle about the contact's axis.
+std::vector<Vector3> circleAtRest(const Scene& scene, const TipContact& contact, double radius) {
+    const Vector3 across = contact.normal.unitOrthogonal();
+    const Vector3 third = contact.normal.cross(across);
+    std::vector<Vector3> circle;
+    for (int i = 0; i <= kAngles; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i % kAngles) / kAngles;
+        const Vector3 place =
+            contact.closest + radius * (std::cos(angle) * across + std::sin(angle) * third);
+        circle.emplace_back(place.x(), place.y(), scene.surface.at(place.x(), place.y()).height);
     }
-    return cells;
+    return circle;
 }
 
 }  // namespace
 
-HiddenContact::HiddenContact(vtkRenderer* through) : dent_(surfaceAsColored(inside_)) {
+std::vector<Vector3> circleInContact(const Scene& scene, const ContactShape& shape, double radius) {
+    std::vector<Vector3> circle = circleAtRest(scene, shape.contact(), radius);
+    for (Vector3& place : circle) {
+        place = shape.moved(place);
+    }
+    return circle;
+}
+
+HiddenContact::HiddenContact(vtkRenderer* through) {
+    points_->SetDataTypeToDouble();
+    rgb_->SetNumberOfComponents(3);
+    inside_->SetPoints(points_);
+    inside_->SetStrips(gridStrips(kAngles + 1, kCircles));
+    inside_->GetPointData()->SetScalars(rgb_);
+    dent_ = surfaceAsColored(inside_);
     vtkNew<vtkPolyData> nothing;
     rim_ = linesAsDrawn(nothing, palette::kContact, 2.0);
     makeFaint(dent_, kDentOpacity);
@@ -70,11 +82,23 @@ void HiddenContact::showRim(vtkPolyData* rim, const DrawnSpace& space) {
     rim_->VisibilityOn();
 }
 
-void HiddenContact::showDent(const ContactShape& shape, vtkPolyData* surface,
-                             const DrawnSpace& space) {
-    inside_->ShallowCopy(surface);
-    inside_->SetStrips(nullptr);
-    inside_->SetPolys(cellsInContact(shape));
+void HiddenContact::showDent(const Scene& scene, const ContactShape& shape,
+                             const SurfaceColors& colors, const DrawnSpace& space) {
+    const TipContact& contact = shape.contact();
+    points_->Reset();
+    rgb_->Reset();
+    for (int circle = 0; circle < kCircles; ++circle) {
+        const double radius = contact.contactRadius * circle / (kCircles - 1);
+        for (const Vector3& rest : circleAtRest(scene, contact, radius)) {
+            const Vector3 place = shape.moved(rest);
+            points_->InsertNextPoint(place.data());
+            const double pushed = (rest - place).dot(contact.normal);
+            const Color color = colors.of(scene.surface, rest, pushed);
+            rgb_->InsertNextTypedTuple(std::array{color.red, color.green, color.blue}.data());
+        }
+    }
+    points_->Modified();
+    rgb_->Modified();
     space.apply(dent_);
     dent_->VisibilityOn();
 }

@@ -74,8 +74,10 @@ Color SurfaceColors::at(double height, double displacement) const {
     return moved(colorIn(heights_, height), displacement);
 }
 
-Color SurfaceColors::withoutData(double displacement) const {
-    return moved(palette::kNoData, displacement);
+Color SurfaceColors::of(const BSplineSurface& surface, const Vector3& rest,
+                        double displacement) const {
+    return surface.isMeasured(rest.x(), rest.y()) ? at(rest.z(), displacement)
+                                                  : moved(palette::kNoData, displacement);
 }
 
 /// Goes over from the color at rest to that of the displacement.

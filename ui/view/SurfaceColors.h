@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/surface/BSplineSurface.h"
 #include "ui/ColorScale.h"
 #include "ui/Steady.h"
 #include "vtkplugins/pictures/Color.h"
@@ -22,10 +23,12 @@ public:
     bool fitDisplacement(double largest);
 
     [[nodiscard]] const AxisRange& heightRange() const { return heightRange_.range(); }  ///< [m]
-    /// Color of a place at this height at rest. @param displacement into the sample [m]
+    /// Color of a height at rest [m]. @param displacement into the sample [m]
     [[nodiscard]] Color at(double height, double displacement = 0.0) const;
-    /// The same where the scan holds no data: heights filled in have no color of a height.
-    [[nodiscard]] Color withoutData(double displacement = 0.0) const;
+    /// Color of a place of the surface at rest; where the scan holds no data, heights filled in
+    /// have no color of a height.
+    [[nodiscard]] Color of(const BSplineSurface& surface, const Vector3& rest,
+                           double displacement = 0.0) const;
 
     [[nodiscard]] ColorScale heightScale() const;
     [[nodiscard]] ColorScale displacementScale() const;

@@ -69,10 +69,6 @@ std::vector<Stroke> strokes(const Extent& across, const Extent& along, double sp
     return found;
 }
 
-Color groundColor(const BSplineSurface& surface, const double* place, const SurfaceColors& colors) {
-    return surface.isMeasured(place[0], place[1]) ? colors.at(place[2]) : colors.withoutData();
-}
-
 /// Whether a place on the border of the window lies at the hole: between its corners, or at a
 /// corner that is also the window's.
 bool opensIntoHole(const Vector3& place, const ScanWindow& hole, const ScanWindow& window) {
@@ -137,7 +133,7 @@ struct TerrainLayer::Mesh {
         const vtkIdType count = sampled->GetNumberOfPoints();
         rgb->SetNumberOfTuples(count);
         for (vtkIdType id = 0; id < count; ++id) {
-            const Color color = groundColor(ground, sampled->GetPoint(id), style.colors);
+            const Color color = style.colors.of(ground, Vector3(sampled->GetPoint(id)));
             rgb->SetTypedTuple(id, style.shading.lit(color, Vector3(normals->GetTuple(id))).data());
         }
         rgb->Modified();

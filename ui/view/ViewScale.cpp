@@ -25,6 +25,11 @@ constexpr double kWideContact = 0.35;  // in tip radii: beyond, sphere and parab
 constexpr double kParaboloidReach = 1.5;                        // in contact radii
 constexpr Width kMinWidth = {.ofTip = 1.25, .ofContact = 1.9};  // its patch still holds the contact
 
+/// Source: Johnson, Kendall, Roberts (1971) [N].
+double jkrPullOff(const ContactPair& pair) {
+    return 1.5 * std::numbers::pi * pair.tipRadius * pair.workOfAdhesion;
+}
+
 }  // namespace
 
 ViewScale viewScale(const Scene& scene) {
@@ -42,7 +47,8 @@ ViewScale viewScale(const Scene& scene) {
                 given > 0.0 ? given : std::max(kUsualWidth.of(tip, contact), kUsualPixels * pixel),
             .least = kMinWidth.of(tip, contact),
             .pixel = pixel,
-            .paraboloidReach = isWide ? std::max(tip, kParaboloidReach * paraboloid) : 0.0};
+            .paraboloidReach = isWide ? std::max(tip, kParaboloidReach * paraboloid) : 0.0,
+            .force = std::max(scene.description.setpoint, jkrPullOff(scene.belief.contact.pair()))};
 }
 
 double unloadedContactRadius(const ContactPair& pair) {

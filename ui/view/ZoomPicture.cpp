@@ -28,7 +28,8 @@ constexpr double kMinFloor = 0.05;  // of block below a dent
 constexpr double kGuideReach = 0.4;
 constexpr double kOverlap = 0.015;  // of patch and terrain
 
-constexpr double kDentStep = 1.5;  // a dent that needs more room gets so many times its depth
+constexpr double kDentStep = 1.5;    // a dent that needs more room gets so many times its depth
+constexpr double kDentMargin = 0.1;  // of the picture's height, below a dent
 
 /// Pixels of a scan wider than this show less than the view seems to; parts of the tip's radius
 /// and of the view.
@@ -94,7 +95,7 @@ void ZoomPicture::setScene(const Scene* scene) {
     sample_.reset();
     halfSpace_.reset();
     frame_.reset();
-    dentDepth_ = 0.0;
+    forgetDents();
     contactShown_.reset();
     terrain_.hide();
     cache_.invalidate();
@@ -151,6 +152,9 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     const std::array<double, 2> heights = terrain_.heightRange();
     const bool otherColors = colors_.fitHeights(heights[0], heights[1]);
     terrain_.setBottom(drawnBottom() / options_.heightScale);
+    if (isExtentAsked_ || !isTouching()) {  // the scale stays while the tip is in contact
+        fitExtent();
+    }
     Q_EMIT terrainPlaced();
     if (otherColors) {
         Q_EMIT scalesChanged();
@@ -166,33 +170,55 @@ double ZoomPicture::drawnBottom() const {
            kBlockDepth * frame_->halfWidth();
 }
 
-/// Heights are those of the colors: they seldom change, so that the picture seldom jumps.
-FrameBox ZoomPicture::frameBox() const {
-    const Vector2& center = frame_->center();
+/// Of the heights of the colors, which seldom change, so that the picture seldom jumps [m].
+double ZoomPicture::drawnMiddle() const {
     const AxisRange& heights = colors_.heightRange();
-    const double factor = options_.heightScale;
-    const double middle = factor * 0.5 * (heights.low + heights.high);
-    const double above = factor * heights.high - middle;
-    return {.middle = {center.x(), center.y(), middle},
-            .halfWidth = frame_->halfWidth(),
-            .below = middle - drawnBottom(),
-            .above = above,
-            .tipTop = above + kTipTop * gearSize(frame_->halfWidth(), scene_->belief.tipRadius())};
+    return options_.heightScale * 0.5 * (heights.low + heights.high);
+}
+
+bool ZoomPicture::isTouching() const { return contactShown_ && contactShown_->contactRadius > 0.0; }
+
+/// From now on the picture holds what is in the frame at rest, and the tip above it.
+void ZoomPicture::fitExtent() {
+    const double above = options_.heightScale * colors_.heightRange().high - drawnMiddle();
+    extent_ = {.halfWidth = frame_->halfWidth(),
+               .below = drawnMiddle() - drawnBottom(),
+               .above = above,
+               .tipTop =
+                   above + kTipTop * gearSize(frame_->halfWidth(), scene_->belief.tipRadius())};
+    isExtentAsked_ = false;
 }
 
 Shading ZoomPicture::shading(const ViewCamera& camera) const {
     return {camera, space(), options_.light};
 }
 
+void ZoomPicture::forgetDents() {
+    dentDepth_ = 0.0;
+    lowered_ = 0.0;
+    isExtentAsked_ = true;
+}
+
 /// The block reaches below the deepest dent since the scene or the zoom changed. It does not shrink
-/// when the tip retracts: nothing but the tip shall move then.
-void ZoomPicture::makeRoomFor(const ContactShape& shape) {
+/// when the tip retracts: nothing but the tip shall move then. The picture keeps its scale and, as
+/// long as the dent is in it, its place.
+void ZoomPicture::makeRoomFor(const ContactShape& shape, const ViewCamera& camera) {
     const double low = colors_.heightRange().low;
     const double floor = kMinFloor * frame_->halfWidth() / options_.heightScale;
     const double missing = terrain_.bottom() + floor - shape.lowest();
     if (missing > 0.0) {
         dentDepth_ = kDentStep * (low - shape.lowest());
         terrain_.setBottom(drawnBottom() / options_.heightScale);
+        Q_EMIT terrainPlaced();
+    }
+    keepInPicture(shape.contactPoint(), camera);
+}
+
+void ZoomPicture::keepInPicture(const Vector3& place, const ViewCamera& camera) {
+    const int height = still_->GetSize()[1];
+    const double missing = kDentMargin * height - drawnPlace(place).y();
+    if (missing > 0.0) {
+        lowered_ += kDentStep * missing * metersPerPixel(height) / camera.up().z();
         Q_EMIT terrainPlaced();
     }
 }
@@ -204,7 +230,7 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
     if (colors_.fitDisplacement(shape.largestDisplacement())) {
         Q_EMIT scalesChanged();
     }
-    makeRoomFor(shape);
+    makeRoomFor(shape, camera);
     const ScanWindow window = terrain_.place().window;
     const double width = std::max(window.right - window.left, window.top - window.bottom);
     const Shading shading = this->shading(camera);
@@ -222,7 +248,14 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
     contactShown_ = shape.contact();
     guide_.show(sample.input.settings.guide, kGuideReach * frame_->halfWidth(), space());
     force_.show(sample.output.estimate, space().point(shape.contactPoint()), sample.time,
+                scale_.force,
                 kArrowRoom * gearSize(frame_->halfWidth(), shape.contact().tipRadius));
+}
+
+/// Farther out than the tip alone.
+bool ZoomPicture::showsLever() const {
+    const double halfWidth = frame_->halfWidth();
+    return gearSize(halfWidth, scene_->belief.tipRadius()) <= kSmallGear * halfWidth;
 }
 
 void ZoomPicture::showTip(const ContactShape& shape, const Shading& shading) {
@@ -232,7 +265,7 @@ void ZoomPicture::showTip(const ContactShape& shape, const Shading& shading) {
                       .paraboloidReach = scale_.paraboloidReach,
                       .space = space(),
                       .shading = shading});
-    if (gear > kSmallGear * frame_->halfWidth()) {
+    if (!showsLever()) {
         lever_.hide();
         return;
     }
@@ -281,13 +314,15 @@ void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelR
     labels_.show(content);
 }
 
-/// What a picture does not say by itself.
 std::vector<std::string> ZoomPicture::notes() const {
     std::vector<std::string> notes;
     if (options_.heightScale > 1.0) {
         notes.push_back(filled(QObject::tr("heights ×%1"), tickLabels({options_.heightScale})));
     }
     const double radius = scene_->belief.tipRadius();
+    if (showsLever()) {
+        notes.push_back(QObject::tr("lever not to scale").toStdString());
+    }
     if (scale_.pixel > kWidePixel * radius) {
         notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for a tip radius of %2"),
                                {formatSi(scale_.pixel, "m"), formatSi(radius, "m")}));
@@ -309,7 +344,9 @@ std::string ZoomPicture::tipAbove(int height, double pixelRatio) const {
 void ZoomPicture::aim(const ViewCamera& camera, double aspect) {
     cache_.invalidate();
     if (frame_) {
-        camera.apply(still_->GetActiveCamera(), frameBox(), aspect);
+        FrameBox box = extent_;
+        box.middle = {frame_->center().x(), frame_->center().y(), drawnMiddle() - lowered_};
+        camera.apply(still_->GetActiveCamera(), box, aspect);
     }
 }
 
@@ -317,14 +354,15 @@ void ZoomPicture::setOptions(const ViewOptions& options) {
     options_ = options;
     cache_.invalidate();
     if (frame_) {
-        dentDepth_ = 0.0;
+        forgetDents();
+        fitExtent();
         terrain_.setBottom(drawnBottom() / options_.heightScale);
         Q_EMIT terrainPlaced();
     }
 }
 
 void ZoomPicture::setHalfWidth(double halfWidth) {
-    dentDepth_ = 0.0;
+    forgetDents();
     frame_->setHalfWidth(std::max(halfWidth, scale_.least));
     if (!sample_ && !sameWindow(frame_->window(), terrain_.place().window)) {
         placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});

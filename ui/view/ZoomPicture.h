@@ -71,6 +71,8 @@ public:
     /// Contact and terrain have to be shown anew, and the camera to be aimed.
     void setOptions(const ViewOptions& options);
     [[nodiscard]] const ViewOptions& options() const { return options_; }
+    /// What the picture does not say by itself: a stretched height, coarse pixels.
+    [[nodiscard]] std::vector<std::string> notes() const;
     [[nodiscard]] const SurfaceColors& colors() const { return colors_; }
     /// What keeps the surface at rest from one frame to the next.
     [[nodiscard]] StaticLayer& cache() { return cache_; }
@@ -88,14 +90,18 @@ private:
     void follow(const Vector2& tip, double slack);
     void placeTerrain(const TerrainPlace& place);
     [[nodiscard]] double drawnBottom() const;
-    [[nodiscard]] FrameBox frameBox() const;
+    [[nodiscard]] double drawnMiddle() const;
+    [[nodiscard]] bool isTouching() const;
+    void fitExtent();
     [[nodiscard]] DrawnSpace space() const { return {options_.heightScale}; }
     [[nodiscard]] Shading shading(const ViewCamera& camera) const;
-    void makeRoomFor(const ContactShape& shape);
+    void forgetDents();
+    void makeRoomFor(const ContactShape& shape, const ViewCamera& camera);
+    void keepInPicture(const Vector3& place, const ViewCamera& camera);
     void showContact(const TickSample& sample, const ViewCamera& camera);
     void showTip(const ContactShape& shape, const Shading& shading);
+    [[nodiscard]] bool showsLever() const;
     void showSection(const ContactShape& shape, const ViewCamera& camera);
-    [[nodiscard]] std::vector<std::string> notes() const;
     [[nodiscard]] std::string tipAbove(int height, double pixelRatio) const;
 
     const Scene* scene_ = nullptr;
@@ -105,7 +111,10 @@ private:
     std::optional<ViewFrame> frame_;
     SurfaceColors colors_;
     ViewOptions options_;
-    double dentDepth_ = 0.0;  ///< room for dents below the frame's lowest place at rest [m]
+    double dentDepth_ = 0.0;  ///< of the block below the frame's lowest place, for dents [m]
+    FrameBox extent_;         ///< what the camera makes room for; its middle goes with the frame
+    bool isExtentAsked_ = true;
+    double lowered_ = 0.0;  ///< camera below the middle of the frame, for a deep dent [m]
     std::optional<TipContact> contactShown_;
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest

@@ -22,8 +22,9 @@ QString controlsText() {
         "<tr><td><b>Ctrl + wheel</b>, <b>+</b>, <b>−</b></td><td>zoom</td></tr>"
         "<tr><td><b>Double click</b> on the scan</td><td>move the tip there</td></tr>"
         "<tr><td><b>Space</b></td><td>pause and continue</td></tr>"
-        "<tr><td><b>Esc</b></td><td>close a menu or message, otherwise stop loading; "
-        "always switch off the forces of a force-feedback device</td></tr></table>");
+        "<tr><td><b>Esc</b></td><td>close a menu, a message, Fidelity or Scene parameters, "
+        "otherwise stop loading; with a force-feedback device: switch off its forces"
+        "</td></tr></table>");
 }
 
 void openBox(QWidget* window, QMessageBox::Icon icon, const QString& title, const QString& text,

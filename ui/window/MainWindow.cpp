@@ -8,6 +8,7 @@
 #include "ui/panels/ForcePanel.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/panels/LoopStatusBar.h"
+#include "ui/panels/NumberBox.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/panels/ParameterPanel.h"
 #include "ui/panels/StateBanner.h"
@@ -26,6 +27,7 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QShortcut>
 #include <QStackedLayout>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -127,6 +129,9 @@ MainWindow::MainWindow()
     showFrameOf(*view_, *overview_);
     giveFocusBack(*controls_, *view_);
     connect(engage_, &EngageBar::setpointEntered, view_, [this] { view_->setFocus(); });
+    tellRefusals();
+    closeByEscape(*fidelity_);
+    closeByEscape(*parameters_);
     showScene(nullptr, {});
     showLoading({});
     setEmergencyStop(false);
@@ -203,6 +208,25 @@ void MainWindow::toggle(QWidget& panel) {
     panel.activateWindow();
 }
 
+void MainWindow::closeByEscape(QWidget& panel) {
+    auto* escape = new QShortcut(Qt::Key_Escape, &panel);
+    connect(escape, &QShortcut::activated, &panel, [&panel] {
+        for (NumberBox* box : panel.findChildren<NumberBox*>()) {
+            box->discardTyped();
+        }
+        panel.hide();
+    });
+    toolClosers_.push_back(escape);
+}
+
+void MainWindow::tellRefusals() {
+    for (const NumberBox* box : findChildren<NumberBox*>()) {
+        if (box->window() == this) {
+            connect(box, &NumberBox::refused, this, &MainWindow::tell);
+        }
+    }
+}
+
 void MainWindow::connectMenus() {
     const auto ask = [this](const std::function<QString(QWidget*)>& question,
                             void (MainWindow::*chosen)(QString)) {
@@ -255,6 +279,9 @@ void MainWindow::showLoading(const QString& name) {
 
 void MainWindow::setEmergencyStop(bool active) {
     menus_->forcesOff->setShortcut(active ? QKeySequence(Qt::Key_Escape) : QKeySequence());
+    for (QShortcut* escape : toolClosers_) {
+        escape->setEnabled(!active);
+    }
     const QString gestures = tr("Drag: move the tip   ·   Wheel: up and down   ·   "
                                 "Right drag: turn   ·   Ctrl + wheel: zoom");
     hint_->setText(active ? tr("%1   ·   Esc: forces off").arg(gestures) : gestures);
@@ -274,6 +301,15 @@ void MainWindow::lock() {
 }
 
 void MainWindow::complain(const QString& message) { complainIn(this, message); }
+
+/// QStatusBar hides what a message covers only where that is on the screen already.
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    if (const QString message = statusBar()->currentMessage(); !message.isEmpty()) {
+        statusBar()->clearMessage();
+        tell(message);
+    }
+}
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();

@@ -9,6 +9,7 @@
 #include <vector>
 
 class QLabel;
+class QShortcut;
 class QStackedLayout;
 
 namespace asperity {
@@ -60,7 +61,8 @@ public:
     [[nodiscard]] LoadingBar& loading() { return *loading_; }
     /// A short message for a while.
     void tell(const QString& message);
-    /// Whether Esc switches the forces of a device off; else it closes what is open, no more.
+    /// Whether Esc switches the forces of a device off, whatever window is active; else it closes
+    /// what is open, no more.
     void setEmergencyStop(bool active);
     /// Nothing can be changed any more: for measurements.
     void lock();
@@ -75,6 +77,7 @@ Q_SIGNALS:
     void pictureFileChosen(QString file);
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -84,6 +87,10 @@ private:
     void placeAll();
     /// Shows a panel that is a window of its own, at first beside this one; or hides it.
     void toggle(QWidget& panel);
+    /// Has Esc close it where that is no emergency stop; numbers half typed do not count then.
+    void closeByEscape(QWidget& panel);
+    /// The bottom line says why a number is refused; windows of their own have lines of their own.
+    void tellRefusals();
     void connectMenus();
 
     QStringList scanFiles_;
@@ -99,7 +106,8 @@ private:
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
     ParameterPanel* parameters_;
-    std::set<QWidget*> placed_;  ///< panels that have stood beside this window
+    std::set<QWidget*> placed_;            ///< panels that have stood beside this window
+    std::vector<QShortcut*> toolClosers_;  ///< Esc, where it is no emergency stop
     std::vector<RunPanel*> panels_;
     std::vector<Card*> cards_;
 };

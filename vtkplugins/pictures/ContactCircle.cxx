@@ -1,6 +1,6 @@
 #include "vtkplugins/pictures/ContactCircle.h"
 
-#include "vtkplugins/pictures/Stretch.h"
+#include "vtkplugins/pictures/RestingPatch.h"
 
 #include <Eigen/Geometry>
 

@@ -54,13 +54,10 @@ std::vector<LegendEntry> legendOf(const DeformationView& view) {
     return entries;
 }
 
-std::string scaleNote(double magnification) {
-    if (magnification == 1.0) {
-        return "Drawn to scale.";
-    }
-    const std::string number = tickLabels({magnification}).front();
-    return "Displacement ×" + number +
-           " (distance from the resting surface, for sample and tip alike).";
+std::string scaleNote(double heightScale) {
+    return heightScale == 1.0 ? "Drawn true to scale."
+                              : "Heights ×" + tickLabels({heightScale}).front() +
+                                    ", of surface, displacement and tip alike.";
 }
 
 /// The i-th of `count` panels: side by side, from four on in rows of two. From the picture's lower
@@ -89,7 +86,7 @@ void writeDeformationPicture(const std::filesystem::path& path,
         const ScenePanel panel(panelArea(i, views.size(), size));
         const auto scene = std::make_shared<DeformationScene>(picture, views[i], panel.scene());
         const PanelText text{views[i].title, legendOf(views[i]), scene->colorBar(),
-                             views[i].caption + "\n" + scaleNote(scene->magnification())};
+                             views[i].caption + "\n" + scaleNote(scene->heightScale())};
         picture.paint([scene, panel, text](Painter& painter) {
             panel.paint(painter, text);
             scene->paintLabels(painter);

@@ -17,6 +17,8 @@ struct DeformationView {
     SurfacePatch patch;                   ///< its grid runs along x and y
     Vector3 tipCenter = Vector3::Zero();  ///< center of the tip's sphere [m]
     double tipRadius = 0.0;               ///< [m]
+    /// Above 0: the tip is a paraboloid to this distance from its axis, see vtkAspTipSource [m].
+    double paraboloidReach = 0.0;
     /// How far the tip's own surface gives way, at a distance from the contact's axis [m -> m];
     /// empty: the tip is rigid.
     RadialDisplacement tipDisplacement = {};
@@ -26,9 +28,9 @@ struct DeformationView {
 };
 
 /// Draws the deformed surface of each view in 3-D, side by side, four and more in rows of two:
-/// colored by displacement, with the edge of the contact, the tip and the force. Small
-/// displacements are drawn larger, and the picture says by how much. The same views give the same
-/// bytes.
+/// colored by displacement, with the edge of the contact, the tip and the force. True to scale;
+/// where the displacement would then not be seen all heights, the tip's too, are multiplied by one
+/// factor, which the picture states. The same views give the same bytes.
 /// @throw Error when a patch is not whole or a value not finite, no display answers, or the file
 /// cannot be written
 void writeDeformationPicture(const std::filesystem::path& path,

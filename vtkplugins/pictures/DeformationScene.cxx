@@ -5,15 +5,13 @@
 #include "vtkplugins/module/vtkAspPatchSource.h"
 #include "vtkplugins/module/vtkAspTipSource.h"
 #include "vtkplugins/pictures/ContactCircle.h"
+#include "vtkplugins/pictures/RestingPatch.h"
 #include "vtkplugins/pictures/SceneParts.h"
-#include "vtkplugins/pictures/Stretch.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <vtkActor.h>
-#include <vtkClipPolyData.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
-#include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -22,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace asperity {
 
@@ -30,8 +30,9 @@ namespace {
 const Vector3 kEye(-0.28, -0.78, 0.5);  // from the contact: into the dent, and the neck in profile
 
 // Parts of the patch's width.
-constexpr double kShownDisplacement = 0.2;
+constexpr double kSeenDisplacement = 0.012;  // about six pixels
 constexpr double kTipHeight = 0.5;
+constexpr double kTipRadius = 0.42;  // of the part that is drawn: the surface shows around it
 constexpr double kArrowLength = 0.42;
 constexpr double kBlockDepth = 0.07;
 
@@ -71,10 +72,36 @@ vtkSmartPointer<vtkPolyData> deformedTip(const DeformationView& view, const Vect
     return deformed;
 }
 
-/// A round factor that makes displacements plain to see; 1 when they are.
-double magnificationFor(double displacement, double width) {
-    const double wanted = kShownDisplacement * width / displacement;
-    return std::isfinite(wanted) && wanted >= 2.0 ? niceBelow(wanted) : 1.0;
+/// The edge of the flat end of an upright tip.
+vtkSmartPointer<vtkPolyData> topEdge(vtkPolyData* tip, const Stretch& stretch) {
+    constexpr int kPoints = 160;
+    const double* bounds = tip->GetBounds();
+    const Vector3 center(0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]), bounds[5]);
+    std::vector<Vector3> edge;
+    for (int i = 0; i <= kPoints; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kPoints;
+        edge.push_back(stretch.point(center + 0.5 * (bounds[1] - bounds[0]) *
+                                                  Vector3(std::cos(angle), std::sin(angle), 0.0)));
+    }
+    return polyline(edge);
+}
+
+/// Of all heights: 1 where the displacement is seen true to scale, else the smallest round factor
+/// that shows it; 1 again where none does that leaves the tip its shape.
+double heightScaleFor(double displacement, double width) {
+    for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
+        if (factor * displacement >= kSeenDisplacement * width) {
+            return factor;
+        }
+    }
+    return 1.0;
+}
+
+/// Where the axis of the contact meets the deformed surface.
+Vector3 contactOn(const SurfacePatch& patch, const Vector3& point, const Vector3& outward) {
+    const RestingPatch resting(patch);
+    const Vector3 rest = resting.closest(point, outward);
+    return resting.at(patch.points, rest.x(), rest.y());
 }
 
 }  // namespace
@@ -95,15 +122,16 @@ DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationV
     low_ = std::min(range[0], 0.0);
     high_ = limit > 0.0 ? std::max(range[1], 0.0) : 1e-12;
     colors_ = divergingTable(limit > 0.0 ? limit : high_);
-    magnification_ = magnificationFor(limit, width_);
+    stretch_ = Stretch(heightScaleFor(limit, width_));
     const Vector3 toCenter = view.tipCenter - view.contactPoint;
     outward_ = toCenter.isZero(0.0) ? Vector3::UnitZ() : toCenter.stableNormalized();
 
-    const Stretch stretch(view.patch, outward_, magnification_);
+    contact_ = stretch_.point(contactOn(view.patch, view.contactPoint, outward_));
+
     addSample(source->GetOutput());
-    addTip(stretch);
-    addContactCircle(stretch);
-    addForce(stretch);
+    addTip();
+    addContactCircle();
+    addForce();
     addScaleBars();
     addLights(solid_);
     addLights(through_);
@@ -113,8 +141,7 @@ DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationV
 
 void DeformationScene::addSample(vtkPolyData* surface) {
     const GridSize size{data_.patch.columns, data_.patch.rows};
-    const vtkSmartPointer<vtkPolyData> shown =
-        stretchedSurface(data_.patch, magnification_, surface);
+    const vtkSmartPointer<vtkPolyData> shown = stretch_.apply(surface);
     bottom_ = shown->GetBounds()[4] - kBlockDepth * width_;
     solid_->AddActor(coloredSurface(shown, colors_));
     solid_->AddActor(blockWalls(shown, size, bottom_));
@@ -124,43 +151,47 @@ void DeformationScene::addSample(vtkPolyData* surface) {
     solid_->AddActor(grid);
 }
 
-void DeformationScene::addTip(const Stretch& stretch) {
-    vtkNew<vtkAspTipSource> tip;
+/// From the apex, in the world: no wider than the patch, and no higher than the picture has room.
+double DeformationScene::shownTipHeight() const {
+    const double highest = kTipHeight * width_ / stretch_.factor();
+    const double wide = kTipRadius * width_;
     const double radius = data_.tipRadius;
-    const double shownHeight = kTipHeight * width_;
-    tip->SetRadius(radius);
-    tip->SetCenter(data_.tipCenter.x(), data_.tipCenter.y(), data_.tipCenter.z());
-    tip->SetHeight(2.0 * shownHeight / magnification_);  // more than enough: the rest is cut off
-    if (magnification_ > 1.0) {  // of the sphere alone, any axis is as good: this one looks upright
-        tip->SetAxis(outward_.x(), outward_.y(), outward_.z());
+    if (data_.paraboloidReach > 0.0) {
+        return std::min(highest, 0.5 * wide * wide / radius);
     }
+    return wide < radius ? std::min(highest, radius - std::sqrt(radius * radius - wide * wide))
+                         : highest;
+}
+
+void DeformationScene::addTip() {
+    vtkNew<vtkAspTipSource> tip;
+    tip->SetRadius(data_.tipRadius);
+    tip->SetParaboloidReach(data_.paraboloidReach);
+    tip->SetCenter(data_.tipCenter.x(), data_.tipCenter.y(), data_.tipCenter.z());
+    tip->SetHeight(shownTipHeight());
     tip->SetResolution(160);
     tip->Update();
-    vtkNew<vtkPlane> top;
-    top->SetOrigin(Vector3(stretch.point(data_.contactPoint) + shownHeight * outward_).data());
-    top->SetNormal(Vector3(-outward_).data());
-    vtkNew<vtkClipPolyData> shown;
-    shown->SetInputData(stretch.apply(deformedTip(data_, outward_, tip->GetOutput())));
-    shown->SetClipFunction(top);
-    shown->Update();
+    const vtkSmartPointer<vtkPolyData> shown =
+        stretch_.apply(deformedTip(data_, outward_, tip->GetOutput()));
+    solid_->AddActor(lines(topEdge(tip->GetOutput(), stretch_), palette::kTip, 1.2));
     for (const bool back : {true, false}) {  // the far wall first: it shows through the near one
-        const vtkSmartPointer<vtkActor> wall = plainSurface(shown->GetOutput(), palette::kTip);
+        const vtkSmartPointer<vtkActor> wall = plainSurface(shown, palette::kTip);
         wall->GetProperty()->SetFrontfaceCulling(back ? 1 : 0);
         wall->GetProperty()->SetBackfaceCulling(back ? 0 : 1);
-        wall->GetProperty()->SetOpacity(0.22);
+        wall->GetProperty()->SetOpacity(0.34);
         wall->GetProperty()->SetSpecular(0.4);
         solid_->AddActor(wall);
     }
 }
 
-void DeformationScene::addContactCircle(const Stretch& stretch) {
+void DeformationScene::addContactCircle() {
     if (!(data_.contactRadius > 0.0)) {
         return;
     }
     for (std::vector<Vector3> piece :
          contactCircle(data_.patch, {data_.contactPoint, outward_, data_.contactRadius})) {
         for (Vector3& point : piece) {
-            point = stretch.point(point);
+            point = stretch_.point(point);
         }
         const vtkSmartPointer<vtkPolyData> line = polyline(piece);
         solid_->AddActor(lines(line, palette::kContact, 2.2));
@@ -170,9 +201,8 @@ void DeformationScene::addContactCircle(const Stretch& stretch) {
     }
 }
 
-void DeformationScene::addForce(const Stretch& stretch) {
-    const Vector3 start = stretch.point(data_.contactPoint);
-    forceEnd_ = start;
+void DeformationScene::addForce() {
+    forceEnd_ = contact_;
     const double magnitude = data_.force.stableNorm();
     if (!(magnitude > 0.0)) {
         return;
@@ -180,7 +210,7 @@ void DeformationScene::addForce(const Stretch& stretch) {
     const double scale = kArrowLength * width_ / magnitude;
     forceEnd_ += scale * data_.force;
     vtkNew<vtkAspForceGlyphSource> arrow;
-    arrow->SetContactPoint(start.x(), start.y(), start.z());
+    arrow->SetContactPoint(contact_.x(), contact_.y(), contact_.z());
     arrow->SetForce(data_.force.x(), data_.force.y(), data_.force.z());
     arrow->SetMetersPerNewton(scale);
     arrow->SetResolution(48);
@@ -214,12 +244,12 @@ void DeformationScene::addScaleBars() {
     solid_->AddActor(lines(polyline({start, end}), palette::kInk, 3.0));
 
     // Beside the rightmost lower corner.
-    verticalBar_ = niceBelow(0.2 * width_ / magnification_);
+    verticalBar_ = niceBelow(0.2 * width_ / stretch_.factor());
     const Vector3 corner(right.x() > 0.0 ? high.x() : low.x(), right.y() > 0.0 ? high.y() : low.y(),
                          bottom_);
-    const Vector3 rise = magnification_ * verticalBar_ * outward_;
+    const Vector3 rise = stretch_.factor() * verticalBar_ * Vector3::UnitZ();
     constexpr double kLabelRoom = 1.8;  // gaps: half of the label lies on the block's side
-    const Vector3 closest = corner + (kLabelRoom * gap + std::max(0.0, -rise.dot(right))) * right;
+    const Vector3 closest = corner + kLabelRoom * gap * right;
     const Vector3 top = closest + rise;
     verticalBarAt_ = top;
     solid_->AddActor(lines(polyline({closest, top}), palette::kInk, 3.0));

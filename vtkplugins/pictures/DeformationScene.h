@@ -3,14 +3,13 @@
 #include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
+#include "vtkplugins/pictures/Stretch.h"
 
 #include <vtkSmartPointer.h>
 
 class vtkPolyData;
 
 namespace asperity {
-
-class Stretch;
 
 /// The 3-D part of one panel of the deformation picture, and what its labels need to know.
 class DeformationScene {
@@ -21,14 +20,15 @@ public:
     /// Labels of the scale bars and of the force.
     void paintLabels(Painter& painter) const;
     [[nodiscard]] ColorBar colorBar() const;
-    /// How much larger than life displacements are drawn; 1: to scale.
-    [[nodiscard]] double magnification() const { return magnification_; }
+    /// The factor of all heights; 1: true to scale.
+    [[nodiscard]] double heightScale() const { return stretch_.factor(); }
 
 private:
     void addSample(vtkPolyData* surface);
-    void addTip(const Stretch& stretch);
-    void addContactCircle(const Stretch& stretch);
-    void addForce(const Stretch& stretch);
+    void addTip();
+    [[nodiscard]] double shownTipHeight() const;
+    void addContactCircle();
+    void addForce();
     void addScaleBars();
 
     const DeformationView& data_;
@@ -38,8 +38,9 @@ private:
     vtkSmartPointer<vtkLookupTable> colors_;
     double low_ = 0.0;  ///< displacements shown [m]
     double high_ = 0.0;
-    double magnification_ = 1.0;
+    Stretch stretch_{1.0};
     Vector3 outward_ = Vector3::UnitZ();  ///< unit, from the contact to the tip's center
+    Vector3 contact_ = Vector3::Zero();   ///< its middle, on the surface as it is drawn
     double width_ = 0.0;                  ///< of the patch [m]
     double bottom_ = 0.0;                 ///< of the drawn block, world z [m]
     double horizontalBar_ = 0.0;          ///< lengths that the scale bars stand for [m]

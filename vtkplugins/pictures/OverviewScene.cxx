@@ -74,12 +74,7 @@ void OverviewScene::addSurface() {
     bottom_ = magnification_ * low_ - kBlockDepth * side_;
     colors_ = heightTable(low_, high_);
     markFilled(source->GetOutput());
-    SurfacePatch plane;  // that heights are measured from
-    plane.columns = 2;
-    plane.rows = 2;
-    plane.rest = {Vector3(0.0, 0.0, 0.0), Vector3(side_, 0.0, 0.0), Vector3(0.0, side_, 0.0),
-                  Vector3(side_, side_, 0.0)};
-    const auto drawn = Stretch(plane, Vector3::UnitZ(), magnification_).apply(source->GetOutput());
+    const auto drawn = Stretch(magnification_).apply(source->GetOutput());
     solid_->AddActor(coloredSurface(drawn, colors_));
     solid_->AddActor(blockWalls(drawn, size, bottom_));
 }

@@ -36,7 +36,9 @@ struct ContactCycle {
     /// Work of adhesion: area between the last retract branch and zero force, where it pulls [J]
     double adhesionWork = 0.0;
     double hysteresis = 0.0;  ///< area between approach and retract: energy dissipated [J]
-    bool slid = false;        ///< moved sideways in contact: `hysteresis` is of no closed curve
+    /// Standard deviation of both areas: noise of the force, and ticks too few for its jumps [J]
+    double areaSigma = 0.0;
+    bool slid = false;  ///< tip or base moved sideways in contact: the curves are not of one place
     /// Contact stiffness at the beginning of unloading; none: no such branch, or the contact is
     /// stiffer than the lever can tell [N/m]
     std::optional<Reading> stiffness;

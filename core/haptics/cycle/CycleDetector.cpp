@@ -12,6 +12,8 @@ constexpr int kTicksOff = 5;           ///< in a row that end a cycle: one may b
 constexpr double kResidualPull = 0.5;  ///< of the strongest: attraction that a free tip may feel
 
 constexpr double kSlide = 1e-9;  ///< sideways, more than the jitter of a device [m]
+/// Of the tip: more than a lever that presses bends sideways on a slope [m].
+constexpr double kTipSlide = 5e-9;
 
 /// Whether the base goes along the sample rather than to it or from it.
 bool slides(const BaseMotion& base) noexcept {
@@ -32,6 +34,7 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
     const bool turned = branch_.take(input, out) != branchBefore;
     slides_ = slides(out.base);
     place_ = out.base.position.head<2>();
+    tip_ = out.model.tip.head<2>();
     const bool bonded = out.model.contact.branch == ContactBranch::Bonded;
     const bool acts = trend_.pushes() || trend_.pulls();
 
@@ -55,6 +58,7 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
 
 void CycleDetector::begin() noexcept {
     cycle_ = {};
+    areaVariance_ = 0.0;
     ++number_;
 }
 
@@ -67,6 +71,7 @@ void CycleDetector::takeApart(double time, bool turned, bool touches) noexcept {
         cycle_.phase = CyclePhase::Contact;
         cycle_.touchTime = time;
         touched_ = place_;
+        tipTouched_ = tip_;
         deepest_ = std::numeric_limits<double>::infinity();
         ticksOff_ = 0;
         takeUnloading();
@@ -80,7 +85,8 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
         cycle_.offTime = time;
         return;
     }
-    cycle_.slid = cycle_.slid || (place_ - touched_).norm() > kSlide;
+    cycle_.slid = cycle_.slid || (place_ - touched_).norm() > kSlide ||
+                  (tip_ - tipTouched_).norm() > kTipSlide;
     cycle_.maxForce = std::max(cycle_.maxForce, trend_.force());
     cycle_.maxIndentation = std::max(cycle_.maxIndentation, -point_.separation);
     takeUnloading();
@@ -104,6 +110,10 @@ void CycleDetector::takeAreas(const ForceDistancePoint& before, double forceBefo
     const double way = point_.baseDistance - before.baseDistance;
     const double force = trend_.force();
     cycle_.hysteresis -= 0.5 * (force + forceBefore) * way;
+    // A jump lies anywhere between its two ticks.
+    const double jump = (force - forceBefore) * way;
+    areaVariance_ += jump * jump / 12.0 + trend_.sigma() * trend_.sigma() * way * way;
+    cycle_.areaSigma = std::sqrt(areaVariance_);
     if (cycle_.phase == CyclePhase::Contact && branch_.branch() == CurveBranch::Retract) {
         const double pull = std::max(0.0, -force) + std::max(0.0, -forceBefore);
         cycle_.adhesionWork += 0.5 * pull * way;

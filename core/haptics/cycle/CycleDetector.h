@@ -44,10 +44,13 @@ private:
     ForceTrend trend_;
     ForceDistancePoint point_;
     UnloadingFit unloading_;
-    double deepest_ = 0.0;               ///< base distance [m]
-    Vector2 place_ = Vector2::Zero();    ///< of the base [m]
-    Vector2 touched_ = Vector2::Zero();  ///< where the tip touched [m]
-    int ticksOff_ = 0;                   ///< without a sign of contact, in a row
+    double deepest_ = 0.0;                  ///< base distance [m]
+    Vector2 place_ = Vector2::Zero();       ///< of the base [m]
+    Vector2 tip_ = Vector2::Zero();         ///< of the tip [m]
+    Vector2 touched_ = Vector2::Zero();     ///< the base's place when the tip touched [m]
+    Vector2 tipTouched_ = Vector2::Zero();  ///< and the tip's [m]
+    double areaVariance_ = 0.0;             ///< [J^2]
+    int ticksOff_ = 0;                      ///< without a sign of contact, in a row
     bool slides_ = false;
     bool started_ = false;
 };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kEndShare = 0.75;  ///< of the force at the deepest place
 constexpr double kMinTicks = 4.0;
-constexpr double kSure = 3.0;  ///< standard deviations of a slope
+constexpr double kSure = 10.0;  ///< standard deviations of a slope
 
 }  // namespace
 

@@ -21,7 +21,7 @@ public:
     /// @param force the trend [N]
     void take(const ForceDistancePoint& point, double force) noexcept;
 
-    /// None where there is no unloading yet, or a slope is less than three times its standard
+    /// None where there is no unloading yet, or a slope is less than ten times its standard
     /// deviation: then the contact is stiffer, or softer, than the lever can tell [N/m].
     [[nodiscard]] std::optional<Reading> stiffness() const noexcept;
 

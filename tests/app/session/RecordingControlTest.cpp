@@ -55,6 +55,9 @@ TEST_F(RecordingControlTest, TheEndOfTheRunEndsItsRecording) {
     useFlatScene();
     ASSERT_EQ(finished.count(), 1);
     EXPECT_EQ(folderOf(finished), folder.path() / "mine");
+    EXPECT_NE(told().find("mine has ended"), std::string::npos) << told();
+    useFlatScene();
+    EXPECT_EQ(told().find("mine"), std::string::npos) << told();
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "mine/summary.json"));
 }
 

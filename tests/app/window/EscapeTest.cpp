@@ -1,10 +1,12 @@
 #include "tests/app/window/WindowFixture.h"
 #include "ui/panels/FidelityPanel.h"
+#include "ui/panels/ParameterPanel.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -12,6 +14,7 @@
 #include <QtTest>
 
 #include <filesystem>
+#include <vector>
 
 namespace asperity::test {
 namespace {
@@ -25,6 +28,13 @@ protected:
         menu.popup(window.mapToGlobal({10, 10}));
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&menu));
         return menu;
+    }
+    std::vector<QWidget*> tools() { return {&window.fidelity(), &window.parameters()}; }
+    void openTools() {
+        for (QWidget* tool : tools()) {
+            tool->show();
+            EXPECT_TRUE(QTest::qWaitForWindowExposed(tool));
+        }
     }
     QMessageBox& openedMessage() {
         window.complain(QStringLiteral("something to read"));
@@ -73,6 +83,73 @@ TEST_F(Escape, WithMotorsItIsTheEmergencyStopFromAnyFocusAndTheStatusLineSaysSo)
     }
     choose("hand", "Mouse and keyboard");
     EXPECT_TRUE(window.menus().forcesOff->shortcut().isEmpty());
+}
+
+TEST_F(Escape, WithoutMotorsItClosesTheActiveToolWindowAndDoesNothingElse) {
+    openFlatScene();
+    window.tell(QStringLiteral("as it was"));
+    for (QWidget* tool : tools()) {
+        for (QWidget* focus : {tool, static_cast<QWidget*>(tool->findChild<QAbstractSpinBox*>())}) {
+            openTools();
+            QApplication::setActiveWindow(tool);
+            focus->setFocus();
+            QTest::keyClick(focus, Qt::Key_Escape);
+            EXPECT_FALSE(tool->isVisible());
+            for (QWidget* other : tools()) {
+                EXPECT_TRUE(other == tool || other->isVisible());
+            }
+            EXPECT_TRUE(window.isVisible());
+            EXPECT_TRUE(forcesOn());
+        }
+    }
+    EXPECT_EQ(told(), "as it was");
+    openTools();
+    QApplication::setActiveWindow(&window);
+    QTest::keyClick(&window.view(), Qt::Key_Escape);
+    for (const QWidget* tool : tools()) {
+        EXPECT_TRUE(tool->isVisible()) << "another window is active";
+    }
+}
+
+TEST_F(Escape, ANumberHalfTypedDoesNotCountWhenItClosesTheWindow) {
+    openFlatScene();
+    const LiveRun* run = session.run();
+    openTools();
+    QApplication::setActiveWindow(&window.parameters());
+    auto& box = *window.parameters().findChild<QAbstractSpinBox*>(QStringLiteral("tipRadius"));
+    box.setFocus();
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("30"));
+    QTest::keyClick(&box, Qt::Key_Escape);
+    EXPECT_FALSE(window.parameters().isVisible());
+    EXPECT_EQ(session.run(), run) << "the scene goes on";
+    EXPECT_EQ(box.text().toStdString(), "15");
+}
+
+TEST_F(Escape, ClosingAToolWindowCancelsNoLoading) {
+    openFlatScene();
+    openTools();
+    QSignalSpy canceled(&session.scenes(), &SceneControl::openCanceled);
+    session.scenes().open(levelScan(folder, 1024));
+    ASSERT_TRUE(window.menus().cancelLoading->isEnabled());
+    QApplication::setActiveWindow(&window.parameters());
+    QTest::keyClick(&window.parameters(), Qt::Key_Escape);
+    EXPECT_FALSE(window.parameters().isVisible());
+    EXPECT_TRUE(window.menus().cancelLoading->isEnabled());
+    EXPECT_EQ(canceled.count(), 0);
+}
+
+TEST_F(Escape, WithMotorsItStopsTheForcesFromAToolWindowWhichStaysOpen) {
+    openFlatScene();
+    choose("hand", "Simulated device");
+    openTools();
+    for (QWidget* tool : tools()) {
+        session.runs().setForces(true);
+        QApplication::setActiveWindow(tool);
+        QTest::keyClick(tool->findChild<QAbstractSpinBox*>(), Qt::Key_Escape);
+        EXPECT_FALSE(forcesOn());
+        EXPECT_TRUE(tool->isVisible());
+    }
 }
 
 TEST_F(Escape, ADeviceThatIsNotThereLeavesNoFaultAndNoFiles) {

@@ -16,6 +16,15 @@ TEST(LiftStep, IsFineNearTheSample) {
     EXPECT_NEAR(liftedHeight(-1.0_nm, 0.1, kFine), -0.99_nm, 1e-18);
 }
 
+/// Five notches in a view of a scan 60 mm wide pressed with half a millinewton.
+TEST(LiftStep, APressedLeverIsMovedByAFifthOfTheSetpointInTheWidestView) {
+    EXPECT_NEAR(fineLiftStep(40.0_nm, 5e-9, 14.0), 0.1_nm, 1e-18);
+    EXPECT_NEAR(fineLiftStep(10e-3, 5e-9, 14.0), 0.1_nm, 1e-18);
+    EXPECT_NEAR(14.0 * fineLiftStep(10e-3, 50e-9, 14.0), 10e-9, 1e-18);
+    EXPECT_NEAR(0.2 * fineLiftStep(1.0, 5e-9, 0.2), 1e-9, 1e-18);
+    EXPECT_NEAR(fineLiftStep(10.0_nm, 5e-9, 0.2), 0.025_nm, 1e-18);
+}
+
 TEST(LiftStep, TakesAShareOfTheHeightFarAway) {
     for (const double height : {5.0_nm, 100.0_nm, 1.0_um}) {
         const double lowered = liftedHeight(height, -1.0, kFine);

@@ -67,6 +67,25 @@ TEST_F(CyclePanelTest, AnOpenCycleHasNoAreaYet) {
     EXPECT_EQ(panel.table().text(0, CycleTable::Hysteresis), QStringLiteral("–"));
 }
 
+TEST_F(CyclePanelTest, AnAreaThatIsNoneIsNotShown) {
+    CycleTable table;
+    CycleRow row{.material = {}, .cycle = {.phase = CyclePhase::Complete, .hysteresis = -3e-13}};
+    table.setRows({row});
+    EXPECT_EQ(table.text(0, CycleTable::Hysteresis), QStringLiteral("–"));
+    row.cycle.hysteresis = 2.04e-12;
+    row.cycle.areaSigma = 1e-14;
+    table.setRows({row});
+    EXPECT_EQ(table.text(0, CycleTable::Hysteresis), QStringLiteral("2040 fJ"));
+    EXPECT_TRUE(table.details(0).contains(QStringLiteral("± 10.0 fJ")))
+        << table.details(0).toStdString();
+}
+
+TEST_F(CyclePanelTest, TwoCyclesShowOnTheSmallestScreen) {
+    CycleTable table;
+    table.setRows({CycleRow(), CycleRow()});
+    EXPECT_EQ(table.minimumSizeHint().height(), 3 * table.fontMetrics().height());
+}
+
 TEST_F(CyclePanelTest, CyclesStayOverAChangeOfMaterial) {
     cycles(2);
     changeMaterial("silicon oxide");

@@ -65,6 +65,40 @@ TEST_F(FlowLayoutTest, RoomBetweenPushesTheRestToTheEnd) {
     EXPECT_EQ(last->geometry().left(), 400 - first->width());
 }
 
+TEST_F(FlowLayoutTest, RoomBetweenGoesToTheNextLineWithWhatItPushes) {
+    add(20);
+    flow->addStretch();
+    const QWidget* last = add(20);
+    layAt(180);
+    EXPECT_EQ(last->geometry(), QRect(80, 30, 100, 20));
+}
+
+/// Asks for 100 pixels, or more, and may be 50 wide.
+class Asking : public QWidget {
+public:
+    explicit Asking(int width) : width_(width) {}
+    [[nodiscard]] QSize sizeHint() const override { return {width_, 20}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {50, 20}; }
+
+private:
+    int width_;
+};
+
+TEST_F(FlowLayoutTest, SharesEquallyUnlessOneAsksForMoreThanItsShare) {
+    auto* first = new Asking(100);
+    auto* second = new Asking(150);
+    flow->addWidget(first, 1);
+    flow->addWidget(second, 1);
+    layAt(330);
+    EXPECT_EQ(first->width(), 160);
+    EXPECT_EQ(second->width(), 160);
+    layAt(270);
+    EXPECT_EQ(first->width(), 110);
+    EXPECT_EQ(second->width(), 150);
+    layAt(259);
+    EXPECT_EQ(second->y(), 30) << "there is no room for what both ask for";
+}
+
 TEST_F(FlowLayoutTest, AHiddenWidgetTakesNoRoom) {
     add(20)->hide();
     const QWidget* shown = add(20);

@@ -51,7 +51,7 @@ protected:
 
 TEST_P(NumberBoxTest, TakesTheFormOfFilesAndShowsIt) {
     EXPECT_EQ(entered(box, "2.5"), 2.5);
-    EXPECT_EQ(box.text(), QStringLiteral("2.50 %"));
+    EXPECT_EQ(box.text(), QStringLiteral("2.5 %"));
     EXPECT_EQ(entered(box, "12.5%"), 12.5);
     EXPECT_EQ(entered(gain, "0.5"), 0.5);
     EXPECT_EQ(gain.text(), QStringLiteral("0.5"));
@@ -74,11 +74,59 @@ TEST_P(NumberBoxTest, RefusesTheRestVisibly) {
         EXPECT_EQ(line->palette().color(QPalette::Text).rgb(), theme::kFault) << text;
         QTest::keyClick(&box, Qt::Key_Return);
         EXPECT_EQ(box.value(), 7.0) << text;
-        EXPECT_EQ(box.text(), QStringLiteral("7.00 %"));
+        EXPECT_EQ(box.text(), QStringLiteral("7 %"));
         EXPECT_EQ(line->palette().color(QPalette::Text).rgb(), theme::kInk);
         EXPECT_TRUE(QToolTip::text().contains(QString::fromUtf8(text))) << text;
         EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("from 0 to 100")));
     }
+    EXPECT_EQ(changed.count(), 0);
+}
+
+/// The tool tip is gone as soon as the focus moves.
+TEST_P(NumberBoxTest, SaysARefusalToWhoListensAndIsMarkedUntilTheNextLetter) {
+    QSignalSpy refused(&box, &NumberBox::refused);
+    const auto* line = box.findChild<QLineEdit*>();
+    const auto paper = [line] { return line->palette().color(QPalette::Base).rgb(); };
+    type(box, "oops");
+    EXPECT_EQ(refused.count(), 0) << "it may become a number";
+    QTest::keyClick(&box, Qt::Key_Return);
+    ASSERT_GE(refused.count(), 1);
+    EXPECT_TRUE(refused.back()[0].toString().contains(QStringLiteral("“oops”")));
+    EXPECT_NE(paper(), theme::kPaper);
+    box.clearFocus();  // what is selected hides it
+    EXPECT_GT(test::pixelsLike(box.grab().toImage(), QColor(paper())), 100) << "it is seen";
+    type(box, "8");
+    EXPECT_EQ(paper(), theme::kPaper);
+    QTest::keyClick(&box, Qt::Key_Return);
+    EXPECT_EQ(box.value(), 8.0);
+    type(box, std::string(500, 'x').c_str());
+    QTest::keyClick(&box, Qt::Key_Return);
+    EXPECT_LT(refused.back()[0].toString().size(), 100) << "it has room in a line";
+}
+
+TEST_P(NumberBoxTest, AllBoxesHaveTheShortestTextThatKeepsWhatIsTyped) {
+    box.setSuffix({});
+    box.setDecimals(6);
+    box.setRange(0.0, 1e9);
+    for (NumberBox* one : {&box, static_cast<NumberBox*>(&gain)}) {
+        for (const char* text : {"200", "9", "0.3", "14", "1000", "1.2345", "12345", "123.456",
+                                 "1e4", "1e8", "1.5e6", "0.001", "5e-5"}) {
+            (void)entered(*one, text);
+            EXPECT_EQ(one->text(), QString::fromUtf8(text));
+        }
+        one->setValue(15e-9 / 1e-9);  // 15.000000000000002
+        EXPECT_EQ(one->text(), QStringLiteral("15"));
+        (void)entered(*one, "0.50");
+        EXPECT_EQ(one->text(), QStringLiteral("0.5"));
+    }
+}
+
+TEST_P(NumberBoxTest, WhatIsTypedCanBeDiscarded) {
+    QSignalSpy changed(&box, qOverload<double>(&QDoubleSpinBox::valueChanged));
+    type(box, "8");
+    box.discardTyped();
+    EXPECT_EQ(box.text(), QStringLiteral("7 %"));
+    box.hide();
     EXPECT_EQ(changed.count(), 0);
 }
 

@@ -56,11 +56,11 @@ TEST(StateBanner, SaysThatTheRunIsPausedOrTheForcesAreOff) {
     TickSample sample = bonded(3e-9);
     sample.output.forceState = ForceState::Off;
     banner.show(test::snapshotOf(sample));
-    EXPECT_EQ(stateOf(banner), QStringLiteral("forces off (Esc) · in contact"));
+    EXPECT_EQ(stateOf(banner), QStringLiteral("forces off · in contact"));
     banner.setPaused(true);
-    EXPECT_EQ(stateOf(banner), QStringLiteral("paused · forces off (Esc) · in contact"));
+    EXPECT_EQ(stateOf(banner), QStringLiteral("paused · forces off · in contact"));
     banner.setPaused(false);
-    EXPECT_EQ(stateOf(banner), QStringLiteral("forces off (Esc) · in contact"));
+    EXPECT_EQ(stateOf(banner), QStringLiteral("forces off · in contact"));
 }
 
 TEST(StateBanner, SaysWhatBecomesOfTheForce) {

@@ -13,33 +13,16 @@ constexpr double kRoom = 40.0_nm;
 
 }  // namespace
 
-TEST(ForceScale, FitsTheForceIntoItsRoom) {
-    for (const double force : {0.5e-9, 3e-9, 25e-9, 400e-9}) {
-        const double length = ForceScale().fit(force, 1e-12, 0.0, kRoom) * force;
-        EXPECT_LE(length, kRoom * (1.0 + 1e-9));
-        EXPECT_GE(length, 0.2 * kRoom);
+TEST(ForceScale, ALargerForceHasALongerArrowThatFitsItsRoom) {
+    double before = 0.0;
+    for (const double force : {0.05e-9, 0.5e-9, 3e-9, 5e-9, 17e-9, 25e-9, 400e-9}) {
+        const double length = arrowLength(force, 5e-9, kRoom);
+        EXPECT_GT(length, before);
+        EXPECT_LE(length, kRoom);
+        before = length;
     }
-}
-
-TEST(ForceScale, KeepsItsScaleWhileTheForceVaries) {
-    ForceScale scale;
-    const double first = scale.fit(20e-9, 1e-10, 0.0, kRoom);
-    EXPECT_EQ(scale.fit(9e-9, 1e-10, 0.03, kRoom), first);
-    EXPECT_EQ(scale.fit(0.0, 1e-10, 0.06, kRoom), first) << "a moment without force";
-}
-
-TEST(ForceScale, ComesBackToSmallForcesAfterAWhile) {
-    ForceScale scale;
-    const double first = scale.fit(20e-9, 1e-11, 0.0, kRoom);
-    EXPECT_GT(scale.fit(2e-9, 1e-11, 3.0, kRoom), first);
-}
-
-TEST(ForceScale, NeverDrawsNoiseLong) {
-    ForceScale scale;
-    for (int i = 0; i < 100; ++i) {
-        const double noise = 1e-10 * (i % 3);
-        EXPECT_LE(scale.fit(noise, 1e-10, 0.5 * i, kRoom) * noise, 0.25 * kRoom);
-    }
+    EXPECT_DOUBLE_EQ(arrowLength(5e-9, 5e-9, kRoom), 0.5 * kRoom);
+    EXPECT_NEAR(arrowLength(1e-12, 5e-9, kRoom), kRoom * 2e-4, 1e-3 * kRoom * 2e-4);
 }
 
 TEST(SurfaceColors, ShowHeightAtRestAndDisplacementWhereItIsLarge) {

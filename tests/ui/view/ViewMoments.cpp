@@ -8,8 +8,8 @@
 
 namespace asperity::test {
 
-ViewMoments momentsOf(const Scene& scene) {
-    const PathPlan plan{.duration = 4.0, .slideLength = 0.0};
+ViewMoments momentsOf(const Scene& scene, double indentation) {
+    const PathPlan plan{.duration = 4.0, .indentation = indentation, .slideLength = 0.0};
     SimulatedAfm afm(scene.surface, truthOf(scene));
     RunEventRecorder recorder;
     std::optional<TickSample> first;

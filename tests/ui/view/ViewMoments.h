@@ -12,7 +12,8 @@ struct ViewMoments {
     Snapshot neck;  ///< last one before pull-off
 };
 
-[[nodiscard]] ViewMoments momentsOf(const Scene& scene);
+/// @param indentation of the base below first contact [m]
+[[nodiscard]] ViewMoments momentsOf(const Scene& scene, double indentation = 3e-9);
 
 /// The same tick with tip and contact elsewhere on a level surface.
 [[nodiscard]] Snapshot movedBy(Snapshot snapshot, const Vector3& way);

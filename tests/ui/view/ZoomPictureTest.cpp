@@ -1,15 +1,24 @@
 #include "ui/view/ZoomPicture.h"
 
+#include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
 #include <QtTest>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace asperity::test {
 namespace {
+
+HeightMap mapOfPitch(double pitch) {
+    HeightMap map = flatMap();
+    map.pitchX = pitch;
+    map.pitchY = pitch;
+    return map;
+}
 
 /// What there is to say of a picture without drawing it.
 class ZoomPictureTest : public ::testing::Test {
@@ -52,6 +61,65 @@ TEST_F(ZoomPictureTest, TheFrameGoesWithTheTipUnlessItIsDragged) {
     EXPECT_EQ(picture.frame()->center(), before);
     picture.showSample(camera, false);
     EXPECT_GT(picture.frame()->center().x(), before.x());
+}
+
+TEST_F(ZoomPictureTest, SaysWhatItDoesNotShowAsItIs) {
+    using testing::ElementsAre;
+    picture.setScene(&scene);
+    EXPECT_TRUE(picture.notes().empty());
+    ViewOptions options;
+    options.heightScale = 5.0;
+    picture.setOptions(options);
+    EXPECT_THAT(picture.notes(), ElementsAre("heights ×5"));
+    picture.setOptions({});
+    const Scene wide = buildScene(plainScene(), mapOfPitch(4e-9));
+    picture.setScene(&wide);
+    picture.setHalfWidth(1e-6);
+    EXPECT_THAT(picture.notes(), ElementsAre("lever not to scale"));
+    const Scene coarse = buildScene(plainScene(), mapOfPitch(24e-9));
+    picture.setScene(&coarse);
+    picture.setHalfWidth(picture.scale().least);
+    EXPECT_THAT(picture.notes(), ElementsAre("Scan pixel 24 nm: coarse for a tip radius of 15 nm"));
+    picture.setScene(nullptr);
+}
+
+/// Half of it higher than the other.
+Scene stepScene() {
+    HeightMap map = flatMap();
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = map.columns / 2; column < map.columns; ++column) {
+            map.heights[map.index(row, column)] = 30e-9;
+        }
+    }
+    return buildScene(plainScene(), map);
+}
+
+/// A slide over other heights zoomed out.
+TEST(ZoomPictureScale, StaysWhileTheTipIsInContact) {
+    const Scene scene = stepScene();
+    vtkNew<vtkGenericOpenGLRenderWindow> window;
+    window->SetSize(900, 700);
+    ZoomPicture picture(window);
+    const ViewCamera camera;
+    QObject::connect(&picture, &ZoomPicture::terrainPlaced,
+                     [&] { picture.aim(camera, 900.0 / 700.0); });
+    picture.setScene(&scene);
+    picture.setHalfWidth(picture.scale().least);
+    const auto show = [&](const Snapshot& snapshot) {
+        picture.setSample(snapshot.sample);
+        picture.showSample(camera, false);
+        return picture.metersPerPixel(700);
+    };
+    const ViewMoments moments = momentsOf(scene);
+    const double size = scene.surface.sizeX();
+    const double place = moments.deep.sample.output.model.tip.x();
+    const Vector3 toLowEnd(0.1 * size - place, 0.0, 0.0);
+    const Vector3 toStep(0.5 * size - place, 0.0, 0.0);
+    const double before = show(movedBy(moments.deep, toLowEnd));
+    EXPECT_EQ(show(movedBy(moments.deep, toStep)), before);
+    ASSERT_EQ(moments.away.sample.output.model.contact.contactRadius, 0.0);
+    (void)show(movedBy(moments.away, toLowEnd));
+    EXPECT_NE(show(movedBy(moments.away, toStep)), before) << "it fits between contacts";
 }
 
 }  // namespace

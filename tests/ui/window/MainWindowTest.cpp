@@ -2,18 +2,25 @@
 
 #include "tests/support/TestScenes.h"
 #include "ui/panels/Card.h"
+#include "ui/panels/ChoiceBox.h"
+#include "ui/panels/ControlBar.h"
 #include "ui/panels/FidelityPanel.h"
+#include "ui/panels/ParameterPanel.h"
+#include "ui/view/ZoomView.h"
 #include "ui/window/Placement.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStatusBar>
+#include <QStyleOptionComboBox>
 #include <QtTest>
 
 #include <gtest/gtest.h>
@@ -74,6 +81,17 @@ TEST_F(MainWindowTest, OpensOnTheScreen) {
     EXPECT_TRUE(window.screen()->availableGeometry().contains(window.geometry()));
 }
 
+/// It was drawn over the loop's numbers.
+TEST_F(MainWindowTest, AMessageFromBeforeTheWindowOpenedHasTheBottomLineAlone) {
+    window.tell(QStringLiteral("scan.gsf"));
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    const auto* loop = window.findChild<QLabel*>(QStringLiteral("rate"));
+    EXPECT_FALSE(loop->isVisible());
+    window.tell(QString());
+    EXPECT_TRUE(loop->isVisible());
+}
+
 TEST_F(MainWindowTest, CutsNothingFromASmallScreenToALargeOne) {
     for (const QSize& size : {QSize(1012, 658), QSize(1280, 800), QSize(1920, 1080)}) {
         showAt(size);
@@ -107,6 +125,107 @@ TEST_F(MainWindowTest, AFoldedPanelLeavesItsRoomToTheOthers) {
     }
     QTest::qWait(50);
     EXPECT_LT(last.geometry().bottom(), 200) << "all stand at the top";
+}
+
+/// The tool tip with the reason was gone with the focus before anybody saw it.
+TEST_F(MainWindowTest, TheBottomLineSaysWhyANumberIsRefusedWhereverTheFocusGoes) {
+    showAt({1280, 800});
+    QApplication::setActiveWindow(&window);
+    for (const char* name : {"forceGain", "positionGain", "setpoint"}) {
+        for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Tab}) {
+            window.tell({});
+            auto& box = *window.findChild<QAbstractSpinBox*>(name);
+            box.setFocus();
+            ASSERT_TRUE(box.hasFocus());
+            box.selectAll();
+            QTest::keyClicks(&box, QStringLiteral("oops"));
+            QTest::keyClick(&box, end);
+            EXPECT_FALSE(box.hasFocus()) << name;
+            EXPECT_TRUE(window.view().hasFocus() || end == Qt::Key_Tab) << name;
+            QTest::qWait(400);
+            EXPECT_TRUE(window.statusBar()->currentMessage().startsWith("“oops” is not taken"))
+                << name << ": " << window.statusBar()->currentMessage().toStdString();
+        }
+    }
+}
+
+TEST_F(MainWindowTest, WindowsOfTheirOwnSayARefusalThemselves) {
+    showAt({1280, 800});
+    for (QWidget* tool :
+         {static_cast<QWidget*>(&window.fidelity()), static_cast<QWidget*>(&window.parameters())}) {
+        tool->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(tool));
+        QApplication::setActiveWindow(tool);
+        auto& box = *tool->findChild<QAbstractSpinBox*>();
+        box.setFocus();
+        box.selectAll();
+        QTest::keyClicks(&box, QStringLiteral("oops"));
+        QTest::keyClick(&box, Qt::Key_Tab);
+        const auto& line = *tool->findChild<QLabel*>(QStringLiteral("refusal"));
+        EXPECT_TRUE(line.text().startsWith("“oops” is not taken")) << line.text().toStdString();
+        EXPECT_TRUE(window.statusBar()->currentMessage().isEmpty());
+    }
+}
+
+/// Room for letters in a list's box.
+int roomIn(const QComboBox& combo) {
+    QStyleOptionComboBox option;
+    option.initFrom(&combo);
+    return combo.style()
+               ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &combo)
+               .width() -
+           2;
+}
+
+/// "silicon oxide (a" and "Mouse and key" were cut in the middle of a word.
+TEST_F(MainWindowTest, ListsOfTheTopRowShowTheirPresentTextOnASmallScreen) {
+    ControlBar& controls = window.controls();
+    for (const QString& material :
+         {QStringLiteral("polystyrene"), QStringLiteral("silicon oxide (assumed)"),
+          QStringLiteral("silicone rubber (edited)")}) {
+        for (const QString& device :
+             {QStringLiteral("Scripted path"), QStringLiteral("Mouse and keyboard")}) {
+            controls.setMaterials({material});
+            controls.setDevices({device});
+            controls.setPaths({QStringLiteral("Approach")});
+            for (const QSize& size : {QSize(1012, 658), QSize(1024, 700), QSize(1280, 800)}) {
+                showAt(size);
+                for (const ChoiceBox* list : controls.findChildren<ChoiceBox*>()) {
+                    EXPECT_LE(list->fontMetrics().horizontalAdvance(list->currentText()),
+                              roomIn(*list))
+                        << size.width() << ": " << list->currentText().toStdString();
+                    EXPECT_EQ(list->shownText(), list->currentText());
+                }
+                EXPECT_TRUE(QTest::qWaitFor([&] { return cutIn(window).empty(); }, 2000))
+                    << size.width() << ": " << cutIn(window);
+            }
+            EXPECT_LT(controls.height(), 60) << "one line at 1280";
+        }
+    }
+}
+
+TEST_F(MainWindowTest, ListsThatHaveRoomForTheirTextAreEquallyWide) {
+    ControlBar& controls = window.controls();
+    controls.setMaterials({QStringLiteral("silicon oxide (assumed)")});
+    controls.setDevices({QStringLiteral("Mouse and keyboard")});
+    controls.setPaths({QStringLiteral("Approach")});
+    showAt({1280, 800});
+    const auto widthOf = [&](const char* name) {
+        return controls.findChild<QComboBox*>(QString::fromUtf8(name))->width();
+    };
+    EXPECT_EQ(widthOf("hand"), widthOf("material"));
+    EXPECT_EQ(widthOf("path"), widthOf("material"));
+}
+
+TEST_F(MainWindowTest, ATextOfMoreThan24LettersEndsInAnEllipsis) {
+    ControlBar& controls = window.controls();
+    const QString text = QStringLiteral("a material with a name that goes on and on");
+    controls.setMaterials({text});
+    showAt({1024, 700});
+    const auto& list = *controls.findChild<ChoiceBox*>(QStringLiteral("material"));
+    EXPECT_TRUE(list.shownText().endsWith(QStringLiteral("…")));
+    EXPECT_GE(list.shownText().size(), 23);
+    EXPECT_LE(list.fontMetrics().horizontalAdvance(list.shownText()), roomIn(list));
 }
 
 TEST_F(MainWindowTest, FidelityOpensBesideItAndStaysWhereItIsPut) {

@@ -146,6 +146,28 @@ TEST(CycleDetector, ASlideInContactIsNoUnloading) {
     EXPECT_TRUE(run.cycle().slid);
 }
 
+/// A soft lever that presses hard: the base stood still, the tip did not.
+TEST(CycleDetector, ATipThatSlidesUnderAStandingBaseHasSlid) {
+    SpringContact run;
+    run.moveTo(-2e-9);
+    EXPECT_FALSE(run.cycle().slid);
+    run.sample.output.model.tip.x() = 20e-9;
+    run.moveTo(4e-9);
+    EXPECT_TRUE(run.cycle().slid);
+}
+
+TEST(CycleDetector, AreasAreSaidToBeAsSureAsTicksAndNoiseMakeThem) {
+    SpringContact run;
+    run.oneCycle();
+    const double jump = SpringContact::kPull * SpringContact::kStep / std::sqrt(12.0);
+    EXPECT_GE(run.cycle().areaSigma, jump);
+    EXPECT_NEAR(run.cycle().adhesionWork, SpringContact::kWork, 4.0 * run.cycle().areaSigma);
+    SpringContact noisy(SpringContact::kSigma);
+    noisy.oneCycle();
+    EXPECT_NEAR(noisy.cycle().adhesionWork, SpringContact::kWork, 4.0 * noisy.cycle().areaSigma);
+    EXPECT_LT(noisy.cycle().areaSigma, 0.1 * SpringContact::kWork);
+}
+
 TEST(CycleDetector, EachApproachInFreeAirBeginsACycle) {
     SpringContact run;
     EXPECT_EQ(run.detector.number(), 0);
