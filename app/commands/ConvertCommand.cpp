@@ -3,6 +3,7 @@
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
+#include "app/commands/ScaleOption.h"
 #include "app/program/CancelOnSignal.h"
 #include "core/Error.h"
 #include "core/PrintableText.h"
@@ -33,6 +34,7 @@ struct ConvertOptions {
     std::string input;
     std::string output;
     std::string channel;
+    GivenScale scale;
     Leveling leveling = Leveling::None;
     bool residual = false;
     double smoothingPixels = 1.0;  ///< of the residual's surface
@@ -174,7 +176,7 @@ ScanMap withoutTip(const ConvertOptions& options, ScanMap level, const HeightMap
 void convertFiltered(const ConvertOptions& options) {
     HeightScan scan = [&] {
         ProgressLine line("loading");
-        return readHeightScan(options.input, options.channel, &line);
+        return ScanFile(options.input, options.scale).readHeightScan(options.channel, &line);
     }();
     tellNotes(scan.notes);
     const HeightMapMeta meta{scan.channel, scan.originX, scan.originY};
@@ -190,7 +192,7 @@ void convertFiltered(const ConvertOptions& options) {
 void convertPlainly(const ConvertOptions& options) {
     HeightChannel file = [&] {
         ProgressLine line("loading");
-        return readHeightChannel(options.input, options.channel, &line);
+        return ScanFile(options.input, options.scale).readHeightChannel(options.channel, &line);
     }();
     tellNotes(file.notes);
     ScanChannel& channel = file.channel;
@@ -226,6 +228,7 @@ void addConvertCommand(CLI::App& program) {
     command->add_option("OUT", options->output, "file to write; its extension names the format")
         ->required();
     command->add_flag("--force", options->force, "replace existing files");
+    addScaleOptions(*command, options->scale);
     command->add_option("--channel", options->channel,
                         "name of the channel (default: the topography)");
     addLevelingOption(*command, options->leveling, "default none");

@@ -3,6 +3,7 @@
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
+#include "app/commands/ScaleOption.h"
 #include "app/commands/SetpointOption.h"
 #include "app/commands/VirtualDisplay.h"
 #include "app/program/CancelOnSignal.h"
@@ -276,6 +277,7 @@ void addExploreCommand(CLI::App& program) {
         ->check(finiteNumber());
     addSetpointOption(*command, options->overrides.setpoint);
     command->add_option("--channel", options->overrides.channel, "channel of the height map");
+    addScaleOptions(*command, options->overrides.scale);
     addLevelingOption(*command, options->overrides.leveling, "default: as in the scene, or plane");
     command->callback([options] { explore(*options); });
 }

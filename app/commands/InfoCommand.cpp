@@ -1,5 +1,6 @@
 #include "app/commands/InfoCommand.h"
 
+#include "app/commands/ScaleOption.h"
 #include "app/program/JsonText.h"
 #include "core/PathText.h"
 #include "core/PrintableText.h"
@@ -30,6 +31,7 @@ struct InfoOptions {
     std::string file;
     std::string channel;  ///< empty: all
     bool json = false;
+    GivenScale scale;
 };
 
 /// An open file, and which of its channels are shown.
@@ -245,9 +247,10 @@ void addInfoCommand(CLI::App& program) {
     command->add_option("FILE", options->file, "height-map file")->required();
     command->add_option("--channel", options->channel,
                         "name of the one channel to show (default: all)");
+    addScaleOptions(*command, options->scale);
     command->add_flag("--json", options->json, "print JSON with SI values in full precision");
     command->callback([options] {
-        const ScanFile file(options->file);
+        const ScanFile file(options->file, options->scale);
         const Report shown = reportOf(file, *options);
         if (options->json) {
             printJson(shown);

@@ -2,6 +2,7 @@
 
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
+#include "app/commands/ScaleOption.h"
 #include "app/commands/VirtualDisplay.h"
 #include "app/program/CancelOnSignal.h"
 #include "app/program/DataFolder.h"
@@ -32,6 +33,7 @@ constexpr double kOnePath = 10.0;  // approach, slide and retract [s]
 
 struct LoopOptions {
     std::string input;
+    GivenScale scale;
     double rate = 0.0;       // [Hz]; 0: the scene's own
     double duration = 10.0;  // [s]
     std::string record;      // folder; empty: nothing is recorded
@@ -47,7 +49,7 @@ LoadedScene loadForLoop(const LoopOptions& options) {
     if (input.empty()) {
         throw Error("the program's data folder is missing: name a scan or a scene");
     }
-    LoadedScene loaded = loadSceneOnTerminal(input, {});
+    LoadedScene loaded = loadSceneOnTerminal(input, {.scale = options.scale});
     if (options.rate > 0.0) {
         loaded.scene.description.tickRate = options.rate;
     }
@@ -220,6 +222,7 @@ void addLoopCommand(CLI::App& program) {
     const auto options = std::make_shared<LoopOptions>();
     command->add_option("INPUT", options->input,
                         "height map or scene.toml; default: the scene that comes with the program");
+    addScaleOptions(*command, options->scale);
     command->add_option("--rate", options->rate, "tick rate [Hz]; default: as in the scene")
         ->check(CLI::Range(100.0, 20000.0))
         ->check(finiteNumber());

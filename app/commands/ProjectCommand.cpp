@@ -4,6 +4,7 @@
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
+#include "app/commands/ScaleOption.h"
 #include "app/program/LoadedScene.h"
 #include "core/Version.h"
 #include "core/io/scene/SceneFile.h"
@@ -165,6 +166,7 @@ void addProjectCommand(CLI::App& program) {
     addTableFile(*command, options->files.out);
     command->add_option("--channel", options->overrides.channel,
                         "channel of the file (default: its first height)");
+    addScaleOptions(*command, options->overrides.scale);
     addLevelingOption(*command, options->overrides.leveling, "default: as in the scene, or plane");
     command
         ->add_option(

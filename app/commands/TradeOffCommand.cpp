@@ -2,6 +2,7 @@
 
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
+#include "app/commands/ScaleOption.h"
 #include "app/commands/VirtualDisplay.h"
 #include "app/program/DataFolder.h"
 #include "app/program/LoadedScene.h"
@@ -20,6 +21,7 @@ namespace {
 
 struct TradeOffOptions {
     std::string scene;
+    GivenScale scale;
     std::string out;
     bool force = false;
 };
@@ -28,7 +30,7 @@ void tradeOff(const TradeOffOptions& options) {
     const VirtualDisplay display;  // before anything is written: the figure needs it at the end
     const std::filesystem::path scene =
         options.scene.empty() ? defaultSceneFile() : std::filesystem::path(options.scene);
-    LoadedScene loaded = loadSceneOnTerminal(scene, {});
+    LoadedScene loaded = loadSceneOnTerminal(scene, {.scale = options.scale});
     OutputFolder out(options.out, {.own = tradeOffFileNames(), .guarded = {}}, options.force);
     ProgressLine line("measuring");
     ProgressPart running(&line, 0.0, 0.7);
@@ -53,6 +55,7 @@ void addTradeOffCommand(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("tradeoff", "Measure cost and error of every model option");
     const auto options = std::make_shared<TradeOffOptions>();
+    addScaleOptions(*command, options->scale);
     command->add_option("SCENE", options->scene,
                         "scene.toml or height map (default: the default scene)");
     addOutputFolder(*command, options->out, "folder for the table and the figure");

@@ -2,6 +2,7 @@
 
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
+#include "app/commands/ScaleOption.h"
 #include "app/program/DataFolder.h"
 #include "app/reports/BeginningRun.h"
 #include "app/session/LiveWindow.h"
@@ -77,6 +78,7 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
                     "comes with the program")
         ->check(noMistypedCommand());
     program.add_option("--channel", options->channel, "channel of the height map to open");
+    addScaleOptions(program, options->scale);
     program
         .add_option("--record", options->record,
                     "folder: record every tick of the scene from the first one on")
@@ -86,7 +88,7 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
 }
 
 int openWindow(const WindowOptions& options) {
-    const SceneOverrides overrides{.channel = options.channel};
+    const SceneOverrides overrides{.channel = options.channel, .scale = options.scale};
     if (!options.input.empty() && !haveDisplay()) {
         (void)loadSceneOnTerminal(options.input,
                                   overrides);  // what is wrong with the input comes first

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/surface/GivenScale.h"
+
 #include <memory>
 #include <string>
 
@@ -13,6 +15,7 @@ namespace asperity {
 struct WindowOptions {
     std::string input;    ///< empty: the scene that comes with the program
     std::string channel;  ///< of the input's height map; empty: as the scene says
+    GivenScale scale;     ///< of a file that does not say its own
     std::string record;   ///< folder for a recording from the first tick on; empty: none
     bool force = false;   ///< an earlier run in that folder may go
 };

@@ -34,6 +34,13 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     if (!overrides.channel.empty()) {
         sample.channel = overrides.channel;
     }
+    if (overrides.scale.hasSize()) {
+        sample.scale.sizeX = overrides.scale.sizeX;
+        sample.scale.sizeY = overrides.scale.sizeY;
+    }
+    if (overrides.scale.hasHeight()) {
+        sample.scale.heightPerValue = overrides.scale.heightPerValue;
+    }
     if (overrides.leveling) {
         sample.leveling = *overrides.leveling;
     }
@@ -43,7 +50,7 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     }
     sample.file = std::filesystem::absolute(sample.file).lexically_normal().string();
     ProgressPart reading(progress, 0.0, 0.2);
-    const ScanFile file(sample.file);
+    const ScanFile file(sample.file, sample.scale);
     SceneScan scan = file.readSceneScan(sample.channel, &reading);
     sample.channel = scan.channel;
     ProgressPart hashing(progress, 0.2, 0.4);

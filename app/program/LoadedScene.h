@@ -19,6 +19,7 @@ struct SceneOverrides {
     std::optional<Leveling> leveling;
     std::optional<double> smoothingPixels;  ///< [pixel]
     std::optional<double> setpoint;         ///< of an approach [N]
+    GivenScale scale = {};                  ///< of a file that does not say its own
 };
 
 /// A scene with what is known of the file that it stands on.

@@ -9,6 +9,7 @@
 #include "core/probe/Friction.h"
 #include "core/scene/ModelChoices.h"
 #include "core/scene/Settings.h"
+#include "core/surface/GivenScale.h"
 #include "core/surface/Leveling.h"
 
 #include <cstdint>
@@ -53,6 +54,7 @@ struct SampleDescription {
     std::optional<ShapeDescription> shape;  ///< none: the map of `file`
     std::string file;                       ///< height map, as resolved against the scene file
     std::string channel;                    ///< empty: the file's default channel
+    GivenScale scale;                       ///< of a file that does not say its own
     Leveling leveling = Leveling::Plane;
     double smoothingPixels = 1.0;  ///< standard deviation of the Gaussian low-pass [pixel]; 0: none
     double smoothingLength = 0.0;  ///< above 0: it is this, in place of smoothingPixels [m]

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/FileBytes.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/ApplyScale.h"
 #include "core/io/heightmap/DefaultChannel.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/StoredRows.h"
@@ -78,7 +79,7 @@ HeightMapFile readWhole(const ByteSource& bytes) {
 
 }  // namespace
 
-HeightMapContents contentsOf(const ByteSource& bytes) {
+HeightMapContents contentsOf(const ByteSource& bytes, const GivenScale& given) {
     if (bytes.size() == 0) {
         throw InputError(bytes.name(), "", "the file is empty");
     }
@@ -91,6 +92,7 @@ HeightMapContents contentsOf(const ByteSource& bytes) {
                          "this is no height map that can be read; known are " + formatNames());
     }
     StoredScan scan = (*format)->read(bytes);
+    applyScale(scan, given);
     HeightMapContents contents;
     contents.file.format = (*format)->name;
     contents.file.notes = std::move(scan.notes);
@@ -164,10 +166,16 @@ const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesyste
     const std::string place = "channel '" + channel.name + "'";
     if (!channel.isHeight()) {
         const std::string unit = channel.unit.empty() ? "no unit" : "the unit " + channel.unit;
-        throw InputError(path.string(), place, "it has " + unit + "; a height map is a length");
+        const std::string remedy =
+            channel.unit.empty() ? " (--z-scale, --z-unit or z_scale_m say what a value of 1 is)"
+                                 : "";
+        throw InputError(path.string(), place,
+                         "it has " + unit + "; a height map is a length" + remedy);
     }
     if (!channel.hasSize()) {
-        throw InputError(path.string(), place, "the file does not hold the size of the scan");
+        throw InputError(path.string(), place,
+                         "the file does not hold the size of the scan: --size, or size_x_m and "
+                         "size_y_m in a scene, say it");
     }
     return channel;
 }

@@ -2,6 +2,7 @@
 
 #include "core/io/ByteSource.h"
 #include "core/io/heightmap/HeightMapFile.h"
+#include "core/surface/GivenScale.h"
 #include "core/surface/HeightRows.h"
 
 #include <array>
@@ -86,8 +87,9 @@ struct HeightMapContents {
 };
 
 /// @param bytes must outlive the result
+/// @param given in place of what the file says or does not say
 /// @throw InputError when its type is unknown, or anything is missing or does not fit together
-[[nodiscard]] HeightMapContents contentsOf(const ByteSource& bytes);
+[[nodiscard]] HeightMapContents contentsOf(const ByteSource& bytes, const GivenScale& given = {});
 
 /// readHeightMapFile for a content that is in memory already.
 /// @param file for messages

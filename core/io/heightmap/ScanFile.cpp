@@ -6,8 +6,8 @@
 
 namespace asperity {
 
-ScanFile::ScanFile(const std::filesystem::path& path)
-    : bytes_(path), contents_(contentsOf(bytes_)) {}
+ScanFile::ScanFile(const std::filesystem::path& path, const GivenScale& given)
+    : bytes_(path), contents_(contentsOf(bytes_, given)) {}
 
 /// @param read (StoredChannel) -> Map
 template <class Map, class Read>

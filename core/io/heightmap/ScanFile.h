@@ -45,7 +45,7 @@ struct HeightChannel {
 class ScanFile {
 public:
     /// @throw InputError as readHeightMapFile()
-    explicit ScanFile(const std::filesystem::path& path);
+    explicit ScanFile(const std::filesystem::path& path, const GivenScale& given = {});
 
     /// All channels, without heights.
     [[nodiscard]] const HeightMapFile& contents() const { return contents_.file; }

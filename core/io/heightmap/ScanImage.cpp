@@ -66,7 +66,7 @@ void settleSize(ScanChannel& channel) {
     const bool positive = channel.map.pitchX > 0.0 && channel.map.pitchY > 0.0;
     if (!positive) {
         channel.map.pitchX = channel.map.pitchY = 0.0;
-        channel.notes.emplace_back("the file gives no lateral size");
+        channel.notes.emplace_back(kNoSizeNote);
     } else if (channel.lateralUnit.empty() && channel.isHeight()) {
         channel.lateralUnit = "m";
         channel.notes.emplace_back("the lateral size has no unit; meters are assumed");

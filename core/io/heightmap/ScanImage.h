@@ -41,6 +41,8 @@ void invalidateNonFinite(HeightMap& map);
 
 [[nodiscard]] std::size_t countInvalid(const HeightMap& map);
 
+/// Of a channel without a lateral size.
+inline constexpr std::string_view kNoSizeNote = "the file gives no lateral size";
 /// Notes what the channel lacks. A height map that gives numbers for its size but no unit is taken
 /// as meters.
 void settleSize(ScanChannel& channel);

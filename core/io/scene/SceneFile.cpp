@@ -73,6 +73,24 @@ ShapeDescription readShape(TomlSection& section) {
     return shape;
 }
 
+/// Both sides of the scan, or none.
+void readScale(TomlSection& section, const GivenScale& otherwise, GivenScale& scale) {
+    if (section.has("size_x_m") != section.has("size_y_m")) {
+        section.refuse(section.has("size_x_m") ? "size_y_m" : "size_x_m",
+                       "both sides of the scan, size_x_m and size_y_m");
+    }
+    const auto length = [&section](const char* key, double instead) {
+        const double value = section.number(key, instead);
+        if (section.has(key) && !(value > 0.0 && std::isfinite(value))) {
+            section.refuse(key, "a length above 0");
+        }
+        return value;
+    };
+    scale.sizeX = length("size_x_m", otherwise.sizeX);
+    scale.sizeY = length("size_y_m", otherwise.sizeY);
+    scale.heightPerValue = length("z_scale_m", otherwise.heightPerValue);
+}
+
 void readMapKeys(TomlSection& section, const SampleDescription& otherwise,
                  SampleDescription& sample) {
     sample.file = section.path("file").string();
@@ -80,6 +98,7 @@ void readMapKeys(TomlSection& section, const SampleDescription& otherwise,
         section.refuse("file", "the path of a height map, or 'shape' in its place");
     }
     sample.channel = section.text("channel", otherwise.channel);
+    readScale(section, otherwise.scale, sample.scale);
     sample.leveling = choice(section, "level", otherwise.leveling);
     readSmoothing(section, sample);
     sample.imagingTipRadius = section.number("imaging_tip_radius_m", otherwise.imagingTipRadius);
@@ -222,6 +241,13 @@ toml::table sampleTable(const SampleDescription& sample) {
     }
     table.insert("file", pathText(sample.file));
     table.insert("channel", sample.channel);
+    if (sample.scale.hasSize()) {
+        table.insert("size_x_m", sample.scale.sizeX);
+        table.insert("size_y_m", sample.scale.sizeY);
+    }
+    if (sample.scale.hasHeight()) {
+        table.insert("z_scale_m", sample.scale.heightPerValue);
+    }
     table.insert("level", keyOf(sample.leveling));
     if (sample.smoothingLength != 0.0) {
         table.insert("smoothing_m", sample.smoothingLength);

@@ -1,0 +1,55 @@
+#include "core/io/heightmap/ApplyScale.h"
+
+#include "core/SiFormat.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/ScanImage.h"
+
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kGiven = "given by the user";
+
+std::string sizeText(double x, double y) { return formatSi(x, "m") + " x " + formatSi(y, "m"); }
+
+void applySize(ScanChannel& channel, const GivenScale& given) {
+    HeightMap& map = channel.map;
+    std::string note = "size " + sizeText(given.sizeX, given.sizeY) + " as given";
+    if (channel.hasSize()) {
+        note += "; the file says " + sizeText(map.pitchX * map.columns, map.pitchY * map.rows);
+    }
+    std::erase(channel.notes, kNoSizeNote);
+    map.pitchX = pixelPitch(given.sizeX, map.columns);
+    map.pitchY = pixelPitch(given.sizeY, map.rows);
+    channel.lateralUnit = "m";
+    channel.notes.push_back(note);
+    channel.provenance.push_back({"size", sizeText(given.sizeX, given.sizeY), kGiven});
+}
+
+void applyHeight(StoredChannel& stored, const GivenScale& given) {
+    ScanChannel& channel = stored.channel;
+    const std::string factor = exactText(given.heightPerValue);
+    channel.notes.push_back(channel.isHeight()
+                                ? "heights of the file multiplied by " + factor + " as given"
+                                : "numbers taken as heights of " + factor + " m each as given");
+    channel.provenance.push_back({"height per value", factor + " m", kGiven});
+    channel.unit = "m";
+    stored.factor *= given.heightPerValue;
+}
+
+}  // namespace
+
+void applyScale(StoredScan& scan, const GivenScale& given) {
+    for (StoredChannel& stored : scan.channels) {
+        if (given.hasSize()) {
+            applySize(stored.channel, given);
+        }
+        if (given.hasHeight() && (stored.channel.unit.empty() || stored.channel.isHeight())) {
+            applyHeight(stored, given);
+        }
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace asperity {
+
+/// What a user says of a scan whose file does not say it.
+struct GivenScale {
+    double sizeX = 0.0;           ///< of the whole scan [m]; 0: as in the file
+    double sizeY = 0.0;           ///< given together with sizeX [m]
+    double heightPerValue = 0.0;  ///< height of a value of 1 [m]; 0: as in the file
+
+    [[nodiscard]] bool hasSize() const { return sizeX > 0.0; }
+    [[nodiscard]] bool hasHeight() const { return heightPerValue > 0.0; }
+};
+
+}  // namespace asperity
