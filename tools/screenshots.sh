@@ -15,7 +15,7 @@ for program in pngquant montage; do
         exit 1
     }
 done
-"$top/tools/build.sh" release asperity_screenshots asperity_deformation_pictures asperity_fidelity_picture \
+"$top/tools/build.sh" release asperity asperity_screenshots asperity_deformation_pictures asperity_fidelity_picture \
     asperity_device_picture
 moments=$(mktemp -d)
 trap 'rm -r "$moments"' EXIT
@@ -32,7 +32,7 @@ done
 cycle() {  # MATERIAL WIDTH HEIGHT SCALE NAME
     xvfb-run -a -s "-screen 0 $(($2 * $4))x$(($3 * $4))x24 -noreset" env "QT_SCALE_FACTOR=$4" \
         "$top/build/release/bin/asperity_screenshots" "$top/data/scenes/$1.toml" "$2" "$3" "$moments/"
-    montage "$moments/"{far,snapped_in,indenting,retracting,off}.png -tile 2x -geometry 960x+6+6 "$out/cycle_$1_$5.png"
+    montage "$moments/"{far,snapped_in,indenting,retracting,off}.png -tile 2x -geometry 1280x+6+6 "$out/cycle_$1_$5.png"
     pngquant --force --ext .png --speed 1 --quality 80-100 "$out/cycle_$1_$5.png"
 }
 for material in polystyrene silicon_oxide silicone_rubber; do
@@ -40,6 +40,9 @@ for material in polystyrene silicon_oxide silicone_rubber; do
     cycle "$material" 1920 1080 1 1920
     cycle "$material" 1920 1080 2 4k
 done
+# What README shows of one run.
+"$top/build/release/bin/asperity" explore "$input" --out "$moments/run" >/dev/null
+cp "$moments"/run/{deformation,overview,forces}.png "$out"
 "$top/build/release/bin/asperity_fidelity_picture" "$input" "$out/fidelity.png"
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/fidelity.png"
 "$top/build/release/bin/asperity_device_picture" "$input" 1280 800 "$out/device.png"
