@@ -24,6 +24,7 @@ constexpr std::uint16_t kDirectory = 13;
 constexpr std::uint16_t kLong8 = 16;
 constexpr std::uint16_t kSignedLong8 = 17;
 constexpr std::uint16_t kDirectory8 = 18;
+
 }  // namespace
 
 std::uint64_t sizeOfTiffType(std::uint16_t type) {
