@@ -6,9 +6,7 @@
 
 namespace asperity {
 
-/// The heights of a Park Systems TIFF that holds 32-bit floats (header version 2).
-/// @throw InputError
-/// Source: docs/formats.md 8
+/// The heights of a Park Systems TIFF. @throw InputError
 [[nodiscard]] HeightMap readParkScan(const std::filesystem::path& path);
 
 /// A square part of a map. @param row, column of its upper left pixel

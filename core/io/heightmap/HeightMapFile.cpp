@@ -108,9 +108,11 @@ HeightMapContents contentsOf(const ByteSource& bytes, const GivenScale& given) {
 std::vector<std::string> readableExtensions() {
     std::vector<std::string> extensions;
     for (const HeightMapFormat* format : kHeightMapFormats) {
-        if (format->read != nullptr) {
-            extensions.insert(extensions.end(), format->extensions.begin(),
-                              format->extensions.end());
+        for (const std::string_view extension : format->extensions) {
+            // Some formats share theirs.
+            if (format->read != nullptr && std::ranges::count(extensions, extension) == 0) {
+                extensions.emplace_back(extension);
+            }
         }
     }
     return extensions;

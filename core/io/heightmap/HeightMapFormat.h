@@ -65,7 +65,9 @@ struct HeightMapFormat {
 // Written, pixels without data are NaN where nothing else is said.
 extern const HeightMapFormat kGwyFormat;  ///< doubles; pixels without data are in a mask
 extern const HeightMapFormat kNanoscopeFormat;
-extern const HeightMapFormat kGsfFormat;   ///< float32
+extern const HeightMapFormat kGsfFormat;  ///< float32
+extern const HeightMapFormat kParkFormat;
+extern const HeightMapFormat kJpkFormat;
 extern const HeightMapFormat kExrFormat;   ///< float32
 extern const HeightMapFormat kTiffFormat;  ///< float32
 /// 65536 steps between the lowest and the highest pixel; those without data take the lowest height,
@@ -73,10 +75,10 @@ extern const HeightMapFormat kTiffFormat;  ///< float32
 extern const HeightMapFormat kPngFormat;
 extern const HeightMapFormat kTextFormat;  ///< doubles
 
-/// The most telling beginnings first.
-inline constexpr std::array kHeightMapFormats{&kGwyFormat, &kNanoscopeFormat, &kGsfFormat,
-                                              &kExrFormat, &kTiffFormat,      &kPngFormat,
-                                              &kTextFormat};
+/// The most telling beginnings first; those of instruments that are TIFFs before TIFFs of any kind.
+inline constexpr std::array kHeightMapFormats{&kGwyFormat,  &kNanoscopeFormat, &kGsfFormat,
+                                              &kParkFormat, &kJpkFormat,       &kExrFormat,
+                                              &kTiffFormat, &kPngFormat,       &kTextFormat};
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
 

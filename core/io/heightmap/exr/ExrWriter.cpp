@@ -1,4 +1,5 @@
-#include "core/io/heightmap/HeightMapFormat.h"
+
+#include "core/io/heightmap/exr/ExrWriter.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDoubleAttribute.h>
@@ -30,6 +31,8 @@ Imf::Header header(const HeightRows& map, const HeightMapMeta& meta) {
     return header;
 }
 
+}  // namespace
+
 void writeExr(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
               Progress* progress) {
     std::vector<float> line(static_cast<std::size_t>(map.columns));
@@ -45,12 +48,5 @@ void writeExr(const std::filesystem::path& target, const HeightRows& map, const 
         file.writePixels(1);
     });
 }
-
-constexpr std::array<std::string_view, 1> kExtensions{".exr"};
-
-}  // namespace
-
-const HeightMapFormat kExrFormat = {
-    .name = "OpenEXR .exr", .extensions = kExtensions, .write = writeExr};
 
 }  // namespace asperity

@@ -1,7 +1,8 @@
+#include "core/io/heightmap/png/PngWriter.h"
+
 #include "core/Error.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapEncoders.h"
-#include "core/io/heightmap/HeightMapFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,6 +129,8 @@ private:
     png_infop info_;
 };
 
+}  // namespace
+
 void writePng(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
               Progress* progress) {
     ProgressPart ranging(progress, 0.0, 0.1);
@@ -142,11 +145,5 @@ void writePng(const std::filesystem::path& target, const HeightRows& map, const 
     });
     file.finish();
 }
-
-constexpr std::array<std::string_view, 1> kExtensions{".png"};
-
-}  // namespace
-
-const HeightMapFormat kPngFormat = {.name = "PNG", .extensions = kExtensions, .write = writePng};
 
 }  // namespace asperity

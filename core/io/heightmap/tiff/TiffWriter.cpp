@@ -1,6 +1,7 @@
+#include "core/io/heightmap/tiff/TiffWriter.h"
+
 #include "core/Error.h"
 #include "core/io/TextValue.h"
-#include "core/io/heightmap/HeightMapFormat.h"
 
 #include <algorithm>
 #include <memory>
@@ -49,6 +50,8 @@ void setTags(TIFF* tiff, const HeightRows& map, const HeightMapMeta& meta) {
     TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description(map, meta).c_str());
 }
 
+}  // namespace
+
 void writeTiff(const std::filesystem::path& target, const HeightRows& map,
                const HeightMapMeta& meta, Progress* progress) {
     const auto columns = static_cast<std::size_t>(map.columns);
@@ -70,11 +73,5 @@ void writeTiff(const std::filesystem::path& target, const HeightRows& map,
         throw Error("the TIFF library cannot finish the file");
     }
 }
-
-constexpr std::array<std::string_view, 2> kExtensions{".tiff", ".tif"};
-
-}  // namespace
-
-const HeightMapFormat kTiffFormat = {.name = "TIFF", .extensions = kExtensions, .write = writeTiff};
 
 }  // namespace asperity

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <sstream>
 
 // Every pixel of every real file against the program gwyddion, where it is installed.
@@ -62,6 +63,31 @@ double worstDeviation(const HeightMap& ours, const HeightMap& theirs) {
     return worst;
 }
 
+/// What Gwyddion 2.62 does not read as it is; docs/formats.md 5 and 9.
+bool losesEverything(const std::string& file) {
+    return file.ends_with(".exr") || file == "derived/cl0_height_u16_noscale.png";
+}
+bool losesScale(const std::string& file) { return file.ends_with(".tif"); }
+bool showsPixelsWithoutData(const std::string& file) { return file.ends_with(".jpk-qi-image"); }
+
+void leaveOut(HeightMap& map, const std::vector<bool>& invalid) {
+    map.invalid = invalid;
+    for (std::size_t i = 0; i < invalid.size(); ++i) {
+        if (invalid[i]) {
+            map.heights[i] = std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+}
+
+/// The same shape between 0 and 1.
+HeightMap normalized(HeightMap map) {
+    const HeightStatistics statistics = statisticsOf(map);
+    for (double& height : map.heights) {
+        height = (height - statistics.lowest) / (statistics.highest - statistics.lowest);
+    }
+    return map;
+}
+
 class Gwyddion : public testing::TestWithParam<std::string> {};
 
 }  // namespace
@@ -71,13 +97,24 @@ TEST_P(Gwyddion, ReadsTheSamePixels) {
     if (!haveGwyddion()) {
         GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
     }
+    if (losesEverything(GetParam())) {
+        GTEST_SKIP() << "Gwyddion 2.62 does not read this file";
+    }
     const ScratchFolder folder;
     const HeightMapFile ours = readHeightMapFile(sharedData("afm/" + GetParam()));
-    const HeightMapFile theirs = throughGwyddion(folder, sharedData("afm/" + GetParam()));
+    HeightMapFile theirs = throughGwyddion(folder, sharedData("afm/" + GetParam()));
     ASSERT_EQ(ours.channels.size(), theirs.channels.size());
     for (std::size_t i = 0; i < ours.channels.size(); ++i) {
         const ScanChannel& mine = ours.channels[i];
         SCOPED_TRACE(mine.name);
+        if (losesScale(GetParam())) {
+            EXPECT_LE(worstDeviation(normalized(mine.map), normalized(theirs.channels[i].map)),
+                      1e-12);
+            continue;
+        }
+        if (showsPixelsWithoutData(GetParam())) {
+            leaveOut(theirs.channels[i].map, mine.map.invalid);
+        }
         EXPECT_EQ(mine.name, theirs.channels[i].name);
         // Gwyddion calls the millivolts of this one channel volts; the numbers are the same.
         const bool misnamed = GetParam() == "nanoscope/di-3_v9.01.di" && mine.unit == "mV";

@@ -54,7 +54,8 @@ TEST(HeightMapFile, UnknownTypeNamesTheSupportedOnes) {
 
 TEST(HeightMapFile, FormatsAreListedByTheirUsualExtensions) {
     EXPECT_THAT(readableExtensions(),
-                ElementsAre(".gwy", ".spm", ".di", ".0*", ".1*", ".2*", ".3*", ".gsf"));
+                ElementsAre(".gwy", ".spm", ".di", ".0*", ".1*", ".2*", ".3*", ".gsf", ".tiff",
+                            ".tif", ".jpk", ".jpk-qi-image", ".exr", ".png"));
     EXPECT_THAT(heightMapExtensions(),
                 ElementsAre(".gwy", ".gsf", ".exr", ".tiff", ".tif", ".png", ".txt"));
 }

@@ -126,6 +126,25 @@ TEST(HeightMapWriter, TiffHoldsFloatMetersAndItsSize) {
     }
 }
 
+TEST(HeightMapWriter, PicturesReadBackWithTheirScale) {
+    for (const HeightMap& map : maps()) {
+        for (const char* name : {"map.exr", "map.tiff"}) {
+            SCOPED_TRACE(name);
+            const ScanChannel channel = throughFile(name, map);
+            expectSameFrame(channel, map);
+            expectFloatHeights(channel.map.heights, map);
+        }
+    }
+    const HeightMap map = bumpyMap(7, 4);
+    const ScanChannel channel = throughFile("map.png", map);
+    expectSameFrame(channel, map);
+    const auto [lowest, highest] = std::ranges::minmax(map.heights);
+    for (std::size_t i = 0; i < map.heights.size(); ++i) {
+        EXPECT_NEAR(channel.map.heights[i], map.heights[i],
+                    0.5000001 * (highest - lowest) / 65535.0);
+    }
+}
+
 TEST(HeightMapWriter, PngIsWithinHalfAStepOfItsScale) {
     for (const HeightMap& map : maps()) {
         const ScratchFolder folder;

@@ -8,6 +8,10 @@ namespace asperity::test {
 /// The files of ../shared/data/afm that are read natively, relative to that folder.
 [[nodiscard]] const std::vector<std::string>& realScans();
 
+/// What we call a channel, where that is not its title in the tables: a PNG without texts has none,
+/// and that of the EXR is an attribute, not the name of its plane of samples.
+[[nodiscard]] std::string channelName(const std::string& file, const std::string& title);
+
 /// A file name that can be part of a test's name.
 [[nodiscard]] std::string testName(const std::string& file);
 

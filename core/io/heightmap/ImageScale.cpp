@@ -1,0 +1,185 @@
+#include "core/io/heightmap/ImageScale.h"
+
+#include "core/Error.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/PhysicalUnit.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+/// Smallest and largest sample of a type of integers.
+struct SampleEnds {
+    double lowest = 0.0;
+    double highest = 0.0;  ///< 0 for floats
+};
+
+template <typename Integer>
+SampleEnds endsOf() {
+    return {static_cast<double>(std::numeric_limits<Integer>::min()),
+            static_cast<double>(std::numeric_limits<Integer>::max())};
+}
+
+SampleEnds endsOf(SampleType type) {
+    switch (type) {
+    case SampleType::Int8:
+        return endsOf<std::int8_t>();
+    case SampleType::UInt8:
+        return endsOf<std::uint8_t>();
+    case SampleType::Int16:
+        return endsOf<std::int16_t>();
+    case SampleType::UInt16:
+        return endsOf<std::uint16_t>();
+    case SampleType::Int32:
+        return endsOf<std::int32_t>();
+    case SampleType::UInt32:
+        return endsOf<std::uint32_t>();
+    case SampleType::Float32:
+    case SampleType::Float64:
+        return {};
+    }
+    return {};
+}
+
+bool isFloat(SampleType type) { return endsOf(type).highest == 0.0; }
+
+/// The texts of Gwyddion's keys.
+class GwyTexts {
+public:
+    GwyTexts(const ImageTexts& texts, const std::string& file) : texts_(texts), file_(file) {}
+
+    [[nodiscard]] std::string text(const std::string& key) const {
+        const auto found = texts_.find("Gwy::" + key);
+        return found == texts_.end() ? std::string() : std::string(trimmed(found->second));
+    }
+    [[nodiscard]] bool has(const std::string& key) const { return !text(key).empty(); }
+    /// 0 where there is none.
+    [[nodiscard]] double number(const std::string& key) const {
+        if (!has(key)) {
+            return 0.0;
+        }
+        const std::optional<double> value = parseNumber(text(key));
+        if (!value) {
+            throw InputError(file_, "Gwy::" + key, "expected a number, found '" + text(key) + "'");
+        }
+        return *value;
+    }
+
+private:
+    const ImageTexts& texts_;
+    const std::string& file_;
+};
+
+void takeLateral(ImageScale& scale, const GwyTexts& texts, const std::string& source) {
+    const PhysicalUnit lateral = parseUnit(texts.text("XYUnit"));
+    scale.lateralUnit = lateral.base;
+    scale.sizeX = texts.number("XReal") * lateral.factor;
+    scale.sizeY = texts.number("YReal") * lateral.factor;
+    scale.originX = texts.number("XOffset") * lateral.factor;
+    scale.originY = texts.number("YOffset") * lateral.factor;
+    if (texts.has("XReal")) {
+        scale.provenance.push_back(
+            {"lateral size",
+             texts.text("XReal") + " x " + texts.text("YReal") + " " + texts.text("XYUnit"),
+             source + " Gwy::XReal, Gwy::YReal"});
+    }
+}
+
+ReadRow linear(ReadRow rows, int columns, double factor, double offset) {
+    return
+        [rows = std::move(rows), columns, factor, offset](int row, RowRoom& room, double* numbers) {
+            rows(row, room, numbers);
+            for (int i = 0; i < columns; ++i) {
+                numbers[i] = factor * numbers[i] + offset;
+            }
+        };
+}
+
+}  // namespace
+
+ImageScale gwyScale(const ImageTexts& keys, SampleType type, const std::string& file,
+                    const std::string& source) {
+    const GwyTexts texts(keys, file);
+    ImageScale scale;
+    scale.title = texts.text("Title");
+    takeLateral(scale, texts, source);
+    const PhysicalUnit vertical = parseUnit(texts.text("ZUnit"));
+    if (isFloat(type)) {
+        scale.unit = vertical.base;
+        scale.factor = vertical.factor * (texts.has("ZScale") ? texts.number("ZScale") : 1.0);
+        if (texts.has("ZScale") || texts.has("ZUnit")) {
+            scale.provenance.push_back(
+                {"scale", exactText(scale.factor) + " " + scale.unit + " per stored 1",
+                 source + " Gwy::ZScale, Gwy::ZUnit"});
+        }
+    } else if (texts.has("ZMin") && texts.has("ZMax")) {
+        scale.unit = vertical.base;
+        setEnds(scale, type, texts.number("ZMin") * vertical.factor,
+                texts.number("ZMax") * vertical.factor, source + " Gwy::ZMin, Gwy::ZMax");
+    }
+    return scale;
+}
+
+void setEnds(ImageScale& scale, SampleType type, double lowest, double highest,
+             const std::string& source) {
+    const SampleEnds ends = endsOf(type);
+    scale.factor = (highest - lowest) / (ends.highest - ends.lowest);
+    scale.offset = lowest - scale.factor * ends.lowest;
+    scale.provenance.push_back({"scale",
+                                exactText(lowest) + " to " + exactText(highest) + " " + scale.unit +
+                                    " for the smallest and the largest count",
+                                source});
+}
+
+void invert(ImageScale& scale, SampleType type) {
+    if (isFloat(type)) {
+        return;
+    }
+    const SampleEnds ends = endsOf(type);
+    scale.offset += scale.factor * (ends.lowest + ends.highest);
+    scale.factor = -scale.factor;
+    scale.provenance.push_back({"inversion", "the largest count is the lowest", "white is zero"});
+}
+
+StoredChannel scaledChannel(const ImageScale& scale, ImageSize size, ReadRow rows,
+                            const std::string& name, const std::string& file) {
+    StoredChannel stored{.channel = {}, .readRow = std::move(rows)};
+    ScanChannel& channel = stored.channel;
+    channel.name = scale.title.empty() ? name : scale.title;
+    channel.unit = scale.unit;
+    channel.lateralUnit = scale.lateralUnit;
+    channel.direction = directionFromName(channel.name);
+    channel.map = emptyMap(size, scale.sizeX, scale.sizeY);
+    channel.originX = finiteOrZero(scale.originX);
+    channel.originY = finiteOrZero(scale.originY);
+    channel.notes = scale.notes;
+    channel.provenance = scale.provenance;
+    if (channel.unit.empty()) {
+        channel.notes.emplace_back("the file gives no unit of the values; they are numbers");
+    }
+    settleSize(channel);
+    setScale(stored, scale.factor, scale.offset, file);
+    return stored;
+}
+
+void setScale(StoredChannel& stored, double factor, double offset, const std::string& file) {
+    constexpr double kMax = 1e100;
+    const bool good = std::abs(factor) <= kMax && std::abs(offset) <= kMax;
+    if (!good) {
+        throw InputError(file, "channel '" + stored.channel.name + "'",
+                         "its scale is " + exactText(factor) + " with an offset of " +
+                             exactText(offset) + "; the file is damaged");
+    }
+    if (offset == 0.0) {
+        stored.factor = factor;
+        return;
+    }
+    stored.factor = 1.0;
+    stored.readRow = linear(std::move(stored.readRow), stored.channel.map.columns, factor, offset);
+}
+
+}  // namespace asperity

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/SampleRows.h"
+#include "core/io/heightmap/ScanImage.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// What an image of numbers says about its scale; formats of pictures leave most of it open.
+struct ImageScale {
+    std::string title;    ///< empty: none given
+    std::string unit;     ///< of the values, without prefix; empty: they are numbers
+    double factor = 1.0;  ///< value = factor * sample + offset
+    double offset = 0.0;
+    std::string lateralUnit;  ///< without prefix
+    double sizeX = 0.0;       ///< 0: not given
+    double sizeY = 0.0;
+    double originX = 0.0;
+    double originY = 0.0;
+    std::vector<std::string> notes;
+    std::vector<Provenance> provenance;
+};
+
+/// Texts by their keys: "Gwy::XReal" is "1e-06".
+using ImageTexts = std::map<std::string, std::string>;
+
+/// What Gwyddion's keys say, which it writes into pictures: XReal, YReal, XOffset, YOffset, XYUnit,
+/// ZUnit, Title, each with "Gwy::" before it; of integers ZMin and ZMax, of floats ZScale.
+/// Source: docs/formats.md 9.
+/// @param type   of the samples; ZMin and ZMax are those of the smallest and the largest one
+/// @param source of the texts, for provenance: "PNG text"
+/// @throw InputError when a number is none
+[[nodiscard]] ImageScale gwyScale(const ImageTexts& texts, SampleType type, const std::string& file,
+                                  const std::string& source);
+
+/// Takes ends of the scale: the value of the smallest and of the largest sample that the type has.
+/// Only for unsigned integers. @param source for provenance
+void setEnds(ImageScale& scale, SampleType type, double lowest, double highest,
+             const std::string& source);
+
+/// The same image with the smallest and the largest sample exchanged, as where white is zero.
+/// Floats stay as they are.
+void invert(ImageScale& scale, SampleType type);
+
+/// A channel of this scale.
+/// @param name where the scale has no title
+/// @throw InputError when its factor or offset is no finite number
+[[nodiscard]] StoredChannel scaledChannel(const ImageScale& scale, ImageSize size, ReadRow rows,
+                                          const std::string& name, const std::string& file);
+
+/// Gives the channel the values factor * number + offset of the numbers that its rows are now.
+/// @throw InputError when one of the two is no number of a measurement: not finite, or beyond 1e100
+void setScale(StoredChannel& stored, double factor, double offset, const std::string& file);
+
+}  // namespace asperity

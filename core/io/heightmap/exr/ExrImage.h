@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/io/heightmap/SampleRows.h"
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// A channel of an OpenEXR image.
+struct ExrChannel {
+    std::string name;
+    SampleType type = SampleType::Float32;  ///< as it is decoded
+    bool isHalf = false;                    ///< stored with 11 bits
+    bool isWhole = true;                    ///< it has a sample for each pixel
+};
+
+/// Those of the first part, by name.
+/// @param bytes whose headers have been checked
+/// @throw InputError when the OpenEXR library refuses the file
+[[nodiscard]] std::vector<ExrChannel> exrChannels(const ByteSource& bytes);
+
+/// All samples of a channel, row after row from the top, in the processor's byte order. Any
+/// threads. @throw InputError when the OpenEXR library cannot decode it
+[[nodiscard]] std::string decodeExr(const ByteSource& bytes, const ExrChannel& channel);
+
+}  // namespace asperity

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/io/heightmap/HeightMapFormat.h"
+
+namespace asperity {
+
+/// As HeightMapFormat::write.
+void writeExr(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
+              Progress* progress);
+
+}  // namespace asperity

@@ -1,0 +1,124 @@
+#include "core/io/heightmap/png/PngChunks.h"
+
+#include "core/Error.h"
+#include "core/io/ByteReader.h"
+#include "core/io/TextValue.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1A\n";
+/// A scale is a short text.
+constexpr std::uint64_t kMaxText = 65536;
+
+class ChunkWalk {
+public:
+    explicit ChunkWalk(const ByteSource& bytes) : bytes_(bytes) {}
+
+    PngHeader read() {
+        if (next() != "IHDR") {
+            fail("expected the header chunk IHDR");
+        }
+        takeHeader();
+        for (std::string type = next(); type != "IEND"; type = next()) {
+            if (type == "IDAT") {
+                header_.packedBytes += data_.count;
+            } else if (type == "tEXt") {
+                takeText();
+            } else if (type == "iTXt") {
+                takeInternationalText();
+            }
+        }
+        return std::move(header_);
+    }
+
+private:
+    static constexpr std::uint64_t kLengthBytes = 4;
+    static constexpr std::uint64_t kTypeBytes = 4;
+    static constexpr std::uint64_t kSumBytes = 4;
+    static constexpr std::uint64_t kFrameBytes = kLengthBytes + kTypeBytes + kSumBytes;
+
+    /// The type of the next chunk, whose content is `data_`.
+    std::string next() {
+        const std::uint64_t left = bytes_.size() - place_;
+        if (left < kFrameBytes) {
+            fail("expected a chunk; the file is truncated");
+        }
+        const std::string start = bytesOf(bytes_, {place_, kLengthBytes + kTypeBytes});
+        const std::uint64_t length = bigEndian<std::uint32_t>(start.data());
+        if (length > left - kFrameBytes) {
+            fail("a chunk of " + std::to_string(length) +
+                 " bytes is longer than the file, which is truncated or damaged");
+        }
+        data_ = {place_ + kLengthBytes + kTypeBytes, length};
+        place_ += kFrameBytes + length;
+        return start.substr(kLengthBytes);
+    }
+
+    void takeHeader() {
+        constexpr std::uint64_t kHeaderBytes = 13;
+        constexpr std::size_t kRows = 4;
+        constexpr std::size_t kBits = 8;
+        constexpr std::size_t kColor = 9;
+        if (data_.count != kHeaderBytes) {
+            fail("expected a header of " + std::to_string(kHeaderBytes) + " bytes");
+        }
+        const std::string data = bytesOf(bytes_, data_);
+        header_.size =
+            checkedImageSize(bigEndian<std::uint32_t>(data.data()),
+                             bigEndian<std::uint32_t>(data.data() + kRows), bytes_.name(), "IHDR");
+        header_.bits = static_cast<unsigned char>(data[kBits]);
+        header_.color = static_cast<unsigned char>(data[kColor]);
+    }
+
+    /// Keyword, NUL, text in Latin-1; some write UTF-8.
+    void takeText() {
+        const std::string data = shortData();
+        const std::size_t end = data.find('\0');
+        if (end != std::string::npos) {
+            header_.texts.emplace(data.substr(0, end), toUtf8(data.substr(end + 1)));
+        }
+    }
+
+    /// Keyword, NUL, whether it is compressed, method, language, NUL, translated keyword, NUL, text
+    /// in UTF-8.
+    void takeInternationalText() {
+        const std::string data = shortData();
+        const std::size_t keyword = data.find('\0');
+        const std::size_t language =
+            keyword == std::string::npos ? std::string::npos : data.find('\0', keyword + 3);
+        const std::size_t translated =
+            language == std::string::npos ? std::string::npos : data.find('\0', language + 1);
+        if (translated != std::string::npos && data[keyword + 1] == '\0') {
+            header_.texts.emplace(data.substr(0, keyword), toUtf8(data.substr(translated + 1)));
+        }
+    }
+
+    /// The chunk's content; nothing of one that is too long for a scale.
+    [[nodiscard]] std::string shortData() const {
+        return data_.count <= kMaxText ? bytesOf(bytes_, data_) : std::string();
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError(bytes_.name(), "byte " + std::to_string(place_), what);
+    }
+
+    const ByteSource& bytes_;
+    std::uint64_t place_ = kSignature.size();  ///< of the next chunk
+    ByteSpan data_;
+    PngHeader header_;
+};
+
+}  // namespace
+
+bool isPng(const ByteSource& bytes) { return bytes.startsWith(kSignature); }
+
+PngHeader readPngChunks(const ByteSource& bytes) {
+    if (!isPng(bytes)) {
+        throw InputError(bytes.name(), "", "this is no PNG");
+    }
+    return ChunkWalk(bytes).read();
+}
+
+}  // namespace asperity

@@ -1,0 +1,198 @@
+#include "core/Error.h"
+#include "core/io/heightmap/tiff/TiffDirectory.h"
+#include "core/io/heightmap/tiff/TiffValue.h"
+
+#include <set>
+#include <utility>
+
+// From one directory of a TIFF to the next.
+
+namespace asperity {
+
+namespace {
+
+/// Stacks have some hundred.
+constexpr std::size_t kMaxDirectories = 1024;
+constexpr std::uint64_t kMaxFields = 65535;
+
+/// How a TIFF file writes its offsets.
+struct Header {
+    ByteOrder order = ByteOrder::Little;
+    bool big = false;  ///< with offsets of 8 bytes instead of 4
+
+    [[nodiscard]] std::uint64_t offsetBytes() const { return big ? 8 : 4; }
+    /// Of the number of a directory's fields.
+    [[nodiscard]] std::uint64_t countBytes() const { return big ? 8 : 2; }
+    [[nodiscard]] std::uint64_t fieldBytes() const { return big ? 20 : 12; }
+    [[nodiscard]] std::uint64_t offset(const char* stored) const {
+        return big ? orderedNumber<std::uint64_t>(stored, order)
+                   : orderedNumber<std::uint32_t>(stored, order);
+    }
+};
+
+std::optional<Header> headerOf(const ByteSource& bytes) {
+    using std::string_view_literals::operator""sv;
+    constexpr std::uint64_t kMagicBytes = 4;
+    const std::string magic = bytes.start(kMagicBytes);
+    if (magic == "II*\0"sv) {
+        return Header{ByteOrder::Little, false};
+    }
+    if (magic == "MM\0*"sv) {
+        return Header{ByteOrder::Big, false};
+    }
+    if (magic == "II+\0"sv) {
+        return Header{ByteOrder::Little, true};
+    }
+    if (magic == "MM\0+"sv) {
+        return Header{ByteOrder::Big, true};
+    }
+    return std::nullopt;
+}
+
+/// Walks from directory to directory.
+class Chain {
+public:
+    Chain(const ByteSource& bytes, const Header& header)
+        : bytes_(bytes)
+        , header_(header)
+        , next_(offsetAt(header.big ? kFirstOfBig : kFirst, "header"))
+        , left_(bytes.size()) {}
+
+    [[nodiscard]] bool atEnd() const { return next_ == 0; }
+
+    TiffDirectory take() {
+        const std::string name = "directory " + std::to_string(visited_.size() + 1);
+        if (visited_.size() == kMaxDirectories || !visited_.insert(next_).second) {
+            fail(name, "expected at most " + std::to_string(kMaxDirectories) + ", each once");
+        }
+        const std::uint64_t place = next_;
+        const std::uint64_t count = fieldCount(name);
+        const std::string table =
+            tableAt(place + header_.countBytes(), count * header_.fieldBytes(), name);
+        std::vector<TiffField> fields;
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const std::uint64_t start = i * header_.fieldBytes();
+            const TiffField field =
+                fieldOf(table.data() + start, place + header_.countBytes() + start, name);
+            if (sizeOfTiffType(field.type) != 0) {
+                fields.push_back(field);
+            }
+        }
+        next_ = offsetAt(place + header_.countBytes() + table.size(), name);
+        return {bytes_, header_.order, place, visited_.size(), std::move(fields)};
+    }
+
+private:
+    static constexpr std::uint64_t kFirst = 4;
+    static constexpr std::uint64_t kFirstOfBig = 8;
+
+    std::uint64_t offsetAt(std::uint64_t place, const std::string& name) {
+        return header_.offset(read({place, header_.offsetBytes()}, name).data());
+    }
+
+    std::uint64_t fieldCount(const std::string& name) {
+        const std::string stored = read({next_, header_.countBytes()}, name);
+        const std::uint64_t count =
+            header_.big ? orderedNumber<std::uint64_t>(stored.data(), header_.order)
+                        : orderedNumber<std::uint16_t>(stored.data(), header_.order);
+        if (count == 0 || count > kMaxFields) {
+            fail(name, "it has " + std::to_string(count) + " fields; expected 1 to " +
+                           std::to_string(kMaxFields));
+        }
+        return count;
+    }
+
+    std::string tableAt(std::uint64_t place, std::uint64_t count, const std::string& name) {
+        spend(count, name);
+        return read({place, count}, name);
+    }
+
+    TiffField fieldOf(const char* stored, std::uint64_t place, const std::string& name) {
+        constexpr std::uint64_t kTypePlace = 2;
+        constexpr std::uint64_t kCountPlace = 4;
+        TiffField field{.tag = orderedNumber<std::uint16_t>(stored, header_.order),
+                        .type = orderedNumber<std::uint16_t>(stored + kTypePlace, header_.order),
+                        .count = header_.offset(stored + kCountPlace)};
+        const std::uint64_t valuePlace = kCountPlace + header_.offsetBytes();
+        const std::uint64_t valueBytes = sizeOfTiffType(field.type);
+        if (valueBytes != 0 && field.count > bytes_.size() / valueBytes) {
+            failBeyond(field.tag, name);
+        }
+        const std::uint64_t size = field.count * valueBytes;
+        if (size <= header_.offsetBytes()) {
+            field.place = place + valuePlace;
+            return field;
+        }
+        field.place = header_.offset(stored + valuePlace);
+        if (field.place > bytes_.size() || size > bytes_.size() - field.place) {
+            failBeyond(field.tag, name);
+        }
+        spend(size, name);
+        return field;
+    }
+
+    /// Counts bytes that belong to directories.
+    void spend(std::uint64_t count, const std::string& name) {
+        if (count > left_) {
+            fail(name, "its fields overlap those of other directories; the file is damaged");
+        }
+        left_ -= count;
+    }
+
+    std::string read(const ByteSpan& span, const std::string& name) const {
+        if (span.place > bytes_.size() || span.count > bytes_.size() - span.place) {
+            fail(name, "it is at byte " + std::to_string(span.place) + ", but the file has " +
+                           std::to_string(bytes_.size()) + "; it is truncated or damaged");
+        }
+        return bytesOf(bytes_, span);
+    }
+
+    [[noreturn]] void failBeyond(std::uint16_t tag, const std::string& name) const {
+        fail(name, "the values of tag " + std::to_string(tag) +
+                       " are beyond the end of the file; it is truncated or damaged");
+    }
+    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
+        throw InputError(bytes_.name(), place, what);
+    }
+
+    const ByteSource& bytes_;
+    Header header_;
+    std::uint64_t next_;
+    std::uint64_t left_;  ///< bytes of the file that no directory has spent yet
+    std::set<std::uint64_t> visited_;
+};
+
+}  // namespace
+
+bool isTiff(const ByteSource& bytes) { return headerOf(bytes).has_value(); }
+
+bool isTiffWithTag(const ByteSource& bytes, std::uint16_t tag) {
+    const std::optional<Header> header = headerOf(bytes);
+    if (!header) {
+        return false;
+    }
+    try {
+        Chain chain(bytes, *header);
+        return !chain.atEnd() && chain.take().has(tag);
+    } catch (const InputError&) {
+        return false;  // a TIFF all the same, which the reader of any TIFF refuses
+    }
+}
+
+std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes) {
+    const std::optional<Header> header = headerOf(bytes);
+    if (!header) {
+        throw InputError(bytes.name(), "", "this is no TIFF");
+    }
+    Chain chain(bytes, *header);
+    std::vector<TiffDirectory> directories;
+    while (!chain.atEnd()) {
+        directories.push_back(chain.take());
+    }
+    if (directories.empty()) {
+        throw InputError(bytes.name(), "header", "expected the place of a first directory");
+    }
+    return directories;
+}
+
+}  // namespace asperity

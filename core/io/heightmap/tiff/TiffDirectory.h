@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/io/ByteReader.h"
+#include "core/io/heightmap/SampleRows.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// A field of a TIFF directory; its values lie within the file.
+struct TiffField {
+    std::uint16_t tag = 0;
+    std::uint16_t type = 0;   ///< one of those of known size
+    std::uint64_t count = 0;  ///< of values
+    std::uint64_t place = 0;  ///< of the first one [bytes]
+};
+
+/// What a TIFF file says about one of its images. Source: TIFF revision 6.0, sections 2 and 8, and
+/// the layout of BigTIFF; docs/formats.md 9.
+class TiffDirectory {
+public:
+    /// @param bytes  must outlive this
+    /// @param place  in the file [bytes]
+    /// @param number from 1, for messages
+    TiffDirectory(const ByteSource& bytes, ByteOrder order, std::uint64_t place, std::size_t number,
+                  std::vector<TiffField> fields);
+
+    [[nodiscard]] const ByteSource& bytes() const { return *bytes_; }
+    [[nodiscard]] ByteOrder order() const { return order_; }
+    [[nodiscard]] std::uint64_t place() const { return place_; }
+    [[nodiscard]] const std::string& name() const { return name_; }  ///< "image 2"
+
+    [[nodiscard]] bool has(std::uint16_t tag) const { return find(tag) != nullptr; }
+    /// The first value; empty when there is none. @throw InputError when it is no whole number
+    [[nodiscard]] std::optional<std::int64_t> integer(std::uint16_t tag) const;
+    /// @throw InputError when there is none, too
+    [[nodiscard]] std::int64_t requireInteger(std::uint16_t tag) const;
+    /// All values; none when there are none.
+    /// @throw InputError when they are no whole numbers, or one is negative
+    [[nodiscard]] std::vector<std::uint64_t> wholeNumbers(std::uint16_t tag) const;
+    /// The first value, a fraction as its quotient; empty when there is none.
+    /// @throw InputError when it is no number
+    [[nodiscard]] std::optional<double> number(std::uint16_t tag) const;
+    /// The text up to its NUL as UTF-8, cut off after 64 KiB; empty when there is none.
+    [[nodiscard]] std::string text(std::uint16_t tag) const;
+    /// Where the values lie. @throw InputError when there are none
+    [[nodiscard]] ByteSpan requireSpan(std::uint16_t tag) const;
+
+    /// @throw InputError that names the image
+    [[noreturn]] void fail(const std::string& what) const;
+
+private:
+    [[nodiscard]] const TiffField* find(std::uint16_t tag) const;
+    [[noreturn]] void failAt(std::uint16_t tag, const std::string& expected) const;
+
+    const ByteSource* bytes_;
+    ByteOrder order_;
+    std::uint64_t place_;
+    std::string name_;
+    std::vector<TiffField> fields_;  ///< by tag
+};
+
+/// Whether the content begins as a TIFF.
+[[nodiscard]] bool isTiff(const ByteSource& bytes);
+
+/// Whether it is a TIFF whose first directory can be read and has this tag.
+[[nodiscard]] bool isTiffWithTag(const ByteSource& bytes, std::uint16_t tag);
+
+/// The directories of all images, in the order of the file. Directories and values are together no
+/// larger than the file, so that nothing is read many times over.
+/// @throw InputError when one, or anything that it names, is not within the file
+[[nodiscard]] std::vector<TiffDirectory> readTiffDirectories(const ByteSource& bytes);
+
+}  // namespace asperity
