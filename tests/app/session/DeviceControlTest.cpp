@@ -1,11 +1,15 @@
 #include "app/session/DeviceControl.h"
 
+#include "core/haptics/LiftStep.h"
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ControlBar.h"
+#include "ui/view/ZoomView.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAbstractSpinBox>
 #include <QComboBox>
+
+#include <cmath>
 
 namespace asperity::test {
 namespace {
@@ -45,6 +49,27 @@ TEST_F(DeviceControlTest, ADeviceWithMotorsIsToldItsScaleAndTakenUpOverTheSceneC
     EXPECT_EQ(run().settings().forceGain, 2e8);
     useFlatScene();
     EXPECT_EQ(shown(), "Mouse and keyboard") << "another scene begins anew";
+}
+
+/// Five notches in the view of a scan 60 mm wide pressed the tip with half a millinewton.
+TEST_F(DeviceControlTest, TheWheelIsAsFineInAWideViewAsTheLeverNeeds) {
+    useFlatScene();
+    window.view().setHalfWidth(1.0);
+    ASSERT_GT(window.view().halfWidth() / 400.0, 0.15e-9) << "a part of the view is coarser";
+    const auto base = [this] { return run().basePosition().z(); };
+    double height = 0.0;
+    ASSERT_TRUE(eventually([&] {
+        height = -run().loop().snapshot().sample.output.model.contact.indentation;
+        return height > 5e-9;
+    }));
+    const double start = base();
+    Q_EMIT window.view().lifted(-12.0);
+    const double lowered = liftedHeight(height, -12.0, 0.1e-9);
+    EXPECT_TRUE(eventually([&] {
+        devices.advance(0.01);
+        return std::abs(base() - (start + lowered - height)) < 1e-11;
+    })) << base() - start
+        << " instead of " << lowered - height;
 }
 
 TEST_F(DeviceControlTest, AsksForAPathAndKeepsItsGain) {

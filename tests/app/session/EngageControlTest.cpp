@@ -62,6 +62,7 @@ TEST_F(EngageControlTest, WithdrawsOutOfTheSamplesReachAlsoWhileItEngages) {
     button("engage").click();
     ASSERT_TRUE(framesUntil([this] { return engaged(); })) << told();
     button("withdraw").click();
+    EXPECT_EQ(told(), "Withdrawing") << "it is engaged no more";
     ASSERT_TRUE(framesUntil([this] { return run().basePosition().z() > 5e-9; }));
     EXPECT_EQ(latest().region(), TipRegion::Far);
     button("engage").click();
