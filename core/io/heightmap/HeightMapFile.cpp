@@ -98,7 +98,8 @@ HeightMapContents contentsOf(const ByteSource& bytes) {
     for (const StoredChannel& stored : scan.channels) {
         contents.file.channels.push_back(stored.channel);
     }
-    contents.file.defaultChannel = suggestDefaultChannel(contents.file.channels);
+    contents.file.defaultChannel =
+        suggestDefaultChannel(contents.file.channels, scan.usualDirection);
     contents.stored = std::move(scan.channels);
     return contents;
 }

@@ -30,6 +30,9 @@ struct StoredScan {
     std::vector<StoredChannel> channels;
     std::vector<std::string> notes;
     std::vector<Provenance> provenance;  ///< of the whole file
+    /// Of equally good channels the one that the vendor's program shows first; empty: the one that
+    /// is stored first.
+    std::string usualDirection = {};
 };
 
 /// What a written file says about a height map besides its heights.
@@ -64,7 +67,13 @@ struct HeightMapFormat {
 // Written, pixels without data are NaN where nothing else is said.
 extern const HeightMapFormat kGwyFormat;  ///< doubles; pixels without data are in a mask
 extern const HeightMapFormat kNanoscopeFormat;
-extern const HeightMapFormat kGsfFormat;   ///< float32
+extern const HeightMapFormat kGsfFormat;  ///< float32
+extern const HeightMapFormat kNanonisFormat;
+extern const HeightMapFormat kNanosurfFormat;
+extern const HeightMapFormat kWsxmFormat;
+extern const HeightMapFormat kPicoviewFormat;
+extern const HeightMapFormat kDigitalSurfFormat;
+extern const HeightMapFormat kIgorFormat;
 extern const HeightMapFormat kExrFormat;   ///< float32
 extern const HeightMapFormat kTiffFormat;  ///< float32
 /// 65536 steps between the lowest and the highest pixel; those without data take the lowest height,
@@ -73,9 +82,10 @@ extern const HeightMapFormat kPngFormat;
 extern const HeightMapFormat kTextFormat;  ///< doubles
 
 /// The most telling beginnings first.
-inline constexpr std::array kHeightMapFormats{&kGwyFormat, &kNanoscopeFormat, &kGsfFormat,
-                                              &kExrFormat, &kTiffFormat,      &kPngFormat,
-                                              &kTextFormat};
+inline constexpr std::array kHeightMapFormats{
+    &kGwyFormat,         &kNanoscopeFormat, &kGsfFormat,  &kNanonisFormat, &kNanosurfFormat,
+    &kWsxmFormat,        &kPicoviewFormat,  &kIgorFormat, &kExrFormat,     &kTiffFormat,
+    &kDigitalSurfFormat, &kPngFormat,       &kTextFormat};
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
 

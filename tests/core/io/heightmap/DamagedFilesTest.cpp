@@ -1,6 +1,7 @@
 #include "core/Error.h"
 #include "core/io/FileBytes.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "tests/core/io/heightmap/InstrumentFiles.h"
 #include "tests/core/io/heightmap/RealScans.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
 #include "tests/support/ReferenceTable.h"
@@ -62,6 +63,14 @@ void expectReadOrRefused(const std::string& bytes, const std::string& what) {
     }
 }
 
+/// One of each format, without anything that may be missing at the end.
+std::vector<std::string> smallFiles() {
+    return {nanoscopeFile({}),  gwyFile(gwyComponent("/0/data", smallGwyField())),
+            igorFile({}),       nanonisFile({}),
+            nanosurfFile({{}}), picoviewFile({}, SampleType::Int32),
+            wsxmFile({}),       digitalSurfFile({})};
+}
+
 }  // namespace
 
 TEST_P(DamagedFile, EveryTruncationIsRefusedByName) {
@@ -94,8 +103,7 @@ INSTANTIATE_TEST_SUITE_P(RealScans, DamagedFile, testing::ValuesIn(realScans()),
                          [](const auto& scan) { return testName(scan.param); });
 
 TEST(DamagedFile, EveryBitOfSmallFilesMayFlip) {
-    for (const std::string& bytes :
-         {nanoscopeFile({}), gwyFile(gwyComponent("/0/data", smallGwyField()))}) {
+    for (const std::string& bytes : smallFiles()) {
         for (std::size_t place = 0; place < bytes.size(); ++place) {
             for (unsigned bit = 0; bit < 8; ++bit) {
                 std::string damaged = bytes;
@@ -108,8 +116,7 @@ TEST(DamagedFile, EveryBitOfSmallFilesMayFlip) {
 }
 
 TEST(DamagedFile, EveryTruncationOfSmallFilesIsRefused) {
-    for (const std::string& bytes :
-         {nanoscopeFile({}), gwyFile(gwyComponent("/0/data", smallGwyField()))}) {
+    for (const std::string& bytes : smallFiles()) {
         for (std::size_t length = 0; length < bytes.size(); ++length) {
             EXPECT_THROW((void)readHeightMapBytes(bytes.substr(0, length), "cut"), InputError)
                 << length;

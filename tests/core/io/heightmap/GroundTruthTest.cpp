@@ -55,7 +55,7 @@ protected:
         const HeightMap& map = channel.map;
         const HeightStatistics statistics = statisticsOf(map);
         range = table.number(row, "max") - table.number(row, "min");
-        EXPECT_EQ(channel.name, table.text(row, "title"));
+        EXPECT_EQ(channel.name, channelName(GetParam(), table.text(row, "title")));
         EXPECT_EQ(channel.unit, trueUnit(GetParam(), channel.name, table.text(row, "unit")));
         EXPECT_EQ(map.columns, table.number(row, "width_px"));
         EXPECT_EQ(map.rows, table.number(row, "height_px"));
@@ -112,7 +112,7 @@ TEST_P(GroundTruth, DefaultChannelIsTheLabsChoice) {
         }
         const ScanChannel& channel = file.channels.at(file.defaultChannel);
         range = table.number(row, "max") - table.number(row, "min");
-        EXPECT_EQ(channel.name, table.text(row, "primary_channel"));
+        EXPECT_EQ(channel.name, channelName(GetParam(), table.text(row, "primary_channel")));
         EXPECT_EQ(channel.unit, table.text(row, "height_unit"));
         expectNear(statisticsOf(channel.map).rms, table.number(row, "rms_about_mean"), "rms");
         return;
