@@ -61,4 +61,25 @@ bool isUtf8(std::string_view text) {
     return true;
 }
 
+void appendUtf8(std::string& text, char32_t codePoint) {
+    const auto follow = [&](unsigned shift) {
+        text += static_cast<char>(0x80U | ((codePoint >> shift) & 0x3FU));
+    };
+    if (codePoint < 0x80U) {
+        text += static_cast<char>(codePoint);
+    } else if (codePoint < 0x800U) {
+        text += static_cast<char>(0xC0U | (codePoint >> 6U));
+        follow(0);
+    } else if (codePoint < 0x10000U) {
+        text += static_cast<char>(0xE0U | (codePoint >> 12U));
+        follow(6);
+        follow(0);
+    } else {
+        text += static_cast<char>(0xF0U | (codePoint >> 18U));
+        follow(12);
+        follow(6);
+        follow(0);
+    }
+}
+
 }  // namespace asperity

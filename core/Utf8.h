@@ -19,4 +19,7 @@ struct Utf8Character {
 /// Whether a text is valid UTF-8 from end to end.
 [[nodiscard]] bool isUtf8(std::string_view text);
 
+/// Appends a character. @param codePoint a Unicode scalar value
+void appendUtf8(std::string& text, char32_t codePoint);
+
 }  // namespace asperity

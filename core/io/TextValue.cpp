@@ -16,19 +16,6 @@ constexpr std::array<std::uint16_t, 32> kWindows1252 = {
     0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
 
-void appendUtf8(std::string& text, unsigned codePoint) {
-    if (codePoint < 0x80U) {
-        text += static_cast<char>(codePoint);
-    } else if (codePoint < 0x800U) {
-        text += static_cast<char>(0xC0U | (codePoint >> 6U));
-        text += static_cast<char>(0x80U | (codePoint & 0x3FU));
-    } else {
-        text += static_cast<char>(0xE0U | (codePoint >> 12U));
-        text += static_cast<char>(0x80U | ((codePoint >> 6U) & 0x3FU));
-        text += static_cast<char>(0x80U | (codePoint & 0x3FU));
-    }
-}
-
 /// std::from_chars takes no plus sign.
 std::string_view withoutPlus(std::string_view text) {
     const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
@@ -46,6 +33,15 @@ std::optional<Number> parseWhole(std::string_view text) {
     }
     return value;
 }
+
+char32_t utf16Unit(std::string_view bytes, std::size_t place, std::endian order) {
+    const auto first = static_cast<unsigned char>(bytes[place]);
+    const auto second = static_cast<unsigned char>(bytes[place + 1]);
+    return order == std::endian::little ? first | (second << 8U) : second | (first << 8U);
+}
+
+constexpr bool isHighSurrogate(char32_t unit) { return unit >= 0xD800 && unit < 0xDC00; }
+constexpr bool isLowSurrogate(char32_t unit) { return unit >= 0xDC00 && unit < 0xE000; }
 
 }  // namespace
 
@@ -77,6 +73,25 @@ std::string toUtf8(std::string_view text) {
         const auto byte = static_cast<unsigned char>(c);
         const bool special = byte >= 0x80 && byte < 0xA0;
         appendUtf8(utf8, special ? kWindows1252[byte - 0x80U] : byte);
+    }
+    return utf8;
+}
+
+std::string utf16ToUtf8(std::string_view bytes, std::endian order) {
+    constexpr char32_t kReplacement = 0xFFFD;
+    std::string utf8;
+    utf8.reserve(bytes.size() / 2);
+    for (std::size_t place = 0; place + 1 < bytes.size(); place += 2) {
+        char32_t character = utf16Unit(bytes, place, order);
+        if (isHighSurrogate(character) && place + 3 < bytes.size()) {
+            const char32_t low = utf16Unit(bytes, place + 2, order);
+            if (isLowSurrogate(low)) {
+                character = 0x10000U + ((character - 0xD800U) << 10U) + (low - 0xDC00U);
+                place += 2;
+            }
+        }
+        const bool single = character >= 0xD800 && character < 0xE000;
+        appendUtf8(utf8, single ? kReplacement : character);
     }
     return utf8;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@ namespace asperity {
 
 /// The text as UTF-8: kept when it is valid UTF-8, else read as Windows-1252.
 [[nodiscard]] std::string toUtf8(std::string_view text);
+
+/// UTF-16 as UTF-8. Half a pair of surrogates becomes U+FFFD; an odd byte at the end is left out.
+[[nodiscard]] std::string utf16ToUtf8(std::string_view bytes, std::endian order);
 
 /// The whole text as a number with a decimal point, blanks around it allowed; independent of the
 /// locale; "nan" and "inf" are numbers here. Empty when it is anything else or out of range.

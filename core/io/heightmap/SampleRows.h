@@ -5,6 +5,7 @@
 #include "core/io/heightmap/ScanImage.h"
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <string>
 
@@ -57,6 +58,9 @@ using ReadRow = decltype(StoredChannel::readRow);
 ///        again only where it threw
 [[nodiscard]] ReadRow rowsOfDecoded(std::function<std::string()> decode,
                                     const SampleLayout& layout);
+
+/// Reads rows of numbers that are in memory, one row after the other from the top.
+[[nodiscard]] ReadRow rowsOfNumbers(std::deque<double> numbers, int columns);
 
 /// Whether a mask's value says that its pixel holds no data.
 [[nodiscard]] constexpr bool isMarked(double value) { return value > 0.0; }
