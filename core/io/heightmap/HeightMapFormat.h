@@ -64,18 +64,21 @@ struct HeightMapFormat {
 // Written, pixels without data are NaN where nothing else is said.
 extern const HeightMapFormat kGwyFormat;  ///< doubles; pixels without data are in a mask
 extern const HeightMapFormat kNanoscopeFormat;
-extern const HeightMapFormat kGsfFormat;   ///< float32
+extern const HeightMapFormat kGsfFormat;  ///< float32
+extern const HeightMapFormat kSdfFormat;
+extern const HeightMapFormat kBcrFormat;
 extern const HeightMapFormat kExrFormat;   ///< float32
 extern const HeightMapFormat kTiffFormat;  ///< float32
 /// 65536 steps between the lowest and the highest pixel; those without data take the lowest height,
 /// and a comment says how many.
 extern const HeightMapFormat kPngFormat;
+extern const HeightMapFormat kXyzFormat;
 extern const HeightMapFormat kTextFormat;  ///< doubles
 
 /// The most telling beginnings first.
-inline constexpr std::array kHeightMapFormats{&kGwyFormat, &kNanoscopeFormat, &kGsfFormat,
-                                              &kExrFormat, &kTiffFormat,      &kPngFormat,
-                                              &kTextFormat};
+inline constexpr std::array kHeightMapFormats{
+    &kGwyFormat, &kNanoscopeFormat, &kGsfFormat, &kSdfFormat, &kBcrFormat,
+    &kExrFormat, &kTiffFormat,      &kPngFormat, &kXyzFormat, &kTextFormat};
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
 

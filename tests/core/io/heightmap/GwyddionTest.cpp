@@ -62,6 +62,13 @@ double worstDeviation(const HeightMap& ours, const HeightMap& theirs) {
     return worst;
 }
 
+/// Gwyddion 2.62 does not recognize a matrix or points as text: it asks for their layout.
+std::vector<std::string> scansKnownToGwyddion() {
+    std::vector<std::string> scans = realScans();
+    std::erase_if(scans, [](const std::string& scan) { return scan.starts_with("text/"); });
+    return scans;
+}
+
 class Gwyddion : public testing::TestWithParam<std::string> {};
 
 }  // namespace
@@ -90,7 +97,7 @@ TEST_P(Gwyddion, ReadsTheSamePixels) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(RealScans, Gwyddion, testing::ValuesIn(realScans()),
+INSTANTIATE_TEST_SUITE_P(RealScans, Gwyddion, testing::ValuesIn(scansKnownToGwyddion()),
                          [](const auto& scan) { return testName(scan.param); });
 
 TEST(Gwyddion, ReadsWhatWeWrite) {

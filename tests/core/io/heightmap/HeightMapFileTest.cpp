@@ -54,7 +54,8 @@ TEST(HeightMapFile, UnknownTypeNamesTheSupportedOnes) {
 
 TEST(HeightMapFile, FormatsAreListedByTheirUsualExtensions) {
     EXPECT_THAT(readableExtensions(),
-                ElementsAre(".gwy", ".spm", ".di", ".0*", ".1*", ".2*", ".3*", ".gsf"));
+                ElementsAre(".gwy", ".spm", ".di", ".0*", ".1*", ".2*", ".3*", ".gsf", ".sdf",
+                            ".bcr", ".bcrf", ".xyz", ".asc", ".csv", ".dat", ".txt"));
     EXPECT_THAT(heightMapExtensions(),
                 ElementsAre(".gwy", ".gsf", ".exr", ".tiff", ".tif", ".png", ".txt"));
 }
