@@ -25,7 +25,7 @@ std::string joined(const std::vector<std::string>& words) {
 std::string formatNames() {
     std::vector<std::string> names;
     for (const HeightMapFormat* format : kHeightMapFormats) {
-        if (format->read != nullptr) {
+        if (format->read != nullptr && !format->isRefused) {
             names.emplace_back(format->name);
         }
     }

@@ -58,6 +58,8 @@ struct HeightMapFormat {
     /// it is not written. Heights are NaN where there are no data. @throw Error; Canceled
     void (*write)(const std::filesystem::path& target, const HeightRows& map,
                   const HeightMapMeta& meta, Progress* progress);
+    /// Its files are recognized only to be refused in words: they hold nothing that can be read.
+    bool isRefused = false;
     bool isShape = false;  ///< values are written as coordinates: it holds heights and nothing else
 };
 
@@ -67,6 +69,8 @@ extern const HeightMapFormat kNanoscopeFormat;
 extern const HeightMapFormat kGsfFormat;  ///< float32
 extern const HeightMapFormat kSdfFormat;
 extern const HeightMapFormat kBcrFormat;
+/// Of programs whose images no reader takes.
+extern const HeightMapFormat kForceCurveFormat;
 extern const HeightMapFormat kExrFormat;   ///< float32
 extern const HeightMapFormat kTiffFormat;  ///< float32
 /// 65536 steps between the lowest and the highest pixel; those without data take the lowest height,
@@ -75,9 +79,10 @@ extern const HeightMapFormat kPngFormat;
 extern const HeightMapFormat kXyzFormat;
 extern const HeightMapFormat kTextFormat;  ///< doubles
 
-/// The most telling beginnings first.
+/// The most telling beginnings first; those that hold pictures or text of any kind after force
+/// curves.
 inline constexpr std::array kHeightMapFormats{
-    &kGwyFormat, &kNanoscopeFormat, &kGsfFormat, &kSdfFormat, &kBcrFormat,
+    &kGwyFormat, &kNanoscopeFormat, &kGsfFormat, &kSdfFormat, &kBcrFormat, &kForceCurveFormat,
     &kExrFormat, &kTiffFormat,      &kPngFormat, &kXyzFormat, &kTextFormat};
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
