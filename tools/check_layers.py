@@ -70,6 +70,8 @@ RULES = {
     "core/io/heightmap/png": READERS,
     "core/io/heightmap/text": READERS,
     "core/io/heightmap/tiff": READERS,
+    "core/io/heightmap/x3p": f"{READERS} core/io/heightmap/zip",
+    "core/io/heightmap/zip": FILES,
     "core/io/scene": RUNS,
     "core/io/recording": RUNS,
     "core/words": "core/",

@@ -64,7 +64,8 @@ struct HeightMapFormat {
 // Written, pixels without data are NaN where nothing else is said.
 extern const HeightMapFormat kGwyFormat;  ///< doubles; pixels without data are in a mask
 extern const HeightMapFormat kNanoscopeFormat;
-extern const HeightMapFormat kGsfFormat;   ///< float32
+extern const HeightMapFormat kGsfFormat;  ///< float32
+extern const HeightMapFormat kX3pFormat;
 extern const HeightMapFormat kExrFormat;   ///< float32
 extern const HeightMapFormat kTiffFormat;  ///< float32
 /// 65536 steps between the lowest and the highest pixel; those without data take the lowest height,
@@ -74,8 +75,8 @@ extern const HeightMapFormat kTextFormat;  ///< doubles
 
 /// The most telling beginnings first.
 inline constexpr std::array kHeightMapFormats{&kGwyFormat, &kNanoscopeFormat, &kGsfFormat,
-                                              &kExrFormat, &kTiffFormat,      &kPngFormat,
-                                              &kTextFormat};
+                                              &kX3pFormat, &kExrFormat,       &kTiffFormat,
+                                              &kPngFormat, &kTextFormat};
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
 

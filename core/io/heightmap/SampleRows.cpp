@@ -142,4 +142,9 @@ ReadRow replaced(ReadRow rows, int columns, std::function<double(double)> replac
     };
 }
 
+ReadRow keeping(ReadRow rows, std::shared_ptr<const ByteSource> bytes) {
+    return [rows = std::move(rows), bytes = std::move(bytes)](
+               int row, RowRoom& room, double* numbers) { rows(row, room, numbers); };
+}
+
 }  // namespace asperity

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace asperity {
@@ -65,5 +66,8 @@ using ReadRow = decltype(StoredChannel::readRow);
 
 /// The same rows with each number replaced, as of a marker for pixels without data.
 [[nodiscard]] ReadRow replaced(ReadRow rows, int columns, std::function<double(double)> replace);
+
+/// The same rows, which keep alive what they are read from.
+[[nodiscard]] ReadRow keeping(ReadRow rows, std::shared_ptr<const ByteSource> bytes);
 
 }  // namespace asperity

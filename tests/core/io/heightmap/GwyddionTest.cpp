@@ -62,6 +62,13 @@ double worstDeviation(const HeightMap& ours, const HeightMap& theirs) {
     return worst;
 }
 
+/// But for those with a known error of Gwyddion 2.62 (docs/formats.md).
+std::vector<std::string> scansOfGwyddion() {
+    std::vector<std::string> scans = realScans();
+    std::erase(scans, "x3p/x3ptools_csafe-logo_subdir.x3p");  // main.xml in a sub-folder: unknown
+    return scans;
+}
+
 class Gwyddion : public testing::TestWithParam<std::string> {};
 
 }  // namespace
@@ -90,7 +97,7 @@ TEST_P(Gwyddion, ReadsTheSamePixels) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(RealScans, Gwyddion, testing::ValuesIn(realScans()),
+INSTANTIATE_TEST_SUITE_P(RealScans, Gwyddion, testing::ValuesIn(scansOfGwyddion()),
                          [](const auto& scan) { return testName(scan.param); });
 
 TEST(Gwyddion, ReadsWhatWeWrite) {
