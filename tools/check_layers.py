@@ -66,6 +66,7 @@ RULES = {
     "core/io/heightmap/exr": READERS,
     "core/io/heightmap/gsf": READERS,
     "core/io/heightmap/gwy": READERS,
+    "core/io/heightmap/gwyddion": READERS,
     "core/io/heightmap/nanoscope": READERS,
     "core/io/heightmap/png": READERS,
     "core/io/heightmap/text": READERS,

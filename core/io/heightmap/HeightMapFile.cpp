@@ -4,8 +4,10 @@
 #include "core/io/FileBytes.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/DefaultChannel.h"
+#include "core/io/heightmap/GwyddionScan.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/StoredRows.h"
+#include "core/io/heightmap/UnreadFormats.h"
 
 #include <algorithm>
 #include <iterator>
@@ -68,31 +70,16 @@ const ScanChannel& defaultHeight(const HeightMapFile& file, const std::string& p
     return channel;
 }
 
-HeightMapFile readWhole(const ByteSource& bytes) {
-    HeightMapContents contents = contentsOf(bytes);
-    for (std::size_t i = 0; i < contents.stored.size(); ++i) {
-        contents.file.channels[i].map = readHeightMap(contents.stored[i], bytes);
-    }
-    return std::move(contents.file);
+/// What a refusal of an unknown content begins with.
+std::string unknownContent(const ByteSource& bytes) {
+    const std::string_view name = unreadFormat(bytes);
+    return name.empty() ? "this is no height map that can be read; known are " + formatNames()
+                        : "this is " + std::string(name) + ", which is not read natively";
 }
 
-}  // namespace
-
-HeightMapContents contentsOf(const ByteSource& bytes) {
-    if (bytes.size() == 0) {
-        throw InputError(bytes.name(), "", "the file is empty");
-    }
-    const auto* const format =
-        std::ranges::find_if(kHeightMapFormats, [&](const HeightMapFormat* each) {
-            return each->read != nullptr && each->recognizes(bytes);
-        });
-    if (format == kHeightMapFormats.end()) {
-        throw InputError(bytes.name(), "",
-                         "this is no height map that can be read; known are " + formatNames());
-    }
-    StoredScan scan = (*format)->read(bytes);
+HeightMapContents contentsOf(std::string format, StoredScan scan) {
     HeightMapContents contents;
-    contents.file.format = (*format)->name;
+    contents.file.format = std::move(format);
     contents.file.notes = std::move(scan.notes);
     contents.file.provenance = std::move(scan.provenance);
     for (const StoredChannel& stored : scan.channels) {
@@ -101,6 +88,36 @@ HeightMapContents contentsOf(const ByteSource& bytes) {
     contents.file.defaultChannel = suggestDefaultChannel(contents.file.channels);
     contents.stored = std::move(scan.channels);
     return contents;
+}
+
+HeightMapFile readWhole(const ByteSource& bytes, const Gwyddion& gwyddion) {
+    HeightMapContents contents = contentsOf(bytes, gwyddion);
+    for (std::size_t i = 0; i < contents.stored.size(); ++i) {
+        contents.file.channels[i].map = readHeightMap(contents.stored[i], bytes);
+    }
+    return std::move(contents.file);
+}
+
+}  // namespace
+
+HeightMapContents contentsOf(const ByteSource& bytes, const Gwyddion& gwyddion) {
+    if (bytes.size() == 0) {
+        throw InputError(bytes.name(), "", "the file is empty");
+    }
+    const auto* const format =
+        std::ranges::find_if(kHeightMapFormats, [&](const HeightMapFormat* each) {
+            return each->read != nullptr && each->recognizes(bytes);
+        });
+    if (format != kHeightMapFormats.end()) {
+        return contentsOf(std::string((*format)->name), (*format)->read(bytes));
+    }
+    const std::string unknown = unknownContent(bytes);
+    if (gwyddion.program.empty()) {
+        throw InputError(bytes.name(), "",
+                         unknown + "; with the Debian package gwyddion many more formats are read");
+    }
+    GwyddionScan converted = readThroughGwyddion(bytes, gwyddion, unknown);
+    return contentsOf(std::move(converted.format), std::move(converted.scan));
 }
 
 std::vector<std::string> readableExtensions() {
@@ -114,12 +131,13 @@ std::vector<std::string> readableExtensions() {
     return extensions;
 }
 
-HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file) {
-    return readWhole(MemoryBytes(bytes, file));
+HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file,
+                                 const Gwyddion& gwyddion) {
+    return readWhole(MemoryBytes(bytes, file), gwyddion);
 }
 
-HeightMapFile readHeightMapFile(const std::filesystem::path& path) {
-    return readWhole(FileBytes(path));
+HeightMapFile readHeightMapFile(const std::filesystem::path& path, const Gwyddion& gwyddion) {
+    return readWhole(FileBytes(path), gwyddion);
 }
 
 std::vector<std::string> ownNotes(const ScanChannel& channel) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/ByteSource.h"
+#include "core/io/heightmap/Gwyddion.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/surface/HeightRows.h"
 
@@ -87,12 +88,15 @@ struct HeightMapContents {
 };
 
 /// @param bytes must outlive the result
+/// @param gwyddion is asked about a content that no format here recognizes
 /// @throw InputError when its type is unknown, or anything is missing or does not fit together
-[[nodiscard]] HeightMapContents contentsOf(const ByteSource& bytes);
+[[nodiscard]] HeightMapContents contentsOf(const ByteSource& bytes, const Gwyddion& gwyddion);
 
 /// readHeightMapFile for a content that is in memory already.
 /// @param file for messages
+/// @param gwyddion as that of contentsOf(); none unless it is given
 /// @throw InputError as readHeightMapFile
-[[nodiscard]] HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file);
+[[nodiscard]] HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file,
+                                               const Gwyddion& gwyddion = {});
 
 }  // namespace asperity

@@ -6,8 +6,8 @@
 
 namespace asperity {
 
-ScanFile::ScanFile(const std::filesystem::path& path)
-    : bytes_(path), contents_(contentsOf(bytes_)) {}
+ScanFile::ScanFile(const std::filesystem::path& path, const Gwyddion& gwyddion)
+    : bytes_(path), contents_(contentsOf(bytes_, gwyddion)) {}
 
 /// @param read (StoredChannel) -> Map
 template <class Map, class Read>

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
-#include <sstream>
 
 // Every pixel of every real file against the program gwyddion, where it is installed.
 
@@ -20,17 +19,7 @@ namespace asperity::test {
 
 namespace {
 
-bool haveGwyddion() {
-    const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
-    std::istringstream folders(path != nullptr ? path : "");
-    std::string folder;
-    while (std::getline(folders, folder, ':')) {
-        if (std::filesystem::exists(std::filesystem::path(folder) / "gwyddion")) {
-            return true;
-        }
-    }
-    return false;
-}
+bool haveGwyddion() { return !installedGwyddion().program.empty(); }
 
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
