@@ -67,6 +67,7 @@ RULES = {
     "core/io/heightmap/gsf": READERS,
     "core/io/heightmap/gwy": READERS,
     "core/io/heightmap/gwyddion": READERS,
+    "core/io/heightmap/jpkarchive": f"{READERS} core/io/heightmap/jpk core/io/heightmap/zip",
     "core/io/heightmap/nanoscope": READERS,
     "core/io/heightmap/png": READERS,
     "core/io/heightmap/text": READERS,

@@ -66,6 +66,7 @@ struct HeightMapFormat {
 extern const HeightMapFormat kGwyFormat;  ///< doubles; pixels without data are in a mask
 extern const HeightMapFormat kNanoscopeFormat;
 extern const HeightMapFormat kGsfFormat;  ///< float32
+extern const HeightMapFormat kJpkArchiveFormat;
 extern const HeightMapFormat kX3pFormat;
 extern const HeightMapFormat kExrFormat;   ///< float32
 extern const HeightMapFormat kTiffFormat;  ///< float32
@@ -75,9 +76,9 @@ extern const HeightMapFormat kPngFormat;
 extern const HeightMapFormat kTextFormat;  ///< doubles
 
 /// The most telling beginnings first.
-inline constexpr std::array kHeightMapFormats{&kGwyFormat, &kNanoscopeFormat, &kGsfFormat,
-                                              &kX3pFormat, &kExrFormat,       &kTiffFormat,
-                                              &kPngFormat, &kTextFormat};
+inline constexpr std::array kHeightMapFormats{&kGwyFormat,        &kNanoscopeFormat, &kGsfFormat,
+                                              &kJpkArchiveFormat, &kX3pFormat,       &kExrFormat,
+                                              &kTiffFormat,       &kPngFormat,       &kTextFormat};
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
 

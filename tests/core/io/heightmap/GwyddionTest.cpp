@@ -55,6 +55,7 @@ double worstDeviation(const HeightMap& ours, const HeightMap& theirs) {
 std::vector<std::string> scansOfGwyddion() {
     std::vector<std::string> scans = realScans();
     std::erase(scans, "x3p/x3ptools_csafe-logo_subdir.x3p");  // main.xml in a sub-folder: unknown
+    std::erase(scans, "jpk/qi_2020_extracted.jpk-qi-data");   // expects its curves in order
     return scans;
 }
 

@@ -6,12 +6,12 @@ namespace asperity::test {
 
 const std::vector<std::string>& realScans() {
     static const std::vector<std::string> kScans = {
-        "nanoscope/cl_0deg_xcal_v9.70.spm",  "nanoscope/di-3_v9.01.di",
-        "nanoscope/veeco_v5.12.000",         "gwy/gwyfile_test_no_units.gwy",
-        "derived/cl0_from_spm.gwy",          "derived/frt2_with_mask.gwy",
-        "derived/jpk_force_image.gwy",       "derived/cl0_height.gsf",
-        "x3p/x3p-2_nonsquare_pixels.x3p",    "x3p/x3ptools_testing.x3p",
-        "x3p/x3ptools_csafe-logo_subdir.x3p"};
+        "nanoscope/cl_0deg_xcal_v9.70.spm",   "nanoscope/di-3_v9.01.di",
+        "nanoscope/veeco_v5.12.000",          "gwy/gwyfile_test_no_units.gwy",
+        "derived/cl0_from_spm.gwy",           "derived/frt2_with_mask.gwy",
+        "derived/jpk_force_image.gwy",        "derived/cl0_height.gsf",
+        "x3p/x3p-2_nonsquare_pixels.x3p",     "x3p/x3ptools_testing.x3p",
+        "x3p/x3ptools_csafe-logo_subdir.x3p", "jpk/qi_2020_extracted.jpk-qi-data"};
     return kScans;
 }
 
