@@ -51,4 +51,20 @@ private:
     std::string_view bytes_;
 };
 
+/// Bytes in memory that belong to it, as what was decoded.
+class OwnedBytes final : public ByteSource {
+public:
+    OwnedBytes(std::string bytes, std::string name)
+        : ByteSource(std::move(name)), bytes_(std::move(bytes)) {}
+
+    [[nodiscard]] std::uint64_t size() const override { return bytes_.size(); }
+    void read(std::uint64_t place, std::span<char> bytes) const override {
+        MemoryBytes(bytes_, name()).read(place, bytes);
+    }
+    void requireUnchanged() const override {}
+
+private:
+    std::string bytes_;
+};
+
 }  // namespace asperity

@@ -12,17 +12,18 @@ namespace asperity {
 namespace {
 
 /// Looks at the path before it is opened: a pipe would hang, a device may act.
-const std::filesystem::path& requireRegular(const std::filesystem::path& path) {
+const std::filesystem::path& requireRegular(const std::filesystem::path& path,
+                                            const std::string& name) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) {
-        throw InputError(path.string(), "", "there is no such file");
+        throw InputError(name, "", "there is no such file");
     }
     if (std::filesystem::is_directory(status)) {
-        throw InputError(path.string(), "", "this is a folder; a file is expected");
+        throw InputError(name, "", "this is a folder; a file is expected");
     }
     if (!std::filesystem::is_regular_file(status)) {
-        throw InputError(path.string(), "", "this is not a regular file");
+        throw InputError(name, "", "this is not a regular file");
     }
     return path;
 }
@@ -43,17 +44,17 @@ OpenFile::~OpenFile() {
     }
 }
 
-FileBytes::FileBytes(const std::filesystem::path& path)
-    : ByteSource(path.string()), file_(requireRegular(path)), opened_{} {
+FileBytes::FileBytes(const std::filesystem::path& path, const std::string& name)
+    : ByteSource(name), file_(requireRegular(path, name)), opened_{} {
     if (file_.descriptor() < 0) {
-        throw InputError(name(), "", "the file cannot be opened for reading");
+        throw InputError(name, "", "the file cannot be opened for reading");
     }
     opened_ = status();
     if (!S_ISREG(opened_.st_mode)) {
-        throw InputError(name(), "", "this is not a regular file");
+        throw InputError(name, "", "this is not a regular file");
     }
     if (opened_.st_size == 0) {
-        throw InputError(name(), "", "the file is empty");
+        throw InputError(name, "", "the file is empty");
     }
     // Advice only.
     (void)posix_fadvise(file_.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);

@@ -31,7 +31,9 @@ private:
 class FileBytes final : public ByteSource {
 public:
     /// @throw InputError as readFileBytes()
-    explicit FileBytes(const std::filesystem::path& path);
+    explicit FileBytes(const std::filesystem::path& path) : FileBytes(path, path.string()) {}
+    /// @param name for messages
+    FileBytes(const std::filesystem::path& path, const std::string& name);
 
     [[nodiscard]] std::uint64_t size() const override {
         return static_cast<std::uint64_t>(opened_.st_size);

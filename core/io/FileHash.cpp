@@ -19,9 +19,11 @@ struct FreeContext {
     void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
 };
 
+using Context = std::unique_ptr<EVP_MD_CTX, FreeContext>;
+
 void require(int succeeded) {
     if (succeeded != 1) {
-        throw Error("SHA-256 cannot be computed by the OpenSSL library");
+        throw Error("a hash cannot be computed by the OpenSSL library");
     }
 }
 
@@ -35,11 +37,7 @@ std::string hexadecimal(const unsigned char* bytes, std::size_t count) {
     return text;
 }
 
-}  // namespace
-
-std::string sha256Of(const ByteSource& source, Progress* progress) {
-    const std::unique_ptr<EVP_MD_CTX, FreeContext> context(EVP_MD_CTX_new());
-    require(EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr));
+std::string digestOf(const ByteSource& source, EVP_MD_CTX& context, Progress* progress) {
     std::vector<char> block(kBlockBytes);
     const std::uint64_t size = source.size();
     const std::uint64_t step = (size / kBlockBytes / 32 + 1) * kBlockBytes;
@@ -49,13 +47,29 @@ std::string sha256Of(const ByteSource& source, Progress* progress) {
         }
         block.resize(static_cast<std::size_t>(std::min(kBlockBytes, size - place)));
         source.read(place, block);
-        require(EVP_DigestUpdate(context.get(), block.data(), block.size()));
+        require(EVP_DigestUpdate(&context, block.data(), block.size()));
     }
     source.requireUnchanged();
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned length = 0;
-    require(EVP_DigestFinal_ex(context.get(), digest.data(), &length));
+    require(EVP_DigestFinal_ex(&context, digest.data(), &length));
     return hexadecimal(digest.data(), length);
+}
+
+}  // namespace
+
+std::string sha256Of(const ByteSource& source, Progress* progress) {
+    const Context context(EVP_MD_CTX_new());
+    require(EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr));
+    return digestOf(source, *context, progress);
+}
+
+std::string md5Of(const ByteSource& source) {
+    const Context context(EVP_MD_CTX_new());
+    if (EVP_DigestInit_ex(context.get(), EVP_md5(), nullptr) != 1) {
+        return {};
+    }
+    return digestOf(source, *context, nullptr);
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 #include <array>
 #include <initializer_list>
 #include <string_view>
+#include <utility>
 
 namespace asperity {
 
@@ -39,10 +40,15 @@ bool isTopography(const ScanChannel& channel) {
                                                   "friction", "deformation", "indentation"});
 }
 
-std::size_t suggestDefaultChannel(const std::vector<ScanChannel>& channels) {
+std::size_t suggestDefaultChannel(const std::vector<ScanChannel>& channels,
+                                  std::string_view usualDirection) {
+    const auto order = [usualDirection](const ScanChannel& channel) {
+        return std::pair{rank(channel),
+                         !usualDirection.empty() && channel.direction != usualDirection};
+    };
     const auto best = std::min_element(
         channels.begin(), channels.end(),
-        [](const ScanChannel& a, const ScanChannel& b) { return rank(a) < rank(b); });
+        [&](const ScanChannel& a, const ScanChannel& b) { return order(a) < order(b); });
     return best == channels.end() ? 0 : static_cast<std::size_t>(best - channels.begin());
 }
 

@@ -2,6 +2,8 @@
 
 #include "core/io/heightmap/HeightMapFile.h"
 
+#include <string_view>
+
 namespace asperity {
 
 /// Whether the channel shows the height of the sample: a length, and not a deflection, an amplitude
@@ -10,6 +12,8 @@ namespace asperity {
 
 /// Index of the channel that a lab user expects: the height sensor, else the piezo height, else the
 /// first other length; of equals, the vendor's first. 0 when no channel is a height.
-[[nodiscard]] std::size_t suggestDefaultChannel(const std::vector<ScanChannel>& channels);
+/// @param usualDirection of equals, those of this direction first; empty: there is none
+[[nodiscard]] std::size_t suggestDefaultChannel(const std::vector<ScanChannel>& channels,
+                                                std::string_view usualDirection = {});
 
 }  // namespace asperity

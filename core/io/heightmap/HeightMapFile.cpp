@@ -5,8 +5,10 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ApplyScale.h"
 #include "core/io/heightmap/DefaultChannel.h"
+#include "core/io/heightmap/GwyddionScan.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/StoredRows.h"
+#include "core/io/heightmap/UnreadFormats.h"
 
 #include <algorithm>
 #include <iterator>
@@ -26,7 +28,7 @@ std::string joined(const std::vector<std::string>& words) {
 std::string formatNames() {
     std::vector<std::string> names;
     for (const HeightMapFormat* format : kHeightMapFormats) {
-        if (format->read != nullptr) {
+        if (format->read != nullptr && !format->isRefused) {
             names.emplace_back(format->name);
         }
     }
@@ -69,8 +71,30 @@ const ScanChannel& defaultHeight(const HeightMapFile& file, const std::string& p
     return channel;
 }
 
-HeightMapFile readWhole(const ByteSource& bytes) {
-    HeightMapContents contents = contentsOf(bytes);
+/// What a refusal of an unknown content begins with.
+std::string unknownContent(const ByteSource& bytes) {
+    const std::string_view name = unreadFormat(bytes);
+    return name.empty() ? "this is no height map that can be read; known are " + formatNames()
+                        : "this is " + std::string(name) + ", which is not read natively";
+}
+
+HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenScale& given) {
+    applyScale(scan, given);
+    HeightMapContents contents;
+    contents.file.format = std::move(format);
+    contents.file.notes = std::move(scan.notes);
+    contents.file.provenance = std::move(scan.provenance);
+    for (const StoredChannel& stored : scan.channels) {
+        contents.file.channels.push_back(stored.channel);
+    }
+    contents.file.defaultChannel =
+        suggestDefaultChannel(contents.file.channels, scan.usualDirection);
+    contents.stored = std::move(scan.channels);
+    return contents;
+}
+
+HeightMapFile readWhole(const ByteSource& bytes, const Gwyddion& gwyddion) {
+    HeightMapContents contents = contentsOf(bytes, gwyddion);
     for (std::size_t i = 0; i < contents.stored.size(); ++i) {
         contents.file.channels[i].map = readHeightMap(contents.stored[i], bytes);
     }
@@ -79,7 +103,8 @@ HeightMapFile readWhole(const ByteSource& bytes) {
 
 }  // namespace
 
-HeightMapContents contentsOf(const ByteSource& bytes, const GivenScale& given) {
+HeightMapContents contentsOf(const ByteSource& bytes, const Gwyddion& gwyddion,
+                             const GivenScale& given) {
     if (bytes.size() == 0) {
         throw InputError(bytes.name(), "", "the file is empty");
     }
@@ -87,22 +112,16 @@ HeightMapContents contentsOf(const ByteSource& bytes, const GivenScale& given) {
         std::ranges::find_if(kHeightMapFormats, [&](const HeightMapFormat* each) {
             return each->read != nullptr && each->recognizes(bytes);
         });
-    if (format == kHeightMapFormats.end()) {
+    if (format != kHeightMapFormats.end()) {
+        return contentsOf(std::string((*format)->name), (*format)->read(bytes), given);
+    }
+    const std::string unknown = unknownContent(bytes);
+    if (gwyddion.program.empty()) {
         throw InputError(bytes.name(), "",
-                         "this is no height map that can be read; known are " + formatNames());
+                         unknown + "; with the Debian package gwyddion many more formats are read");
     }
-    StoredScan scan = (*format)->read(bytes);
-    applyScale(scan, given);
-    HeightMapContents contents;
-    contents.file.format = (*format)->name;
-    contents.file.notes = std::move(scan.notes);
-    contents.file.provenance = std::move(scan.provenance);
-    for (const StoredChannel& stored : scan.channels) {
-        contents.file.channels.push_back(stored.channel);
-    }
-    contents.file.defaultChannel = suggestDefaultChannel(contents.file.channels);
-    contents.stored = std::move(scan.channels);
-    return contents;
+    GwyddionScan converted = readThroughGwyddion(bytes, gwyddion, unknown);
+    return contentsOf(std::move(converted.format), std::move(converted.scan), given);
 }
 
 std::vector<std::string> readableExtensions() {
@@ -118,12 +137,13 @@ std::vector<std::string> readableExtensions() {
     return extensions;
 }
 
-HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file) {
-    return readWhole(MemoryBytes(bytes, file));
+HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file,
+                                 const Gwyddion& gwyddion) {
+    return readWhole(MemoryBytes(bytes, file), gwyddion);
 }
 
-HeightMapFile readHeightMapFile(const std::filesystem::path& path) {
-    return readWhole(FileBytes(path));
+HeightMapFile readHeightMapFile(const std::filesystem::path& path, const Gwyddion& gwyddion) {
+    return readWhole(FileBytes(path), gwyddion);
 }
 
 std::vector<std::string> ownNotes(const ScanChannel& channel) {

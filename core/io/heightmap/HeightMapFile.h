@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/io/heightmap/Gwyddion.h"
 #include "core/surface/HeightMap.h"
 
 #include <filesystem>
@@ -56,9 +57,11 @@ struct HeightMapFile {
 [[nodiscard]] std::vector<std::string> readableExtensions();
 
 /// Reads any supported file; the type is found by content, never by extension.
+/// @param gwyddion reads what no format here recognizes
 /// @throw InputError when the file cannot be read whole, changes meanwhile, is of an unknown type,
 ///        or holds a value that no instrument measures (a height beyond 1 km)
-[[nodiscard]] HeightMapFile readHeightMapFile(const std::filesystem::path& path);
+[[nodiscard]] HeightMapFile readHeightMapFile(const std::filesystem::path& path,
+                                              const Gwyddion& gwyddion = installedGwyddion());
 
 /// The channel of this name, whatever it shows; of several, one that is a height.
 /// @throw InputError when there is none

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/io/ByteSource.h"
+#include "core/io/heightmap/Gwyddion.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/surface/GivenScale.h"
 #include "core/surface/HeightRows.h"
@@ -31,6 +32,9 @@ struct StoredScan {
     std::vector<StoredChannel> channels;
     std::vector<std::string> notes;
     std::vector<Provenance> provenance;  ///< of the whole file
+    /// Of equally good channels the one that the vendor's program shows first; empty: the one that
+    /// is stored first.
+    std::string usualDirection = {};
 };
 
 /// What a written file says about a height map besides its heights.
@@ -59,6 +63,8 @@ struct HeightMapFormat {
     /// it is not written. Heights are NaN where there are no data. @throw Error; Canceled
     void (*write)(const std::filesystem::path& target, const HeightRows& map,
                   const HeightMapMeta& meta, Progress* progress);
+    /// Its files are recognized only to be refused in words: they hold nothing that can be read.
+    bool isRefused = false;
     bool isShape = false;  ///< values are written as coordinates: it holds heights and nothing else
 };
 
@@ -68,17 +74,34 @@ extern const HeightMapFormat kNanoscopeFormat;
 extern const HeightMapFormat kGsfFormat;  ///< float32
 extern const HeightMapFormat kParkFormat;
 extern const HeightMapFormat kJpkFormat;
+extern const HeightMapFormat kJpkArchiveFormat;
+extern const HeightMapFormat kX3pFormat;
+extern const HeightMapFormat kNanonisFormat;
+extern const HeightMapFormat kNanosurfFormat;
+extern const HeightMapFormat kWsxmFormat;
+extern const HeightMapFormat kPicoviewFormat;
+extern const HeightMapFormat kDigitalSurfFormat;
+extern const HeightMapFormat kSdfFormat;
+extern const HeightMapFormat kBcrFormat;
+extern const HeightMapFormat kIgorFormat;
+/// Of programs whose images no reader takes.
+extern const HeightMapFormat kForceCurveFormat;
 extern const HeightMapFormat kExrFormat;   ///< float32
 extern const HeightMapFormat kTiffFormat;  ///< float32
 /// 65536 steps between the lowest and the highest pixel; those without data take the lowest height,
 /// and a comment says how many.
 extern const HeightMapFormat kPngFormat;
+extern const HeightMapFormat kXyzFormat;
 extern const HeightMapFormat kTextFormat;  ///< doubles
 
-/// The most telling beginnings first; those of instruments that are TIFFs before TIFFs of any kind.
-inline constexpr std::array kHeightMapFormats{&kGwyFormat,  &kNanoscopeFormat, &kGsfFormat,
-                                              &kParkFormat, &kJpkFormat,       &kExrFormat,
-                                              &kTiffFormat, &kPngFormat,       &kTextFormat};
+/// The most telling beginnings first. Images of instruments that are TIFFs or zips go before those
+/// of any kind, force curves before pictures and texts.
+inline constexpr std::array kHeightMapFormats{
+    &kGwyFormat,        &kNanoscopeFormat, &kGsfFormat,  &kParkFormat,       &kJpkFormat,
+    &kNanonisFormat,    &kNanosurfFormat,  &kWsxmFormat, &kPicoviewFormat,   &kDigitalSurfFormat,
+    &kSdfFormat,        &kBcrFormat,       &kIgorFormat, &kJpkArchiveFormat, &kX3pFormat,
+    &kForceCurveFormat, &kExrFormat,       &kTiffFormat, &kPngFormat,        &kXyzFormat,
+    &kTextFormat};
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
 
@@ -89,13 +112,17 @@ struct HeightMapContents {
 };
 
 /// @param bytes must outlive the result
+/// @param gwyddion is asked about a content that no format here recognizes
 /// @param given in place of what the file says or does not say
 /// @throw InputError when its type is unknown, or anything is missing or does not fit together
-[[nodiscard]] HeightMapContents contentsOf(const ByteSource& bytes, const GivenScale& given = {});
+[[nodiscard]] HeightMapContents contentsOf(const ByteSource& bytes, const Gwyddion& gwyddion,
+                                           const GivenScale& given = {});
 
 /// readHeightMapFile for a content that is in memory already.
 /// @param file for messages
+/// @param gwyddion as that of contentsOf(); none unless it is given
 /// @throw InputError as readHeightMapFile
-[[nodiscard]] HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file);
+[[nodiscard]] HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file,
+                                               const Gwyddion& gwyddion = {});
 
 }  // namespace asperity

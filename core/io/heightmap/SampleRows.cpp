@@ -119,6 +119,13 @@ ReadRow rowsOfDecoded(std::function<std::string()> decode, const SampleLayout& l
     };
 }
 
+ReadRow rowsOfNumbers(std::deque<double> numbers, int columns) {
+    return [kept = std::make_shared<const std::deque<double>>(std::move(numbers)),
+            columns](int row, RowRoom&, double* target) {
+        std::copy_n(kept->begin() + static_cast<std::ptrdiff_t>(row) * columns, columns, target);
+    };
+}
+
 ReadRow masked(ReadRow rows, int columns, ReadRow mask) {
     return [rows = std::move(rows), columns, mask = std::move(mask)](int row, RowRoom& room,
                                                                      double* numbers) {
@@ -140,6 +147,11 @@ ReadRow replaced(ReadRow rows, int columns, std::function<double(double)> replac
         const std::span<double> whole(numbers, static_cast<std::size_t>(columns));
         std::ranges::transform(whole, whole.begin(), replace);
     };
+}
+
+ReadRow keeping(ReadRow rows, std::shared_ptr<const ByteSource> bytes) {
+    return [rows = std::move(rows), bytes = std::move(bytes)](
+               int row, RowRoom& room, double* numbers) { rows(row, room, numbers); };
 }
 
 }  // namespace asperity

@@ -5,7 +5,9 @@
 #include "core/io/heightmap/ScanImage.h"
 
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace asperity {
@@ -58,6 +60,9 @@ using ReadRow = decltype(StoredChannel::readRow);
 [[nodiscard]] ReadRow rowsOfDecoded(std::function<std::string()> decode,
                                     const SampleLayout& layout);
 
+/// Reads rows of numbers that are in memory, one row after the other from the top.
+[[nodiscard]] ReadRow rowsOfNumbers(std::deque<double> numbers, int columns);
+
 /// Whether a mask's value says that its pixel holds no data.
 [[nodiscard]] constexpr bool isMarked(double value) { return value > 0.0; }
 /// The same rows without the numbers that a mask of the same size marks.
@@ -65,5 +70,8 @@ using ReadRow = decltype(StoredChannel::readRow);
 
 /// The same rows with each number replaced, as of a marker for pixels without data.
 [[nodiscard]] ReadRow replaced(ReadRow rows, int columns, std::function<double(double)> replace);
+
+/// The same rows, which keep alive what they are read from.
+[[nodiscard]] ReadRow keeping(ReadRow rows, std::shared_ptr<const ByteSource> bytes);
 
 }  // namespace asperity

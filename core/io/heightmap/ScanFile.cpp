@@ -6,8 +6,9 @@
 
 namespace asperity {
 
-ScanFile::ScanFile(const std::filesystem::path& path, const GivenScale& given)
-    : bytes_(path), contents_(contentsOf(bytes_, given)) {}
+ScanFile::ScanFile(const std::filesystem::path& path, const GivenScale& given,
+                   const Gwyddion& gwyddion)
+    : bytes_(path), contents_(contentsOf(bytes_, gwyddion, given)) {}
 
 /// @param read (StoredChannel) -> Map
 template <class Map, class Read>

@@ -2,6 +2,7 @@
 
 #include "core/Progress.h"
 #include "core/io/FileBytes.h"
+#include "core/io/heightmap/Gwyddion.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 
@@ -44,8 +45,11 @@ struct HeightChannel {
 /// is written to meanwhile is refused; one that is put in its place changes nothing.
 class ScanFile {
 public:
+    /// @param given in place of what the file says or does not say
+    /// @param gwyddion reads what no format here recognizes
     /// @throw InputError as readHeightMapFile()
-    explicit ScanFile(const std::filesystem::path& path, const GivenScale& given = {});
+    explicit ScanFile(const std::filesystem::path& path, const GivenScale& given = {},
+                      const Gwyddion& gwyddion = installedGwyddion());
 
     /// All channels, without heights.
     [[nodiscard]] const HeightMapFile& contents() const { return contents_.file; }

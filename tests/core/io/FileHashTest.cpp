@@ -23,6 +23,12 @@ TEST(FileHash, IsSha256) {
               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+TEST(FileHash, IsMd5) {
+    // RFC 1321, A.5.
+    EXPECT_EQ(md5Of(MemoryBytes("", "bytes")), "d41d8cd98f00b204e9800998ecf8427e");
+    EXPECT_EQ(md5Of(MemoryBytes("message digest", "bytes")), "f96b697d7cb7938d525a2f31aaf161d0");
+}
+
 TEST(FileHash, RealFilesAreThoseOfTheManifest) {
     ASPERITY_NEEDS_SHARED_DATA();
     const ReferenceTable table(sharedData("afm/MANIFEST.csv"));

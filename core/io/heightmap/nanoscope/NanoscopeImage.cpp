@@ -193,6 +193,9 @@ int NanoscopeImage::bytesPerPixel() const {
 
 int NanoscopeImage::storedSampleBytes() const {
     const std::string* text = findIn("File list", "Version");
+    if (text == nullptr) {
+        text = findIn("Force file list", "Version");
+    }
     unsigned version = 0;
     const bool hexadecimal = text != nullptr && text->starts_with("0x");
     const char* end = hexadecimal ? text->data() + text->size() : nullptr;

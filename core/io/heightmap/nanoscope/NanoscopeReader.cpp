@@ -6,6 +6,7 @@
 #include "core/io/heightmap/nanoscope/NanoscopeHeader.h"
 #include "core/io/heightmap/nanoscope/NanoscopeImage.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,9 @@ namespace {
 
 constexpr std::string_view kMagic = "\\*File list";
 constexpr std::string_view kTextMagic = "?*File list";
+/// Force curves and force volumes; these list the image that was recorded with them, too.
 constexpr std::string_view kForceMagic = "\\*Force file list";
+constexpr std::string_view kImageList = "\\*Ciao image list";
 /// Instruments write up to 8; each carries a copy of the metadata.
 constexpr std::size_t kMaxImages = 64;
 
@@ -39,18 +42,28 @@ public:
         if (result_.channels.empty()) {
             throw InputError(file_, "header", "it lists no image ('Ciao image list')");
         }
+        if (holdsForceCurves()) {
+            result_.notes.emplace_back("the file holds force curves, too, which are not read");
+        }
         return std::move(result_);
     }
 
 private:
     void refuseRelatives() const {
-        if (start_.starts_with(kForceMagic)) {
+        if (start_.starts_with(kForceMagic) && start_.find(kImageList) == std::string::npos) {
             throw InputError(file_, "", "this NanoScope file holds force curves, no image");
         }
         if (start_.starts_with(kTextMagic)) {
             throw InputError(file_, "",
                              "this NanoScope file was exported as text; save it in binary form");
         }
+    }
+
+    [[nodiscard]] bool holdsForceCurves() const {
+        return start_.starts_with(kForceMagic) ||
+               std::ranges::any_of(sections_, [](const NanoscopeSection& section) {
+                   return lowerCase(section.name) == "ciao force image list";
+               });
     }
 
     void addChannel(const NanoscopeSection& section) {

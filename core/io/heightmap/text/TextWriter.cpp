@@ -1,6 +1,7 @@
+#include "core/io/heightmap/text/TextWriter.h"
+
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapEncoders.h"
-#include "core/io/heightmap/HeightMapFormat.h"
 
 #include <algorithm>
 #include <fstream>
@@ -18,6 +19,8 @@ std::string oneLine(std::string text) {
     return text;
 }
 
+}  // namespace
+
 void writeText(const std::filesystem::path& target, const HeightRows& map,
                const HeightMapMeta& meta, Progress* progress) {
     std::ofstream stream(target, std::ios::binary);
@@ -34,11 +37,5 @@ void writeText(const std::filesystem::path& target, const HeightRows& map,
     });
     finish(stream);
 }
-
-constexpr std::array<std::string_view, 1> kExtensions{".txt"};
-
-}  // namespace
-
-const HeightMapFormat kTextFormat = {.name = "text", .extensions = kExtensions, .write = writeText};
 
 }  // namespace asperity

@@ -42,7 +42,7 @@ struct Scan {
 std::string refusal(const Scan& scan) {
     const std::string bytes = scan.bytes();
     const MemoryBytes source(bytes, "scan.gwy");
-    const HeightMapContents contents = contentsOf(source);
+    const HeightMapContents contents = contentsOf(source, {});
     std::string whole = refusalOf([&] { (void)readHeightMap(contents.stored.front(), source); });
     EXPECT_EQ(whole, refusalOf([&] { (void)readScanMap(contents.stored.front(), source); }));
     return whole;

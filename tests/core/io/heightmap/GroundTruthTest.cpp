@@ -37,6 +37,12 @@ double statedSize(const std::string& file, double size) {
     return file.ends_with(".tif") ? kPixels * kCentimeter * 142344.0 / 4294967295.0 : size;
 }
 
+/// The file whose rows in the tables hold: an archive is that of its image.
+std::string rowsOfTables(const std::string& file) {
+    return file == "jpk/qi_2020_extracted.jpk-qi-data" ? "jpk/qi_2020_data-image.jpk-qi-image"
+                                                       : file;
+}
+
 class GroundTruth : public testing::TestWithParam<std::string> {
 protected:
     void SetUp() override {
@@ -111,7 +117,7 @@ TEST_P(GroundTruth, EveryChannelHasItsStatisticsAndPixels) {
     const ReferenceTable table(sharedData("afm/CHANNELS.csv"));
     std::size_t channels = 0;
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        if (table.text(row, "file") != GetParam()) {
+        if (table.text(row, "file") != rowsOfTables(GetParam())) {
             continue;
         }
         SCOPED_TRACE(table.text(row, "title"));
@@ -125,7 +131,7 @@ TEST_P(GroundTruth, EveryChannelHasItsStatisticsAndPixels) {
 TEST_P(GroundTruth, DefaultChannelIsTheLabsChoice) {
     const ReferenceTable table(sharedData("afm/MANIFEST.csv"));
     for (std::size_t row = 0; row < table.rows(); ++row) {
-        if (table.text(row, "file") != GetParam()) {
+        if (table.text(row, "file") != rowsOfTables(GetParam())) {
             continue;
         }
         const ScanChannel& channel = file.channels.at(file.defaultChannel);

@@ -1,6 +1,7 @@
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "tests/core/io/heightmap/BumpyMap.h"
+#include "tests/core/io/heightmap/InstrumentFiles.h"
 #include "tests/core/io/heightmap/MapStatistics.h"
 #include "tests/core/io/heightmap/RealScans.h"
 #include "tests/support/ReferenceTable.h"
@@ -21,17 +22,7 @@ namespace asperity::test {
 
 namespace {
 
-bool haveGwyddion() {
-    const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
-    std::istringstream folders(path != nullptr ? path : "");
-    std::string folder;
-    while (std::getline(folders, folder, ':')) {
-        if (std::filesystem::exists(std::filesystem::path(folder) / "gwyddion")) {
-            return true;
-        }
-    }
-    return false;
-}
+bool haveGwyddion() { return !installedGwyddion().program.empty(); }
 
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
@@ -88,6 +79,16 @@ HeightMap normalized(HeightMap map) {
     return map;
 }
 
+/// But for those with a known error of Gwyddion 2.62 (docs/formats.md).
+std::vector<std::string> scansOfGwyddion() {
+    std::vector<std::string> scans = realScans();
+    // It does not recognize a matrix or points as text: it asks for their layout.
+    std::erase_if(scans, [](const std::string& scan) { return scan.starts_with("text/"); });
+    std::erase(scans, "x3p/x3ptools_csafe-logo_subdir.x3p");  // main.xml in a sub-folder: unknown
+    std::erase(scans, "jpk/qi_2020_extracted.jpk-qi-data");   // expects its curves in order
+    return scans;
+}
+
 class Gwyddion : public testing::TestWithParam<std::string> {};
 
 }  // namespace
@@ -115,7 +116,7 @@ TEST_P(Gwyddion, ReadsTheSamePixels) {
         if (showsPixelsWithoutData(GetParam())) {
             leaveOut(theirs.channels[i].map, mine.map.invalid);
         }
-        EXPECT_EQ(mine.name, theirs.channels[i].name);
+        EXPECT_EQ(mine.name, channelName(GetParam(), theirs.channels[i].name));
         // Gwyddion calls the millivolts of this one channel volts; the numbers are the same.
         const bool misnamed = GetParam() == "nanoscope/di-3_v9.01.di" && mine.unit == "mV";
         EXPECT_EQ(misnamed ? "V" : mine.unit, theirs.channels[i].unit);
@@ -127,8 +128,50 @@ TEST_P(Gwyddion, ReadsTheSamePixels) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(RealScans, Gwyddion, testing::ValuesIn(realScans()),
+INSTANTIATE_TEST_SUITE_P(RealScans, Gwyddion, testing::ValuesIn(scansOfGwyddion()),
                          [](const auto& scan) { return testName(scan.param); });
+
+TEST(Gwyddion, ReadsTheSamePixelsOfSmallInstrumentFiles) {
+    if (!haveGwyddion()) {
+        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+    }
+    NanonisText upward;
+    upward.direction = "up";
+    upward.comment.assign(200, 'x');  // Gwyddion takes no shorter file
+    NanosurfChannel wide;
+    wide.bits = "32";
+    wide.stored = SampleType::Int32;
+    PicoviewText narrow;
+    narrow.data = "BINARY";
+    DigitalSurfText offset;
+    offset.bits = 32;
+    offset.stored = SampleType::Int32;
+    offset.offset = 2.0F;
+    const struct {
+        const char* name;
+        std::string bytes;
+    } files[] = {{"upward.sxm", nanonisFile(upward)},
+                 {"wide.nid", nanosurfFile({wide})},
+                 {"narrow.mi", picoviewFile(narrow, SampleType::Int16)},
+                 {"double.stp", wsxmFile({})},
+                 {"surface.sur", digitalSurfFile({})},
+                 {"offset.sur", digitalSurfFile(offset)}};
+    for (const auto& file : files) {
+        SCOPED_TRACE(file.name);
+        const ScratchFolder folder;
+        const auto path = folder.write(file.name, file.bytes);
+        const HeightMapFile ours = readHeightMapFile(path);
+        const HeightMapFile theirs = throughGwyddion(folder, path);
+        ASSERT_EQ(ours.channels.size(), theirs.channels.size());
+        for (std::size_t i = 0; i < ours.channels.size(); ++i) {
+            const ScanChannel& mine = ours.channels[i];
+            EXPECT_EQ(mine.unit, theirs.channels[i].unit);
+            EXPECT_NEAR(mine.map.pitchX / theirs.channels[i].map.pitchX, 1.0, 1e-12);
+            EXPECT_NEAR(mine.map.pitchY / theirs.channels[i].map.pitchY, 1.0, 1e-12);
+            EXPECT_LE(worstDeviation(mine.map, theirs.channels[i].map), 1e-12);
+        }
+    }
+}
 
 TEST(Gwyddion, ReadsWhatWeWrite) {
     if (!haveGwyddion()) {

@@ -37,6 +37,18 @@ std::string defaultOf(const std::vector<ScanChannel>& channels) {
 
 }  // namespace
 
+TEST(HeightMapFile, DefaultChannelFollowsTheUsualDirectionOfTheVendor) {
+    std::vector<ScanChannel> channels = {channel("Height", "m"), channel("Height", "m"),
+                                         channel("ZSensor", "m")};
+    channels[0].direction = "forward";
+    channels[1].direction = "backward";
+    channels[2].direction = "forward";
+    EXPECT_EQ(suggestDefaultChannel(channels, "backward"), 2U);
+    channels.pop_back();
+    EXPECT_EQ(suggestDefaultChannel(channels, "backward"), 1U);
+    EXPECT_EQ(suggestDefaultChannel(channels), 0U);
+}
+
 TEST(HeightMapFile, SaysWhyAPathCannotBeRead) {
     const ScratchFolder folder;
     EXPECT_THAT(refusal(folder.file("none.gwy")), HasSubstr("none.gwy: there is no such file"));
@@ -55,7 +67,10 @@ TEST(HeightMapFile, UnknownTypeNamesTheSupportedOnes) {
 TEST(HeightMapFile, FormatsAreListedByTheirUsualExtensions) {
     EXPECT_THAT(readableExtensions(),
                 ElementsAre(".gwy", ".spm", ".di", ".0*", ".1*", ".2*", ".3*", ".gsf", ".tiff",
-                            ".tif", ".jpk", ".jpk-qi-image", ".exr", ".png"));
+                            ".tif", ".jpk", ".jpk-qi-image", ".sxm", ".nid", ".ezd", ".stp", ".top",
+                            ".mi", ".sur", ".sdf", ".bcr", ".bcrf", ".ibw", ".jpk-qi-data",
+                            ".jpk-force-map", ".x3p", ".exr", ".png", ".xyz", ".asc", ".csv",
+                            ".dat", ".txt"));
     EXPECT_THAT(heightMapExtensions(),
                 ElementsAre(".gwy", ".gsf", ".exr", ".tiff", ".tif", ".png", ".txt"));
 }

@@ -217,6 +217,36 @@ TEST(NanoscopeReader, RefusesForceCurvesAndTextExports) {
     }
 }
 
+TEST(NanoscopeReader, ImageOfAForceVolumeIsReadWithANote) {
+    std::string bytes = nanoscopeFile({});
+    const std::size_t listed = bytes.find("\\*Ciao image list");
+    const std::string forceList = "\\*Ciao force image list\r\n\\Data offset: 1212\r\n"
+                                  "\\Data length: 4000\r\n\\Samps/line: 16 16\r\n"
+                                  "\\@4:Z scale: V [Sens. DeflSens] (0.1 V/LSB) 2.0 V\r\n";
+    bytes.insert(listed, forceList);
+    bytes.erase(bytes.find('\x1A'), forceList.size());
+    std::string volume = bytes;
+    const std::string first = "\\*File list";
+    const std::string forceFirst = "\\*Force file list";
+    volume.replace(0, first.size(), forceFirst);
+    volume.erase(volume.find('\x1A'), forceFirst.size() - first.size());
+    for (const std::string& file : {bytes, volume}) {
+        const HeightMapFile read = readHeightMapBytes(file, "volume.000");
+        ASSERT_EQ(read.channels.size(), 1U);
+        EXPECT_DOUBLE_EQ(read.channels[0].map.at(0, 0), 4 * kCount);
+        EXPECT_THAT(read.notes, testing::Contains(HasSubstr("force curves")));
+    }
+}
+
+TEST(NanoscopeReader, ForceCurvesWithoutAnImageAreRefusedInWords) {
+    EXPECT_THAT(refusalOf([] {
+                    (void)readHeightMapBytes("\\*Force file list\r\n\\Version: 0x09010201\r\n"
+                                             "\\*Ciao force image list\r\n\x1A",
+                                             "curve.000");
+                }),
+                AllOf(HasSubstr("curve.000: "), HasSubstr("force curves, no image")));
+}
+
 TEST(NanoscopeReader, RefusesOldScalesAndSaysHowToGoOn) {
     std::string bytes = nanoscopeFile({});
     bytes.replace(bytes.find("@2:Z scale"), 10, "@9:Z scale");

@@ -20,7 +20,31 @@ const std::vector<std::string>& realScans() {
                                                     "derived/cl0_height_u16.tif",
                                                     "derived/cl0_height_u16.png",
                                                     "derived/cl0_height_u16_noscale.png",
-                                                    "derived/cl0_height_f32.exr"};
+                                                    "derived/cl0_height_f32.exr",
+                                                    "igor/spot_1-1000nm.ibw",
+                                                    "igor/10x10-one_channel_without_name.ibw",
+                                                    "nanonis/STM_nanonis_generic_4_5.sxm",
+                                                    "nid/circles.nid",
+                                                    "nid/squares_holes.nid",
+                                                    "mi/mi-1.mi",
+                                                    "wsxm/top-1.top",
+                                                    "wsxm/stp-1.stp",
+                                                    "text/gwyddion-export-english.txt",
+                                                    "text/gwyddion-export-german.txt",
+                                                    "text/matrix-3_gwyddion_export.txt",
+                                                    "text/matrix-4_h_w_header.txt",
+                                                    "text/matrix-5_plain.txt",
+                                                    "text/matrix-6_gwyddion_export_small.txt",
+                                                    "text/txt_example_nonsquare.txt",
+                                                    "text/xyz-1.txt",
+                                                    "text/xyz-1-different-order.txt",
+                                                    "text/xyz-2_with_nan.txt",
+                                                    "sdf/sdf-1.sdf",
+                                                    "bcr/bcrf-1.bcrf",
+                                                    "x3p/x3p-2_nonsquare_pixels.x3p",
+                                                    "x3p/x3ptools_testing.x3p",
+                                                    "x3p/x3ptools_csafe-logo_subdir.x3p",
+                                                    "jpk/qi_2020_extracted.jpk-qi-data"};
     return kScans;
 }
 
@@ -28,7 +52,10 @@ std::string channelName(const std::string& file, const std::string& title) {
     if (file == "derived/cl0_height_u16_noscale.png") {
         return "gray";
     }
-    return file == "derived/cl0_height_f32.exr" ? "Height Sensor" : title;
+    if (file == "derived/cl0_height_f32.exr") {
+        return "Height Sensor";
+    }
+    return file == "igor/10x10-one_channel_without_name.ibw" ? "gwy3093074346" : title;
 }
 
 std::string testName(const std::string& file) {

@@ -9,7 +9,8 @@ namespace asperity::test {
 [[nodiscard]] const std::vector<std::string>& realScans();
 
 /// What we call a channel, where that is not its title in the tables: a PNG without texts has none,
-/// and that of the EXR is an attribute, not the name of its plane of samples.
+/// that of the EXR is an attribute, not the name of its plane of samples, and a wave whose channel
+/// has no label has a name.
 [[nodiscard]] std::string channelName(const std::string& file, const std::string& title);
 
 /// A file name that can be part of a test's name.

@@ -1,0 +1,110 @@
+#include "core/io/heightmap/HeaderFields.h"
+
+#include "core/Error.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/PhysicalUnit.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::uint64_t kMaxHeader = std::uint64_t{1} << 18U;
+
+}  // namespace
+
+HeaderText headerText(const ByteSource& bytes, std::string_view mark) {
+    std::string start = bytes.start(kMaxHeader);
+    const std::size_t found = start.find(mark);
+    if (found == std::string::npos) {
+        throw InputError(bytes.name(), "header",
+                         "no '" + std::string(trimmed(mark)) +
+                             "' ends it; the file is truncated or damaged");
+    }
+    start.resize(found);
+    return {.text = std::move(start), .end = found + mark.size()};
+}
+
+std::vector<std::string_view> linesOf(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        if (line.ends_with('\r')) {
+            line.remove_suffix(1);
+        }
+        lines.push_back(line);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+HeaderFields::HeaderFields(std::string file, std::string place)
+    : file_(std::move(file)), place_(std::move(place)) {}
+
+void HeaderFields::add(std::string_view key, std::string_view value) {
+    fields_.emplace(toUtf8(trimmed(key)), toUtf8(trimmed(value)));
+}
+
+const std::string* HeaderFields::find(const std::string& key) const {
+    const auto field = fields_.find(key);
+    return field == fields_.end() ? nullptr : &field->second;
+}
+
+std::string HeaderFields::text(const std::string& key) const {
+    const std::string* const value = find(key);
+    return value == nullptr ? std::string() : *value;
+}
+
+long long HeaderFields::integer(const std::string& key) const {
+    const std::string value = text(key);
+    const std::optional<long long> number = parseInteger(value);
+    if (!number) {
+        fail(key, "expected a whole number, found '" + value + "'");
+    }
+    return *number;
+}
+
+std::optional<double> HeaderFields::number(const std::string& key) const {
+    const std::string value = text(key);
+    const std::optional<double> number = parseNumber(value);
+    if (!number && !value.empty()) {
+        fail(key, "expected a number, found '" + value + "'");
+    }
+    return number;
+}
+
+void HeaderFields::fail(const std::string& key, const std::string& what) const {
+    throw InputError(file_, place_.empty() ? key : place_ + " " + key, what);
+}
+
+HeaderSections sectionsOf(std::string_view text, char separator, const std::string& file) {
+    HeaderSections sections;
+    HeaderFields* current = nullptr;
+    for (const std::string_view whole : linesOf(text)) {
+        const std::string_view line = trimmed(whole);
+        if (line.size() > 2 && line.starts_with('[') && line.ends_with(']')) {
+            const std::string name = toUtf8(line.substr(1, line.size() - 2));
+            current = &sections.try_emplace(name, file, "[" + name + "]").first->second;
+            continue;
+        }
+        const std::size_t end = line.find(separator);
+        if (current != nullptr && end != std::string_view::npos) {
+            current->add(line.substr(0, end), line.substr(end + 1));
+        }
+    }
+    return sections;
+}
+
+std::optional<double> parseLength(std::string_view text) {
+    const std::optional<LeadingNumber> number = parseLeadingNumber(text);
+    if (!number) {
+        return std::nullopt;
+    }
+    const PhysicalUnit unit = parseUnit(number->rest);
+    return unit.base == "m" ? std::optional(number->value * unit.factor) : std::nullopt;
+}
+
+}  // namespace asperity

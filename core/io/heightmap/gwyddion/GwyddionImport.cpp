@@ -1,0 +1,221 @@
+#include "core/Error.h"
+#include "core/io/FileBytes.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/GwyddionScan.h"
+#include "core/io/heightmap/SampleRows.h"
+#include "core/io/heightmap/gwyddion/Identification.h"
+#include "core/io/heightmap/gwyddion/PrivateFolder.h"
+#include "core/io/heightmap/gwyddion/ProgramRun.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <system_error>
+#include <unistd.h>
+
+// Everything that no format here reads, through the program Gwyddion; docs/formats.md 20.
+
+namespace asperity {
+
+namespace {
+
+constexpr std::uint64_t kBlock = std::uint64_t{1} << 20U;
+constexpr std::size_t kMaxName = 100;
+constexpr std::size_t kMaxQuote = 300;
+
+bool isProgram(const std::filesystem::path& path) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored) && access(path.c_str(), X_OK) == 0;
+}
+
+/// The end of a file's name, which Gwyddion looks at, too; in plain letters, as an argument.
+std::string plainName(const std::string& file) {
+    std::string name = std::filesystem::path(file).filename().string();
+    name.erase(0, name.size() - std::min(name.size(), kMaxName));
+    std::ranges::replace_if(
+        name,
+        [](char c) {
+            const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                               (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
+            return !plain;
+        },
+        '_');
+    return name;
+}
+
+void makeFolder(const std::filesystem::path& path) {
+    std::error_code failure;
+    std::filesystem::create_directory(path, failure);
+    if (failure) {
+        throw Error(path.string() + ": the folder cannot be made: " + failure.message());
+    }
+}
+
+/// Gwyddion gives 1 to a size that it does not know, and no scan is that large.
+void forgetInventedSize(ScanChannel& channel) {
+    HeightMap& map = channel.map;
+    if (map.sizeX() == 1.0 || map.sizeY() == 1.0) {
+        map.pitchX = map.pitchY = 0.0;
+        channel.lateralUnit.clear();
+        channel.notes.emplace_back(
+            "Gwyddion gives it a side of exactly 1, as it does when the file "
+            "holds no lateral size: the size is taken as unknown");
+    }
+}
+
+class GwyddionImport {
+public:
+    GwyddionImport(const ByteSource& bytes, const Gwyddion& gwyddion, const std::string& unknown)
+        : bytes_(bytes)
+        , gwyddion_(gwyddion)
+        , unknown_(unknown)
+        , deadline_(std::chrono::steady_clock::now() + gwyddion.timeout)
+        , input_(folder_.path() / "scan" / plainName(bytes.name()))
+        , output_(folder_.path() / "converted.gwy") {}
+
+    GwyddionScan read() {
+        copyContent();
+        const Identification found = identify();
+        const std::shared_ptr<const ByteSource> converted = convert(found);
+        const std::string version = versionIn(run({"--version"}).output);
+        GwyddionScan result{.format = found.name + ", through Gwyddion " + version,
+                            .scan = kGwyFormat.read(*converted)};
+        for (StoredChannel& stored : result.scan.channels) {
+            stored.readRow = keeping(std::move(stored.readRow), converted);
+            forgetInventedSize(stored.channel);
+        }
+        result.scan.provenance.push_back(
+            {"reader", "through Gwyddion " + version + ", its module " + found.module,
+             "no format of Asperity's recognizes the file; Gwyddion does with a score of " +
+                 std::to_string(found.score)});
+        return result;
+    }
+
+private:
+    void copyContent() const {
+        makeFolder(input_.parent_path());
+        makeFolder(folder_.path() / ".gwyddion");  // else it complains
+        std::ofstream copy(input_, std::ios::binary);
+        std::string block;
+        for (std::uint64_t place = 0; place < bytes_.size(); place += block.size()) {
+            block.resize(static_cast<std::size_t>(std::min(kBlock, bytes_.size() - place)));
+            bytes_.read(place, block);
+            copy.write(block.data(), static_cast<std::streamsize>(block.size()));
+        }
+        copy.close();
+        if (!copy) {
+            throw Error(input_.string() +
+                        ": the file cannot be copied for Gwyddion; is the disk full?");
+        }
+    }
+
+    [[nodiscard]] Identification identify() const {
+        const ProgramOutcome outcome = run({"--identify", input_.string()});
+        const std::optional<Identification> found =
+            identificationIn(outcome.output, input_.string());
+        if (!found) {
+            fail(unknown_ + "; Gwyddion does not recognize it, either");
+        }
+        if (!found->isCertain()) {
+            fail(unknown_ + "; Gwyddion only guesses: " + found->name + ", with a score of " +
+                 std::to_string(found->score) + " of 100");
+        }
+        if (found->isPicture()) {
+            fail("this is a picture (" + found->name +
+                 "), whose values are no heights; save the scan as data, not as an image");
+        }
+        return *found;
+    }
+
+    /// The .gwy, which stays open and has no name any more when the folder is removed.
+    [[nodiscard]] std::shared_ptr<const ByteSource> convert(const Identification& found) const {
+        const ProgramOutcome outcome =
+            run({"--convert-to-gwy=" + output_.string(), input_.string()});
+        std::error_code ignored;
+        if (outcome.exitCode != 0 || !std::filesystem::exists(output_, ignored)) {
+            fail("Gwyddion takes this for " + found.name + " (module " + found.module +
+                 ") and cannot read it" + quoted(outcome.output));
+        }
+        auto converted =
+            std::make_shared<FileBytes>(output_, bytes_.name() + ": as Gwyddion converts it");
+        if (!kGwyFormat.recognizes(*converted)) {
+            fail("what Gwyddion made of it is no .gwy file");
+        }
+        return converted;
+    }
+
+    [[nodiscard]] ProgramOutcome run(std::vector<std::string> arguments) const {
+        const std::string home = folder_.path().string();
+        ProgramOutcome outcome = runProgram(
+            {.program = gwyddion_.program,
+             .arguments = std::move(arguments),
+             .environment = {"PATH=" + gwyddion_.program.parent_path().string() + ":/usr/bin:/bin",
+                             "HOME=" + home, "TMPDIR=" + home, "LC_ALL=C.UTF-8"},
+             .folder = folder_.path(),
+             .deadline = deadline_});
+        switch (outcome.end) {
+        case ProgramEnd::Exited:
+            return outcome;
+        case ProgramEnd::Killed:
+            fail("Gwyddion cannot read it: it crashed, or its result was too large" +
+                 quoted(outcome.output));
+        case ProgramEnd::TimedOut:
+            fail("Gwyddion did not end within " +
+                 exactText(std::chrono::duration<double>(gwyddion_.timeout).count()) + " s");
+        case ProgramEnd::WroteTooMuch:
+            fail("Gwyddion cannot read it: it printed messages without end");
+        }
+        return outcome;
+    }
+
+    /// Gwyddion's own words, those on this file where there are any.
+    [[nodiscard]] std::string quoted(const std::string& output) const {
+        const std::string mark = input_.string() + ": ";
+        const std::size_t own = output.find(mark);
+        const std::string_view words =
+            trimmed(own == std::string::npos ? std::string_view()
+                                             : std::string_view(output).substr(own + mark.size()));
+        const std::string_view line = words.substr(0, std::min(words.find('\n'), kMaxQuote));
+        return line.empty() ? "" : ": " + toUtf8(line);
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError(bytes_.name(), "", what);
+    }
+
+    const ByteSource& bytes_;
+    const Gwyddion& gwyddion_;
+    const std::string& unknown_;
+    std::chrono::steady_clock::time_point deadline_;
+    PrivateFolder folder_;
+    std::filesystem::path input_;
+    std::filesystem::path output_;
+};
+
+}  // namespace
+
+Gwyddion gwyddionIn(std::string_view folders) {
+    while (!folders.empty()) {
+        const std::string_view folder = folders.substr(0, folders.find(':'));
+        const std::filesystem::path program = std::filesystem::path(folder) / "gwyddion";
+        // An entry that is not absolute would depend on the folder that the user is in.
+        if (program.is_absolute() && isProgram(program)) {
+            return {.program = program};
+        }
+        folders.remove_prefix(std::min(folder.size() + 1, folders.size()));
+    }
+    return {};
+}
+
+Gwyddion installedGwyddion() {
+    const char* const folders = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
+    return gwyddionIn(folders != nullptr ? folders : "");
+}
+
+GwyddionScan readThroughGwyddion(const ByteSource& bytes, const Gwyddion& gwyddion,
+                                 const std::string& unknown) {
+    return GwyddionImport(bytes, gwyddion, unknown).read();
+}
+
+}  // namespace asperity

@@ -1,0 +1,160 @@
+#include "core/Error.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/igor/AsylumChannel.h"
+#include "core/io/heightmap/igor/IgorWave.h"
+
+#include <algorithm>
+#include <array>
+
+// Igor binary waves as images: those of Asylum Research instruments, and plain ones of two or three
+// dimensions. Source: docs/formats.md 6.
+
+namespace asperity {
+
+namespace {
+
+/// Instruments write up to 16; each carries a copy of the metadata.
+constexpr int kMaxImages = 64;
+constexpr std::string_view kImageFooter = "MFP3D";
+constexpr std::string_view kForceFooter = "Force";
+
+class IgorReader {
+public:
+    explicit IgorReader(const ByteSource& bytes) : bytes_(bytes), wave_(readIgorWave(bytes)) {}
+
+    StoredScan read() {
+        refuseCurves();
+        requireFooter();
+        note_ = parseAsylumNote(wave_.note);
+        SampleLayout samples{
+            .size = checkedImageSize(wave_.counts[0], wave_.counts[1], bytes_.name(), "dimensions"),
+            .type = wave_.type,
+            .order = wave_.order,
+            .place = wave_.place,
+            .bottomFirst = true};
+        StoredScan result;
+        result.usualDirection = isAsylum() ? "backward" : "";
+        for (int layer = 0; layer < layers(); ++layer) {
+            requireSamples(bytes_, samples, "layer " + std::to_string(layer));
+            result.channels.push_back(channelOf(layer, samples));
+            samples.place += samples.bytes();
+        }
+        addProvenance(result);
+        return result;
+    }
+
+private:
+    /// Asylum's force curves have a column for each signal: Raw, Defl, ZSnsr.
+    void refuseCurves() const {
+        const std::vector<std::string>& columns = wave_.labels[1];
+        constexpr std::array<std::string_view, 4> kSignals{"Raw", "Defl", "ZSnsr", "LVDT"};
+        const bool named = std::ranges::any_of(columns, [&](const std::string& column) {
+            return std::ranges::count(kSignals, column) != 0;
+        });
+        if (wave_.footer.ends_with(kForceFooter) || named) {
+            std::string list;
+            for (const std::string& column : columns) {
+                list += column.empty() ? "" : (list.empty() ? " (" : ", ") + column;
+            }
+            throw InputError(bytes_.name(), "",
+                             "this Asylum file holds force curves" +
+                                 (list.empty() ? list : list + ")") + ", no image");
+        }
+        if (wave_.counts[1] == 0) {
+            throw InputError(bytes_.name(), "dimensions",
+                             "this Igor wave has one dimension: a curve, no image");
+        }
+    }
+
+    [[nodiscard]] bool isAsylum() const {
+        return wave_.footer.ends_with(kImageFooter) ||
+               std::ranges::any_of(wave_.labels[2], isAsylumLabel);
+    }
+
+    /// Asylum's program ends a file with previews and their list.
+    void requireFooter() const {
+        if (isAsylum() && !wave_.footer.empty() && !wave_.footer.ends_with(kImageFooter)) {
+            throw InputError(bytes_.name(), "byte " + std::to_string(bytes_.size()),
+                             "expected 'MFP3D' at the end; the file is truncated");
+        }
+    }
+
+    [[nodiscard]] int layers() const {
+        const std::int32_t layers = std::max(wave_.counts[2], 1);
+        if (wave_.counts[3] > 1 || layers > kMaxImages) {
+            throw InputError(bytes_.name(), "dimensions",
+                             "an image of at most " + std::to_string(kMaxImages) +
+                                 " layers is expected, found " + std::to_string(layers) + " x " +
+                                 std::to_string(std::max(wave_.counts[3], 1)));
+        }
+        return layers;
+    }
+
+    [[nodiscard]] StoredChannel channelOf(int layer, const SampleLayout& samples) const {
+        const auto place = static_cast<std::size_t>(layer) + 1;
+        const std::vector<std::string>& labels = wave_.labels[2];
+        const std::string label = place < labels.size() ? labels[place] : std::string();
+        ScanChannel channel;
+        channel.name = label.empty() ? nameOf(layer) : label;
+        channel.direction = directionFromName(label);
+        setSize(channel, samples.size);
+        channel.metadata = note_;
+        const PhysicalUnit unit = parseUnit(isAsylum() ? asylumUnit(label, note_) : wave_.unit);
+        channel.unit = unit.base;
+        settleSize(channel);
+        return {.channel = std::move(channel),
+                .factor = unit.factor,
+                .readRow = rowsOf(bytes_, samples)};
+    }
+
+    /// A layer without a label is called as the wave.
+    [[nodiscard]] std::string nameOf(int layer) const {
+        const std::string name = wave_.name.empty() ? "Untitled" : wave_.name;
+        return layers() == 1 ? name : name + " " + std::to_string(layer);
+    }
+
+    void setSize(ScanChannel& channel, ImageSize size) const {
+        const PhysicalUnit x = parseUnit(wave_.dimensionUnits[0]);
+        const PhysicalUnit y = parseUnit(wave_.dimensionUnits[1]);
+        channel.lateralUnit = x.base == y.base ? x.base : std::string();
+        channel.map = emptyMap(size, wave_.steps[0] * x.factor * size.columns,
+                               wave_.steps[1] * y.factor * size.rows);
+        channel.originX = finiteOrZero(wave_.starts[0] * x.factor);
+        channel.originY = finiteOrZero(wave_.starts[1] * y.factor);
+    }
+
+    void addProvenance(StoredScan& scan) const {
+        const bool little = wave_.order == ByteOrder::Little;
+        scan.provenance.push_back({"format version", "5", "byte 0"});
+        scan.provenance.push_back({"byte order",
+                                   little ? "lowest byte first" : "highest byte first",
+                                   "the version number"});
+        scan.provenance.push_back(
+            {"size", "step times pixels", "steps of the wave's dimensions, byte 148"});
+        scan.provenance.push_back(
+            {"scale", "1",
+             isAsylum() ? "an Asylum file stores SI units; which ones say note and channel names"
+                        : "the numbers are in the unit of the wave"});
+        scan.provenance.push_back(
+            {"orientation", "the bottom row is stored first", "as Asylum's program shows it"});
+    }
+
+    const ByteSource& bytes_;
+    IgorWave wave_;
+    std::map<std::string, std::string> note_;
+};
+
+constexpr std::array<std::string_view, 1> kExtensions{".ibw"};
+
+}  // namespace
+
+const HeightMapFormat kIgorFormat = {
+    .name = "Igor .ibw (Asylum Research)",
+    .extensions = kExtensions,
+    .recognizes = startsAsIgorWave,
+    .read = [](const ByteSource& bytes) { return IgorReader(bytes).read(); }};
+
+}  // namespace asperity

@@ -1,0 +1,284 @@
+#include "core/io/heightmap/igor/IgorWave.h"
+
+#include "core/Error.h"
+#include "core/io/ByteReader.h"
+#include "core/io/TextValue.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+// Igor binary wave: a header of 64 bytes, one of 320 for the wave, the numbers, then formula, note,
+// units and labels. Source: docs/formats.md 6.
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kFileHeader = 64;
+constexpr std::size_t kWaveHeader = 320;
+constexpr std::size_t kHeaders = kFileHeader + kWaveHeader;
+constexpr std::size_t kLabel = 32;
+constexpr std::uint64_t kMaxText = std::uint64_t{1} << 18U;
+constexpr std::uint64_t kFooter = 1024;
+constexpr int kImageVersion = 5;
+
+// Places in the first header and, from 64 on, in that of the wave.
+constexpr std::size_t kWaveSize = 4;
+constexpr std::size_t kFormulaSize = 8;
+constexpr std::size_t kNoteSize = 12;
+constexpr std::size_t kUnitSize = 16;
+constexpr std::size_t kDimensionUnitSizes = 20;
+constexpr std::size_t kLabelSizes = 36;
+constexpr std::size_t kNumbers = kFileHeader + 12;
+constexpr std::size_t kType = kFileHeader + 16;
+constexpr std::size_t kName = kFileHeader + 28;
+constexpr std::size_t kCounts = kFileHeader + 68;
+constexpr std::size_t kSteps = kFileHeader + 84;
+constexpr std::size_t kStarts = kFileHeader + 116;
+constexpr std::size_t kUnit = kFileHeader + 148;
+constexpr std::size_t kDimensionUnits = kFileHeader + 152;
+constexpr std::size_t kShortUnit = 4;
+constexpr std::size_t kNameLength = 32;
+
+constexpr int kComplex = 1;
+
+/// The first bytes of a file in its own byte order; the version's low byte is never 0.
+class Header {
+public:
+    explicit Header(const ByteSource& bytes)
+        : bytes_(bytes.start(kHeaders))
+        , order_(bytes_.empty() || bytes_[0] != '\0' ? ByteOrder::Little : ByteOrder::Big) {}
+
+    [[nodiscard]] ByteOrder order() const { return order_; }
+    [[nodiscard]] bool isWhole() const { return bytes_.size() == kHeaders; }
+
+    template <typename Number>
+    [[nodiscard]] Number at(std::size_t place) const {
+        const char* const from = bytes_.data() + place;
+        return order_ == ByteOrder::Little ? littleEndian<Number>(from) : bigEndian<Number>(from);
+    }
+
+    /// Text up to its first NUL.
+    [[nodiscard]] std::string text(std::size_t place, std::size_t length) const {
+        const std::string_view all = std::string_view(bytes_).substr(place, length);
+        return toUtf8(all.substr(0, all.find('\0')));
+    }
+
+    /// Whether the numbers of 16 bits in the first bytes add up to 0.
+    [[nodiscard]] bool sumsToZero(std::size_t length) const {
+        if (bytes_.size() < length) {
+            return false;
+        }
+        unsigned sum = 0;
+        for (std::size_t place = 0; place < length; place += 2) {
+            sum += at<std::uint16_t>(place);
+        }
+        return (sum & 0xFFFFU) == 0;
+    }
+
+    [[nodiscard]] int version() const { return bytes_.size() < 2 ? 0 : at<std::int16_t>(0); }
+
+private:
+    std::string bytes_;
+    ByteOrder order_;
+};
+
+std::optional<SampleType> sampleType(int code) {
+    constexpr std::array<std::pair<int, SampleType>, 8> kTypes{{{0x02, SampleType::Float32},
+                                                                {0x04, SampleType::Float64},
+                                                                {0x08, SampleType::Int8},
+                                                                {0x10, SampleType::Int16},
+                                                                {0x20, SampleType::Int32},
+                                                                {0x48, SampleType::UInt8},
+                                                                {0x50, SampleType::UInt16},
+                                                                {0x60, SampleType::UInt32}}};
+    const auto* const found =
+        std::ranges::find(kTypes, code, [](const auto& type) { return type.first; });
+    return found == kTypes.end() ? std::nullopt : std::optional(found->second);
+}
+
+class WaveReader {
+public:
+    explicit WaveReader(const ByteSource& bytes) : bytes_(bytes), header_(bytes) {}
+
+    IgorWave read() {
+        requireSound();
+        wave_.order = header_.order();
+        wave_.name = header_.text(kName, kNameLength);
+        readDimensions();
+        readNumbers();
+        readTexts();
+        return std::move(wave_);
+    }
+
+private:
+    void requireSound() const {
+        const int version = header_.version();
+        if (version >= 1 && version <= 3) {
+            fail("byte 0", "this Igor wave has version " + std::to_string(version) +
+                               ": a curve or other numbers in one dimension, no image");
+        }
+        if (version != kImageVersion) {
+            fail("byte 0", "expected an Igor binary wave of version 5");
+        }
+        if (!header_.isWhole()) {
+            fail("header", "it has " + std::to_string(kHeaders) +
+                               " bytes, but the file has fewer; it is truncated");
+        }
+        if (!header_.sumsToZero(kHeaders)) {
+            fail("header", "its checksum is wrong; the file is damaged");
+        }
+    }
+
+    void readDimensions() {
+        for (std::size_t i = 0; i < IgorWave::kDimensions; ++i) {
+            wave_.counts[i] = header_.at<std::int32_t>(kCounts + i * sizeof(std::int32_t));
+            wave_.steps[i] = header_.at<double>(kSteps + i * sizeof(double));
+            wave_.starts[i] = header_.at<double>(kStarts + i * sizeof(double));
+            wave_.dimensionUnits[i] = header_.text(kDimensionUnits + i * kShortUnit, kShortUnit);
+        }
+        wave_.unit = header_.text(kUnit, kShortUnit);
+    }
+
+    void readNumbers() {
+        const int code = header_.at<std::int16_t>(kType);
+        if (code == 0) {
+            fail("type", "this Igor wave holds texts, no image");
+        }
+        if ((code & kComplex) != 0) {
+            fail("type", "this Igor wave holds complex numbers; only real ones can be heights");
+        }
+        const std::optional<SampleType> type = sampleType(code);
+        if (!type) {
+            fail("type", "no type of numbers has the code " + std::to_string(code));
+        }
+        wave_.type = *type;
+        wave_.place = kHeaders;
+        const std::uint64_t expected = kWaveHeader + countOfNumbers() * sizeOf(*type);
+        const std::uint64_t stated = size(kWaveSize);
+        if (stated < expected) {
+            fail("header", "the wave has " + std::to_string(stated) +
+                               " bytes, but its numbers need " + std::to_string(expected));
+        }
+        end_ = kFileHeader;
+        skip(stated, "the wave");
+    }
+
+    /// The product of all dimensions in use, which the header states, too.
+    [[nodiscard]] std::uint64_t countOfNumbers() const {
+        const std::int32_t stated = header_.at<std::int32_t>(kNumbers);
+        std::uint64_t product = 1;
+        for (const std::int32_t count : wave_.counts) {
+            if (count == 0) {
+                break;
+            }
+            const bool fits =
+                count > 0 && stated > 0 &&
+                product * static_cast<std::uint64_t>(count) <= static_cast<std::uint64_t>(stated);
+            if (!fits) {
+                failDimensions();
+            }
+            product *= static_cast<std::uint64_t>(count);
+        }
+        if (stated < 0 || product != static_cast<std::uint64_t>(stated)) {
+            failDimensions();
+        }
+        return product;
+    }
+
+    [[noreturn]] void failDimensions() const {
+        std::string text;
+        for (const std::int32_t count : wave_.counts) {
+            text += (text.empty() ? "" : " x ") + std::to_string(count);
+        }
+        fail("header", "its dimensions (" + text + ") are not those of " +
+                           std::to_string(header_.at<std::int32_t>(kNumbers)) + " numbers");
+    }
+
+    void readTexts() {
+        (void)skip(size(kFormulaSize), "the formula");
+        wave_.note = textIn(skip(size(kNoteSize), "the note"));
+        const std::string unit = toUtf8(textIn(skip(size(kUnitSize), "the unit")));
+        if (!unit.empty()) {
+            wave_.unit = unit;
+        }
+        for (std::size_t i = 0; i < IgorWave::kDimensions; ++i) {
+            const std::uint64_t length = size(kDimensionUnitSizes + i * sizeof(std::int32_t));
+            const std::string longUnit = toUtf8(textIn(skip(length, "the units of dimensions")));
+            if (!longUnit.empty()) {
+                wave_.dimensionUnits[i] = longUnit;
+            }
+        }
+        for (std::size_t i = 0; i < IgorWave::kDimensions; ++i) {
+            const std::uint64_t length = size(kLabelSizes + i * sizeof(std::int32_t));
+            wave_.labels[i] = labelsIn(textIn(skip(length, "the labels of dimensions")));
+        }
+        const std::uint64_t left = std::min(bytes_.size() - end_, kFooter);
+        wave_.footer = bytesOf(bytes_, {bytes_.size() - left, left});
+    }
+
+    static std::vector<std::string> labelsIn(std::string_view text) {
+        std::vector<std::string> labels;
+        for (; text.size() >= kLabel; text.remove_prefix(kLabel)) {
+            const std::string_view label = text.substr(0, kLabel);
+            labels.push_back(toUtf8(trimmed(label.substr(0, label.find('\0')))));
+        }
+        return labels;
+    }
+
+    /// No note of an instrument comes near the limit; what is beyond is left out.
+    [[nodiscard]] std::string textIn(const ByteSpan& span) const {
+        return bytesOf(bytes_, {span.place, std::min(span.count, kMaxText)});
+    }
+
+    [[nodiscard]] std::uint64_t size(std::size_t place) const {
+        const std::int32_t stated = header_.at<std::int32_t>(place);
+        if (stated < 0) {
+            fail("byte " + std::to_string(place), "a size of " + std::to_string(stated));
+        }
+        return static_cast<std::uint64_t>(stated);
+    }
+
+    ByteSpan skip(std::uint64_t count, const std::string& what) {
+        const ByteSpan span{end_, count};
+        if (count > bytes_.size() - end_) {
+            fail("byte " + std::to_string(end_),
+                 what + " ends at byte " + std::to_string(span.end()) + ", but the file has " +
+                     std::to_string(bytes_.size()) + "; it is truncated");
+        }
+        end_ = span.end();
+        return span;
+    }
+
+    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
+        throw InputError(bytes_.name(), place, what);
+    }
+
+    const ByteSource& bytes_;
+    Header header_;
+    std::uint64_t end_ = 0;  ///< of what is read so far
+    IgorWave wave_;
+};
+
+}  // namespace
+
+bool startsAsIgorWave(const ByteSource& bytes) {
+    // Version and, by it, the length that the checksum is over.
+    constexpr std::array<std::pair<int, std::size_t>, 4> kSums{
+        {{1, 118}, {2, 126}, {3, 130}, {kImageVersion, kHeaders}}};
+    const Header header(bytes);
+    const auto* const sum =
+        std::ranges::find(kSums, header.version(), [](const auto& each) { return each.first; });
+    if (sum == kSums.end()) {
+        return false;
+    }
+    const bool plausible = header.isWhole() && sum->first == kImageVersion &&
+                           sampleType(header.at<std::int16_t>(kType)).has_value() &&
+                           header.at<std::int32_t>(kWaveSize) >= static_cast<int>(kWaveHeader);
+    return plausible || header.sumsToZero(sum->second);
+}
+
+IgorWave readIgorWave(const ByteSource& bytes) { return WaveReader(bytes).read(); }
+
+}  // namespace asperity

@@ -1,0 +1,73 @@
+#include "core/Error.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/SampleRows.h"
+#include "core/io/heightmap/jpk/JpkImage.h"
+#include "core/io/heightmap/zip/ZipArchive.h"
+#include "core/io/heightmap/zip/ZipDirectory.h"
+
+#include <algorithm>
+#include <memory>
+
+// JPK's archives of force curves: zip files with a folder a curve and, of a map, the image of its
+// heights beside them. Source: docs/formats.md 5.
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kImage = "data-image.";
+constexpr std::string_view kCurves = "segments/";
+constexpr std::string_view kProperties = "header.properties";
+/// Ten channels of 4096 x 4096 pixels; a map of curves has a few hundred a side.
+constexpr std::uint64_t kMaxImage = std::uint64_t{1} << 30U;
+
+bool isImage(const ZipEntry& entry) { return entry.baseName().starts_with(kImage); }
+
+bool belongsToCurves(const ZipEntry& entry) {
+    return entry.name.find(kCurves) != std::string::npos;
+}
+
+StoredScan readJpkArchive(const ByteSource& bytes) {
+    const ZipArchive archive(bytes);
+    const auto image = std::ranges::find_if(archive.entries(), isImage);
+    if (image == archive.entries().end()) {
+        throw InputError(bytes.name(), "",
+                         "this JPK archive holds force curves alone and no image; the archive of "
+                         "a map (.jpk-force-map, .jpk-qi-data) holds one");
+    }
+    const std::shared_ptr<const ByteSource> content = archive.source(*image, kMaxImage);
+    if (!isJpkImage(*content)) {
+        throw InputError(content->name(), "", "expected a JPK image; the archive is damaged");
+    }
+    StoredScan scan = readJpkImage(*content);
+    for (StoredChannel& channel : scan.channels) {
+        channel.readRow = keeping(std::move(channel.readRow), content);
+    }
+    if (std::ranges::any_of(archive.entries(), belongsToCurves)) {
+        scan.notes.emplace_back("the archive also holds force curves, which are not read");
+    }
+    scan.provenance.push_back({"image", image->name, "the zip archive's directory"});
+    return scan;
+}
+
+constexpr std::array<std::string_view, 2> kExtensions{".jpk-qi-data", ".jpk-force-map"};
+
+bool recognizesJpkArchive(const ByteSource& bytes) {
+    if (!isZip(bytes)) {
+        return false;
+    }
+    const std::optional<std::string> directory = zipDirectory(bytes);
+    const auto lists = [&](std::string_view name) {
+        return directory->find(name) != std::string::npos;
+    };
+    return directory && lists(kProperties) && (lists(kImage) || lists(kCurves));
+}
+
+}  // namespace
+
+const HeightMapFormat kJpkArchiveFormat = {.name = "JPK archive",
+                                           .extensions = kExtensions,
+                                           .recognizes = recognizesJpkArchive,
+                                           .read = readJpkArchive};
+
+}  // namespace asperity

@@ -1,0 +1,254 @@
+#include "core/Error.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/HeaderFields.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/SampleRows.h"
+#include "core/io/heightmap/ScanImage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+// Nanosurf .nid and .ezd: text sections of `key=value`, then the samples of all listed channels,
+// one after the other: images, and curves as images of their points. Source: docs/formats.md 10.
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kMagic = "[DataSet]";
+constexpr std::string_view kHeaderEnd = "\r\n#!";
+/// Instruments write up to 40; each carries a copy of the metadata.
+constexpr std::size_t kMaxChannels = 128;
+
+/// One that [DataSet] lists, by group and place in it.
+using ChannelKey = std::pair<long long, long long>;
+
+/// "Gr1-Ch2" → 1, 2; empty for every other key.
+std::optional<ChannelKey> parseChannelKey(std::string_view key) {
+    const std::size_t dash = key.find("-Ch");
+    if (!key.starts_with("Gr") || dash == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::optional<long long> group = parseInteger(key.substr(2, dash - 2));
+    const std::optional<long long> channel = parseInteger(key.substr(dash + 3));
+    return group && channel ? std::optional(ChannelKey{*group, *channel}) : std::nullopt;
+}
+
+/// What a count of the samples means.
+struct Scale {
+    double minimum = 0.0;  ///< value of the lowest count
+    double perCount = 1.0;
+    double lowestCount = 0.0;
+};
+
+class NanosurfReader {
+public:
+    explicit NanosurfReader(const ByteSource& bytes) : bytes_(bytes), file_(bytes.name()) {}
+
+    StoredScan read() {
+        if (bytes_.startsWith("[DataSet]\n")) {
+            throw InputError(file_, "line 1",
+                             "it ends with a bare line feed: a transfer in text mode has damaged "
+                             "the file");
+        }
+        const HeaderText header = headerText(bytes_, kHeaderEnd);
+        sections_ = sectionsOf(header.text, '=', file_);
+        place_ = header.end;
+        for (const HeaderFields* const channel : listedChannels()) {
+            addChannel(*channel);
+        }
+        if (result_.channels.empty()) {
+            throw InputError(file_, "[DataSet]",
+                             curves_.empty()
+                                 ? "it lists no image"
+                                 : "this Nanosurf file holds force curves or spectra, no image (" +
+                                       curveList() + ")");
+        }
+        if (!curves_.empty()) {
+            result_.notes.push_back(
+                "the file also holds force curves or spectra, which are not read: " + curveList());
+        }
+        if (const std::string* const version = sections_.at("DataSet").find("Version")) {
+            result_.provenance.push_back({"format version", *version, "[DataSet] Version"});
+        }
+        return std::move(result_);
+    }
+
+private:
+    /// In the order in which their samples are stored.
+    [[nodiscard]] std::vector<const HeaderFields*> listedChannels() const {
+        const auto list = sections_.find("DataSet");
+        if (list == sections_.end()) {
+            throw InputError(file_, "header", "it has no section [DataSet]");
+        }
+        std::map<ChannelKey, const HeaderFields*> channels;
+        for (const auto& [key, name] : list->second.all()) {
+            const std::optional<ChannelKey> place = parseChannelKey(key);
+            if (!place) {
+                continue;
+            }
+            const auto section = sections_.find(name);
+            if (section == sections_.end()) {
+                list->second.fail(key, "there is no section [" + name + "]");
+            }
+            channels.emplace(*place, &section->second);
+        }
+        if (channels.size() > kMaxChannels) {
+            throw InputError(file_, "[DataSet]",
+                             "at most " + std::to_string(kMaxChannels) + " channels are expected");
+        }
+        std::vector<const HeaderFields*> ordered;
+        for (const auto& [place, section] : channels) {
+            ordered.push_back(section);
+        }
+        return ordered;
+    }
+
+    void addChannel(const HeaderFields& section) {
+        const std::string frame = section.text("Frame");
+        const bool scans = lowerCase(frame).find("scan") != std::string::npos;
+        if (!scans || section.integer("Lines") < 2) {
+            skipCurves(section, frame);
+            return;
+        }
+        const SampleLayout samples{.size = checkedImageSize(section.integer("Points"),
+                                                            section.integer("Lines"), file_,
+                                                            section.place() + " Points, Lines"),
+                                   .type = typeOf(section),
+                                   .place = place_,
+                                   .bottomFirst = true};
+        requireSamples(bytes_, samples, section.place());
+        place_ += samples.bytes();
+        result_.channels.push_back(imageOf(section, samples));
+    }
+
+    /// Curves have a line each.
+    void skipCurves(const HeaderFields& section, const std::string& frame) {
+        constexpr long long kMost = 1LL << 24;
+        const long long points = section.integer("Points");
+        const long long lines = section.integer("Lines");
+        if (!(points >= 0 && points <= kMost && lines >= 0 && lines <= kMost)) {
+            section.fail("Points, Lines",
+                         "found " + std::to_string(points) + " x " + std::to_string(lines));
+        }
+        const std::uint64_t count = static_cast<std::uint64_t>(points * lines);
+        const std::uint64_t length = count * sizeOf(typeOf(section));
+        if (length > bytes_.size() - place_) {
+            section.fail("Points, Lines", "its data end beyond the file; it is truncated");
+        }
+        place_ += length;
+        long long& curves = curves_[frame.empty() ? "no frame" : frame];
+        curves = std::max(curves, lines);
+    }
+
+    /// "'Spec forward' (25), 'Spec backward' (25)"
+    [[nodiscard]] std::string curveList() const {
+        std::string list;
+        for (const auto& [frame, count] : curves_) {
+            list += (list.empty() ? "'" : ", '") + frame + "' (" + std::to_string(count) + ")";
+        }
+        return list;
+    }
+
+    [[nodiscard]] static SampleType typeOf(const HeaderFields& section) {
+        requireWord(section, "SaveMode", "Binary");
+        requireWord(section, "SaveSign", "Signed");
+        requireWord(section, "SaveOrder", "Intel");
+        switch (section.integer("SaveBits")) {
+        case 8:
+            return SampleType::Int8;
+        case 16:
+            return SampleType::Int16;
+        case 32:
+            return SampleType::Int32;
+        default:
+            section.fail("SaveBits",
+                         "expected 8, 16 or 32, found '" + section.text("SaveBits") + "'");
+        }
+    }
+
+    static void requireWord(const HeaderFields& section, const std::string& key,
+                            std::string_view expected) {
+        const std::string word = section.text(key);
+        if (word != expected) {
+            section.fail(key, "expected " + std::string(expected) + ", found '" + word + "'");
+        }
+    }
+
+    [[nodiscard]] StoredChannel imageOf(const HeaderFields& section,
+                                        const SampleLayout& samples) const {
+        ScanChannel channel;
+        channel.direction = directionFromName(section.text("Frame"));
+        channel.name = section.text("Dim2Name");
+        channel.name += (channel.name.empty() ? "" : " ") + channel.direction;
+        const PhysicalUnit x = parseUnit(section.text("Dim0Unit"));
+        const PhysicalUnit y = parseUnit(section.text("Dim1Unit"));
+        channel.lateralUnit = x.base == y.base ? x.base : std::string();
+        channel.map = emptyMap(samples.size, section.number("Dim0Range").value_or(0.0) * x.factor,
+                               section.number("Dim1Range").value_or(0.0) * y.factor);
+        channel.originX = finiteOrZero(section.number("Dim0Min").value_or(0.0) * x.factor);
+        channel.originY = finiteOrZero(section.number("Dim1Min").value_or(0.0) * y.factor);
+        channel.metadata = metadataOf(section);
+        settleSize(channel);
+        channel.provenance.push_back(
+            {"orientation", "the bottom row is stored first", "the same in every Nanosurf file"});
+        const PhysicalUnit unit = parseUnit(section.text("Dim2Unit"));
+        channel.unit = unit.base;
+        const Scale scale = scaleOf(section, samples.type);
+        channel.provenance.push_back(
+            {"scale", exactText(scale.perCount * unit.factor) + " " + unit.base + " per count",
+             section.place() + " Dim2Range over the counts of SaveBits, from Dim2Min on"});
+        return {.channel = std::move(channel),
+                .factor = unit.factor,
+                .readRow =
+                    replaced(rowsOf(bytes_, samples), samples.size.columns, [scale](double count) {
+                        return scale.minimum + scale.perCount * (count - scale.lowestCount);
+                    })};
+    }
+
+    [[nodiscard]] static Scale scaleOf(const HeaderFields& section, SampleType type) {
+        const std::optional<double> minimum = section.number("Dim2Min");
+        const std::optional<double> range = section.number("Dim2Range");
+        if (!minimum || !range || !std::isfinite(*minimum) || !std::isfinite(*range)) {
+            section.fail("Dim2Min, Dim2Range", "expected two finite numbers");
+        }
+        const int bits = 8 * static_cast<int>(sizeOf(type));
+        return {.minimum = *minimum,
+                .perCount = std::ldexp(*range, -bits),
+                .lowestCount = -std::ldexp(1.0, bits - 1)};
+    }
+
+    /// The channel's own fields and those on the whole scan, without the titles among them.
+    [[nodiscard]] std::map<std::string, std::string> metadataOf(const HeaderFields& section) const {
+        std::map<std::string, std::string> metadata = section.all();
+        const auto scan = sections_.find("DataSet-Info");
+        if (scan != sections_.end()) {
+            metadata.insert(scan->second.all().begin(), scan->second.all().end());
+        }
+        std::erase_if(metadata, [](const auto& field) { return field.first.starts_with("--"); });
+        return metadata;
+    }
+
+    const ByteSource& bytes_;
+    const std::string& file_;
+    HeaderSections sections_;
+    std::uint64_t place_ = 0;                  ///< of the next samples
+    std::map<std::string, long long> curves_;  ///< how many of each frame
+    StoredScan result_;
+};
+
+constexpr std::array<std::string_view, 2> kExtensions{".nid", ".ezd"};
+
+}  // namespace
+
+const HeightMapFormat kNanosurfFormat = {
+    .name = "Nanosurf .nid",
+    .extensions = kExtensions,
+    .recognizes = [](const ByteSource& bytes) { return bytes.startsWith(kMagic); },
+    .read = [](const ByteSource& bytes) { return NanosurfReader(bytes).read(); }};
+
+}  // namespace asperity

@@ -1,0 +1,108 @@
+#include "core/io/heightmap/text/PointGrid.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kCells = 1000000;  // of the range of a coordinate
+constexpr std::size_t kMaxNodes = 65536;
+constexpr double kMaxShift = 0.1;  // of a point from its node, in pitches
+
+/// The range of a coordinate.
+struct Range {
+    double first = 0.0;
+    double last = 0.0;
+
+    [[nodiscard]] double width() const { return last - first; }
+};
+
+Range rangeOf(const TextPoints& points, std::size_t axis) {
+    Range range{points.at(0, axis), points.at(0, axis)};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        range.first = std::min(range.first, points.at(i, axis));
+        range.last = std::max(range.last, points.at(i, axis));
+    }
+    return range;
+}
+
+/// Which of the cells of the range hold a coordinate.
+std::vector<bool> occupiedCells(const TextPoints& points, std::size_t axis, const Range& range) {
+    std::vector<bool> cells(kCells + 1, false);
+    const double perCell = kCells / range.width();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double cell = (points.at(i, axis) - range.first) * perCell;
+        cells[std::min(static_cast<std::size_t>(cell + 0.5), kCells)] = true;
+    }
+    return cells;
+}
+
+/// The middle of each run of cells that hold a coordinate, in cells; none when a run is longer than
+/// one coordinate can be, or there are too many.
+std::vector<double> nodePlaces(const std::vector<bool>& cells) {
+    constexpr std::size_t kLongestRun = 3;
+    std::vector<double> places;
+    for (std::size_t i = 0; i < cells.size();) {
+        if (!cells[i]) {
+            ++i;
+            continue;
+        }
+        std::size_t end = i;
+        while (end < cells.size() && cells[end]) {
+            ++end;
+        }
+        places.push_back(static_cast<double>(i + end - 1) / 2.0);
+        if (end - i > kLongestRun || places.size() > kMaxNodes) {
+            return {};
+        }
+        i = end;
+    }
+    return places;
+}
+
+double medianStep(const std::vector<double>& places) {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        steps.push_back(places[i] - places[i - 1]);
+    }
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+}  // namespace
+
+std::optional<GridAxis> gridAxis(const TextPoints& points, std::size_t axis) {
+    const Range range = rangeOf(points, axis);
+    if (range.width() == 0.0) {
+        return GridAxis{.first = range.first, .pitch = 0.0, .count = 1};
+    }
+    const bool usable = std::isnormal(range.width()) && std::isfinite(kCells / range.width());
+    const std::vector<double> places =
+        usable ? nodePlaces(occupiedCells(points, axis, range)) : std::vector<double>();
+    if (places.size() < 2) {
+        return std::nullopt;
+    }
+    // Each step is a whole number of pitches; all of them together give the pitch exactly.
+    const double step = medianStep(places);
+    std::vector<double> nodes{0.0};
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        nodes.push_back(nodes.back() + std::round((places[i] - places[i - 1]) / step));
+    }
+    if (nodes.back() >= static_cast<double>(kMaxNodes)) {
+        return std::nullopt;
+    }
+    const double pitch = static_cast<double>(kCells) / nodes.back();  // [cells]
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (std::abs(places[i] - nodes[i] * pitch) > kMaxShift * pitch) {
+            return std::nullopt;
+        }
+    }
+    return GridAxis{.first = range.first,
+                    .pitch = range.width() / nodes.back(),
+                    .count = static_cast<int>(nodes.back()) + 1};
+}
+
+}  // namespace asperity

@@ -1,0 +1,120 @@
+#include "core/io/heightmap/text/TextComments.h"
+
+#include "core/io/TextValue.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+/// Needed only where more than two comments hold a length. In lower case but for letters that are
+/// not ASCII.
+constexpr std::array<std::string_view, 5> kWidthWords = {"width", "breite", "largeur", "šířka",
+                                                         "Šířka"};
+constexpr std::array<std::string_view, 5> kHeightWords = {"height", "höhe", "hauteur", "výška",
+                                                          "Výška"};
+
+struct Length {
+    double value = 0.0;
+    std::string unit;  ///< SI base unit
+};
+
+/// A number and one word after it, "10.00 µm".
+std::optional<Length> lengthOf(const TextComment& comment) {
+    const std::optional<LeadingNumber> number = parseLeadingNumber(comment.value);
+    const bool fits = number && std::isfinite(number->value) && !number->rest.empty() &&
+                      number->rest.find_first_of(" \t") == std::string_view::npos;
+    if (!fits) {
+        return std::nullopt;
+    }
+    const PhysicalUnit unit = parseUnit(number->rest);
+    return Length{number->value * unit.factor, unit.base};
+}
+
+/// Where the width stands and where the height does; empty when it cannot be told.
+struct SizePlaces {
+    std::size_t width = 0;
+    std::size_t height = 0;
+};
+
+std::optional<SizePlaces> placesOfSize(const std::vector<TextComment>& comments) {
+    std::vector<std::size_t> lengths;
+    std::optional<std::size_t> width;
+    std::optional<std::size_t> height;
+    for (std::size_t i = 0; i < comments.size(); ++i) {
+        if (!lengthOf(comments[i])) {
+            continue;
+        }
+        const std::string key = lowerCase(comments[i].key);
+        lengths.push_back(i);
+        if (!width && std::ranges::count(kWidthWords, key) > 0) {
+            width = i;
+        }
+        if (!height && std::ranges::count(kHeightWords, key) > 0) {
+            height = i;
+        }
+    }
+    if (width && height) {
+        return SizePlaces{*width, *height};
+    }
+    if (lengths.size() == 2 && lengths[1] == lengths[0] + 1) {
+        return SizePlaces{lengths[0], lengths[1]};
+    }
+    return std::nullopt;
+}
+
+bool holdsNumber(const TextComment& comment) {
+    return parseLeadingNumber(comment.value).has_value();
+}
+
+std::string placeOf(const TextComment& comment) {
+    return "line " + std::to_string(comment.line) + ", " + comment.key;
+}
+
+void takeSize(const TextComment& width, const TextComment& height, TextHeader& header) {
+    const Length x = *lengthOf(width);
+    const Length y = *lengthOf(height);
+    header.isMatrix = true;
+    if (x.unit != y.unit) {
+        header.notes.push_back("width and height have different units ('" + width.value +
+                               "' and '" + height.value + "')");
+        return;
+    }
+    header.sizeX = x.value;
+    header.sizeY = y.value;
+    header.lateralUnit = x.unit;
+    header.provenance.push_back({"width", width.value, placeOf(width)});
+    header.provenance.push_back({"height", height.value, placeOf(height)});
+}
+
+}  // namespace
+
+void takeComments(const std::vector<TextComment>& comments, TextHeader& header) {
+    const std::optional<SizePlaces> places = placesOfSize(comments);
+    std::vector<bool> used(comments.size(), false);
+    if (places) {
+        takeSize(comments[places->width], comments[places->height], header);
+        used[places->width] = used[places->height] = true;
+        const std::size_t before = places->width - 1;  // beyond the end where there is none
+        if (before < comments.size()) {
+            header.title = comments[before].value;
+            used[before] = true;
+        }
+        const std::size_t after = places->height + 1;
+        if (after < comments.size() && !holdsNumber(comments[after])) {
+            header.unit = parseUnit(comments[after].value);
+            header.provenance.push_back(
+                {"unit of the values", comments[after].value, placeOf(comments[after])});
+            used[after] = true;
+        }
+    }
+    for (std::size_t i = 0; i < comments.size(); ++i) {
+        if (!used[i] && !comments[i].key.empty()) {
+            header.metadata[comments[i].key] = comments[i].value;
+        }
+    }
+}
+
+}  // namespace asperity

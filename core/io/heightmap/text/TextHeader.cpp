@@ -1,0 +1,248 @@
+#include "core/io/heightmap/text/TextHeader.h"
+
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/NumberRow.h"
+#include "core/io/heightmap/text/TextComments.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::string_view kSeparators = " \t,;";
+/// What a header without any numbers after it has at most; it is no header then.
+constexpr long long kMaxHeaderLines = 1000;
+/// ESRI's own number for "no data" where a grid names none.
+constexpr double kEsriNoData = -9999.0;
+
+/// A column of points, "X[nm]" or "x (um)".
+struct ColumnLabel {
+    std::string name;
+    std::string unit;
+};
+
+/// The label at the front of a text, which is taken off; empty when a bracket is not closed.
+std::optional<ColumnLabel> takeLabel(std::string_view& text) {
+    ColumnLabel label;
+    const std::size_t end = std::min(text.find_first_of(" \t,;[("), text.size());
+    label.name = text.substr(0, end);
+    text = trimmed(text.substr(end));
+    if (text.starts_with('[') || text.starts_with('(')) {
+        const std::size_t close = text.find(text.front() == '[' ? ']' : ')');
+        if (close == std::string_view::npos) {
+            return std::nullopt;
+        }
+        label.unit = trimmed(text.substr(1, close - 1));
+        text = text.substr(close + 1);
+    }
+    text.remove_prefix(std::min(text.find_first_not_of(kSeparators), text.size()));
+    return label;
+}
+
+/// Labels of three columns, the first two called x and y.
+std::optional<std::array<ColumnLabel, 3>> labelsOf(std::string_view text) {
+    std::array<ColumnLabel, 3> labels;
+    for (ColumnLabel& label : labels) {
+        const std::optional<ColumnLabel> taken = takeLabel(text);
+        if (!taken || taken->name.empty() || parseNumber(taken->name)) {
+            return std::nullopt;
+        }
+        label = *taken;
+    }
+    const bool fits = text.empty() && lowerCase(labels[0].name).starts_with('x') &&
+                      lowerCase(labels[1].name).starts_with('y');
+    return fits ? std::optional(labels) : std::nullopt;
+}
+
+/// Whether a line that may be cut off begins with numbers.
+bool startsWithNumbers(std::string_view line) {
+    constexpr std::size_t kLooked = 256;
+    if (line.size() > kLooked) {
+        const std::size_t end = line.find_last_of(kSeparators, kLooked);
+        if (end == std::string_view::npos) {
+            return false;
+        }
+        line = line.substr(0, end);
+    }
+    NumberRow row;
+    readNumberRow(line, numberStyleOf(line), row);
+    const bool hasNumber =
+        std::ranges::any_of(row.numbers, [](double number) { return !std::isnan(number); });
+    return row.wrong.empty() && (hasNumber || row.numbers.size() > 2);
+}
+
+class TextHeaderReader {
+public:
+    explicit TextHeaderReader(TextLines& lines) : lines_(lines) {}
+
+    std::optional<TextHeader> read() {
+        while (const std::optional<std::string_view> line = lines_.next()) {
+            const std::string_view text = trimmed(*line);
+            if (text.empty()) {
+                continue;
+            }
+            if (startsWithNumbers(text)) {
+                header_.firstLine = *line;
+                takeComments(comments_, header_);
+                return std::move(header_);
+            }
+            if (lines_.number() > kMaxHeaderLines || !takeLine(toUtf8(text))) {
+                return std::nullopt;
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// @return whether it belongs to a header
+    bool takeLine(std::string_view line) {
+        return takeComment(line) || takeWsxm(line) || takeLabels(line) || takeEsri(line) ||
+               takeAssignment(line);
+    }
+
+    bool takeComment(std::string_view line) {
+        if (!line.starts_with('#') && !line.starts_with('%') && !line.starts_with("//")) {
+            return false;
+        }
+        line.remove_prefix(std::min(line.find_first_not_of("#%/"), line.size()));
+        line = trimmed(line);
+        if (takeLabels(line)) {
+            return true;
+        }
+        const std::size_t colon = line.find(':');
+        TextComment comment{.line = lines_.number()};
+        if (colon != std::string_view::npos) {
+            comment.key = trimmed(line.substr(0, colon));
+            comment.value = trimmed(line.substr(colon + 1));
+        }
+        comments_.push_back(std::move(comment));
+        return true;
+    }
+
+    static bool takeWsxm(std::string_view line) {
+        return line.starts_with("WSxM file copyright") || line.starts_with("WSxM ASCII XYZ file");
+    }
+
+    bool takeLabels(std::string_view line) {
+        const std::optional<std::array<ColumnLabel, 3>> labels = labelsOf(line);
+        if (!labels) {
+            return false;
+        }
+        for (std::size_t i = 0; i < labels->size(); ++i) {
+            const ColumnLabel& label = (*labels)[i];
+            const bool isLength = i < 2 || lowerCase(label.name).starts_with('z');
+            // WSxM writes A for ångström.
+            header_.pointUnits[i] = parseUnit(isLength && label.unit == "A" ? "Å" : label.unit);
+        }
+        header_.title = (*labels)[2].name;
+        header_.provenance.push_back({"columns", std::string(line), place()});
+        return true;
+    }
+
+    bool takeEsri(std::string_view line) {
+        const std::size_t blank = line.find_first_of(" \t");
+        const std::string key = lowerCase(line.substr(0, blank));
+        const bool isCount = key == "ncols" || key == "nrows";
+        const bool known = isCount || (header_.isMatrix && std::ranges::count(kEsriKeys, key) > 0);
+        if (!known || blank == std::string_view::npos) {
+            return false;
+        }
+        const std::string value(trimmed(line.substr(blank)));
+        const std::optional<double> number = parseNumber(value);
+        if (!number) {
+            lines_.fail("'" + key + "': expected a number, found '" + value + "'");
+        }
+        if (isCount) {
+            (key == "ncols" ? header_.columns : header_.rows) = count(key, value);
+        } else if (key == "nodata_value") {
+            header_.noData = *number;
+        } else {
+            header_.metadata[key] = value;
+        }
+        if (!header_.noData) {
+            header_.noData = kEsriNoData;
+        }
+        header_.isMatrix = true;
+        return true;
+    }
+
+    /// "h=305 w=75", and after it "pixel size=3.7e-007 m" and others.
+    bool takeAssignment(std::string_view line) {
+        if (line.starts_with("h=") || line.starts_with("w=")) {
+            return takeCounts(line);
+        }
+        const std::size_t equals = line.find('=');
+        if (!header_.isMatrix || equals == std::string_view::npos) {
+            return false;
+        }
+        takeValue(std::string(trimmed(line.substr(0, equals))),
+                  std::string(trimmed(line.substr(equals + 1))));
+        return true;
+    }
+
+    bool takeCounts(std::string_view line) {
+        while (!line.empty()) {
+            const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+            const std::string word(line.substr(0, end));
+            line = trimmed(line.substr(end));
+            if (!word.starts_with("h=") && !word.starts_with("w=")) {
+                return false;
+            }
+            (word[0] == 'h' ? header_.rows : header_.columns) =
+                count(word.substr(0, 1), word.substr(2));
+        }
+        header_.isMatrix = true;
+        return true;
+    }
+
+    void takeValue(const std::string& key, const std::string& value) {
+        const std::optional<LeadingNumber> number = parseLeadingNumber(value);
+        if (key == "pixel size" && number) {
+            const PhysicalUnit unit = parseUnit(number->rest);
+            header_.pitch = number->value * unit.factor;
+            header_.lateralUnit = unit.base;
+            header_.provenance.push_back({"pixel size", value, place()});
+        } else if (key.starts_with(kFactorKey) && key.ends_with(')') && number) {
+            header_.unit =
+                parseUnit(key.substr(kFactorKey.size(), key.size() - kFactorKey.size() - 1));
+            header_.unit.factor *= number->value;
+            header_.provenance.push_back({"scale", value + " " + header_.unit.base + " per number",
+                                          place() + ", height conversion factor"});
+        } else {
+            header_.metadata[key] = value;
+            if (key == "data unit" && header_.unit.base.empty()) {
+                header_.unit = parseUnit(value);
+            }
+        }
+    }
+
+    [[nodiscard]] long long count(const std::string& key, const std::string& text) const {
+        const std::optional<long long> number = parseInteger(text);
+        if (!number || *number < 1) {
+            lines_.fail("'" + key + "': expected a whole number of 1 or more, found '" + text +
+                        "'");
+        }
+        return *number;
+    }
+
+    [[nodiscard]] std::string place() const { return "line " + std::to_string(lines_.number()); }
+
+    static constexpr std::string_view kFactorKey = "height conversion factor (->";
+    /// After the counts.
+    static constexpr std::array<std::string_view, 8> kEsriKeys = {
+        "xllcorner", "yllcorner", "xllcenter", "yllcenter", "dx", "dy", "cellsize", "nodata_value"};
+
+    TextLines& lines_;
+    TextHeader header_;
+    std::vector<TextComment> comments_;
+};
+
+}  // namespace
+
+std::optional<TextHeader> readTextHeader(TextLines& lines) {
+    return TextHeaderReader(lines).read();
+}
+
+}  // namespace asperity

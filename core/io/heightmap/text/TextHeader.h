@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/io/TextLines.h"
+#include "core/io/heightmap/HeightMapFile.h"
+#include "core/io/heightmap/PhysicalUnit.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// What a text file says about its numbers before the first of them.
+struct TextHeader {
+    std::string title;             ///< empty: none given
+    double sizeX = 0.0;            ///< of the whole image, in the lateral unit; 0: not given
+    double sizeY = 0.0;            ///< as sizeX
+    double pitch = 0.0;            ///< of a pixel, as sizeX; given instead of a size
+    std::string lateralUnit;       ///< SI base unit; empty: none given
+    PhysicalUnit unit;             ///< of a number
+    long long columns = 0;         ///< 0: not given
+    long long rows = 0;            ///< 0: not given
+    std::optional<double> noData;  ///< the number that means "no data"
+    bool isMatrix = false;         ///< what it gives belongs to a matrix, not to points
+    std::array<PhysicalUnit, 3> pointUnits;  ///< of x, y, z where the columns are labeled
+    std::map<std::string, std::string> metadata;
+    std::vector<std::string> notes;
+    std::vector<Provenance> provenance;
+    std::string firstLine;  ///< of numbers
+};
+
+/// Reads up to the first line of numbers. Known are the comments of Gwyddion's export in whatever
+/// language, "h=305 w=75", the keys of ESRI grids and labels of three columns, WSxM's among them.
+/// @return empty when anything else stands there, as in a text that is no height map
+/// @throw InputError when a known line does not hold what it should
+[[nodiscard]] std::optional<TextHeader> readTextHeader(TextLines& lines);
+
+}  // namespace asperity

@@ -1,0 +1,137 @@
+#include "core/Error.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/SampleRows.h"
+#include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/text/TextRows.h"
+#include "core/io/heightmap/text/TextWriter.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+// A matrix of numbers as text, the first line the top row: Gwyddion's export, "h=.. w=.." before
+// the numbers, ESRI grids, NumPy's and CSV files. Source: docs/formats.md 4.
+
+namespace asperity {
+
+namespace {
+
+constexpr long long kMaxRows = 65536;
+/// What many programs write where there are no data.
+constexpr double kUsualNoData = -9999.0;
+
+class TextMatrixReader {
+public:
+    explicit TextMatrixReader(const ByteSource& bytes)
+        : file_(bytes.name())
+        , lines_(bytes)
+        , header_(requireTextHeader(lines_))
+        , rows_(lines_, header_) {}
+
+    StoredScan read() {
+        requireNoProfile();
+        readNumbers();
+        requirePromisedSize();
+        markNoData();
+        StoredScan scan;
+        scan.channels.push_back(channel());
+        return scan;
+    }
+
+private:
+    void requireNoProfile() {
+        if (header_.isMatrix || rows_.columns() > 2) {
+            return;
+        }
+        lines_.fail(rows_.columns() == 1
+                        ? "one column of numbers is a profile, no height map"
+                        : "two columns of numbers are a profile or a curve, such as a force curve, "
+                          "and no height map");
+    }
+
+    void readNumbers() {
+        for (auto row = rows_.next(); !row.empty(); row = rows_.next()) {
+            if (++count_ > kMaxRows) {
+                lines_.fail("more than " + std::to_string(kMaxRows) + " lines of numbers");
+            }
+            numbers_.insert(numbers_.end(), row.begin(), row.end());
+        }
+        if (count_ == 1 && !header_.isMatrix) {
+            lines_.fail("one line of numbers is a profile, no height map");
+        }
+    }
+
+    void requirePromisedSize() const {
+        const auto columns = static_cast<long long>(rows_.columns());
+        const bool fits = (header_.columns == 0 || header_.columns == columns) &&
+                          (header_.rows == 0 || header_.rows == count_);
+        if (!fits) {
+            throw InputError(file_, "header",
+                             "it promises " + std::to_string(header_.columns) + " x " +
+                                 std::to_string(header_.rows) + " numbers, and there are " +
+                                 std::to_string(columns) + " x " + std::to_string(count_) +
+                                 "; the file is truncated or damaged");
+        }
+    }
+
+    void markNoData() {
+        double noData = kUsualNoData;
+        if (header_.noData) {
+            noData = *header_.noData;
+        } else if (std::ranges::any_of(numbers_, [](double z) { return z < kUsualNoData; })) {
+            return;  // it is a number among others
+        }
+        const auto marked = std::ranges::count(numbers_, noData);
+        if (marked == 0) {
+            return;
+        }
+        std::ranges::replace(numbers_, noData, std::numeric_limits<double>::quiet_NaN());
+        header_.notes.push_back(std::to_string(marked) + " numbers are " + exactText(noData) +
+                                " and taken as pixels without data");
+    }
+
+    StoredChannel channel() {
+        const ImageSize size =
+            checkedImageSize(static_cast<long long>(rows_.columns()), count_, file_, "matrix");
+        const bool byPixel = header_.pitch > 0.0;
+        ScanChannel channel;
+        channel.name = header_.title.empty() ? "matrix" : header_.title;
+        channel.unit = header_.unit.base;
+        channel.lateralUnit = header_.lateralUnit;
+        channel.direction = directionFromName(channel.name);
+        channel.map = emptyMap(size, byPixel ? header_.pitch * size.columns : header_.sizeX,
+                               byPixel ? header_.pitch * size.rows : header_.sizeY);
+        channel.metadata = std::move(header_.metadata);
+        channel.notes = std::move(header_.notes);
+        settleSize(channel);
+        channel.provenance = std::move(header_.provenance);
+        if (rows_.style().separator == ';') {
+            channel.provenance.push_back({"separator", ";", "first line of numbers"});
+        }
+        channel.provenance.push_back(
+            {"orientation", "the first line is the top row", "usual; the file does not say"});
+        return {.channel = std::move(channel),
+                .factor = header_.unit.factor,
+                .readRow = rowsOfNumbers(std::move(numbers_), size.columns)};
+    }
+
+    std::string file_;
+    TextLines lines_;
+    TextHeader header_;
+    TextRows rows_;
+    std::deque<double> numbers_;
+    long long count_ = 0;  ///< of rows
+};
+
+constexpr std::array<std::string_view, 1> kExtensions{".txt"};
+
+}  // namespace
+
+const HeightMapFormat kTextFormat = {
+    .name = "text matrix",
+    .extensions = kExtensions,
+    .recognizes = [](const ByteSource& bytes) { return glanceAtText(bytes).has_value(); },
+    .read = [](const ByteSource& bytes) { return TextMatrixReader(bytes).read(); },
+    .write = writeText};
+
+}  // namespace asperity

@@ -1,0 +1,166 @@
+#include "core/Error.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/SampleRows.h"
+#include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/text/PointGrid.h"
+#include "core/io/heightmap/text/TextRows.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+// Points of a grid as text, x, y and z in each line, in any order; the largest y is the top row.
+// Source: docs/formats.md 4.
+
+namespace asperity {
+
+namespace {
+
+/// A grid has at most this number of nodes for each of its points.
+constexpr double kMaxNodesPerPoint = 1.2;
+
+class TextXyzReader {
+public:
+    explicit TextXyzReader(const ByteSource& bytes)
+        : file_(bytes.name())
+        , lines_(bytes)
+        , header_(requireTextHeader(lines_))
+        , rows_(lines_, header_) {}
+
+    StoredScan read() {
+        readPoints();
+        findGrid();
+        ScanChannel channel;
+        channel.name = header_.title.empty() ? "z" : header_.title;
+        channel.unit = header_.pointUnits[2].base;
+        channel.direction = directionFromName(channel.name);
+        channel.metadata = std::move(header_.metadata);
+        setSize(channel);
+        addProvenance(channel);
+        std::deque<double> heights = heightsOnGrid(channel);
+        StoredScan scan;
+        scan.channels.push_back({.channel = std::move(channel),
+                                 .factor = header_.pointUnits[2].factor,
+                                 .readRow = rowsOfNumbers(std::move(heights), x_.count)});
+        return scan;
+    }
+
+private:
+    void readPoints() {
+        if (rows_.columns() != 3) {
+            lines_.fail("expected x, y and z, found " + std::to_string(rows_.columns()) +
+                        " numbers");
+        }
+        for (auto point = rows_.next(); !point.empty(); point = rows_.next()) {
+            if (!std::isfinite(point[0]) || !std::isfinite(point[1])) {
+                lines_.fail("expected numbers for x and y of a point");
+            }
+            points_.numbers.insert(points_.numbers.end(), point.begin(), point.end());
+        }
+    }
+
+    void findGrid() {
+        const std::optional<GridAxis> x = gridAxis(points_, 0);
+        const std::optional<GridAxis> y = gridAxis(points_, 1);
+        const std::size_t count = points_.size();
+        const double nodes = x && y ? static_cast<double>(x->count) * y->count : 0.0;
+        const auto points = static_cast<double>(count);
+        if (nodes < points || nodes > kMaxNodesPerPoint * points) {
+            throw InputError(
+                file_, "",
+                "three columns of numbers are read as x, y and z of points, and these " +
+                    std::to_string(count) +
+                    " lie on no regular grid; interpolate them onto one first, with "
+                    "Gwyddion for instance");
+        }
+        if (x->count == 1 || y->count == 1) {
+            throw InputError(file_, "", "all points lie on one line: a profile, no height map");
+        }
+        x_ = *x;
+        y_ = *y;
+    }
+
+    void setSize(ScanChannel& channel) {
+        const PhysicalUnit& xUnit = header_.pointUnits[0];
+        const PhysicalUnit& yUnit = header_.pointUnits[1];
+        const ImageSize size = checkedImageSize(x_.count, y_.count, file_, "grid");
+        const bool known = !xUnit.base.empty() && xUnit.base == yUnit.base;
+        const double pitchX = known ? x_.pitch * xUnit.factor : 0.0;
+        const double pitchY = known ? y_.pitch * yUnit.factor : 0.0;
+        channel.map = emptyMap(size, pitchX * size.columns, pitchY * size.rows);
+        if (known) {
+            channel.lateralUnit = xUnit.base;
+            channel.originX = finiteOrZero(x_.first * xUnit.factor - 0.5 * pitchX);
+            channel.originY = finiteOrZero(y_.first * yUnit.factor - 0.5 * pitchY);
+        } else {
+            channel.notes.push_back("x and y have no unit; their steps are " + exactText(x_.pitch) +
+                                    " and " + exactText(y_.pitch));
+        }
+        settleSize(channel);
+    }
+
+    void addProvenance(ScanChannel& channel) {
+        channel.provenance = std::move(header_.provenance);
+        channel.provenance.push_back({"grid",
+                                      std::to_string(x_.count) + " x " + std::to_string(y_.count) +
+                                          " nodes, steps " + exactText(x_.pitch) + " and " +
+                                          exactText(y_.pitch),
+                                      "the coordinates of all points"});
+        channel.provenance.push_back(
+            {"orientation", "the largest y is the top row", "usual; the file does not say"});
+    }
+
+    /// @throw InputError when two points lie on the same node
+    std::deque<double> heightsOnGrid(ScanChannel& channel) {
+        const auto columns = static_cast<std::size_t>(x_.count);
+        const std::size_t nodes = columns * static_cast<std::size_t>(y_.count);
+        std::deque<double> heights(nodes, std::numeric_limits<double>::quiet_NaN());
+        std::vector<bool> taken(nodes, false);
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const int row = y_.count - 1 - y_.nodeOf(points_.at(i, 1));
+            const std::size_t node = static_cast<std::size_t>(row) * columns +
+                                     static_cast<std::size_t>(x_.nodeOf(points_.at(i, 0)));
+            if (taken[node]) {
+                throw InputError(file_, "",
+                                 "two points lie at x = " + exactText(points_.at(i, 0)) +
+                                     ", y = " + exactText(points_.at(i, 1)));
+            }
+            taken[node] = true;
+            heights[node] = points_.at(i, 2);
+        }
+        const std::size_t missing = nodes - points_.size();
+        if (missing > 0) {
+            channel.notes.push_back(std::to_string(missing) + " of " + std::to_string(nodes) +
+                                    " nodes of the grid have no point");
+        }
+        points_.numbers.clear();
+        points_.numbers.shrink_to_fit();
+        return heights;
+    }
+
+    std::string file_;
+    TextLines lines_;
+    TextHeader header_;
+    TextRows rows_;
+    TextPoints points_;
+    GridAxis x_;
+    GridAxis y_;
+};
+
+constexpr std::array<std::string_view, 4> kExtensions{".xyz", ".asc", ".csv", ".dat"};
+
+bool isXyz(const ByteSource& bytes) {
+    const std::optional<TextHeader> header = glanceAtText(bytes);
+    return header && holdsPoints(*header);
+}
+
+}  // namespace
+
+const HeightMapFormat kXyzFormat = {
+    .name = "XYZ points",
+    .extensions = kExtensions,
+    .recognizes = isXyz,
+    .read = [](const ByteSource& bytes) { return TextXyzReader(bytes).read(); }};
+
+}  // namespace asperity

@@ -1,0 +1,276 @@
+#include "core/io/heightmap/zip/ZipArchive.h"
+
+#include "core/Error.h"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <utility>
+#include <zip.h>
+
+namespace asperity {
+
+namespace {
+
+constexpr std::size_t kStep = std::size_t{1} << 18U;
+/// No byte of a compressed entry makes more; a damaged directory may promise more.
+constexpr std::uint64_t kMaxExpansion = 1032;
+
+std::string entryName(const std::string& file, const std::string& entry) {
+    return file + ": " + entry;
+}
+
+/// What libzip reads from. It knows no exceptions: one waits here until libzip has returned.
+struct Input {
+    const ByteSource* bytes = nullptr;
+    std::uint64_t place = 0;
+    std::exception_ptr failure;
+    zip_error_t error{};
+
+    zip_int64_t read(void* data, zip_uint64_t length) {
+        const std::uint64_t left = bytes->size() - std::min(place, bytes->size());
+        const std::uint64_t count = std::min<std::uint64_t>(length, left);
+        bytes->read(place, {static_cast<char*>(data), static_cast<std::size_t>(count)});
+        place += count;
+        return static_cast<zip_int64_t>(count);
+    }
+
+    zip_int64_t seek(void* data, zip_uint64_t length) {
+        const zip_int64_t to =
+            zip_source_seek_compute_offset(place, bytes->size(), data, length, &error);
+        if (to < 0) {
+            return -1;
+        }
+        place = static_cast<std::uint64_t>(to);
+        return 0;
+    }
+
+    zip_int64_t describe(void* data) const {
+        auto* const status = static_cast<zip_stat_t*>(data);
+        zip_stat_init(status);
+        status->size = bytes->size();
+        status->valid = ZIP_STAT_SIZE;
+        return sizeof(zip_stat_t);
+    }
+
+    zip_int64_t answer(void* data, zip_uint64_t length, zip_source_cmd_t command) {
+        switch (command) {
+        case ZIP_SOURCE_OPEN:
+            place = 0;
+            return 0;
+        case ZIP_SOURCE_READ:
+            return read(data, length);
+        case ZIP_SOURCE_SEEK:
+            return seek(data, length);
+        case ZIP_SOURCE_TELL:
+            return static_cast<zip_int64_t>(place);
+        case ZIP_SOURCE_STAT:
+            return describe(data);
+        case ZIP_SOURCE_ERROR:
+            return zip_error_to_data(&error, data, length);
+        case ZIP_SOURCE_SUPPORTS:
+            return ZIP_SOURCE_SUPPORTS_SEEKABLE |
+                   ZIP_SOURCE_MAKE_COMMAND_BITMASK(ZIP_SOURCE_ACCEPT_EMPTY);
+        case ZIP_SOURCE_ACCEPT_EMPTY:
+        case ZIP_SOURCE_CLOSE:
+        case ZIP_SOURCE_FREE:
+            return 0;
+        default:
+            zip_error_set(&error, ZIP_ER_OPNOTSUPP, 0);
+            return -1;
+        }
+    }
+};
+
+zip_int64_t answerOf(void* state, void* data, zip_uint64_t length, zip_source_cmd_t command) {
+    auto& input = *static_cast<Input*>(state);
+    try {
+        return input.answer(data, length, command);
+    } catch (...) {
+        input.failure = std::current_exception();
+        zip_error_set(&input.error, ZIP_ER_READ, 0);
+        return -1;
+    }
+}
+
+struct CloseEntry {
+    void operator()(zip_file_t* file) const { zip_fclose(file); }
+};
+using OpenEntry = std::unique_ptr<zip_file_t, CloseEntry>;
+
+/// Ends an error of libzip's, which must be initialized.
+std::string textOf(zip_error_t& error) {
+    std::string text = zip_error_strerror(&error);
+    zip_error_fini(&error);
+    return text;
+}
+
+}  // namespace
+
+/// The open archive; one thread at a time is in libzip.
+class ZipArchive::Opened {
+public:
+    explicit Opened(const ByteSource& bytes) : input_{.bytes = &bytes} {
+        zip_error_t error;
+        zip_error_init(&error);
+        zip_source_t* const source = zip_source_function_create(answerOf, &input_, &error);
+        zip_ = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error);
+        if (zip_ != nullptr) {
+            zip_error_fini(&error);
+            return;
+        }
+        zip_source_free(source);
+        const std::string reason = textOf(error);
+        if (input_.failure) {
+            std::rethrow_exception(input_.failure);
+        }
+        throw InputError(bytes.name(), "", "the zip archive is damaged or truncated: " + reason);
+    }
+    Opened(const Opened&) = delete;
+    Opened& operator=(const Opened&) = delete;
+    ~Opened() { zip_discard(zip_); }
+
+    [[nodiscard]] const std::string& file() const { return input_.bytes->name(); }
+    [[nodiscard]] const ByteSource& bytes() const { return *input_.bytes; }
+    [[nodiscard]] std::mutex& mutex() { return mutex_; }
+
+    [[nodiscard]] std::vector<ZipEntry> list() {
+        const auto count = static_cast<std::uint64_t>(zip_get_num_entries(zip_, 0));
+        std::vector<ZipEntry> entries;
+        entries.reserve(count);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            zip_stat_t status;
+            zip_stat_init(&status);
+            if (zip_stat_index(zip_, i, ZIP_FL_ENC_GUESS, &status) != 0 || status.name == nullptr) {
+                fail("entry " + std::to_string(i + 1), zip_strerror(zip_));
+            }
+            std::string name = status.name;
+            std::ranges::replace(name, '\\', '/');
+            entries.push_back({.name = std::move(name),
+                               .size = status.size,
+                               .packed = status.comp_size,
+                               .index = i,
+                               .isStored = status.comp_method == ZIP_CM_STORE &&
+                                           status.encryption_method == ZIP_EM_NONE});
+        }
+        return entries;
+    }
+
+    [[nodiscard]] OpenEntry open(const ZipEntry& entry) {
+        OpenEntry file(zip_fopen_index(zip_, entry.index, 0));
+        if (file == nullptr) {
+            fail(entry.name, zip_strerror(zip_));
+        }
+        return file;
+    }
+
+    /// As many of the next bytes as there are. @throw InputError when they cannot be decoded
+    [[nodiscard]] std::size_t read(zip_file_t& from, std::span<char> bytes, const ZipEntry& entry) {
+        std::size_t done = 0;
+        while (done < bytes.size()) {
+            const zip_int64_t count = zip_fread(&from, bytes.data() + done, bytes.size() - done);
+            if (count < 0) {
+                fail(entry.name, zip_file_strerror(&from));
+            }
+            if (count == 0) {
+                break;
+            }
+            done += static_cast<std::size_t>(count);
+        }
+        return done;
+    }
+
+    [[noreturn]] void fail(const std::string& entry, const std::string& reason) const {
+        if (input_.failure) {
+            std::rethrow_exception(input_.failure);
+        }
+        throw InputError(file(), entry, "it cannot be taken from the zip archive: " + reason);
+    }
+
+private:
+    Input input_;
+    zip_t* zip_ = nullptr;
+    std::mutex mutex_;
+};
+
+std::string_view ZipEntry::baseName() const {
+    return std::string_view(name).substr(name.find_last_of('/') + 1);
+}
+
+ZipArchive::ZipArchive(const ByteSource& bytes)
+    : opened_(std::make_shared<Opened>(bytes)), entries_(opened_->list()) {}
+
+const ZipEntry* ZipArchive::find(std::string_view name) const {
+    const auto found = std::ranges::find(entries_, name, &ZipEntry::name);
+    return found == entries_.end() ? nullptr : &*found;
+}
+
+std::string ZipArchive::decoded(const ZipEntry& entry, std::uint64_t most) const {
+    if (entry.size > most) {
+        throw InputError(opened_->file(), entry.name,
+                         "it holds " + std::to_string(entry.size) + " bytes; at most " +
+                             std::to_string(most) + " are expected");
+    }
+    const std::scoped_lock lock(opened_->mutex());
+    const OpenEntry file = opened_->open(entry);
+    std::string bytes;
+    const std::uint64_t packed = std::min(entry.packed, opened_->bytes().size());
+    bytes.reserve(static_cast<std::size_t>(std::min(entry.size, packed * kMaxExpansion) + 1));
+    // One byte more than are listed: at the end, libzip compares the CRC.
+    for (bool more = true; more && bytes.size() <= entry.size;) {
+        const std::size_t before = bytes.size();
+        bytes.resize(before + static_cast<std::size_t>(
+                                  std::min<std::uint64_t>(kStep, entry.size + 1 - before)));
+        const std::size_t count = opened_->read(*file, std::span(bytes).subspan(before), entry);
+        more = before + count == bytes.size();
+        bytes.resize(before + count);
+    }
+    if (bytes.size() != entry.size) {
+        opened_->fail(entry.name, "it does not hold the " + std::to_string(entry.size) +
+                                      " bytes that the directory lists");
+    }
+    return bytes;
+}
+
+/// A stored entry, whose bytes are copied out of the archive when they are asked for.
+class ZipArchive::StoredEntry final : public ByteSource {
+public:
+    StoredEntry(std::shared_ptr<Opened> archive, const ZipEntry& entry)
+        : ByteSource(entryName(archive->file(), entry.name))
+        , archive_(std::move(archive))
+        , entry_(entry)
+        , file_(archive_->open(entry)) {}
+    ~StoredEntry() override {
+        const std::scoped_lock lock(archive_->mutex());
+        file_.reset();
+    }
+
+    [[nodiscard]] std::uint64_t size() const override { return entry_.size; }
+    void read(std::uint64_t place, std::span<char> bytes) const override {
+        const std::scoped_lock lock(archive_->mutex());
+        const bool there = place <= entry_.size && bytes.size() <= entry_.size - place &&
+                           zip_fseek(file_.get(), static_cast<zip_int64_t>(place), SEEK_SET) == 0;
+        if (!there || archive_->read(*file_, bytes, entry_) != bytes.size()) {
+            archive_->fail(entry_.name,
+                           "it ends before byte " + std::to_string(place + bytes.size()));
+        }
+    }
+    void requireUnchanged() const override { archive_->bytes().requireUnchanged(); }
+
+private:
+    std::shared_ptr<Opened> archive_;
+    ZipEntry entry_;
+    OpenEntry file_;
+};
+
+std::shared_ptr<const ByteSource> ZipArchive::source(const ZipEntry& entry,
+                                                     std::uint64_t most) const {
+    if (entry.isStored && entry.size <= most) {
+        const std::scoped_lock lock(opened_->mutex());
+        return std::make_shared<StoredEntry>(opened_, entry);
+    }
+    return std::make_shared<OwnedBytes>(decoded(entry, most),
+                                        entryName(opened_->file(), entry.name));
+}
+
+}  // namespace asperity

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/io/ByteSource.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+/// A file in a zip archive, as the archive's directory lists it.
+struct ZipEntry {
+    std::string name;          ///< '/' between folders, UTF-8
+    std::uint64_t size = 0;    ///< decoded [bytes]
+    std::uint64_t packed = 0;  ///< in the archive [bytes]
+    std::uint64_t index = 0;   ///< in the directory
+    bool isStored = false;     ///< as it is, not compressed
+
+    /// Behind the last '/'; empty for a folder.
+    [[nodiscard]] std::string_view baseName() const;
+};
+
+/// A zip archive, read through libzip.
+class ZipArchive {
+public:
+    /// @param bytes must outlive the archive and the sources that it gives
+    /// @throw InputError when it is no archive or its directory is damaged
+    explicit ZipArchive(const ByteSource& bytes);
+
+    [[nodiscard]] const std::vector<ZipEntry>& entries() const { return entries_; }
+    /// Null: there is none of this name.
+    [[nodiscard]] const ZipEntry* find(std::string_view name) const;
+
+    /// Decodes a whole entry and checks its CRC.
+    /// @param most bytes that the entry may hold: a small archive can list a huge one
+    /// @throw InputError that names file and entry, when it is larger, damaged or encrypted
+    [[nodiscard]] std::string decoded(const ZipEntry& entry, std::uint64_t most) const;
+    /// The bytes of an entry, named by file and entry. A stored one stays in the archive, any other
+    /// is decoded here. @throw as decoded()
+    [[nodiscard]] std::shared_ptr<const ByteSource> source(const ZipEntry& entry,
+                                                           std::uint64_t most) const;
+
+private:
+    class Opened;
+    class StoredEntry;
+
+    std::shared_ptr<Opened> opened_;
+    std::vector<ZipEntry> entries_;
+};
+
+}  // namespace asperity

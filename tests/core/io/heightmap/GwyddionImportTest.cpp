@@ -1,0 +1,259 @@
+#include "core/io/ByteReader.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/ScanFile.h"
+#include "core/io/heightmap/gwyddion/Identification.h"
+#include "tests/core/io/heightmap/SyntheticScans.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+// Files that no format of ours recognizes: read by a program that does what it is told in place of
+// Gwyddion, and by Gwyddion where it is installed.
+
+/// Skips the calling test where the program is not installed.
+#define ASPERITY_NEEDS_GWYDDION()                                                                  \
+    if (installedGwyddion().program.empty())                                                       \
+    GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed"
+
+namespace asperity::test {
+
+namespace {
+
+using namespace std::chrono_literals;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* kContent = "content that no format knows";
+constexpr const char* kIdentified = "echo \"$2: Some data (.xyz) [somefile, 90]\"";
+
+/// A folder with a program `gwyddion` that is a script.
+class FakeGwyddion {
+public:
+    /// @param identify, convert what it does with each option; $2 is the file, $out the .gwy
+    FakeGwyddion(const std::string& identify, const std::string& convert) {
+        const std::filesystem::path program = folder_.write(
+            "gwyddion", "#!/bin/sh\necho \"$HOME\" >\"$(dirname \"$0\")/home\"\ncase \"$1\" "
+                        "in\n--version) echo 'Gwyddion 9.87 (2030-01-01)';;\n"
+                        "--identify) " +
+                            identify + ";;\n--convert-to-gwy=*) out=\"${1#--convert-to-gwy=}\"; " +
+                            convert + ";;\n*) exit 9;;\nesac\n");
+        std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    }
+
+    [[nodiscard]] Gwyddion program(std::chrono::milliseconds timeout = 20s) const {
+        Gwyddion found = gwyddionIn("/nowhere:" + folder_.path().string());
+        found.timeout = timeout;
+        return found;
+    }
+    [[nodiscard]] const ScratchFolder& folder() const { return folder_; }
+    /// Whether the folder that the program worked in is gone.
+    [[nodiscard]] bool leftNothing() const {
+        const std::string home = contentOf(folder_.file("home"));
+        return !home.empty() && !std::filesystem::exists(home.substr(0, home.find('\n')));
+    }
+
+private:
+    ScratchFolder folder_;
+};
+
+/// Converts everything to this content.
+class ConvertingGwyddion : public FakeGwyddion {
+public:
+    explicit ConvertingGwyddion(const std::string& gwy)
+        : FakeGwyddion(kIdentified, "cp \"$(dirname \"$0\")/result\" \"$out\"") {
+        (void)folder().write("result", gwy);
+    }
+};
+
+HeightMapFile read(const Gwyddion& gwyddion, const std::string& content = kContent) {
+    return readHeightMapBytes(content, "some folder/scan.xyz", gwyddion);
+}
+
+std::string refusal(const Gwyddion& gwyddion, const std::string& content = kContent) {
+    return refusalOf([&] { (void)read(gwyddion, content); });
+}
+
+std::string smallGwy() { return gwyFile(gwyComponent("/0/data", smallGwyField())); }
+
+/// Of 4 x 3 doubles; no format of ours reads NRRD.
+std::string nrrd(const std::string& fields) {
+    std::string bytes = "NRRD0004\ntype: double\ndimension: 2\nsizes: 4 3\nendian: little\n"
+                        "encoding: raw\n" +
+                        fields + "\n";
+    for (int i = 0; i < 12; ++i) {
+        appendLittleEndian(bytes, i * 1e-9);
+    }
+    return bytes;
+}
+
+constexpr const char* kNrrdMeters =
+    "spacings: 1e-9 2e-9\nunits: \"m\" \"m\"\nsample units: \"m\"\n";
+
+}  // namespace
+
+TEST(GwyddionImport, ReadsWhatGwyddionConverts) {
+    const ConvertingGwyddion fake(smallGwy());
+    const HeightMapFile file = read(fake.program());
+    EXPECT_EQ(file.format, "Some data (.xyz), through Gwyddion 9.87");
+    ASSERT_EQ(file.channels.size(), 1U);
+    EXPECT_EQ(file.channels[0].map.at(2, 0), 5e-9);
+    ASSERT_FALSE(file.provenance.empty());
+    EXPECT_EQ(file.provenance.back().value, "through Gwyddion 9.87, its module somefile");
+    EXPECT_THAT(file.provenance.back().source, HasSubstr("90"));
+}
+
+TEST(GwyddionImport, NativeFormatsGoFirst) {
+    const FakeGwyddion fake("touch \"$(dirname \"$0\")/asked\"", "exit 1");
+    EXPECT_EQ(read(fake.program(), smallGwy()).format, "Gwyddion .gwy");
+    EXPECT_THAT(refusal(fake.program(), "GWYP damaged"), Not(IsEmpty()));
+    EXPECT_FALSE(std::filesystem::exists(fake.folder().file("asked")));
+}
+
+TEST(GwyddionImport, HeightsAreReadWhenTheFolderIsGone) {
+    const ConvertingGwyddion fake(smallGwy());
+    const ScratchFolder folder;
+    const ScanFile file(folder.write("scan.xyz", kContent), {}, fake.program());
+    EXPECT_TRUE(fake.leftNothing());
+    EXPECT_EQ(file.readHeightChannel("").channel.map.at(0, 1), 2e-9);
+}
+
+TEST(GwyddionImport, WithoutTheProgramTheMessageNamesThePackage) {
+    EXPECT_THAT(refusal({}), AllOf(StartsWith("some folder/scan.xyz: this is no height map"),
+                                   HasSubstr("the Debian package gwyddion")));
+}
+
+TEST(GwyddionImport, NamesFormatsThatAreKnownButNotRead) {
+    EXPECT_THAT(refusal({}, "\x89HDF\r\n\x1A\n"), HasSubstr("this is an HDF5 file"));
+    EXPECT_THAT(refusal({}, "\x01\xB0\x93\xFF"), HasSubstr("this is an NT-MDT file"));
+    EXPECT_THAT(refusal({}, "ISO/TC 201 SPM data transfer format\r\n"),
+                HasSubstr("this is an ISO 28600 file"));
+    const FakeGwyddion fake("echo \"$2: Unknown\"; exit 1", "exit 1");
+    EXPECT_THAT(refusal(fake.program(), "\x89HDF\r\n\x1A\n"),
+                AllOf(HasSubstr("this is an HDF5 file"), HasSubstr("Gwyddion does not recognize")));
+}
+
+TEST(GwyddionImport, RefusesWhatGwyddionDoesNotKnowOrGuesses) {
+    const FakeGwyddion unknown("echo \"$2: Unknown\"; exit 1", "exit 1");
+    EXPECT_THAT(refusal(unknown.program()), HasSubstr("Gwyddion does not recognize it"));
+    const FakeGwyddion silent("exit 1", "exit 1");
+    EXPECT_THAT(refusal(silent.program()), HasSubstr("Gwyddion does not recognize it"));
+    const FakeGwyddion guess("echo \"$2: Thermo Fisher SPC files [spcfile, 49]\"", "exit 1");
+    EXPECT_THAT(refusal(guess.program()),
+                AllOf(HasSubstr("Gwyddion only guesses"), HasSubstr("Thermo Fisher SPC files"),
+                      HasSubstr("49 of 100")));
+    const FakeGwyddion picture("echo \"$2: Windows or OS2 Bitmap (.bmp) [bmp, 70]\"", "exit 1");
+    EXPECT_THAT(refusal(picture.program()), HasSubstr("this is a picture"));
+}
+
+TEST(GwyddionImport, QuotesWhyGwyddionFails) {
+    const FakeGwyddion fails(kIdentified,
+                             "echo warning; echo \"$2: Data are compressed.\"; exit 1");
+    EXPECT_THAT(refusal(fails.program()), AllOf(HasSubstr("module somefile"),
+                                                HasSubstr("cannot read it: Data are compressed.")));
+    const FakeGwyddion crashes(kIdentified, "kill -SEGV $$");
+    EXPECT_THAT(refusal(crashes.program()), HasSubstr("it crashed"));
+    const FakeGwyddion forgets(kIdentified, "exit 0");
+    EXPECT_THAT(refusal(forgets.program()), HasSubstr("cannot read it"));
+}
+
+TEST(GwyddionImport, EndsAProgramThatHangsOrPrintsWithoutEnd) {
+    const FakeGwyddion hangs(kIdentified, "sleep 100");
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_THAT(refusal(hangs.program(300ms)), HasSubstr("did not end within 0.3 s"));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s);
+    const FakeGwyddion talks("yes", "exit 1");
+    EXPECT_THAT(refusal(talks.program()), HasSubstr("printed messages without end"));
+    EXPECT_TRUE(hangs.leftNothing());
+    EXPECT_TRUE(talks.leftNothing());
+}
+
+TEST(GwyddionImport, RefusesAGwyThatIsNone) {
+    EXPECT_THAT(refusal(ConvertingGwyddion("text").program()), HasSubstr("no .gwy file"));
+    EXPECT_THAT(refusal(ConvertingGwyddion("").program()),
+                AllOf(StartsWith("some folder/scan.xyz: "), HasSubstr("empty")));
+    EXPECT_THAT(refusal(ConvertingGwyddion(smallGwy().substr(0, 100)).program()),
+                AllOf(StartsWith("some folder/scan.xyz: as Gwyddion converts it: byte "),
+                      HasSubstr("truncated")));
+    EXPECT_THAT(refusal(ConvertingGwyddion(gwyFile("")).program()), HasSubstr("no image"));
+    EXPECT_THAT(refusal(FakeGwyddion(kIdentified, "mkdir \"$out\"").program()),
+                HasSubstr("this is a folder"));
+    EXPECT_THAT(refusal(FakeGwyddion(kIdentified, "mkfifo \"$out\"").program()),
+                HasSubstr("not a regular file"));
+}
+
+TEST(GwyddionImport, GivesTheContentUnderAPlainNameWithItsEnding) {
+    const FakeGwyddion fake("cp \"$2\" \"$(dirname \"$0\")/seen\"; basename \"$2\" >\"$(dirname "
+                            "\"$0\")/name\"; exit 1",
+                            "exit 1");
+    (void)refusalOf(
+        [&] { (void)readHeightMapBytes(kContent, "/a/-x \n\xFFy'.TF0", fake.program()); });
+    EXPECT_EQ(contentOf(fake.folder().file("seen")), kContent);
+    EXPECT_EQ(contentOf(fake.folder().file("name")), "-x___y_.TF0\n");
+}
+
+TEST(GwyddionImport, ASizeOfOneIsWhatGwyddionInvents) {
+    const std::string image = gwyObjectBytes(
+        "GwyDataField", gwyInteger("xres", 2) + gwyInteger("yres", 1) + gwyNumber("xreal", 1.0) +
+                            gwyNumber("yreal", 1.0) + gwyUnit("si_unit_xy", "m") +
+                            gwyUnit("si_unit_z", "m") + gwyNumbers("data", {1e-9, 2e-9}));
+    const HeightMapFile file =
+        read(ConvertingGwyddion(gwyFile(gwyComponent("/0/data", image))).program());
+    EXPECT_FALSE(file.channels.at(0).hasSize());
+    EXPECT_THAT(file.channels.at(0).notes.at(0), HasSubstr("taken as unknown"));
+}
+
+TEST(GwyddionImport, TheProgramIsTheFirstOfThePath) {
+    const FakeGwyddion fake("exit 1", "exit 1");
+    const ScratchFolder other;
+    (void)other.write("gwyddion", "not executable");
+    const std::string folder = fake.folder().path().string();
+    EXPECT_EQ(gwyddionIn("relative::" + other.path().string() + ":" + folder + ":/usr/bin").program,
+              fake.folder().file("gwyddion"));
+    EXPECT_TRUE(gwyddionIn("").program.empty());
+    EXPECT_TRUE(gwyddionIn(other.path().string()).program.empty());
+}
+
+TEST(GwyddionIdentification, IsReadFromTheLineOfTheFile) {
+    const auto found = identificationIn(
+        "(process:1): Module-WARNING: x [y, 1]\n\n/t/a.x: Files [old] of X (.x) [xfile, 100]\n",
+        "/t/a.x");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->name, "Files [old] of X (.x)");
+    EXPECT_EQ(found->module, "xfile");
+    EXPECT_EQ(found->score, 100);
+    for (const char* output : {"", "\n", "/t/a.x: Unknown\n", "/t/a.x: [", "/t/a.x: a, b]",
+                               "/t/a.x: X [x, y]", "/t/a.x: X [x, -1]", "/t/b.x: X [x, 100]"}) {
+        EXPECT_FALSE(identificationIn(output, "/t/a.x")) << output;
+    }
+    EXPECT_EQ(versionIn("Gwyddion 2.62 (2022-11-03)\n"), "2.62");
+    EXPECT_EQ(versionIn("none"), "");
+}
+
+TEST(GwyddionImport, TheInstalledProgramReadsNrrd) {
+    ASPERITY_NEEDS_GWYDDION();
+    const HeightMapFile file = read(installedGwyddion(), nrrd(kNrrdMeters));
+    EXPECT_THAT(file.format, AllOf(HasSubstr("NRRD"), HasSubstr("through Gwyddion 2.")));
+    EXPECT_THAT(file.provenance.back().value, HasSubstr("its module nrrdfile"));
+    const ScanChannel& channel = heightChannel(file, "scan.xyz", "");
+    EXPECT_EQ(channel.map.columns, 4);
+    EXPECT_EQ(channel.map.rows, 3);
+    EXPECT_NEAR(channel.map.pitchX, 1e-9, 1e-18);
+    EXPECT_NEAR(channel.map.pitchY, 2e-9, 1e-18);
+    EXPECT_DOUBLE_EQ(channel.map.at(2, 1), 9e-9);
+}
+
+TEST(GwyddionImport, TheInstalledProgramRefusesInWords) {
+    ASPERITY_NEEDS_GWYDDION();
+    EXPECT_THAT(refusal(installedGwyddion()), HasSubstr("Gwyddion does not recognize it"));
+    EXPECT_THAT(refusal(installedGwyddion(), nrrd(kNrrdMeters).substr(0, 200)),
+                AllOf(HasSubstr("module nrrdfile"), HasSubstr("cannot read it: ")));
+    const std::string gray = "P5\n8 8\n255\n" + std::string(64, 'x');
+    EXPECT_THAT(refusal(installedGwyddion(), gray), HasSubstr("this is a picture"));
+}
+
+}  // namespace asperity::test

@@ -1,0 +1,85 @@
+#include "core/io/FileBytes.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "tests/core/io/heightmap/ZipFiles.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/Refusal.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace asperity::test {
+
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+std::string refusal(const std::string& bytes) {
+    return refusalOf([&] { (void)readHeightMapBytes(bytes, "scan.zip"); });
+}
+
+}  // namespace
+
+TEST(JpkArchiveReader, ReadsTheImageOfAMapOfCurves) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    const HeightMapFile archive =
+        readHeightMapFile(sharedData("afm/jpk/qi_2020_extracted.jpk-qi-data"));
+    const HeightMapFile image =
+        readHeightMapFile(sharedData("afm/jpk/qi_2020_data-image.jpk-qi-image"));
+    EXPECT_EQ(archive.format, "JPK archive");
+    EXPECT_THAT(archive.notes, Contains(HasSubstr("also holds force curves")));
+    EXPECT_EQ(archive.defaultChannel, image.defaultChannel);
+    ASSERT_EQ(archive.channels.size(), image.channels.size());
+    for (std::size_t i = 0; i < image.channels.size(); ++i) {
+        const HeightMap& ours = archive.channels[i].map;
+        const HeightMap& own = image.channels[i].map;
+        EXPECT_EQ(archive.channels[i].name, image.channels[i].name);
+        EXPECT_EQ(ours.pitchX, own.pitchX);
+        EXPECT_EQ(ours.invalid, own.invalid);
+        for (std::size_t pixel = 0; pixel < own.heights.size(); ++pixel) {
+            if (!own.invalid[pixel]) {
+                ASSERT_EQ(ours.heights[pixel], own.heights[pixel]);
+            }
+        }
+    }
+}
+
+TEST(JpkArchiveReader, TheImageMayBeStoredOrCompressed) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    const std::string image = readFileBytes(sharedData("afm/jpk/map25x25_data-image.force.jpk"));
+    const HeightMapFile alone = readHeightMapBytes(image, "image");
+    for (const bool compressed : {false, true}) {
+        const HeightMapFile file = readHeightMapBytes(
+            zipFile({{"header.properties", "type=map"}, {"data-image.force", image, compressed}}),
+            "map.jpk-force-map");
+        ASSERT_EQ(file.channels.size(), alone.channels.size());
+        EXPECT_EQ(file.channels.back().map.heights, alone.channels.back().map.heights);
+        EXPECT_THAT(file.notes, Not(Contains(HasSubstr("force curves"))));
+    }
+}
+
+TEST(JpkArchiveReader, ForceCurvesAloneAreRefusedInWords) {
+    EXPECT_THAT(refusal(zipFile({{"header.properties", "type=force"},
+                                 {"segments/0/segment-header.properties", ""},
+                                 {"segments/0/channels/height.dat", "12"},
+                                 {"shared-data/header.properties", ""}})),
+                AllOf(StartsWith("scan.zip: "), HasSubstr("force curves alone")));
+}
+
+TEST(JpkArchiveReader, ADamagedImageIsNamedWithItsArchive) {
+    EXPECT_THAT(refusal(zipFile({{"header.properties", ""}, {"data-image.force", "MM"}})),
+                StartsWith("scan.zip: data-image.force: "));
+    EXPECT_THAT(refusal(zipFile({{"header.properties", ""}, {"data-image.force", ""}})),
+                StartsWith("scan.zip: data-image.force: "));
+}
+
+TEST(JpkArchiveReader, AnotherZipFileIsNone) {
+    EXPECT_THAT(refusal(zipFile({{"header.properties", ""}})), HasSubstr("no height map"));
+    EXPECT_THAT(refusal(zipFile({{"segments/a", ""}})), HasSubstr("no height map"));
+}
+
+}  // namespace asperity::test

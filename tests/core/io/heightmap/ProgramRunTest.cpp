@@ -1,0 +1,196 @@
+#include "core/io/heightmap/gwyddion/ProgramRun.h"
+
+#include "core/Error.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace asperity::test {
+
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+/// A call of the shell, which is a program as any other here.
+ProgramCall shell(const ScratchFolder& folder, const std::string& script,
+                  std::chrono::milliseconds time = 20s) {
+    return {.program = "/bin/sh",
+            .arguments = {"-c", script},
+            .environment = {"PATH=/usr/bin:/bin", "GREETING=hello"},
+            .folder = folder.path(),
+            .deadline = std::chrono::steady_clock::now() + time};
+}
+
+/// The number that a script has written into a file.
+pid_t numberIn(const std::filesystem::path& path) { return std::atoi(contentOf(path).c_str()); }
+
+/// A killed process may need a moment until it is gone.
+bool isGone(pid_t process) {
+    for (int i = 0; i < 200; ++i) {
+        if (kill(process, 0) != 0) {
+            return true;
+        }
+        // An orphan that init has not collected yet is dead all the same.
+        const std::string status = contentOf("/proc/" + std::to_string(process) + "/stat");
+        if (status.find(") Z ") != std::string::npos) {
+            return true;
+        }
+        std::this_thread::sleep_for(10ms);
+    }
+    return false;
+}
+
+void expectNoChild() {
+    const pid_t child = waitpid(-1, nullptr, WNOHANG);
+    const int reason = errno;
+    EXPECT_EQ(child, -1) << "a child is left";
+    EXPECT_EQ(reason, ECHILD);
+}
+
+}  // namespace
+
+TEST(ProgramRun, GivesOutputAndExitCode) {
+    const ScratchFolder folder;
+    const ProgramOutcome outcome = runProgram(shell(folder, "echo out; echo err >&2; pwd; exit 7"));
+    EXPECT_EQ(outcome.end, ProgramEnd::Exited);
+    EXPECT_EQ(outcome.exitCode, 7);
+    EXPECT_EQ(outcome.output, "out\nerr\n" + folder.path().string() + "\n");
+    expectNoChild();
+}
+
+TEST(ProgramRun, ArgumentsPassNoShell) {
+    const ScratchFolder folder;
+    ProgramCall call = shell(folder, "");
+    call.program = "/bin/echo";
+    call.arguments = {"$(touch x)", "; touch x", "'\"*"};
+    EXPECT_EQ(runProgram(call).output, "$(touch x) ; touch x '\"*\n");
+    EXPECT_FALSE(std::filesystem::exists(folder.file("x")));
+}
+
+TEST(ProgramRun, HasItsOwnEnvironmentAndNoInputNorOpenFiles) {
+    const ScratchFolder folder;
+    const int open = ::open("/dev/null", O_RDONLY);  // without O_CLOEXEC
+    ASSERT_GE(open, 3);
+    const ProgramOutcome outcome = runProgram(shell(
+        folder, "env | grep -v -e ^PWD= -e ^_= -e ^SHLVL= | sort; cat; ls /proc/$$/fd; true"));
+    ::close(open);
+    EXPECT_EQ(outcome.output, "GREETING=hello\nPATH=/usr/bin:/bin\n0\n1\n2\n");
+}
+
+TEST(ProgramRun, SignalsAreAsAtTheStartOfAProgram) {
+    const ScratchFolder folder;
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    sigaddset(&blocked, SIGTERM);
+    sigset_t before;
+    pthread_sigmask(SIG_BLOCK, &blocked, &before);
+    const auto ignoring = std::signal(SIGPIPE, SIG_IGN);
+    // But for signals 32 and 33, which the C library keeps to itself.
+    const ProgramOutcome outcome =
+        runProgram(shell(folder, "for set in SigBlk SigIgn; do"
+                                 " bits=$(grep $set /proc/self/status | cut -f 2);"
+                                 " echo $set $((0x$bits & ~0x180000000)); done"));
+    (void)std::signal(SIGPIPE, ignoring);
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    EXPECT_EQ(outcome.output, "SigBlk 0\nSigIgn 0\n");
+}
+
+TEST(ProgramRun, TheWholeGroupEndsInTime) {
+    const ScratchFolder folder;
+    const auto begin = std::chrono::steady_clock::now();
+    const ProgramOutcome outcome = runProgram(
+        shell(folder, "sleep 100 & echo $! >child; echo $$ >self; echo begun; wait", 300ms));
+    EXPECT_EQ(outcome.end, ProgramEnd::TimedOut);
+    EXPECT_EQ(outcome.output, "begun\n");
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s);
+    expectNoChild();
+    EXPECT_TRUE(isGone(numberIn(folder.file("self"))));
+    EXPECT_TRUE(isGone(numberIn(folder.file("child"))));
+}
+
+TEST(ProgramRun, WhatAProgramLeavesBehindEndsWithIt) {
+    const ScratchFolder folder;
+    const auto begin = std::chrono::steady_clock::now();
+    const ProgramOutcome outcome =
+        runProgram(shell(folder, "sleep 100 & echo $! >child; echo done"));
+    EXPECT_EQ(outcome.end, ProgramEnd::Exited);
+    EXPECT_EQ(outcome.output, "done\n");
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s) << "it waited for the open pipe";
+    EXPECT_TRUE(isGone(numberIn(folder.file("child"))));
+}
+
+TEST(ProgramRun, OneThatClosesItsOutputIsWaitedFor) {
+    const ScratchFolder folder;
+    const ProgramOutcome outcome =
+        runProgram(shell(folder, "exec >/dev/null 2>&1; sleep 0.2; exit 3"));
+    EXPECT_EQ(outcome.end, ProgramEnd::Exited);
+    EXPECT_EQ(outcome.exitCode, 3);
+}
+
+TEST(ProgramRun, OutputIsBounded) {
+    const ScratchFolder folder;
+    ProgramCall call = shell(folder, "yes");
+    call.maxOutput = 100000;
+    const ProgramOutcome outcome = runProgram(call);
+    EXPECT_EQ(outcome.end, ProgramEnd::WroteTooMuch);
+    EXPECT_LT(outcome.output.size(), 200000U);
+    expectNoChild();
+}
+
+TEST(ProgramRun, FilesAreBounded) {
+    const ScratchFolder folder;
+    ProgramCall call = shell(folder, "sleep 0.2; exec yes >large");
+    call.maxFile = 1000000;
+    EXPECT_EQ(runProgram(call).end, ProgramEnd::Killed);
+    EXPECT_EQ(std::filesystem::file_size(folder.file("large")), 1000000U);
+}
+
+TEST(ProgramRun, ACrashIsNoExit) {
+    const ScratchFolder folder;
+    EXPECT_EQ(runProgram(shell(folder, "kill -SEGV $$")).end, ProgramEnd::Killed);
+}
+
+TEST(ProgramRun, RefusesWhatIsNoProgram) {
+    const ScratchFolder folder;
+    ProgramCall call = shell(folder, "");
+    call.program = folder.write("text", "no program");
+    EXPECT_THROW((void)runProgram(call), Error);
+    call.program = folder.file("missing");
+    EXPECT_THROW((void)runProgram(call), Error);
+    expectNoChild();
+}
+
+/// A child of one thread is not waited for by another.
+TEST(ProgramRun, ThreadsRunProgramsAtTheSameTime) {
+    const ScratchFolder folder;
+    std::array<ProgramOutcome, 8> outcomes;
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        threads.emplace_back([&folder, &outcomes, i] {
+            const std::string number = std::to_string(i);
+            outcomes[i] =
+                runProgram(shell(folder, "sleep 0.05; echo " + number + "; exit " + number));
+        });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        EXPECT_EQ(outcomes[i].exitCode, static_cast<int>(i));
+        EXPECT_EQ(outcomes[i].output, std::to_string(i) + "\n");
+    }
+    expectNoChild();
+}
+
+}  // namespace asperity::test

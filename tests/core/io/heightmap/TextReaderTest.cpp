@@ -1,0 +1,226 @@
+#include "core/Error.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/HeightMapWriter.h"
+#include "tests/core/io/heightmap/BumpyMap.h"
+#include "tests/support/ReferenceTable.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <Eigen/Dense>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace asperity::test {
+
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+ScanChannel readOne(std::string_view text) {
+    const HeightMapFile file = readHeightMapBytes(text, "map.txt");
+    EXPECT_EQ(file.channels.size(), 1U);
+    return file.channels.at(0);
+}
+
+std::string refusal(std::string_view text) {
+    return refusalOf([&] { (void)readHeightMapBytes(text, "map.txt"); });
+}
+
+/// Removes the plane of least squares, and with it the mean.
+void levelByPlane(HeightMap& map) {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    const auto basis = [&](int row, int column) {
+        return Eigen::Vector3d(1.0, column - 0.5 * map.columns, row - 0.5 * map.rows);
+    };
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            normal += basis(row, column) * basis(row, column).transpose();
+            right += basis(row, column) * map.at(row, column);
+        }
+    }
+    const Eigen::Vector3d plane = normal.ldlt().solve(right);
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            map.heights[map.index(row, column)] -= plane.dot(basis(row, column));
+        }
+    }
+}
+
+double mean(const HeightMap& map) {
+    return Eigen::Map<const Eigen::VectorXd>(map.heights.data(),
+                                             static_cast<Eigen::Index>(map.heights.size()))
+        .mean();
+}
+
+}  // namespace
+
+TEST(TextReader, Matrix3IsTheLeveledHeightSensorOfDi3) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    HeightMap scan =
+        readHeightMapFile(sharedData("afm/nanoscope/di-3_v9.01.di")).channels.at(0).map;
+    const HeightMap text =
+        readHeightMapFile(sharedData("afm/text/matrix-3_gwyddion_export.txt")).channels.at(0).map;
+    levelByPlane(scan);
+    const double offset = mean(text);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < text.heights.size(); ++i) {
+        worst = std::max(worst, std::abs(text.heights[i] - offset - scan.heights[i]));
+    }
+    std::cout << "largest difference " << worst << " m\n";
+    EXPECT_LE(worst, 5e-12);
+}
+
+TEST(TextReader, HeaderMayBeInAnyLanguage) {
+    for (const char* header :
+         {"# Channel: Z\n# Width: 3 µm\n# Height: 2000 nm\n# Value units: nm\n",
+          "# Kanal: Z\n# Breite: 3 \xB5m\n# H\xF6he: 2000 nm\n# Einheit: nm\n",
+          "# A: Z\r\n# B: 3 um\r\n# C: 2000 nm\r\n# D: nm\r\n"}) {
+        const ScanChannel channel = readOne(std::string(header) + "1 2 3\n4 5 6\n");
+        EXPECT_EQ(channel.name, "Z");
+        EXPECT_EQ(channel.unit, "m");
+        EXPECT_DOUBLE_EQ(channel.map.sizeX(), 3e-6);
+        EXPECT_DOUBLE_EQ(channel.map.sizeY(), 2e-6);
+        EXPECT_DOUBLE_EQ(channel.map.at(1, 0), 4e-9);
+        EXPECT_FALSE(channel.provenance.empty());
+    }
+}
+
+TEST(TextReader, OtherLengthsInCommentsAreNotTheSize) {
+    const ScanChannel channel = readOne("# Tip radius: 10 nm\n# Channel: Z\n# Width: 3 um\n"
+                                        "# Height: 2 um\n# Value units: m\n1 2 3\n4 5 6\n");
+    EXPECT_EQ(channel.name, "Z");
+    EXPECT_DOUBLE_EQ(channel.map.sizeX(), 3e-6);
+    EXPECT_EQ(channel.metadata.at("Tip radius"), "10 nm");
+    const ScanChannel unclear =
+        readOne("# Tip: 10 nm\n# Largo: 3 um\n# Alto: 2 um\n1 2 3 4\n4 5 6 7\n");
+    EXPECT_FALSE(unclear.hasSize());
+}
+
+TEST(TextReader, WhatTheTextWriterWritesComesBack) {
+    const ScratchFolder folder;
+    for (const bool holes : {false, true}) {
+        const HeightMap map = holes ? bumpyMapWithHoles(7, 5) : bumpyMap(7, 5);
+        writeHeightMap(folder.file("map.txt"), map, {.title = "高さ 10 nm"});
+        const ScanChannel read = readHeightMapFile(folder.file("map.txt")).channels.at(0);
+        EXPECT_EQ(read.name, "高さ 10 nm");
+        EXPECT_EQ(read.unit, "m");
+        EXPECT_DOUBLE_EQ(read.map.pitchX, map.pitchX);
+        EXPECT_DOUBLE_EQ(read.map.pitchY, map.pitchY);
+        EXPECT_EQ(read.map.invalid, map.invalid);
+        for (std::size_t i = 0; i < map.heights.size(); ++i) {
+            EXPECT_TRUE(read.map.heights[i] == map.heights[i] || std::isnan(map.heights[i])) << i;
+        }
+    }
+}
+
+TEST(TextReader, NarrowMapsOfKnownSizeAreMaps) {
+    const std::string header = "# Width: 1 um\n# Height: 1 um\n# Value units: m\n";
+    EXPECT_EQ(readOne(header + "1e-9\n2e-9\n3e-9").map.rows, 3);
+    EXPECT_EQ(readOne(header + "1e-9 2e-9").map.columns, 2);
+    EXPECT_EQ(readOne(header + "1e-9").map.columns, 1);
+}
+
+TEST(TextReader, HeightsAreTheNumbersTimesTheFactor) {
+    const ScanChannel channel = readOne("h=2 w=4\npixel size=2e-007 m\ndata unit=rad\n"
+                                        "height conversion factor (-> m)=3e-008\n"
+                                        "1 2 3 4\n5 6 7 8\n");
+    EXPECT_EQ(channel.unit, "m");
+    EXPECT_DOUBLE_EQ(channel.map.at(1, 3), 8 * 3e-8);
+    EXPECT_DOUBLE_EQ(channel.map.sizeX(), 8e-7);
+    EXPECT_DOUBLE_EQ(channel.map.sizeY(), 4e-7);
+    EXPECT_EQ(readOne("h=1 w=4\ndata unit=rad\n1 2 3 4\n").unit, "rad");
+}
+
+TEST(TextReader, PromisedNumbersMustBeThere) {
+    EXPECT_THAT(refusal("h=3 w=4\n1 2 3 4\n5 6 7 8\n"),
+                AllOf(HasSubstr("4 x 3"), HasSubstr("4 x 2"), HasSubstr("truncated")));
+    EXPECT_THAT(refusal("h=none w=4\n1 2 3 4\n"), HasSubstr("line 1: 'h'"));
+    EXPECT_THAT(refusal("ncols 3\nnrows 2\n1 2 3 4\n5 6 7 8\n"), HasSubstr("3 x 2"));
+}
+
+TEST(TextReader, EsriGridsNameTheirMissingNumber) {
+    const char* grid = "ncols 4\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 50\n"
+                       "NODATA_value -1\n1 2 -1 4\n5 6 7 8\n";
+    const ScanChannel channel = readOne(grid);
+    EXPECT_TRUE(channel.map.invalid.at(2));
+    EXPECT_FALSE(channel.hasSize());
+    EXPECT_EQ(channel.metadata.at("cellsize"), "50");
+}
+
+TEST(TextReader, MinusNineThousandMeansNoDataWhereNothingIsLower) {
+    const ScanChannel channel = readOne("1 2 -9999 4\n5 6 7 8\n");
+    EXPECT_TRUE(channel.map.invalid.at(2));
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("-9999")));
+    EXPECT_TRUE(readOne("1 2 -9999 4\n5 -10000 7 8\n").map.invalid.empty());
+}
+
+TEST(TextReader, BareMatricesHaveNoSizeAndNoUnit) {
+    const ScanChannel channel = readOne("1 2 3 4\n5 6 NaN 8\n");
+    EXPECT_EQ(channel.name, "matrix");
+    EXPECT_EQ(channel.unit, "");
+    EXPECT_FALSE(channel.hasSize());
+    EXPECT_TRUE(channel.map.invalid.at(6));
+}
+
+TEST(TextReader, GermanSpreadsheetsHaveDecimalCommas) {
+    const ScanChannel channel = readOne("1,5;2;3;4\r\n-5,25;6;;8\r\n");
+    EXPECT_EQ(channel.map.at(0, 0), 1.5);
+    EXPECT_EQ(channel.map.at(1, 0), -5.25);
+    EXPECT_TRUE(channel.map.invalid.at(6));
+    EXPECT_EQ(readOne("1,5;2;3;4;\n5;6;7;8;\n").map.columns, 4);
+}
+
+TEST(TextReader, Utf16WithAByteOrderMarkIsText) {
+    std::string bytes = "\xFF\xFE";
+    for (const char c : std::string("1 2 3 4\r\n5 6 7 8\r\n")) {
+        bytes += {c, '\0'};
+    }
+    EXPECT_EQ(readOne(bytes).map.at(1, 3), 8.0);
+}
+
+TEST(TextReader, RaggedLinesAreRefusedByNumber) {
+    EXPECT_THAT(refusal("# Channel: Z\n1 2 3 4\n\n5 6 7\n"),
+                AllOf(HasSubstr("map.txt: line 4: "), HasSubstr("3 numbers"), HasSubstr("have 4")));
+    EXPECT_THAT(refusal("1 2 3 4\n5 6 seven 8\n"),
+                AllOf(HasSubstr("line 2: "), HasSubstr("'seven'")));
+}
+
+TEST(TextReader, ProfilesAreNamed) {
+    EXPECT_THAT(refusal("1\n2\n3\n"), HasSubstr("one column of numbers is a profile"));
+    EXPECT_THAT(refusal("1 2\n2 3\n3 4\n"),
+                AllOf(HasSubstr("two columns"), HasSubstr("force curve")));
+    EXPECT_THAT(refusal("1 2 3 4\n"), HasSubstr("one line of numbers is a profile"));
+}
+
+TEST(TextReader, OtherTextsAndBinaryFilesAreNotRecognized) {
+    using namespace std::string_literals;
+    for (const std::string& text :
+         {"This is nonsense."s, "[scene]\nsize = 3\n"s, "name,value\n1,2\n"s, "# only a comment\n"s,
+          "<html>1 2 3 4</html>"s, "{\"a\": 1}"s, "1 2 3 4\0\0\0\n"s, "\0\1\2\3"s,
+          "\x89PNG\r\n\x1A\n"s, "II*\0"s, "-----\ntitle\n"s, "\xFF\xFE\0\0"s}) {
+        EXPECT_FALSE(kTextFormat.recognizes(MemoryBytes(text, "text"))) << text;
+        EXPECT_FALSE(kXyzFormat.recognizes(MemoryBytes(text, "text"))) << text;
+    }
+}
+
+TEST(TextReader, MalformedSamplesAreRefused) {
+    ASPERITY_NEEDS_SHARED_DATA();
+    const auto refusalOfFile = [](const char* name) {
+        return refusalOf([&] { (void)readHeightMapFile(sharedData(name)); });
+    };
+    EXPECT_THAT(refusalOfFile("afm/text/malformed_nonsense.txt"), HasSubstr("no height map"));
+    EXPECT_THAT(refusalOfFile("afm/text/malformed_single_column.txt"), HasSubstr("profile"));
+}
+
+TEST(TextReader, WidthOfADifferentUnitThanTheHeightIsNoSize) {
+    const ScanChannel channel = readOne("# Width: 3 um\n# Height: 2 s\n1 2 3\n4 5 6\n");
+    EXPECT_FALSE(channel.hasSize());
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("different units")));
+}
+
+}  // namespace asperity::test

@@ -1,0 +1,202 @@
+#include "core/io/heightmap/zip/ZipArchive.h"
+
+#include "core/Error.h"
+#include "core/io/heightmap/zip/ZipDirectory.h"
+#include "tests/core/io/heightmap/ZipFiles.h"
+#include "tests/support/Refusal.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace asperity::test {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string& manyNumbers() {
+    static const std::string kText = [] {
+        std::string text;
+        for (int i = 0; i < 200000; ++i) {
+            text += std::to_string(i);
+        }
+        return text;
+    }();
+    return kText;
+}
+
+std::string smallArchive() {
+    return zipFile({{"folder/packed.txt", manyNumbers()},
+                    {"stored.bin", manyNumbers(), false},
+                    {"empty", ""}});
+}
+
+/// Bytes some of which cannot be read any more.
+class LostBytes final : public ByteSource {
+public:
+    explicit LostBytes(std::string_view bytes) : ByteSource("lost.zip"), bytes_(bytes) {}
+
+    [[nodiscard]] std::uint64_t size() const override { return bytes_.size(); }
+    void read(std::uint64_t place, std::span<char> bytes) const override {
+        if (place < 20000 && place + bytes.size() > 10000) {
+            throw InputError(name(), "byte " + std::to_string(place), "the file became shorter");
+        }
+        std::ranges::copy(bytes_.substr(place, bytes.size()), bytes.begin());
+    }
+    void requireUnchanged() const override {}
+
+private:
+    std::string_view bytes_;
+};
+
+}  // namespace
+
+TEST(ZipArchive, ListsEntriesWithTheirSizes) {
+    const std::string bytes = smallArchive();
+    const MemoryBytes source(bytes, "a.zip");
+    const ZipArchive archive(source);
+    ASSERT_EQ(archive.entries().size(), 3U);
+    const ZipEntry& packed = archive.entries()[0];
+    EXPECT_EQ(packed.name, "folder/packed.txt");
+    EXPECT_EQ(packed.baseName(), "packed.txt");
+    EXPECT_EQ(packed.size, manyNumbers().size());
+    EXPECT_FALSE(packed.isStored);
+    EXPECT_TRUE(archive.entries()[1].isStored);
+    EXPECT_EQ(archive.find("empty")->size, 0U);
+    EXPECT_EQ(archive.find("none"), nullptr);
+}
+
+TEST(ZipArchive, DecodesCompressedAndStoredEntries) {
+    const std::string bytes = smallArchive();
+    const MemoryBytes source(bytes, "a.zip");
+    const ZipArchive archive(source);
+    for (const ZipEntry& entry : archive.entries()) {
+        const std::string& expected = entry.size == 0 ? "" : manyNumbers();
+        EXPECT_EQ(archive.decoded(entry, entry.size), expected) << entry.name;
+        const auto content = archive.source(entry, entry.size);
+        EXPECT_EQ(content->size(), entry.size);
+        EXPECT_EQ(content->start(entry.size), expected) << entry.name;
+        EXPECT_EQ(content->name(), "a.zip: " + entry.name);
+    }
+}
+
+TEST(ZipArchive, SourcesOutliveTheArchiveAndServeTwoThreads) {
+    const std::string bytes = smallArchive();
+    const MemoryBytes source(bytes, "a.zip");
+    for (const std::size_t index : {0U, 1U}) {
+        std::shared_ptr<const ByteSource> content;
+        {
+            const ZipArchive archive(source);
+            content = archive.source(archive.entries()[index], manyNumbers().size());
+        }
+        const auto readAll = [&content](std::size_t step) {
+            for (std::size_t place = 0; place + 100 < manyNumbers().size(); place += step) {
+                std::string part(100, '\0');
+                content->read(place, part);
+                ASSERT_EQ(part, manyNumbers().substr(place, 100));
+            }
+        };
+        std::thread other(readAll, 977);
+        readAll(1009);
+        other.join();
+    }
+}
+
+TEST(ZipArchive, RefusesToReadBehindTheEndOfAnEntry) {
+    const std::string bytes = smallArchive();
+    const MemoryBytes source(bytes, "a.zip");
+    const ZipArchive archive(source);
+    for (const char* name : {"folder/packed.txt", "stored.bin"}) {
+        const auto content = archive.source(*archive.find(name), manyNumbers().size());
+        std::string part(100, '\0');
+        EXPECT_THAT(refusalOf([&] { content->read(manyNumbers().size() - 99, part); }),
+                    AllOf(StartsWith("a.zip: "), HasSubstr(name)));
+    }
+}
+
+TEST(ZipArchive, RefusesAnEntryThatIsLargerThanExpected) {
+    const std::string bytes = zipFile({{"bomb", std::string(100U << 20U, '\0')}});
+    EXPECT_LT(bytes.size(), 200000U);
+    const MemoryBytes source(bytes, "a.zip");
+    const ZipArchive archive(source);
+    EXPECT_EQ(refusalOf([&] { (void)archive.source(archive.entries()[0], 1000); }),
+              "a.zip: bomb: it holds 104857600 bytes; at most 1000 are expected");
+}
+
+TEST(ZipArchive, RefusesAnEntryThatIsNotWhatTheDirectoryLists) {
+    std::string bytes = zipFile({{"data", std::string(1000, 'x')}});
+    // The size in the directory, 24 bytes behind its mark; that in the local header stays.
+    const std::size_t directory = bytes.find("PK\1\2");
+    for (const char size : {'\x01', '\x7F'}) {
+        bytes[directory + 25] = size;
+        const MemoryBytes source(bytes, "a.zip");
+        EXPECT_THAT(refusalOf([&] {
+                        const ZipArchive archive(source);
+                        (void)archive.decoded(archive.entries()[0], 1U << 20U);
+                    }),
+                    AllOf(StartsWith("a.zip: data: "), HasSubstr("zip archive")));
+    }
+}
+
+TEST(ZipArchive, ChecksTheCrc) {
+    std::string bytes = zipFile({{"data", "0123456789", false}});
+    bytes[bytes.find("0123456789") + 4] = 'x';
+    const MemoryBytes source(bytes, "a.zip");
+    const ZipArchive archive(source);
+    EXPECT_THAT(refusalOf([&] { (void)archive.decoded(archive.entries()[0], 10); }),
+                AllOf(StartsWith("a.zip: data: "), HasSubstr("CRC")));
+}
+
+TEST(ZipArchive, RefusesDamagedArchives) {
+    const std::string bytes = smallArchive();
+    for (const std::size_t length : {std::size_t{0}, std::size_t{4}, bytes.size() - 1}) {
+        const MemoryBytes source(std::string_view(bytes).substr(0, length), "a.zip");
+        EXPECT_THAT(refusalOf([&] { const ZipArchive archive(source); }),
+                    StartsWith("a.zip: the zip archive is damaged or truncated: "));
+    }
+}
+
+/// libzip is C: an exception must not run through it, and its cause must not get lost.
+TEST(ZipArchive, AFileThatBecomesShorterIsNamedAsSuch) {
+    const std::string bytes = smallArchive();
+    const LostBytes source(bytes);
+    const ZipArchive archive(source);
+    EXPECT_THAT(refusalOf([&] { (void)archive.decoded(archive.entries()[0], 1U << 22U); }),
+                HasSubstr("the file became shorter"));
+}
+
+TEST(ZipDirectory, HoldsTheNamesOfTheEntries) {
+    const std::string bytes = smallArchive();
+    const MemoryBytes source(bytes, "a.zip");
+    EXPECT_TRUE(isZip(source));
+    const std::optional<std::string> directory = zipDirectory(source);
+    ASSERT_TRUE(directory);
+    EXPECT_THAT(*directory, AllOf(HasSubstr("folder/packed.txt"), HasSubstr("stored.bin")));
+    const MemoryBytes text("no zip", "a.txt");
+    EXPECT_FALSE(isZip(text));
+    for (std::size_t length = 0; length < bytes.size(); length += bytes.size() / 100) {
+        EXPECT_FALSE(zipDirectory(MemoryBytes(std::string_view(bytes).substr(0, length), "cut")));
+    }
+}
+
+TEST(ZipDirectory, MayLieInA64BitRecord) {
+    std::string directory = "PK\1\2 main.xml";
+    std::string bytes = "PK\3\4" + directory;
+    const auto number = [](std::uint64_t value, std::size_t count) {
+        std::string text;
+        for (std::size_t i = 0; i < count; ++i) {
+            text += static_cast<char>(value >> (8 * i) & 0xFFU);
+        }
+        return text;
+    };
+    const std::uint64_t record = bytes.size();
+    bytes += "PK\6\6" + std::string(36, '\0') + number(directory.size(), 8) + number(4, 8);
+    bytes += "PK\6\7" + std::string(4, '\0') + number(record, 8) + std::string(4, '\0');
+    bytes += "PK\5\6" + std::string(8, '\xFF') + std::string(8, '\xFF') + std::string(2, '\0');
+    EXPECT_EQ(zipDirectory(MemoryBytes(bytes, "a.zip")), directory);
+}
+
+}  // namespace asperity::test
