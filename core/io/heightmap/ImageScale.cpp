@@ -81,12 +81,7 @@ void takeLateral(ImageScale& scale, const GwyTexts& texts, const std::string& so
     scale.sizeY = texts.number("YReal") * lateral.factor;
     scale.originX = texts.number("XOffset") * lateral.factor;
     scale.originY = texts.number("YOffset") * lateral.factor;
-    if (texts.has("XReal")) {
-        scale.provenance.push_back(
-            {"lateral size",
-             texts.text("XReal") + " x " + texts.text("YReal") + " " + texts.text("XYUnit"),
-             source + " Gwy::XReal, Gwy::YReal"});
-    }
+    scale.sizeSource = source + " Gwy::XReal, Gwy::YReal";
 }
 
 ReadRow linear(ReadRow rows, int columns, double factor, double offset) {
@@ -113,8 +108,7 @@ ImageScale gwyScale(const ImageTexts& keys, SampleType type, const std::string& 
         scale.factor = vertical.factor * (texts.has("ZScale") ? texts.number("ZScale") : 1.0);
         if (texts.has("ZScale") || texts.has("ZUnit")) {
             scale.provenance.push_back(
-                {"scale", exactText(scale.factor) + " " + scale.unit + " per stored 1",
-                 source + " Gwy::ZScale, Gwy::ZUnit"});
+                scaleProvenance(scale.factor, scale.unit, source + " Gwy::ZScale, Gwy::ZUnit"));
         }
     } else if (texts.has("ZMin") && texts.has("ZMax")) {
         scale.unit = vertical.base;
@@ -161,7 +155,7 @@ StoredChannel scaledChannel(const ImageScale& scale, ImageSize size, ReadRow row
     if (channel.unit.empty()) {
         channel.notes.emplace_back("the file gives no unit of the values; they are numbers");
     }
-    settleSize(channel);
+    settleSize(channel, scale.sizeSource);
     setScale(stored, scale.factor, scale.offset, file);
     return stored;
 }
