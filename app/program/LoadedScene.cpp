@@ -16,9 +16,10 @@ namespace asperity {
 namespace {
 
 LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
-    if (!overrides.channel.empty() || overrides.leveling || overrides.smoothingPixels) {
+    if (!overrides.channel.empty() || overrides.leveling || overrides.smoothingPixels ||
+        overrides.scale.hasSize() || overrides.scale.hasHeight()) {
         throw Error(
-            "a scene with a shape has no height map whose channel, leveling or smoothing to "
+            "a scene with a shape has no height map whose channel, scale, leveling or smoothing to "
             "choose");
     }
     return {.scene = buildScene(description),

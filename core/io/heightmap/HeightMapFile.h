@@ -72,8 +72,9 @@ channelNamed(const HeightMapFile& file, const std::filesystem::path& path, const
 [[nodiscard]] std::vector<std::string> heightChannels(const HeightMapFile& file);
 
 /// The named channel (empty: the default one) as a height map.
-/// @throw InputError when there is no such channel, when its unit is not a length, when its lateral
-///        size is unknown, or when only a deflection, amplitude or phase image could be the default
+/// @throw MissingScale when its lateral size is unknown, or its values are numbers without unit;
+///        InputError when there is no such channel, when its unit is not a length, or when only a
+///        deflection, amplitude or phase image could be the default
 [[nodiscard]] const ScanChannel& heightChannel(const HeightMapFile& file,
                                                const std::filesystem::path& path,
                                                const std::string& name);
