@@ -4,6 +4,7 @@
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/SceneTruth.h"
+#include "core/surface/MergedScale.h"
 #include "core/words/SceneWords.h"
 
 #include <algorithm>
@@ -35,13 +36,7 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     if (!overrides.channel.empty()) {
         sample.channel = overrides.channel;
     }
-    if (overrides.scale.hasSize()) {
-        sample.scale.sizeX = overrides.scale.sizeX;
-        sample.scale.sizeY = overrides.scale.sizeY;
-    }
-    if (overrides.scale.hasHeight()) {
-        sample.scale.heightPerValue = overrides.scale.heightPerValue;
-    }
+    sample.scale = merged(sample.scale, overrides.scale);
     if (overrides.leveling) {
         sample.leveling = *overrides.leveling;
     }

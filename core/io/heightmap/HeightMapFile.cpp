@@ -131,13 +131,24 @@ HeightMapContents contentsOf(const ByteSource& bytes, const Gwyddion& gwyddion,
     return contentsOf(std::move(converted.format), std::move(converted.scan), given);
 }
 
+std::vector<ReadableFormat> readableFormats() {
+    std::vector<ReadableFormat> formats;
+    for (const HeightMapFormat* format : kHeightMapFormats) {
+        if (format->read != nullptr && !format->extensions.empty()) {
+            formats.push_back({std::string(format->name),
+                               {format->extensions.begin(), format->extensions.end()}});
+        }
+    }
+    return formats;
+}
+
 std::vector<std::string> readableExtensions() {
     std::vector<std::string> extensions;
-    for (const HeightMapFormat* format : kHeightMapFormats) {
-        for (const std::string_view extension : format->extensions) {
+    for (const ReadableFormat& format : readableFormats()) {
+        for (const std::string& extension : format.extensions) {
             // Some formats share theirs.
-            if (format->read != nullptr && std::ranges::count(extensions, extension) == 0) {
-                extensions.emplace_back(extension);
+            if (std::ranges::count(extensions, extension) == 0) {
+                extensions.push_back(extension);
             }
         }
     }

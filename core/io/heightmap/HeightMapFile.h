@@ -53,7 +53,14 @@ struct HeightMapFile {
 [[nodiscard]] std::vector<std::string> notesOn(const HeightMapFile& file,
                                                const ScanChannel& channel);
 
-/// Extensions that files which can be read usually have: ".gwy"; `*` in them stands for any text.
+/// A type of files that can be read.
+struct ReadableFormat {
+    std::string name;                     ///< for people
+    std::vector<std::string> extensions;  ///< usual ones: ".gwy"; `*` in them stands for any text
+};
+/// Those whose files have usual extensions, as in the table of formats.
+[[nodiscard]] std::vector<ReadableFormat> readableFormats();
+/// All of their extensions, each once.
 [[nodiscard]] std::vector<std::string> readableExtensions();
 
 /// Reads any supported file; the type is found by content, never by extension.

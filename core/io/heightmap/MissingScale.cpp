@@ -1,5 +1,7 @@
 #include "core/io/heightmap/MissingScale.h"
 
+#include <string>
+
 namespace asperity {
 
 namespace {
@@ -19,7 +21,9 @@ std::string missingText(const ScaleGap& gap) {
 }  // namespace
 
 MissingScale::MissingScale(const std::filesystem::path& path, const ScaleGap& gap)
-    : InputError(path.string(), "channel '" + gap.channel + "'", missingText(gap)), gap_(gap) {}
+    : InputError(path.string(), "channel '" + gap.channel + "'", missingText(gap))
+    , path_(path)
+    , gap_(gap) {}
 
 void requireScale(const ScanChannel& channel, const std::filesystem::path& path) {
     const ScaleGap gap{.channel = channel.name,

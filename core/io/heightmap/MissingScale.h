@@ -2,22 +2,11 @@
 
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFile.h"
+#include "core/surface/ScaleGap.h"
 
 #include <filesystem>
-#include <string>
 
 namespace asperity {
-
-/// What a file does not say of an image that could be a height map.
-struct ScaleGap {
-    std::string channel;
-    int columns = 0;
-    int rows = 0;
-    bool size = false;    ///< the size of the scan is unknown
-    bool height = false;  ///< the values are numbers without unit
-
-    bool operator==(const ScaleGap&) const = default;
-};
 
 /// A channel is no height map until the user says its scale.
 class MissingScale : public InputError {
@@ -26,9 +15,11 @@ public:
     /// @param gap  something is missing
     MissingScale(const std::filesystem::path& path, const ScaleGap& gap);
 
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] const ScaleGap& gap() const { return gap_; }
 
 private:
+    std::filesystem::path path_;
     ScaleGap gap_;
 };
 

@@ -25,6 +25,14 @@ TEST(Dialogs, AComplaintIsReadAsItIsAndTheWindowGoesOn) {
     EXPECT_TRUE(box.testAttribute(Qt::WA_DeleteOnClose));
 }
 
+TEST(Dialogs, AllThatIsReadComesFirstThenEachTypeThenAnyFile) {
+    const QStringList filters = scanFilters(
+        {{"Gwyddion .gwy", {"*.gwy"}}, {"TIFF", {"*.tiff", "*.tif"}}, {"Park TIFF", {"*.tiff"}}});
+    EXPECT_EQ(filters, (QStringList{"Scans and scenes (*.toml *.gwy *.tiff *.tif)",
+                                    "Scenes (*.toml)", "Gwyddion .gwy (*.gwy)",
+                                    "TIFF (*.tiff *.tif)", "Park TIFF (*.tiff)", "All files (*)"}));
+}
+
 TEST(Dialogs, WhatIsExplainedMayHaveMarkup) {
     for (const auto explain : {explainControls, explainProgram}) {
         QWidget window;
