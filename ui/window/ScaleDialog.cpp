@@ -27,6 +27,7 @@ namespace {
 constexpr int kGap = 8;          // [px]
 constexpr int kBoxWidth = 150;   // [px]
 constexpr int kTextWidth = 400;  // [px]
+constexpr int kNameWidth = 260;  // [px]
 constexpr int kColumns = 3;      // caption, number, unit
 
 struct LengthUnit {
@@ -74,11 +75,32 @@ QString missingText(const ScaleGap& gap) {
                     : ScaleDialog::tr("The file does not hold the unit of its values.");
 }
 
+/// A name of a file or channel, which may be long and look like markup.
+QString shortened(const QString& name, const QWidget& label) {
+    return label.fontMetrics().elidedText(name, Qt::ElideMiddle, kNameWidth);
+}
+
 QLabel* newText(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
-    label->setTextFormat(Qt::PlainText);  // names of files and channels may look like markup
-    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
     label->setMinimumWidth(kTextWidth);
+    return label;
+}
+
+QLabel* nameLabel(const QString& file, QWidget* parent) {
+    QLabel* label = newText({}, parent);
+    label->setFont(theme::boldFont());
+    label->setText(shortened(file, *label));
+    label->setToolTip(file.toHtmlEscaped());
+    return label;
+}
+
+QLabel* channelLabel(const ScaleGap& gap, QWidget* parent) {
+    QLabel* label = captionLabel({}, parent);
+    label->setText(ScaleDialog::tr("Channel “%1”, %2 × %3 pixels")
+                       .arg(shortened(QString::fromStdString(gap.channel), *label))
+                       .arg(gap.columns)
+                       .arg(gap.rows));
     return label;
 }
 
@@ -100,16 +122,9 @@ ScaleDialog::ScaleDialog(const QString& file, const ScaleGap& gap, QWidget* wind
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(2 * kGap, 2 * kGap, 2 * kGap, 2 * kGap);
     grid->setSpacing(kGap);
-    QLabel* name = newText(file, this);
-    name->setFont(theme::boldFont());
-    grid->addWidget(name, 0, 0, 1, kColumns);
+    grid->addWidget(nameLabel(file, this), 0, 0, 1, kColumns);
     grid->addWidget(newText(missingText(gap), this), 1, 0, 1, kColumns);
-    grid->addWidget(captionLabel(tr("Channel “%1”, %2 × %3 pixels")
-                                     .arg(QString::fromStdString(gap.channel))
-                                     .arg(gap.columns)
-                                     .arg(gap.rows),
-                                 this),
-                    2, 0, 1, kColumns);
+    grid->addWidget(channelLabel(gap, this), 2, 0, 1, kColumns);
     addSize(*grid);
     addHeight(*grid);
     addButtons(*grid);

@@ -1,3 +1,5 @@
+#include "tests/app/ChildProgram.h"
+#include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
 #include "ui/panels/LengthBox.h"
@@ -144,6 +146,33 @@ TEST_F(WindowThatAsks, AnotherChannelAndMaterialKeepTheScale) {
     choose("material", "silicone rubber");
     ASSERT_TRUE(eventually([this] { return shown.count() == 3; }));
     EXPECT_EQ(shownScale(), scale);
+}
+
+/// The scale that was given is part of the recorded scene.
+TEST_F(WindowThatAsks, ARecordingOnTheScanReplays) {
+    open(folder.write("bare.txt", numbers()));
+    answer(0.32, 0.5);
+    ASSERT_TRUE(eventually([this] { return session.run() != nullptr && far(); }));
+    QSignalSpy finished(&session.recordings(), &RecordingControl::finished);
+    QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
+    live(300);
+    QTest::mouseClick(child<QPushButton>("record"), Qt::LeftButton);
+    ASSERT_EQ(finished.count(), 1);
+    const ProgramRun replay = runProgram("replay '" + finished[0][0].toString().toStdString() +
+                                         "' --out '" + folder.file("again").string() + "'");
+    EXPECT_EQ(replay.exitCode, 0) << replay.output;
+    EXPECT_NE(replay.output.find("bit-identical"), std::string::npos) << replay.output;
+}
+
+/// Where there is a window it asks; without a display the program ends with 3.
+TEST_F(WindowThatAsks, TheCommandLineOpensTheWindowWithTheQuestion) {
+    const std::string scan = folder.write("bare.txt", numbers()).string();
+    ChildProgram program({scan});
+    live(4000);
+    EXPECT_FALSE(program.hasEnded());
+    program.send(SIGTERM);
+    EXPECT_NE(program.wait().exitCode, 3);
+    EXPECT_EQ(runProgram("'" + scan + "'", "DISPLAY=").exitCode, 3);
 }
 
 TEST_F(WindowThatAsks, ASceneIsAskedForWhatItDoesNotSay) {

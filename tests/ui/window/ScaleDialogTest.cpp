@@ -89,6 +89,17 @@ TEST_F(ScaleDialogTest, SaysWhichFileAndWhatIsMissing) {
     EXPECT_NE(texts().find("does not hold the unit of its values."), std::string::npos);
 }
 
+TEST_F(ScaleDialogTest, ALongNameMakesItNoWider) {
+    open(true, true);
+    const int width = dialog->width();
+    const std::string longName(300, 'n');
+    ScaleDialog other(QString::fromStdString(longName), {.channel = longName, .size = true},
+                      nullptr);
+    other.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&other));
+    EXPECT_LE(other.width(), width);
+}
+
 TEST_F(ScaleDialogTest, AsksForNoMoreThanWhatIsMissing) {
     open(true, false);
     EXPECT_FALSE(box("heightPerValue").isVisible());
