@@ -53,6 +53,7 @@ int execWith(LiveWindow& live, const std::filesystem::path& input,
     const auto goOn = [quits] { QObject::disconnect(quits); };
     QObject::connect(&live.session().runs(), &RunControl::begun, goOn);
     QObject::connect(&scenes, &SceneControl::openCanceled, goOn);
+    QObject::connect(&scenes, &SceneControl::scaleAsked, goOn);
     scenes.open(input, overrides);
     const int status = live.exec();
     if (reason) {

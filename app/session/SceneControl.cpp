@@ -109,6 +109,7 @@ bool SceneControl::asksFor(const std::exception_ptr& reason) {
         std::rethrow_exception(reason);
     } catch (const MissingScale& missing) {
         scales_.ask(missing.path(), missing.gap());
+        Q_EMIT scaleAsked();
         return true;
     } catch (...) {
         return false;

@@ -28,6 +28,8 @@ public:
 Q_SIGNALS:
     void openFailed(QString reason);
     void openCanceled();
+    /// The user is asked for the scale of the file before it can be opened.
+    void scaleAsked();
 
 private:
     void readMaterials();

@@ -44,7 +44,8 @@ QStringList scanFilters(const std::vector<ScanFileType>& types) {
     QStringList single{QObject::tr("Scenes (*.toml)")};
     for (const ScanFileType& type : types) {
         all << type.patterns;
-        single << QStringLiteral("%1 (%2)").arg(type.name, type.patterns.join(blank));
+        const QString name = type.name.left(1).toUpper() + type.name.mid(1);
+        single << QStringLiteral("%1 (%2)").arg(name, type.patterns.join(blank));
     }
     all.removeDuplicates();  // some types share theirs
     return QStringList{QObject::tr("Scans and scenes (%1)").arg(all.join(blank))}
@@ -52,8 +53,10 @@ QStringList scanFilters(const std::vector<ScanFileType>& types) {
 }
 
 QString askForScan(QWidget* window, const std::vector<ScanFileType>& types) {
+    // The patterns of all types together are wider than a screen.
     return QFileDialog::getOpenFileName(window, QObject::tr("Open a scan or a scene"), {},
-                                        scanFilters(types).join(QStringLiteral(";;")));
+                                        scanFilters(types).join(QStringLiteral(";;")), nullptr,
+                                        QFileDialog::HideNameFilterDetails);
 }
 
 QString askForPath(QWidget* window) {

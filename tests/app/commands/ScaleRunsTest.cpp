@@ -110,6 +110,17 @@ TEST_F(ScaleRuns, InfoShowsWhatIsUnknownAndWhatIsGiven) {
     EXPECT_EQ(channel["max"], 4 * (0.5 * 1e-9));
 }
 
+/// Nothing is shown of a scan whose heights cannot be.
+TEST_F(ScaleRuns, AScaleThatNoInstrumentHasIsRefusedInOneSentence) {
+    for (const char* command : {"info", "info --json"}) {
+        const auto run =
+            test::runProgram(command + quoted(bareMatrix()) + " --z-unit m --z-scale 1e4");
+        EXPECT_EQ(run.exitCode, 3);
+        EXPECT_TRUE(run.output.starts_with("asperity: ")) << run.output;
+        EXPECT_THAT(run.output, HasSubstr("its unit or scale is wrong"));
+    }
+}
+
 TEST_F(ScaleRuns, AShapeHasNoScaleToBeGiven) {
     const auto run = test::runProgram("loop " + test::shippedScene("sphere").string() +
                                       " --duration 0.3 --size 1um");

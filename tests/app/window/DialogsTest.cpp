@@ -26,11 +26,13 @@ TEST(Dialogs, AComplaintIsReadAsItIsAndTheWindowGoesOn) {
 }
 
 TEST(Dialogs, AllThatIsReadComesFirstThenEachTypeThenAnyFile) {
-    const QStringList filters = scanFilters(
-        {{"Gwyddion .gwy", {"*.gwy"}}, {"TIFF", {"*.tiff", "*.tif"}}, {"Park TIFF", {"*.tiff"}}});
-    EXPECT_EQ(filters, (QStringList{"Scans and scenes (*.toml *.gwy *.tiff *.tif)",
-                                    "Scenes (*.toml)", "Gwyddion .gwy (*.gwy)",
-                                    "TIFF (*.tiff *.tif)", "Park TIFF (*.tiff)", "All files (*)"}));
+    const QStringList filters = scanFilters({{"Gwyddion .gwy", {"*.gwy"}},
+                                             {"TIFF", {"*.tiff", "*.tif"}},
+                                             {"text matrix", {"*.txt", "*.tif"}}});
+    EXPECT_EQ(filters,
+              (QStringList{"Scans and scenes (*.toml *.gwy *.tiff *.tif *.txt)", "Scenes (*.toml)",
+                           "Gwyddion .gwy (*.gwy)", "TIFF (*.tiff *.tif)",
+                           "Text matrix (*.txt *.tif)", "All files (*)"}));
 }
 
 TEST(Dialogs, WhatIsExplainedMayHaveMarkup) {

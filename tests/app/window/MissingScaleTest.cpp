@@ -7,6 +7,7 @@
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QMenu>
 #include <QMessageBox>
@@ -75,6 +76,7 @@ protected:
 
     QSignalSpy shown{&session.runs(), &RunControl::begun};
     QSignalSpy failed{&session.scenes(), &SceneControl::openFailed};
+    QSignalSpy asked{&session.scenes(), &SceneControl::scaleAsked};
     QSignalSpy canceled{&session.scenes(), &SceneControl::openCanceled};
 };
 
@@ -82,6 +84,7 @@ TEST_F(WindowThatAsks, OpensAScanOfUnknownScale) {
     open(folder.write("bare.txt", numbers()));
     EXPECT_TRUE(window.findChildren<QMessageBox*>().empty()) << "no complaint";
     EXPECT_EQ(failed.count(), 0);
+    EXPECT_EQ(asked.count(), 1);
     answer(0.32, 0.5);
     ASSERT_TRUE(eventually([this] { return shown.count() == 1; }));
     EXPECT_EQ(dialog(), nullptr);
@@ -105,6 +108,21 @@ TEST_F(WindowThatAsks, CancelLeavesTheSceneAsItWas) {
     EXPECT_EQ(session.run(), run);
     EXPECT_EQ(window.windowTitle(), title);
     EXPECT_EQ(dialog(), nullptr);
+}
+
+/// A height that no instrument measures.
+TEST_F(WindowThatAsks, SaysWhyAScanOfThisScaleCannotBeOpened) {
+    open(folder.write("bare.txt", numbers()));
+    box("sizeX").setValue(0.32);
+    box("heightPerValue").setValue(1e9);
+    dialog()->findChild<QComboBox*>("heightUnit")->setCurrentText("m");
+    press(QDialogButtonBox::Ok);
+    ASSERT_TRUE(eventually([this] { return failed.count() == 1; }));
+    EXPECT_TRUE(failed[0][0].toString().contains("bare.txt"));
+    EXPECT_EQ(window.findChildren<QMessageBox*>().size(), 1);
+    open(folder.file("bare.txt"));
+    EXPECT_EQ(asked.count(), 2) << "it may be tried again";
+    press(QDialogButtonBox::Cancel);
 }
 
 TEST_F(WindowThatAsks, SuggestsWhatWasGivenForTheLastScanOfTheKind) {
