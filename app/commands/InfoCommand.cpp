@@ -243,12 +243,12 @@ void printProvenance(const Report& shown) {
 
 void printForPeople(const Report& shown) {
     const HeightMapFile& file = shown.file.contents();
-    std::cout << printable(shown.path) << "\n" << file.format << "\n\n";
     std::vector<Row> rows = {
         {"  channel", "direction", "pixels", "size", "min", "max", "mean", "rms", "invalid"}};
     for (const ScanChannel* const channel : shown.channels) {
-        rows.push_back(channelRow(shown.file, *channel));
+        rows.push_back(channelRow(shown.file, *channel));  // may refuse a pixel
     }
+    std::cout << printable(shown.path) << "\n" << file.format << "\n\n";
     printTable(std::move(rows));
     std::cout << '\n' << legendOf(shown) << "rms is about the mean\n";
     for (const std::string& note : notesOf(shown)) {

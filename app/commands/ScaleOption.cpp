@@ -25,11 +25,13 @@ std::pair<std::string, std::string> sidesOf(const std::string& text) {
         return {text, text};
     }
     std::string first = text.substr(0, cross);
-    const std::string second = text.substr(cross + 1);
+    std::string second = text.substr(cross + 1);
     const std::optional<LeadingNumber> one = parseLeadingNumber(first);
     const std::optional<LeadingNumber> other = parseLeadingNumber(second);
     if (one && one->rest.empty() && other) {
         first += other->rest;
+    } else if (one && other && other->rest.empty()) {
+        second.clear();  // "5umx2": of micrometers or of meters?
     }
     return {first, second};
 }
@@ -58,7 +60,8 @@ void addSizeOption(CLI::App& command, GivenScale& scale) {
     };
     command
         .add_option_function<std::string>(
-            "--size", take, "size of the scan where the file does not say it: 5um, or 5umx2um")
+            "--size", take,
+            "size of the scan where the file does not say it: 5umx2um, or 5um of a square")
         ->check(expects(
             "a size such as 5um or 5umx2um",
             [](const std::string& text) { return parseScanSize(text).has_value(); }, "X[xY]"));
@@ -66,7 +69,12 @@ void addSizeOption(CLI::App& command, GivenScale& scale) {
 
 void addHeightOptions(CLI::App& command, GivenScale& scale) {
     const auto height = std::make_shared<HeightOptions>();
-    const auto take = [height, &scale] { scale.heightPerValue = height->number * height->unit; };
+    const auto take = [height, &scale] {
+        scale.heightPerValue = height->number * height->unit;
+        if (!isPositive(scale.heightPerValue)) {
+            throw CLI::ValidationError("--z-scale", "--z-scale times --z-unit is no length");
+        }
+    };
     const auto takeUnit = [=](const std::string& text) {
         height->unit = unitLength(text).value_or(1.0);
         take();
@@ -84,7 +92,10 @@ void addHeightOptions(CLI::App& command, GivenScale& scale) {
     command
         .add_option_function<double>("--z-scale", takeNumber,
                                      "height of a value of 1 in --z-unit, or in meters")
-        ->check(CLI::PositiveNumber);
+        ->check(expects(
+            "a number above 0",
+            [](const std::string& text) { return isPositive(parseNumber(text).value_or(0.0)); },
+            "NUMBER"));
 }
 
 }  // namespace

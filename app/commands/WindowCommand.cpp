@@ -40,7 +40,8 @@ void recordFromTheStart(Session& session, const RecordingPlace& place) {
 }
 
 /// Shows the window, and the file as soon as it is loaded. Where that fails the program ends as
-/// every command does; from then on the window stays, whatever a user opens in it.
+/// every command does, but where the scale is all that is missing: the window asks for it. From
+/// then on the window stays, whatever a user opens in it.
 int execWith(LiveWindow& live, const std::filesystem::path& input,
              const SceneOverrides& overrides) {
     SceneControl& scenes = live.session().scenes();
@@ -52,6 +53,7 @@ int execWith(LiveWindow& live, const std::filesystem::path& input,
     const auto goOn = [quits] { QObject::disconnect(quits); };
     QObject::connect(&live.session().runs(), &RunControl::begun, goOn);
     QObject::connect(&scenes, &SceneControl::openCanceled, goOn);
+    QObject::connect(&scenes, &SceneControl::scaleAsked, goOn);
     scenes.open(input, overrides);
     const int status = live.exec();
     if (reason) {
@@ -60,12 +62,16 @@ int execWith(LiveWindow& live, const std::filesystem::path& input,
     return status;
 }
 
-QStringList scanFiles() {
-    QStringList patterns;
-    for (const std::string& extension : readableExtensions()) {
-        patterns << QStringLiteral("*") + QString::fromStdString(extension);
+std::vector<ScanFileType> scanFiles() {
+    std::vector<ScanFileType> types;
+    for (const ReadableFormat& format : readableFormats()) {
+        ScanFileType& type = types.emplace_back();
+        type.name = QString::fromStdString(format.name);
+        for (const std::string& extension : format.extensions) {
+            type.patterns << QStringLiteral("*") + QString::fromStdString(extension);
+        }
     }
-    return patterns;
+    return types;
 }
 
 }  // namespace

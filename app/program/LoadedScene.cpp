@@ -4,6 +4,7 @@
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/SceneTruth.h"
+#include "core/surface/MergedScale.h"
 #include "core/words/SceneWords.h"
 
 #include <algorithm>
@@ -16,9 +17,10 @@ namespace asperity {
 namespace {
 
 LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
-    if (!overrides.channel.empty() || overrides.leveling || overrides.smoothingPixels) {
+    if (!overrides.channel.empty() || overrides.leveling || overrides.smoothingPixels ||
+        overrides.scale.hasSize() || overrides.scale.hasHeight()) {
         throw Error(
-            "a scene with a shape has no height map whose channel, leveling or smoothing to "
+            "a scene with a shape has no height map whose channel, scale, leveling or smoothing to "
             "choose");
     }
     return {.scene = buildScene(description),
@@ -35,13 +37,7 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     if (!overrides.channel.empty()) {
         sample.channel = overrides.channel;
     }
-    if (overrides.scale.hasSize()) {
-        sample.scale.sizeX = overrides.scale.sizeX;
-        sample.scale.sizeY = overrides.scale.sizeY;
-    }
-    if (overrides.scale.hasHeight()) {
-        sample.scale.heightPerValue = overrides.scale.heightPerValue;
-    }
+    sample.scale = merged(sample.scale, overrides.scale);
     if (overrides.leveling) {
         sample.leveling = *overrides.leveling;
     }

@@ -4,8 +4,10 @@
 #include "core/Error.h"
 #include "core/PathText.h"
 #include "core/PrintableText.h"
+#include "core/io/heightmap/MissingScale.h"
 #include "core/io/scene/SceneFile.h"
 #include "core/scene/SceneParameter.h"
+#include "core/surface/MergedScale.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/window/MainWindow.h"
@@ -21,6 +23,7 @@ namespace asperity {
 SceneControl::SceneControl(MainWindow& window, RunControl& runs)
     : window_(window)
     , runs_(runs)
+    , scales_(window)
     , loader_({.progressed = [&window](double share) { window.loading().setFraction(share); },
                .finished = [this](LoadedScene& scene) { use(scene); },
                .failed = [this](const std::exception_ptr& reason) { fail(reason); }}) {
@@ -32,8 +35,13 @@ SceneControl::SceneControl(MainWindow& window, RunControl& runs)
     connect(window.menus().cancelLoading, &QAction::triggered, this, &SceneControl::cancelOpen);
     connect(&window.loading(), &LoadingBar::cancelRequested, this, &SceneControl::cancelOpen);
     connect(&window.controls(), &ControlBar::materialChosen, this, &SceneControl::chooseMaterial);
-    connect(&window.menus(), &WindowMenus::channelChosen, this,
-            [this](const QString& name) { open(open_, {.channel = name.toStdString()}); });
+    connect(&window.menus(), &WindowMenus::channelChosen, this, &SceneControl::chooseChannel);
+    connect(&scales_, &ScaleControl::given, this, [this](const GivenScale& scale) {
+        SceneOverrides overrides = askedWith_;
+        overrides.scale = merged(overrides.scale, scale);
+        open(asked_, overrides);
+    });
+    connect(&scales_, &ScaleControl::refused, this, &SceneControl::openCanceled);
     connect(&runs, &RunControl::begun, this, &SceneControl::showMaterials);
     connect(&runs, &RunControl::begun, this, &SceneControl::showChannels);
     connect(this, &SceneControl::openCanceled, this, &SceneControl::showChannels);
@@ -55,7 +63,9 @@ void SceneControl::readMaterials() {
 }
 
 void SceneControl::open(const std::filesystem::path& input, const SceneOverrides& overrides) {
+    scales_.withdraw();
     asked_ = input;
+    askedWith_ = overrides;
     loading_ = QString::fromStdString(printable(input.filename().string()));
     window_.showLoading(loading_);
     loader_.start(
@@ -85,10 +95,30 @@ void SceneControl::use(LoadedScene& scene) {
 
 void SceneControl::fail(const std::exception_ptr& reason) {
     endLoading();
+    if (asksFor(reason)) {
+        return;
+    }
     openError_ = reason;
     const QString words = reasonOf(reason);
     window_.complain(words);
     Q_EMIT openFailed(words);
+}
+
+bool SceneControl::asksFor(const std::exception_ptr& reason) {
+    try {
+        std::rethrow_exception(reason);
+    } catch (const MissingScale& missing) {
+        scales_.ask(missing.path(), missing.gap());
+        Q_EMIT scaleAsked();
+        return true;
+    } catch (...) {
+        return false;
+    }
+}
+
+void SceneControl::chooseChannel(const QString& name) {
+    open(open_,
+         {.channel = name.toStdString(), .scale = runs_.run()->scene().description.sample.scale});
 }
 
 void SceneControl::chooseMaterial(int index) {

@@ -10,6 +10,8 @@ struct GivenScale {
 
     [[nodiscard]] bool hasSize() const { return sizeX > 0.0; }
     [[nodiscard]] bool hasHeight() const { return heightPerValue > 0.0; }
+
+    bool operator==(const GivenScale&) const = default;
 };
 
 }  // namespace asperity

@@ -38,10 +38,25 @@ void openBox(QWidget* window, QMessageBox::Icon icon, const QString& title, cons
 
 }  // namespace
 
-QString askForScan(QWidget* window, const QStringList& patterns) {
+QStringList scanFilters(const std::vector<ScanFileType>& types) {
+    const QChar blank(' ');
+    QStringList all{QStringLiteral("*.toml")};
+    QStringList single{QObject::tr("Scenes (*.toml)")};
+    for (const ScanFileType& type : types) {
+        all << type.patterns;
+        const QString name = type.name.left(1).toUpper() + type.name.mid(1);
+        single << QStringLiteral("%1 (%2)").arg(name, type.patterns.join(blank));
+    }
+    all.removeDuplicates();  // some types share theirs
+    return QStringList{QObject::tr("Scans and scenes (%1)").arg(all.join(blank))}
+           << single << QObject::tr("All files (*)");
+}
+
+QString askForScan(QWidget* window, const std::vector<ScanFileType>& types) {
+    // The patterns of all types together are wider than a screen.
     return QFileDialog::getOpenFileName(window, QObject::tr("Open a scan or a scene"), {},
-                                        QObject::tr("Scans and scenes (*.toml %1);;All files (*)")
-                                            .arg(patterns.join(QLatin1Char(' '))));
+                                        scanFilters(types).join(QStringLiteral(";;")), nullptr,
+                                        QFileDialog::HideNameFilterDetails);
 }
 
 QString askForPath(QWidget* window) {

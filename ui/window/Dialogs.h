@@ -3,13 +3,24 @@
 #include <QString>
 #include <QStringList>
 
+#include <vector>
+
 class QWidget;
 
 namespace asperity {
 
+/// A type of scan files.
+struct ScanFileType {
+    QString name;          ///< for people
+    QStringList patterns;  ///< of its files: "*.gwy"
+};
+
+/// The filters of the dialog that opens a scan: all that can be read and scenes first, then each
+/// type by its name, and any file, whose content decides.
+[[nodiscard]] QStringList scanFilters(const std::vector<ScanFileType>& types);
+
 /// The file that a user chooses; empty: none.
-/// @param patterns of the scans that are shown first, beside scenes: "*.gwy"
-[[nodiscard]] QString askForScan(QWidget* window, const QStringList& patterns);
+[[nodiscard]] QString askForScan(QWidget* window, const std::vector<ScanFileType>& types);
 [[nodiscard]] QString askForPath(QWidget* window);
 [[nodiscard]] QString askForRecording(QWidget* window);
 [[nodiscard]] QString askForPicture(QWidget* window);

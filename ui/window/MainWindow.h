@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/scene/Scene.h"
+#include "ui/window/Dialogs.h"
 
 #include <QMainWindow>
-#include <QStringList>
 
 #include <set>
 #include <vector>
@@ -52,8 +52,8 @@ public:
     /// Those of the column on the right, from the top.
     [[nodiscard]] const std::vector<Card*>& cards() const { return cards_; }
 
-    /// Which files the dialog that opens a scan shows first, beside scenes: "*.gwy".
-    void setScanFiles(const QStringList& patterns) { scanFiles_ = patterns; }
+    /// Which types of files the dialog that opens a scan shows, beside scenes.
+    void setScanFiles(const std::vector<ScanFileType>& types) { scanFiles_ = types; }
     /// Sets the scene of all panels; null: none. The scene outlives its use here.
     void showScene(const Scene* scene, const QString& title);
     /// Shows in place of the hint that a file is being loaded; empty: nothing is.
@@ -93,7 +93,7 @@ private:
     void tellRefusals();
     void connectMenus();
 
-    QStringList scanFiles_;
+    std::vector<ScanFileType> scanFiles_;
     WindowMenus* menus_;
     ControlBar* controls_;
     StateBanner* banner_;

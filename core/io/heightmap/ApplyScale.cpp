@@ -4,6 +4,7 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanImage.h"
 
+#include <algorithm>
 #include <string>
 
 namespace asperity {
@@ -19,7 +20,7 @@ void applySize(ScanChannel& channel, const GivenScale& given) {
     std::string note = "size " + sizeText(given.sizeX, given.sizeY) + " as given";
     if (channel.hasSize()) {
         note +=
-            "; that in the file is " + sizeText(map.pitchX * map.columns, map.pitchY * map.rows);
+            "; that of the file is " + sizeText(map.pitchX * map.columns, map.pitchY * map.rows);
     }
     std::erase(channel.notes, kNoSizeNote);
     map.pitchX = pixelPitch(given.sizeX, map.columns);
@@ -48,11 +49,14 @@ void applyHeight(StoredChannel& stored, const GivenScale& given) {
 }  // namespace
 
 void applyScale(StoredScan& scan, const GivenScale& given) {
+    const bool hasNumbers = std::ranges::any_of(
+        scan.channels, [](const StoredChannel& each) { return each.channel.unit.empty(); });
     for (StoredChannel& stored : scan.channels) {
+        const ScanChannel& channel = stored.channel;
         if (given.hasSize()) {
             applySize(stored.channel, given);
         }
-        if (given.hasHeight() && (stored.channel.unit.empty() || stored.channel.isHeight())) {
+        if (given.hasHeight() && (hasNumbers ? channel.unit.empty() : channel.isHeight())) {
             applyHeight(stored, given);
         }
     }

@@ -5,8 +5,9 @@
 
 namespace asperity {
 
-/// Puts a size in place of a file's, and heights in place of the numbers or lengths of its
-/// channels; those of other units stay. Notes and provenance of each channel say so.
+/// Puts a size in place of a file's, and heights in place of the numbers without unit of its
+/// channels; where all of them have one, in place of lengths. Other units stay. Notes and
+/// provenance of each channel say so.
 void applyScale(StoredScan& scan, const GivenScale& given);
 
 }  // namespace asperity

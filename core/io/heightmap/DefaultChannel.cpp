@@ -18,11 +18,14 @@ bool containsAny(std::string_view text, std::initializer_list<std::string_view> 
     });
 }
 
+/// Some instruments give these as lengths, too.
+bool namesOtherThanHeight(const ScanChannel& channel) {
+    return containsAny(lowerCase(channel.name), {"deflection", "amplitude", "phase", "error",
+                                                 "friction", "deformation", "indentation"});
+}
+
 /// Smaller is better.
-int rank(const ScanChannel& channel) {
-    if (!isTopography(channel)) {
-        return 3;
-    }
+int rankOfName(const ScanChannel& channel) {
     const std::string name = lowerCase(channel.name);
     if (containsAny(name, {"sensor", "measured"})) {
         return 0;
@@ -32,12 +35,22 @@ int rank(const ScanChannel& channel) {
     return piezo ? 1 : 2;
 }
 
+int rank(const ScanChannel& channel) {
+    constexpr int kNames = 3;
+    if (isTopography(channel)) {
+        return rankOfName(channel);
+    }
+    return kNames + (mayBeTopography(channel) ? rankOfName(channel) : kNames);
+}
+
 }  // namespace
 
 bool isTopography(const ScanChannel& channel) {
-    return channel.isHeight() &&
-           !containsAny(lowerCase(channel.name), {"deflection", "amplitude", "phase", "error",
-                                                  "friction", "deformation", "indentation"});
+    return channel.isHeight() && !namesOtherThanHeight(channel);
+}
+
+bool mayBeTopography(const ScanChannel& channel) {
+    return channel.unit.empty() && !namesOtherThanHeight(channel);
 }
 
 std::size_t suggestDefaultChannel(const std::vector<ScanChannel>& channels,

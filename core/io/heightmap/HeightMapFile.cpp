@@ -7,6 +7,7 @@
 #include "core/io/heightmap/DefaultChannel.h"
 #include "core/io/heightmap/GwyddionScan.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/MissingScale.h"
 #include "core/io/heightmap/StoredRows.h"
 #include "core/io/heightmap/UnreadFormats.h"
 
@@ -65,7 +66,7 @@ const ScanChannel* findChannel(const HeightMapFile& file, const std::string& giv
 
 const ScanChannel& defaultHeight(const HeightMapFile& file, const std::string& path) {
     const ScanChannel& channel = file.channels.at(file.defaultChannel);
-    if (!isTopography(channel)) {
+    if (!isTopography(channel) && !mayBeTopography(channel)) {
         throw InputError(path, "", "no channel is a height map; there are " + channelNames(file));
     }
     return channel;
@@ -78,17 +79,23 @@ std::string unknownContent(const ByteSource& bytes) {
                         : "this is " + std::string(name) + ", which is not read natively";
 }
 
+std::vector<ScanChannel> channelsOf(const StoredScan& scan) {
+    std::vector<ScanChannel> channels;
+    for (const StoredChannel& stored : scan.channels) {
+        channels.push_back(stored.channel);
+    }
+    return channels;
+}
+
+/// What is given of a scale does not change which channel is taken.
 HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenScale& given) {
-    applyScale(scan, given);
     HeightMapContents contents;
     contents.file.format = std::move(format);
+    contents.file.defaultChannel = suggestDefaultChannel(channelsOf(scan), scan.usualDirection);
+    applyScale(scan, given);
+    contents.file.channels = channelsOf(scan);
     contents.file.notes = std::move(scan.notes);
     contents.file.provenance = std::move(scan.provenance);
-    for (const StoredChannel& stored : scan.channels) {
-        contents.file.channels.push_back(stored.channel);
-    }
-    contents.file.defaultChannel =
-        suggestDefaultChannel(contents.file.channels, scan.usualDirection);
     contents.stored = std::move(scan.channels);
     return contents;
 }
@@ -124,13 +131,24 @@ HeightMapContents contentsOf(const ByteSource& bytes, const Gwyddion& gwyddion,
     return contentsOf(std::move(converted.format), std::move(converted.scan), given);
 }
 
+std::vector<ReadableFormat> readableFormats() {
+    std::vector<ReadableFormat> formats;
+    for (const HeightMapFormat* format : kHeightMapFormats) {
+        if (format->read != nullptr && !format->extensions.empty()) {
+            formats.push_back({std::string(format->name),
+                               {format->extensions.begin(), format->extensions.end()}});
+        }
+    }
+    return formats;
+}
+
 std::vector<std::string> readableExtensions() {
     std::vector<std::string> extensions;
-    for (const HeightMapFormat* format : kHeightMapFormats) {
-        for (const std::string_view extension : format->extensions) {
+    for (const ReadableFormat& format : readableFormats()) {
+        for (const std::string& extension : format.extensions) {
             // Some formats share theirs.
-            if (format->read != nullptr && std::ranges::count(extensions, extension) == 0) {
-                extensions.emplace_back(extension);
+            if (std::ranges::count(extensions, extension) == 0) {
+                extensions.push_back(extension);
             }
         }
     }
@@ -191,20 +209,11 @@ const ScanChannel& heightChannel(const HeightMapFile& file, const std::filesyste
                                  const std::string& name) {
     const ScanChannel& channel =
         name.empty() ? defaultHeight(file, path.string()) : channelNamed(file, path, name);
-    const std::string place = "channel '" + channel.name + "'";
-    if (!channel.isHeight()) {
-        const std::string unit = channel.unit.empty() ? "no unit" : "the unit " + channel.unit;
-        const std::string remedy =
-            channel.unit.empty() ? " (--z-scale, --z-unit or z_scale_m say what a value of 1 is)"
-                                 : "";
-        throw InputError(path.string(), place,
-                         "it has " + unit + "; a height map is a length" + remedy);
+    if (!channel.isHeight() && !channel.unit.empty()) {
+        throw InputError(path.string(), "channel '" + channel.name + "'",
+                         "it has the unit " + channel.unit + "; a height map is a length");
     }
-    if (!channel.hasSize()) {
-        throw InputError(path.string(), place,
-                         "the file does not hold the size of the scan: --size, or size_x_m and "
-                         "size_y_m in a scene, say it");
-    }
+    requireScale(channel, path);
     return channel;
 }
 

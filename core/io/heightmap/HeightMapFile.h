@@ -57,7 +57,14 @@ struct HeightMapFile {
 [[nodiscard]] std::vector<Provenance> provenanceOf(const HeightMapFile& file,
                                                    const ScanChannel& channel);
 
-/// Extensions that files which can be read usually have: ".gwy"; `*` in them stands for any text.
+/// A type of files that can be read.
+struct ReadableFormat {
+    std::string name;                     ///< for people
+    std::vector<std::string> extensions;  ///< usual ones: ".gwy"; `*` in them stands for any text
+};
+/// Those whose files have usual extensions, as in the table of formats.
+[[nodiscard]] std::vector<ReadableFormat> readableFormats();
+/// All of their extensions, each once.
 [[nodiscard]] std::vector<std::string> readableExtensions();
 
 /// Reads any supported file; the type is found by content, never by extension.
@@ -76,8 +83,9 @@ channelNamed(const HeightMapFile& file, const std::filesystem::path& path, const
 [[nodiscard]] std::vector<std::string> heightChannels(const HeightMapFile& file);
 
 /// The named channel (empty: the default one) as a height map.
-/// @throw InputError when there is no such channel, when its unit is not a length, when its lateral
-///        size is unknown, or when only a deflection, amplitude or phase image could be the default
+/// @throw MissingScale when its lateral size is unknown, or its values are numbers without unit;
+///        InputError when there is no such channel, when its unit is not a length, or when only a
+///        deflection, amplitude or phase image could be the default
 [[nodiscard]] const ScanChannel& heightChannel(const HeightMapFile& file,
                                                const std::filesystem::path& path,
                                                const std::string& name);

@@ -25,6 +25,16 @@ TEST(Dialogs, AComplaintIsReadAsItIsAndTheWindowGoesOn) {
     EXPECT_TRUE(box.testAttribute(Qt::WA_DeleteOnClose));
 }
 
+TEST(Dialogs, AllThatIsReadComesFirstThenEachTypeThenAnyFile) {
+    const QStringList filters = scanFilters({{"Gwyddion .gwy", {"*.gwy"}},
+                                             {"TIFF", {"*.tiff", "*.tif"}},
+                                             {"text matrix", {"*.txt", "*.tif"}}});
+    EXPECT_EQ(filters,
+              (QStringList{"Scans and scenes (*.toml *.gwy *.tiff *.tif *.txt)", "Scenes (*.toml)",
+                           "Gwyddion .gwy (*.gwy)", "TIFF (*.tiff *.tif)",
+                           "Text matrix (*.txt *.tif)", "All files (*)"}));
+}
+
 TEST(Dialogs, WhatIsExplainedMayHaveMarkup) {
     for (const auto explain : {explainControls, explainProgram}) {
         QWidget window;

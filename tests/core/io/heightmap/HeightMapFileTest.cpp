@@ -75,6 +75,16 @@ TEST(HeightMapFile, FormatsAreListedByTheirUsualExtensions) {
                 ElementsAre(".gwy", ".gsf", ".exr", ".tiff", ".tif", ".png", ".txt"));
 }
 
+TEST(HeightMapFile, EachReadableFormatHasANameAndItsExtensions) {
+    const std::vector<ReadableFormat> formats = readableFormats();
+    EXPECT_EQ(formats.front().name, "Gwyddion .gwy");
+    EXPECT_THAT(formats.front().extensions, ElementsAre(".gwy"));
+    for (const ReadableFormat& format : formats) {
+        EXPECT_NE(format.name, "force curves") << "they are refused";
+        EXPECT_FALSE(format.extensions.empty()) << format.name;
+    }
+}
+
 TEST(HeightMapFile, TypeIsFoundByContentNotByExtension) {
     const ScratchFolder folder;
     const std::string gsf =

@@ -1,5 +1,5 @@
 #include "core/Error.h"
-#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
 
@@ -149,6 +149,20 @@ TEST(PngReader, PicturesAreRefusedInWords) {
     EXPECT_THAT(refusal(pngFile({.color = PNG_COLOR_TYPE_RGB})), HasSubstr("a color picture"));
     EXPECT_THAT(refusal(pngFile({.color = PNG_COLOR_TYPE_RGB_ALPHA})),
                 HasSubstr("a color picture"));
+}
+
+/// Colors of a screen are no heights, whatever the user says of them.
+TEST(PngReader, PicturesAreRefusedWhateverScaleIsGiven) {
+    const ScratchFolder folder;
+    for (const PngTestFile& picture :
+         {PngTestFile{.bits = 8}, PngTestFile{.bits = 8, .color = PNG_COLOR_TYPE_PALETTE},
+          PngTestFile{.color = PNG_COLOR_TYPE_RGB}}) {
+        const auto path = folder.write("picture.png", pngFile(picture));
+        EXPECT_THAT(refusalOf([&] {
+                        ScanFile(path, {1e-6, 1e-6, 1e-9}, {});
+                    }),
+                    HasSubstr("picture"));
+    }
 }
 
 TEST(PngReader, AFalseNumberIsRefusedByItsKey) {

@@ -1,5 +1,5 @@
 #include "core/Error.h"
-#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/ScanFile.h"
 #include "tests/core/io/heightmap/TiffFiles.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/ScratchFolder.h"
@@ -204,6 +204,20 @@ TEST(TiffReader, PicturesAreRefusedInWords) {
     EXPECT_THAT(refusal({.type = SampleType::UInt8, .photometric = 3}), HasSubstr("palette"));
     EXPECT_THAT(refusal({.columns = 1, .samplesPerPixel = 3, .photometric = 2}),
                 HasSubstr("a color picture"));
+}
+
+/// Colors of a screen are no heights, whatever the user says of them.
+TEST(TiffReader, PicturesAreRefusedWhateverScaleIsGiven) {
+    const ScratchFolder folder;
+    for (const TiffTestImage& picture :
+         {TiffTestImage{.type = SampleType::UInt8},
+          TiffTestImage{.type = SampleType::UInt8, .photometric = 3}}) {
+        const auto path = folder.write("picture.tif", tiffFile({picture}));
+        EXPECT_THAT(refusalOf([&] {
+                        ScanFile(path, {1e-6, 1e-6, 1e-9}, {});
+                    }),
+                    HasSubstr("picture"));
+    }
 }
 
 TEST(TiffReader, EachPageIsAChannelButPicturesAndSmallCopies) {

@@ -53,6 +53,22 @@ TEST_F(SceneFile, SmoothsByPixelsOrByALength) {
     EXPECT_EQ(none.sample.smoothingPixels, 0.0);
 }
 
+TEST_F(SceneFile, SaysTheScaleOfAScanWhoseFileDoesNot) {
+    const std::string start = "[sample]\nfile = \"map.txt\"\n";
+    const GivenScale none = readScene(write("none.toml", start)).sample.scale;
+    EXPECT_FALSE(none.hasSize());
+    EXPECT_FALSE(none.hasHeight());
+    EXPECT_EQ(sceneText(readScene(write("none.toml", start))).find("size_x_m"), std::string::npos);
+    const SceneDescription scene = readScene(
+        write("given.toml", start + "size_x_m = 5e-6\nsize_y_m = 2e-6\nz_scale_m = 1.25e-10\n"));
+    EXPECT_EQ(scene.sample.scale, (GivenScale{5e-6, 2e-6, 1.25e-10}));
+    EXPECT_EQ(readScene(write("again.toml", sceneText(scene))).sample.scale, scene.sample.scale);
+    const GivenScale height =
+        readScene(write("height.toml", start + "z_scale_m = 1e-9\n")).sample.scale;
+    EXPECT_FALSE(height.hasSize());
+    EXPECT_EQ(height.heightPerValue, 1e-9);
+}
+
 TEST_F(SceneFile, IsKnownByItsContentAlso) {
     const auto scene = write("scene.txt", "# a scene\n[sample]\nfile = \"map.gsf\"\n");
     EXPECT_EQ(sceneFromInput(scene).sample.file, (scratch.path() / "map.gsf").string());
@@ -225,6 +241,14 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {std::string(sample) + "smoothing_m = -1e-9\n", "smoothing_m"},
         {std::string(sample) + "smoothing_m = 1e-9\nsmoothing_px = 1\n", "not both"},
         {std::string(sample) + "smoothing_px = nan\n", "smoothing_px"},
+        {std::string(sample) + "size_x_m = 1e-6\n", "both sides of the scan"},
+        {std::string(sample) + "size_y_m = 1e-6\n", "both sides of the scan"},
+        {std::string(sample) + "size_x_m = -1e-6\nsize_y_m = 1e-6\n", "size_x_m"},
+        {std::string(sample) + "size_x_m = 1e-6\nsize_y_m = inf\n", "size_y_m"},
+        {std::string(sample) + "size_x_m = \"5um\"\nsize_y_m = 1e-6\n", "a number"},
+        {std::string(sample) + "z_scale_m = 0\n", "z_scale_m"},
+        {std::string(sample) + "z_scale_m = nan\n", "z_scale_m"},
+        {"[sample]\nshape = \"sphere\"\nsize_x_m = 1e-6\nsize_y_m = 1e-6\n", "size_x_m"},
         {std::string(sample) + "erode = true\n", "erode needs imaging_tip_radius_m"},
         {std::string(sample) + "erode = 1\n", "true or false"},
         {std::string(sample) + "imaging_tip_radius_m = -1e-9\n", "imaging_tip_radius_m"},
