@@ -7,13 +7,17 @@
 
 #include <vtkCell.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
+#include <vtkStringArray.h>
+#include <vtkStructuredGrid.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLStructuredGridReader.h>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +33,9 @@ namespace asperity {
 
 namespace {
 
+/// All that VTK reads.
+constexpr std::array kFormats{&kVtiFormat, kVtkFormats[0], kVtkFormats[1], kVtkFormats[2]};
+
 /// A folder of its own for each test, removed afterwards.
 class VtkFormats : public testing::Test {
 protected:
@@ -41,7 +48,7 @@ protected:
     void TearDown() override { std::filesystem::remove_all(folder); }
 
     void write(const std::string& name, const HeightMap& map, Progress* progress = nullptr) const {
-        writeHeightMap(file(name), rowsOf(map), {}, progress, kVtkFormats);
+        writeHeightMap(file(name), rowsOf(map), {}, progress, kFormats);
     }
     [[nodiscard]] std::filesystem::path file(const std::string& name) const {
         return folder / name;
@@ -99,7 +106,7 @@ TEST_F(VtkFormats, ImageMarksPixelsWithoutData) {
 
 TEST_F(VtkFormats, ImageOfNumbersWithoutAUnitHoldsNoHeights) {
     writeHeightMap(file("map.vti"), rowsOf(smallMap()), {.title = "Certainty", .unit = ""}, nullptr,
-                   kVtkFormats);
+                   kFormats);
     vtkNew<vtkXMLImageDataReader> reader;
     reader->SetFileName(file("map.vti").c_str());
     reader->Update();
@@ -107,6 +114,25 @@ TEST_F(VtkFormats, ImageOfNumbersWithoutAUnitHoldsNoHeights) {
     EXPECT_NE(reader->GetOutput()->GetPointData()->GetArray("Certainty"), nullptr);
     EXPECT_FALSE(kVtiFormat.isShape);
     EXPECT_TRUE(kVtpFormat.isShape && kStlFormat.isShape);
+}
+
+/// As VTK's own readers find them.
+TEST_F(VtkFormats, ImageNamesTitleUnitAndOriginInItsFieldData) {
+    writeHeightMap(file("map.vti"), rowsOf(smallMap()),
+                   {.title = "Höhe <1> \"高さ\"", .originX = 1e-6, .originY = -2e-6}, nullptr,
+                   kFormats);
+    const vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(file("map.vti").c_str());
+    reader->Update();
+    vtkFieldData* data = reader->GetOutput()->GetFieldData();
+    const auto text = [data](const char* name) {
+        return std::string(
+            vtkArrayDownCast<vtkStringArray>(data->GetAbstractArray(name))->GetValue(0));
+    };
+    EXPECT_EQ(text("title"), "Höhe <1> \"高さ\"");
+    EXPECT_EQ(text("unit"), "m");
+    EXPECT_EQ(data->GetArray("scan_origin")->GetTuple1(0), 1e-6);
+    EXPECT_EQ(data->GetArray("scan_origin")->GetTuple1(1), -2e-6);
 }
 
 TEST_F(VtkFormats, MeshRunsThroughThePixelCenters) {
@@ -121,6 +147,28 @@ TEST_F(VtkFormats, MeshRunsThroughThePixelCenters) {
     EXPECT_DOUBLE_EQ(point[0], 25.0_nm);
     EXPECT_DOUBLE_EQ(point[1], 30.0_nm);
     EXPECT_DOUBLE_EQ(point[2], 6.0_nm);
+}
+
+TEST_F(VtkFormats, GridRunsThroughThePixelCentersAndHidesThoseWithoutData) {
+    HeightMap map = smallMap();
+    map.invalid = {0, 1, 0, 0, 0, 0};
+    map.heights[1] = std::numeric_limits<double>::quiet_NaN();
+    write("map.vts", map);
+    const vtkNew<vtkXMLStructuredGridReader> reader;
+    reader->SetFileName(file("map.vts").c_str());
+    reader->Update();
+    vtkStructuredGrid* grid = reader->GetOutput();
+    EXPECT_EQ(grid->GetDimensions()[0], 3);
+    EXPECT_EQ(grid->GetDimensions()[1], 2);
+    const double* point = grid->GetPoint(5);  // top right
+    EXPECT_DOUBLE_EQ(point[0], 25.0_nm);
+    EXPECT_DOUBLE_EQ(point[1], 30.0_nm);
+    EXPECT_DOUBLE_EQ(point[2], 6.0_nm);
+    EXPECT_DOUBLE_EQ(grid->GetPointData()->GetArray("height")->GetTuple1(0), 1.0_nm);
+    for (vtkIdType id = 0; id < 6; ++id) {
+        EXPECT_EQ(grid->IsPointVisible(id) != 0, id != 4) << id;
+    }
+    EXPECT_TRUE(kVtsFormat.isShape);
 }
 
 TEST_F(VtkFormats, MeshLeavesOutTrianglesAtInvalidPixels) {
@@ -194,18 +242,18 @@ TEST_F(VtkFormats, TellsHowFarItIsAndLeavesNothingBehindWhenCanceled) {
     HeightMap map = smallMap();
     map.rows = 200;
     map.heights.assign(600, 1.0_nm);
-    for (const std::string name : {"map.vti", "map.vtp", "map.stl"}) {
+    for (const std::string name : {"map.vti", "map.vtp", "map.vts", "map.stl"}) {
         for (const double fraction : {0.0, 0.2, 0.3, 0.5, 1.0}) {
             test::ProgressRecorder recorder(fraction);
             EXPECT_THROW(write(name, map, &recorder), Canceled);
-            // VTK writes so small an image in one go.
-            const bool isOneGo = name == "map.vti" && fraction == 0.5;
+            // VTK writes so small a grid in one go.
+            const bool isOneGo = name == "map.vts" && fraction == 0.5;
             EXPECT_TRUE(fraction == 1.0 || isOneGo || recorder.fractions.back() < 1.0)
                 << name << fraction;
             EXPECT_TRUE(std::filesystem::is_empty(folder)) << name << fraction;
         }
     }
-    for (const std::string name : {"map.vti", "map.vtp", "map.stl"}) {
+    for (const std::string name : {"map.vti", "map.vtp", "map.vts", "map.stl"}) {
         test::ProgressRecorder recorder(2.0);
         write(name, map, &recorder);
         EXPECT_TRUE(std::ranges::is_sorted(recorder.fractions)) << name;
