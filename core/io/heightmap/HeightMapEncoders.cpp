@@ -43,25 +43,28 @@ std::string oneLine(std::string text) {
     return text;
 }
 
-std::map<std::string, std::string> writtenMetadata(const HeightMapMeta& meta) {
+std::map<std::string, std::string> writtenMetadata(const HeightMapMeta& meta, std::size_t most) {
     constexpr std::size_t kMaxBytes = 60000;
+    std::size_t total = 0;
     std::map<std::string, std::string> written;
     for (const auto& [given, text] : meta.metadata) {
         const std::string name(trimmed(oneLine(given)));
         const std::string value(trimmed(oneLine(text)));
+        const std::size_t bytes = name.size() + value.size();
         const bool fits = !name.empty() && !value.empty() && name.size() <= kMaxBytes &&
-                          value.size() <= kMaxBytes;
+                          value.size() <= kMaxBytes && total + bytes <= most;
         if (fits && !name.starts_with("Gwy::") && !name.starts_with("Asperity::")) {
             written.emplace(name, value);
+            total += bytes;
         }
     }
     return written;
 }
 
 std::string metadataLines(const HeightMapMeta& meta, std::string_view between,
-                          std::span<const std::string_view> reserved) {
+                          std::span<const std::string_view> reserved, std::size_t most) {
     std::string lines;
-    for (const auto& [name, value] : writtenMetadata(meta)) {
+    for (const auto& [name, value] : writtenMetadata(meta, most)) {
         if (name.find(trimmed(between)) == std::string::npos &&
             std::ranges::count(reserved, name) == 0) {
             lines.append(name).append(between).append(value).append("\n");

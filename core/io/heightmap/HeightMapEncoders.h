@@ -29,12 +29,18 @@ struct HeightRange {
 /// A text without line ends and NUL, each of them a blank.
 [[nodiscard]] std::string oneLine(std::string text);
 
+/// All metadata of a file together has at most this many bytes.
+inline constexpr std::size_t kMaxMetadata = 500000;
+
 /// Entries of the metadata that a format can hold: names and values of 1 to 60000 bytes, on one
-/// line each, but for the names of Gwyddion's and our own keys.
-[[nodiscard]] std::map<std::string, std::string> writtenMetadata(const HeightMapMeta& meta);
+/// line each, as many as fit, but for the names of Gwyddion's and our own keys.
+/// @param most bytes of names and values
+[[nodiscard]] std::map<std::string, std::string> writtenMetadata(const HeightMapMeta& meta,
+                                                                 std::size_t most = kMaxMetadata);
 
 /// The same as lines "name" `between` "value", but for names that hold `between` or are reserved.
 [[nodiscard]] std::string metadataLines(const HeightMapMeta& meta, std::string_view between,
-                                        std::span<const std::string_view> reserved = {});
+                                        std::span<const std::string_view> reserved,
+                                        std::size_t most = kMaxMetadata);
 
 }  // namespace asperity

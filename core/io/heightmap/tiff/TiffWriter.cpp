@@ -30,6 +30,9 @@ constexpr std::size_t kClassicLimit = 4'000'000'000U;
 /// What our reader calls tags of other programs.
 constexpr std::array<std::string_view, 3> kOwnNames = {"description", "software", "date"};
 
+/// Our reader takes 65536 bytes of a description.
+constexpr std::size_t kMaxTiffMetadata = 40000;
+
 /// How a height is stored.
 enum class Samples { Floats, Counts };
 
@@ -41,7 +44,7 @@ std::string description(const HeightRows& map, const HeightMapMeta& meta, const 
     for (const auto& [key, value] : scale) {
         text.append(key).append("=").append(value).append("\n");
     }
-    return text + metadataLines(meta, "=", kOwnNames);
+    return text + metadataLines(meta, "=", kOwnNames, kMaxTiffMetadata);
 }
 
 void setResolution(TIFF* tiff, const HeightRows& map) {

@@ -17,7 +17,8 @@ namespace asperity {
 
 namespace {
 
-constexpr std::uint64_t kMaxHead = std::uint64_t{1} << 24U;
+/// Twice that of our longest file; the parser needs 20 times its bytes.
+constexpr std::uint64_t kMaxHead = std::uint64_t{1} << 22U;
 constexpr std::string_view kAppended = "<AppendedData";
 constexpr const char* kExpected =
     "; only appended, raw, uncompressed values are read (in ParaView: data mode Appended, no "
@@ -95,6 +96,9 @@ private:
             }
             values_ = mark + 1;
             end = tag + 1;
+        }
+        if (appended == std::string::npos && bytes_.size() > kMaxHead) {
+            fail("AppendedData", "the XML before it is too long" + std::string(kExpected));
         }
         xml.resize(end);
         xml += appended == std::string::npos ? "" : "</AppendedData></VTKFile>";

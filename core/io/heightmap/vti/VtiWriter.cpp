@@ -49,8 +49,8 @@ std::string textArray(std::string_view name, std::string_view text) {
 
 std::string metadata(const HeightMapMeta& meta) {
     std::string lines;
-    for (const auto& [name, value] : meta.metadata) {
-        if (!name.empty() && name != kVtiTitle && name != kVtiUnit && name != kVtiOrigin) {
+    for (const auto& [name, value] : writtenMetadata(meta)) {
+        if (name != kVtiTitle && name != kVtiUnit && name != kVtiOrigin) {
             lines += textArray(name, value);
         }
     }

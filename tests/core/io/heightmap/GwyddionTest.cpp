@@ -197,6 +197,20 @@ TEST(Gwyddion, ReadsWhatWeWrite) {
     }
 }
 
+/// docs/formats.md 9: there is no TIFF of which it takes both scales.
+TEST(Gwyddion, TakesTheValuesOfOurTiffAlone) {
+    if (!haveGwyddion()) {
+        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+    }
+    const ScratchFolder folder;
+    const HeightMap map = bumpyMap(17, 9);
+    writeHeightMap(folder.file("map.tiff"), map, {});
+    const ScanChannel theirs = throughGwyddion(folder, folder.file("map.tiff")).channels.at(0);
+    EXPECT_LE(worstDeviation(map, theirs.map), 1e-7);
+    EXPECT_EQ(theirs.unit, "");
+    EXPECT_FALSE(theirs.hasSize());
+}
+
 TEST(Gwyddion, SeesThePixelsWithoutDataAsMasked) {
     if (!haveGwyddion()) {
         GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";

@@ -184,6 +184,20 @@ TEST(RoundTripOfCounts, KeepsHeightsMaskSizeAndOrigin) {
     }
 }
 
+/// A file that is written is read, whatever an instrument says of itself.
+TEST_P(RoundTrip, TakesAsMuchMetadataAsItCan) {
+    HeightMapMeta meta{.title = "Height"};
+    for (int i = 0; i < 40; ++i) {
+        meta.metadata["long " + std::to_string(i)] = std::string(50000, 'x') + "\n=:\\\"<>&";
+    }
+    meta.metadata["tooLong"] = std::string(3'000'000, 'x');
+    meta.metadata["X offset: 1 m = \t"] = "5 m";
+    meta.metadata[std::string("a\0b\x1b", 4)] = "x";
+    const ScanChannel read = through(bumpyMap(4, 3), meta);
+    expectFrame(read, bumpyMap(4, 3), meta);
+    expectHeights(read.map, bumpyMap(4, 3), precisionOf(GetParam()));
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, testing::ValuesIn(heightMapExtensions()),
                          [](const auto& extension) { return extension.param.substr(1); });
 

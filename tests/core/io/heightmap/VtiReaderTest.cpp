@@ -98,6 +98,14 @@ TEST(VtiReader, NamesOtherEncodingsAndWhatIsExpected) {
                 HasSubstr("within the XML"));
 }
 
+TEST(VtiReader, ReadsNoXmlWithoutEnd) {
+    const std::string start = R"(<VTKFile type="ImageData"><ImageData><DataArray format="ascii">)";
+    EXPECT_THAT(refusalOf([&] {
+                    (void)readHeightMapBytes(start + std::string(5'000'000, '1'), "long.vti");
+                }),
+                testing::AllOf(HasSubstr("too long"), HasSubstr("data mode Appended")));
+}
+
 TEST(VtiReader, RefusesWhatIsNoFlatImage) {
     const auto refused = [](auto&& change) {
         VtiText file;
