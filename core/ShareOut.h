@@ -104,6 +104,7 @@ void shareOut(int count, Progress* progress, const Work& work) {
         for (std::future<void>& other : others) {
             waitFor(other, check);
         }
+        report();  // this thread may have come too late for any of it
     } catch (...) {
         ended = true;  // the others end, too
         throw;

@@ -2,6 +2,7 @@
 
 #include "app/commands/ScaleOption.h"
 #include "app/program/JsonText.h"
+#include "app/program/ProvenanceJson.h"
 #include "core/PathText.h"
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
@@ -115,7 +116,8 @@ nlohmann::json channelJson(const ScanFile& file, const ScanChannel& channel) {
               {"top_right", facts.topRight},
               {"bottom_left", facts.bottomLeft},
               {"bottom_right", facts.bottomRight}}},
-            {"metadata", channel.metadata}};
+            {"metadata", channel.metadata},
+            {"provenance", provenanceJson(channel.provenance)}};
 }
 
 /// Of the reader, and what holds for every scan.
@@ -141,9 +143,13 @@ void printJson(const Report& shown) {
     const ScanChannel& first = file.channels.at(file.defaultChannel);
     const nlohmann::json defaultName =
         isTopography(first) ? nlohmann::json(first.name) : nlohmann::json();
-    const nlohmann::json report = {
-        {"file", pathText(shown.path)},   {"format", file.format}, {"sha256", shown.file.sha256()},
-        {"default_channel", defaultName}, {"channels", channels},  {"notes", notesOf(shown)}};
+    const nlohmann::json report = {{"file", pathText(shown.path)},
+                                   {"format", file.format},
+                                   {"sha256", shown.file.sha256()},
+                                   {"default_channel", defaultName},
+                                   {"channels", channels},
+                                   {"notes", notesOf(shown)},
+                                   {"provenance", provenanceJson(file.provenance)}};
     std::cout << jsonText(report) << '\n';
 }
 
@@ -223,6 +229,18 @@ std::string legendOf(const Report& shown) {
     return showsDefault ? "* taken when no channel is named; " : "";
 }
 
+/// Of the default channel, or of the one that was asked for.
+void printProvenance(const Report& shown) {
+    const HeightMapFile& file = shown.file.contents();
+    const ScanChannel& channel = shown.channels.size() == 1 ? *shown.channels.front()
+                                                            : file.channels.at(file.defaultChannel);
+    std::cout << "\nWhere the numbers of '" << printable(channel.name) << "' come from\n";
+    for (const Provenance& entry : provenanceOf(file, channel)) {
+        std::cout << "- " << printable(entry.what + ": " + entry.value) << " ("
+                  << printable(entry.source) << ")\n";
+    }
+}
+
 void printForPeople(const Report& shown) {
     const HeightMapFile& file = shown.file.contents();
     std::cout << printable(shown.path) << "\n" << file.format << "\n\n";
@@ -236,6 +254,7 @@ void printForPeople(const Report& shown) {
     for (const std::string& note : notesOf(shown)) {
         std::cout << "- " << printable(note) << '\n';
     }
+    printProvenance(shown);
 }
 
 }  // namespace

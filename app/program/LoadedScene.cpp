@@ -25,6 +25,7 @@ LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides
             .format = "shape",
             .sha256 = "",
             .notes = {},
+            .provenance = {},
             .needs = {}};
 }
 
@@ -61,6 +62,7 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
             .format = std::move(scan.format),
             .sha256 = std::move(hash),
             .notes = std::move(scan.notes),
+            .provenance = std::move(scan.provenance),
             .needs = {},
             .channels = heightChannels(file.contents())};
 }

@@ -2,6 +2,7 @@
 
 #include "core/Progress.h"
 #include "core/fidelity/SceneNeeds.h"
+#include "core/io/heightmap/HeightMapFile.h"
 #include "core/probe/AfmController.h"
 #include "core/scene/Scene.h"
 
@@ -28,7 +29,8 @@ struct LoadedScene {
     std::string format;              ///< of the height map, for people; "shape" without one
     std::string sha256;              ///< of the height map's file; empty without one
     std::vector<std::string> notes;  ///< on the heights, a sentence each: of reader and leveling
-    SceneNeeds needs;                ///< why the scene's model is what it is
+    std::vector<Provenance> provenance;  ///< what scale and orientation of the heights come from
+    SceneNeeds needs;                    ///< why the scene's model is what it is
     std::vector<std::string> channels = {};  ///< of the file, those that can be taken instead
 };
 

@@ -1,6 +1,7 @@
 #include "app/reports/RunSummary.h"
 
 #include "app/program/JsonText.h"
+#include "app/program/ProvenanceJson.h"
 #include "core/PathText.h"
 #include "core/Version.h"
 #include "core/deformation/HalfSpaceModel.h"
@@ -36,7 +37,8 @@ Json inputJson(const LoadedScene& loaded) {
             {"size_y_m", surface.sizeY()},
             {"removed_slope_x", loaded.scene.removedPlane.slopeX},
             {"removed_slope_y", loaded.scene.removedPlane.slopeY},
-            {"notes", notesOn(loaded)}};
+            {"notes", notesOn(loaded)},
+            {"provenance", provenanceJson(loaded.provenance)}};
 }
 
 Json termJson(const TermNeed& need, const SceneNeeds& needs) {

@@ -37,6 +37,25 @@ TEST(ShareOut, DoesEachPieceOnceAndReportsAFewDozenTimes) {
     EXPECT_GE(progress.latest, 0.9);
 }
 
+/// A loaded machine may start the calling thread when the others have done everything.
+TEST(ShareOut, ReportsWhatOthersDidAlone) {
+    if (std::thread::hardware_concurrency() < 2) {
+        GTEST_SKIP() << "there are no others";
+    }
+    LatestShare progress;
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<bool> othersAreDone = false;
+    shareOut(2, &progress, [&](int /*index*/, const CancelCheck& /*check*/) {
+        if (std::this_thread::get_id() != caller) {
+            othersAreDone = true;
+        }
+        while (!othersAreDone) {
+            std::this_thread::yield();
+        }
+    });
+    EXPECT_EQ(progress.latest, 1.0);
+}
+
 /// While the first piece took minutes, nothing showed that the others were done meanwhile.
 TEST(ShareOut, ReportsWhatIsDoneWhileAPieceTakesLong) {
     if (std::thread::hardware_concurrency() < 2) {

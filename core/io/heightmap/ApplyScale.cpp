@@ -18,14 +18,18 @@ void applySize(ScanChannel& channel, const GivenScale& given) {
     HeightMap& map = channel.map;
     std::string note = "size " + sizeText(given.sizeX, given.sizeY) + " as given";
     if (channel.hasSize()) {
-        note += "; the file says " + sizeText(map.pitchX * map.columns, map.pitchY * map.rows);
+        note +=
+            "; that in the file is " + sizeText(map.pitchX * map.columns, map.pitchY * map.rows);
     }
     std::erase(channel.notes, kNoSizeNote);
     map.pitchX = pixelPitch(given.sizeX, map.columns);
     map.pitchY = pixelPitch(given.sizeY, map.rows);
     channel.lateralUnit = "m";
     channel.notes.push_back(note);
-    channel.provenance.push_back({"size", sizeText(given.sizeX, given.sizeY), kGiven});
+    std::erase_if(channel.provenance,
+                  [](const Provenance& entry) { return entry.what == "lateral size"; });
+    channel.provenance.push_back(
+        {"lateral size", exactText(given.sizeX) + " x " + exactText(given.sizeY) + " m", kGiven});
 }
 
 void applyHeight(StoredChannel& stored, const GivenScale& given) {
@@ -34,7 +38,9 @@ void applyHeight(StoredChannel& stored, const GivenScale& given) {
     channel.notes.push_back(channel.isHeight()
                                 ? "heights of the file multiplied by " + factor + " as given"
                                 : "numbers taken as heights of " + factor + " m each as given");
-    channel.provenance.push_back({"height per value", factor + " m", kGiven});
+    channel.provenance.push_back(
+        channel.isHeight() ? Provenance{"scale", factor + " times that of the file", kGiven}
+                           : scaleProvenance(given.heightPerValue, "m", kGiven));
     channel.unit = "m";
     stored.factor *= given.heightPerValue;
 }

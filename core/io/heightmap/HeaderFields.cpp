@@ -48,7 +48,7 @@ void HeaderFields::add(std::string_view key, std::string_view value) {
     fields_.emplace(toUtf8(trimmed(key)), toUtf8(trimmed(value)));
 }
 
-const std::string* HeaderFields::find(const std::string& key) const {
+const std::string* HeaderFields::find(const std::string& key) const& {
     const auto field = fields_.find(key);
     return field == fields_.end() ? nullptr : &field->second;
 }

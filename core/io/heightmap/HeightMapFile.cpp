@@ -160,6 +160,12 @@ std::vector<std::string> notesOn(const HeightMapFile& file, const ScanChannel& c
     return notes;
 }
 
+std::vector<Provenance> provenanceOf(const HeightMapFile& file, const ScanChannel& channel) {
+    std::vector<Provenance> entries = file.provenance;
+    std::ranges::copy(channel.provenance, std::back_inserter(entries));
+    return entries;
+}
+
 const ScanChannel& channelNamed(const HeightMapFile& file, const std::filesystem::path& path,
                                 const std::string& name) {
     const ScanChannel* const channel = findChannel(file, name);

@@ -53,6 +53,10 @@ struct HeightMapFile {
 [[nodiscard]] std::vector<std::string> notesOn(const HeightMapFile& file,
                                                const ScanChannel& channel);
 
+/// What the channel's numbers depend on: the entries of the file, and its own.
+[[nodiscard]] std::vector<Provenance> provenanceOf(const HeightMapFile& file,
+                                                   const ScanChannel& channel);
+
 /// Extensions that files which can be read usually have: ".gwy"; `*` in them stands for any text.
 [[nodiscard]] std::vector<std::string> readableExtensions();
 

@@ -82,12 +82,7 @@ void takeLateral(ImageScale& scale, const GwyTexts& texts, const std::string& so
     scale.sizeY = texts.number("YReal") * lateral.factor;
     scale.originX = texts.number("XOffset") * lateral.factor;
     scale.originY = texts.number("YOffset") * lateral.factor;
-    if (texts.has("XReal")) {
-        scale.provenance.push_back(
-            {"lateral size",
-             texts.text("XReal") + " x " + texts.text("YReal") + " " + texts.text("XYUnit"),
-             source + " Gwy::XReal, Gwy::YReal"});
-    }
+    scale.sizeSource = source + " Gwy::XReal, Gwy::YReal";
 }
 
 void takeNoData(ImageScale& scale, const ImageTexts& texts, const std::string& file,
@@ -136,8 +131,7 @@ ImageScale gwyScale(const ImageTexts& keys, SampleType type, const std::string& 
         scale.factor = vertical.factor * (texts.has("ZScale") ? texts.number("ZScale") : 1.0);
         if (texts.has("ZScale") || texts.has("ZUnit")) {
             scale.provenance.push_back(
-                {"scale", exactText(scale.factor) + " " + scale.unit + " per stored 1",
-                 source + " Gwy::ZScale, Gwy::ZUnit"});
+                scaleProvenance(scale.factor, scale.unit, source + " Gwy::ZScale, Gwy::ZUnit"));
         }
     } else if (texts.has("ZMin") && texts.has("ZMax")) {
         scale.unit = vertical.base;
@@ -184,7 +178,7 @@ StoredChannel scaledChannel(const ImageScale& scale, ImageSize size, ReadRow row
     if (channel.unit.empty()) {
         channel.notes.emplace_back("the file gives no unit of the values; they are numbers");
     }
-    settleSize(channel);
+    settleSize(channel, scale.sizeSource);
     if (scale.noData) {
         stored.readRow = withoutCount(std::move(stored.readRow), size.columns, *scale.noData);
     }

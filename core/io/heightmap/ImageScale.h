@@ -21,6 +21,7 @@ struct ImageScale {
     std::string lateralUnit;       ///< without prefix
     double sizeX = 0.0;            ///< 0: not given
     double sizeY = 0.0;
+    std::string sizeSource;  ///< where the size stands
     double originX = 0.0;
     double originY = 0.0;
     std::vector<std::string> notes;

@@ -21,7 +21,8 @@ BasicHeightScan<Map> ScanFile::readScan(const std::string& name, const Read& rea
             .map = read(storedOf(channel)),
             .originX = channel.originX,
             .originY = channel.originY,
-            .notes = notesOn(contents(), channel)};
+            .notes = notesOn(contents(), channel),
+            .provenance = provenanceOf(contents(), channel)};
 }
 
 HeightScan ScanFile::readHeightScan(const std::string& name, Progress* progress) const {

@@ -25,6 +25,7 @@ struct BasicHeightScan {
     double originX = 0.0;            ///< offset of the scan in the instrument's frame [m]
     double originY = 0.0;            ///< [m]
     std::vector<std::string> notes;  ///< on the file and this channel
+    std::vector<Provenance> provenance;
 };
 using HeightScan = BasicHeightScan<ScanMap>;
 /// In double precision, so that the curvature of fine pixels is no rounding error; a large one in

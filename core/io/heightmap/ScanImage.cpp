@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 namespace asperity {
 
@@ -62,15 +64,26 @@ std::size_t countInvalid(const HeightMap& map) {
     return static_cast<std::size_t>(std::ranges::count(map.invalid, true));
 }
 
-void settleSize(ScanChannel& channel) {
+void settleSize(ScanChannel& channel, const std::string& source) {
     const bool positive = channel.map.pitchX > 0.0 && channel.map.pitchY > 0.0;
     if (!positive) {
         channel.map.pitchX = channel.map.pitchY = 0.0;
         channel.notes.emplace_back(kNoSizeNote);
-    } else if (channel.lateralUnit.empty() && channel.isHeight()) {
+        return;
+    }
+    if (channel.lateralUnit.empty() && channel.isHeight()) {
         channel.lateralUnit = "m";
         channel.notes.emplace_back("the lateral size has no unit; meters are assumed");
     }
+    std::ostringstream size;
+    size << std::setprecision(12) << channel.map.sizeX() << " x " << channel.map.sizeY() << " "
+         << channel.lateralUnit;
+    channel.provenance.push_back({"lateral size", size.str(), source});
+}
+
+Provenance scaleProvenance(double factor, const std::string& unit, std::string source) {
+    return {"scale", exactText(factor) + (unit.empty() ? "" : " ") + unit + " per stored number",
+            std::move(source)};
 }
 
 std::string directionFromName(std::string_view name) {

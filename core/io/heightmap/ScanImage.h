@@ -43,9 +43,14 @@ void invalidateNonFinite(HeightMap& map);
 
 /// Of a channel without a lateral size.
 inline constexpr std::string_view kNoSizeNote = "the file gives no lateral size";
-/// Notes what the channel lacks. A height map that gives numbers for its size but no unit is taken
-/// as meters.
-void settleSize(ScanChannel& channel);
+/// Says where the size stands, or that the file gives none. A height map that gives numbers for its
+/// size but no unit is taken as meters.
+/// @param source place of the size in the file
+void settleSize(ScanChannel& channel, const std::string& source);
+
+/// Where the scale stands: "1.3e-10 m per stored number", and its place in the file.
+[[nodiscard]] Provenance scaleProvenance(double factor, const std::string& unit,
+                                         std::string source);
 
 /// "forward" or "backward" when the channel's name says so, else empty.
 [[nodiscard]] std::string directionFromName(std::string_view name);

@@ -18,6 +18,7 @@ struct UnreadFormat {
 
 constexpr std::array kUnread{
     UnreadFormat{"\x89HDF\r\n\x1A\n"sv, "an HDF5 file (as .h5-jpk or .nhf)"sv},
+    UnreadFormat{"\x1F\x8B"sv, "a gzip file (unpack it first)"sv},
     UnreadFormat{"\x01\xB0\x93\xFF"sv, "an NT-MDT file (.mdt)"sv},
     UnreadFormat{"ISO/TC 201 SPM data transfer format"sv, "an ISO 28600 file (.spm)"sv}};
 

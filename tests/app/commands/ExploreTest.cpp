@@ -69,6 +69,7 @@ TEST_P(Explore, LeavesPicturesFieldsLogAndSummary) {
     EXPECT_EQ(summary["statistics"]["ticks"], 2001);
     EXPECT_EQ(summary["statistics"]["ticks_faulted"], 0);
     EXPECT_EQ(summary["input"]["sha256"].get<std::string>().size(), 64U);
+    EXPECT_EQ(summary["input"]["provenance"][0]["what"], "format version");
     ASSERT_TRUE(summary["snap_in"].is_object());
     ASSERT_TRUE(summary["pull_off"].is_object());
     EXPECT_GT(summary["largest_indentation"]["indentation_m"], 0.0);

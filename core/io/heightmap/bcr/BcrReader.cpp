@@ -151,12 +151,14 @@ private:
         stored.readRow = rows(layout, channel);
         channel.name = channel.isHeight() ? "Topography" : "Image";
         channel.provenance.push_back(
+            {"format version", isFloat_ ? "bcrf" : "bcrstm", "header, fileformat"});
+        channel.provenance.push_back(
             {"byte order", layout.order == ByteOrder::Little ? "lowest first" : "highest first",
              find("intelmode") == nullptr ? "usual; the file does not say" : "header, intelmode"});
         channel.provenance.push_back(
             {"orientation", "the first row is the top one", "usual; the file does not say"});
         channel.metadata = std::move(fields_);
-        settleSize(channel);
+        settleSize(channel, "header, xlength and ylength");
         return stored;
     }
 
@@ -170,9 +172,8 @@ private:
         }
         channel.unit = unit.base;
         stored.factor = perCount * unit.factor;
-        channel.provenance.push_back({"scale",
-                                      exactText(stored.factor) + " " + unit.base + " per number",
-                                      isFloat_ ? "header, zunit" : "header, bit2nm and zunit"});
+        channel.provenance.push_back(scaleProvenance(
+            stored.factor, unit.base, isFloat_ ? "header, zunit" : "header, bit2nm and zunit"));
     }
 
     /// The numbers with those that mean "no data" left out, lifted to the lowest one where the

@@ -56,7 +56,7 @@ public:
         }
         setSize(channel, samples.size);
         channel.metadata = {{"object name", text(kObjectName, kNameLength)}};
-        settleSize(channel);
+        settleSize(channel, "bytes 120 and 124");
         const PhysicalUnit unit = parseUnit(text(kUnits[2], kTextLength));
         channel.unit = unit.base;
         addProvenance(channel);
@@ -138,10 +138,8 @@ private:
 
     void addProvenance(ScanChannel& channel) const {
         const PhysicalUnit unit = parseUnit(text(kUnits[2], kTextLength));
-        channel.provenance.push_back({"scale",
-                                      exactText(double{number<float>(kSteps[2])} * unit.factor) +
-                                          " " + unit.base + " per count",
-                                      "bytes 128 and 212"});
+        channel.provenance.push_back(scaleProvenance(double{number<float>(kSteps[2])} * unit.factor,
+                                                     unit.base, "bytes 128 and 212"));
         channel.provenance.push_back(
             {"orientation", "the top row is stored first", "the same in every .sur file"});
         const int inversion = number<std::int16_t>(kInversion);

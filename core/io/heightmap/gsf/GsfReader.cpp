@@ -35,7 +35,8 @@ public:
         parseHeader(std::string_view(start_).substr(kMagic.size(), headerEnd - kMagic.size()));
         StoredScan result;
         result.channels.push_back(channel(dataAfter(headerEnd)));
-        settleSize(result.channels.back().channel);
+        addProvenance(result.channels.back());
+        result.provenance = {{"format version", "1.0", "line 1"}};
         return result;
     }
 
@@ -106,6 +107,15 @@ private:
         return {.channel = channel,
                 .factor = vertical.factor,
                 .readRow = rowsOf(bytes_, {.size = size_, .place = data})};
+    }
+
+    static void addProvenance(StoredChannel& stored) {
+        ScanChannel& channel = stored.channel;
+        settleSize(channel, "header, XReal and YReal");
+        channel.provenance.push_back(
+            scaleProvenance(stored.factor, channel.unit, "header, ZUnits"));
+        channel.provenance.push_back(
+            {"orientation", "the top row is stored first", "the same in every .gsf file"});
     }
 
     /// Removes the field, so that what is left is metadata.

@@ -80,6 +80,7 @@ public:
         if (result_.channels.empty()) {
             throw InputError(file_, "", "the file holds no image (no /0/data or similar)");
         }
+        result_.provenance = {{"format version", std::string(kMagic), "byte 0"}};
         return std::move(result_);
     }
 
@@ -149,10 +150,19 @@ private:
         if (parts.metadata) {
             channel.metadata = readMetadata(*parts.metadata);
         }
-        settleSize(channel);
+        addProvenance(channel, data, "/" + std::to_string(number) + "/data");
         result_.channels.push_back({.channel = std::move(channel),
                                     .factor = data.unit.factor,
                                     .readRow = std::move(rows)});
+    }
+
+    static void addProvenance(ScanChannel& channel, const DataField& data,
+                              const std::string& place) {
+        settleSize(channel, place + ", xreal and yreal");
+        channel.provenance.push_back(
+            scaleProvenance(data.unit.factor, channel.unit, place + ", si_unit_z"));
+        channel.provenance.push_back(
+            {"orientation", "the top row is stored first", "the same in every .gwy file"});
     }
 
     /// Importers put void pixels into the mask and fill the data by interpolation.

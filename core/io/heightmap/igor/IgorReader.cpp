@@ -104,7 +104,7 @@ private:
         channel.metadata = note_;
         const PhysicalUnit unit = parseUnit(isAsylum() ? asylumUnit(label, note_) : wave_.unit);
         channel.unit = unit.base;
-        settleSize(channel);
+        settleSize(channel, "steps of the wave's dimensions, byte 148");
         return {.channel = std::move(channel),
                 .factor = unit.factor,
                 .readRow = rowsOf(bytes_, samples)};
@@ -132,8 +132,6 @@ private:
         scan.provenance.push_back({"byte order",
                                    little ? "lowest byte first" : "highest byte first",
                                    "the version number"});
-        scan.provenance.push_back(
-            {"size", "step times pixels", "steps of the wave's dimensions, byte 148"});
         scan.provenance.push_back(
             {"scale", "1",
              isAsylum() ? "an Asylum file stores SI units; which ones say note and channel names"

@@ -103,7 +103,7 @@ private:
         channel.originX = finiteOrZero(scan_.number(kOriginX).value_or(0.0));
         channel.originY = finiteOrZero(scan_.number(kOriginY).value_or(0.0));
         channel.metadata = metadata_;
-        settleSize(channel);
+        settleSize(channel, "tags 32834 and 32835");
         return channel;
     }
 
@@ -152,11 +152,7 @@ private:
     }
 
     void describeScan() {
-        result_.provenance.push_back({"format", "JPK " + scan_.text(kVersion), "tag 32768"});
-        result_.provenance.push_back({"lateral size",
-                                      exactText(scan_.number(kSizeX).value_or(0.0)) + " m x " +
-                                          exactText(scan_.number(kSizeY).value_or(0.0)) + " m",
-                                      "tags 32834 and 32835"});
+        result_.provenance.push_back({"format version", scan_.text(kVersion), "tag 32768"});
         result_.provenance.push_back(
             {"orientation",
              isReflected_ ? "first stored row on top" : "first stored row at the bottom",

@@ -220,7 +220,7 @@ private:
         channel.originX = finiteOrZero(x);
         channel.originY = finiteOrZero(y);
         channel.metadata = tags_.all();
-        settleSize(channel);
+        settleSize(channel, "SCAN_RANGE");
         samples_.rightFirst = direction == "backward";
         if (samples_.rightFirst) {
             channel.provenance.push_back({"orientation of rows", "the right pixel is stored first",

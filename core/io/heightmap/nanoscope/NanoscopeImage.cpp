@@ -140,6 +140,7 @@ NanoscopeScale NanoscopeImage::scale() const {
     if (keepsUnit) {
         scale.unit = value->unit;
     }
+    scale.source = place_ + ", @2:Z scale" + scale.source;
     scale.factor *= *value->number * (keepsUnit ? 1.0 : hard.factor) / fullScale;
     return scale;
 }
@@ -147,21 +148,21 @@ NanoscopeScale NanoscopeImage::scale() const {
 NanoscopeScale NanoscopeImage::sensitivity(const std::string& softScale,
                                            const std::string& hardUnit) const {
     if (softScale.empty()) {
-        return {1.0, hardUnit};
+        return {1.0, hardUnit, ""};
     }
     const std::string* entry = findIn("Scanner list", "@" + softScale);
     if (entry == nullptr) {
         entry = findIn("Ciao scan list", "@" + softScale);
     }
     if (entry == nullptr) {
-        return {1.0, hardUnit};
+        return {1.0, hardUnit, ""};
     }
     const std::optional<CiaoValue> value = parseCiaoValue(*entry);
     if (!value || !value->number) {
         fail("'" + softScale + "': expected 'V number unit', found '" + *entry + "'");
     }
     const PhysicalUnit unit = parseUnit(value->unit);
-    return {*value->number * unit.factor, productUnit(unit.base, hardUnit)};
+    return {*value->number * unit.factor, productUnit(unit.base, hardUnit), " and @" + softScale};
 }
 
 std::vector<std::string> NanoscopeImage::notes() const {
@@ -191,15 +192,19 @@ int NanoscopeImage::bytesPerPixel() const {
     return static_cast<int>(bytes);
 }
 
-int NanoscopeImage::storedSampleBytes() const {
+std::string NanoscopeImage::version() const {
     const std::string* text = findIn("File list", "Version");
     if (text == nullptr) {
         text = findIn("Force file list", "Version");
     }
+    return text == nullptr ? std::string() : *text;
+}
+
+int NanoscopeImage::storedSampleBytes() const {
+    const std::string text = version();
     unsigned version = 0;
-    const bool hexadecimal = text != nullptr && text->starts_with("0x");
-    const char* end = hexadecimal ? text->data() + text->size() : nullptr;
-    if (!hexadecimal || std::from_chars(text->data() + 2, end, version, 16).ptr != end) {
+    const char* const end = text.data() + text.size();
+    if (!text.starts_with("0x") || std::from_chars(text.data() + 2, end, version, 16).ptr != end) {
         throw InputError(file_, "File list", "expected 'Version' with a number like 0x09010201");
     }
     return version >= kFirstWideVersion ? 4 : 2;

@@ -13,6 +13,7 @@ namespace asperity {
 struct NanoscopeScale {
     double factor = 1.0;  ///< physical value of one count
     std::string unit;     ///< "m" for lengths; others may keep a prefix ("mV")
+    std::string source;   ///< entries of the header that it comes from
 };
 
 /// Where an image lies in the file and how large it is.
@@ -40,6 +41,8 @@ public:
     [[nodiscard]] NanoscopeLayout layout() const;
     /// @throw InputError when the scale or its sensitivity cannot be read
     [[nodiscard]] NanoscopeScale scale() const;
+    /// As the header's file list gives it, "0x09700000"; empty: it does not.
+    [[nodiscard]] std::string version() const;
     /// What a user should know: an early stop, an odd aspect ratio, earlier leveling.
     [[nodiscard]] std::vector<std::string> notes() const;
     [[nodiscard]] int bytesPerPixel() const;  ///< as the header says, 2 when it says nothing

@@ -93,6 +93,7 @@ private:
                                    .bottomFirst = true};
         takeSamples(samples, place);
         addNotes(image, channel, layout.sampleBytes);
+        addProvenance(image, channel, scale, place);
         result_.channels.push_back({.channel = std::move(channel),
                                     .factor = scale.factor,
                                     .readRow = rowsOf(bytes_, samples)});
@@ -121,7 +122,15 @@ private:
                                     " bytes a sample, but this version stores " +
                                     std::to_string(sampleBytes));
         }
-        settleSize(channel);
+    }
+
+    void addProvenance(const NanoscopeImage& image, ScanChannel& channel,
+                       const NanoscopeScale& scale, const std::string& place) {
+        result_.provenance = {{"format version", image.version(), "File list, Version"}};
+        settleSize(channel, place + ", Scan size");
+        channel.provenance.push_back(scaleProvenance(scale.factor, scale.unit, scale.source));
+        channel.provenance.push_back(
+            {"orientation", "the bottom row is stored first", "the same in every NanoScope file"});
     }
 
     /// Everything but the other images; the image's own entries win.

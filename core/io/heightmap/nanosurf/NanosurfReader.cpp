@@ -193,15 +193,15 @@ private:
         channel.originX = finiteOrZero(section.number("Dim0Min").value_or(0.0) * x.factor);
         channel.originY = finiteOrZero(section.number("Dim1Min").value_or(0.0) * y.factor);
         channel.metadata = metadataOf(section);
-        settleSize(channel);
+        settleSize(channel, section.place() + " Dim0Range and Dim1Range");
         channel.provenance.push_back(
             {"orientation", "the bottom row is stored first", "the same in every Nanosurf file"});
         const PhysicalUnit unit = parseUnit(section.text("Dim2Unit"));
         channel.unit = unit.base;
         const Scale scale = scaleOf(section, samples.type);
-        channel.provenance.push_back(
-            {"scale", exactText(scale.perCount * unit.factor) + " " + unit.base + " per count",
-             section.place() + " Dim2Range over the counts of SaveBits, from Dim2Min on"});
+        channel.provenance.push_back(scaleProvenance(
+            scale.perCount * unit.factor, unit.base,
+            section.place() + " Dim2Range over the counts of SaveBits, from Dim2Min on"));
         return {.channel = std::move(channel),
                 .factor = unit.factor,
                 .readRow =

@@ -64,9 +64,8 @@ public:
         StoredChannel stored{.channel = channelOf(layout.size), .readRow = rowsOf(bytes_, layout)};
         takeScale(stored);
         StoredScan result;
-        result.provenance = {
-            {"format", "Park Systems, header version " + std::to_string(version_), "tag 50433"},
-            {"orientation", "first stored row at the bottom", "as Park's own"}};
+        result.provenance = {{"format version", std::to_string(version_), "tag 50433"},
+                             {"orientation", "first stored row at the bottom", "as Park's own"}};
         result.channels.push_back(std::move(stored));
         return result;
     }
@@ -141,15 +140,11 @@ private:
                             {"date", tags_.text(number(TiffTag::DateTime))},
                             {"comment", tags_.text(kCommentTag)}};
         std::erase_if(channel.metadata, [](const auto& entry) { return entry.second.empty(); });
-        channel.provenance.push_back(
-            {"lateral size",
-             exactText(at<double>(kSizeX)) + " um x " + exactText(at<double>(kSizeY)) + " um",
-             "Park header, bytes 140 and 148"});
         if (at<std::int32_t>(kIsSwapped) != 0) {
             channel.notes.emplace_back(
                 "the instrument scanned with x and y exchanged; the image is as it is stored");
         }
-        settleSize(channel);
+        settleSize(channel, "Park header, bytes 140 and 148");
         return channel;
     }
 

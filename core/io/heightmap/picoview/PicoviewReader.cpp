@@ -114,7 +114,7 @@ private:
         channel.originY = finiteOrZero(scan_.number("yOffset").value_or(0.0));
         channel.metadata = image.all();
         channel.metadata.insert(scan_.all().begin(), scan_.all().end());
-        settleSize(channel);
+        settleSize(channel, "xLength and yLength");
         channel.provenance.push_back(
             {"orientation", "the bottom row is stored first", "the same in every PicoView file"});
         const double factor = setUnit(channel, image);
@@ -137,8 +137,8 @@ private:
         const int bits = samples_.type == SampleType::Int32 ? 31 : 15;
         const double factor = std::ldexp(*range * unit.factor, -bits);
         channel.provenance.push_back(
-            {"scale", exactText(factor) + " " + unit.base + " per count",
-             "bufferRange and bufferUnit, 2^" + std::to_string(bits) + " counts"});
+            scaleProvenance(factor, unit.base,
+                            "bufferRange and bufferUnit, 2^" + std::to_string(bits) + " counts"));
         return factor;
     }
 

@@ -180,15 +180,14 @@ private:
         if (hasScale) {
             channel.unit = "m";
             stored.factor = scale_;
-            channel.provenance.push_back(
-                {"scale", exactText(scale_) + " m per number", "header, Zscale"});
+            channel.provenance.push_back(scaleProvenance(scale_, "m", "header, Zscale"));
         } else {
             channel.notes.emplace_back("the file gives no scale of its numbers (Zscale)");
         }
-        channel.provenance.push_back({"version", magic_, "header"});
+        channel.provenance.push_back({"format version", magic_, "header"});
         channel.provenance.push_back(
             {"orientation", "the first row is the top one", "usual; the file does not say"});
-        settleSize(channel);
+        settleSize(channel, "header, Xscale and Yscale");
     }
 
     [[nodiscard]] const std::string& require(const std::string& key) const {

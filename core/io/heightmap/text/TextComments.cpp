@@ -85,8 +85,7 @@ void takeSize(const TextComment& width, const TextComment& height, TextHeader& h
     header.sizeX = x.value;
     header.sizeY = y.value;
     header.lateralUnit = x.unit;
-    header.provenance.push_back({"width", width.value, placeOf(width)});
-    header.provenance.push_back({"height", height.value, placeOf(height)});
+    header.sizeSource = placeOf(width) + "; " + placeOf(height);
 }
 
 /// @return whether the comment is part of the origin
@@ -123,8 +122,7 @@ void takeComments(const std::vector<TextComment>& comments, TextHeader& header) 
         const std::size_t after = places->height + 1;
         if (after < comments.size() && !holdsNumber(comments[after])) {
             header.unit = parseUnit(comments[after].value);
-            header.provenance.push_back(
-                {"unit of the values", comments[after].value, placeOf(comments[after])});
+            header.unitSource = placeOf(comments[after]);
             used[after] = true;
         }
     }

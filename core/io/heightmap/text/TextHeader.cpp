@@ -138,7 +138,7 @@ private:
             header_.pointUnits[i] = parseUnit(isLength && label.unit == "A" ? "Å" : label.unit);
         }
         header_.title = (*labels)[2].name;
-        header_.provenance.push_back({"columns", std::string(line), place()});
+        header_.unitSource = place() + ", '" + std::string(line) + "'";
         return true;
     }
 
@@ -204,17 +204,17 @@ private:
             const PhysicalUnit unit = parseUnit(number->rest);
             header_.pitch = number->value * unit.factor;
             header_.lateralUnit = unit.base;
-            header_.provenance.push_back({"pixel size", value, place()});
+            header_.sizeSource = place() + ", pixel size";
         } else if (key.starts_with(kFactorKey) && key.ends_with(')') && number) {
             header_.unit =
                 parseUnit(key.substr(kFactorKey.size(), key.size() - kFactorKey.size() - 1));
             header_.unit.factor *= number->value;
-            header_.provenance.push_back({"scale", value + " " + header_.unit.base + " per number",
-                                          place() + ", height conversion factor"});
+            header_.unitSource = place() + ", height conversion factor";
         } else {
             header_.metadata[key] = value;
             if (key == "data unit" && header_.unit.base.empty()) {
                 header_.unit = parseUnit(value);
+                header_.unitSource = place() + ", data unit";
             }
         }
     }

@@ -20,8 +20,10 @@ struct TextHeader {
     double originX = 0.0;          ///< as sizeX
     double originY = 0.0;          ///< as sizeX
     double pitch = 0.0;            ///< of a pixel, as sizeX; given instead of a size
+    std::string sizeSource;        ///< where the size or pitch stands
     std::string lateralUnit;       ///< SI base unit; empty: none given
     PhysicalUnit unit;             ///< of a number
+    std::string unitSource;        ///< where the unit stands
     long long columns = 0;         ///< 0: not given
     long long rows = 0;            ///< 0: not given
     std::optional<double> noData;  ///< the number that means "no data"
@@ -29,7 +31,6 @@ struct TextHeader {
     std::array<PhysicalUnit, 3> pointUnits;  ///< of x, y, z where the columns are labeled
     std::map<std::string, std::string> metadata;
     std::vector<std::string> notes;
-    std::vector<Provenance> provenance;
     std::string firstLine;  ///< of numbers
 };
 

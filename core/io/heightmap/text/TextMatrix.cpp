@@ -105,8 +105,11 @@ private:
         channel.originY = finiteOrZero(header_.originY);
         channel.metadata = std::move(header_.metadata);
         channel.notes = std::move(header_.notes);
-        settleSize(channel);
-        channel.provenance = std::move(header_.provenance);
+        settleSize(channel, header_.sizeSource);
+        if (!channel.unit.empty()) {
+            channel.provenance.push_back(
+                scaleProvenance(header_.unit.factor, channel.unit, header_.unitSource));
+        }
         if (rows_.style().separator == ';') {
             channel.provenance.push_back({"separator", ";", "first line of numbers"});
         }

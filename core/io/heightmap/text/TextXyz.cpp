@@ -97,11 +97,15 @@ private:
             channel.notes.push_back("x and y have no unit; their steps are " + exactText(x_.pitch) +
                                     " and " + exactText(y_.pitch));
         }
-        settleSize(channel);
+        settleSize(channel, "the coordinates of all points");
     }
 
     void addProvenance(ScanChannel& channel) {
-        channel.provenance = std::move(header_.provenance);
+        const PhysicalUnit& unit = header_.pointUnits[2];
+        if (!unit.base.empty()) {
+            channel.provenance.push_back(
+                scaleProvenance(unit.factor, unit.base, header_.unitSource));
+        }
         channel.provenance.push_back({"grid",
                                       std::to_string(x_.count) + " x " + std::to_string(y_.count) +
                                           " nodes, steps " + exactText(x_.pitch) + " and " +

@@ -73,9 +73,7 @@ ImageScale bracedScale(const ImageTexts& texts, SampleType type) {
         const PhysicalUnit unit = parseUnit(textIn(texts, "unit"));
         scale.unit = unit.base;
         scale.factor = unit.factor;
-        scale.provenance.push_back({"scale",
-                                    exactText(unit.factor) + " " + unit.base + " per count",
-                                    "description, unit"});
+        scale.provenance.push_back(scaleProvenance(unit.factor, unit.base, "description, unit"));
     }
     return scale;
 }
@@ -147,9 +145,7 @@ void takeResolution(ImageScale& scale, const TiffDirectory& directory, const Ima
     scale.lateralUnit = "m";
     scale.sizeX = pitchX * size.columns;
     scale.sizeY = pitchY * size.rows;
-    scale.provenance.push_back({"lateral size",
-                                exactText(pitchX) + " m x " + exactText(pitchY) + " m per pixel",
-                                "XResolution, YResolution"});
+    scale.sizeSource = "XResolution, YResolution";
 }
 
 }  // namespace

@@ -28,8 +28,10 @@ public:
             }
         }
         scan.notes = head_.notes;
-        scan.provenance = {{"format", "VTK image, version " + head_.version, "VTKFile"},
-                           {"orientation", "first stored row at the bottom", "VTK: y is up"}};
+        scan.provenance = {{"orientation", "first stored row at the bottom", "VTK: y is up"}};
+        if (!head_.version.empty()) {
+            scan.provenance.push_back({"format version", head_.version, "VTKFile"});
+        }
         return scan;
     }
 
@@ -54,7 +56,11 @@ private:
         if (!isOurs) {
             channel.notes.emplace_back("VTK images give no units; sizes and values are numbers");
         }
-        settleSize(channel);
+        settleSize(channel, "ImageData, Spacing");
+        if (!channel.unit.empty()) {
+            channel.provenance.push_back(
+                scaleProvenance(unit.factor, channel.unit, "FieldData, unit"));
+        }
         ReadRow rows = rowsOf(bytes_, array.layout);
         if (mask != nullptr) {
             rows = masked(std::move(rows), head_.size.columns, marks(*mask));

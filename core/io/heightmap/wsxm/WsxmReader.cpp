@@ -82,8 +82,9 @@ public:
         requireSamples(bytes_, samples, "image");
         StoredScan result;
         result.channels.push_back(channelOf(samples));
-        if (const std::string* const version = section("Miscellaneous").find("Version")) {
-            result.provenance.push_back({"format version", *version, "[Miscellaneous] Version"});
+        const std::string version = section("Miscellaneous").text("Version");
+        if (!version.empty()) {
+            result.provenance.push_back({"format version", version, "[Miscellaneous] Version"});
         }
         return result;
     }
@@ -162,7 +163,7 @@ private:
         channel.originX = finiteOrZero(parseLength(control_.text("X Offset")).value_or(0));
         channel.originY = finiteOrZero(parseLength(control_.text("Y Offset")).value_or(0));
         channel.metadata = metadata();
-        settleSize(channel);
+        settleSize(channel, "[Control] X Amplitude, Y Amplitude");
         channel.provenance.push_back({"orientation", "rows and columns are stored in reverse order",
                                       "the same in every WSxM file"});
         setScale(stored, samples.size);
@@ -187,9 +188,9 @@ private:
             return;
         }
         stored.factor = amplitude->value * unit.factor / (extent.highest - extent.lowest);
-        stored.channel.provenance.push_back(
-            {"scale", exactText(stored.factor) + " " + unit.base + " per stored unit",
-             "[General Info] Z Amplitude (" + text + ") over the range of the samples"});
+        stored.channel.provenance.push_back(scaleProvenance(stored.factor, unit.base,
+                                                            "[General Info] Z Amplitude (" + text +
+                                                                ") over the range of the samples"));
         stored.channel.provenance.push_back(
             {"height of zero", "arbitrary", "WSxM gives differences of height only"});
     }

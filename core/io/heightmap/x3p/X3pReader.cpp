@@ -166,7 +166,7 @@ private:
                                main_.name + ", Record1/Axes/CZ"}};
         const ReadRow rows = meters(layer);
         noteRange(channel, rangeOf(rows, size));
-        settleSize(channel);
+        settleSize(channel, main_.name + ", Record1/Axes/CX and CY");
         return {.channel = std::move(channel), .readRow = rows};
     }
 

@@ -1,4 +1,5 @@
 #include "core/Error.h"
+#include "core/PrintableText.h"
 #include "core/io/heightmap/DefaultChannel.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "tests/core/io/heightmap/MapStatistics.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <set>
 
 // Every channel of every real file against statistics and pixels found by Gwyddion 2.62 and numpy.
 
@@ -151,6 +153,30 @@ TEST_P(GroundTruth, DefaultChannelIsAHeightOrRefused) {
         EXPECT_EQ(&heightChannel(file, path, ""), &channel);
     } else {
         EXPECT_THROW((void)heightChannel(file, path, ""), InputError);
+    }
+}
+
+/// Text and pictures of no instrument have no version.
+bool hasVersion(const std::string& file) {
+    return !file.starts_with("text/") && !file.starts_with("derived/") && !file.starts_with("mi/");
+}
+
+TEST_P(GroundTruth, SaysWhereItsNumbersComeFrom) {
+    for (const ScanChannel& channel : file.channels) {
+        SCOPED_TRACE(channel.name);
+        std::multiset<std::string> subjects;
+        for (const Provenance& entry : provenanceOf(file, channel)) {
+            subjects.insert(entry.what);
+            EXPECT_FALSE(entry.value.empty()) << entry.what;
+            EXPECT_FALSE(entry.source.empty()) << entry.what;
+            EXPECT_EQ(printable(entry.value), entry.value);
+        }
+        EXPECT_EQ(subjects.count("orientation"), 1U);
+        EXPECT_EQ(subjects.count("lateral size"), channel.map.pitchX > 0.0 ? 1U : 0U);
+        EXPECT_LE(subjects.count("scale"), 1U);
+        EXPECT_TRUE(subjects.contains("scale") || channel.unit.empty());
+        EXPECT_LE(subjects.count("format version"), 1U);
+        EXPECT_TRUE(subjects.contains("format version") || !hasVersion(GetParam()));
     }
 }
 

@@ -1,0 +1,42 @@
+#include "tests/app/ProgramRun.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+// What `asperity info` says about where a file's numbers come from.
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+std::string sample() {
+    return (std::filesystem::path(ASPERITY_DATA_DIR) / "samples/granular_film.gsf").string();
+}
+
+TEST(Info, JsonSaysWhereScaleAndOrientationComeFrom) {
+    const auto run = test::runProgram("info --json " + sample());
+    const nlohmann::json info = nlohmann::json::parse(run.output);
+    EXPECT_EQ(info["provenance"][0],
+              nlohmann::json({{"what", "format version"}, {"value", "1.0"}, {"source", "line 1"}}));
+    const nlohmann::json& entries = info["channels"][0]["provenance"];
+    EXPECT_EQ(entries[0]["value"], "5e-07 x 5e-07 m");
+    EXPECT_EQ(entries[1]["source"], "header, ZUnits");
+    EXPECT_EQ(entries[2]["what"], "orientation");
+}
+
+TEST(Info, TextSaysWhereTheNumbersOfTheDefaultChannelComeFrom) {
+    EXPECT_THAT(
+        test::runProgram("info " + sample()).output,
+        HasSubstr("Where the numbers of 'Granular film, measured' come from\n"
+                  "- format version: 1.0 (line 1)\n"
+                  "- lateral size: 5e-07 x 5e-07 m (header, XReal and YReal)\n"
+                  "- scale: 1 m per stored number (header, ZUnits)\n"
+                  "- orientation: the top row is stored first (the same in every .gsf file)\n"));
+}
+
+}  // namespace
+}  // namespace asperity
