@@ -5,6 +5,7 @@
 #include "core/io/heightmap/text/TextComments.h"
 
 #include <fstream>
+#include <set>
 
 // A matrix of heights, the rows from the top, after the comment lines of two programs: those of
 // Gwyddion's export, and those of SPIP, which Gwyddion recognizes.
@@ -39,12 +40,29 @@ std::string gwyddionHeader(const HeightRows& map, const HeightMapMeta& meta) {
            lengthLine(kOriginXComment, meta.originX) + lengthLine(kOriginYComment, meta.originY);
 }
 
+/// As further comments; a reader looks for the numbers in the first lines alone.
+std::string metadataComments(const HeightMapMeta& meta) {
+    constexpr std::size_t kMostBytes = 40000;
+    constexpr int kMostLines = 800;
+    const std::set<std::string_view> own = {kOriginXComment, kOriginYComment, "Start of Data"};
+    std::string lines;
+    int count = 0;
+    for (const auto& [name, value] : writtenMetadata(meta, kMostBytes)) {
+        const bool isKey = name.find_first_of(":=#%/") == std::string::npos && !own.contains(name);
+        if (isKey && ++count <= kMostLines) {
+            lines.append("# ").append(name).append(": ").append(value).append("\n");
+        }
+    }
+    return lines;
+}
+
 }  // namespace
 
 void writeText(const std::filesystem::path& target, const HeightRows& map,
                const HeightMapMeta& meta, Progress* progress) {
     std::ofstream stream(target, std::ios::binary);
-    stream << spipHeader(map, meta) << gwyddionHeader(map, meta) << "# Start of Data:\n";
+    stream << spipHeader(map, meta) << gwyddionHeader(map, meta) << metadataComments(meta)
+           << "# Start of Data:\n";
     forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
         std::string line;
         for (const double height : heights) {
