@@ -81,6 +81,7 @@ RULES = {
     "core/io/heightmap/sdf": READERS,
     "core/io/heightmap/text": READERS,
     "core/io/heightmap/tiff": READERS,
+    "core/io/heightmap/vti": READERS,
     "core/io/heightmap/wsxm": READERS,
     "core/io/heightmap/x3p": f"{READERS} core/io/heightmap/zip",
     "core/io/heightmap/zip": FILES,

@@ -6,7 +6,7 @@ class App;
 
 namespace asperity {
 
-/// `asperity convert`: one height map of any readable file into another format.
+/// `asperity convert`: height maps of any readable files into another format.
 void addConvertCommand(CLI::App& program);
 
 }  // namespace asperity

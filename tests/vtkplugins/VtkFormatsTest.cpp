@@ -2,18 +2,24 @@
 
 #include "core/Error.h"
 #include "core/Units.h"
+#include "core/io/heightmap/HeightMapFile.h"
 #include "core/io/heightmap/HeightMapWriter.h"
 #include "tests/support/ProgressRecorder.h"
 
 #include <vtkCell.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
+#include <vtkStringArray.h>
+#include <vtkStructuredGrid.h>
 #include <vtkXMLImageDataReader.h>
+#include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkXMLStructuredGridReader.h>
 
 #include <gtest/gtest.h>
 
@@ -24,10 +30,14 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
 namespace {
+
+/// All that VTK reads.
+constexpr std::array kFormats{&kVtiFormat, kVtkFormats[0], kVtkFormats[1], kVtkFormats[2]};
 
 /// A folder of its own for each test, removed afterwards.
 class VtkFormats : public testing::Test {
@@ -41,7 +51,7 @@ protected:
     void TearDown() override { std::filesystem::remove_all(folder); }
 
     void write(const std::string& name, const HeightMap& map, Progress* progress = nullptr) const {
-        writeHeightMap(file(name), rowsOf(map), {}, progress, kVtkFormats);
+        writeHeightMap(file(name), rowsOf(map), {}, progress, kFormats);
     }
     [[nodiscard]] std::filesystem::path file(const std::string& name) const {
         return folder / name;
@@ -99,7 +109,7 @@ TEST_F(VtkFormats, ImageMarksPixelsWithoutData) {
 
 TEST_F(VtkFormats, ImageOfNumbersWithoutAUnitHoldsNoHeights) {
     writeHeightMap(file("map.vti"), rowsOf(smallMap()), {.title = "Certainty", .unit = ""}, nullptr,
-                   kVtkFormats);
+                   kFormats);
     vtkNew<vtkXMLImageDataReader> reader;
     reader->SetFileName(file("map.vti").c_str());
     reader->Update();
@@ -107,6 +117,53 @@ TEST_F(VtkFormats, ImageOfNumbersWithoutAUnitHoldsNoHeights) {
     EXPECT_NE(reader->GetOutput()->GetPointData()->GetArray("Certainty"), nullptr);
     EXPECT_FALSE(kVtiFormat.isShape);
     EXPECT_TRUE(kVtpFormat.isShape && kStlFormat.isShape);
+}
+
+/// As VTK's own readers find them.
+TEST_F(VtkFormats, ImageNamesTitleUnitAndOriginInItsFieldData) {
+    writeHeightMap(file("map.vti"), rowsOf(smallMap()),
+                   {.title = "Höhe <1> \"高さ\"", .originX = 1e-6, .originY = -2e-6}, nullptr,
+                   kFormats);
+    const vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(file("map.vti").c_str());
+    reader->Update();
+    vtkFieldData* data = reader->GetOutput()->GetFieldData();
+    const auto text = [data](const char* name) {
+        return std::string(
+            vtkArrayDownCast<vtkStringArray>(data->GetAbstractArray(name))->GetValue(0));
+    };
+    EXPECT_EQ(text("title"), "Höhe <1> \"高さ\"");
+    EXPECT_EQ(text("unit"), "m");
+    EXPECT_EQ(data->GetArray("scan_origin")->GetTuple1(0), 1e-6);
+    EXPECT_EQ(data->GetArray("scan_origin")->GetTuple1(1), -2e-6);
+}
+
+/// What ParaView saves as raw, appended and uncompressed.
+TEST_F(VtkFormats, ImagesThatVtkWritesAreRead) {
+    const vtkNew<vtkImageData> image;
+    image->SetDimensions(3, 2, 1);
+    image->SetSpacing(2.0, 3.0, 1.0);
+    image->AllocateScalars(VTK_FLOAT, 1);
+    image->GetPointData()->GetScalars()->SetName("z");
+    for (vtkIdType id = 0; id < 6; ++id) {
+        image->GetPointData()->GetScalars()->SetTuple1(id, static_cast<double>(id + 1));
+    }
+    for (const auto header : {vtkXMLWriter::UInt32, vtkXMLWriter::UInt64}) {
+        const vtkNew<vtkXMLImageDataWriter> writer;
+        writer->SetInputData(image);
+        writer->SetFileName(file("vtk.vti").c_str());
+        writer->SetHeaderType(header);
+        writer->SetDataModeToAppended();
+        writer->EncodeAppendedDataOff();
+        writer->SetCompressor(nullptr);
+        ASSERT_EQ(writer->Write(), 1);
+        const ScanChannel channel = readHeightMapFile(file("vtk.vti"), {}).channels.at(0);
+        EXPECT_EQ(channel.name, "z");
+        EXPECT_EQ(channel.map.heights, (std::vector<double>{4, 5, 6, 1, 2, 3}));
+        writer->SetCompressorTypeToZLib();
+        ASSERT_EQ(writer->Write(), 1);
+        EXPECT_THROW((void)readHeightMapFile(file("vtk.vti"), {}), InputError);
+    }
 }
 
 TEST_F(VtkFormats, MeshRunsThroughThePixelCenters) {
@@ -121,6 +178,28 @@ TEST_F(VtkFormats, MeshRunsThroughThePixelCenters) {
     EXPECT_DOUBLE_EQ(point[0], 25.0_nm);
     EXPECT_DOUBLE_EQ(point[1], 30.0_nm);
     EXPECT_DOUBLE_EQ(point[2], 6.0_nm);
+}
+
+TEST_F(VtkFormats, GridRunsThroughThePixelCentersAndHidesThoseWithoutData) {
+    HeightMap map = smallMap();
+    map.invalid = {0, 1, 0, 0, 0, 0};
+    map.heights[1] = std::numeric_limits<double>::quiet_NaN();
+    write("map.vts", map);
+    const vtkNew<vtkXMLStructuredGridReader> reader;
+    reader->SetFileName(file("map.vts").c_str());
+    reader->Update();
+    vtkStructuredGrid* grid = reader->GetOutput();
+    EXPECT_EQ(grid->GetDimensions()[0], 3);
+    EXPECT_EQ(grid->GetDimensions()[1], 2);
+    const double* point = grid->GetPoint(5);  // top right
+    EXPECT_DOUBLE_EQ(point[0], 25.0_nm);
+    EXPECT_DOUBLE_EQ(point[1], 30.0_nm);
+    EXPECT_DOUBLE_EQ(point[2], 6.0_nm);
+    EXPECT_DOUBLE_EQ(grid->GetPointData()->GetArray("height")->GetTuple1(0), 1.0_nm);
+    for (vtkIdType id = 0; id < 6; ++id) {
+        EXPECT_EQ(grid->IsPointVisible(id) != 0, id != 4) << id;
+    }
+    EXPECT_TRUE(kVtsFormat.isShape);
 }
 
 TEST_F(VtkFormats, MeshLeavesOutTrianglesAtInvalidPixels) {
@@ -194,18 +273,18 @@ TEST_F(VtkFormats, TellsHowFarItIsAndLeavesNothingBehindWhenCanceled) {
     HeightMap map = smallMap();
     map.rows = 200;
     map.heights.assign(600, 1.0_nm);
-    for (const std::string name : {"map.vti", "map.vtp", "map.stl"}) {
+    for (const std::string name : {"map.vti", "map.vtp", "map.vts", "map.stl"}) {
         for (const double fraction : {0.0, 0.2, 0.3, 0.5, 1.0}) {
             test::ProgressRecorder recorder(fraction);
             EXPECT_THROW(write(name, map, &recorder), Canceled);
-            // VTK writes so small an image in one go.
-            const bool isOneGo = name == "map.vti" && fraction == 0.5;
+            // VTK writes so small a grid in one go.
+            const bool isOneGo = name == "map.vts" && fraction == 0.5;
             EXPECT_TRUE(fraction == 1.0 || isOneGo || recorder.fractions.back() < 1.0)
                 << name << fraction;
             EXPECT_TRUE(std::filesystem::is_empty(folder)) << name << fraction;
         }
     }
-    for (const std::string name : {"map.vti", "map.vtp", "map.stl"}) {
+    for (const std::string name : {"map.vti", "map.vtp", "map.vts", "map.stl"}) {
         test::ProgressRecorder recorder(2.0);
         write(name, map, &recorder);
         EXPECT_TRUE(std::ranges::is_sorted(recorder.fractions)) << name;

@@ -5,7 +5,6 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 
 #include <algorithm>
 #include <limits>
@@ -14,21 +13,6 @@
 namespace asperity {
 
 namespace {
-
-vtkSmartPointer<vtkPoints> pointsOf(const HeightRows& map, vtkDoubleArray* heights, int rowsBelow) {
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(heights->GetNumberOfTuples());
-    vtkIdType id = 0;
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column, ++id) {
-            const double height = heights->GetValue(id);
-            points->SetPoint(id, (column + 0.5) * map.pitchX, (rowsBelow + row + 0.5) * map.pitchY,
-                             isFiniteHeight(height) ? height : 0.0);
-        }
-    }
-    return points;
-}
 
 /// Between a row and the one above it.
 void addTriangles(vtkCellArray* triangles, vtkDoubleArray* heights, vtkIdType first, int columns) {
@@ -62,6 +46,21 @@ vtkSmartPointer<vtkDoubleArray> heightArray(const HeightRows& map, Progress* pro
         std::ranges::copy(values, heights->GetPointer(first));
     });
     return heights;
+}
+
+vtkSmartPointer<vtkPoints> pointsOf(const HeightRows& map, vtkDoubleArray* heights, int rowsBelow) {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(heights->GetNumberOfTuples());
+    vtkIdType id = 0;
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column, ++id) {
+            const double height = heights->GetValue(id);
+            points->SetPoint(id, (column + 0.5) * map.pitchX, (rowsBelow + row + 0.5) * map.pitchY,
+                             isFiniteHeight(height) ? height : 0.0);
+        }
+    }
+    return points;
 }
 
 vtkSmartPointer<vtkPolyData> meshOf(const HeightRows& map, vtkDoubleArray* heights, int rowsBelow,

@@ -3,6 +3,7 @@
 #include "core/surface/HeightRows.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
@@ -19,6 +20,11 @@ void requireWritten(bool isWritten);
 /// @throw Canceled
 [[nodiscard]] vtkSmartPointer<vtkDoubleArray> heightArray(const HeightRows& map,
                                                           Progress* progress);
+
+/// The pixel centers in the world frame of the whole map, in the order of `heights`; at height 0
+/// where there are no data. @param rowsBelow as of meshOf()
+[[nodiscard]] vtkSmartPointer<vtkPoints> pointsOf(const HeightRows& map, vtkDoubleArray* heights,
+                                                  int rowsBelow);
 
 /// Two triangles, counter-clockwise from above, for each four pixels that all have a height, in the
 /// world frame of the whole map; of `map`, which may be a strip of it, the heights.

@@ -1,9 +1,14 @@
 #pragma once
 
+#include "core/io/heightmap/HeightMapFormat.h"
 #include "core/surface/HeightRows.h"
 
 #include <cstddef>
 #include <iosfwd>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
 
 // What the writers of single formats share.
 
@@ -20,5 +25,22 @@ struct HeightRange {
 };
 /// @throw Canceled
 [[nodiscard]] HeightRange heightRange(const HeightRows& map, Progress* progress);
+
+/// A text without line ends and NUL, each of them a blank.
+[[nodiscard]] std::string oneLine(std::string text);
+
+/// All metadata of a file together has at most this many bytes.
+inline constexpr std::size_t kMaxMetadata = 500000;
+
+/// Entries of the metadata that a format can hold: names and values of 1 to 60000 bytes, on one
+/// line each, as many as fit, but for the names of Gwyddion's and our own keys.
+/// @param most bytes of names and values
+[[nodiscard]] std::map<std::string, std::string> writtenMetadata(const HeightMapMeta& meta,
+                                                                 std::size_t most = kMaxMetadata);
+
+/// The same as lines "name" `between` "value", but for names that hold `between` or are reserved.
+[[nodiscard]] std::string metadataLines(const HeightMapMeta& meta, std::string_view between,
+                                        std::span<const std::string_view> reserved,
+                                        std::size_t most = kMaxMetadata);
 
 }  // namespace asperity

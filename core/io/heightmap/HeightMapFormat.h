@@ -9,6 +9,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,6 +44,15 @@ struct HeightMapMeta {
     double originX = 0.0;          ///< offset of the scan in the instrument's frame [m]
     double originY = 0.0;          ///< [m]
     std::string unit = "m";        ///< of the values; empty: they are numbers, no heights
+    /// What is known besides, by its name; UTF-8.
+    std::map<std::string, std::string> metadata = {};
+};
+
+/// One of the images that go into a file together.
+struct WrittenImage {
+    HeightRows rows;  ///< values in the unit of `meta`; a pitch of 0: the size is not known
+    HeightMapMeta meta;
+    std::string lateralUnit = "m";  ///< of the size; empty: a number
 };
 
 /// A file type: who reads it, who writes it. A further format is a folder of its own that defines
@@ -63,6 +73,9 @@ struct HeightMapFormat {
     /// it is not written. Heights are NaN where there are no data. @throw Error; Canceled
     void (*write)(const std::filesystem::path& target, const HeightRows& map,
                   const HeightMapMeta& meta, Progress* progress);
+    /// As `write`, of several images in the order given; null: its files hold one each.
+    void (*writeAll)(const std::filesystem::path& target, std::span<const WrittenImage> images,
+                     Progress* progress) = nullptr;
     /// Its files are recognized only to be refused in words: they hold nothing that can be read.
     bool isRefused = false;
     bool isShape = false;  ///< values are written as coordinates: it holds heights and nothing else
@@ -88,9 +101,15 @@ extern const HeightMapFormat kIgorFormat;
 extern const HeightMapFormat kForceCurveFormat;
 extern const HeightMapFormat kExrFormat;   ///< float32
 extern const HeightMapFormat kTiffFormat;  ///< float32
-/// 65536 steps between the lowest and the highest pixel; those without data take the lowest height,
-/// and a comment says how many.
+/// Written where it is asked for, in place of kTiffFormat, which reads it: counts as those of
+/// kPngFormat. It is no row of the table.
+extern const HeightMapFormat kTiffCountsFormat;
+/// 65536 steps between the lowest and the highest pixel, one fewer where pixels hold no data: those
+/// have the count 0, and texts say so.
 extern const HeightMapFormat kPngFormat;
+/// Doubles at the pixel centers, bottom row first, called "height" [m], or by the title where they
+/// are no heights; pixels without data are 0 in an array "valid" as well.
+extern const HeightMapFormat kVtiFormat;
 extern const HeightMapFormat kXyzFormat;
 extern const HeightMapFormat kTextFormat;  ///< doubles
 
@@ -100,8 +119,8 @@ inline constexpr std::array kHeightMapFormats{
     &kGwyFormat,        &kNanoscopeFormat, &kGsfFormat,  &kParkFormat,       &kJpkFormat,
     &kNanonisFormat,    &kNanosurfFormat,  &kWsxmFormat, &kPicoviewFormat,   &kDigitalSurfFormat,
     &kSdfFormat,        &kBcrFormat,       &kIgorFormat, &kJpkArchiveFormat, &kX3pFormat,
-    &kForceCurveFormat, &kExrFormat,       &kTiffFormat, &kPngFormat,        &kXyzFormat,
-    &kTextFormat};
+    &kForceCurveFormat, &kExrFormat,       &kTiffFormat, &kPngFormat,        &kVtiFormat,
+    &kXyzFormat,        &kTextFormat};
 
 using HeightMapFormats = std::span<const HeightMapFormat* const>;
 

@@ -6,8 +6,6 @@
 #include "core/io/heightmap/HeightMapEncoders.h"
 
 #include <algorithm>
-#include <fstream>
-#include <limits>
 
 namespace asperity {
 
@@ -22,6 +20,23 @@ const HeightMapFormat* findFormat(const std::filesystem::path& path, HeightMapFo
         }
     }
     return nullptr;
+}
+
+/// The file appears whole or not at all.
+/// @param write (path of the file to write)
+template <class Write>
+void writeWhole(const std::filesystem::path& path, const Write& write) {
+    const TemporaryFile temporary(path);
+    try {
+        write(temporary.path());
+    } catch (const Canceled&) {
+        throw;
+    } catch (const InputError&) {
+        throw;  // of what is read meanwhile
+    } catch (const std::exception& error) {
+        throw Error(path.string() + ": cannot be written: " + error.what());
+    }
+    temporary.commit();
 }
 
 }  // namespace
@@ -49,54 +64,44 @@ std::string writeRefusal(const std::filesystem::path& path, HeightMapFormats for
     return text;
 }
 
+std::string writeAllRefusal(const std::filesystem::path& path) {
+    const HeightMapFormat* const format = findFormat(path, kHeightMapFormats);
+    if (format != nullptr && format->writeAll != nullptr) {
+        return "";
+    }
+    std::string text = path.string() + ": a file of this type holds one image; several go into";
+    for (const HeightMapFormat* each : kHeightMapFormats) {
+        if (each->writeAll != nullptr) {
+            text.append(" ").append(each->extensions.front());
+        }
+    }
+    return text;
+}
+
 void writeHeightMap(const std::filesystem::path& path, const HeightRows& map,
                     const HeightMapMeta& meta, Progress* progress, HeightMapFormats formats) {
     const HeightMapFormat* const format = findFormat(path, formats);
     if (format == nullptr) {
         throw Error(writeRefusal(path, formats));
     }
-    const TemporaryFile temporary(path);
-    try {
-        format->write(temporary.path(), map, meta, progress);
-    } catch (const Canceled&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw Error(path.string() + ": cannot be written: " + error.what());
+    writeWhole(path, [&](const std::filesystem::path& target) {
+        format->write(target, map, meta, progress);
+    });
+}
+
+void writeHeightMaps(const std::filesystem::path& path, std::span<const WrittenImage> images,
+                     Progress* progress) {
+    if (const std::string refusal = writeAllRefusal(path); !refusal.empty()) {
+        throw Error(refusal);
     }
-    temporary.commit();
+    writeWhole(path, [&](const std::filesystem::path& target) {
+        findFormat(path, kHeightMapFormats)->writeAll(target, images, progress);
+    });
 }
 
 void writeHeightMap(const std::filesystem::path& path, const HeightMap& map,
                     const HeightMapMeta& meta) {
     writeHeightMap(path, rowsOf(map), meta);
-}
-
-void finish(std::ofstream& stream) {
-    stream.close();
-    if (!stream) {
-        throw Error("writing stopped half-way (disk full?)");
-    }
-}
-
-HeightRange heightRange(const HeightRows& map, Progress* progress) {
-    HeightRange range{std::numeric_limits<double>::infinity(),
-                      -std::numeric_limits<double>::infinity(), 0};
-    bool isEmpty = true;
-    forEachRow(map, progress, [&](int, const std::vector<double>& heights) {
-        for (const double height : heights) {
-            if (isFiniteHeight(height)) {
-                range.lowest = std::min(range.lowest, height);
-                range.highest = std::max(range.highest, height);
-                isEmpty = false;
-            } else {
-                ++range.missing;
-            }
-        }
-    });
-    if (isEmpty) {
-        range.lowest = range.highest = 0.0;
-    }
-    return range;
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightCounts.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 
 #include <cmath>
@@ -84,6 +85,27 @@ void takeLateral(ImageScale& scale, const GwyTexts& texts, const std::string& so
     scale.sizeSource = source + " Gwy::XReal, Gwy::YReal";
 }
 
+void takeNoData(ImageScale& scale, const ImageTexts& texts, const std::string& file,
+                const std::string& source) {
+    const auto found = texts.find(std::string(kNoDataKey));
+    if (found == texts.end()) {
+        return;
+    }
+    scale.noData = parseNumber(found->second);
+    if (!scale.noData) {
+        throw InputError(file, std::string(kNoDataKey),
+                         "expected a number, found '" + found->second + "'");
+    }
+    scale.provenance.push_back({"pixels without data", "count " + exactText(*scale.noData),
+                                source + " " + std::string(kNoDataKey)});
+}
+
+ReadRow withoutCount(ReadRow rows, int columns, double count) {
+    constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
+    return replaced(std::move(rows), columns,
+                    [count](double number) { return number == count ? kNoHeight : number; });
+}
+
 ReadRow linear(ReadRow rows, int columns, double factor, double offset) {
     return
         [rows = std::move(rows), columns, factor, offset](int row, RowRoom& room, double* numbers) {
@@ -102,6 +124,7 @@ ImageScale gwyScale(const ImageTexts& keys, SampleType type, const std::string& 
     ImageScale scale;
     scale.title = texts.text("Title");
     takeLateral(scale, texts, source);
+    takeNoData(scale, keys, file, source);
     const PhysicalUnit vertical = parseUnit(texts.text("ZUnit"));
     if (isFloat(type)) {
         scale.unit = vertical.base;
@@ -156,6 +179,9 @@ StoredChannel scaledChannel(const ImageScale& scale, ImageSize size, ReadRow row
         channel.notes.emplace_back("the file gives no unit of the values; they are numbers");
     }
     settleSize(channel, scale.sizeSource);
+    if (scale.noData) {
+        stored.readRow = withoutCount(std::move(stored.readRow), size.columns, *scale.noData);
+    }
     setScale(stored, scale.factor, scale.offset, file);
     return stored;
 }

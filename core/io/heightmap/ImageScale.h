@@ -5,6 +5,7 @@
 #include "core/io/heightmap/ScanImage.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@ struct ImageScale {
     std::string unit;     ///< of the values, without prefix; empty: they are numbers
     double factor = 1.0;  ///< value = factor * sample + offset
     double offset = 0.0;
-    std::string lateralUnit;  ///< without prefix
-    double sizeX = 0.0;       ///< 0: not given
+    std::optional<double> noData;  ///< the sample of pixels without data
+    std::string lateralUnit;       ///< without prefix
+    double sizeX = 0.0;            ///< 0: not given
     double sizeY = 0.0;
     std::string sizeSource;  ///< where the size stands
     double originX = 0.0;
@@ -30,7 +32,8 @@ struct ImageScale {
 using ImageTexts = std::map<std::string, std::string>;
 
 /// What Gwyddion's keys say, which it writes into pictures: XReal, YReal, XOffset, YOffset, XYUnit,
-/// ZUnit, Title, each with "Gwy::" before it; of integers ZMin and ZMax, of floats ZScale.
+/// ZUnit, Title, each with "Gwy::" before it; of integers ZMin and ZMax, of floats ZScale. Our own
+/// files have kNoDataKey as well.
 /// Source: docs/formats.md 9.
 /// @param type   of the samples; ZMin and ZMax are those of the smallest and the largest one
 /// @param source of the texts, for provenance: "PNG text"

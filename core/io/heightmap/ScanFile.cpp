@@ -4,6 +4,8 @@
 #include "core/io/heightmap/ChannelRows.h"
 #include "core/io/heightmap/StoredRows.h"
 
+#include <memory>
+
 namespace asperity {
 
 ScanFile::ScanFile(const std::filesystem::path& path, const GivenScale& given,
@@ -51,6 +53,22 @@ void ScanFile::forEachRow(
     const std::function<void(int row, std::span<const double> values)>& visit) const {
     forEachStoredRow(storedOf(channel), bytes_, nullptr,
                      [&visit](int row, const std::vector<double>& values) { visit(row, values); });
+}
+
+HeightRows ScanFile::rowsOf(const ScanChannel& channel) const {
+    const HeightMap& map = channel.map;
+    const auto rows = std::make_shared<ChannelRows>(storedOf(channel), bytes_);
+    const auto room = std::make_shared<RowRoom>();
+    return {.columns = map.columns,
+            .rows = map.rows,
+            .pitchX = map.pitchX,
+            .pitchY = map.pitchY,
+            .readRow = [rows, room, last = map.rows - 1](int row, double* values) {
+                (void)rows->read(row, *room, values);
+                if (row == last) {
+                    rows->finish();
+                }
+            }};
 }
 
 std::string ScanFile::sha256(Progress* progress) const { return sha256Of(bytes_, progress); }

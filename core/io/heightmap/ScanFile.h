@@ -70,6 +70,10 @@ public:
     void
     forEachRow(const ScanChannel& channel,
                const std::function<void(int row, std::span<const double> values)>& visit) const;
+    /// The rows of a channel of contents(), in its unit, each read when it is asked for, from one
+    /// thread; its pitch is 0 where the size is not known. Needs this.
+    /// @throw InputError as readHeightMapFile()
+    [[nodiscard]] HeightRows rowsOf(const ScanChannel& channel) const;
     /// Of the content that the heights come from, 64 hexadecimal digits.
     /// @throw InputError as readHeightMapFile(); Canceled
     [[nodiscard]] std::string sha256(Progress* progress = nullptr) const;

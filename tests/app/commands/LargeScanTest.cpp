@@ -72,6 +72,9 @@ TEST_F(LargeScan, TakesAtMostTwoAndAHalfTimesItsSize) {
     EXPECT_LE(share({"convert", "--force", "IN", out + ".gwy"}), 2.5);
     EXPECT_LE(share({"convert", "--force", "IN", out + ".exr"}), 2.5);
     EXPECT_LE(share({"convert", "--force", "IN", out + ".png"}), 2.5);
+    EXPECT_LE(share({"convert", "--force", "IN", out + ".vti"}), 2.5);
+    EXPECT_LE(share({"convert", "--force", "IN", out + ".tif", "--bits", "16"}), 2.5);
+    EXPECT_LE(share({"convert", "--force", "IN", out + ".gwy", "--all"}), 0.1);
     EXPECT_LE(share({"convert", "--force", "IN", out + ".stl"}), 2.5);
     EXPECT_LE(share({"convert", "--force", "IN", out + ".tiff", "--erode", "20e-9", "--certainty",
                      out + ".gsf"}),

@@ -237,8 +237,8 @@ TEST(Convert, WritesEveryFormatItNames) {
     const std::string start = "convert " +
                               test::shippedScene("x").parent_path().parent_path().string() +
                               "/samples/egg_box.gsf --level plane ";
-    for (const char* name :
-         {"a.gsf", "a.gwy", "a.exr", "a.tiff", "a.png", "a.txt", "a.vti", "a.vtp", "a.stl"}) {
+    for (const char* name : {"a.gsf", "a.gwy", "a.exr", "a.tiff", "a.png", "a.txt", "a.vti",
+                             "a.vtp", "a.vts", "a.stl"}) {
         const auto run = test::runProgram(start + scratch.file(name).string());
         EXPECT_EQ(run.exitCode, 0) << run.output;
         EXPECT_GT(std::filesystem::file_size(scratch.file(name)), 1000U) << name;

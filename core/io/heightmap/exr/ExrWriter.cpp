@@ -1,6 +1,8 @@
 
 #include "core/io/heightmap/exr/ExrWriter.h"
 
+#include "core/io/heightmap/HeightMapEncoders.h"
+
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -28,6 +30,13 @@ Imf::Header header(const HeightRows& map, const HeightMapMeta& meta) {
     header.insert("Gwy::XYUnit", Imf::StringAttribute("m"));
     header.insert("Gwy::ZUnit", Imf::StringAttribute(meta.unit));
     header.insert("Gwy::Title", Imf::StringAttribute(meta.title));
+    constexpr std::size_t kMaxName = 255;
+    for (const auto& [name, value] : writtenMetadata(meta)) {
+        // Some names are the format's own.
+        if (name.size() <= kMaxName && header.find(name) == header.end()) {
+            header.insert(name, Imf::StringAttribute(value));
+        }
+    }
     return header;
 }
 

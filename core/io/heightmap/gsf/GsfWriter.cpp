@@ -4,7 +4,7 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapEncoders.h"
 
-#include <algorithm>
+#include <array>
 #include <fstream>
 
 // Gwyddion Simple Field; see GsfReader.cpp.
@@ -15,11 +15,9 @@ namespace {
 
 constexpr std::size_t kAlignment = 4;
 
-std::string oneLine(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
-    return text;
-}
+/// Of the format itself.
+constexpr std::array<std::string_view, 9> kFields = {
+    "XRes", "YRes", "XReal", "YReal", "XOffset", "YOffset", "XYUnits", "ZUnits", "Title"};
 
 std::string header(const HeightRows& map, const HeightMapMeta& meta) {
     return "Gwyddion Simple Field 1.0\nXRes = " + std::to_string(map.columns) +
@@ -27,7 +25,7 @@ std::string header(const HeightRows& map, const HeightMapMeta& meta) {
            "\nYReal = " + exactText(map.sizeY()) + "\nXOffset = " + exactText(meta.originX) +
            "\nYOffset = " + exactText(meta.originY) + "\nXYUnits = m" +
            (meta.unit.empty() ? "" : "\nZUnits = " + meta.unit) +
-           "\nTitle = " + oneLine(meta.title) + "\n";
+           "\nTitle = " + oneLine(meta.title) + "\n" + metadataLines(meta, " = ", kFields);
 }
 
 }  // namespace

@@ -275,6 +275,7 @@ const HeightMapFormat kGwyFormat = {
             return bytes.startsWith(kMagic) || bytes.startsWith(kOldMagic);
         },
     .read = [](const ByteSource& bytes) { return GwyReader(bytes).read(); },
-    .write = writeGwy};
+    .write = writeGwy,
+    .writeAll = writeGwyImages};
 
 }  // namespace asperity

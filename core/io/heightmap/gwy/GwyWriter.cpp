@@ -103,40 +103,82 @@ void writeUnit(GwyStream& stream, std::string_view name, std::string_view unit) 
     stream.end();
 }
 
-/// What a field has before its values.
-void writeGeometry(GwyStream& stream, const HeightRows& map, const HeightMapMeta& meta) {
-    stream.integer("xres", map.columns);
-    stream.integer("yres", map.rows);
-    stream.number("xreal", map.sizeX());
-    stream.number("yreal", map.sizeY());
-    stream.number("xoff", meta.originX);
-    stream.number("yoff", meta.originY);
-    writeUnit(stream, "si_unit_xy", "m");
+/// What a field has before its values; of a size that is not known, nothing.
+void writeGeometry(GwyStream& stream, const WrittenImage& image) {
+    stream.integer("xres", image.rows.columns);
+    stream.integer("yres", image.rows.rows);
+    if (image.rows.pitchX > 0.0 && image.rows.pitchY > 0.0) {
+        stream.number("xreal", image.rows.sizeX());
+        stream.number("yreal", image.rows.sizeY());
+    }
+    stream.number("xoff", image.meta.originX);
+    stream.number("yoff", image.meta.originY);
+    writeUnit(stream, "si_unit_xy", image.lateralUnit);
 }
 
-/// The format forbids NaN: pixels without data hold the lowest height, and the mask marks them.
-void writeHeights(GwyStream& stream, const HeightRows& map, const HeightMapMeta& meta,
-                  double filling, Progress* progress) {
-    stream.begin("/0/data", "GwyDataField");
-    writeGeometry(stream, map, meta);
-    stream.numbers("data", map, progress,
-                   [filling](double height) { return isFiniteHeight(height) ? height : filling; });
-    writeUnit(stream, "si_unit_z", meta.unit);
-    stream.end();
-}
+/// An image on its way into the container, as number N.
+class ImageWriter {
+public:
+    ImageWriter(GwyStream& stream, const WrittenImage& image, std::size_t number)
+        : stream_(stream), image_(image), prefix_("/" + std::to_string(number) + "/") {}
 
-void writeMask(GwyStream& stream, const HeightRows& map, const HeightMapMeta& meta,
-               Progress* progress) {
-    stream.begin("/0/mask", "GwyDataField");
-    writeGeometry(stream, map, meta);
-    stream.numbers("data", map, progress,
-                   [](double height) { return isFiniteHeight(height) ? 0.0 : 1.0; });
-    stream.end();
-}
+    void write(Progress* progress) {
+        ProgressPart ranging(progress, 0.0, 0.1);
+        const HeightRange range = heightRange(image_.rows, &ranging);
+        ProgressPart writing(progress, 0.1, range.missing > 0 ? 0.5 : 1.0);
+        writeHeights(range.lowest, &writing);
+        stream_.text(prefix_ + "data/title", image_.meta.title);
+        stream_.boolean(prefix_ + "data/visible", true);
+        if (!image_.meta.metadata.empty()) {
+            writeMetadata();
+        }
+        if (range.missing > 0) {
+            ProgressPart marking(progress, 0.5, 1.0);
+            writeMask(&marking);
+        }
+    }
+
+private:
+    /// The format forbids NaN: pixels without data hold the lowest height, and the mask marks them.
+    void writeHeights(double filling, Progress* progress) {
+        stream_.begin(prefix_ + "data", "GwyDataField");
+        writeGeometry(stream_, image_);
+        stream_.numbers("data", image_.rows, progress, [filling](double height) {
+            return isFiniteHeight(height) ? height : filling;
+        });
+        writeUnit(stream_, "si_unit_z", image_.meta.unit);
+        stream_.end();
+    }
+
+    void writeMask(Progress* progress) {
+        stream_.begin(prefix_ + "mask", "GwyDataField");
+        writeGeometry(stream_, image_);
+        stream_.numbers("data", image_.rows, progress,
+                        [](double height) { return isFiniteHeight(height) ? 0.0 : 1.0; });
+        stream_.end();
+    }
+
+    void writeMetadata() {
+        stream_.begin(prefix_ + "meta", "GwyContainer");
+        for (const auto& [name, value] : image_.meta.metadata) {
+            if (!name.empty()) {
+                stream_.text(name, value);
+            }
+        }
+        stream_.end();
+    }
+
+    GwyStream& stream_;
+    const WrittenImage& image_;
+    std::string prefix_;  ///< of the keys of its parts
+};
 
 /// So large that nothing need be written to tell that it does not fit.
-void requireFits(const HeightRows& map) {
-    const double bytes = static_cast<double>(sizeof(double)) * map.columns * map.rows;
+void requireFit(std::span<const WrittenImage> images) {
+    double bytes = 0.0;
+    for (const WrittenImage& image : images) {
+        bytes += static_cast<double>(sizeof(double)) * image.rows.columns * image.rows.rows;
+    }
     if (bytes > std::numeric_limits<std::uint32_t>::max()) {
         throw Error("a .gwy file holds at most 4 GiB");
     }
@@ -144,25 +186,27 @@ void requireFits(const HeightRows& map) {
 
 }  // namespace
 
-void writeGwy(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
-              Progress* progress) {
-    requireFits(map);
-    ProgressPart ranging(progress, 0.0, 0.1);
-    const HeightRange range = heightRange(map, &ranging);
+void writeGwyImages(const std::filesystem::path& target, std::span<const WrittenImage> images,
+                    Progress* progress) {
+    requireFit(images);
     std::ofstream file(target, std::ios::binary);
     file << "GWYP";
     GwyStream stream(file);
     stream.begin("GwyContainer");
-    ProgressPart writing(progress, 0.1, range.missing > 0 ? 0.5 : 1.0);
-    writeHeights(stream, map, meta, range.lowest, &writing);
-    stream.text("/0/data/title", meta.title);
-    stream.boolean("/0/data/visible", true);
-    if (range.missing > 0) {
-        ProgressPart marking(progress, 0.5, 1.0);
-        writeMask(stream, map, meta, &marking);
+    const auto count = static_cast<double>(images.size());
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const auto number = static_cast<double>(i);
+        ProgressPart part(progress, number / count, (number + 1.0) / count);
+        ImageWriter(stream, images[i], i).write(&part);
     }
     stream.end();
     finish(file);
+}
+
+void writeGwy(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
+              Progress* progress) {
+    const WrittenImage image{map, meta};
+    writeGwyImages(target, {&image, 1}, progress);
 }
 
 }  // namespace asperity

@@ -4,6 +4,10 @@
 
 namespace asperity {
 
+/// As HeightMapFormat::writeAll.
+void writeGwyImages(const std::filesystem::path& target, std::span<const WrittenImage> images,
+                    Progress* progress);
+
 /// As HeightMapFormat::write.
 void writeGwy(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
               Progress* progress);

@@ -2,11 +2,11 @@
 
 #include "core/Error.h"
 #include "core/io/TextValue.h"
-#include "core/io/heightmap/HeightMapEncoders.h"
+#include "core/io/heightmap/HeightCounts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <png.h>
 #include <utility>
@@ -18,27 +18,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kWhite = 65535.0;
 constexpr int kBitDepth = 16;
-
-using TextKeys = std::vector<std::pair<std::string, std::string>>;
-
-TextKeys textKeys(const HeightRows& map, const HeightMapMeta& meta, const HeightRange& range) {
-    TextKeys keys = {{"Gwy::Title", meta.title},
-                     {"Gwy::XReal", exactText(map.sizeX())},
-                     {"Gwy::YReal", exactText(map.sizeY())},
-                     {"Gwy::XOffset", exactText(meta.originX)},
-                     {"Gwy::YOffset", exactText(meta.originY)},
-                     {"Gwy::XYUnit", "m"},
-                     {"Gwy::ZMin", exactText(range.lowest)},
-                     {"Gwy::ZMax", exactText(range.highest)},
-                     {"Gwy::ZUnit", meta.unit}};
-    if (range.missing > 0) {
-        keys.emplace_back("Comment", std::to_string(range.missing) +
-                                         " pixels without data are shown at the lowest height");
-    }
-    return keys;
-}
 
 /// tEXt is Latin-1; UTF-8 needs the newer iTXt.
 bool isAscii(const std::string& text) {
@@ -46,15 +26,42 @@ bool isAscii(const std::string& text) {
                        [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
+/// What the format allows as a keyword.
+bool isKeyword(const std::string& text) {
+    constexpr std::size_t kMaxBytes = 79;
+    return text.size() <= kMaxBytes && isAscii(text) && text.find("  ") == std::string::npos &&
+           text != "Comment" &&
+           std::ranges::none_of(text, [](char c) { return c < ' ' || c == 0x7f; });
+}
+
+ImageKeys textKeys(const HeightRows& map, const HeightMapMeta& meta, const HeightCounts& counts,
+                   std::size_t missing) {
+    ImageKeys keys = {{"Gwy::Title", meta.title},
+                      {"Gwy::XReal", exactText(map.sizeX())},
+                      {"Gwy::YReal", exactText(map.sizeY())},
+                      {"Gwy::XOffset", exactText(meta.originX)},
+                      {"Gwy::YOffset", exactText(meta.originY)},
+                      {"Gwy::XYUnit", "m"}};
+    std::ranges::move(counts.keys(meta.unit), std::back_inserter(keys));
+    if (missing > 0) {
+        keys.emplace_back("Comment", std::to_string(missing) +
+                                         " pixels without data have the count 0, which no other "
+                                         "pixel has");
+    }
+    for (const auto& [key, value] : writtenMetadata(meta)) {
+        if (isKeyword(key)) {
+            keys.emplace_back(key, value);
+        }
+    }
+    return keys;
+}
+
 /// Big-endian samples of a row.
-void encode(const std::vector<double>& heights, const HeightRange& range,
+void encode(const std::vector<double>& heights, const HeightCounts& counts,
             std::vector<png_byte>& bytes) {
-    const double span = range.highest - range.lowest;
     bytes.clear();
     for (const double height : heights) {
-        const bool shown = span > 0.0 && isFiniteHeight(height);
-        const double share = shown ? (height - range.lowest) / span : 0.0;
-        const auto gray = static_cast<unsigned>(std::lround(kWhite * share));
+        const unsigned gray = counts.countOf(height);
         bytes.push_back(static_cast<png_byte>(gray >> 8U));
         bytes.push_back(static_cast<png_byte>(gray & 0xFFU));
     }
@@ -97,7 +104,7 @@ public:
     PngFile(const PngFile&) = delete;
     PngFile& operator=(const PngFile&) = delete;
 
-    void writeHeader(const HeightRows& map, const TextKeys& keys) {
+    void writeHeader(const HeightRows& map, const ImageKeys& keys) {
         png_set_IHDR(png_, info_, static_cast<png_uint_32>(map.columns),
                      static_cast<png_uint_32>(map.rows), kBitDepth, PNG_COLOR_TYPE_GRAY,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -135,12 +142,13 @@ void writePng(const std::filesystem::path& target, const HeightRows& map, const 
               Progress* progress) {
     ProgressPart ranging(progress, 0.0, 0.1);
     const HeightRange range = heightRange(map, &ranging);
+    const HeightCounts counts(range);
     PngFile file(target);
-    file.writeHeader(map, textKeys(map, meta, range));
+    file.writeHeader(map, textKeys(map, meta, counts, range.missing));
     std::vector<png_byte> bytes;
     ProgressPart writing(progress, 0.1, 1.0);
     forEachRow(map, &writing, [&](int, const std::vector<double>& heights) {
-        encode(heights, range, bytes);
+        encode(heights, counts, bytes);
         file.writeRow(bytes);
     });
     file.finish();

@@ -88,7 +88,25 @@ void takeSize(const TextComment& width, const TextComment& height, TextHeader& h
     header.sizeSource = placeOf(width) + "; " + placeOf(height);
 }
 
+/// @return whether the comment is part of the origin
+bool takeOrigin(const TextComment& comment, TextHeader& header) {
+    const bool isX = comment.key == kOriginXComment;
+    if (!isX && comment.key != kOriginYComment) {
+        return false;
+    }
+    const std::optional<Length> length = lengthOf(comment);
+    if (!length || length->unit != header.lateralUnit) {
+        return false;
+    }
+    (isX ? header.originX : header.originY) = length->value;
+    return true;
+}
+
 }  // namespace
+
+bool giveSize(const std::vector<TextComment>& comments) {
+    return placesOfSize(comments).has_value();
+}
 
 void takeComments(const std::vector<TextComment>& comments, TextHeader& header) {
     const std::optional<SizePlaces> places = placesOfSize(comments);
@@ -109,7 +127,7 @@ void takeComments(const std::vector<TextComment>& comments, TextHeader& header) 
         }
     }
     for (std::size_t i = 0; i < comments.size(); ++i) {
-        if (!used[i] && !comments[i].key.empty()) {
+        if (!used[i] && !comments[i].key.empty() && !takeOrigin(comments[i], header)) {
             header.metadata[comments[i].key] = comments[i].value;
         }
     }

@@ -15,8 +15,16 @@ struct TextComment {
     long long line = 0;
 };
 
+/// Comments of our own files; lengths.
+inline constexpr std::string_view kOriginXComment = "X offset";
+inline constexpr std::string_view kOriginYComment = "Y offset";
+
 /// What the comments before a matrix say: Gwyddion's export writes title, width, height and unit of
-/// the values, in this order and in the user's language; all others become metadata.
+/// the values, in this order and in the user's language; ours have the origin after them. All
+/// others become metadata.
 void takeComments(const std::vector<TextComment>& comments, TextHeader& header);
+
+/// Whether they give the size of a matrix.
+[[nodiscard]] bool giveSize(const std::vector<TextComment>& comments);
 
 }  // namespace asperity

@@ -57,7 +57,8 @@ std::optional<std::array<ColumnLabel, 3>> labelsOf(std::string_view text) {
 }
 
 /// Whether a line that may be cut off begins with numbers.
-bool startsWithNumbers(std::string_view line) {
+/// @param isMatrix whether a size before it says that numbers follow, perhaps a single one
+bool startsWithNumbers(std::string_view line, bool isMatrix) {
     constexpr std::size_t kLooked = 256;
     if (line.size() > kLooked) {
         const std::size_t end = line.find_last_of(kSeparators, kLooked);
@@ -70,7 +71,7 @@ bool startsWithNumbers(std::string_view line) {
     readNumberRow(line, numberStyleOf(line), row);
     const bool hasNumber =
         std::ranges::any_of(row.numbers, [](double number) { return !std::isnan(number); });
-    return row.wrong.empty() && (hasNumber || row.numbers.size() > 2);
+    return row.wrong.empty() && (hasNumber || isMatrix || row.numbers.size() > 2);
 }
 
 class TextHeaderReader {
@@ -83,7 +84,7 @@ public:
             if (text.empty()) {
                 continue;
             }
-            if (startsWithNumbers(text)) {
+            if (startsWithNumbers(text, giveSize(comments_))) {
                 header_.firstLine = *line;
                 takeComments(comments_, header_);
                 return std::move(header_);

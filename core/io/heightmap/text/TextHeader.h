@@ -17,6 +17,8 @@ struct TextHeader {
     std::string title;             ///< empty: none given
     double sizeX = 0.0;            ///< of the whole image, in the lateral unit; 0: not given
     double sizeY = 0.0;            ///< as sizeX
+    double originX = 0.0;          ///< as sizeX
+    double originY = 0.0;          ///< as sizeX
     double pitch = 0.0;            ///< of a pixel, as sizeX; given instead of a size
     std::string sizeSource;        ///< where the size or pitch stands
     std::string lateralUnit;       ///< SI base unit; empty: none given

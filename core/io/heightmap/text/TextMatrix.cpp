@@ -101,6 +101,8 @@ private:
         channel.direction = directionFromName(channel.name);
         channel.map = emptyMap(size, byPixel ? header_.pitch * size.columns : header_.sizeX,
                                byPixel ? header_.pitch * size.rows : header_.sizeY);
+        channel.originX = finiteOrZero(header_.originX);
+        channel.originY = finiteOrZero(header_.originY);
         channel.metadata = std::move(header_.metadata);
         channel.notes = std::move(header_.notes);
         settleSize(channel, header_.sizeSource);

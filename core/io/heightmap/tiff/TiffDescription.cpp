@@ -1,6 +1,7 @@
 #include "core/io/heightmap/tiff/TiffDescription.h"
 
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightCounts.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/tiff/TiffImage.h"
 
@@ -148,6 +149,18 @@ void takeResolution(ImageScale& scale, const TiffDirectory& directory, const Ima
 }
 
 }  // namespace
+
+ImageTexts tiffMetadata(const TiffDirectory& directory) {
+    const std::string text = directory.text(number(TiffTag::ImageDescription));
+    if (!text.starts_with("Gwy::")) {
+        return {};
+    }
+    ImageTexts texts = lines(text);
+    std::erase_if(texts, [](const auto& entry) {
+        return entry.first.starts_with("Gwy::") || entry.first == kNoDataKey;
+    });
+    return texts;
+}
 
 ImageScale tiffScale(const TiffDirectory& directory, ImageSize size, SampleType type) {
     const std::string text = directory.text(number(TiffTag::ImageDescription));

@@ -12,4 +12,7 @@ namespace asperity {
 /// @throw InputError when a number of Gwyddion's keys is none
 [[nodiscard]] ImageScale tiffScale(const TiffDirectory& directory, ImageSize size, SampleType type);
 
+/// The metadata of our own files: the description's lines besides the scale.
+[[nodiscard]] ImageTexts tiffMetadata(const TiffDirectory& directory);
+
 }  // namespace asperity

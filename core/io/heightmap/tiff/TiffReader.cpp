@@ -89,6 +89,7 @@ private:
     }
 
     static void addMetadata(const TiffDirectory& directory, ScanChannel& channel) {
+        channel.metadata = tiffMetadata(directory);
         const std::pair<const char*, TiffTag> texts[] = {{"description", TiffTag::ImageDescription},
                                                          {"software", TiffTag::Software},
                                                          {"date", TiffTag::DateTime}};
@@ -115,5 +116,8 @@ const HeightMapFormat kTiffFormat = {
     .recognizes = isTiff,
     .read = [](const ByteSource& bytes) { return TiffReader(bytes).read(); },
     .write = writeTiff};
+
+const HeightMapFormat kTiffCountsFormat = {
+    .name = "TIFF, 16-bit", .extensions = kExtensions, .write = writeTiffCounts};
 
 }  // namespace asperity

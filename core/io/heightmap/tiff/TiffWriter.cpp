@@ -2,13 +2,17 @@
 
 #include "core/Error.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightCounts.h"
+#include "core/io/heightmap/HeightMapEncoders.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <tiffio.h>
 
-// A float32 TIFF, heights in meters. The resolution tags are rounded fractions, so that the
-// description repeats the size in full. Source: docs/formats.md 9.
+// A TIFF of float32, heights in meters, or of counts whose scale stands in the description. The
+// resolution tags are rounded fractions, so that the description repeats the size in full. Source:
+// docs/formats.md 9.
 
 namespace asperity {
 
@@ -23,23 +27,27 @@ constexpr double kMaxRational = 4294967295.0;
 /// Beyond this many bytes of samples the 32-bit offsets of a classic TIFF do not reach.
 constexpr std::size_t kClassicLimit = 4'000'000'000U;
 
-std::string description(const HeightRows& map, const HeightMapMeta& meta) {
-    return "Gwy::Title=" + meta.title + "\nGwy::XReal=" + exactText(map.sizeX()) +
-           "\nGwy::YReal=" + exactText(map.sizeY()) + "\nGwy::XOffset=" + exactText(meta.originX) +
-           "\nGwy::YOffset=" + exactText(meta.originY) +
-           "\nGwy::XYUnit=m\nGwy::ZUnit=" + meta.unit + "\n";
+/// What our reader calls tags of other programs.
+constexpr std::array<std::string_view, 3> kOwnNames = {"description", "software", "date"};
+
+/// Our reader takes 65536 bytes of a description.
+constexpr std::size_t kMaxTiffMetadata = 40000;
+
+/// How a height is stored.
+enum class Samples { Floats, Counts };
+
+std::string description(const HeightRows& map, const HeightMapMeta& meta, const ImageKeys& scale) {
+    std::string text =
+        "Gwy::Title=" + oneLine(meta.title) + "\nGwy::XReal=" + exactText(map.sizeX()) +
+        "\nGwy::YReal=" + exactText(map.sizeY()) + "\nGwy::XOffset=" + exactText(meta.originX) +
+        "\nGwy::YOffset=" + exactText(meta.originY) + "\nGwy::XYUnit=m\n";
+    for (const auto& [key, value] : scale) {
+        text.append(key).append("=").append(value).append("\n");
+    }
+    return text + metadataLines(meta, "=", kOwnNames, kMaxTiffMetadata);
 }
 
-void setTags(TIFF* tiff, const HeightRows& map, const HeightMapMeta& meta) {
-    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(map.columns));
-    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(map.rows));
-    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 32);
-    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
-    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
-    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
-    TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
-    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
-    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
+void setResolution(TIFF* tiff, const HeightRows& map) {
     const double perCentimeterX = kCentimeter / map.pitchX;
     const double perCentimeterY = kCentimeter / map.pitchY;
     if (std::max(perCentimeterX, perCentimeterY) < kMaxRational) {
@@ -47,31 +55,75 @@ void setTags(TIFF* tiff, const HeightRows& map, const HeightMapMeta& meta) {
         TIFFSetField(tiff, TIFFTAG_XRESOLUTION, perCentimeterX);
         TIFFSetField(tiff, TIFFTAG_YRESOLUTION, perCentimeterY);
     }
-    TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description(map, meta).c_str());
+}
+
+void setTags(TIFF* tiff, const HeightRows& map, Samples samples) {
+    const bool isFloat = samples == Samples::Floats;
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(map.columns));
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(map.rows));
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, isFloat ? 32 : 16);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, isFloat ? SAMPLEFORMAT_IEEEFP : SAMPLEFORMAT_UINT);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
+    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
+    setResolution(tiff, map);
+}
+
+using TiffHandle = std::unique_ptr<TIFF, CloseTiff>;
+
+/// @param sampleBytes of a pixel
+TiffHandle created(const std::filesystem::path& target, const HeightRows& map,
+                   std::size_t sampleBytes) {
+    const std::size_t pixels =
+        static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows);
+    const bool big = pixels > kClassicLimit / sampleBytes;
+    TiffHandle tiff(TIFFOpen(target.c_str(), big ? "w8" : "w"));
+    if (!tiff) {
+        throw Error("the TIFF library cannot open the file");
+    }
+    return tiff;
+}
+
+/// @param sampleOf (height) -> stored number
+template <class Sample, class SampleOf>
+void writeSamples(TIFF* tiff, const HeightRows& map, Progress* progress, const SampleOf& sampleOf) {
+    std::vector<Sample> line(static_cast<std::size_t>(map.columns));
+    forEachRow(map, progress, [&](int row, const std::vector<double>& heights) {
+        std::ranges::transform(heights, line.begin(), sampleOf);
+        if (TIFFWriteScanline(tiff, line.data(), static_cast<std::uint32_t>(row), 0) != 1) {
+            throw Error("the TIFF library stopped at row " + std::to_string(row));
+        }
+    });
+    if (TIFFWriteDirectory(tiff) != 1) {
+        throw Error("the TIFF library cannot finish the file");
+    }
 }
 
 }  // namespace
 
 void writeTiff(const std::filesystem::path& target, const HeightRows& map,
                const HeightMapMeta& meta, Progress* progress) {
-    const auto columns = static_cast<std::size_t>(map.columns);
-    const bool big = columns * static_cast<std::size_t>(map.rows) > kClassicLimit / sizeof(float);
-    const std::unique_ptr<TIFF, CloseTiff> tiff(TIFFOpen(target.c_str(), big ? "w8" : "w"));
-    if (!tiff) {
-        throw Error("the TIFF library cannot open the file");
-    }
-    setTags(tiff.get(), map, meta);
-    std::vector<float> line(columns);
-    forEachRow(map, progress, [&](int row, const std::vector<double>& heights) {
-        std::ranges::transform(heights, line.begin(),
-                               [](double height) { return static_cast<float>(height); });
-        if (TIFFWriteScanline(tiff.get(), line.data(), static_cast<std::uint32_t>(row), 0) != 1) {
-            throw Error("the TIFF library stopped at row " + std::to_string(row));
-        }
-    });
-    if (TIFFWriteDirectory(tiff.get()) != 1) {
-        throw Error("the TIFF library cannot finish the file");
-    }
+    const TiffHandle tiff = created(target, map, sizeof(float));
+    setTags(tiff.get(), map, Samples::Floats);
+    const std::string text = description(map, meta, {{"Gwy::ZUnit", meta.unit}});
+    TIFFSetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, text.c_str());
+    writeSamples<float>(tiff.get(), map, progress,
+                        [](double height) { return static_cast<float>(height); });
+}
+
+void writeTiffCounts(const std::filesystem::path& target, const HeightRows& map,
+                     const HeightMapMeta& meta, Progress* progress) {
+    ProgressPart ranging(progress, 0.0, 0.2);
+    const HeightCounts counts(heightRange(map, &ranging));
+    const TiffHandle tiff = created(target, map, sizeof(std::uint16_t));
+    setTags(tiff.get(), map, Samples::Counts);
+    const std::string text = description(map, meta, counts.keys(meta.unit));
+    TIFFSetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, text.c_str());
+    ProgressPart writing(progress, 0.2, 1.0);
+    writeSamples<std::uint16_t>(tiff.get(), map, &writing,
+                                [&counts](double height) { return counts.countOf(height); });
 }
 
 }  // namespace asperity

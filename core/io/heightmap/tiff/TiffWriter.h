@@ -8,4 +8,8 @@ namespace asperity {
 void writeTiff(const std::filesystem::path& target, const HeightRows& map,
                const HeightMapMeta& meta, Progress* progress);
 
+/// The `write` of kTiffCountsFormat.
+void writeTiffCounts(const std::filesystem::path& target, const HeightRows& map,
+                     const HeightMapMeta& meta, Progress* progress);
+
 }  // namespace asperity

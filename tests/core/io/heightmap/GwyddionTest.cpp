@@ -181,7 +181,8 @@ TEST(Gwyddion, ReadsWhatWeWrite) {
     const struct {
         const char* name;
         double tolerance;  ///< of the range
-    } formats[] = {{"map.gwy", 0.0}, {"map.gsf", 1e-7}, {"map.png", 0.6 / 65535.0}};
+    } formats[] = {
+        {"map.gwy", 0.0}, {"map.gsf", 1e-7}, {"map.png", 0.6 / 65535.0}, {"map.txt", 1e-15}};
     for (const auto& format : formats) {
         SCOPED_TRACE(format.name);
         const ScratchFolder folder;
@@ -196,15 +197,53 @@ TEST(Gwyddion, ReadsWhatWeWrite) {
     }
 }
 
+/// docs/formats.md 9: there is no TIFF of which it takes both scales.
+TEST(Gwyddion, TakesTheValuesOfOurTiffAlone) {
+    if (!haveGwyddion()) {
+        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+    }
+    const ScratchFolder folder;
+    const HeightMap map = bumpyMap(17, 9);
+    writeHeightMap(folder.file("map.tiff"), map, {});
+    const ScanChannel theirs = throughGwyddion(folder, folder.file("map.tiff")).channels.at(0);
+    EXPECT_LE(worstDeviation(map, theirs.map), 1e-7);
+    EXPECT_EQ(theirs.unit, "");
+    EXPECT_FALSE(theirs.hasSize());
+}
+
 TEST(Gwyddion, SeesThePixelsWithoutDataAsMasked) {
     if (!haveGwyddion()) {
         GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
     }
     const ScratchFolder folder;
     const HeightMap map = bumpyMapWithHoles(17, 9);
-    writeHeightMap(folder.file("map.gwy"), map, {});
-    EXPECT_EQ(worstDeviation(map, throughGwyddion(folder, folder.file("map.gwy")).channels[0].map),
-              0.0);
+    for (const char* name : {"map.gwy", "map.txt"}) {
+        writeHeightMap(folder.file(name), map, {});
+        EXPECT_LE(worstDeviation(map, throughGwyddion(folder, folder.file(name)).channels[0].map),
+                  1e-15)
+            << name;
+    }
+}
+
+TEST(Gwyddion, ReadsAllImagesThatWeWriteIntoOneFile) {
+    if (!haveGwyddion()) {
+        GTEST_SKIP() << "SKIPPED: the program gwyddion is not installed";
+    }
+    const ScratchFolder folder;
+    const HeightMap heights = bumpyMapWithHoles(17, 9);
+    const HeightMap voltages = bumpyMap(5, 8);
+    const std::map<std::string, std::string> metadata = {{"Scan rate", "1 Hz"}};
+    const std::vector<WrittenImage> images = {
+        {rowsOf(heights), {.title = "Höhe", .metadata = metadata}},
+        {rowsOf(voltages), {.title = "Deflection", .unit = "V"}}};
+    writeHeightMaps(folder.file("all.gwy"), images);
+    const HeightMapFile theirs = throughGwyddion(folder, folder.file("all.gwy"));
+    ASSERT_EQ(theirs.channels.size(), 2U);
+    EXPECT_EQ(theirs.channels[0].name, "Höhe");
+    EXPECT_EQ(theirs.channels[0].metadata, metadata);
+    EXPECT_EQ(theirs.channels[1].unit, "V");
+    EXPECT_EQ(worstDeviation(heights, theirs.channels[0].map), 0.0);
+    EXPECT_EQ(worstDeviation(voltages, theirs.channels[1].map), 0.0);
 }
 
 }  // namespace asperity::test

@@ -172,6 +172,10 @@ TEST(HeightMapWriter, TextReadsBackToTheSameBits) {
         std::istringstream text(contentOf(folder.file("map.txt")));
         std::string line;
         std::getline(text, line);
+        EXPECT_EQ(line, "# File Format = ASCII");
+        while (line != "# Channel: Höhe 1" && std::getline(text, line)) {
+            EXPECT_TRUE(line.starts_with("# ")) << line;
+        }
         EXPECT_EQ(line, "# Channel: Höhe 1");
         std::getline(text, line);
         EXPECT_EQ(line, "# Width: " + exactText(map.sizeX()) + " m");
@@ -179,6 +183,12 @@ TEST(HeightMapWriter, TextReadsBackToTheSameBits) {
         EXPECT_EQ(line, "# Height: " + exactText(map.sizeY()) + " m");
         std::getline(text, line);
         EXPECT_EQ(line, "# Value units: m");
+        std::getline(text, line);
+        EXPECT_EQ(line, "# X offset: 1e-06 m");
+        std::getline(text, line);
+        EXPECT_EQ(line, "# Y offset: -2e-06 m");
+        std::getline(text, line);
+        EXPECT_EQ(line, "# Start of Data:");
         for (int row = 0; row < map.rows; ++row) {
             ASSERT_TRUE(std::getline(text, line));
             std::istringstream cells(line);

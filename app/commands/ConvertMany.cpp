@@ -1,0 +1,98 @@
+#include "app/commands/ConvertMany.h"
+
+#include "app/commands/ConvertMap.h"
+#include "app/commands/ConvertTargets.h"
+#include "core/Error.h"
+#include "core/PathText.h"
+#include "core/PrintableText.h"
+
+#include <iostream>
+#include <map>
+#include <new>
+#include <set>
+
+namespace asperity {
+
+namespace {
+
+/// Refuses before anything is done what no input could be converted with. @throw Error
+void makeFolder(const std::string& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure || !std::filesystem::is_directory(folder, failure)) {
+        throw FileError(folder, "the folder cannot be made");
+    }
+}
+
+void convertOne(const ConvertOptions& options, const ConvertedFile& file) {
+    if (file.output.empty()) {
+        throw Error("another input of the same name was converted already; convert this one into "
+                    "another folder");
+    }
+    requireWritableTargets(options, file);
+    const Converted converted = options.all ? convertAll(options, file) : convertMap(options, file);
+    for (const std::string& note : converted.notes) {
+        std::cerr << "note: " << printable(file.input) << ": " << printable(note) << '\n';
+    }
+    std::cout << printable(file.input) << " -> " << printable(file.output) << ": "
+              << printable(converted.summary) << std::endl;  // a line when it is true
+}
+
+/// @return whether it worked
+bool tryOne(const ConvertOptions& options, const ConvertedFile& file) {
+    std::string reason;
+    try {
+        convertOne(options, file);
+        return true;
+    } catch (const Canceled&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        reason = "out of memory";
+    } catch (const std::exception& error) {
+        reason = error.what();
+    }
+    const bool namesFile = reason.find(file.input) != std::string::npos;
+    std::cerr << "asperity: " << (namesFile ? "" : printable(file.input) + ": ")
+              << printable(reason) << '\n';
+    return false;
+}
+
+}  // namespace
+
+std::vector<ConvertedFile> filesInFolder(const std::vector<std::string>& inputs,
+                                         const std::filesystem::path& folder,
+                                         const std::string& extension) {
+    std::map<std::string, int> stems;
+    for (const std::string& input : inputs) {
+        ++stems[std::filesystem::path(input).stem().string()];
+    }
+    std::set<std::string> taken;
+    std::vector<ConvertedFile> files;
+    for (const std::string& input : inputs) {
+        const std::filesystem::path path(input);
+        const std::string stem = path.stem().string();
+        const std::string name = (stems[stem] == 1 ? stem : path.filename().string()) + extension;
+        const bool isNew = taken.insert(name).second;
+        files.push_back({input, isNew ? (folder / name).string() : std::string()});
+    }
+    return files;
+}
+
+void convertMany(const ConvertOptions& options) {
+    std::vector<std::string> inputs{options.input};
+    inputs.insert(inputs.end(), options.others.begin(), options.others.end());
+    const std::string extension =
+        (options.extension.starts_with('.') ? "" : ".") + options.extension;
+    requireTarget(options, "--to", "OUT" + extension);
+    makeFolder(options.folder);
+    std::size_t failed = 0;
+    for (const ConvertedFile& file : filesInFolder(inputs, options.folder, extension)) {
+        failed += tryOne(options, file) ? 0 : 1;
+    }
+    if (failed > 0) {
+        throw Error(std::to_string(failed) + " of " + std::to_string(inputs.size()) +
+                    " files could not be converted");
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,118 @@
+#include "app/commands/ConvertMap.h"
+
+#include "app/commands/ConvertTargets.h"
+#include "app/commands/ProgressLine.h"
+#include "core/io/heightmap/ScanFile.h"
+#include "core/surface/Residual.h"
+#include "core/surface/fit/BSplineFit.h"
+#include "core/surface/fit/GaussianFilter.h"
+#include "core/surface/imaging/TipErosion.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+HeightMapMeta metaOf(const ScanChannel& channel) {
+    return {.title = channel.name,
+            .originX = channel.originX,
+            .originY = channel.originY,
+            .metadata = channel.metadata};
+}
+
+std::string summaryOf(const std::string& channel, const HeightRows& map, const PixelMask& invalid) {
+    std::string text = "'" + channel + "', " + std::to_string(map.columns) + " x " +
+                       std::to_string(map.rows) + " pixels";
+    if (const auto lost = std::ranges::count(invalid, true); lost > 0) {
+        text += ", " + std::to_string(lost) + " of them without data";
+    }
+    return text;
+}
+
+ScanMap residual(const ConvertOptions& options, ScanMap level) {
+    const Smoothing smoothing = options.smoothingLength > 0.0
+                                    ? smoothingByLength(options.smoothingLength, level)
+                                    : Smoothing{options.smoothingPixels, options.smoothingPixels};
+    ProgressLine line("fitting");
+    const BSplineSurface surface = fitSurface(level, smoothing, &line);
+    return residualOf(std::move(level), surface);
+}
+
+/// The certainty as a map of its own: 1 where certain, 0 elsewhere; pixels without data stay so.
+void writeCertainty(const ConvertOptions& options, const ScanReconstruction& known,
+                    HeightMapMeta meta) {
+    HeightRows map = rowsOf(known.surface);
+    map.readRow = [&known, heights = map.readRow](int row, double* values) {
+        heights(row, values);
+        const std::uint8_t* certain = known.certain.data() + known.surface.index(row, 0);
+        for (int column = 0; column < known.surface.columns; ++column) {
+            values[column] = isFiniteHeight(values[column]) ? certain[column] : values[column];
+        }
+    };
+    meta.title = "Certainty (1: touched by the imaging tip)";
+    meta.unit = "";
+    writeTarget(options, options.certainty, map, meta);
+}
+
+std::string certaintyNote(const ScanReconstruction& known) {
+    const auto certain = std::ranges::count(known.certain, 1);
+    return "eroded; the imaging tip certainly touched " + std::to_string(certain) + " of " +
+           std::to_string(known.certain.size()) +
+           " pixels, elsewhere the surface may lie below the heights written";
+}
+
+/// The surface under the map; on the way, the certainty map is written.
+ScanMap withoutTip(const ConvertOptions& options, ScanMap level, const HeightMapMeta& meta,
+                   std::vector<std::string>& notes) {
+    ScanReconstruction known = [&] {
+        ProgressLine line("eroding");
+        return reconstructed(std::move(level), options.tipRadius, &line);
+    }();
+    notes.push_back(certaintyNote(known));
+    if (!options.certainty.empty()) {
+        writeCertainty(options, known, meta);
+    }
+    return std::move(known.surface);
+}
+
+/// Heights that are computed anew, in single precision.
+Converted convertFiltered(const ConvertOptions& options, const ConvertedFile& files) {
+    HeightMapMeta meta;
+    HeightScan scan = [&] {
+        ProgressLine line("loading");
+        const ScanFile file(files.input, options.scale);
+        meta = metaOf(heightChannel(file.contents(), files.input, options.channel));
+        return file.readHeightScan(options.channel, &line);
+    }();
+    scan.map = leveled(std::move(scan.map), options.leveling);
+    scan.map = options.residual ? residual(options, std::move(scan.map))
+                                : withoutTip(options, std::move(scan.map), meta, scan.notes);
+    const HeightRows rows = rowsOf(scan.map);
+    writeTarget(options, files.output, rows, meta);
+    return {summaryOf(scan.channel, rows, scan.map.invalid), std::move(scan.notes)};
+}
+
+/// Heights as the file gives them, but for leveling.
+Converted convertPlainly(const ConvertOptions& options, const ConvertedFile& files) {
+    HeightChannel file = [&] {
+        ProgressLine line("loading");
+        return ScanFile(files.input, options.scale).readHeightChannel(options.channel, &line);
+    }();
+    ScanChannel& channel = file.channel;
+    const HeightMap map = leveled(std::move(channel.map), options.leveling);
+    const HeightRows rows = rowsOf(map);
+    writeTarget(options, files.output, rows, metaOf(channel));
+    return {summaryOf(channel.name, rows, map.invalid), std::move(file.notes)};
+}
+
+}  // namespace
+
+Converted convertMap(const ConvertOptions& options, const ConvertedFile& file) {
+    return options.residual || options.tipRadius > 0.0 ? convertFiltered(options, file)
+                                                       : convertPlainly(options, file);
+}
+
+}  // namespace asperity

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/io/heightmap/SampleRows.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// Numbers at the points of an image.
+struct VtiArray {
+    std::string name;
+    SampleLayout layout;  ///< in the file
+};
+
+/// What the XML of a VTK image says.
+struct VtiHead {
+    ImageSize size;
+    double pitchX = 0.0;  ///< of a number without a unit
+    double pitchY = 0.0;
+    std::vector<VtiArray> arrays;
+    /// By their names; those of one number a tuple and one text alone.
+    std::map<std::string, std::string> texts;
+    std::map<std::string, std::vector<double>> numbers;  ///< as texts
+    std::vector<std::string> notes;                      ///< on arrays that were left out
+    std::string version;                                 ///< of the file format
+};
+
+/// Whether the content is an XML file of VTK, whatever it holds.
+[[nodiscard]] bool isVtkXml(const ByteSource& bytes);
+
+/// Reads the XML and checks that the arrays lie within the file.
+/// @throw InputError when anything is missing or does not fit together, or when the file holds no
+///        flat image with appended, raw, uncompressed values at its points
+[[nodiscard]] VtiHead readVtiHead(const ByteSource& bytes);
+
+}  // namespace asperity

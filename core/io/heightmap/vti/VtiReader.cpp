@@ -1,0 +1,104 @@
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/vti/VtiHead.h"
+#include "core/io/heightmap/vti/VtiWriter.h"
+
+#include <algorithm>
+
+// Images of VTK: each array at the points is a channel. y is up, and a point is a pixel's center.
+// Names and units are those of Asperity's own files; VTK knows none. Source: docs/formats.md 16.
+
+namespace asperity {
+
+namespace {
+
+class VtiReader {
+public:
+    explicit VtiReader(const ByteSource& bytes) : bytes_(bytes), head_(readVtiHead(bytes)) {}
+
+    StoredScan read() {
+        const auto mask = std::ranges::find_if(head_.arrays, [](const VtiArray& array) {
+            return array.name == kVtiValid && array.layout.type == SampleType::UInt8;
+        });
+        const bool hasMask = mask != head_.arrays.end() && head_.arrays.size() > 1;
+        StoredScan scan;
+        for (auto array = head_.arrays.begin(); array != head_.arrays.end(); ++array) {
+            if (!hasMask || array != mask) {
+                scan.channels.push_back(channel(*array, hasMask ? &*mask : nullptr));
+            }
+        }
+        scan.notes = head_.notes;
+        scan.provenance = {{"orientation", "first stored row at the bottom", "VTK: y is up"}};
+        if (!head_.version.empty()) {
+            scan.provenance.push_back({"format version", head_.version, "VTKFile"});
+        }
+        return scan;
+    }
+
+private:
+    StoredChannel channel(const VtiArray& array, const VtiArray* mask) {
+        const bool isOurs = head_.texts.contains(kVtiUnit);
+        const PhysicalUnit unit = parseUnit(text(kVtiUnit));
+        ScanChannel channel;
+        channel.name =
+            text(kVtiTitle).empty() || head_.arrays.size() > 2 ? array.name : text(kVtiTitle);
+        channel.unit = unit.base;
+        channel.lateralUnit = isOurs ? "m" : "";
+        channel.direction = directionFromName(channel.name);
+        channel.map =
+            emptyMap(head_.size, head_.pitchX * head_.size.columns, head_.pitchY * head_.size.rows);
+        if (const auto origin = head_.numbers.find(kVtiOrigin);
+            origin != head_.numbers.end() && origin->second.size() == 2) {
+            channel.originX = origin->second[0];
+            channel.originY = origin->second[1];
+        }
+        channel.metadata = metadata();
+        if (!isOurs) {
+            channel.notes.emplace_back("VTK images give no units; sizes and values are numbers");
+        }
+        settleSize(channel, "ImageData, Spacing");
+        if (!channel.unit.empty()) {
+            channel.provenance.push_back(
+                scaleProvenance(unit.factor, channel.unit, "FieldData, unit"));
+        }
+        ReadRow rows = rowsOf(bytes_, array.layout);
+        if (mask != nullptr) {
+            rows = masked(std::move(rows), head_.size.columns, marks(*mask));
+        }
+        return {.channel = std::move(channel), .factor = unit.factor, .readRow = std::move(rows)};
+    }
+
+    /// Above 0 where the array is 0: there are no data.
+    [[nodiscard]] ReadRow marks(const VtiArray& valid) const {
+        return replaced(rowsOf(bytes_, valid.layout), head_.size.columns,
+                        [](double value) { return value == 0.0 ? 1.0 : 0.0; });
+    }
+
+    [[nodiscard]] std::string text(const char* name) const {
+        const auto found = head_.texts.find(name);
+        return found == head_.texts.end() ? std::string() : found->second;
+    }
+
+    [[nodiscard]] std::map<std::string, std::string> metadata() const {
+        std::map<std::string, std::string> texts = head_.texts;
+        texts.erase(kVtiTitle);
+        texts.erase(kVtiUnit);
+        return texts;
+    }
+
+    const ByteSource& bytes_;
+    VtiHead head_;
+};
+
+constexpr std::array<std::string_view, 1> kExtensions{".vti"};
+
+}  // namespace
+
+const HeightMapFormat kVtiFormat = {
+    .name = "VTK image .vti",
+    .extensions = kExtensions,
+    .recognizes = isVtkXml,
+    .read = [](const ByteSource& bytes) { return VtiReader(bytes).read(); },
+    .write = writeVti};
+
+}  // namespace asperity

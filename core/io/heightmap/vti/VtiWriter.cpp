@@ -1,0 +1,138 @@
+#include "core/io/heightmap/vti/VtiWriter.h"
+
+#include "core/io/ByteReader.h"
+#include "core/io/TextValue.h"
+#include "core/io/heightmap/HeightMapEncoders.h"
+
+#include <fstream>
+
+// VTK's XML image: a head of text, then the values as they are in memory, so that readers need no
+// copy. y is up: the bottom row goes first. Source: VTK File Formats (4.2), "XML File Formats".
+
+namespace asperity {
+
+namespace {
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+        case '&':
+            result += "&amp;";
+            break;
+        case '<':
+            result += "&lt;";
+            break;
+        case '>':
+            result += "&gt;";
+            break;
+        case '"':
+            result += "&quot;";
+            break;
+        default:
+            // Others below the blank are not allowed in XML.
+            result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+        }
+    }
+    return result;
+}
+
+/// VTK writes a text as the numbers of its bytes and a zero.
+std::string textArray(std::string_view name, std::string_view text) {
+    std::string line = "      <Array type=\"String\" Name=\"" + escaped(name) +
+                       "\" NumberOfTuples=\"1\" format=\"ascii\">";
+    for (const char c : text) {
+        line += std::to_string(static_cast<int>(static_cast<unsigned char>(c))) + " ";
+    }
+    return line + "0</Array>\n";
+}
+
+std::string metadata(const HeightMapMeta& meta) {
+    std::string lines;
+    for (const auto& [name, value] : writtenMetadata(meta)) {
+        if (name != kVtiTitle && name != kVtiUnit && name != kVtiOrigin) {
+            lines += textArray(name, value);
+        }
+    }
+    return lines;
+}
+
+std::string fieldData(const HeightMapMeta& meta) {
+    return "    <FieldData>\n" + textArray(kVtiTitle, meta.title) + textArray(kVtiUnit, meta.unit) +
+           "      <DataArray type=\"Float64\" Name=\"" + kVtiOrigin +
+           "\" NumberOfTuples=\"2\" format=\"ascii\">" + exactText(meta.originX) + " " +
+           exactText(meta.originY) + "</DataArray>\n" + metadata(meta) + "    </FieldData>\n";
+}
+
+std::string appendedArray(std::string_view type, std::string_view name, std::uint64_t offset) {
+    return "        <DataArray type=\"" + std::string(type) + "\" Name=\"" + escaped(name) +
+           "\" format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
+}
+
+std::uint64_t pixelsOf(const HeightRows& map) {
+    return static_cast<std::uint64_t>(map.columns) * static_cast<std::uint64_t>(map.rows);
+}
+
+std::string pointData(const HeightRows& map, const HeightMapMeta& meta, bool hasMissing) {
+    const std::string name = meta.unit == "m" ? "height" : meta.title;
+    const std::uint64_t next = sizeof(std::uint64_t) + pixelsOf(map) * sizeof(double);
+    return "      <PointData Scalars=\"" + escaped(name) + "\">\n" +
+           appendedArray("Float64", name, 0) +
+           (hasMissing ? appendedArray("UInt8", kVtiValid, next) : "") + "      </PointData>\n";
+}
+
+/// All before the values.
+std::string head(const HeightRows& map, const HeightMapMeta& meta, bool hasMissing) {
+    const std::string extent =
+        "0 " + std::to_string(map.columns - 1) + " 0 " + std::to_string(map.rows - 1) + " 0 0";
+    return "<?xml version=\"1.0\"?>\n"
+           "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+           "header_type=\"UInt64\">\n"
+           "  <ImageData WholeExtent=\"" +
+           extent + "\" Origin=\"" + exactText(0.5 * map.pitchX) + " " +
+           exactText(0.5 * map.pitchY) + " 0\" Spacing=\"" + exactText(map.pitchX) + " " +
+           exactText(map.pitchY) + " 1\" Direction=\"1 0 0 0 1 0 0 0 1\">\n" + fieldData(meta) +
+           "    <Piece Extent=\"" + extent + "\">\n" + pointData(map, meta, hasMissing) +
+           "    </Piece>\n  </ImageData>\n  <AppendedData encoding=\"raw\">\n   _";
+}
+
+/// The number of bytes, then valueOf(height) of each pixel, the bottom row first.
+template <class ValueOf>
+void writeBlock(std::ofstream& stream, const HeightRows& map, Progress* progress,
+                const ValueOf& valueOf) {
+    HeightRows upward = map;
+    upward.readRow = [&map](int row, double* heights) { map.readRow(map.rows - 1 - row, heights); };
+    std::string bytes;
+    appendLittleEndian(bytes, pixelsOf(map) * sizeof(valueOf(0.0)));
+    stream << bytes;
+    forEachRow(upward, progress, [&](int, const std::vector<double>& heights) {
+        bytes.clear();
+        for (const double height : heights) {
+            appendLittleEndian(bytes, valueOf(height));
+        }
+        stream << bytes;
+    });
+}
+
+}  // namespace
+
+void writeVti(const std::filesystem::path& target, const HeightRows& map, const HeightMapMeta& meta,
+              Progress* progress) {
+    ProgressPart ranging(progress, 0.0, 0.2);
+    const bool hasMissing = heightRange(map, &ranging).missing > 0;
+    std::ofstream stream(target, std::ios::binary);
+    stream << head(map, meta, hasMissing);
+    ProgressPart writing(progress, 0.2, hasMissing ? 0.8 : 1.0);
+    writeBlock(stream, map, &writing, [](double height) { return height; });
+    if (hasMissing) {
+        ProgressPart marking(progress, 0.8, 1.0);
+        writeBlock(stream, map, &marking, [](double height) {
+            return static_cast<std::uint8_t>(isFiniteHeight(height) ? 1 : 0);
+        });
+    }
+    reportTo(progress, 1.0);
+    stream << "\n  </AppendedData>\n</VTKFile>\n";
+    finish(stream);
+}
+
+}  // namespace asperity

@@ -1,0 +1,164 @@
+#include "core/io/ByteReader.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/HeightMapWriter.h"
+#include "tests/core/io/heightmap/BumpyMap.h"
+#include "tests/support/Refusal.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// Images of VTK as other programs write them, and what is refused of them.
+
+namespace asperity::test {
+
+namespace {
+
+using testing::HasSubstr;
+
+/// A file of 3 x 2 points with float32 values 1 to 6, the bottom row first.
+struct VtiText {
+    std::string type = "ImageData";
+    std::string attributes = R"(version="0.1" byte_order="LittleEndian")";
+    std::string extent = "0 2 0 1 0 0";
+    std::string image = R"(Origin="0 0 0" Spacing="2 3 1")";
+    std::string array = R"(type="Float32" Name="z" format="appended" offset="0")";
+    std::string others;  ///< after the array
+    std::string encoding = "raw";
+    std::uint32_t bytes = 24;
+
+    [[nodiscard]] std::string text() const {
+        std::string file = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" " + attributes +
+                           "><ImageData WholeExtent=\"" + extent + "\" " + image +
+                           "><Piece Extent=\"" + extent + "\"><PointData><DataArray " + array +
+                           "/>" + others + "</PointData></Piece></ImageData><AppendedData " +
+                           "encoding=\"" + encoding + "\">_";
+        appendLittleEndian(file, bytes);
+        for (const float value : {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F}) {
+            appendLittleEndian(file, value);
+        }
+        return file + "</AppendedData></VTKFile>";
+    }
+};
+
+HeightMapFile read(const VtiText& file) { return readHeightMapBytes(file.text(), "image.vti"); }
+
+std::string refusal(const VtiText& file) {
+    return refusalOf([&] { (void)read(file); });
+}
+
+}  // namespace
+
+TEST(VtiReader, ReadsNumbersOfOtherProgramsFromTheBottomUp) {
+    const HeightMapFile file = read({});
+    ASSERT_EQ(file.channels.size(), 1U);
+    const ScanChannel& channel = file.channels[0];
+    EXPECT_EQ(channel.name, "z");
+    EXPECT_EQ(channel.unit, "");
+    EXPECT_FALSE(channel.hasSize());
+    EXPECT_EQ(channel.map.heights, (std::vector<double>{4, 5, 6, 1, 2, 3}));
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("no units")));
+}
+
+TEST(VtiReader, ReadsEachArrayAndNotesThoseItLeavesOut) {
+    VtiText file;
+    file.others = R"(<DataArray type="UInt32" Name="n" format="appended" offset="0"/>)"
+                  R"(<DataArray type="Int64" Name="id" format="appended" offset="0"/>)"
+                  R"(<DataArray type="Float32" NumberOfComponents="3" Name="v" format="appended")"
+                  R"( offset="0"/>)";
+    const HeightMapFile result = read(file);
+    ASSERT_EQ(result.channels.size(), 2U);
+    EXPECT_EQ(result.channels[1].name, "n");
+    EXPECT_THAT(result.notes, testing::ElementsAre(HasSubstr("Int64"), HasSubstr("3 numbers")));
+}
+
+TEST(VtiReader, ReadsBigEndianFiles) {
+    VtiText file;
+    file.attributes = R"(version="1.0" byte_order="BigEndian")";
+    file.array = R"(type="UInt8" Name="z" format="appended" offset="0")";
+    file.bytes = 0x06000000;
+    EXPECT_EQ(read(file).channels[0].map.heights, (std::vector<double>{0x3f, 0, 0, 0, 0, 0x80}));
+}
+
+TEST(VtiReader, NamesOtherEncodingsAndWhatIsExpected) {
+    VtiText file;
+    file.encoding = "base64";
+    EXPECT_THAT(refusal(file), testing::AllOf(HasSubstr("image.vti"), HasSubstr("'base64'"),
+                                              HasSubstr("data mode Appended")));
+    file = {};
+    file.attributes += R"( compressor="vtkZLibDataCompressor")";
+    EXPECT_THAT(refusal(file), HasSubstr("compressed"));
+    file = {};
+    file.array = R"(type="Float32" Name="z" format="ascii")";
+    EXPECT_THAT(refusal(file), HasSubstr("not appended"));
+    const std::string inXml = R"(<VTKFile type="ImageData"><ImageData/></VTKFile>)";
+    EXPECT_THAT(refusalOf([&] { (void)readHeightMapBytes(inXml, "in.vti"); }),
+                HasSubstr("within the XML"));
+}
+
+TEST(VtiReader, ReadsNoXmlWithoutEnd) {
+    const std::string start = R"(<VTKFile type="ImageData"><ImageData><DataArray format="ascii">)";
+    EXPECT_THAT(refusalOf([&] {
+                    (void)readHeightMapBytes(start + std::string(5'000'000, '1'), "long.vti");
+                }),
+                testing::AllOf(HasSubstr("too long"), HasSubstr("data mode Appended")));
+}
+
+TEST(VtiReader, RefusesWhatIsNoFlatImage) {
+    const auto refused = [](auto&& change) {
+        VtiText file;
+        change(file);
+        return refusal(file);
+    };
+    EXPECT_THAT(refused([](VtiText& file) { file.type = "PolyData"; }), HasSubstr("'PolyData'"));
+    EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 2 0 1 0 4"; }), HasSubstr("volume"));
+    EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 2 0 1"; }), HasSubstr("6 numbers"));
+    EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 nan 0 1 0 0"; }),
+                HasSubstr("6 numbers"));
+    EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 9e300 0 1 0 0"; }),
+                HasSubstr("WholeExtent"));
+    EXPECT_THAT(refused([](VtiText& file) { file.extent = "0 99999 0 1 0 0"; }),
+                HasSubstr("65536"));
+    EXPECT_THAT(refused([](VtiText& file) { file.image = R"(Spacing="2 x 1")"; }),
+                HasSubstr("Spacing"));
+    EXPECT_THAT(refused([](VtiText& file) { file.image += R"( Direction="0 1 0 1 0 0 0 0 1")"; }),
+                HasSubstr("turned"));
+}
+
+TEST(VtiReader, RefusesValuesThatDoNotFit) {
+    const auto refused = [](auto&& change) {
+        VtiText file;
+        change(file);
+        return refusal(file);
+    };
+    EXPECT_THAT(refused([](VtiText& file) { file.bytes = 20; }),
+                HasSubstr("expected 24 bytes of values, found 20"));
+    EXPECT_THAT(refused([](VtiText& file) {
+                    file.array = R"(type="Float32" Name="z" format="appended" offset="999")";
+                }),
+                HasSubstr("behind the end"));
+    const std::string whole = VtiText().text();
+    for (std::size_t size = 1; size < whole.find("</AppendedData>"); ++size) {
+        EXPECT_NE(refusalOf([&] { (void)readHeightMapBytes(whole.substr(0, size), "cut.vti"); }),
+                  "")
+            << size;
+    }
+}
+
+/// Values are read where they lie: any head before them is no matter.
+TEST(VtiReader, TakesTheMaskOfOurFiles) {
+    const ScratchFolder folder;
+    writeHeightMap(folder.file("map.vti"), bumpyMapWithHoles(5, 3), {.title = "valid"});
+    std::string bytes = contentOf(folder.file("map.vti"));
+    const std::size_t valid = bytes.rfind("\n  </AppendedData>") - 15;
+    ASSERT_EQ(bytes[valid], '\1') << "bottom row, left";
+    bytes[valid] = '\0';
+    const HeightMap map = readHeightMapBytes(bytes, "map.vti").channels.at(0).map;
+    EXPECT_FALSE(map.isValid(2, 0));
+    EXPECT_TRUE(map.isValid(2, 1));
+    EXPECT_FALSE(map.isValid(0, 0));
+}
+
+}  // namespace asperity::test
