@@ -71,8 +71,8 @@ TEST(ApplyScale, NotesAndProvenanceSayWhatTheUserGave) {
         return testing::AllOf(testing::Field(&Provenance::what, what),
                               testing::Field(&Provenance::source, "given by the user"));
     };
-    EXPECT_THAT(channel.provenance, Contains(from("size")));
-    EXPECT_THAT(channel.provenance, Contains(from("height per value")));
+    EXPECT_THAT(channel.provenance, Contains(from("lateral size")));
+    EXPECT_THAT(channel.provenance, Contains(from("scale")));
 }
 
 TEST(ApplyScale, NothingGivenChangesNothing) {
