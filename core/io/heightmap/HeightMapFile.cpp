@@ -71,11 +71,12 @@ const ScanChannel& defaultHeight(const HeightMapFile& file, const std::string& p
     return channel;
 }
 
-/// What a refusal of an unknown content begins with.
+/// What a refusal of an unknown content begins with: the place of the marks that are missed, too.
 std::string unknownContent(const ByteSource& bytes) {
     const std::string_view name = unreadFormat(bytes);
-    return name.empty() ? "this is no height map that can be read; known are " + formatNames()
-                        : "this is " + std::string(name) + ", which is not read natively";
+    return "byte 0: " + (name.empty()
+                             ? "this is no height map that can be read; known are " + formatNames()
+                             : "this is " + std::string(name) + ", which is not read natively");
 }
 
 HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenScale& given) {

@@ -129,8 +129,10 @@ void readRows(SharedRows& rows, const ScanMap& map, Progress* progress) {
 
 HeightMap readHeightMap(const StoredChannel& stored, const ByteSource& bytes, Progress* progress) {
     HeightMap map = stored.channel.map;
-    map.heights.resize(map.index(map.rows, 0));
     forEachStoredRow(stored, bytes, progress, [&map](int row, const std::vector<double>& values) {
+        if (row == 0) {  // what cannot be decoded is refused before there is room for its pixels
+            map.heights.resize(map.index(map.rows, 0));
+        }
         std::ranges::copy(values, map.heights.data() + map.index(row, 0));
     });
     invalidateNonFinite(map);
@@ -144,9 +146,9 @@ ScanMap readScanMap(const StoredChannel& stored, const ByteSource& bytes, Progre
     map.rows = empty.rows;
     map.pitchX = empty.pitchX;
     map.pitchY = empty.pitchY;
-    map.heights.resize(map.index(map.rows, 0));
     ChannelRows rows(stored, bytes);
     map.datum = datumOf(rows, empty);
+    map.heights.resize(map.index(map.rows, 0));
     SharedRows shared(rows, map);
     readRows(shared, map, progress);
     rows.finish();

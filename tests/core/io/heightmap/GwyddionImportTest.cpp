@@ -123,7 +123,7 @@ TEST(GwyddionImport, HeightsAreReadWhenTheFolderIsGone) {
 }
 
 TEST(GwyddionImport, WithoutTheProgramTheMessageNamesThePackage) {
-    EXPECT_THAT(refusal({}), AllOf(StartsWith("some folder/scan.xyz: this is no height map"),
+    EXPECT_THAT(refusal({}), AllOf(StartsWith("some folder/scan.xyz: byte 0: this is no height map"),
                                    HasSubstr("the Debian package gwyddion")));
 }
 
