@@ -16,7 +16,9 @@ constexpr std::uint64_t kMaxHeader = std::uint64_t{1} << 18U;
 }  // namespace
 
 HeaderText headerText(const ByteSource& bytes, std::string_view mark) {
-    std::string start = bytes.start(kMaxHeader);
+    std::string start = bytes.startUntil(
+        [mark](std::string_view text) { return text.find(mark) != std::string_view::npos; },
+        kMaxHeader);
     const std::size_t found = start.find(mark);
     if (found == std::string::npos) {
         throw InputError(bytes.name(), "header",
@@ -48,7 +50,7 @@ void HeaderFields::add(std::string_view key, std::string_view value) {
     fields_.emplace(toUtf8(trimmed(key)), toUtf8(trimmed(value)));
 }
 
-const std::string* HeaderFields::find(const std::string& key) const {
+const std::string* HeaderFields::find(const std::string& key) const& {
     const auto field = fields_.find(key);
     return field == fields_.end() ? nullptr : &field->second;
 }

@@ -34,7 +34,8 @@ public:
     void add(std::string_view key, std::string_view value);
 
     /// Null when there is no such field.
-    [[nodiscard]] const std::string* find(const std::string& key) const;
+    [[nodiscard]] const std::string* find(const std::string& key) const&;
+    const std::string* find(const std::string& key) const&& = delete;  ///< it would not last
     /// Empty when there is no such field.
     [[nodiscard]] std::string text(const std::string& key) const;
     /// @throw InputError when the field is missing or no whole number

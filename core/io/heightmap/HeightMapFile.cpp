@@ -1,7 +1,7 @@
 #include "core/io/heightmap/HeightMapFile.h"
 
 #include "core/Error.h"
-#include "core/io/FileBytes.h"
+#include "core/io/BufferedFile.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ApplyScale.h"
 #include "core/io/heightmap/DefaultChannel.h"
@@ -79,14 +79,23 @@ std::string unknownContent(const ByteSource& bytes) {
                              : "this is " + std::string(name) + ", which is not read natively");
 }
 
+/// What reading its values needs.
+ScanChannel essentialsOf(const ScanChannel& channel) {
+    return {.name = channel.name,
+            .unit = channel.unit,
+            .lateralUnit = channel.lateralUnit,
+            .map = channel.map};
+}
+
 HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenScale& given) {
     applyScale(scan, given);
     HeightMapContents contents;
     contents.file.format = std::move(format);
     contents.file.notes = std::move(scan.notes);
     contents.file.provenance = std::move(scan.provenance);
-    for (const StoredChannel& stored : scan.channels) {
-        contents.file.channels.push_back(stored.channel);
+    for (StoredChannel& stored : scan.channels) {
+        contents.file.channels.push_back(std::move(stored.channel));
+        stored.channel = essentialsOf(contents.file.channels.back());
     }
     contents.file.defaultChannel =
         suggestDefaultChannel(contents.file.channels, scan.usualDirection);
@@ -144,7 +153,7 @@ HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file
 }
 
 HeightMapFile readHeightMapFile(const std::filesystem::path& path, const Gwyddion& gwyddion) {
-    return readWhole(FileBytes(path), gwyddion);
+    return readWhole(BufferedFile(path), gwyddion);
 }
 
 std::vector<std::string> ownNotes(const ScanChannel& channel) {

@@ -129,13 +129,15 @@ void readRows(SharedRows& rows, const ScanMap& map, Progress* progress) {
 
 HeightMap readHeightMap(const StoredChannel& stored, const ByteSource& bytes, Progress* progress) {
     HeightMap map = stored.channel.map;
-    forEachStoredRow(stored, bytes, progress, [&map](int row, const std::vector<double>& values) {
+    const auto append = [&map](int row, const std::vector<double>& values) {
         if (row == 0) {  // what cannot be decoded is refused before there is room for its pixels
-            map.heights.resize(map.index(map.rows, 0));
+            map.heights.reserve(map.index(map.rows, 0));
         }
-        std::ranges::copy(values, map.heights.data() + map.index(row, 0));
-    });
-    invalidateNonFinite(map);
+        map.heights.insert(map.heights.end(), values.begin(), values.end());
+    };
+    if (forEachStoredRow(stored, bytes, progress, append)) {
+        invalidateNonFinite(map);
+    }
     return map;
 }
 

@@ -82,7 +82,8 @@ public:
         requireSamples(bytes_, samples, "image");
         StoredScan result;
         result.channels.push_back(channelOf(samples));
-        if (const std::string* const version = section("Miscellaneous").find("Version")) {
+        const HeaderFields miscellaneous = section("Miscellaneous");
+        if (const std::string* const version = miscellaneous.find("Version")) {
             result.provenance.push_back({"format version", *version, "[Miscellaneous] Version"});
         }
         return result;
