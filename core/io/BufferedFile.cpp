@@ -1,5 +1,7 @@
 #include "core/io/BufferedFile.h"
 
+#include "core/FreshMemory.h"
+
 #include <algorithm>
 
 namespace asperity {
@@ -13,7 +15,11 @@ constexpr std::uint64_t kSmall = std::uint64_t{1} << 22U;  // [bytes]
 BufferedFile::BufferedFile(const std::filesystem::path& path)
     : ByteSource(path.string()), file_(path) {
     if (file_.size() <= kSmall) {
-        content_ = file_.start(file_.size());
+        const auto size = static_cast<std::size_t>(file_.size());
+        content_.reserve(size);
+        requestPages(content_.data(), size);
+        content_.resize(size);
+        file_.read(0, content_);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "core/io/heightmap/StoredRows.h"
 
+#include "core/FreshMemory.h"
 #include "core/io/heightmap/ChannelRows.h"
 #include "core/io/heightmap/ScanImage.h"
 
@@ -132,6 +133,7 @@ HeightMap readHeightMap(const StoredChannel& stored, const ByteSource& bytes, Pr
     const auto append = [&map](int row, const std::vector<double>& values) {
         if (row == 0) {  // what cannot be decoded is refused before there is room for its pixels
             map.heights.reserve(map.index(map.rows, 0));
+            requestPages(map.heights.data(), map.heights.capacity() * sizeof(double));
         }
         map.heights.insert(map.heights.end(), values.begin(), values.end());
     };
