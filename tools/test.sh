@@ -4,7 +4,7 @@
 #                                 (default), dev, asan, tsan, or of one sanitizer gate: asan-gate,
 #                                 tsan-gate
 #        tools/test.sh gates      the three gates in one run: the release tests; readers, tick and
-#                                 window with AddressSanitizer and UBSan, and a minute of each
+#                                 window with AddressSanitizer and UBSan, and 15 s of each
 #                                 fuzzer; loop, recording and devices with ThreadSanitizer
 set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

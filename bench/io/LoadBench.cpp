@@ -1,9 +1,11 @@
 // Loading a large scan beside a raw read and Gwyddion, from a warm cache, each load in a fresh
 // process in which every pixel is looked at:
 //   asperity_load_bench [PIXELS]              (default 8192)
-//   asperity_load_bench raw|ours|exr FILE     one load: time [ns] and sum of the heights [m]
-#include "bench/CommandOutput.h"
+//   asperity_load_bench formats FOLDER        the files of every format, in ../shared/data/afm
+//   asperity_load_bench raw|ours|all|exr FILE one load: time [ns] and sum of the heights [m]
 #include "bench/Hills.h"
+#include "bench/io/FormatLoads.h"
+#include "bench/io/Load.h"
 #include "bench/io/LoadAnswer.h"
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
@@ -62,6 +64,16 @@ void loadOurs(const std::string& file) {
     printLoad(begin, datum + sumOf(heights.data(), heights.size()));
 }
 
+/// Every image, whatever it shows.
+void loadAll(const std::string& file) {
+    const auto begin = std::chrono::steady_clock::now();
+    double sum = 0.0;
+    for (const ScanChannel& channel : readHeightMapFile(file, {}).channels) {
+        sum += sumOf(channel.map.heights.data(), channel.map.heights.size());
+    }
+    printLoad(begin, sum);
+}
+
 void loadExr(const std::string& file) {
     const auto begin = std::chrono::steady_clock::now();
     Imf::InputFile image(file.c_str());
@@ -79,29 +91,6 @@ void loadExr(const std::string& file) {
 
 // All loads, each in a process of its own.
 
-struct Load {
-    std::string name;
-    std::string command;
-    double time = std::numeric_limits<double>::infinity();  ///< best of all rounds [ns]
-    double sum = 0.0;                                       ///< of the heights [m]
-
-    void run() {
-        const std::string line = firstLineOf(command);
-        if (line.empty()) {
-            throw Error("no answer from: " + command);
-        }
-        char* rest = nullptr;
-        time = std::min(time, std::strtod(line.c_str(), &rest));
-        sum = std::strtod(rest, nullptr);
-    }
-};
-
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
-
-std::string ownCommand(const std::string& way, const std::filesystem::path& file) {
-    return quoted(std::filesystem::read_symlink("/proc/self/exe")) + " " + way + " " + quoted(file);
-}
-
 void writeRaw(const std::filesystem::path& path, const HeightMap& map) {
     const std::vector<float> pixels(map.heights.begin(), map.heights.end());
     std::ofstream stream(path, std::ios::binary);
@@ -111,21 +100,6 @@ void writeRaw(const std::filesystem::path& path, const HeightMap& map) {
         throw Error(path.string() + ": cannot be written");
     }
 }
-
-/// A folder that goes with all that is in it.
-class BenchFolder {
-public:
-    BenchFolder() { std::filesystem::create_directory(path_); }
-    BenchFolder(const BenchFolder&) = delete;
-    BenchFolder& operator=(const BenchFolder&) = delete;
-    ~BenchFolder() { std::filesystem::remove_all(path_); }
-
-    [[nodiscard]] std::filesystem::path file(const char* name) const { return path_ / name; }
-
-private:
-    std::filesystem::path path_ = std::filesystem::temp_directory_path() /
-                                  ("asperity_load_bench_" + std::to_string(getpid()));
-};
 
 /// One after the other in each round, so that all meet the same machine.
 void measure(std::vector<Load>& loads) {
@@ -201,8 +175,12 @@ void run(std::span<char*> arguments) {
         return;
     }
     const std::string way = arguments[1];
-    if (way == "raw") {
+    if (way == "formats") {
+        measureFormats(arguments[2]);
+    } else if (way == "raw") {
         loadRaw(arguments[2]);
+    } else if (way == "all") {
+        loadAll(arguments[2]);
     } else if (way == "ours") {
         loadOurs(arguments[2]);
     } else {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,6 +30,9 @@ public:
 
     /// The bytes at the front, fewer where there are fewer.
     [[nodiscard]] std::string start(std::uint64_t most) const;
+    /// The bytes at the front, read on until they are enough; at most `most` of them.
+    [[nodiscard]] std::string startUntil(const std::function<bool(std::string_view)>& areEnough,
+                                         std::uint64_t most) const;
     [[nodiscard]] bool startsWith(std::string_view mark) const {
         return start(mark.size()) == mark;
     }

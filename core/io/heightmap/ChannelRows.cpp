@@ -42,6 +42,15 @@ RowBits scale(double* values, int count, double factor, double limit) {
     return {.allWithin = beyond <= kMagnitude, .hasSize = sized > kMagnitude};
 }
 
+/// Whether a value is a number or infinite, and larger than its limit.
+bool isBeyond(double value, double limit) {
+    constexpr std::uint64_t kMagnitude = 0x7fffffffffffffffU;
+    constexpr auto kInfinite =
+        std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+    const std::uint64_t magnitude = std::bit_cast<std::uint64_t>(value) & kMagnitude;
+    return magnitude > std::bit_cast<std::uint64_t>(limit) && magnitude <= kInfinite;
+}
+
 void set(std::atomic<bool>& flag) {
     if (!flag.load(std::memory_order_relaxed)) {
         flag.store(true, std::memory_order_relaxed);
@@ -97,9 +106,13 @@ bool ChannelRows::read(int row, RowRoom& room, double* values) {
         return false;
     }
     set(mayHaveHoles_);
-    std::vector<double> numbers(static_cast<std::size_t>(columns));
-    stored_.readRow(row, room, numbers.data());
-    requireWithin(row, values, numbers.data());
+    // No finite number becomes NaN by its factor: such values hold no data whatever is stored.
+    if (std::any_of(values, values + columns,
+                    [this](double value) { return isBeyond(value, limit_); })) {
+        std::vector<double> numbers(static_cast<std::size_t>(columns));
+        stored_.readRow(row, room, numbers.data());
+        requireWithin(row, values, numbers.data());
+    }
     const auto isSized = [](double value) {
         return isFiniteHeight(value) && std::abs(value) >= kMinFloat;
     };

@@ -48,9 +48,10 @@ private:
 };
 
 /// Calls visit(row, values) with each row of an image, from the top, and finishes.
+/// @return whether some pixels may hold no data
 /// @throw InputError; Canceled
 template <class Visit>
-void forEachStoredRow(const StoredChannel& stored, const ByteSource& bytes, Progress* progress,
+bool forEachStoredRow(const StoredChannel& stored, const ByteSource& bytes, Progress* progress,
                       const Visit& visit) {
     constexpr int kReports = 32;
     const HeightMap& map = stored.channel.map;
@@ -66,6 +67,7 @@ void forEachStoredRow(const StoredChannel& stored, const ByteSource& bytes, Prog
         visit(row, std::as_const(values));
     }
     rows.finish();
+    return rows.mayHaveHoles();
 }
 
 }  // namespace asperity

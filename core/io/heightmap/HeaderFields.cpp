@@ -16,7 +16,9 @@ constexpr std::uint64_t kMaxHeader = std::uint64_t{1} << 18U;
 }  // namespace
 
 HeaderText headerText(const ByteSource& bytes, std::string_view mark) {
-    std::string start = bytes.start(kMaxHeader);
+    std::string start = bytes.startUntil(
+        [mark](std::string_view text) { return text.find(mark) != std::string_view::npos; },
+        kMaxHeader);
     const std::size_t found = start.find(mark);
     if (found == std::string::npos) {
         throw InputError(bytes.name(), "header",

@@ -35,7 +35,7 @@ public:
 
     /// Null when there is no such field.
     [[nodiscard]] const std::string* find(const std::string& key) const&;
-    const std::string* find(const std::string& key) && = delete;  ///< the value would be gone
+    const std::string* find(const std::string& key) const&& = delete;  ///< it would not last
     /// Empty when there is no such field.
     [[nodiscard]] std::string text(const std::string& key) const;
     /// @throw InputError when the field is missing or no whole number

@@ -1,7 +1,7 @@
 #include "core/io/heightmap/HeightMapFile.h"
 
 #include "core/Error.h"
-#include "core/io/FileBytes.h"
+#include "core/io/BufferedFile.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ApplyScale.h"
 #include "core/io/heightmap/DefaultChannel.h"
@@ -72,30 +72,44 @@ const ScanChannel& defaultHeight(const HeightMapFile& file, const std::string& p
     return channel;
 }
 
-/// What a refusal of an unknown content begins with.
+/// What a refusal of an unknown content begins with: the place of the marks that are missed, too.
 std::string unknownContent(const ByteSource& bytes) {
     const std::string_view name = unreadFormat(bytes);
-    return name.empty() ? "this is no height map that can be read; known are " + formatNames()
-                        : "this is " + std::string(name) + ", which is not read natively";
+    return "byte 0: " + (name.empty()
+                             ? "this is no height map that can be read; known are " + formatNames()
+                             : "this is " + std::string(name) + ", which is not read natively");
 }
 
-std::vector<ScanChannel> channelsOf(const StoredScan& scan) {
-    std::vector<ScanChannel> channels;
-    for (const StoredChannel& stored : scan.channels) {
-        channels.push_back(stored.channel);
-    }
-    return channels;
+/// What reading its values needs.
+ScanChannel essentialsOf(const ScanChannel& channel) {
+    return {.name = channel.name,
+            .unit = channel.unit,
+            .lateralUnit = channel.lateralUnit,
+            .map = channel.map};
 }
 
 /// What is given of a scale does not change which channel is taken.
+std::size_t defaultOf(const StoredScan& scan) {
+    std::vector<ScanChannel> channels;
+    for (const StoredChannel& stored : scan.channels) {
+        const ScanChannel& channel = stored.channel;
+        channels.push_back(
+            {.name = channel.name, .unit = channel.unit, .direction = channel.direction});
+    }
+    return suggestDefaultChannel(channels, scan.usualDirection);
+}
+
 HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenScale& given) {
     HeightMapContents contents;
     contents.file.format = std::move(format);
-    contents.file.defaultChannel = suggestDefaultChannel(channelsOf(scan), scan.usualDirection);
+    contents.file.defaultChannel = defaultOf(scan);
     applyScale(scan, given);
-    contents.file.channels = channelsOf(scan);
     contents.file.notes = std::move(scan.notes);
     contents.file.provenance = std::move(scan.provenance);
+    for (StoredChannel& stored : scan.channels) {
+        contents.file.channels.push_back(std::move(stored.channel));
+        stored.channel = essentialsOf(contents.file.channels.back());
+    }
     contents.stored = std::move(scan.channels);
     return contents;
 }
@@ -161,7 +175,7 @@ HeightMapFile readHeightMapBytes(std::string_view bytes, const std::string& file
 }
 
 HeightMapFile readHeightMapFile(const std::filesystem::path& path, const Gwyddion& gwyddion) {
-    return readWhole(FileBytes(path), gwyddion);
+    return readWhole(BufferedFile(path), gwyddion);
 }
 
 std::vector<std::string> ownNotes(const ScanChannel& channel) {

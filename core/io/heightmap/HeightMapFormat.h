@@ -127,7 +127,8 @@ using HeightMapFormats = std::span<const HeightMapFormat* const>;
 /// What a content holds, without the heights.
 struct HeightMapContents {
     HeightMapFile file;
-    std::vector<StoredChannel> stored;  ///< as many as the file has channels
+    /// As many as the file has channels, whose notes and metadata they lack.
+    std::vector<StoredChannel> stored;
 };
 
 /// @param bytes must outlive the result

@@ -140,15 +140,6 @@ ReadRow masked(ReadRow rows, int columns, ReadRow mask) {
     };
 }
 
-ReadRow replaced(ReadRow rows, int columns, std::function<double(double)> replace) {
-    return [rows = std::move(rows), columns, replace = std::move(replace)](int row, RowRoom& room,
-                                                                           double* numbers) {
-        rows(row, room, numbers);
-        const std::span<double> whole(numbers, static_cast<std::size_t>(columns));
-        std::ranges::transform(whole, whole.begin(), replace);
-    };
-}
-
 ReadRow keeping(ReadRow rows, std::shared_ptr<const ByteSource> bytes) {
     return [rows = std::move(rows), bytes = std::move(bytes)](
                int row, RowRoom& room, double* numbers) { rows(row, room, numbers); };

@@ -4,11 +4,13 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/ScanImage.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace asperity {
 
@@ -69,7 +71,15 @@ using ReadRow = decltype(StoredChannel::readRow);
 [[nodiscard]] ReadRow masked(ReadRow rows, int columns, ReadRow mask);
 
 /// The same rows with each number replaced, as of a marker for pixels without data.
-[[nodiscard]] ReadRow replaced(ReadRow rows, int columns, std::function<double(double)> replace);
+/// @param replace (double) -> double
+template <class Replace>
+[[nodiscard]] ReadRow replaced(ReadRow rows, int columns, Replace replace) {
+    return [rows = std::move(rows), columns, replace = std::move(replace)](int row, RowRoom& room,
+                                                                           double* numbers) {
+        rows(row, room, numbers);
+        std::transform(numbers, numbers + columns, numbers, replace);
+    };
+}
 
 /// The same rows, which keep alive what they are read from.
 [[nodiscard]] ReadRow keeping(ReadRow rows, std::shared_ptr<const ByteSource> bytes);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/Progress.h"
-#include "core/io/FileBytes.h"
+#include "core/io/BufferedFile.h"
 #include "core/io/heightmap/Gwyddion.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/io/heightmap/HeightMapFormat.h"
@@ -83,7 +83,7 @@ private:
     [[nodiscard]] BasicHeightScan<Map> readScan(const std::string& name, const Read& read) const;
     [[nodiscard]] const StoredChannel& storedOf(const ScanChannel& channel) const;
 
-    FileBytes bytes_;
+    BufferedFile bytes_;
     HeightMapContents contents_;
 };
 

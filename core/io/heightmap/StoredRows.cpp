@@ -1,5 +1,6 @@
 #include "core/io/heightmap/StoredRows.h"
 
+#include "core/FreshMemory.h"
 #include "core/io/heightmap/ChannelRows.h"
 #include "core/io/heightmap/ScanImage.h"
 
@@ -129,11 +130,16 @@ void readRows(SharedRows& rows, const ScanMap& map, Progress* progress) {
 
 HeightMap readHeightMap(const StoredChannel& stored, const ByteSource& bytes, Progress* progress) {
     HeightMap map = stored.channel.map;
-    map.heights.resize(map.index(map.rows, 0));
-    forEachStoredRow(stored, bytes, progress, [&map](int row, const std::vector<double>& values) {
-        std::ranges::copy(values, map.heights.data() + map.index(row, 0));
-    });
-    invalidateNonFinite(map);
+    const auto append = [&map](int row, const std::vector<double>& values) {
+        if (row == 0) {  // what cannot be decoded is refused before there is room for its pixels
+            map.heights.reserve(map.index(map.rows, 0));
+            requestPages(map.heights.data(), map.heights.capacity() * sizeof(double));
+        }
+        map.heights.insert(map.heights.end(), values.begin(), values.end());
+    };
+    if (forEachStoredRow(stored, bytes, progress, append)) {
+        invalidateNonFinite(map);
+    }
     return map;
 }
 
@@ -144,9 +150,9 @@ ScanMap readScanMap(const StoredChannel& stored, const ByteSource& bytes, Progre
     map.rows = empty.rows;
     map.pitchX = empty.pitchX;
     map.pitchY = empty.pitchY;
-    map.heights.resize(map.index(map.rows, 0));
     ChannelRows rows(stored, bytes);
     map.datum = datumOf(rows, empty);
+    map.heights.resize(map.index(map.rows, 0));
     SharedRows shared(rows, map);
     readRows(shared, map, progress);
     rows.finish();

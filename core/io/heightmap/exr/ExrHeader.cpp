@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/exr/ExrAttribute.h"
 
 namespace asperity {
 
@@ -53,6 +54,10 @@ private:
                              "'; the file is damaged");
             }
             const ByteSpan value = reader_.take(static_cast<std::uint64_t>(size), name);
+            if (!fitsExrType(bytes_, type, value)) {
+                reader_.fail("the attribute '" + name + "' is not as long as a " + type +
+                             "; the file is damaged");
+            }
             if (type == "box2i" && name == "dataWindow") {
                 takeWindow(value);
             } else if (type == "tiledesc") {
@@ -66,8 +71,6 @@ private:
     }
 
     void takeWindow(const ByteSpan& value) {
-        constexpr std::uint64_t kWindowBytes = 16;
-        requireSize(value, kWindowBytes, "dataWindow");
         const auto at = [&](std::uint64_t index) -> long long {
             return numberIn<std::int32_t>(
                 bytes_, {value.place + index * sizeof(std::int32_t), sizeof(std::int32_t)});
@@ -77,8 +80,6 @@ private:
     }
 
     void takeTiles(const ByteSpan& value) {
-        constexpr std::uint64_t kTileBytes = 9;
-        requireSize(value, kTileBytes, "tiles");
         const auto side = [&](std::uint64_t place) {
             return numberIn<std::uint32_t>(bytes_, {place, sizeof(std::uint32_t)});
         };
@@ -105,20 +106,12 @@ private:
         }
     }
 
-    void requireSize(const ByteSpan& value, std::uint64_t expected, const std::string& name) const {
-        if (value.count != expected) {
-            throw InputError(bytes_.name(), name,
-                             "expected " + std::to_string(expected) + " bytes, found " +
-                                 std::to_string(value.count));
-        }
-    }
-
     void takeText(const std::string& name, const std::string& type, const ByteSpan& value) {
         if (type == "string" && value.count <= kMaxText) {
             header_.texts.emplace(toUtf8(name), toUtf8(bytesOf(bytes_, value)));
-        } else if (type == "double" && value.count == sizeof(double)) {
+        } else if (type == "double") {
             header_.texts.emplace(toUtf8(name), exactText(numberIn<double>(bytes_, value)));
-        } else if (type == "float" && value.count == sizeof(float)) {
+        } else if (type == "float") {
             header_.texts.emplace(toUtf8(name),
                                   exactText(static_cast<double>(numberIn<float>(bytes_, value))));
         }

@@ -24,7 +24,12 @@ using Fields = std::map<std::string, std::string>;
 class GsfReader {
 public:
     explicit GsfReader(const ByteSource& bytes)
-        : bytes_(bytes), start_(bytes.start(kMaxHeader + kAlignment)) {}
+        : bytes_(bytes)
+        , start_(bytes.startUntil(
+              [](std::string_view start) {
+                  return std::min(start.find('\0'), start.size()) + kAlignment < start.size();
+              },
+              kMaxHeader + kAlignment)) {}
 
     StoredScan read() {
         checkMagic();

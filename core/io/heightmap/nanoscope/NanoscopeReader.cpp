@@ -28,7 +28,13 @@ constexpr std::size_t kMaxImages = 64;
 class NanoscopeReader {
 public:
     explicit NanoscopeReader(const ByteSource& bytes)
-        : bytes_(bytes), file_(bytes.name()), start_(bytes.start(kMaxNanoscopeHeader)) {}
+        : bytes_(bytes)
+        , file_(bytes.name())
+        , start_(bytes.startUntil(
+              [](std::string_view start) {
+                  return nanoscopeHeaderSize(start) != std::string_view::npos;
+              },
+              kMaxNanoscopeHeader)) {}
 
     StoredScan read() {
         refuseRelatives();

@@ -1,6 +1,9 @@
 #include "core/io/heightmap/text/PointGrid.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace asperity {
@@ -28,36 +31,54 @@ Range rangeOf(const TextPoints& points, std::size_t axis) {
     return range;
 }
 
-/// Which of the cells of the range hold a coordinate.
-std::vector<bool> occupiedCells(const TextPoints& points, std::size_t axis, const Range& range) {
-    std::vector<bool> cells(kCells + 1, false);
+/// A bit for each cell of the range.
+class Cells {
+public:
+    void add(std::size_t cell) { words_[cell / kBits] |= std::uint64_t{1} << (cell % kBits); }
+    /// The first cell from `cell` on that is added, or is none; kEnd behind the last.
+    [[nodiscard]] std::size_t next(std::size_t cell, bool added) const {
+        for (std::size_t word = cell / kBits; word < words_.size(); ++word) {
+            const std::uint64_t all = added ? words_[word] : ~words_[word];
+            const std::uint64_t left = word == cell / kBits ? all >> (cell % kBits) : all;
+            if (left != 0) {
+                const std::size_t first = word == cell / kBits ? cell : word * kBits;
+                return first + static_cast<std::size_t>(std::countr_zero(left));
+            }
+        }
+        return kEnd;
+    }
+
+    static constexpr std::size_t kEnd = std::numeric_limits<std::size_t>::max();
+
+private:
+    static constexpr std::size_t kBits = 64;
+
+    std::vector<std::uint64_t> words_ = std::vector<std::uint64_t>(kCells / kBits + 1);
+};
+
+/// Those of the range that hold a coordinate.
+Cells occupiedCells(const TextPoints& points, std::size_t axis, const Range& range) {
+    Cells cells;
     const double perCell = kCells / range.width();
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double cell = (points.at(i, axis) - range.first) * perCell;
-        cells[std::min(static_cast<std::size_t>(cell + 0.5), kCells)] = true;
+        cells.add(std::min(static_cast<std::size_t>(cell + 0.5), kCells));
     }
     return cells;
 }
 
 /// The middle of each run of cells that hold a coordinate, in cells; none when a run is longer than
 /// one coordinate can be, or there are too many.
-std::vector<double> nodePlaces(const std::vector<bool>& cells) {
+std::vector<double> nodePlaces(const Cells& cells) {
     constexpr std::size_t kLongestRun = 3;
     std::vector<double> places;
-    for (std::size_t i = 0; i < cells.size();) {
-        if (!cells[i]) {
-            ++i;
-            continue;
-        }
-        std::size_t end = i;
-        while (end < cells.size() && cells[end]) {
-            ++end;
-        }
+    for (std::size_t i = cells.next(0, true); i != Cells::kEnd;) {
+        const std::size_t end = cells.next(i, false);
         places.push_back(static_cast<double>(i + end - 1) / 2.0);
         if (end - i > kLongestRun || places.size() > kMaxNodes) {
             return {};
         }
-        i = end;
+        i = cells.next(end, true);
     }
     return places;
 }

@@ -51,19 +51,20 @@ struct NumberRange {
 };
 
 NumberRange rangeOf(const ReadRow& rows, ImageSize size) {
-    NumberRange range;
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    NumberRange range{.lowest = kInfinite, .highest = -kInfinite};
     RowRoom room;
     std::vector<double> numbers(static_cast<std::size_t>(size.columns));
     for (int row = 0; row < size.rows; ++row) {
         rows(row, room, numbers.data());
         for (const double number : numbers) {
             if (std::isfinite(number)) {
-                range.lowest = std::fmin(range.lowest, number);
-                range.highest = std::fmax(range.highest, number);
+                range.lowest = std::min(range.lowest, number);
+                range.highest = std::max(range.highest, number);
             }
         }
     }
-    return range;
+    return range.lowest <= range.highest ? range : NumberRange();
 }
 
 class X3pReader {

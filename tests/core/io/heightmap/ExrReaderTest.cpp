@@ -226,4 +226,13 @@ TEST(ExrReader, RefusesMorePixelsThanTheFileCanHold) {
     EXPECT_THAT(refusal(bytes), HasSubstr("pixels"));
 }
 
+TEST(ExrReader, RefusesAnAttributeThatTheLibraryWouldReadAtAnotherLength) {
+    std::string bytes = exrFile({.texts = {{"Gwy::Title", "Height"}}});
+    bytes.replace(bytes.find("string", bytes.find("Gwy::Title")), 6, "double");
+    EXPECT_THAT(refusal(bytes), HasSubstr("'Gwy::Title' is not as long as a double"));
+    std::string channels = exrFile({});
+    channels[channels.find("chlist") + 7] ^= 1;  // its size
+    EXPECT_THAT(refusal(channels), HasSubstr("not as long as a chlist"));
+}
+
 }  // namespace asperity::test

@@ -123,8 +123,9 @@ TEST(GwyddionImport, HeightsAreReadWhenTheFolderIsGone) {
 }
 
 TEST(GwyddionImport, WithoutTheProgramTheMessageNamesThePackage) {
-    EXPECT_THAT(refusal({}), AllOf(StartsWith("some folder/scan.xyz: this is no height map"),
-                                   HasSubstr("the Debian package gwyddion")));
+    EXPECT_THAT(refusal({}),
+                AllOf(StartsWith("some folder/scan.xyz: byte 0: this is no height map"),
+                      HasSubstr("the Debian package gwyddion")));
 }
 
 TEST(GwyddionImport, NamesFormatsThatAreKnownButNotRead) {

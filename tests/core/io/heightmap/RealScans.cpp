@@ -48,6 +48,23 @@ const std::vector<std::string>& realScans() {
     return kScans;
 }
 
+const std::vector<MalformedScan>& malformedScans() {
+    static const std::vector<MalformedScan> kScans = {
+        {"nanoscope/malformed_lf_line_endings.001", "line 1", "text mode"},
+        {"nanoscope/malformed_truncated.di", "image list 3", "truncated"},
+        {"text/malformed_nonsense.txt", "byte 0", "no height map"},
+        {"text/malformed_single_column.txt", "line 1", "profile"}};
+    return kScans;
+}
+
+std::vector<std::string> allScans() {
+    std::vector<std::string> files = realScans();
+    for (const MalformedScan& scan : malformedScans()) {
+        files.push_back(scan.file);
+    }
+    return files;
+}
+
 std::string channelName(const std::string& file, const std::string& title) {
     if (file == "derived/cl0_height_u16_noscale.png") {
         return "gray";

@@ -97,6 +97,15 @@ TEST(WsxmReader, WhatTheFileDoesNotSayIsUnknown) {
     EXPECT_EQ(readOne(text).unit, "V");
 }
 
+TEST(WsxmReader, VersionIsKept) {
+    std::string bytes = wsxmFile({});
+    bytes.insert(bytes.find("[Header end]"),
+                 "[Miscellaneous]\r\n\r\n    Version: 5.0 Develop 9.1 (August 2018)\r\n\r\n");
+    const HeightMapFile file = readHeightMapBytes(bytes, "scan.stp");
+    ASSERT_EQ(file.provenance.size(), 1U);
+    EXPECT_EQ(file.provenance.front().value, "5.0 Develop 9.1 (August 2018)");
+}
+
 TEST(WsxmReader, CurvesAreNamedAsSuch) {
     WsxmText text;
     text.kind = "Force Curve file";

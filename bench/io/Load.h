@@ -1,0 +1,64 @@
+#pragma once
+
+#include "bench/CommandOutput.h"
+#include "core/Error.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <unistd.h>
+
+namespace asperity {
+
+/// Loads of a file, each in a process of its own.
+struct Load {
+    std::string name;
+    std::string command;                                    ///< prints what printLoad() prints
+    double time = std::numeric_limits<double>::infinity();  ///< best of all runs [ns]
+    double sum = 0.0;                                       ///< of the heights [m]
+
+    /// @return whether there was an answer
+    bool tryRun() {
+        const std::string line = firstLineOf(command);
+        char* rest = nullptr;
+        const double taken = std::strtod(line.c_str(), &rest);
+        if (rest == line.c_str()) {
+            return false;
+        }
+        time = std::min(time, taken);
+        sum = std::strtod(rest, nullptr);
+        return true;
+    }
+
+    void run() {
+        if (!tryRun()) {
+            throw Error("no answer from: " + command);
+        }
+    }
+};
+
+inline std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+/// This program again, loading a file.
+inline std::string ownCommand(const std::string& way, const std::filesystem::path& file) {
+    return quoted(std::filesystem::read_symlink("/proc/self/exe")) + " " + way + " " + quoted(file);
+}
+
+/// A folder that goes with all that is in it.
+class BenchFolder {
+public:
+    BenchFolder() { std::filesystem::create_directory(path_); }
+    BenchFolder(const BenchFolder&) = delete;
+    BenchFolder& operator=(const BenchFolder&) = delete;
+    ~BenchFolder() { std::filesystem::remove_all(path_); }
+
+    [[nodiscard]] std::filesystem::path file(const char* name) const { return path_ / name; }
+
+private:
+    std::filesystem::path path_ = std::filesystem::temp_directory_path() /
+                                  ("asperity_load_bench_" + std::to_string(getpid()));
+};
+
+}  // namespace asperity

@@ -1,0 +1,122 @@
+#include "tests/core/io/heightmap/BoundedRead.h"
+
+#include "core/Error.h"
+#include "core/io/heightmap/HeightMapFormat.h"
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <malloc.h>
+#include <stdexcept>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace asperity::test {
+
+namespace {
+
+/// A process that is still reading then is ended [s].
+constexpr unsigned kPatience = 20;
+
+/// The code that the reading process exits with.
+enum class Answer : int {
+    Read = 0,
+    Refused = 1,
+    RefusedWithoutReason = 2,
+    NoMemory = 3,
+    Other = 4
+};
+
+Answer answerTo(std::string_view bytes) {
+    try {
+        (void)readHeightMapBytes(bytes, "damaged");
+        return Answer::Read;
+    } catch (const InputError& error) {
+        constexpr std::string_view kName = "damaged: ";
+        const std::string_view text = error.what();
+        return text.starts_with(kName) && text.size() > kName.size() ? Answer::Refused
+                                                                     : Answer::RefusedWithoutReason;
+    } catch (const std::bad_alloc&) {
+        return Answer::NoMemory;
+    } catch (...) {
+        return Answer::Other;
+    }
+}
+
+std::uint64_t addressSpace() {
+    std::uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// How a process ended, and what it used.
+struct Ended {
+    int status = 0;
+    rusage used{};
+
+    [[nodiscard]] std::uint64_t mostMemory() const {
+        return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;
+    }
+    [[nodiscard]] double seconds() const {
+        const auto of = [](const timeval& time) {
+            return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+        };
+        return of(used.ru_utime) + of(used.ru_stime);
+    }
+};
+
+Ended inProcess(const std::function<Answer()>& step) {
+    const pid_t process = fork();
+    if (process < 0) {
+        throw std::runtime_error("no process can be started");
+    }
+    if (process == 0) {
+        alarm(kPatience);
+        _exit(static_cast<int>(step()));
+    }
+    Ended ended;
+    if (wait4(process, &ended.status, 0, &ended.used) != process) {
+        throw std::runtime_error("a process was lost");
+    }
+    return ended;
+}
+
+std::string failureOf(int status) {
+    if (WIFSIGNALED(status)) {
+        return WTERMSIG(status) == SIGALRM ? "no answer within " + std::to_string(kPatience) + " s"
+                                           : strsignal(WTERMSIG(status));
+    }
+    switch (static_cast<Answer>(WEXITSTATUS(status))) {
+    case Answer::Read:
+    case Answer::Refused:
+        return "";
+    case Answer::RefusedWithoutReason:
+        return "refused without name and reason";
+    case Answer::NoMemory:
+        return "asked for more memory than the bound";
+    case Answer::Other:
+        break;
+    }
+    return "another exception than an InputError";
+}
+
+}  // namespace
+
+BoundedRead readBounded(std::string_view bytes, std::uint64_t most) {
+    malloc_trim(0);  // what is free here would hide what the process takes of it
+    const Ended idle = inProcess([] { return Answer::Read; });
+    const rlim_t limit = addressSpace() + most;
+    const Ended ended = inProcess([&] {
+        const rlimit room{limit, limit};
+        setrlimit(RLIMIT_AS, &room);
+        return answerTo(bytes);
+    });
+    return {.isRead = WIFEXITED(ended.status) && WEXITSTATUS(ended.status) == 0,
+            .failure = failureOf(ended.status),
+            .seconds = ended.seconds(),
+            .memory = ended.mostMemory() - std::min(idle.mostMemory(), ended.mostMemory())};
+}
+
+}  // namespace asperity::test
