@@ -8,7 +8,7 @@ namespace asperity {
 
 namespace {
 
-constexpr std::uint64_t kSmall = std::uint64_t{1} << 22U;  // [bytes]
+constexpr std::uint64_t kSmall = std::uint64_t{1} << 17U;  // [bytes]
 
 }  // namespace
 

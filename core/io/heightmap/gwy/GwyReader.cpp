@@ -244,10 +244,13 @@ private:
 
     [[nodiscard]] std::map<std::string, std::string> readMetadata(const GwyObject& object) const {
         std::map<std::string, std::string> metadata;
+        const ByteSpan& whole = object.components;
+        const std::string texts = bytesOf(bytes_, whole);  // they are many, and short
         GwyComponents components(object, bytes_);
         while (const std::optional<GwyComponent> part = components.next()) {
             if (part->type == 's') {
-                metadata[toUtf8(part->name)] = gwyText(*part, bytes_);
+                metadata[toUtf8(part->name)] = toUtf8(std::string_view(texts).substr(
+                    part->value.place - whole.place, part->value.count));
             }
         }
         return metadata;
