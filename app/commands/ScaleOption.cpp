@@ -44,12 +44,11 @@ struct HeightOptions {
 
 /// Refuses what is no such value, in words. @param isOne of a text
 CLI::Validator expects(const char* expected, bool (*isOne)(const std::string&), const char* name) {
-    return CLI::Validator(
-        [=](const std::string& text) {
-            return isOne(text) ? std::string()
-                               : "expected " + std::string(expected) + ", not '" + text + "'";
-        },
-        name);
+    return {[=](const std::string& text) {
+                return isOne(text) ? std::string()
+                                   : "expected " + std::string(expected) + ", not '" + text + "'";
+            },
+            name};
 }
 
 void addSizeOption(CLI::App& command, GivenScale& scale) {

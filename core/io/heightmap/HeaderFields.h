@@ -35,7 +35,8 @@ public:
 
     /// Null when there is no such field.
     [[nodiscard]] const std::string* find(const std::string& key) const&;
-    const std::string* find(const std::string& key) const&& = delete;  ///< it would not last
+    [[nodiscard]] const std::string*
+    find(const std::string& key) const&& = delete;  ///< it would not last
     /// Empty when there is no such field.
     [[nodiscard]] std::string text(const std::string& key) const;
     /// @throw InputError when the field is missing or no whole number

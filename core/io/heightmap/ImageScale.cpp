@@ -118,25 +118,25 @@ ReadRow linear(ReadRow rows, int columns, double factor, double offset) {
 
 }  // namespace
 
-ImageScale gwyScale(const ImageTexts& keys, SampleType type, const std::string& file,
+ImageScale gwyScale(const ImageTexts& texts, SampleType type, const std::string& file,
                     const std::string& source) {
-    const GwyTexts texts(keys, file);
+    const GwyTexts gwy(texts, file);
     ImageScale scale;
-    scale.title = texts.text("Title");
-    takeLateral(scale, texts, source);
-    takeNoData(scale, keys, file, source);
-    const PhysicalUnit vertical = parseUnit(texts.text("ZUnit"));
+    scale.title = gwy.text("Title");
+    takeLateral(scale, gwy, source);
+    takeNoData(scale, texts, file, source);
+    const PhysicalUnit vertical = parseUnit(gwy.text("ZUnit"));
     if (isFloat(type)) {
         scale.unit = vertical.base;
-        scale.factor = vertical.factor * (texts.has("ZScale") ? texts.number("ZScale") : 1.0);
-        if (texts.has("ZScale") || texts.has("ZUnit")) {
+        scale.factor = vertical.factor * (gwy.has("ZScale") ? gwy.number("ZScale") : 1.0);
+        if (gwy.has("ZScale") || gwy.has("ZUnit")) {
             scale.provenance.push_back(
                 scaleProvenance(scale.factor, scale.unit, source + " Gwy::ZScale, Gwy::ZUnit"));
         }
-    } else if (texts.has("ZMin") && texts.has("ZMax")) {
+    } else if (gwy.has("ZMin") && gwy.has("ZMax")) {
         scale.unit = vertical.base;
-        setEnds(scale, type, texts.number("ZMin") * vertical.factor,
-                texts.number("ZMax") * vertical.factor, source + " Gwy::ZMin, Gwy::ZMax");
+        setEnds(scale, type, gwy.number("ZMin") * vertical.factor,
+                gwy.number("ZMax") * vertical.factor, source + " Gwy::ZMin, Gwy::ZMax");
     }
     return scale;
 }

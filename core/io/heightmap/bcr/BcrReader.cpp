@@ -179,7 +179,7 @@ private:
     /// The numbers with those that mean "no data" left out, lifted to the lowest one where the
     /// header names that.
     ReadRow rows(const SampleLayout& layout, ScanChannel& channel) const {
-        const ReadRow plain = replaced(
+        ReadRow plain = replaced(
             rowsOf(bytes_, layout), layout.size.columns, [isFloat = isFloat_](double stored) {
                 const bool missing = isFloat ? stored >= kFloatNoData : stored == kInt16NoData;
                 return missing ? kNoData : stored;

@@ -67,8 +67,8 @@ std::vector<ExrChannel> listChannels(const Imf::InputFile& file) {
 
 std::string decode(Imf::InputFile& file, const ExrChannel& channel) {
     const Imath::Box2i window = file.header().dataWindow();
-    const auto columns = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-    const auto rows = static_cast<std::size_t>(window.max.y - window.min.y + 1);
+    const auto columns = static_cast<std::size_t>(std::int64_t{window.max.x} - window.min.x + 1);
+    const auto rows = static_cast<std::size_t>(std::int64_t{window.max.y} - window.min.y + 1);
     std::string samples(columns * rows * sizeOf(channel.type), '\0');
     Imf::FrameBuffer frame;
     frame.insert(channel.name,

@@ -167,7 +167,7 @@ private:
 
     /// The product of all dimensions in use, which the header states, too.
     [[nodiscard]] std::uint64_t countOfNumbers() const {
-        const std::int32_t stated = header_.at<std::int32_t>(kNumbers);
+        const auto stated = header_.at<std::int32_t>(kNumbers);
         std::uint64_t product = 1;
         for (const std::int32_t count : wave_.counts) {
             if (count == 0) {
@@ -233,7 +233,7 @@ private:
     }
 
     [[nodiscard]] std::uint64_t size(std::size_t place) const {
-        const std::int32_t stated = header_.at<std::int32_t>(place);
+        const auto stated = header_.at<std::int32_t>(place);
         if (stated < 0) {
             fail("byte " + std::to_string(place), "a size of " + std::to_string(stated));
         }

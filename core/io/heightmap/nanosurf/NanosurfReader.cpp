@@ -102,6 +102,7 @@ private:
                              "at most " + std::to_string(kMaxChannels) + " channels are expected");
         }
         std::vector<const HeaderFields*> ordered;
+        ordered.reserve(channels.size());
         for (const auto& [place, section] : channels) {
             ordered.push_back(section);
         }
@@ -135,7 +136,7 @@ private:
             section.fail("Points, Lines",
                          "found " + std::to_string(points) + " x " + std::to_string(lines));
         }
-        const std::uint64_t count = static_cast<std::uint64_t>(points * lines);
+        const auto count = static_cast<std::uint64_t>(points * lines);
         const std::uint64_t length = count * sizeOf(typeOf(section));
         if (length > bytes_.size() - place_) {
             section.fail("Points, Lines", "its data end beyond the file; it is truncated");

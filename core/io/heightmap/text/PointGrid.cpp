@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -62,7 +63,7 @@ Cells occupiedCells(const TextPoints& points, std::size_t axis, const Range& ran
     const double perCell = kCells / range.width();
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double cell = (points.at(i, axis) - range.first) * perCell;
-        cells.add(std::min(static_cast<std::size_t>(cell + 0.5), kCells));
+        cells.add(std::min(static_cast<std::size_t>(std::lround(cell)), kCells));
     }
     return cells;
 }

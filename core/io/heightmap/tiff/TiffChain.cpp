@@ -139,7 +139,7 @@ private:
         left_ -= count;
     }
 
-    std::string read(const ByteSpan& span, const std::string& name) const {
+    [[nodiscard]] std::string read(const ByteSpan& span, const std::string& name) const {
         if (span.place > bytes_.size() || span.count > bytes_.size() - span.place) {
             fail(name, "it is at byte " + std::to_string(span.place) + ", but the file has " +
                            std::to_string(bytes_.size()) + "; it is truncated or damaged");

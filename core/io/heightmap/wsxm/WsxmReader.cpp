@@ -114,7 +114,7 @@ private:
         std::map<std::string, std::string> metadata;
         for (const auto& [name, fields] : sections_) {
             for (const auto& [key, value] : fields.all()) {
-                metadata.emplace(name + ": " + key, value);
+                metadata.emplace(std::string(name).append(": ").append(key), value);
             }
         }
         return metadata;

@@ -165,7 +165,8 @@ public:
     }
 
     /// As many of the next bytes as there are. @throw InputError when they cannot be decoded
-    [[nodiscard]] std::size_t read(zip_file_t& from, std::span<char> bytes, const ZipEntry& entry) {
+    [[nodiscard]] std::size_t read(zip_file_t& from, std::span<char> bytes,
+                                   const ZipEntry& entry) const {
         std::size_t done = 0;
         while (done < bytes.size()) {
             const zip_int64_t count = zip_fread(&from, bytes.data() + done, bytes.size() - done);
@@ -240,6 +241,8 @@ public:
         , archive_(std::move(archive))
         , entry_(entry)
         , file_(archive_->open(entry)) {}
+    StoredEntry(const StoredEntry&) = delete;
+    StoredEntry& operator=(const StoredEntry&) = delete;
     ~StoredEntry() override {
         const std::scoped_lock lock(archive_->mutex());
         file_.reset();
