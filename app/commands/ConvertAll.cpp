@@ -13,7 +13,8 @@ namespace {
 
 /// The name, and the direction where the name does not say it: channels of both differ by it.
 std::string titleOf(const ScanChannel& channel) {
-    const bool isSaid = directionFromName(channel.name) == channel.direction;
+    const bool isSaid =
+        channel.direction.empty() || directionFromName(channel.name) == channel.direction;
     return isSaid ? channel.name : channel.name + " (" + channel.direction + ")";
 }
 

@@ -24,11 +24,26 @@ void makeFolder(const std::string& folder) {
     }
 }
 
+/// A scan is often the only copy of a measurement.
+void refuseToOverwriteOthers(const ConvertOptions& options, const ConvertedFile& file) {
+    for (const std::string& other : options.others) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(other, file.output, ignored)) {
+            throw Error("its output " + file.output + " is another input; name another folder");
+        }
+    }
+    std::error_code ignored;
+    if (std::filesystem::equivalent(options.input, file.output, ignored)) {
+        throw Error("its output " + file.output + " is another input; name another folder");
+    }
+}
+
 void convertOne(const ConvertOptions& options, const ConvertedFile& file) {
     if (file.output.empty()) {
         throw Error("another input of the same name was converted already; convert this one into "
                     "another folder");
     }
+    refuseToOverwriteOthers(options, file);
     requireWritableTargets(options, file);
     const Converted converted = options.all ? convertAll(options, file) : convertMap(options, file);
     for (const std::string& note : converted.notes) {
@@ -51,7 +66,7 @@ bool tryOne(const ConvertOptions& options, const ConvertedFile& file) {
     } catch (const std::exception& error) {
         reason = error.what();
     }
-    const bool namesFile = reason.find(file.input) != std::string::npos;
+    const bool namesFile = reason.starts_with(file.input + ":");
     std::cerr << "asperity: " << (namesFile ? "" : printable(file.input) + ": ")
               << printable(reason) << '\n';
     return false;

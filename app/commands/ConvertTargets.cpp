@@ -47,7 +47,7 @@ void refuseToOverwriteInput(const ConvertOptions& options, const ConvertedFile& 
             throw Error(output + ": this is the input itself; give another output file");
         }
     }
-    if (file.output == options.certainty) {
+    if (!options.certainty.empty() && file.output == options.certainty) {
         throw Error(file.output + ": heights and certainty need a file each");
     }
 }

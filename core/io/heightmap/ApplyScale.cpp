@@ -1,5 +1,6 @@
 #include "core/io/heightmap/ApplyScale.h"
 
+#include "core/Error.h"
 #include "core/SiFormat.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanImage.h"
@@ -36,27 +37,27 @@ void applySize(ScanChannel& channel, const GivenScale& given) {
 void applyHeight(StoredChannel& stored, const GivenScale& given) {
     ScanChannel& channel = stored.channel;
     const std::string factor = exactText(given.heightPerValue);
-    channel.notes.push_back(channel.isHeight()
-                                ? "heights of the file multiplied by " + factor + " as given"
-                                : "numbers taken as heights of " + factor + " m each as given");
-    channel.provenance.push_back(
-        channel.isHeight() ? Provenance{"scale", factor + " times that of the file", kGiven}
-                           : scaleProvenance(given.heightPerValue, "m", kGiven));
+    channel.notes.push_back("numbers taken as heights of " + factor + " m each as given");
+    channel.provenance.push_back(scaleProvenance(given.heightPerValue, "m", kGiven));
     channel.unit = "m";
     stored.factor *= given.heightPerValue;
 }
 
 }  // namespace
 
-void applyScale(StoredScan& scan, const GivenScale& given) {
+void applyScale(StoredScan& scan, const GivenScale& given, const std::string& file) {
     const bool hasNumbers = std::ranges::any_of(
         scan.channels, [](const StoredChannel& each) { return each.channel.unit.empty(); });
+    if (given.hasHeight() && !hasNumbers) {
+        throw InputError(file, "",
+                         "its values have units; --z-unit, --z-scale and z_scale_m are for values "
+                         "without one");
+    }
     for (StoredChannel& stored : scan.channels) {
-        const ScanChannel& channel = stored.channel;
         if (given.hasSize()) {
             applySize(stored.channel, given);
         }
-        if (given.hasHeight() && (hasNumbers ? channel.unit.empty() : channel.isHeight())) {
+        if (given.hasHeight() && stored.channel.unit.empty()) {
             applyHeight(stored, given);
         }
     }

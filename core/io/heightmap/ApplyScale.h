@@ -6,8 +6,9 @@
 namespace asperity {
 
 /// Puts a size in place of a file's, and heights in place of the numbers without unit of its
-/// channels; where all of them have one, in place of lengths. Other units stay. Notes and
-/// provenance of each channel say so.
-void applyScale(StoredScan& scan, const GivenScale& given);
+/// channels; other units stay. Notes and provenance of each channel say so.
+/// @param file for messages
+/// @throw InputError when heights are given and all channels have a unit: one of both is wrong
+void applyScale(StoredScan& scan, const GivenScale& given, const std::string& file);
 
 }  // namespace asperity

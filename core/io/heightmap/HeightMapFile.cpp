@@ -99,11 +99,12 @@ std::size_t defaultOf(const StoredScan& scan) {
     return suggestDefaultChannel(channels, scan.usualDirection);
 }
 
-HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenScale& given) {
+HeightMapContents contentsOf(std::string format, StoredScan scan, const GivenScale& given,
+                             const std::string& file) {
     HeightMapContents contents;
     contents.file.format = std::move(format);
     contents.file.defaultChannel = defaultOf(scan);
-    applyScale(scan, given);
+    applyScale(scan, given, file);
     contents.file.notes = std::move(scan.notes);
     contents.file.provenance = std::move(scan.provenance);
     for (StoredChannel& stored : scan.channels) {
@@ -134,7 +135,8 @@ HeightMapContents contentsOf(const ByteSource& bytes, const Gwyddion& gwyddion,
             return each->read != nullptr && each->recognizes(bytes);
         });
     if (format != kHeightMapFormats.end()) {
-        return contentsOf(std::string((*format)->name), (*format)->read(bytes), given);
+        return contentsOf(std::string((*format)->name), (*format)->read(bytes), given,
+                          bytes.name());
     }
     const std::string unknown = unknownContent(bytes);
     if (gwyddion.program.empty()) {
@@ -142,7 +144,7 @@ HeightMapContents contentsOf(const ByteSource& bytes, const Gwyddion& gwyddion,
                          unknown + "; with the Debian package gwyddion many more formats are read");
     }
     GwyddionScan converted = readThroughGwyddion(bytes, gwyddion, unknown);
-    return contentsOf(std::move(converted.format), std::move(converted.scan), given);
+    return contentsOf(std::move(converted.format), std::move(converted.scan), given, bytes.name());
 }
 
 std::vector<ReadableFormat> readableFormats() {

@@ -42,7 +42,7 @@ using ImageTexts = std::map<std::string, std::string>;
                                   const std::string& source);
 
 /// Takes ends of the scale: the value of the smallest and of the largest sample that the type has.
-/// Only for unsigned integers. @param source for provenance
+/// For integers. @param source for provenance
 void setEnds(ImageScale& scale, SampleType type, double lowest, double highest,
              const std::string& source);
 

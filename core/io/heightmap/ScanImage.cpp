@@ -33,6 +33,14 @@ double pixelPitch(double size, int pixels) {
     return std::isfinite(pitch) && pitch > 0.0 ? pitch : 0.0;
 }
 
+void requireImages(std::size_t count, const std::string& file, const std::string& place) {
+    if (count > kMaxImages) {
+        throw InputError(file, place,
+                         "at most " + std::to_string(kMaxImages) + " images are expected, found " +
+                             std::to_string(count));
+    }
+}
+
 double finiteOrZero(double origin) { return std::isfinite(origin) ? origin : 0.0; }
 
 HeightMap emptyMap(ImageSize size, double sizeX, double sizeY) {
@@ -64,16 +72,25 @@ std::size_t countInvalid(const HeightMap& map) {
     return static_cast<std::size_t>(std::ranges::count(map.invalid, true));
 }
 
+void assumeMeters(ScanChannel& channel) {
+    if (channel.map.pitchX > 0.0 && channel.map.pitchY > 0.0 && channel.lateralUnit.empty() &&
+        channel.isHeight()) {
+        channel.lateralUnit = "m";
+        channel.notes.emplace_back("the lateral size has no unit; meters are assumed");
+    }
+}
+
 void settleSize(ScanChannel& channel, const std::string& source) {
     const bool positive = channel.map.pitchX > 0.0 && channel.map.pitchY > 0.0;
-    if (!positive) {
+    if (positive && channel.lateralUnit.empty() && channel.isHeight()) {
+        channel.notes.emplace_back("no unit holds for both sides of the scan; their numbers are " +
+                                   exactText(channel.map.sizeX()) + " and " +
+                                   exactText(channel.map.sizeY()));
+    }
+    if (!positive || (channel.lateralUnit.empty() && channel.isHeight())) {
         channel.map.pitchX = channel.map.pitchY = 0.0;
         channel.notes.emplace_back(kNoSizeNote);
         return;
-    }
-    if (channel.lateralUnit.empty() && channel.isHeight()) {
-        channel.lateralUnit = "m";
-        channel.notes.emplace_back("the lateral size has no unit; meters are assumed");
     }
     std::ostringstream size;
     size << std::setprecision(12) << channel.map.sizeX() << " x " << channel.map.sizeY() << " "

@@ -24,6 +24,11 @@ struct ImageSize {
 [[nodiscard]] ImageSize checkedImageSize(long long columns, long long rows, const std::string& file,
                                          const std::string& place);
 
+/// Instruments write up to 8 images into a file, some twice as many; each carries its metadata.
+inline constexpr std::size_t kMaxImages = 128;
+/// @throw InputError when there are more images than that
+void requireImages(std::size_t count, const std::string& file, const std::string& place);
+
 /// Size of one pixel; 0 (unknown) unless the size is a positive finite number.
 [[nodiscard]] double pixelPitch(double size, int pixels);
 
@@ -43,8 +48,11 @@ void invalidateNonFinite(HeightMap& map);
 
 /// Of a channel without a lateral size.
 inline constexpr std::string_view kNoSizeNote = "the file gives no lateral size";
-/// Says where the size stands, or that the file gives none. A height map that gives numbers for its
-/// size but no unit is taken as meters.
+/// Takes a height map that gives numbers for its size but no unit as one in meters, as Gwyddion's
+/// own formats do.
+void assumeMeters(ScanChannel& channel);
+
+/// Says where the size stands, or that the file gives none; that of heights is none without a unit.
 /// @param source place of the size in the file
 void settleSize(ScanChannel& channel, const std::string& source);
 

@@ -87,6 +87,17 @@ TEST_F(ConvertMany, InputsOfOneNameDoNotReplaceEachOther) {
     EXPECT_THAT(run.output, HasSubstr(path("more/scan.001") + ": another input of the same name"));
 }
 
+/// A scan is often the only copy of a measurement.
+TEST_F(ConvertMany, NoOutputReplacesAnotherInput) {
+    std::filesystem::create_directory(scratch.file("out"));
+    std::filesystem::copy_file(scratch.file("b.gsf"), scratch.file("out") / "a.gsf");
+    const std::string before = test::contentOf(scratch.file("out") / "a.gsf");
+    const auto run = convert(path("a.gwy") + " " + path("out/a.gsf") + into("gsf") + " --force");
+    EXPECT_EQ(run.exitCode, 1) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("is another input"));
+    EXPECT_EQ(test::contentOf(scratch.file("out") / "a.gsf"), before);
+}
+
 TEST_F(ConvertMany, ReplacesFilesOnlyWithForce) {
     EXPECT_EQ(convert(path("a.gwy") + into("gsf")).exitCode, 0);
     const auto again = convert(path("a.gwy") + " " + path("b.gsf") + into("gsf"));

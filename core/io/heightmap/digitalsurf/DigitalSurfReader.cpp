@@ -56,9 +56,10 @@ public:
         }
         setSize(channel, samples.size);
         channel.metadata = {{"object name", text(kObjectName, kNameLength)}};
-        settleSize(channel, "bytes 120 and 124");
         const PhysicalUnit unit = parseUnit(text(kUnits[2], kTextLength));
         channel.unit = unit.base;
+        settleSize(channel, "bytes 120 and 124");
+        requireScale();
         addProvenance(channel);
         StoredScan result;
         result.channels.push_back(
@@ -119,6 +120,15 @@ private:
                                double{number<float>(kSteps[1])} * y.factor * size.rows);
         channel.originX = finiteOrZero(double{number<float>(kOffsets[0])} * x.factor);
         channel.originY = finiteOrZero(double{number<float>(kOffsets[1])} * y.factor);
+    }
+
+    void requireScale() const {
+        const double step = number<float>(kSteps[2]);
+        if (!std::isfinite(step) || step == 0.0 || !std::isfinite(number<float>(kOffsets[2]))) {
+            throw InputError(bytes_.name(), "bytes 128 and 474",
+                             "expected a step and an offset of the heights, found " +
+                                 exactText(step) + " and " + exactText(number<float>(kOffsets[2])));
+        }
     }
 
     /// In the unit of z; where the header announces special points, 2 below the lowest count is one

@@ -24,6 +24,7 @@ public:
         : bytes_(bytes), header_(readExrHeader(bytes)), channels_(exrChannels(bytes)) {}
 
     StoredScan read() {
+        requireImages(channels_.size(), bytes_.name(), "channels");
         const bool isColor = has("R") && has("G") && has("B");
         for (const ExrChannel& channel : channels_) {
             const bool isPicture =

@@ -116,6 +116,7 @@ private:
 
     static void addProvenance(StoredChannel& stored) {
         ScanChannel& channel = stored.channel;
+        assumeMeters(channel);
         settleSize(channel, "header, XReal and YReal");
         channel.provenance.push_back(
             scaleProvenance(stored.factor, channel.unit, "header, ZUnits"));

@@ -158,6 +158,7 @@ private:
 
     static void addProvenance(ScanChannel& channel, const DataField& data,
                               const std::string& place) {
+        assumeMeters(channel);
         settleSize(channel, place + ", xreal and yreal");
         channel.provenance.push_back(
             scaleProvenance(data.unit.factor, channel.unit, place + ", si_unit_z"));

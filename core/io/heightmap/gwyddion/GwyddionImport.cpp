@@ -3,11 +3,13 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/GwyddionScan.h"
 #include "core/io/heightmap/SampleRows.h"
+#include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/gwyddion/Identification.h"
 #include "core/io/heightmap/gwyddion/PrivateFolder.h"
 #include "core/io/heightmap/gwyddion/ProgramRun.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -55,12 +57,18 @@ void makeFolder(const std::filesystem::path& path) {
 /// Gwyddion gives 1 to a size that it does not know, and no scan is that large.
 void forgetInventedSize(ScanChannel& channel) {
     HeightMap& map = channel.map;
-    if (map.sizeX() == 1.0 || map.sizeY() == 1.0) {
+    const auto isInvented = [](double size) { return std::abs(size - 1.0) < 1e-9; };
+    if (isInvented(map.sizeX()) || isInvented(map.sizeY())) {
         map.pitchX = map.pitchY = 0.0;
         channel.lateralUnit.clear();
-        channel.notes.emplace_back(
-            "Gwyddion gives it a side of exactly 1, as it does when the file "
-            "holds no lateral size: the size is taken as unknown");
+        std::erase_if(channel.provenance,
+                      [](const Provenance& entry) { return entry.what == "lateral size"; });
+        std::erase_if(channel.notes, [](const std::string& note) {
+            return note.find("meters are assumed") != std::string::npos;
+        });
+        channel.notes.emplace_back("Gwyddion gives it a side of 1, as it does when the file holds "
+                                   "no lateral size: the size is taken as unknown");
+        channel.notes.emplace_back(kNoSizeNote);
     }
 }
 

@@ -16,8 +16,6 @@ namespace asperity {
 
 namespace {
 
-/// Instruments write up to 16; each carries a copy of the metadata.
-constexpr int kMaxImages = 64;
 constexpr std::string_view kImageFooter = "MFP3D";
 constexpr std::string_view kForceFooter = "Force";
 
@@ -84,7 +82,7 @@ private:
 
     [[nodiscard]] int layers() const {
         const std::int32_t layers = std::max(wave_.counts[2], 1);
-        if (wave_.counts[3] > 1 || layers > kMaxImages) {
+        if (wave_.counts[3] > 1 || layers > static_cast<int>(kMaxImages)) {
             throw InputError(bytes_.name(), "dimensions",
                              "an image of at most " + std::to_string(kMaxImages) +
                                  " layers is expected, found " + std::to_string(layers) + " x " +

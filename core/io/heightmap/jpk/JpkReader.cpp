@@ -40,17 +40,21 @@ constexpr std::uint16_t kChannel = 0x8050;
 constexpr std::uint16_t kRetrace = 0x8051;
 constexpr std::uint16_t kFancyName = 0x8052;
 
+/// Of a text that is kept: each channel carries a copy.
+constexpr std::size_t kMaxText = 4096;
+
 class JpkReader {
 public:
     explicit JpkReader(const ByteSource& bytes)
         : bytes_(bytes), directories_(readTiffDirectories(bytes)), scan_(directories_.front()) {}
 
     StoredScan read() {
+        requireImages(directories_.size(), bytes_.name(), "directories");
         requireBlocks(directories_);
         isReflected_ = scan_.integer(kReflect).value_or(0) != 0;
         for (const auto& [key, tag] : kTexts) {
             if (const std::string text(trimmed(scan_.text(tag))); !text.empty()) {
-                metadata_.emplace(key, text);
+                metadata_.emplace(key, text.substr(0, kMaxText));
             }
         }
         for (std::size_t i = 1; i < directories_.size(); ++i) {

@@ -21,8 +21,6 @@ namespace {
 constexpr std::string_view kMagic = ":NANONIS_VERSION:";
 constexpr std::string_view kLastTag = "\n:SCANIT_END:";
 constexpr std::string_view kDataMark = "\x1A\x04";
-/// Instruments write up to 127 signals twice; each image carries a copy of the metadata.
-constexpr std::size_t kMaxImages = 256;
 
 /// A row of the table DATA_INFO.
 struct Signal {
@@ -191,10 +189,7 @@ private:
                                         ": expected both, forward or backward, found '" +
                                         signal.direction + "'");
         }
-        if (2 * row > kMaxImages) {
-            tags_.fail("DATA_INFO",
-                       "at most " + std::to_string(kMaxImages) + " images are expected");
-        }
+        requireImages(2 * row, bytes_.name(), "DATA_INFO");
     }
 
     /// Other tools write "both" for one image; their files have no times, and the size decides.

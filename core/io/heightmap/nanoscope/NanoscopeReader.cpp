@@ -22,8 +22,6 @@ constexpr std::string_view kTextMagic = "?*File list";
 /// Force curves and force volumes; these list the image that was recorded with them, too.
 constexpr std::string_view kForceMagic = "\\*Force file list";
 constexpr std::string_view kImageList = "\\*Ciao image list";
-/// Instruments write up to 8; each carries a copy of the metadata.
-constexpr std::size_t kMaxImages = 64;
 
 class NanoscopeReader {
 public:
@@ -74,10 +72,7 @@ private:
 
     void addChannel(const NanoscopeSection& section) {
         const std::string place = "image list " + std::to_string(result_.channels.size() + 1);
-        if (result_.channels.size() == kMaxImages) {
-            throw InputError(file_, place,
-                             "at most " + std::to_string(kMaxImages) + " images are expected");
-        }
+        requireImages(result_.channels.size() + 1, file_, place);
         const NanoscopeImage image(sections_, section, file_, place);
         const NanoscopeLayout layout = image.layout();
         const NanoscopeScale scale = image.scale();

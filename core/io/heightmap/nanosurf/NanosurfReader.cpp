@@ -21,8 +21,6 @@ namespace {
 
 constexpr std::string_view kMagic = "[DataSet]";
 constexpr std::string_view kHeaderEnd = "\r\n#!";
-/// Instruments write up to 40; each carries a copy of the metadata.
-constexpr std::size_t kMaxChannels = 128;
 
 /// One that [DataSet] lists, by group and place in it.
 using ChannelKey = std::pair<long long, long long>;
@@ -97,10 +95,7 @@ private:
             }
             channels.emplace(*place, &section->second);
         }
-        if (channels.size() > kMaxChannels) {
-            throw InputError(file_, "[DataSet]",
-                             "at most " + std::to_string(kMaxChannels) + " channels are expected");
-        }
+        requireImages(channels.size(), file_, "[DataSet]");
         std::vector<const HeaderFields*> ordered;
         ordered.reserve(channels.size());
         for (const auto& [place, section] : channels) {
@@ -194,11 +189,11 @@ private:
         channel.originX = finiteOrZero(section.number("Dim0Min").value_or(0.0) * x.factor);
         channel.originY = finiteOrZero(section.number("Dim1Min").value_or(0.0) * y.factor);
         channel.metadata = metadataOf(section);
-        settleSize(channel, section.place() + " Dim0Range and Dim1Range");
         channel.provenance.push_back(
             {"orientation", "the bottom row is stored first", "the same in every Nanosurf file"});
         const PhysicalUnit unit = parseUnit(section.text("Dim2Unit"));
         channel.unit = unit.base;
+        settleSize(channel, section.place() + " Dim0Range and Dim1Range");
         const Scale scale = scaleOf(section, samples.type);
         channel.provenance.push_back(scaleProvenance(
             scale.perCount * unit.factor, unit.base,

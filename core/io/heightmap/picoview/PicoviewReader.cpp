@@ -20,8 +20,6 @@ constexpr std::string_view kImageMagic = "fileType      Image";
 constexpr std::string_view kCurveMagic = "fileType      Spectroscopy";
 constexpr std::string_view kDataKey = "\ndata          ";
 constexpr std::size_t kKeyColumns = 14;
-/// Instruments write up to 16; each carries a copy of the metadata.
-constexpr std::size_t kMaxImages = 64;
 
 class PicoviewReader {
 public:
@@ -66,11 +64,7 @@ private:
             const std::string_view key = trimmed(line.substr(0, kKeyColumns));
             const std::string_view value = line.substr(std::min(kKeyColumns, line.size()));
             if (key == "bufferLabel") {
-                if (images_.size() == kMaxImages) {
-                    throw InputError(file_, "header",
-                                     "at most " + std::to_string(kMaxImages) +
-                                         " images are expected");
-                }
+                requireImages(images_.size() + 1, file_, "header");
                 images_.emplace_back(file_, "image " + std::to_string(images_.size() + 1));
                 part = &images_.back();
             }

@@ -51,11 +51,20 @@ std::vector<ByteSpan> blocksOf(const TiffDirectory& directory, bool tiled) {
 
 bool isTiled(const TiffDirectory& directory) { return directory.has(number(TiffTag::TileOffsets)); }
 
+/// Those of a tile that may be larger than a small image.
+constexpr std::uint64_t kMaxTilePixels = std::uint64_t{1} << 20U;
+
 ImageSize blockSize(const TiffDirectory& directory, const TiffImage& image) {
     if (image.isTiled) {
-        return checkedImageSize(directory.requireInteger(number(TiffTag::TileWidth)),
-                                directory.requireInteger(number(TiffTag::TileLength)),
-                                directory.bytes().name(), directory.name() + ", tile");
+        const ImageSize tile =
+            checkedImageSize(directory.requireInteger(number(TiffTag::TileWidth)),
+                             directory.requireInteger(number(TiffTag::TileLength)),
+                             directory.bytes().name(), directory.name() + ", tile");
+        if (tile.pixels() > std::max(4 * image.size.pixels(), kMaxTilePixels)) {
+            directory.fail("its tiles of " + std::to_string(tile.columns) + " x " +
+                           std::to_string(tile.rows) + " pixels are larger than the image");
+        }
+        return tile;
     }
     const std::int64_t rows = integerOr(directory, TiffTag::RowsPerStrip, kMaxSide);
     if (rows < 1) {

@@ -17,6 +17,7 @@ enum class TiffTag : std::uint16_t {
     FillOrder = 266,
     ImageDescription = 270,
     StripOffsets = 273,
+    Orientation = 274,
     SamplesPerPixel = 277,
     RowsPerStrip = 278,
     StripByteCounts = 279,

@@ -32,6 +32,10 @@ std::string pictureWords(const TiffPixel& pixel) {
            std::to_string(pixel.format);
 }
 
+/// Values of the tag Orientation, column 0 at the left.
+constexpr std::int64_t kTopFirst = 1;
+constexpr std::int64_t kBottomFirst = 4;
+
 class TiffReader {
 public:
     explicit TiffReader(const ByteSource& bytes)
@@ -51,8 +55,6 @@ public:
                                  "32-bit integers, or of floats is expected");
         }
         result_.provenance.push_back({"format", "TIFF", "header"});
-        result_.provenance.push_back(
-            {"orientation", "first stored row on top", "order of rows in TIFF"});
         return std::move(result_);
     }
 
@@ -75,10 +77,25 @@ private:
         if (pixel.isInverted()) {
             invert(scale, *type);
         }
-        StoredChannel stored = scaledChannel(scale, image.size, rowsOf(directory, image, false),
-                                             nameOf(directory, scale), bytes_.name());
+        const std::int64_t orientation =
+            directory.integer(number(TiffTag::Orientation)).value_or(kTopFirst);
+        StoredChannel stored =
+            scaledChannel(scale, image.size, rowsOf(directory, image, orientation == kBottomFirst),
+                          nameOf(directory, scale), bytes_.name());
+        addOrientation(stored.channel, orientation);
         addMetadata(directory, stored.channel);
         result_.channels.push_back(std::move(stored));
+    }
+
+    static void addOrientation(ScanChannel& channel, std::int64_t orientation) {
+        channel.provenance.push_back({"orientation",
+                                      orientation == kBottomFirst ? "first stored row at the bottom"
+                                                                  : "first stored row on top",
+                                      "Orientation " + std::to_string(orientation)});
+        if (orientation != kTopFirst && orientation != kBottomFirst) {
+            channel.notes.push_back("its orientation " + std::to_string(orientation) +
+                                    " is not applied: the image may be turned or mirrored");
+        }
     }
 
     /// Of an image without a title.

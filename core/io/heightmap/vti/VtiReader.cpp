@@ -1,5 +1,6 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/PhysicalUnit.h"
+#include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/vti/VtiHead.h"
 #include "core/io/heightmap/vti/VtiWriter.h"
 
@@ -17,6 +18,7 @@ public:
     explicit VtiReader(const ByteSource& bytes) : bytes_(bytes), head_(readVtiHead(bytes)) {}
 
     StoredScan read() {
+        requireImages(head_.arrays.size(), bytes_.name(), "PointData");
         const auto mask = std::ranges::find_if(head_.arrays, [](const VtiArray& array) {
             return array.name == kVtiValid && array.layout.type == SampleType::UInt8;
         });
@@ -38,11 +40,12 @@ public:
 private:
     StoredChannel channel(const VtiArray& array, const VtiArray* mask) {
         const bool isOurs = head_.texts.contains(kVtiUnit);
-        const PhysicalUnit unit = parseUnit(text(kVtiUnit));
+        // Title and unit are those of the one image that Asperity writes.
+        const bool isAlone = head_.arrays.size() == (mask == nullptr ? 1U : 2U);
+        const PhysicalUnit unit = isAlone ? parseUnit(text(kVtiUnit)) : PhysicalUnit{};
         ScanChannel channel;
-        channel.name =
-            text(kVtiTitle).empty() || head_.arrays.size() > 2 ? array.name : text(kVtiTitle);
-        channel.unit = unit.base;
+        channel.name = isAlone && !text(kVtiTitle).empty() ? text(kVtiTitle) : array.name;
+        channel.unit = isAlone ? unit.base : "";
         channel.lateralUnit = isOurs ? "m" : "";
         channel.direction = directionFromName(channel.name);
         channel.map =

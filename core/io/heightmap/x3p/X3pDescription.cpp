@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/ByteReader.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/ScanImage.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -16,7 +17,8 @@ namespace asperity {
 
 namespace {
 
-constexpr long long kMaxLayers = 4096;
+/// Of a text that is kept; a comment may be of any length, and each layer carries a copy.
+constexpr std::size_t kMaxText = 4096;
 
 std::string_view localName(const pugi::xml_node& node) {
     const std::string_view name = node.name();
@@ -147,8 +149,8 @@ private:
         description_.size = checkedImageSize(side(matrix, "SizeX"), side(matrix, "SizeY"), file_,
                                              entry_ + ", Record3/MatrixDimension");
         const long long layers = child(matrix, "SizeZ") ? side(matrix, "SizeZ") : 1;
-        if (layers < 1 || layers > kMaxLayers) {
-            fail("Record3/MatrixDimension/SizeZ", "expected 1 to " + std::to_string(kMaxLayers) +
+        if (layers < 1 || layers > static_cast<long long>(kMaxImages)) {
+            fail("Record3/MatrixDimension/SizeZ", "expected 1 to " + std::to_string(kMaxImages) +
                                                       ", found " + std::to_string(layers));
         }
         description_.layers = static_cast<int>(layers);
@@ -229,7 +231,7 @@ private:
 
     void keep(const pugi::xml_node& node, const std::string& name) {
         if (const std::string text = textOf(node); !text.empty()) {
-            description_.metadata[toUtf8(name)] = text;
+            description_.metadata[toUtf8(name)] = text.substr(0, kMaxText);
         }
     }
 

@@ -92,15 +92,14 @@ TEST(ApplyScale, ASizeStandsInPlaceOfThatOfTheFileAndSaysSo) {
     EXPECT_THAT(channel.notes, Contains(HasSubstr("that of the file is 4 nm x 9 nm")));
 }
 
-TEST(ApplyScale, HeightsOfAFileAreMultipliedWhereAllChannelsHaveAUnit) {
+/// They would be wrong by a billion, with a note at most.
+TEST(ApplyScale, NoHeightsAreGivenToAFileWhoseValuesHaveUnits) {
     const ScratchFolder folder;
     const auto path = folder.write(
         "known.gwy", gwyFile(gwyImage(0, "Height", "m") + gwyImage(1, "Voltage", "V")));
-    const ScanFile file(path, kHeight, {});
-    const ScanChannel height = file.readHeightChannel("").channel;
-    EXPECT_EQ(height.map.heights.front(), 2.5e-10);
-    EXPECT_THAT(height.notes, Contains("heights of the file multiplied by 2.5e-10 as given"));
-    EXPECT_EQ(channelNamed(file.contents(), path, "Voltage").unit, "V");
+    EXPECT_THAT(refusalOf([&] { (void)ScanFile(path, kHeight, {}); }),
+                testing::AllOf(HasSubstr("known.gwy: its values have units"),
+                               HasSubstr("--z-unit, --z-scale and z_scale_m")));
 }
 
 /// The scale is that of the numbers: heights that the file knows would be wrong by a billion.

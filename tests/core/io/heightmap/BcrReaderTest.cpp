@@ -97,6 +97,12 @@ TEST(BcrReader, CountsWithoutAScaleAreNoHeights) {
     EXPECT_EQ(channel.map.at(0, 1), 2.0);
 }
 
+TEST(BcrReader, SidesInDifferentUnitsGiveNoSize) {
+    const ScanChannel channel = readOne(int16File("bit2nm = 1\nxunit = nm\nyunit = s\n"));
+    EXPECT_FALSE(channel.hasSize());
+    EXPECT_EQ(channel.map.pitchX, 0.0);
+}
+
 TEST(BcrReader, HeaderMayBeUtf16OrOfAnotherSize) {
     const std::string narrow = int16File("bit2nm = 0.5\nxunit = \xB5m\r\n");
     std::string wide;

@@ -81,6 +81,12 @@ TEST(DigitalSurfReader, HeaderAndFileSizeMustAgree) {
     EXPECT_THAT(refusal(text), HasSubstr("truncated"));
 }
 
+TEST(DigitalSurfReader, AnOffsetThatIsNoNumberIsRefused) {
+    DigitalSurfText text;
+    text.offset = std::numeric_limits<float>::infinity();
+    EXPECT_THAT(refusal(text), HasSubstr("expected a step and an offset of the heights"));
+}
+
 TEST(DigitalSurfReader, CompressedSamplesAreNamedAsSuch) {
     DigitalSurfText text;
     text.magic = "DSCOMPRESSED";

@@ -235,4 +235,15 @@ TEST(ExrReader, RefusesAnAttributeThatTheLibraryWouldReadAtAnotherLength) {
     EXPECT_THAT(refusal(channels), HasSubstr("not as long as a chlist"));
 }
 
+/// Each would carry a copy of all texts.
+TEST(ExrReader, MoreChannelsThanAnInstrumentWritesAreRefused) {
+    ExrTestFile file;
+    file.channels.clear();
+    for (int i = 0; i < 129; ++i) {
+        file.channels.push_back("c" + std::to_string(i));
+    }
+    EXPECT_THAT(refusalOf([&] { (void)readHeightMapBytes(exrFile(file), "many.exr"); }),
+                HasSubstr("many.exr: channels: at most 128 images are expected, found 129"));
+}
+
 }  // namespace asperity::test

@@ -208,6 +208,21 @@ TEST(GwyddionImport, ASizeOfOneIsWhatGwyddionInvents) {
     EXPECT_THAT(file.channels.at(0).notes.at(0), HasSubstr("taken as unknown"));
 }
 
+/// 49 times a 49th of 1 is not exactly 1.
+TEST(GwyddionImport, AnInventedSizeIsKnownWhateverTheNumberOfPixels) {
+    const std::string image =
+        gwyObjectBytes("GwyDataField", gwyInteger("xres", 49) + gwyInteger("yres", 1) +
+                                           gwyNumber("xreal", 1.0) + gwyNumber("yreal", 1.0) +
+                                           gwyUnit("si_unit_xy", "m") + gwyUnit("si_unit_z", "m") +
+                                           gwyNumbers("data", std::vector<double>(49, 1e-9)));
+    const HeightMapFile file =
+        read(ConvertingGwyddion(gwyFile(gwyComponent("/0/data", image))).program());
+    EXPECT_FALSE(file.channels.at(0).hasSize());
+    for (const Provenance& entry : file.channels.at(0).provenance) {
+        EXPECT_NE(entry.what, "lateral size");
+    }
+}
+
 TEST(GwyddionImport, TheProgramIsTheFirstOfThePath) {
     const FakeGwyddion fake("exit 1", "exit 1");
     const ScratchFolder other;

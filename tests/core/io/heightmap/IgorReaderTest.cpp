@@ -204,9 +204,18 @@ TEST(IgorReader, FourDimensionsAndManyLayersAreRefused) {
     IgorWaveText wave;
     wave.counts = {1, 1, 3, 2};
     EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("3 x 2"));
-    wave.counts = {1, 1, 65, 0};
-    wave.numbers.assign(65, 1.0);
-    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("at most 64 layers"));
+    wave.counts = {1, 1, 129, 0};
+    wave.numbers.assign(129, 1.0);
+    EXPECT_THAT(refusal(igorFile(wave)), HasSubstr("at most 128 layers"));
+}
+
+/// A wave of another program may hold heights, but steps in whatever it counts.
+TEST(IgorReader, StepsWithoutAUnitAreNoMeters) {
+    IgorWaveText wave;
+    wave.dimensionUnit = "";
+    const ScanChannel channel = readHeightMapBytes(igorFile(wave), "wave.ibw").channels.at(0);
+    EXPECT_FALSE(channel.hasSize());
+    EXPECT_EQ(channel.map.pitchX, 0.0);
 }
 
 TEST(IgorReader, TrailingBytesAreNormalButNotACutAsylumFooter) {

@@ -145,6 +145,21 @@ TEST(TiffReader, StripsLieAnywhereAndTheLastOneIsShort) {
         TiffTestImage{}.values);
 }
 
+TEST(TiffReader, OrientationSaysWhichRowIsStoredFirst) {
+    const ScanChannel bottomFirst = onlyChannel({.extra = {tiffInteger(274, 4)}});
+    EXPECT_EQ(bottomFirst.map.at(0, 0), 10.0);
+    EXPECT_EQ(bottomFirst.map.at(3, 2), 3.0);
+    const ScanChannel turned = onlyChannel({.extra = {tiffInteger(274, 6)}});
+    EXPECT_EQ(turned.map.at(0, 0), 1.0);
+    EXPECT_THAT(turned.notes, testing::Contains(HasSubstr("orientation 6 is not applied")));
+}
+
+TEST(TiffReader, TilesLargerThanTheImageAreRefusedBeforeThereIsRoomForOne) {
+    const std::vector<TiffTestField> tile = {tiffInteger(322, 32768), tiffInteger(323, 32768),
+                                             tiffInteger(324, 8), tiffInteger(325, 24)};
+    EXPECT_THAT(refusal({.extra = tile}), HasSubstr("larger than the image"));
+}
+
 TEST(TiffReader, DecodesWhatTheLibraryPacks) {
     for (const std::uint16_t compression :
          {COMPRESSION_NONE, COMPRESSION_LZW, COMPRESSION_ADOBE_DEFLATE, COMPRESSION_PACKBITS}) {

@@ -26,13 +26,14 @@ struct VtiText {
     std::string image = R"(Origin="0 0 0" Spacing="2 3 1")";
     std::string array = R"(type="Float32" Name="z" format="appended" offset="0")";
     std::string others;  ///< after the array
+    std::string fields;  ///< before the piece
     std::string encoding = "raw";
     std::uint32_t bytes = 24;
 
     [[nodiscard]] std::string text() const {
         std::string file = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" " + attributes +
-                           "><ImageData WholeExtent=\"" + extent + "\" " + image +
-                           "><Piece Extent=\"" + extent + "\"><PointData><DataArray " + array +
+                           "><ImageData WholeExtent=\"" + extent + "\" " + image + ">" + fields +
+                           "<Piece Extent=\"" + extent + "\"><PointData><DataArray " + array +
                            "/>" + others + "</PointData></Piece></ImageData><AppendedData " +
                            "encoding=\"" + encoding + "\">_";
         appendLittleEndian(file, bytes);
@@ -72,6 +73,18 @@ TEST(VtiReader, ReadsEachArrayAndNotesThoseItLeavesOut) {
     ASSERT_EQ(result.channels.size(), 2U);
     EXPECT_EQ(result.channels[1].name, "n");
     EXPECT_THAT(result.notes, testing::ElementsAre(HasSubstr("Int64"), HasSubstr("3 numbers")));
+}
+
+/// Title and unit are those of one image: a slope is no height.
+TEST(VtiReader, ManyArraysKeepTheirNamesAndHaveNoUnit) {
+    VtiText file;
+    file.fields = R"(<FieldData><Array type="String" Name="unit" NumberOfTuples="1" )"
+                  R"(format="ascii">109 0</Array></FieldData>)";
+    EXPECT_EQ(read(file).channels.at(0).unit, "m");
+    file.others = R"(<DataArray type="UInt32" Name="n" format="appended" offset="0"/>)";
+    const HeightMapFile both = read(file);
+    EXPECT_EQ(both.channels.at(0).unit, "");
+    EXPECT_EQ(both.channels.at(1).unit, "");
 }
 
 TEST(VtiReader, ReadsBigEndianFiles) {

@@ -263,8 +263,11 @@ TEST(X3pReader, RefusesWhatDoesNotFitTogether) {
     EXPECT_THAT(refusal(x3pFile({.matrix = "<SizeX>0</SizeX><SizeY>2</SizeY>"})),
                 HasSubstr("0 x 2 pixels"));
     EXPECT_THAT(refusal(x3pFile({.matrix = "<SizeX>65536</SizeX><SizeY>65536</SizeY>"
-                                           "<SizeZ>4096</SizeZ>"})),
-                HasSubstr("expected 140737488355328 bytes"));
+                                           "<SizeZ>128</SizeZ>"})),
+                HasSubstr("expected 4398046511104 bytes"));
+    EXPECT_THAT(refusal(x3pFile({.matrix = "<SizeX>1</SizeX><SizeY>1</SizeY>"
+                                           "<SizeZ>129</SizeZ>"})),
+                HasSubstr("expected 1 to 128, found 129"));
     EXPECT_THAT(refusal(x3pFile({.matrix = "<SizeX>3</SizeX><SizeY>2</SizeY><SizeZ>0</SizeZ>"})),
                 HasSubstr("SizeZ"));
     EXPECT_THAT(refusal(x3pFile({.matrix = "<SizeX>three</SizeX><SizeY>2</SizeY>"})),
