@@ -39,10 +39,6 @@ void refuseToOverwriteOthers(const ConvertOptions& options, const ConvertedFile&
 }
 
 void convertOne(const ConvertOptions& options, const ConvertedFile& file) {
-    if (file.output.empty()) {
-        throw Error("another input of the same name was converted already; convert this one into "
-                    "another folder");
-    }
     refuseToOverwriteOthers(options, file);
     requireWritableTargets(options, file);
     const Converted converted = options.all ? convertAll(options, file) : convertMap(options, file);
@@ -86,9 +82,13 @@ std::vector<ConvertedFile> filesInFolder(const std::vector<std::string>& inputs,
     for (const std::string& input : inputs) {
         const std::filesystem::path path(input);
         const std::string stem = path.stem().string();
-        const std::string name = (stems[stem] == 1 ? stem : path.filename().string()) + extension;
-        const bool isNew = taken.insert(name).second;
-        files.push_back({input, isNew ? (folder / name).string() : std::string()});
+        const bool isClear = stems[stem] == 1 || path.extension() == extension;
+        const std::string base = isClear ? stem : path.filename().string();
+        std::string name = base + extension;
+        for (int number = 2; !taken.insert(name).second; ++number) {
+            name = base + "-" + std::to_string(number) + extension;
+        }
+        files.push_back({input, (folder / name).string()});
     }
     return files;
 }

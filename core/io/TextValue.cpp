@@ -34,6 +34,17 @@ std::optional<Number> parseWhole(std::string_view text) {
     return value;
 }
 
+/// Whether it is a number below the smallest double: 1e-400.
+bool isTooSmall(std::string_view text) {
+    text = withoutPlus(trimmed(text));
+    double number = 0.0;
+    const std::from_chars_result result =
+        std::from_chars(text.data(), text.data() + text.size(), number);
+    return result.ec == std::errc::result_out_of_range && result.ptr == text.data() + text.size() &&
+           text.find_first_of("eE") != std::string_view::npos &&
+           text[text.find_first_of("eE") + 1] == '-';
+}
+
 char32_t utf16Unit(std::string_view bytes, std::size_t place, std::endian order) {
     const auto first = static_cast<unsigned char>(bytes[place]);
     const auto second = static_cast<unsigned char>(bytes[place + 1]);
@@ -96,7 +107,10 @@ std::string utf16ToUtf8(std::string_view bytes, std::endian order) {
     return utf8;
 }
 
-std::optional<double> parseNumber(std::string_view text) { return parseWhole<double>(text); }
+std::optional<double> parseNumber(std::string_view text) {
+    const std::optional<double> number = parseWhole<double>(text);
+    return !number && isTooSmall(text) ? 0.0 : number;
+}
 
 std::optional<long long> parseInteger(std::string_view text) { return parseWhole<long long>(text); }
 

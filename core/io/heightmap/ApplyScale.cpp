@@ -6,6 +6,7 @@
 #include "core/io/heightmap/ScanImage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace asperity {
@@ -28,6 +29,9 @@ void applySize(ScanChannel& channel, const GivenScale& given) {
     map.pitchY = pixelPitch(given.sizeY, map.rows);
     channel.lateralUnit = "m";
     channel.notes.push_back(note);
+    if (std::abs(map.pitchX - map.pitchY) > 1e-3 * map.pitchX) {
+        channel.notes.push_back("its pixels are not square: " + sizeText(map.pitchX, map.pitchY));
+    }
     std::erase_if(channel.provenance,
                   [](const Provenance& entry) { return entry.what == "lateral size"; });
     channel.provenance.push_back(

@@ -104,6 +104,12 @@ void readCells(std::string_view line, const NumberStyle& style, NumberRow& row) 
     }
 }
 
+/// One tab between two cells, as a spreadsheet writes them: two mean that a cell is empty.
+bool isTabbed(std::string_view line) {
+    const bool hasBlanks = trimmed(line).find(' ') != std::string_view::npos;
+    return !hasBlanks && line.find('\t') != std::string_view::npos && !line.starts_with('\t');
+}
+
 }  // namespace
 
 NumberStyle numberStyleOf(std::string_view line) {
@@ -111,7 +117,7 @@ NumberStyle numberStyleOf(std::string_view line) {
         return {.separator = ';', .decimalComma = true};
     }
     if (line.find(',') == std::string_view::npos || hasDecimalCommas(line)) {
-        return {.separator = ' ', .decimalComma = true};
+        return {.separator = isTabbed(line) ? '\t' : ' ', .decimalComma = true};
     }
     return {.separator = ',', .decimalComma = false};
 }
@@ -123,7 +129,7 @@ void readNumberRow(std::string_view line, const NumberStyle& style, NumberRow& r
     if (style.separator == ' ') {
         readBlankSeparated(line, style, row);
     } else {
-        readCells(trimmed(line), style, row);
+        readCells(style.separator == '\t' ? line : trimmed(line), style, row);
     }
 }
 

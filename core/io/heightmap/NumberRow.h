@@ -7,7 +7,7 @@ namespace asperity {
 
 /// How the numbers of a text file stand in their lines.
 struct NumberStyle {
-    char separator = ' ';       ///< ';', ',' or ' ' for blanks and tabs, any number of them
+    char separator = ' ';       ///< ';', ',', '\t', or ' ' for blanks and tabs, any number of them
     bool decimalComma = false;  ///< "1,5"; a point is a decimal sign as well
 };
 

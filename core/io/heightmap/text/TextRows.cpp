@@ -39,7 +39,12 @@ std::span<const double> TextRows::next() {
     while (const std::optional<std::string_view> line = lines_.next()) {
         const std::string_view text = trimmed(*line);
         if (text.empty() || isComment(text)) {
+            isAfterComment_ = isAfterComment_ || !text.empty();
             continue;
+        }
+        if (isAfterComment_) {
+            lines_.fail("numbers go on after a comment: a file of several images is not read; "
+                        "split it");
         }
         read(*line);
         return row_.numbers;

@@ -34,6 +34,7 @@ private:
     NumberRow row_;
     std::size_t columns_ = 0;
     bool isFirst_ = true;
+    bool isAfterComment_ = false;  ///< behind the first numbers
 };
 
 /// Whether the numbers are x, y and z of points: three columns, and no size of a matrix before.

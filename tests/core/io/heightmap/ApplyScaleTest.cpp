@@ -75,6 +75,14 @@ TEST(ApplyScale, NotesAndProvenanceSayWhatTheUserGave) {
     EXPECT_THAT(channel.provenance, Contains(from("scale")));
 }
 
+TEST(ApplyScale, PixelsThatAreNotSquareAreSaid) {
+    const ScratchFolder folder;
+    const GivenScale square{.sizeX = 8e-6, .sizeY = 8e-6, .heightPerValue = 1e-9};
+    EXPECT_THAT(channelWith(bareMatrix(folder), square).notes,
+                Contains("its pixels are not square: 2 µm x 4 µm"));
+    EXPECT_THAT(channelWith(bareMatrix(folder), kBoth).notes, Not(Contains(HasSubstr("square"))));
+}
+
 TEST(ApplyScale, NothingGivenChangesNothing) {
     const ScratchFolder folder;
     const ScanFile file(bareMatrix(folder), GivenScale{}, {});

@@ -57,6 +57,18 @@ TEST(NumberRow, EmptyCellsHoldNoDataAndTheLastOneIsTold) {
     EXPECT_FALSE(rowOf("1;2").endsEmpty);
 }
 
+/// As a spreadsheet exports them: the values behind would move into wrong columns.
+TEST(NumberRow, EmptyCellsBetweenTabsHoldNoData) {
+    EXPECT_THAT(rowOf("1\t\t3,5").numbers, ElementsAre(1.0, NanSensitiveDoubleEq(kNaN), 3.5));
+    NumberRow row;
+    readNumberRow("\t2\t3", numberStyleOf("1\t2\t3"), row);
+    EXPECT_THAT(row.numbers, ElementsAre(NanSensitiveDoubleEq(kNaN), 2.0, 3.0));
+}
+
+TEST(NumberRow, NumbersBelowTheSmallestAreZero) {
+    EXPECT_THAT(rowOf("1e-400 -1e-400\t2").numbers, ElementsAre(0.0, 0.0, 2.0));
+}
+
 TEST(NumberRow, WhatIsNoNumberIsGivenBack) {
     for (const char* cell : {"x", "1.2.3", "1,2,3", "0x10", "1e999", "12abc", "\xB5", "-"}) {
         NumberRow row;

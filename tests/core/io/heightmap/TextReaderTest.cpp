@@ -183,6 +183,12 @@ TEST(TextReader, Utf16WithAByteOrderMarkIsText) {
     EXPECT_EQ(readOne(bytes).map.at(1, 3), 8.0);
 }
 
+TEST(TextReader, SeveralImagesInOneFileAreRefusedAtTheSecond) {
+    EXPECT_THAT(refusal("# Channel: a\n1 2 3 4\n3 4 5 6\n\n# Channel: b\n5 6 7 8\n"),
+                HasSubstr("line 6: numbers go on after a comment"));
+    EXPECT_EQ(readHeightMapBytes("1 2 3 4\n3 4 5 6\n# end\n", "map.txt").channels.size(), 1U);
+}
+
 TEST(TextReader, RaggedLinesAreRefusedByNumber) {
     EXPECT_THAT(refusal("# Channel: Z\n1 2 3 4\n\n5 6 7\n"),
                 AllOf(HasSubstr("map.txt: line 4: "), HasSubstr("3 numbers"), HasSubstr("have 4")));
