@@ -7,6 +7,7 @@
 #include "core/io/heightmap/ScanImage.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 // Digital Surf .sur (MountainsMap): a header of 512 bytes, a comment, a private zone, the samples.
