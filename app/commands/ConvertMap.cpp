@@ -2,6 +2,7 @@
 
 #include "app/commands/ConvertTargets.h"
 #include "app/commands/ProgressLine.h"
+#include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/surface/Residual.h"
 #include "core/surface/fit/BSplineFit.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <utility>
 
 namespace asperity {
@@ -30,6 +32,18 @@ std::string summaryOf(const std::string& channel, const HeightRows& map, const P
         text += ", " + std::to_string(lost) + " of them without data";
     }
     return text;
+}
+
+/// Counts of 16 bits have none for "no data" that other programs know.
+void noteHoles(const ConvertOptions& options, const ConvertedFile& files, const PixelMask& invalid,
+               std::vector<std::string>& notes) {
+    const bool isCounts =
+        options.bits == 16 ||
+        lowerCase(std::filesystem::path(files.output).extension().string()) == ".png";
+    if (isCounts && std::ranges::count(invalid, true) > 0) {
+        notes.emplace_back("pixels without data are count 0 in the file written: Asperity reads "
+                           "them as such, other programs show pits");
+    }
 }
 
 ScanMap residual(const ConvertOptions& options, ScanMap level) {
@@ -92,6 +106,7 @@ Converted convertFiltered(const ConvertOptions& options, const ConvertedFile& fi
                                 : withoutTip(options, std::move(scan.map), meta, scan.notes);
     const HeightRows rows = rowsOf(scan.map);
     writeTarget(options, files.output, rows, meta);
+    noteHoles(options, files, scan.map.invalid, scan.notes);
     return {summaryOf(scan.channel, rows, scan.map.invalid), std::move(scan.notes)};
 }
 
@@ -105,6 +120,7 @@ Converted convertPlainly(const ConvertOptions& options, const ConvertedFile& fil
     const HeightMap map = leveled(std::move(channel.map), options.leveling);
     const HeightRows rows = rowsOf(map);
     writeTarget(options, files.output, rows, metaOf(channel));
+    noteHoles(options, files, map.invalid, file.notes);
     return {summaryOf(channel.name, rows, map.invalid), std::move(file.notes)};
 }
 

@@ -18,6 +18,11 @@ std::optional<double> unitLength(const std::string& text) {
     return unit.base == "m" ? std::optional(unit.factor) : std::nullopt;
 }
 
+/// Rounded once: 5 um are 5e-6 m, not 4.9999999999999996e-6.
+double inMeters(double value, double unit) {
+    return unit < 1.0 ? value / std::round(1.0 / unit) : value * unit;
+}
+
 /// "5x2um" as "5um" and "2um".
 std::pair<std::string, std::string> sidesOf(const std::string& text) {
     const std::size_t cross = text.find('x');
@@ -106,7 +111,7 @@ std::optional<double> parseLength(const std::string& text) {
     }
     const std::optional<double> unit =
         number->rest.empty() ? 1.0 : unitLength(std::string(number->rest));
-    const double length = unit ? number->value * *unit : 0.0;
+    const double length = unit ? inMeters(number->value, *unit) : 0.0;
     return isPositive(length) ? std::optional(length) : std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include "app/program/DataFolder.h"
 #include "app/reports/BeginningRun.h"
 #include "app/session/LiveWindow.h"
+#include "app/session/ShippedScene.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "vtkplugins/pictures/Display.h"
 
@@ -42,8 +43,8 @@ void recordFromTheStart(Session& session, const RecordingPlace& place) {
 /// Shows the window, and the file as soon as it is loaded. Where that fails the program ends as
 /// every command does, but where the scale is all that is missing: the window asks for it. From
 /// then on the window stays, whatever a user opens in it.
-int execWith(LiveWindow& live, const std::filesystem::path& input,
-             const SceneOverrides& overrides) {
+int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOverrides& overrides,
+             bool isRecorded) {
     SceneControl& scenes = live.session().scenes();
     std::exception_ptr reason;
     const auto quits = QObject::connect(&scenes, &SceneControl::openFailed, [&scenes, &reason] {
@@ -54,6 +55,7 @@ int execWith(LiveWindow& live, const std::filesystem::path& input,
     QObject::connect(&live.session().runs(), &RunControl::begun, goOn);
     QObject::connect(&scenes, &SceneControl::openCanceled, goOn);
     QObject::connect(&scenes, &SceneControl::scaleAsked, goOn);
+    showShippedInstead(live.session(), isRecorded);
     scenes.open(input, overrides);
     const int status = live.exec();
     if (reason) {
@@ -111,7 +113,7 @@ int openWindow(const WindowOptions& options) {
     }
     const std::filesystem::path input =
         options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);
-    return input.empty() ? live.exec() : execWith(live, input, overrides);
+    return input.empty() ? live.exec() : execWith(live, input, overrides, !options.record.empty());
 }
 
 }  // namespace asperity

@@ -65,8 +65,8 @@ struct HeightMapFormat {
     /// Whether the content is of this type, damaged or not; null: it is not read. It looks at few
     /// bytes.
     bool (*recognizes)(const ByteSource& bytes);
-    /// Checks the whole content, but leaves the values where they are. @param bytes must outlive
-    /// the result
+    /// Checks the whole content, but leaves the values where they are; texts are read whole.
+    /// @param bytes must outlive the result
     /// @throw InputError when anything is missing or does not fit together
     StoredScan (*read)(const ByteSource& bytes);
     /// Writes a usable map straight to `target`, which the caller puts in place afterwards; null:

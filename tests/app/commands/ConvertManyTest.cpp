@@ -20,6 +20,7 @@ namespace asperity {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// To the bit, or no numbers both.
 bool areSame(const std::vector<double>& ours, const std::vector<double>& theirs) {
@@ -69,7 +70,8 @@ TEST_F(ConvertMany, GoesOnAfterABadOneAndEndsWith1) {
     EXPECT_EQ(run.exitCode, 1) << run.output;
     EXPECT_THAT(run.output, HasSubstr("asperity: " + bad + ": "));
     EXPECT_THAT(run.output, HasSubstr("2 of 4 files could not be converted"));
-    EXPECT_EQ(std::ranges::count(run.output, '\n'), 5) << run.output;
+    EXPECT_EQ(std::ranges::count(run.output, '\n'), 6)
+        << run.output << "each file, a note on pits, the sum";
     EXPECT_TRUE(isThere("a.png") && isThere("b.png"));
     EXPECT_FALSE(isThere("bad.png"));
 }
@@ -105,6 +107,12 @@ TEST_F(ConvertMany, ReplacesFilesOnlyWithForce) {
     EXPECT_THAT(again.output, HasSubstr("a.gsf: the file exists"));
     EXPECT_TRUE(isThere("b.gsf"));
     EXPECT_EQ(convert(path("a.gwy") + into("gsf") + " --force").exitCode, 0);
+}
+
+TEST_F(ConvertMany, SaysWhatOtherProgramsMakeOfPixelsWithoutData) {
+    const auto counts = convert(path("b.gsf") + into("png"));
+    EXPECT_THAT(counts.output, HasSubstr("other programs show pits"));
+    EXPECT_THAT(convert(path("b.gsf") + into("exr")).output, Not(HasSubstr("pits")));
 }
 
 TEST_F(ConvertMany, OptionsHoldForEach) {

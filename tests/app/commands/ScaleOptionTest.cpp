@@ -38,7 +38,7 @@ TEST(ScaleOption, TakesALengthWithItsUnitOrInMeters) {
         {"12.5Å", 12.5e-10}, {"2mm", 2e-3},  {"+3pm", 3e-12}};
     for (const auto& [text, length] : lengths) {
         ASSERT_TRUE(parseLength(text)) << text;
-        EXPECT_DOUBLE_EQ(*parseLength(text), length) << text;
+        EXPECT_EQ(*parseLength(text), length) << text;
     }
 }
 

@@ -1,3 +1,4 @@
+#include "app/session/ShippedScene.h"
 #include "tests/app/ChildProgram.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/app/window/WindowFixture.h"
@@ -13,6 +14,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QtTest>
+
+#include <gmock/gmock.h>
 
 #include <sstream>
 #include <string>
@@ -108,6 +111,22 @@ TEST_F(WindowThatAsks, CancelLeavesTheSceneAsItWas) {
     EXPECT_EQ(session.run(), run);
     EXPECT_EQ(window.windowTitle(), title);
     EXPECT_EQ(dialog(), nullptr);
+}
+
+TEST_F(WindowThatAsks, ShowsTheShippedSceneWhereTheFirstFileIsNotOpened) {
+    showShippedInstead(session, false);
+    open(folder.write("bare.txt", numbers()));
+    press(QDialogButtonBox::Cancel);
+    ASSERT_TRUE(eventually([this] { return shown.count() == 1; }));
+    EXPECT_THAT(session.run()->scene().description.sample.file,
+                testing::HasSubstr("granular_film"));
+}
+
+TEST_F(WindowThatAsks, ShowsTheShippedSceneWhereTheGivenScaleCannotBe) {
+    showShippedInstead(session, false);
+    open(folder.write("bare.txt", numbers()));
+    answer(0.32, 1e9);
+    EXPECT_TRUE(eventually([this] { return failed.count() + shown.count() == 2; }));
 }
 
 /// A height that no instrument measures.

@@ -1,6 +1,7 @@
 #include "core/Error.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/NumberRange.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
@@ -46,20 +47,6 @@ Fields parseFields(std::string_view text) {
     return fields;
 }
 
-/// The lowest of all numbers; infinite where there is none.
-double lowestOf(const ReadRow& rows, ImageSize size) {
-    double lowest = std::numeric_limits<double>::infinity();
-    RowRoom room;
-    std::vector<double> numbers(static_cast<std::size_t>(size.columns));
-    for (int row = 0; row < size.rows; ++row) {
-        rows(row, room, numbers.data());
-        for (const double number : numbers) {
-            lowest = isFiniteHeight(number) ? std::min(lowest, number) : lowest;
-        }
-    }
-    return lowest;
-}
-
 /// The same rows shifted so that the lowest number becomes this one. It is looked for when the
 /// first row is asked for.
 ReadRow liftedTo(double lowest, ReadRow rows, ImageSize size) {
@@ -70,7 +57,7 @@ ReadRow liftedTo(double lowest, ReadRow rows, ImageSize size) {
     return [lowest, rows = std::move(rows), size,
             shift = std::make_shared<Shift>()](int row, RowRoom& room, double* numbers) {
         std::call_once(shift->once, [&] {
-            const double found = lowestOf(rows, size);
+            const double found = numberRangeOf(rows, size).lowest;
             shift->value = std::isfinite(found) ? lowest - found : 0.0;
         });
         rows(row, room, numbers);

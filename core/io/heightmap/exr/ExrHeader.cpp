@@ -13,8 +13,6 @@ constexpr std::string_view kMagic("v/1\x01", 4);
 constexpr std::uint32_t kMultiPart = 0x1000;
 /// A scale is a short text.
 constexpr std::uint64_t kMaxText = 65536;
-/// Of all texts together: each channel carries a copy.
-constexpr std::uint64_t kMaxTexts = std::uint64_t{1} << 18U;
 constexpr int kMaxParts = 64;
 /// Pixels per byte: no data are packed better than this.
 constexpr std::uint64_t kMaxRatio = 2000;
@@ -109,9 +107,7 @@ private:
     }
 
     void takeText(const std::string& name, const std::string& type, const ByteSpan& value) {
-        const bool hasRoom = textBytes_ + value.count <= kMaxTexts;
-        textBytes_ += hasRoom ? value.count : 0;
-        if (type == "string" && value.count <= kMaxText && hasRoom) {
+        if (type == "string" && value.count <= kMaxText) {
             header_.texts.emplace(toUtf8(name), toUtf8(bytesOf(bytes_, value)));
         } else if (type == "double") {
             header_.texts.emplace(toUtf8(name), exactText(numberIn<double>(bytes_, value)));
@@ -122,7 +118,6 @@ private:
     }
 
     const ByteSource& bytes_;
-    std::uint64_t textBytes_ = 0;
     ByteReader reader_;
     bool isFirst_ = true;           ///< header
     ImageSize window_;              ///< of the present header

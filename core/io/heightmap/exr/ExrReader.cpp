@@ -77,7 +77,9 @@ private:
             rowsOfDecoded([bytes = &bytes_, channel] { return decodeExr(*bytes, channel); },
                           {.size = header_.size, .type = channel.type, .order = kNative}),
             channel.name, bytes_.name());
-        stored.channel.metadata = header_.texts;
+        if (affordsCopies(header_.texts, channels_.size())) {
+            stored.channel.metadata = header_.texts;
+        }
         result_.channels.push_back(std::move(stored));
     }
 

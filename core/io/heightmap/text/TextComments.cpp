@@ -21,9 +21,25 @@ struct Length {
     std::string unit;  ///< SI base unit
 };
 
+/// With a decimal point in place of a decimal comma: "10,00 µm". Three digits behind a comma may
+/// be thousands.
+std::string withDecimalPoint(std::string text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos) {
+        return text;
+    }
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", comma + 1), text.size());
+    const std::size_t digits = end - comma - 1;
+    if (digits > 0 && digits != 3 && text.find_first_of(".,", comma + 1) == std::string::npos) {
+        text[comma] = '.';
+    }
+    return text;
+}
+
 /// A number and one word after it, "10.00 µm".
 std::optional<Length> lengthOf(const TextComment& comment) {
-    const std::optional<LeadingNumber> number = parseLeadingNumber(comment.value);
+    const std::string value = withDecimalPoint(comment.value);
+    const std::optional<LeadingNumber> number = parseLeadingNumber(value);
     const bool fits = number && std::isfinite(number->value) && !number->rest.empty() &&
                       number->rest.find_first_of(" \t") == std::string_view::npos;
     if (!fits) {

@@ -48,7 +48,7 @@ std::string metadataComments(const HeightMapMeta& meta) {
     std::string lines;
     int count = 0;
     for (const auto& [name, value] : writtenMetadata(meta, kMostBytes)) {
-        const bool isKey = name.find_first_of(":=#%/") == std::string::npos && !own.contains(name);
+        const bool isKey = name.find_first_of(":=#%") == std::string::npos && !own.contains(name);
         if (isKey && ++count <= kMostLines) {
             lines.append("# ").append(name).append(": ").append(value).append("\n");
         }

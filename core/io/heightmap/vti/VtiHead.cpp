@@ -57,9 +57,6 @@ std::optional<SampleType> sampleType(std::string_view name) {
     return found == kTypes.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Of all texts together [bytes]: each channel carries a copy.
-constexpr std::uint64_t kMaxTexts = std::uint64_t{1} << 18U;
-
 class VtiHeadReader {
 public:
     explicit VtiHeadReader(const ByteSource& bytes) : bytes_(bytes) { parse(); }
@@ -163,20 +160,13 @@ private:
         }
     }
 
-    void takeText(const std::string& name, const std::string& text) {
-        if (textBytes_ + text.size() <= kMaxTexts) {
-            textBytes_ += text.size();
-            head_.texts.emplace(name, text);
-        }
-    }
-
     void readFieldData(const pugi::xml_node& data) {
         for (const pugi::xml_node& array : data.children()) {
             if (attribute(array, "format") != "ascii") {
                 head_.notes.push_back("field data '" + attribute(array, "Name") +
                                       "' are not plain text and were left out");
             } else if (attribute(array, "type") == "String") {
-                takeText(attribute(array, "Name"), textOf(array));
+                head_.texts.emplace(attribute(array, "Name"), textOf(array));
             } else {
                 head_.numbers.emplace(attribute(array, "Name"), numbersOf(array));
             }
@@ -270,7 +260,6 @@ private:
 
     inline static const std::vector<double> kUpright = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-    std::uint64_t textBytes_ = 0;
     const ByteSource& bytes_;
     pugi::xml_document document_;
     pugi::xml_node root_;

@@ -55,7 +55,9 @@ private:
             channel.originX = origin->second[0];
             channel.originY = origin->second[1];
         }
-        channel.metadata = metadata();
+        if (affordsCopies(head_.texts, head_.arrays.size())) {
+            channel.metadata = metadata();
+        }
         if (!isOurs) {
             channel.notes.emplace_back("VTK images give no units; sizes and values are numbers");
         }

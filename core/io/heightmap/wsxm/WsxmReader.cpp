@@ -2,6 +2,7 @@
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/NumberRange.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 // WSxM: text sections of `key: value`, then the samples. Source: docs/formats.md 12.
 
@@ -27,30 +27,6 @@ constexpr std::array<std::pair<std::string_view, SampleType>, 4> kTypes{
      {"integer", SampleType::Int32},
      {"float", SampleType::Float32},
      {"double", SampleType::Float64}}};
-
-/// Of all numbers that are finite.
-struct Extent {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -std::numeric_limits<double>::infinity();
-
-    [[nodiscard]] bool isFlat() const { return !(highest > lowest); }
-};
-
-Extent extentOf(const ReadRow& rows, ImageSize size) {
-    Extent extent;
-    RowRoom room;
-    std::vector<double> numbers(static_cast<std::size_t>(size.columns));
-    for (int row = 0; row < size.rows; ++row) {
-        rows(row, room, numbers.data());
-        for (const double number : numbers) {
-            if (std::isfinite(number)) {
-                extent.lowest = std::min(extent.lowest, number);
-                extent.highest = std::max(extent.highest, number);
-            }
-        }
-    }
-    return extent;
-}
 
 /// It says what the file holds.
 std::string secondLine(const ByteSource& bytes) {
@@ -181,7 +157,7 @@ private:
         }
         const PhysicalUnit unit = parseUnit(amplitude->rest);
         stored.channel.unit = unit.base == "a.u." ? std::string() : unit.base;
-        const Extent extent = extentOf(stored.readRow, size);
+        const NumberRange extent = numberRangeOf(stored.readRow, size);
         if (extent.isFlat()) {
             stored.readRow = replaced(std::move(stored.readRow), size.columns,
                                       [](double number) { return 0.0 * number; });

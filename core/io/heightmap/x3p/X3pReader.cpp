@@ -2,6 +2,7 @@
 #include "core/io/FileHash.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "core/io/heightmap/NumberRange.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/x3p/X3pDescription.h"
@@ -42,29 +43,6 @@ const ZipEntry& mainEntry(const ZipArchive& archive, const std::string& file) {
         throw InputError(file, "", "the zip archive holds no main.xml");
     }
     return *found;
-}
-
-/// Lowest and highest number of an image; NaN when it has none.
-struct NumberRange {
-    double lowest = std::numeric_limits<double>::quiet_NaN();
-    double highest = std::numeric_limits<double>::quiet_NaN();
-};
-
-NumberRange rangeOf(const ReadRow& rows, ImageSize size) {
-    constexpr double kInfinite = std::numeric_limits<double>::infinity();
-    NumberRange range{.lowest = kInfinite, .highest = -kInfinite};
-    RowRoom room;
-    std::vector<double> numbers(static_cast<std::size_t>(size.columns));
-    for (int row = 0; row < size.rows; ++row) {
-        rows(row, room, numbers.data());
-        for (const double number : numbers) {
-            if (std::isfinite(number)) {
-                range.lowest = std::min(range.lowest, number);
-                range.highest = std::max(range.highest, number);
-            }
-        }
-    }
-    return range.lowest <= range.highest ? range : NumberRange();
 }
 
 class X3pReader {
@@ -166,7 +144,7 @@ private:
                                    (z.offset == 0.0 ? "" : ", plus " + exactText(z.offset) + " m"),
                                main_.name + ", Record1/Axes/CZ"}};
         const ReadRow rows = meters(layer);
-        noteRange(channel, rangeOf(rows, size));
+        noteRange(channel, numberRangeOf(rows, size));
         settleSize(channel, main_.name + ", Record1/Axes/CX and CY");
         return {.channel = std::move(channel), .readRow = rows};
     }

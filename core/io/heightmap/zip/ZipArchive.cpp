@@ -16,6 +16,12 @@ constexpr std::size_t kStep = std::size_t{1} << 18U;
 /// No byte of a compressed entry makes more; a damaged directory may promise more.
 constexpr std::uint64_t kMaxExpansion = 1032;
 
+/// A damaged directory lists stored entries of no bytes; libzip 1.7 crashes when it seeks in one.
+bool isStored(const zip_stat_t& status) {
+    return status.comp_method == ZIP_CM_STORE && status.encryption_method == ZIP_EM_NONE &&
+           status.comp_size == status.size && status.size > 0;
+}
+
 std::string entryName(const std::string& file, const std::string& entry) {
     return file + ": " + entry;
 }
@@ -150,8 +156,7 @@ public:
                                .size = status.size,
                                .packed = status.comp_size,
                                .index = i,
-                               .isStored = status.comp_method == ZIP_CM_STORE &&
-                                           status.encryption_method == ZIP_EM_NONE});
+                               .isStored = isStored(status)});
         }
         return entries;
     }

@@ -16,7 +16,7 @@ struct ZipEntry {
     std::uint64_t size = 0;    ///< decoded [bytes]
     std::uint64_t packed = 0;  ///< in the archive [bytes]
     std::uint64_t index = 0;   ///< in the directory
-    bool isStored = false;     ///< as it is, not compressed
+    bool isStored = false;     ///< as it is, not compressed, not empty
 
     /// Behind the last '/'; empty for a folder.
     [[nodiscard]] std::string_view baseName() const;

@@ -90,6 +90,21 @@ TEST(TextReader, HeaderMayBeInAnyLanguage) {
     }
 }
 
+TEST(TextReader, HeaderMayHaveDecimalCommasButNoThousands) {
+    const auto mapOf = [](const std::string& width) {
+        return readHeightMapBytes(
+                   "# Kanal: Topo\n# Breite: " + width +
+                       "\n# Höhe: 5,00 µm\n# Value units: m\n1,5\t2\t3\t4\n5,5\t6\t7\t8\n",
+                   "map.txt")
+            .channels.at(0);
+    };
+    EXPECT_EQ(mapOf("10,00 µm").name, "Topo");
+    EXPECT_DOUBLE_EQ(mapOf("10,00 µm").map.sizeX(), 10e-6);
+    EXPECT_DOUBLE_EQ(mapOf("10,00 µm").map.sizeY(), 5e-6);
+    EXPECT_EQ(mapOf("10,00 µm").unit, "m");
+    EXPECT_FALSE(mapOf("10,000 µm").hasSize()) << "10 or 10000";
+}
+
 TEST(TextReader, OtherLengthsInCommentsAreNotTheSize) {
     const ScanChannel channel = readOne("# Tip radius: 10 nm\n# Channel: Z\n# Width: 3 um\n"
                                         "# Height: 2 um\n# Value units: m\n1 2 3\n4 5 6\n");

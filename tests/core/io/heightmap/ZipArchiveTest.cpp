@@ -141,6 +141,24 @@ TEST(ZipArchive, RefusesAnEntryThatIsNotWhatTheDirectoryLists) {
     }
 }
 
+/// libzip 1.7 crashes when it seeks in one.
+TEST(ZipArchive, RefusesAStoredEntryOfNoBytesThatIsListedWithSome) {
+    std::string bytes = zipFile({{"data", "0123456789", false}});
+    // The bytes in the archive, 20 bytes behind the mark of the directory.
+    bytes[bytes.find("PK\1\2") + 20] = '\0';
+    const MemoryBytes source(bytes, "a.zip");
+    const ZipArchive archive(source);
+    EXPECT_THAT(refusalOf([&] { (void)archive.source(archive.entries()[0], 10)->start(10); }),
+                StartsWith("a.zip: data: "));
+}
+
+TEST(ZipArchive, ReadsAnEmptyStoredEntry) {
+    const std::string bytes = zipFile({{"empty", "", false}});
+    const MemoryBytes source(bytes, "a.zip");
+    const ZipArchive archive(source);
+    EXPECT_EQ(archive.source(archive.entries()[0], 10)->start(10), "");
+}
+
 TEST(ZipArchive, ChecksTheCrc) {
     std::string bytes = zipFile({{"data", "0123456789", false}});
     bytes[bytes.find("0123456789") + 4] = 'x';
