@@ -47,7 +47,9 @@ OpenFile::~OpenFile() {
 FileBytes::FileBytes(const std::filesystem::path& path, const std::string& name)
     : ByteSource(name), file_(requireRegular(path, name)), opened_{} {
     if (file_.descriptor() < 0) {
-        throw InputError(name, "", "the file cannot be opened for reading");
+        throw InputError(name, "",
+                         "the file cannot be opened for reading: " +
+                             std::generic_category().message(errno));
     }
     opened_ = status();
     if (!S_ISREG(opened_.st_mode)) {

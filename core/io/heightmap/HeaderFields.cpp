@@ -32,13 +32,10 @@ HeaderText headerText(const ByteSource& bytes, std::string_view mark) {
 std::vector<std::string_view> linesOf(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        if (line.ends_with('\r')) {
-            line.remove_suffix(1);
-        }
-        lines.push_back(line);
-        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(end);
+        text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));
     }
     return lines;
 }
@@ -60,8 +57,16 @@ std::string HeaderFields::text(const std::string& key) const {
     return value == nullptr ? std::string() : *value;
 }
 
+const std::string& HeaderFields::required(const std::string& key) const& {
+    const std::string* const value = find(key);
+    if (value == nullptr) {
+        throw InputError(file_, place_.empty() ? "header" : place_, "it has no '" + key + "'");
+    }
+    return *value;
+}
+
 long long HeaderFields::integer(const std::string& key) const {
-    const std::string value = text(key);
+    const std::string& value = required(key);
     const std::optional<long long> number = parseInteger(value);
     if (!number) {
         fail(key, "expected a whole number, found '" + value + "'");
@@ -70,12 +75,16 @@ long long HeaderFields::integer(const std::string& key) const {
 }
 
 std::optional<double> HeaderFields::number(const std::string& key) const {
-    const std::string value = text(key);
+    return text(key).empty() ? std::nullopt : std::optional(requiredNumber(key));
+}
+
+double HeaderFields::requiredNumber(const std::string& key) const {
+    const std::string& value = required(key);
     const std::optional<double> number = parseNumber(value);
-    if (!number && !value.empty()) {
+    if (!number) {
         fail(key, "expected a number, found '" + value + "'");
     }
-    return number;
+    return *number;
 }
 
 void HeaderFields::fail(const std::string& key, const std::string& what) const {

@@ -20,7 +20,7 @@ struct HeaderText {
 /// @throw InputError when the mark is not within the first 256 KiB; real headers have 2 to 40 KiB
 [[nodiscard]] HeaderText headerText(const ByteSource& bytes, std::string_view mark);
 
-/// The lines of a text, without CR and LF.
+/// The lines of a text, which end with CR, LF or both, without these.
 [[nodiscard]] std::vector<std::string_view> linesOf(std::string_view text);
 
 /// The fields of one part of a header.
@@ -39,10 +39,16 @@ public:
     find(const std::string& key) const&& = delete;  ///< it would not last
     /// Empty when there is no such field.
     [[nodiscard]] std::string text(const std::string& key) const;
+    /// @throw InputError when there is no such field
+    [[nodiscard]] const std::string& required(const std::string& key) const&;
+    [[nodiscard]] const std::string&
+    required(const std::string& key) const&& = delete;  ///< it would not last
     /// @throw InputError when the field is missing or no whole number
     [[nodiscard]] long long integer(const std::string& key) const;
     /// Empty when the field is missing or empty. @throw InputError when it is no number
     [[nodiscard]] std::optional<double> number(const std::string& key) const;
+    /// @throw InputError when the field is missing or no number
+    [[nodiscard]] double requiredNumber(const std::string& key) const;
     [[nodiscard]] const std::map<std::string, std::string>& all() const { return fields_; }
     [[nodiscard]] const std::string& place() const { return place_; }
     /// @throw InputError that names the field

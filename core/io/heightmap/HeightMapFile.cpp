@@ -73,11 +73,16 @@ const ScanChannel& defaultHeight(const HeightMapFile& file, const std::string& p
 }
 
 /// What a refusal of an unknown content begins with: the place of the marks that are missed, too.
+/// @throw InputError when it is a picture, which no other program makes heights of
 std::string unknownContent(const ByteSource& bytes) {
-    const std::string_view name = unreadFormat(bytes);
-    return "byte 0: " + (name.empty()
-                             ? "this is no height map that can be read; known are " + formatNames()
-                             : "this is " + std::string(name) + ", which is not read natively");
+    const std::optional<UnreadFormat> format = unreadFormat(bytes);
+    if (!format) {
+        return "byte 0: this is no height map that can be read; known are " + formatNames();
+    }
+    if (format->isPicture) {
+        throw InputError(bytes.name(), "byte 0", pictureRefusal(format->name));
+    }
+    return "byte 0: this is " + std::string(format->name) + ", which is not read natively";
 }
 
 /// What reading its values needs.

@@ -2,12 +2,23 @@
 
 #include "core/io/ByteSource.h"
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace asperity {
 
-/// The name, with its article, of a format that is known but not read here: "an HDF5 file (...)".
-/// Empty: the content is none of these.
-[[nodiscard]] std::string_view unreadFormat(const ByteSource& bytes);
+/// A format that is known but not read here.
+struct UnreadFormat {
+    std::string_view mark;  ///< at the front
+    std::string_view name;  ///< with its article: "an HDF5 file (...)"; of a picture without it
+    bool isPicture = false;
+};
+
+/// Empty: the content is of none of these.
+[[nodiscard]] std::optional<UnreadFormat> unreadFormat(const ByteSource& bytes);
+
+/// Why a picture of this format is refused.
+[[nodiscard]] std::string pictureRefusal(std::string_view name);
 
 }  // namespace asperity

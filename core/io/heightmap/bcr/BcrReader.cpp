@@ -1,5 +1,5 @@
-#include "core/Error.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/NumberRange.h"
 #include "core/io/heightmap/PhysicalUnit.h"
@@ -29,19 +29,14 @@ constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInt16NoData = 32767.0;
 constexpr double kFloatNoData = 1.7e38;  // and above
 
-using Fields = std::map<std::string, std::string>;
-
 /// "key = value" lines; comments and blanks are left out.
-Fields parseFields(std::string_view text) {
-    Fields fields;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(text.substr(0, std::min(text.find('#'), end)));
-        text.remove_prefix(std::min(end + 1, text.size()));
+HeaderFields parseFields(std::string_view text, const std::string& file) {
+    HeaderFields fields(file, "");
+    for (const std::string_view whole : linesOf(text)) {
+        const std::string_view line = trimmed(whole.substr(0, whole.find('#')));
         const std::size_t equals = line.find('=');
         if (!line.starts_with('%') && equals != std::string_view::npos) {
-            fields[lowerCase(toUtf8(trimmed(line.substr(0, equals))))] =
-                toUtf8(trimmed(line.substr(equals + 1)));
+            fields.add(lowerCase(line.substr(0, equals)), line.substr(equals + 1));
         }
     }
     return fields;
@@ -68,7 +63,7 @@ ReadRow liftedTo(double lowest, ReadRow rows, ImageSize size) {
 class BcrReader {
 public:
     explicit BcrReader(const ByteSource& bytes)
-        : bytes_(bytes), isWide_(bytes.startsWith(kWideFirst)) {}
+        : bytes_(bytes), isWide_(bytes.startsWith(kWideFirst)), fields_(fieldsOf(kUsualHeader)) {}
 
     StoredScan read() {
         readHeader();
@@ -81,40 +76,40 @@ public:
 
 private:
     void readHeader() {
-        fields_ = fieldsOf(kUsualHeader);
-        if (find("headersize") != nullptr) {
-            const long long characters = integer("headersize");
+        if (fields_.find("headersize") != nullptr) {
+            const long long characters = fields_.integer("headersize");
             if (characters < 1 || characters > kMaxHeader) {
-                fail("headersize", "expected 1 to " + std::to_string(kMaxHeader) + ", found " +
-                                       std::to_string(characters));
+                fields_.fail("headersize", "expected 1 to " + std::to_string(kMaxHeader) +
+                                               ", found " + std::to_string(characters));
             }
             headerSize_ = static_cast<std::size_t>(characters);
             fields_ = fieldsOf(headerSize_);
         }
     }
 
-    [[nodiscard]] Fields fieldsOf(std::size_t characters) const {
+    [[nodiscard]] HeaderFields fieldsOf(std::size_t characters) const {
         const std::string start = bytes_.start(characters * bytesPerCharacter());
-        return parseFields(isWide_ ? utf16ToUtf8(start, std::endian::little) : start);
+        return parseFields(isWide_ ? utf16ToUtf8(start, std::endian::little) : start,
+                           bytes_.name());
     }
 
     void refuseForceCurve() const {
-        const std::string* const value = find("forcecurve");
-        if (value != nullptr && parseNumber(*value).value_or(0.0) != 0.0) {
-            fail("forcecurve", "this BCR file holds a force curve, no image");
+        if (parseNumber(fields_.text("forcecurve")).value_or(0.0) != 0.0) {
+            fields_.fail("forcecurve", "this BCR file holds a force curve, no image");
         }
     }
 
     /// @throw InputError when the file does not hold them
     SampleLayout samples() {
-        const std::string& type = require(std::string(kFirstKey));
+        const std::string& type = fields_.required(std::string(kFirstKey));
         isFloat_ = type.starts_with("bcrf");
         if (!isFloat_ && !type.starts_with("bcrstm")) {
-            fail("fileformat", "expected bcrstm or bcrf, found '" + type + "'");
+            fields_.fail("fileformat", "expected bcrstm or bcrf, found '" + type + "'");
         }
-        const bool isLittle = find("intelmode") == nullptr || integer("intelmode") != 0;
-        const auto columns = integer("xpixels");
-        const auto rows = integer("ypixels");
+        const bool isLittle =
+            fields_.find("intelmode") == nullptr || fields_.integer("intelmode") != 0;
+        const auto columns = fields_.integer("xpixels");
+        const auto rows = fields_.integer("ypixels");
         const SampleLayout layout{
             .size = checkedImageSize(columns, rows, bytes_.name(), "xpixels, ypixels"),
             .type = isFloat_ ? SampleType::Float32 : SampleType::Int16,
@@ -141,10 +136,11 @@ private:
             {"format version", isFloat_ ? "bcrf" : "bcrstm", "header, fileformat"});
         channel.provenance.push_back(
             {"byte order", layout.order == ByteOrder::Little ? "lowest first" : "highest first",
-             find("intelmode") == nullptr ? "usual; the file does not say" : "header, intelmode"});
+             fields_.find("intelmode") == nullptr ? "usual; the file does not say"
+                                                  : "header, intelmode"});
         channel.provenance.push_back(
             {"orientation", "the first row is the top one", "usual; the file does not say"});
-        channel.metadata = std::move(fields_);
+        channel.metadata = fields_.all();
         settleSize(channel, "header, xlength and ylength");
         return stored;
     }
@@ -177,60 +173,30 @@ private:
         if (!isLifted) {
             return plain;
         }
-        channel.provenance.push_back(
-            {"lowest value", *find("zmin") + " in the unit of the values", "header, zmin"});
+        channel.provenance.push_back({"lowest value",
+                                      fields_.required("zmin") + " in the unit of the values",
+                                      "header, zmin"});
         return liftedTo(lowest / perCount, plain, layout.size);
     }
 
     /// Nanometers where the file does not say.
     [[nodiscard]] PhysicalUnit unitOf(const std::string& key) const {
-        const std::string* const text = find(key);
+        const std::string* const text = fields_.find(key);
         return parseUnit(text == nullptr ? "nm" : *text);
     }
 
     [[nodiscard]] std::size_t bytesPerCharacter() const { return isWide_ ? 2 : 1; }
 
-    /// Null when there is none.
-    [[nodiscard]] const std::string* find(const std::string& key) const {
-        const auto field = fields_.find(key);
-        return field == fields_.end() ? nullptr : &field->second;
-    }
-
-    [[nodiscard]] const std::string& require(const std::string& key) const {
-        const std::string* const value = find(key);
-        if (value == nullptr) {
-            fail("header", "it has no '" + key + "'");
-        }
-        return *value;
-    }
-
-    [[nodiscard]] long long integer(const std::string& key) const {
-        const std::optional<long long> value = parseInteger(require(key));
-        if (!value) {
-            fail(key, "expected a whole number, found '" + require(key) + "'");
-        }
-        return *value;
-    }
-
     /// 0 when the key is missing.
     [[nodiscard]] double number(const std::string& key) const {
-        const std::string* const text = find(key);
-        const std::optional<double> value = text == nullptr ? 0.0 : parseNumber(*text);
-        if (!value) {
-            fail(key, "expected a number, found '" + *text + "'");
-        }
-        return *value;
-    }
-
-    [[noreturn]] void fail(const std::string& place, const std::string& what) const {
-        throw InputError(bytes_.name(), place, what);
+        return fields_.number(key).value_or(0.0);
     }
 
     const ByteSource& bytes_;
     bool isWide_;
     bool isFloat_ = false;
     std::size_t headerSize_ = kUsualHeader;  // [characters]
-    Fields fields_;
+    HeaderFields fields_;
 };
 
 constexpr std::array<std::string_view, 2> kExtensions{".bcr", ".bcrf"};

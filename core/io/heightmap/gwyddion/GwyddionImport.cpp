@@ -4,6 +4,7 @@
 #include "core/io/heightmap/GwyddionScan.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
+#include "core/io/heightmap/UnreadFormats.h"
 #include "core/io/heightmap/gwyddion/Identification.h"
 #include "core/io/heightmap/gwyddion/PrivateFolder.h"
 #include "core/io/heightmap/gwyddion/ProgramRun.h"
@@ -130,8 +131,7 @@ private:
                  std::to_string(found->score) + " of 100");
         }
         if (found->isPicture()) {
-            fail("this is a picture (" + found->name +
-                 "), whose values are no heights; save the scan as data, not as an image");
+            fail(pictureRefusal(found->name));
         }
         return *found;
     }

@@ -1,6 +1,7 @@
 #include "core/io/heightmap/igor/AsylumChannel.h"
 
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeaderFields.h"
 
 #include <algorithm>
 #include <array>
@@ -49,11 +50,7 @@ std::string signalOf(std::string_view label) {
 
 std::map<std::string, std::string> parseAsylumNote(const std::string& note) {
     std::map<std::string, std::string> fields;
-    std::string_view text = note;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+    for (const std::string_view line : linesOf(note)) {
         const std::size_t colon = line.find(':');
         if (colon != std::string_view::npos && colon > 0) {
             fields.emplace(toUtf8(trimmed(line.substr(0, colon))),

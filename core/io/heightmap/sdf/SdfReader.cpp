@@ -2,6 +2,7 @@
 #include "core/io/ByteReader.h"
 #include "core/io/TextLines.h"
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/NumberRow.h"
 #include "core/io/heightmap/SampleRows.h"
@@ -49,7 +50,7 @@ double noDataOf(SampleType type) {
 class SdfReader {
 public:
     explicit SdfReader(const ByteSource& bytes)
-        : bytes_(bytes), magic_(bytes.start(kMagicLength)) {}
+        : bytes_(bytes), magic_(bytes.start(kMagicLength)), fields_(bytes.name(), "") {}
 
     StoredScan read() {
         StoredChannel stored;
@@ -79,7 +80,7 @@ private:
         pitchX_ = reader.takeNumber<double>("Xscale");
         pitchY_ = reader.takeNumber<double>("Yscale");
         scale_ = reader.takeNumber<double>("Zscale");
-        metadata_["Zresolution"] = exactText(reader.takeNumber<double>("Zresolution"));
+        fields_.add("Zresolution", exactText(reader.takeNumber<double>("Zresolution")));
         requireNoCompression(reader.takeNumber<std::uint8_t>("Compression"));
         const auto type = reader.takeNumber<std::uint8_t>("DataType");
         (void)reader.takeNumber<std::uint8_t>("CheckType");
@@ -97,18 +98,19 @@ private:
 
     void takeText(ByteReader& reader, std::uint64_t count, const char* key) {
         const std::string text = bytesOf(bytes_, reader.take(count, key));
-        metadata_[key] = toUtf8(trimmed(std::string_view(text).substr(0, text.find('\0'))));
+        fields_.add(key, std::string_view(text).substr(0, text.find('\0')));
     }
 
     ReadRow readText() {
         TextLines lines(bytes_);
         readTextHeader(lines);
-        size_ = checkedImageSize(integer("NumPoints"), integer("NumProfiles"), bytes_.name(),
-                                 "NumPoints, NumProfiles");
-        pitchX_ = number("Xscale");
-        pitchY_ = number("Yscale");
-        scale_ = number("Zscale");
-        requireNoCompression(metadata_.count("Compression") == 0 ? 0 : integer("Compression"));
+        size_ = checkedImageSize(fields_.integer("NumPoints"), fields_.integer("NumProfiles"),
+                                 bytes_.name(), "NumPoints, NumProfiles");
+        pitchX_ = fields_.requiredNumber("Xscale");
+        pitchY_ = fields_.requiredNumber("Yscale");
+        scale_ = fields_.requiredNumber("Zscale");
+        requireNoCompression(
+            fields_.find("Compression") == nullptr ? 0 : fields_.integer("Compression"));
         if (size_.pixels() > bytes_.size()) {
             fail("NumPoints, NumProfiles", "the file is too short for so many numbers");
         }
@@ -125,8 +127,7 @@ private:
             }
             const std::size_t equals = text.find('=');
             if (equals != std::string_view::npos) {
-                metadata_[toUtf8(trimmed(text.substr(0, equals)))] =
-                    toUtf8(trimmed(text.substr(equals + 1)));
+                fields_.add(text.substr(0, equals), text.substr(equals + 1));
             } else if (!text.empty()) {
                 lines.fail("expected 'name = value'");
             }
@@ -175,7 +176,7 @@ private:
         channel.name = "Topography";
         channel.lateralUnit = "m";
         channel.map = emptyMap(size_, pitchX_ * size_.columns, pitchY_ * size_.rows);
-        channel.metadata = std::move(metadata_);
+        channel.metadata = fields_.all();
         const bool hasScale = std::isfinite(scale_) && scale_ != 0.0;
         if (hasScale) {
             channel.unit = "m";
@@ -190,37 +191,13 @@ private:
         settleSize(channel, "header, Xscale and Yscale");
     }
 
-    [[nodiscard]] const std::string& require(const std::string& key) const {
-        const auto entry = metadata_.find(key);
-        if (entry == metadata_.end()) {
-            fail("header", "it has no '" + key + "'");
-        }
-        return entry->second;
-    }
-
-    [[nodiscard]] long long integer(const std::string& key) const {
-        const std::optional<long long> value = parseInteger(require(key));
-        if (!value) {
-            fail(key, "expected a whole number, found '" + require(key) + "'");
-        }
-        return *value;
-    }
-
-    [[nodiscard]] double number(const std::string& key) const {
-        const std::optional<double> value = parseNumber(require(key));
-        if (!value) {
-            fail(key, "expected a number, found '" + require(key) + "'");
-        }
-        return *value;
-    }
-
     [[noreturn]] void fail(const std::string& place, const std::string& what) const {
         throw InputError(bytes_.name(), place, what);
     }
 
     const ByteSource& bytes_;
     std::string magic_;
-    std::map<std::string, std::string> metadata_;
+    HeaderFields fields_;
     ImageSize size_;
     double pitchX_ = 0.0;  // [m]
     double pitchY_ = 0.0;  // [m]

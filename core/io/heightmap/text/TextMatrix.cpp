@@ -6,6 +6,8 @@
 #include "core/io/heightmap/text/TextWriter.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -26,11 +28,13 @@ public:
         : file_(bytes.name())
         , lines_(bytes)
         , header_(requireTextHeader(lines_))
-        , rows_(lines_, header_) {}
+        , rows_(lines_, header_)
+        , columns_(static_cast<long long>(rows_.columns())) {}
 
     StoredScan read() {
         requireNoProfile();
         readNumbers();
+        dropNumbering();
         requirePromisedSize();
         markNoData();
         StoredScan scan;
@@ -40,10 +44,10 @@ public:
 
 private:
     void requireNoProfile() {
-        if (header_.isMatrix || rows_.columns() > 2) {
+        if (header_.isMatrix || columns_ > 2) {
             return;
         }
-        lines_.fail(rows_.columns() == 1
+        lines_.fail(columns_ == 1
                         ? "one column of numbers is a profile, no height map"
                         : "two columns of numbers are a profile or a curve, such as a force curve, "
                           "and no height map");
@@ -61,15 +65,41 @@ private:
         }
     }
 
+    /// Leaves out the numbers of rows and columns that tables of pandas have: 0, 1, 2... in the
+    /// first line and column, and nothing in their corner.
+    void dropNumbering() {
+        const auto at = [this](long long row, long long column) {
+            return numbers_[static_cast<std::size_t>(row * columns_ + column)];
+        };
+        bool isNumbered = !header_.isMatrix && count_ > 2 && columns_ > 2 && std::isnan(at(0, 0));
+        for (long long i = 1; isNumbered && i < std::max(count_, columns_); ++i) {
+            const auto number = static_cast<double>(i - 1);
+            isNumbered =
+                (i >= count_ || at(i, 0) == number) && (i >= columns_ || at(0, i) == number);
+        }
+        if (!isNumbered) {
+            return;
+        }
+        std::deque<double> heights;
+        for (long long row = 1; row < count_; ++row) {
+            const auto begin = numbers_.begin() + row * columns_;
+            heights.insert(heights.end(), begin + 1, begin + columns_);
+        }
+        numbers_ = std::move(heights);
+        --count_;
+        --columns_;
+        header_.notes.emplace_back(
+            "its first line and first column number the others and are left out");
+    }
+
     void requirePromisedSize() const {
-        const auto columns = static_cast<long long>(rows_.columns());
-        const bool fits = (header_.columns == 0 || header_.columns == columns) &&
+        const bool fits = (header_.columns == 0 || header_.columns == columns_) &&
                           (header_.rows == 0 || header_.rows == count_);
         if (!fits) {
             throw InputError(file_, "header",
                              "it promises " + std::to_string(header_.columns) + " x " +
                                  std::to_string(header_.rows) + " numbers, and there are " +
-                                 std::to_string(columns) + " x " + std::to_string(count_) +
+                                 std::to_string(columns_) + " x " + std::to_string(count_) +
                                  "; the file is truncated or damaged");
         }
     }
@@ -91,8 +121,7 @@ private:
     }
 
     StoredChannel channel() {
-        const ImageSize size =
-            checkedImageSize(static_cast<long long>(rows_.columns()), count_, file_, "matrix");
+        const ImageSize size = checkedImageSize(columns_, count_, file_, "matrix");
         const bool byPixel = header_.pitch > 0.0;
         ScanChannel channel;
         channel.name = header_.title.empty() ? "matrix" : header_.title;
@@ -110,9 +139,7 @@ private:
             channel.provenance.push_back(
                 scaleProvenance(header_.unit.factor, channel.unit, header_.unitSource));
         }
-        if (rows_.style().separator == ';') {
-            channel.provenance.push_back({"separator", ";", "first line of numbers"});
-        }
+        std::ranges::move(rows_.provenance(), std::back_inserter(channel.provenance));
         channel.provenance.push_back(
             {"orientation", "the first line is the top row", "usual; the file does not say"});
         return {.channel = std::move(channel),
@@ -125,6 +152,7 @@ private:
     TextHeader header_;
     TextRows rows_;
     std::deque<double> numbers_;
+    long long columns_;
     long long count_ = 0;  ///< of rows
 };
 

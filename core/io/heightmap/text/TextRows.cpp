@@ -13,6 +13,8 @@ constexpr std::size_t kMaxColumns = 65536;
 constexpr std::size_t kPoint = 3;                           // columns: x, y, z
 constexpr std::uint64_t kGlance = std::uint64_t{1} << 16U;  // [bytes]
 
+constexpr const char* kStyleSource = "first line of numbers";
+
 /// The front of a cell that is quoted in a message.
 std::string excerpt(std::string_view cell) {
     constexpr std::size_t kShown = 32;
@@ -50,6 +52,17 @@ std::span<const double> TextRows::next() {
         return row_.numbers;
     }
     return {};
+}
+
+std::vector<Provenance> TextRows::provenance() const {
+    std::vector<Provenance> entries;
+    if (style_.separator == ';' || style_.separator == ',') {
+        entries.push_back({"separator", std::string(1, style_.separator), kStyleSource});
+    }
+    if (style_.decimalComma && header_.firstLine.find(',') != std::string::npos) {
+        entries.push_back({"decimal sign", "a comma", kStyleSource});
+    }
+    return entries;
 }
 
 void TextRows::read(std::string_view line) {

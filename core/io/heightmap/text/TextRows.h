@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -23,7 +24,8 @@ public:
     ///        first one, or more than 65536
     [[nodiscard]] std::span<const double> next();
     [[nodiscard]] std::size_t columns() const { return columns_; }
-    [[nodiscard]] const NumberStyle& style() const { return style_; }
+    /// How the numbers are told apart, where blanks do not.
+    [[nodiscard]] std::vector<Provenance> provenance() const;
 
 private:
     void read(std::string_view line);

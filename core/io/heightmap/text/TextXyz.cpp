@@ -7,6 +7,7 @@
 #include "core/io/heightmap/text/TextRows.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -17,8 +18,10 @@ namespace asperity {
 
 namespace {
 
-/// A grid has at most this number of nodes for each of its points.
+/// A grid has about one node for each of its points; with fewer nodes, points are there twice.
+constexpr double kMinNodesPerPoint = 0.8;
 constexpr double kMaxNodesPerPoint = 1.2;
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 class TextXyzReader {
 public:
@@ -66,7 +69,7 @@ private:
         const std::size_t count = points_.size();
         const double nodes = x && y ? static_cast<double>(x->count) * y->count : 0.0;
         const auto points = static_cast<double>(count);
-        if (nodes < points || nodes > kMaxNodesPerPoint * points) {
+        if (nodes < kMinNodesPerPoint * points || nodes > kMaxNodesPerPoint * points) {
             throw InputError(
                 file_, "",
                 "three columns of numbers are read as x, y and z of points, and these " +
@@ -106,6 +109,7 @@ private:
             channel.provenance.push_back(
                 scaleProvenance(unit.factor, unit.base, header_.unitSource));
         }
+        std::ranges::move(rows_.provenance(), std::back_inserter(channel.provenance));
         channel.provenance.push_back({"grid",
                                       std::to_string(x_.count) + " x " + std::to_string(y_.count) +
                                           " nodes, steps " + exactText(x_.pitch) + " and " +
@@ -120,20 +124,22 @@ private:
         const auto columns = static_cast<std::size_t>(x_.count);
         const std::size_t nodes = columns * static_cast<std::size_t>(y_.count);
         std::deque<double> heights(nodes, std::numeric_limits<double>::quiet_NaN());
-        std::vector<bool> taken(nodes, false);
+        std::vector<std::size_t> points(nodes, kNone);
         for (std::size_t i = 0; i < points_.size(); ++i) {
             const int row = y_.count - 1 - y_.nodeOf(points_.at(i, 1));
             const std::size_t node = static_cast<std::size_t>(row) * columns +
                                      static_cast<std::size_t>(x_.nodeOf(points_.at(i, 0)));
-            if (taken[node]) {
-                throw InputError(file_, "",
+            if (points[node] != kNone) {
+                throw InputError(file_,
+                                 "points " + std::to_string(points[node] + 1) + " and " +
+                                     std::to_string(i + 1),
                                  "two points lie at x = " + exactText(points_.at(i, 0)) +
                                      ", y = " + exactText(points_.at(i, 1)));
             }
-            taken[node] = true;
+            points[node] = i;
             heights[node] = points_.at(i, 2);
         }
-        const std::size_t missing = nodes - points_.size();
+        const std::size_t missing = nodes - points_.size();  // no two lie on one
         if (missing > 0) {
             channel.notes.push_back(std::to_string(missing) + " of " + std::to_string(nodes) +
                                     " nodes of the grid have no point");

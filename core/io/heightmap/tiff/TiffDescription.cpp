@@ -1,6 +1,7 @@
 #include "core/io/heightmap/tiff/TiffDescription.h"
 
 #include "core/io/TextValue.h"
+#include "core/io/heightmap/HeaderFields.h"
 #include "core/io/heightmap/HeightCounts.h"
 #include "core/io/heightmap/PhysicalUnit.h"
 #include "core/io/heightmap/tiff/TiffImage.h"
@@ -14,10 +15,7 @@ namespace {
 /// Lines "key=value".
 ImageTexts lines(std::string_view text) {
     ImageTexts texts;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+    for (const std::string_view line : linesOf(text)) {
         const std::size_t equals = line.find('=');
         if (equals != std::string_view::npos) {
             texts.emplace(trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)));

@@ -22,9 +22,10 @@ std::string refusal(const std::string& bytes) {
     return refusalOf([&] { (void)readHeightMapBytes(bytes, "map.bcr"); });
 }
 
+/// @param lines count before those of the same keys that each file has
 std::string headerOf(const std::string& lines, const std::string& format = "bcrstm") {
-    std::string header = "fileformat = " + format +
-                         "\nxpixels = 3\nypixels = 2\nxlength = 30\nylength = 40\n" + lines;
+    std::string header = "fileformat = " + format + "\n" + lines +
+                         "xpixels = 3\nypixels = 2\nxlength = 30\nylength = 40\n";
     header.resize(kHeader, ' ');
     return header;
 }
@@ -117,7 +118,7 @@ TEST(BcrReader, HeaderMayBeUtf16OrOfAnotherSize) {
 TEST(BcrReader, RefusesWhatItCannotRead) {
     const std::string whole = int16File("bit2nm = 1\n");
     EXPECT_THAT(refusal(whole.substr(0, whole.size() - 1)), HasSubstr("truncated"));
-    EXPECT_THAT(refusal(whole.substr(0, 30)), HasSubstr("xpixels"));
+    EXPECT_THAT(refusal(whole.substr(0, 35)), HasSubstr("xpixels"));
     EXPECT_THAT(refusal(int16File("forcecurve = 1\n")), HasSubstr("force curve"));
     EXPECT_THAT(refusal(int16File("bit2nm = many\n")), HasSubstr("bit2nm: expected a number"));
     EXPECT_THAT(refusal(int16File("headersize = -1\n")), HasSubstr("headersize"));

@@ -138,6 +138,15 @@ TEST(GwyddionImport, NamesFormatsThatAreKnownButNotRead) {
                 AllOf(HasSubstr("this is an HDF5 file"), HasSubstr("Gwyddion does not recognize")));
 }
 
+/// With Gwyddion they would be read as well as without: not at all.
+TEST(GwyddionImport, PicturesAreRefusedAsSuchWithAndWithoutTheProgram) {
+    for (const char* picture : {"\xFF\xD8\xFF\xE0 JFIF", "GIF89a", "%PDF-1.4\n"}) {
+        EXPECT_THAT(refusal({}, picture),
+                    AllOf(HasSubstr("byte 0: this is a picture"), HasSubstr("no heights"),
+                          Not(HasSubstr("package"))));
+    }
+}
+
 TEST(GwyddionImport, RefusesWhatGwyddionDoesNotKnowOrGuesses) {
     const FakeGwyddion unknown("echo \"$2: Unknown\"; exit 1", "exit 1");
     EXPECT_THAT(refusal(unknown.program()), HasSubstr("Gwyddion does not recognize it"));

@@ -30,8 +30,9 @@ TEST(HeaderFields, MarkIsNotSearchedInTheSamples) {
                 HasSubstr("a file: header: no '[end]' ends it"));
 }
 
-TEST(HeaderFields, LinesMayEndWithOrWithoutCarriageReturn) {
+TEST(HeaderFields, LinesEndWithAnyLineEnd) {
     EXPECT_THAT(linesOf("a\r\n\nb"), ElementsAre("a", "", "b"));
+    EXPECT_THAT(linesOf("a\rb\r"), ElementsAre("a", "b"));
     EXPECT_THAT(linesOf(""), ElementsAre());
 }
 
@@ -56,7 +57,11 @@ TEST(HeaderFields, NumbersAreCheckedAndNamed) {
                 HasSubstr("a file: [Scan] Mode: expected a number, found 'fast'"));
     EXPECT_THAT(refusalOf([&] { (void)fields.integer("Rate"); }),
                 HasSubstr("[Scan] Rate: expected a whole number"));
-    EXPECT_THAT(refusalOf([&] { (void)fields.integer("Angle"); }), HasSubstr("found ''"));
+    EXPECT_THAT(refusalOf([&] { (void)fields.integer("Angle"); }),
+                HasSubstr("a file: [Scan]: it has no 'Angle'"));
+    EXPECT_DOUBLE_EQ(fields.requiredNumber("Rate"), 1.5e-3);
+    EXPECT_THAT(refusalOf([&] { (void)fields.requiredNumber("Angle"); }),
+                HasSubstr("it has no 'Angle'"));
 }
 
 TEST(HeaderFields, SectionsKeepTheirFields) {

@@ -105,6 +105,26 @@ TEST(TextReader, HeaderMayHaveDecimalCommasButNoThousands) {
     EXPECT_FALSE(mapOf("10,000 µm").hasSize()) << "10 or 10000";
 }
 
+TEST(TextReader, SaysHowTheNumbersAreToldApart) {
+    using testing::Contains;
+    using testing::Field;
+    const ScanChannel tabs = readOne("1,5\t2\t3\t4\n4\t5\t6,25\t7\n");
+    EXPECT_THAT(tabs.provenance, Contains(Field(&Provenance::what, "decimal sign")));
+    const ScanChannel commas = readOne("1.5,2,3,4\n4,5,6.25,7\n");
+    EXPECT_THAT(commas.provenance, Contains(Field(&Provenance::what, "separator")));
+    EXPECT_THAT(commas.provenance, Not(Contains(Field(&Provenance::what, "decimal sign"))));
+}
+
+/// As pandas.DataFrame.to_csv() writes a matrix.
+TEST(TextReader, NumbersOfRowsAndColumnsAreNoHeights) {
+    const ScanChannel channel = readOne(",0,1,2\n0,1.5,2.5,3.5\n1,4.5,5.5,6.5\n");
+    ASSERT_EQ(channel.map.columns, 3);
+    ASSERT_EQ(channel.map.rows, 2);
+    EXPECT_EQ(channel.map.heights, (std::vector<double>{1.5, 2.5, 3.5, 4.5, 5.5, 6.5}));
+    EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("number the others")));
+    EXPECT_EQ(readOne("nan,0,1,2\n0,1.5,2.5,3.5\n7,4.5,5.5,6.5\n").map.columns, 4);
+}
+
 TEST(TextReader, OtherLengthsInCommentsAreNotTheSize) {
     const ScanChannel channel = readOne("# Tip radius: 10 nm\n# Channel: Z\n# Width: 3 um\n"
                                         "# Height: 2 um\n# Value units: m\n1 2 3\n4 5 6\n");

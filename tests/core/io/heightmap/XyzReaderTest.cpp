@@ -116,6 +116,8 @@ TEST(XyzReader, RefusesWhatIsNoSetOfPoints) {
     std::vector<std::string> lines = pointLines();
     lines[3] = lines[4];
     EXPECT_THAT(refusal(joined(lines)), HasSubstr("two points lie at x = 0, y = 9"));
+    EXPECT_THAT(refusal("0 0 1\n1 0 1\n0 1 1\n1 1 1\n1 0 2\n"),
+                HasSubstr("points.xyz: points 2 and 5: two points lie at x = 1, y = 0"));
 }
 
 TEST(PointGrid, FindsRoundedNodes) {
