@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <iterator>
 
 namespace asperity::test {
 namespace {
@@ -79,9 +80,11 @@ protected:
 };
 
 TEST_F(Unplugged, TheFirstTickThatKnowsIsAFaultAndFeelsNothing) {
+    std::vector<TickSample> all;
+    ASSERT_TRUE(eventually([&] { return !(all = ticks()).empty(); })) << "one before it is lost";
     device.unplug();
     ASSERT_TRUE(eventually([this] { return !isConnected(); }));
-    const std::vector<TickSample> all = ticks();
+    std::ranges::move(ticks(), std::back_inserter(all));
     const auto first = std::find_if(all.begin(), all.end(), [](const TickSample& tick) {
         return !tick.input.device.connected;
     });
