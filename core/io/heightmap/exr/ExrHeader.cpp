@@ -55,8 +55,7 @@ private:
             }
             const ByteSpan value = reader_.take(static_cast<std::uint64_t>(size), name);
             if (!fitsExrType(bytes_, type, value)) {
-                reader_.fail("the attribute '" + name + "' is not as long as a " + type +
-                             "; the file is damaged");
+                failLength(name, type);
             }
             if (type == "box2i" && name == "dataWindow") {
                 takeWindow(value);
@@ -68,6 +67,11 @@ private:
             ++count;
         }
         return count;
+    }
+
+    [[noreturn]] void failLength(const std::string& name, const std::string& type) const {
+        reader_.fail("the attribute '" + name + "' is not as long as a " + type +
+                     "; the file is damaged");
     }
 
     void takeWindow(const ByteSpan& value) {
