@@ -45,7 +45,8 @@ WrittenImage imageOf(const ScanFile& file, const ScanChannel& channel) {
 }
 
 std::string summaryOf(const HeightMapFile& file) {
-    std::string text = std::to_string(file.channels.size()) + " channels:";
+    std::string text = std::to_string(file.channels.size()) +
+                       (file.channels.size() == 1 ? " channel:" : " channels:");
     for (const ScanChannel& channel : file.channels) {
         text += (&channel == file.channels.data() ? " '" : ", '") + titleOf(channel) + "'";
     }

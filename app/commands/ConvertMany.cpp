@@ -25,21 +25,21 @@ void makeFolder(const std::string& folder) {
 }
 
 /// A scan is often the only copy of a measurement.
-void refuseToOverwriteOthers(const ConvertOptions& options, const ConvertedFile& file) {
-    for (const std::string& other : options.others) {
+void refuseToOverwriteInputs(const ConvertOptions& options, const ConvertedFile& file) {
+    std::vector<std::string> inputs{options.input};
+    inputs.insert(inputs.end(), options.others.begin(), options.others.end());
+    for (const std::string& input : inputs) {
         std::error_code ignored;
-        if (std::filesystem::equivalent(other, file.output, ignored)) {
-            throw Error("its output " + file.output + " is another input; name another folder");
+        if (std::filesystem::equivalent(input, file.output, ignored)) {
+            throw Error("its output " + file.output + " is " +
+                        (input == file.input ? "the file itself" : "another input") +
+                        "; name another folder");
         }
-    }
-    std::error_code ignored;
-    if (std::filesystem::equivalent(options.input, file.output, ignored)) {
-        throw Error("its output " + file.output + " is another input; name another folder");
     }
 }
 
 void convertOne(const ConvertOptions& options, const ConvertedFile& file) {
-    refuseToOverwriteOthers(options, file);
+    refuseToOverwriteInputs(options, file);
     requireWritableTargets(options, file);
     const Converted converted = options.all ? convertAll(options, file) : convertMap(options, file);
     for (const std::string& note : converted.notes) {

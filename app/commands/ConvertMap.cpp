@@ -2,6 +2,7 @@
 
 #include "app/commands/ConvertTargets.h"
 #include "app/commands/ProgressLine.h"
+#include "core/SiFormat.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/surface/Residual.h"
@@ -10,8 +11,10 @@
 #include "core/surface/imaging/TipErosion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 namespace asperity {
@@ -43,6 +46,35 @@ void noteHoles(const ConvertOptions& options, const ConvertedFile& files, const 
     if (isCounts && std::ranges::count(invalid, true) > 0) {
         notes.emplace_back("pixels without data are count 0 in the file written: Asperity reads "
                            "them as such, other programs show pits");
+    }
+}
+
+/// Whether a file will hold the heights in single precision.
+bool isSinglePrecision(const ConvertOptions& options, const std::string& file) {
+    const std::string extension = lowerCase(std::filesystem::path(file).extension().string());
+    const bool isTiff = extension == ".tif" || extension == ".tiff";
+    return extension == ".gsf" || extension == ".exr" || (isTiff && options.bits != 16);
+}
+
+/// A relief of nanometers on an offset of millimeters is lost in single precision.
+void noteSteps(const ConvertOptions& options, const ConvertedFile& files, const HeightMap& map,
+               std::vector<std::string>& notes) {
+    constexpr double kFewSteps = 1000.0;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const double height : map.heights) {
+        if (isFiniteHeight(height)) {
+            low = std::min(low, height);
+            high = std::max(high, height);
+        }
+    }
+    const double largest = std::max(std::abs(low), std::abs(high));
+    const double step = largest * std::numeric_limits<float>::epsilon();
+    if (isSinglePrecision(options, files.output) && high > low && (high - low) < kFewSteps * step) {
+        notes.push_back("the relief of " + formatSi(high - low, "m") +
+                        " is written in steps of about " + formatSi(step, "m") +
+                        ", because the heights lie at " + formatSi(largest, "m") +
+                        "; --level plane removes that, .gwy and .txt keep all digits");
     }
 }
 
@@ -121,6 +153,7 @@ Converted convertPlainly(const ConvertOptions& options, const ConvertedFile& fil
     const HeightRows rows = rowsOf(map);
     writeTarget(options, files.output, rows, metaOf(channel));
     noteHoles(options, files, map.invalid, file.notes);
+    noteSteps(options, files, map, file.notes);
     return {summaryOf(channel.name, rows, map.invalid), std::move(file.notes)};
 }
 

@@ -18,11 +18,6 @@ std::optional<double> unitLength(const std::string& text) {
     return unit.base == "m" ? std::optional(unit.factor) : std::nullopt;
 }
 
-/// Rounded once: 5 um are 5e-6 m, not 4.9999999999999996e-6.
-double inMeters(double value, double unit) {
-    return unit < 1.0 ? value / std::round(1.0 / unit) : value * unit;
-}
-
 /// "5x2um" as "5um" and "2um".
 std::pair<std::string, std::string> sidesOf(const std::string& text) {
     const std::size_t cross = text.find('x');
@@ -74,7 +69,7 @@ void addSizeOption(CLI::App& command, GivenScale& scale) {
 void addHeightOptions(CLI::App& command, GivenScale& scale) {
     const auto height = std::make_shared<HeightOptions>();
     const auto take = [height, &scale] {
-        scale.heightPerValue = height->number * height->unit;
+        scale.heightPerValue = inMeters(height->number, height->unit);
         if (!isPositive(scale.heightPerValue)) {
             throw CLI::ValidationError("--z-scale", "--z-scale times --z-unit is no length");
         }

@@ -7,6 +7,7 @@
 #include "app/reports/BeginningRun.h"
 #include "app/session/LiveWindow.h"
 #include "app/session/ShippedScene.h"
+#include "core/Error.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "vtkplugins/pictures/Display.h"
 
@@ -40,23 +41,49 @@ void recordFromTheStart(Session& session, const RecordingPlace& place) {
     });
 }
 
-/// Shows the window, and the file as soon as it is loaded. Where that fails the program ends as
-/// every command does, but where the scale is all that is missing: the window asks for it. From
-/// then on the window stays, whatever a user opens in it.
-int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOverrides& overrides,
-             bool isRecorded) {
-    SceneControl& scenes = live.session().scenes();
-    std::exception_ptr reason;
+/// Opens a file in the window. Where that fails the program ends as every command does, but where
+/// the scale is all that is missing: the window asks for it. From then on the window stays,
+/// whatever a user opens in it.
+/// @param reason why the program ends
+void openOrQuit(Session& session, std::exception_ptr& reason) {
+    SceneControl& scenes = session.scenes();
     const auto quits = QObject::connect(&scenes, &SceneControl::openFailed, [&scenes, &reason] {
         reason = scenes.openError();
         QApplication::quit();
     });
     const auto goOn = [quits] { QObject::disconnect(quits); };
-    QObject::connect(&live.session().runs(), &RunControl::begun, goOn);
+    QObject::connect(&session.runs(), &RunControl::begun, goOn);
     QObject::connect(&scenes, &SceneControl::openCanceled, goOn);
     QObject::connect(&scenes, &SceneControl::scaleAsked, goOn);
-    showShippedInstead(live.session(), isRecorded);
-    scenes.open(input, overrides);
+    showShippedInstead(session);
+}
+
+/// The same for a run that is recorded: there is no other scene to record.
+void recordOrQuit(Session& session, const std::filesystem::path& input,
+                  std::exception_ptr& reason) {
+    SceneControl& scenes = session.scenes();
+    auto* const once = new QObject(&session);
+    const auto quit = [&session, once, &reason](const std::exception_ptr& why) {
+        if (session.run() == nullptr) {
+            reason = why;
+            QApplication::quit();
+        }
+        once->deleteLater();
+    };
+    QObject::connect(&scenes, &SceneControl::openFailed, once,
+                     [quit, &scenes] { quit(scenes.openError()); });
+    QObject::connect(&scenes, &SceneControl::openCanceled, once, [quit, input] {
+        quit(std::make_exception_ptr(
+            InputError(input.string(), "", "it was not opened; nothing is recorded")));
+    });
+    QObject::connect(&session.runs(), &RunControl::begun, once, &QObject::deleteLater);
+}
+
+int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOverrides& overrides,
+             bool isRecorded) {
+    std::exception_ptr reason;
+    isRecorded ? recordOrQuit(live.session(), input, reason) : openOrQuit(live.session(), reason);
+    live.session().scenes().open(input, overrides);
     const int status = live.exec();
     if (reason) {
         std::rethrow_exception(reason);

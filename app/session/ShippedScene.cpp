@@ -3,21 +3,17 @@
 #include "app/program/DataFolder.h"
 #include "app/session/Session.h"
 
-#include <QApplication>
-
 #include <memory>
 
 namespace asperity {
 
-void showShippedInstead(Session& session, bool isRecorded) {
+void showShippedInstead(Session& session) {
     SceneControl& scenes = session.scenes();
     auto* const once = new QObject(&session);
-    const auto show = [&session, once, isRecorded] {
+    const auto show = [&session, once] {
         once->deleteLater();
         const std::filesystem::path shipped = defaultSceneFile();
-        if (isRecorded) {
-            QApplication::exit(1);
-        } else if (session.run() == nullptr && !shipped.empty()) {
+        if (session.run() == nullptr && !shipped.empty()) {
             session.scenes().open(shipped);
         }
     };

@@ -1,6 +1,13 @@
 #pragma once
 
+#include <cmath>
+
 namespace asperity {
+
+/// Rounded once: 5 µm are 5e-6 m, not 4.9999999999999996e-6 m. @param unit [m]
+[[nodiscard]] inline double inMeters(double number, double unit) {
+    return unit < 1.0 ? number / std::round(1.0 / unit) : number * unit;
+}
 
 /// What a user says of a scan whose file does not say it.
 struct GivenScale {

@@ -63,7 +63,7 @@ void chooseUnit(QComboBox& unit, double length) {
 }
 
 double lengthIn(const LengthBox& box, const QComboBox& unit) {
-    return box.isBlank() ? 0.0 : box.value() * metersOf(unit);
+    return box.isBlank() ? 0.0 : inMeters(box.value(), metersOf(unit));
 }
 
 QString missingText(const ScaleGap& gap) {

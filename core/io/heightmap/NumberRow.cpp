@@ -51,10 +51,11 @@ std::optional<double> withDecimalComma(std::string_view cell) {
 }
 
 /// @param cell without blanks around it
-std::optional<double> valueOf(std::string_view cell, const NumberStyle& style) {
+std::optional<double> valueOf(std::string_view cell, const NumberStyle& style, NumberRow& row) {
     std::optional<double> number = parseNumber(cell);
     if (!number && style.decimalComma) {
         number = withDecimalComma(cell);
+        row.hasDecimalComma = row.hasDecimalComma || number.has_value();
     }
     if (!number && isMissingWord(cell)) {
         number = kNoData;
@@ -79,7 +80,7 @@ void readBlankSeparated(std::string_view line, const NumberStyle& style, NumberR
         }
         const char* const cellEnd = std::find_if(at, end, isBlank);
         const std::string_view cell(at, static_cast<std::size_t>(cellEnd - at));
-        const std::optional<double> value = valueOf(cell, style);
+        const std::optional<double> value = valueOf(cell, style, row);
         if (!value) {
             row.wrong = cell;
             return;
@@ -95,7 +96,7 @@ void readCells(std::string_view line, const NumberStyle& style, NumberRow& row) 
         const std::string_view cell = trimmed(line.substr(begin, end - begin));
         begin = end + 1;
         row.endsEmpty = cell.empty();
-        const std::optional<double> value = cell.empty() ? kNoData : valueOf(cell, style);
+        const std::optional<double> value = cell.empty() ? kNoData : valueOf(cell, style, row);
         if (!value) {
             row.wrong = cell;
             return;

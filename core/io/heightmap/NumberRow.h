@@ -18,8 +18,9 @@ struct NumberStyle {
 struct NumberRow {
     /// NaN for a word that means "no data" ("NaN", "Bad", "***", "1.#QNAN") and for an empty cell.
     std::vector<double> numbers;
-    bool endsEmpty = false;  ///< its last cell is empty: the line ends with a separator
-    std::string_view wrong;  ///< the first cell that is neither; empty when all are well
+    bool hasDecimalComma = false;  ///< in any number
+    bool endsEmpty = false;        ///< its last cell is empty: the line ends with a separator
+    std::string_view wrong;        ///< the first cell that is neither; empty when all are well
 };
 
 /// Reads a line; what is in `row` is replaced, its memory used again.

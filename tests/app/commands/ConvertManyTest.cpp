@@ -96,8 +96,19 @@ TEST_F(ConvertMany, NoOutputReplacesAnotherInput) {
     const std::string before = test::contentOf(scratch.file("out") / "a.gsf");
     const auto run = convert(path("a.gwy") + " " + path("out/a.gsf") + into("gsf") + " --force");
     EXPECT_EQ(run.exitCode, 1) << run.output;
-    EXPECT_THAT(run.output, HasSubstr("is another input"));
+    EXPECT_THAT(run.output, HasSubstr("is the file itself"));
     EXPECT_EQ(test::contentOf(scratch.file("out") / "a.gsf"), before);
+}
+
+TEST_F(ConvertMany, NoOutputReplacesAnotherInputUnderAnotherName) {
+    std::filesystem::create_directory(scratch.file("out"));
+    std::filesystem::copy_file(scratch.file("b.gsf"), scratch.file("d.gsf"));
+    std::filesystem::create_hard_link(scratch.file("d.gsf"), scratch.file("out") / "b.gsf");
+    const std::string before = test::contentOf(scratch.file("d.gsf"));
+    const auto run = convert(path("b.gsf") + " " + path("d.gsf") + into("gsf") + " --force");
+    EXPECT_EQ(run.exitCode, 1) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("is another input"));
+    EXPECT_EQ(test::contentOf(scratch.file("d.gsf")), before);
 }
 
 TEST_F(ConvertMany, ReplacesFilesOnlyWithForce) {
@@ -107,6 +118,19 @@ TEST_F(ConvertMany, ReplacesFilesOnlyWithForce) {
     EXPECT_THAT(again.output, HasSubstr("a.gsf: the file exists"));
     EXPECT_TRUE(isThere("b.gsf"));
     EXPECT_EQ(convert(path("a.gwy") + into("gsf") + " --force").exitCode, 0);
+}
+
+TEST_F(ConvertMany, SaysWhereSinglePrecisionLosesTheRelief) {
+    HeightMap map = test::bumpyMap(8, 6);
+    for (double& height : map.heights) {
+        height = 5e-3 + 1e-3 * height;
+    }
+    writeHeightMap(scratch.file("high.txt"), map, {});
+    const std::string lost = "is written in steps of about";
+    EXPECT_THAT(convert(path("high.txt") + into("gsf")).output, HasSubstr(lost));
+    EXPECT_THAT(convert(path("high.txt") + into("tiff")).output, HasSubstr(lost));
+    EXPECT_THAT(convert(path("high.txt") + into("gwy")).output, Not(HasSubstr(lost)));
+    EXPECT_THAT(convert(path("b.gsf") + into("gsf")).output, Not(HasSubstr(lost)));
 }
 
 TEST_F(ConvertMany, SaysWhatOtherProgramsMakeOfPixelsWithoutData) {

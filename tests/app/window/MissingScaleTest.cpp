@@ -114,7 +114,7 @@ TEST_F(WindowThatAsks, CancelLeavesTheSceneAsItWas) {
 }
 
 TEST_F(WindowThatAsks, ShowsTheShippedSceneWhereTheFirstFileIsNotOpened) {
-    showShippedInstead(session, false);
+    showShippedInstead(session);
     open(folder.write("bare.txt", numbers()));
     press(QDialogButtonBox::Cancel);
     ASSERT_TRUE(eventually([this] { return shown.count() == 1; }));
@@ -123,7 +123,7 @@ TEST_F(WindowThatAsks, ShowsTheShippedSceneWhereTheFirstFileIsNotOpened) {
 }
 
 TEST_F(WindowThatAsks, ShowsTheShippedSceneWhereTheGivenScaleCannotBe) {
-    showShippedInstead(session, false);
+    showShippedInstead(session);
     open(folder.write("bare.txt", numbers()));
     answer(0.32, 1e9);
     EXPECT_TRUE(eventually([this] { return failed.count() + shown.count() == 2; }));
@@ -219,7 +219,7 @@ TEST_F(WindowThatAsks, ASceneIsAskedForWhatItDoesNotSay) {
     box("sizeX").setValue(0.32);
     press(QDialogButtonBox::Ok);
     ASSERT_TRUE(eventually([this] { return shown.count() == 1; }));
-    EXPECT_EQ(shownScale(), (GivenScale{0.32 * 1e-6, 0.16 * 1e-6, 1e-9}));
+    EXPECT_EQ(shownScale(), (GivenScale{0.32e-6, 0.16e-6, 1e-9}));
 }
 
 }  // namespace

@@ -29,10 +29,13 @@ constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInt16NoData = 32767.0;
 constexpr double kFloatNoData = 1.7e38;  // and above
 
-/// "key = value" lines; comments and blanks are left out.
+/// "key = value" lines, of several with the same key the last one; comments and blanks are left
+/// out.
 HeaderFields parseFields(std::string_view text, const std::string& file) {
     HeaderFields fields(file, "");
-    for (const std::string_view whole : linesOf(text)) {
+    std::vector<std::string_view> lines = linesOf(text);
+    std::ranges::reverse(lines);
+    for (const std::string_view whole : lines) {
         const std::string_view line = trimmed(whole.substr(0, whole.find('#')));
         const std::size_t equals = line.find('=');
         if (!line.starts_with('%') && equals != std::string_view::npos) {

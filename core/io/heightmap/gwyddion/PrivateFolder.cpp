@@ -11,10 +11,13 @@ namespace asperity {
 PrivateFolder::PrivateFolder() {
     std::error_code failure;
     const std::filesystem::path parent = std::filesystem::temp_directory_path(failure);
+    if (failure) {
+        throw Error("there is no folder for temporary files; is TMPDIR right?");
+    }
     std::string name = (parent / "asperity-XXXXXX").string();
-    if (failure || mkdtemp(name.data()) == nullptr) {
+    if (mkdtemp(name.data()) == nullptr) {
         throw Error("a folder for temporary files cannot be made in " + parent.string() + ": " +
-                    (failure ? failure.message() : std::generic_category().message(errno)));
+                    std::generic_category().message(errno));
     }
     path_ = name;
 }

@@ -55,6 +55,16 @@ struct SizePlaces {
     std::size_t height = 0;
 };
 
+bool holdsNumber(const TextComment& comment) {
+    return parseLeadingNumber(comment.value).has_value();
+}
+
+/// Whether a comment may be the unit of the values, "# Einheit: nm".
+bool mayBeUnit(const TextComment& comment) {
+    return !comment.value.empty() && !holdsNumber(comment) &&
+           comment.value.find_first_of(" \t") == std::string::npos;
+}
+
 std::optional<SizePlaces> placesOfSize(const std::vector<TextComment>& comments) {
     std::vector<std::size_t> lengths;
     std::optional<std::size_t> width;
@@ -75,14 +85,13 @@ std::optional<SizePlaces> placesOfSize(const std::vector<TextComment>& comments)
     if (width && height) {
         return SizePlaces{*width, *height};
     }
-    if (lengths.size() == 2 && lengths[1] == lengths[0] + 1) {
+    // Words in a language that is not known here: as Gwyddion orders them.
+    const bool areOrdered = lengths.size() == 2 && lengths[1] == lengths[0] + 1 &&
+                            lengths[1] + 1 < comments.size() && mayBeUnit(comments[lengths[1] + 1]);
+    if (areOrdered) {
         return SizePlaces{lengths[0], lengths[1]};
     }
     return std::nullopt;
-}
-
-bool holdsNumber(const TextComment& comment) {
-    return parseLeadingNumber(comment.value).has_value();
 }
 
 std::string placeOf(const TextComment& comment) {

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <utility>
 
 // A matrix of numbers as text, the first line the top row: Gwyddion's export, "h=.. w=.." before
@@ -21,6 +23,30 @@ namespace {
 constexpr long long kMaxRows = 65536;
 /// What many programs write where there are no data.
 constexpr double kUsualNoData = -9999.0;
+
+/// All but the first.
+std::span<const double> rest(const std::vector<double>& numbers) {
+    return std::span(numbers).subspan(1);
+}
+
+/// Whether they are 0, 1, 2...
+bool countsUp(std::span<const double> numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (numbers[i] != static_cast<double>(i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Two may be heights, three hardly.
+bool looksLikeNumbering(std::span<const double> numbers) {
+    return numbers.size() > 2 && countsUp(numbers);
+}
+
+bool rises(std::span<const double> numbers) {
+    return std::ranges::adjacent_find(numbers, std::not_fn(std::less())) == numbers.end();
+}
 
 class TextMatrixReader {
 public:
@@ -66,20 +92,43 @@ private:
     }
 
     /// Leaves out the numbers of rows and columns that tables of pandas have: 0, 1, 2... in the
-    /// first line and column, and nothing in their corner.
+    /// first line and column, and nothing in their corner. What only looks like a numbering or like
+    /// axes stays, and a note says so.
     void dropNumbering() {
-        const auto at = [this](long long row, long long column) {
-            return numbers_[static_cast<std::size_t>(row * columns_ + column)];
-        };
-        bool isNumbered = !header_.isMatrix && count_ > 2 && columns_ > 2 && std::isnan(at(0, 0));
-        for (long long i = 1; isNumbered && i < std::max(count_, columns_); ++i) {
-            const auto number = static_cast<double>(i - 1);
-            isNumbered =
-                (i >= count_ || at(i, 0) == number) && (i >= columns_ || at(0, i) == number);
-        }
-        if (!isNumbered) {
+        if (header_.isMatrix || count_ < 2 || columns_ < 3) {
             return;
         }
+        const std::vector<double> line = firstLine();
+        const std::vector<double> column = firstColumn();
+        const bool hasCorner = std::isnan(line.front());
+        if (hasCorner && countsUp(rest(line)) && countsUp(rest(column))) {
+            dropFirst();
+            header_.notes.emplace_back(
+                "its first line and first column number the others and are left out");
+        } else if (hasCorner && rises(rest(line)) && rises(rest(column))) {
+            header_.notes.emplace_back("its corner is empty, and its first line and first column "
+                                       "rise: remove them if they are axes and no heights");
+        } else if (looksLikeNumbering(line) || looksLikeNumbering(column)) {
+            header_.notes.push_back(std::string("its first ") +
+                                    (looksLikeNumbering(line) ? "line" : "column") +
+                                    " counts 0, 1, 2...: remove it if it is a numbering and no "
+                                    "heights");
+        }
+    }
+
+    [[nodiscard]] std::vector<double> firstLine() const {
+        return {numbers_.begin(), numbers_.begin() + columns_};
+    }
+    [[nodiscard]] std::vector<double> firstColumn() const {
+        std::vector<double> column;
+        for (long long row = 0; row < count_; ++row) {
+            column.push_back(numbers_[static_cast<std::size_t>(row * columns_)]);
+        }
+        return column;
+    }
+
+    /// The first line and the first column.
+    void dropFirst() {
         std::deque<double> heights;
         for (long long row = 1; row < count_; ++row) {
             const auto begin = numbers_.begin() + row * columns_;
@@ -88,8 +137,6 @@ private:
         numbers_ = std::move(heights);
         --count_;
         --columns_;
-        header_.notes.emplace_back(
-            "its first line and first column number the others and are left out");
     }
 
     void requirePromisedSize() const {

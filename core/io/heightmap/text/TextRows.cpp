@@ -13,8 +13,6 @@ constexpr std::size_t kMaxColumns = 65536;
 constexpr std::size_t kPoint = 3;                           // columns: x, y, z
 constexpr std::uint64_t kGlance = std::uint64_t{1} << 16U;  // [bytes]
 
-constexpr const char* kStyleSource = "first line of numbers";
-
 /// The front of a cell that is quoted in a message.
 std::string excerpt(std::string_view cell) {
     constexpr std::size_t kShown = 32;
@@ -57,16 +55,17 @@ std::span<const double> TextRows::next() {
 std::vector<Provenance> TextRows::provenance() const {
     std::vector<Provenance> entries;
     if (style_.separator == ';' || style_.separator == ',') {
-        entries.push_back({"separator", std::string(1, style_.separator), kStyleSource});
+        entries.push_back({"separator", std::string(1, style_.separator), "first line of numbers"});
     }
-    if (style_.decimalComma && header_.firstLine.find(',') != std::string::npos) {
-        entries.push_back({"decimal sign", "a comma", kStyleSource});
+    if (hasDecimalComma_) {
+        entries.push_back({"decimal sign", "a comma", "the numbers"});
     }
     return entries;
 }
 
 void TextRows::read(std::string_view line) {
     readNumberRow(line, style_, row_);
+    hasDecimalComma_ = hasDecimalComma_ || row_.hasDecimalComma;
     if (!row_.wrong.empty()) {
         lines_.fail("expected numbers, found '" + excerpt(row_.wrong) + "'");
     }

@@ -24,7 +24,7 @@ public:
     ///        first one, or more than 65536
     [[nodiscard]] std::span<const double> next();
     [[nodiscard]] std::size_t columns() const { return columns_; }
-    /// How the numbers are told apart, where blanks do not.
+    /// How the numbers read so far are told apart, where blanks and points do not.
     [[nodiscard]] std::vector<Provenance> provenance() const;
 
 private:
@@ -35,6 +35,7 @@ private:
     NumberStyle style_;
     NumberRow row_;
     std::size_t columns_ = 0;
+    bool hasDecimalComma_ = false;
     bool isFirst_ = true;
     bool isAfterComment_ = false;  ///< behind the first numbers
 };

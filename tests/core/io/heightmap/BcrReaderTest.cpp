@@ -22,10 +22,9 @@ std::string refusal(const std::string& bytes) {
     return refusalOf([&] { (void)readHeightMapBytes(bytes, "map.bcr"); });
 }
 
-/// @param lines count before those of the same keys that each file has
 std::string headerOf(const std::string& lines, const std::string& format = "bcrstm") {
-    std::string header = "fileformat = " + format + "\n" + lines +
-                         "xpixels = 3\nypixels = 2\nxlength = 30\nylength = 40\n";
+    std::string header = "fileformat = " + format +
+                         "\nxpixels = 3\nypixels = 2\nxlength = 30\nylength = 40\n" + lines;
     header.resize(kHeader, ' ');
     return header;
 }
@@ -64,6 +63,12 @@ TEST(BcrReader, TheHighestNumberMeansNoDataWhateverTheHeaderSays) {
     const std::vector<bool> invalid = {false, false, false, false, true, false};
     EXPECT_EQ(readOne(int16File("bit2nm = 1\nvoidpixels = 0\n")).map.invalid, invalid);
     EXPECT_EQ(readOne(floatFile("")).map.invalid, invalid);
+}
+
+TEST(BcrReader, OfSeveralFieldsTheLastOneCounts) {
+    const ScanChannel channel = readOne(int16File("bit2nm = 1\nxlength = 5000\nbit2nm = 2\n"));
+    EXPECT_DOUBLE_EQ(channel.map.sizeX(), 5e-6);
+    EXPECT_DOUBLE_EQ(channel.map.at(0, 0), 2e-9);
 }
 
 TEST(BcrReader, UnitsMayBeNamed) {
@@ -118,7 +123,7 @@ TEST(BcrReader, HeaderMayBeUtf16OrOfAnotherSize) {
 TEST(BcrReader, RefusesWhatItCannotRead) {
     const std::string whole = int16File("bit2nm = 1\n");
     EXPECT_THAT(refusal(whole.substr(0, whole.size() - 1)), HasSubstr("truncated"));
-    EXPECT_THAT(refusal(whole.substr(0, 35)), HasSubstr("xpixels"));
+    EXPECT_THAT(refusal(whole.substr(0, 30)), HasSubstr("xpixels"));
     EXPECT_THAT(refusal(int16File("forcecurve = 1\n")), HasSubstr("force curve"));
     EXPECT_THAT(refusal(int16File("bit2nm = many\n")), HasSubstr("bit2nm: expected a number"));
     EXPECT_THAT(refusal(int16File("headersize = -1\n")), HasSubstr("headersize"));

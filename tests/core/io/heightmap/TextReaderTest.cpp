@@ -122,7 +122,31 @@ TEST(TextReader, NumbersOfRowsAndColumnsAreNoHeights) {
     ASSERT_EQ(channel.map.rows, 2);
     EXPECT_EQ(channel.map.heights, (std::vector<double>{1.5, 2.5, 3.5, 4.5, 5.5, 6.5}));
     EXPECT_THAT(channel.notes, testing::Contains(HasSubstr("number the others")));
-    EXPECT_EQ(readOne("nan,0,1,2\n0,1.5,2.5,3.5\n7,4.5,5.5,6.5\n").map.columns, 4);
+}
+
+TEST(TextReader, WhatMayBeANumberingOrAxesIsNamed) {
+    using testing::Contains;
+    const auto notesOf = [](std::string_view text) { return readOne(text).notes; };
+    EXPECT_THAT(notesOf(",10,20,30\n0,1.5,2.5,3.5\n5,4.5,5.5,6.5\n"),
+                Contains(HasSubstr("if they are axes")));
+    EXPECT_THAT(notesOf("0,1,2,3\n5.5,1.5,2.5,3.5\n4,4.5,5.5,6.5\n"),
+                Contains(HasSubstr("first line counts")));
+    EXPECT_THAT(notesOf("0,1,5,3\n1,1.5,2.5,3.5\n2,4.5,5.5,6.5\n"),
+                Contains(HasSubstr("first column counts")));
+    for (const char* plain : {"5,1,2,3\n5.5,1.5,2.5,3.5\n4,4.5,5.5,6.5\n",
+                              "nan,nan,nan,nan\nnan,1.5,2.5,3.5\nnan,4.5,5.5,6.5\n"}) {
+        EXPECT_EQ(readOne(plain).map.columns, 4);
+        EXPECT_THAT(notesOf(plain), Not(Contains(HasSubstr("first"))));
+    }
+}
+
+TEST(TextReader, TwoLengthsAreASizeOnlyBeforeAUnit) {
+    const auto sizeIsKnown = [](std::string_view header) {
+        return readOne(std::string(header) + "1 2 3 4\n4 5 6 7\n").hasSize();
+    };
+    EXPECT_FALSE(sizeIsKnown("# Setpoint: 1 nm\n# Amplitude: 5 nm\n"));
+    EXPECT_FALSE(sizeIsKnown("# Setpoint: 1 nm\n# Amplitude: 5 nm\n# Rate: 2 Hz\n"));
+    EXPECT_TRUE(sizeIsKnown("# Canal: Z\n# Largo: 3 um\n# Alto: 2 um\n# Unidad: nm\n"));
 }
 
 TEST(TextReader, OtherLengthsInCommentsAreNotTheSize) {
