@@ -92,6 +92,11 @@ TEST_F(WindowWithDevice, TakesTheTipAndGivesItBackWithTheEarlierGainsAndNothingM
     choose("hand", kSimulated);
     live(500);
     EXPECT_LT((session.run()->basePosition() - before).norm(), 0.03_nm) << "an encoder's step";
+    ASSERT_TRUE(eventually([this] {
+        const Vector3 then = session.run()->basePosition();
+        live(50);
+        return (session.run()->basePosition() - then).norm() < 1e-4_nm;
+    })) << "the simulated hand comes to rest";
     const Vector3 piloted = session.run()->basePosition();
     choose("hand", kMouse);
     live(500);

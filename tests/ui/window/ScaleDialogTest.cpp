@@ -124,7 +124,7 @@ TEST_F(ScaleDialogTest, GivesWhatIsTypedInItsUnit) {
     EXPECT_TRUE(ok().isEnabled()) << "before the field is left";
     QTest::mouseClick(&ok(), Qt::LeftButton);
     ASSERT_EQ(given.size(), 1U);
-    EXPECT_EQ(given[0], (GivenScale{400 * 1e-9, 200 * 1e-9, 0.5 * 1e-9}));
+    EXPECT_EQ(given[0], (GivenScale{400e-9, 200e-9, 0.5e-9}));
     EXPECT_FALSE(dialog->isVisible());
 }
 
