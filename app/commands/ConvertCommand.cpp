@@ -117,11 +117,12 @@ void addConvertCommand(CLI::App& program) {
     command->add_option("--channel", options->channel,
                         "name of the channel (default: the topography)");
     addFormatOptions(*command, *options);
-    addLevelingOption(*command, options->leveling, "default none");
+    addLevelingOptions(*command, options->leveling, options->levelPoints, "default none");
     CLI::Option* residual = addResidual(*command, *options);
     CLI::Option* erode = addErosion(*command, *options);
     residual->excludes(erode);
-    for (const char* other : {"--channel", "--bits", "--level", "--residual", "--erode"}) {
+    for (const char* other :
+         {"--channel", "--bits", "--level", "--level-points", "--residual", "--erode"}) {
         command->get_option("--all")->excludes(command->get_option(other));
     }
     command->callback([options] { convert(*options); });

@@ -9,11 +9,14 @@
 #include "core/surface/fit/BSplineFit.h"
 #include "core/surface/fit/GaussianFilter.h"
 #include "core/surface/imaging/TipErosion.h"
+#include "core/surface/leveling/Leveling.h"
+#include "core/words/LevelingWords.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -78,6 +81,18 @@ void noteSteps(const ConvertOptions& options, const ConvertedFile& files, const 
     }
 }
 
+/// What was asked for is noted; that nothing was is not.
+template <class Map>
+Map leveledAsAsked(const ConvertOptions& options, Map map, std::vector<std::string>& notes) {
+    ProgressLine line("leveling");
+    LeveledMap<Map> level =
+        leveledInSteps(std::move(map), options.leveling, options.levelPoints, &line);
+    if (!options.leveling.empty()) {
+        std::ranges::move(levelingNotes(level.removed), std::back_inserter(notes));
+    }
+    return std::move(level.map);
+}
+
 ScanMap residual(const ConvertOptions& options, ScanMap level) {
     const Smoothing smoothing = options.smoothingLength > 0.0
                                     ? smoothingByLength(options.smoothingLength, level)
@@ -133,7 +148,7 @@ Converted convertFiltered(const ConvertOptions& options, const ConvertedFile& fi
         meta = metaOf(heightChannel(file.contents(), files.input, options.channel));
         return file.readHeightScan(options.channel, &line);
     }();
-    scan.map = leveled(std::move(scan.map), options.leveling);
+    scan.map = leveledAsAsked(options, std::move(scan.map), scan.notes);
     scan.map = options.residual ? residual(options, std::move(scan.map))
                                 : withoutTip(options, std::move(scan.map), meta, scan.notes);
     const HeightRows rows = rowsOf(scan.map);
@@ -149,7 +164,7 @@ Converted convertPlainly(const ConvertOptions& options, const ConvertedFile& fil
         return ScanFile(files.input, options.scale).readHeightChannel(options.channel, &line);
     }();
     ScanChannel& channel = file.channel;
-    const HeightMap map = leveled(std::move(channel.map), options.leveling);
+    const HeightMap map = leveledAsAsked(options, std::move(channel.map), file.notes);
     const HeightRows rows = rowsOf(map);
     writeTarget(options, files.output, rows, metaOf(channel));
     noteHoles(options, files, map.invalid, file.notes);

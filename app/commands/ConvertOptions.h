@@ -1,8 +1,9 @@
 #pragma once
 
 #include "core/surface/GivenScale.h"
-#include "core/surface/Leveling.h"
+#include "core/surface/leveling/LevelingStep.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct ConvertOptions {
     bool all = false;  ///< all channels, whatever they show
     int bits = 0;      ///< of a sample, where the format leaves a choice; 0: as the format does
     GivenScale scale;
-    Leveling leveling = Leveling::None;
+    LevelingSteps leveling;
+    std::optional<LevelPoints> levelPoints;  ///< of the step three_point
     bool residual = false;
     double smoothingPixels = 1.0;  ///< of the residual's surface
     double smoothingLength = 0.0;  ///< above 0: in place of smoothingPixels [m]

@@ -278,7 +278,8 @@ void addExploreCommand(CLI::App& program) {
     addSetpointOption(*command, options->overrides.setpoint);
     command->add_option("--channel", options->overrides.channel, "channel of the height map");
     addScaleOptions(*command, options->overrides.scale);
-    addLevelingOption(*command, options->overrides.leveling, "default: as in the scene, or plane");
+    addLevelingOptions(*command, options->overrides.leveling, options->overrides.levelPoints,
+                       "default: as in the scene, or plane");
     command->callback([options] { explore(*options); });
 }
 

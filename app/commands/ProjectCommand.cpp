@@ -167,7 +167,8 @@ void addProjectCommand(CLI::App& program) {
     command->add_option("--channel", options->overrides.channel,
                         "channel of the file (default: its first height)");
     addScaleOptions(*command, options->overrides.scale);
-    addLevelingOption(*command, options->overrides.leveling, "default: as in the scene, or plane");
+    addLevelingOptions(*command, options->overrides.leveling, options->overrides.levelPoints,
+                       "default: as in the scene, or plane");
     command
         ->add_option(
             "--sigma", options->overrides.smoothingPixels,

@@ -17,8 +17,8 @@ namespace asperity {
 namespace {
 
 LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
-    if (!overrides.channel.empty() || overrides.leveling || overrides.smoothingPixels ||
-        overrides.scale.hasSize() || overrides.scale.hasHeight()) {
+    if (!overrides.channel.empty() || overrides.leveling || overrides.levelPoints ||
+        overrides.smoothingPixels || overrides.scale.hasSize() || overrides.scale.hasHeight()) {
         throw Error(
             "a scene with a shape has no height map whose channel, scale, leveling or smoothing to "
             "choose");
@@ -40,6 +40,9 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
     sample.scale = merged(sample.scale, overrides.scale);
     if (overrides.leveling) {
         sample.leveling = *overrides.leveling;
+    }
+    if (overrides.levelPoints) {
+        sample.levelPoints = overrides.levelPoints;
     }
     if (overrides.smoothingPixels) {
         sample.smoothingPixels = *overrides.smoothingPixels;

@@ -17,10 +17,11 @@ namespace asperity {
 /// What the command line may change about a scene before it is built; empty: as the scene says.
 struct SceneOverrides {
     std::string channel;
-    std::optional<Leveling> leveling;
-    std::optional<double> smoothingPixels;  ///< [pixel]
-    std::optional<double> setpoint;         ///< of an approach [N]
-    GivenScale scale = {};                  ///< of a file that does not say its own
+    std::optional<LevelingSteps> leveling;
+    std::optional<LevelPoints> levelPoints = {};  ///< of the step three_point
+    std::optional<double> smoothingPixels;        ///< [pixel]
+    std::optional<double> setpoint;               ///< of an approach [N]
+    GivenScale scale = {};                        ///< of a file that does not say its own
 };
 
 /// A scene with what is known of the file that it stands on.

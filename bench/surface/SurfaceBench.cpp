@@ -6,8 +6,8 @@
 #include "bench/surface/Peers.h"
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFile.h"
-#include "core/surface/Leveling.h"
 #include "core/surface/fit/BSplineFit.h"
+#include "core/surface/leveling/Leveling.h"
 #include "tools/samples/SampleScans.h"
 
 #include <CLI/CLI.hpp>
@@ -98,8 +98,9 @@ std::vector<SampleScan> scansFor(const Options& options) {
     }
     for (const std::string& file : files) {
         const HeightMapFile content = readHeightMapFile(file);
-        scans.push_back({.fileName = std::filesystem::path(file).filename().string(),
-                         .map = leveled(heightChannel(content, file, "").map, Leveling::Plane)});
+        scans.push_back(
+            {.fileName = std::filesystem::path(file).filename().string(),
+             .map = leveled(heightChannel(content, file, "").map, {LevelingStep::Plane})});
     }
     return scans;
 }

@@ -49,7 +49,7 @@ Smoothing smoothingOf(const SampleDescription& sample, const Map& map) {
 
 /// What is made of a map.
 struct Ground {
-    PlaneFit removedPlane;
+    std::vector<RemovedByStep> removed;
     BSplineSurface surface;
     CertaintyMap certainty;
     std::optional<NurbsSurface> shape = std::nullopt;
@@ -69,37 +69,37 @@ BasicTipReconstruction<Map> surfaceUnder(const SampleDescription& sample, Map im
 
 /// Smoothing goes before erosion, which would take every dip of the noise for the surface.
 template <class Map>
-Ground groundUnder(const SampleDescription& sample, const PlaneFit& plane, Map map,
-                   Progress* progress) {
-    const Smoothing smoothing = smoothingOf(sample, map);
+Ground groundUnder(const SampleDescription& sample, LeveledMap<Map> level, Progress* progress) {
+    const Smoothing smoothing = smoothingOf(sample, level.map);
     ProgressPart smoothingPart(progress, 0.0, 0.2);
-    map = smoothed(withInvalidPixelsFilled(std::move(map)), smoothing, &smoothingPart);
+    Map map = smoothed(withInvalidPixelsFilled(std::move(level.map)), smoothing, &smoothingPart);
     ProgressPart eroding(progress, 0.2, 0.8);
     BasicTipReconstruction<Map> known = surfaceUnder(sample, std::move(map), &eroding);
     CertaintyMap certainty(known.surface, known.certain);
     ProgressPart fitting(progress, 0.8, 1.0);
-    return {plane, fitSurface(std::move(known.surface), {}, &fitting), std::move(certainty)};
+    return {std::move(level.removed), fitSurface(std::move(known.surface), {}, &fitting),
+            std::move(certainty)};
 }
 
 template <class Map>
 Ground groundOf(const SampleDescription& sample, Map map, Progress* progress) {
-    const PlaneFit plane = fitPlane(map);
-    reportTo(progress, 0.2);
-    map = leveled(std::move(map), sample.leveling);
-    reportTo(progress, 0.4);
+    ProgressPart leveling(progress, 0.0, 0.4);
+    LeveledMap<Map> level =
+        leveledInSteps(std::move(map), sample.leveling, sample.levelPoints, &leveling);
     ProgressPart rest(progress, 0.4, 1.0);
     if (sample.imagingTipRadius > 0.0) {
-        return groundUnder(sample, plane, std::move(map), &rest);
+        return groundUnder(sample, std::move(level), &rest);
     }
-    const Smoothing smoothing = smoothingOf(sample, map);
-    return {plane, fitSurface(std::move(map), smoothing, &rest), {}};
+    const Smoothing smoothing = smoothingOf(sample, level.map);
+    return {std::move(level.removed), fitSurface(std::move(level.map), smoothing, &rest), {}};
 }
 
 Scene assemble(const SceneDescription& description, Ground ground) {
     (void)truthOf(description);  // a truth that is none is refused here, not by who runs the scene
     const ForceModelOptions model = usualModel(description);
     return {.description = description,
-            .removedPlane = ground.removedPlane,
+            .removedBySteps = ground.removed,
+            .removedPlane = sumOfPlanes(ground.removed),
             .surface = std::move(ground.surface),
             .certainty = std::move(ground.certainty),
             .shape = std::move(ground.shape),
@@ -151,7 +151,7 @@ Scene withMaterial(Scene scene, const SampleMaterial& material) {
 
 Scene withDescription(Scene scene, const SceneDescription& description) {
     checkScene(description);
-    return assemble(description, {scene.removedPlane, std::move(scene.surface),
+    return assemble(description, {std::move(scene.removedBySteps), std::move(scene.surface),
                                   std::move(scene.certainty), std::move(scene.shape)});
 }
 

@@ -9,23 +9,25 @@
 #include "core/scene/Settings.h"
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/HeightMap.h"
-#include "core/surface/Leveling.h"
 #include "core/surface/imaging/CertaintyMap.h"
+#include "core/surface/leveling/Leveling.h"
 #include "core/surface/nurbs/NurbsSurface.h"
 #include "core/surface/sample/SampleSurface.h"
 
 #include <optional>
+#include <vector>
 
 namespace asperity {
 
 /// Everything that stays constant while the loop runs. A new scan or material is a new scene.
 struct Scene {
     SceneDescription description;
-    PlaneFit removedPlane;              ///< of the scan as loaded
-    BSplineSurface surface;             ///< as drawn; the tip touches it without `shape`
-    CertaintyMap certainty;             ///< of the surface, where its imaging tip is known
-    std::optional<NurbsSurface> shape;  ///< what the tip touches in place of `surface`
-    ForceModelOptions model;            ///< with which the believed force is computed
+    std::vector<RemovedByStep> removedBySteps;  ///< of leveling, in order
+    PlaneFit removedPlane;                      ///< the sum of the planes that they removed
+    BSplineSurface surface;                     ///< as drawn; the tip touches it without `shape`
+    CertaintyMap certainty;                     ///< of the surface, where its imaging tip is known
+    std::optional<NurbsSurface> shape;          ///< what the tip touches in place of `surface`
+    ForceModelOptions model;                    ///< with which the believed force is computed
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
     Settings settings;         ///< that a run starts with

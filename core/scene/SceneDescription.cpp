@@ -6,8 +6,10 @@
 #include "core/scene/SettingFields.h"
 #include "core/scene/TermChecks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace asperity {
 
@@ -52,7 +54,29 @@ void check(const Meniscus& meniscus) {
             "[physics]: a meniscus needs both meniscus_tension_n_m and meniscus_range_m");
 }
 
+void checkLeveling(const SampleDescription& sample) {
+    const bool needsPoints =
+        std::ranges::find(sample.leveling, LevelingStep::ThreePoint) != sample.leveling.end();
+    require(!needsPoints || sample.levelPoints,
+            "[sample]: level three_point needs level_points_m, three places on the scan");
+    const std::string refusal = sample.levelPoints ? refusalOf(*sample.levelPoints) : "";
+    require(refusal.empty(), "[sample]: level_points_m: " + refusal);
+}
+
+void check(const std::vector<Marker>& markers) {
+    std::set<std::string> names;
+    for (const Marker& marker : markers) {
+        require(!marker.name.empty(), "[[marker]]: each marker needs a name");
+        require(names.insert(marker.name).second,
+                "[[marker]]: two markers have the name '" + marker.name + "'");
+        require(std::isfinite(marker.x) && std::isfinite(marker.y),
+                "[[marker]]: x_m and y_m of '" + marker.name +
+                    "' must be finite numbers of meters");
+    }
+}
+
 void check(const SampleDescription& sample) {
+    checkLeveling(sample);
     require(sample.imagingTipRadius == 0.0 || isWithin(sample.imagingTipRadius, 1e-12, 1.0),
             "[sample]: imaging_tip_radius_m must be 0 (not known) or lie between 1e-12 and 1");
     require(!sample.erode || sample.imagingTipRadius > 0.0,
@@ -131,6 +155,7 @@ void checkScene(const SceneDescription& scene) {
     require(isWithin(scene.cohesiveRange, 1e-12, 1e-6),
             "[physics]: cohesive_range_m must lie between 1e-12 and 1e-6");
     check(scene.meniscus);
+    check(scene.markers);
     require(scene.signalSigma > 0.0 && std::isfinite(scene.signalSigma),
             "[probe]: signal_noise_rad must be a positive number of radians");
     require(scene.truth.signalNoise >= 0.0 && std::isfinite(scene.truth.signalNoise),

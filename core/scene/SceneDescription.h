@@ -7,14 +7,16 @@
 #include "core/probe/Cantilever.h"
 #include "core/probe/DetectorCalibration.h"
 #include "core/probe/Friction.h"
+#include "core/scene/Marker.h"
 #include "core/scene/ModelChoices.h"
 #include "core/scene/Settings.h"
 #include "core/surface/GivenScale.h"
-#include "core/surface/Leveling.h"
+#include "core/surface/leveling/LevelingStep.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace asperity {
 
@@ -55,7 +57,8 @@ struct SampleDescription {
     std::string file;                       ///< height map, as resolved against the scene file
     std::string channel;                    ///< empty: the file's default channel
     GivenScale scale;                       ///< of a file that does not say its own
-    Leveling leveling = Leveling::Plane;
+    LevelingSteps leveling{LevelingStep::Plane};
+    std::optional<LevelPoints> levelPoints;  ///< places of the step three_point
     double smoothingPixels = 1.0;  ///< standard deviation of the Gaussian low-pass [pixel]; 0: none
     double smoothingLength = 0.0;  ///< above 0: it is this, in place of smoothingPixels [m]
     double imagingTipRadius = 0.0;  ///< of the tip that recorded the map [m]; 0: not known
@@ -95,6 +98,7 @@ struct SceneDescription {
         .guide = {.stiffness = 200.0, .damping = 0.5, .forceLimit = 1.0, .captureDistance = 50e-9}};
     double setpoint = 5e-9;      ///< at which an approach ends: force along z [N]
     double zoomHalfWidth = 0.0;  ///< of the zoomed view [m]; 0: chosen from the contact
+    std::vector<Marker> markers;
 };
 
 inline constexpr double kMinSetpoint = 1e-12;  ///< [N]

@@ -10,18 +10,29 @@ namespace {
 template <class Heights>
 HeightRows rowsAbove(const BasicHeightMap<Heights>& map, double datum) {
     requireUsable(map);
-    return {.columns = map.columns,
-            .rows = map.rows,
-            .pitchX = map.pitchX,
-            .pitchY = map.pitchY,
-            .readRow = [&map, datum](int row, double* heights) {
-                for (int column = 0; column < map.columns; ++column) {
-                    const double height = map.at(row, column);
-                    const bool holdsData = map.isValid(row, column) && isFiniteHeight(height);
-                    heights[column] =
-                        holdsData ? datum + height : std::numeric_limits<double>::quiet_NaN();
-                }
-            }};
+    const auto read = [&map, datum](int row, double* heights, const auto& holdsHeight) {
+        for (int column = 0; column < map.columns; ++column) {
+            const double height = map.at(row, column);
+            heights[column] = holdsHeight(column, height)
+                                  ? datum + height
+                                  : std::numeric_limits<double>::quiet_NaN();
+        }
+    };
+    HeightRows rows{.columns = map.columns,
+                    .rows = map.rows,
+                    .pitchX = map.pitchX,
+                    .pitchY = map.pitchY,
+                    .readRow = [&map, read](int row, double* heights) {
+                        read(row, heights, [&map, row](int column, double height) {
+                            return map.isValid(row, column) && isFiniteHeight(height);
+                        });
+                    }};
+    if (!map.invalid.empty()) {
+        rows.readFilledRow = [read](int row, double* heights) {
+            read(row, heights, [](int, double height) { return isFiniteHeight(height); });
+        };
+    }
+    return rows;
 }
 
 }  // namespace

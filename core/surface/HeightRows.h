@@ -16,6 +16,8 @@ struct HeightRows {
     double pitchY = 0.0;  ///< pixel height [m]
     /// Writes the heights of a row, 0 at the top [m]; NaN where the scan holds no data.
     std::function<void(int row, double* heights)> readRow;
+    /// The same with heights that were filled in where the scan holds none; empty: none were.
+    std::function<void(int row, double* heights)> readFilledRow = {};
 
     [[nodiscard]] double sizeX() const { return columns * pitchX; }  ///< [m]
     [[nodiscard]] double sizeY() const { return rows * pitchY; }     ///< [m]

@@ -1,32 +1,14 @@
 #include "core/words/SceneWords.h"
 
-#include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
 #include "core/words/ImagingTipWords.h"
+#include "core/words/LevelingWords.h"
 #include "core/words/ModelWords.h"
 
 #include <filesystem>
 
 namespace asperity {
-
-namespace {
-
-std::string levelingNote(const Scene& scene) {
-    switch (scene.description.sample.leveling) {
-    case Leveling::None:
-        return "leveling: none, heights as the file gives them";
-    case Leveling::Rows:
-        return "leveling: the median of each row and the mean removed";
-    case Leveling::Plane:
-        break;
-    }
-    return formatted("leveling: plane with slopes %+.4g along x and %+.4g along y removed "
-                     "(--level none keeps it)",
-                     scene.removedPlane.slopeX, scene.removedPlane.slopeY);
-}
-
-}  // namespace
 
 std::string sampleName(const SampleDescription& sample) {
     if (!sample.shape) {
@@ -48,7 +30,9 @@ std::vector<std::string> surfaceNotes(const Scene& scene) {
     if (scene.shape) {
         return {"the sample is an exact shape, drawn by 256 x 256 heights"};
     }
-    return {levelingNote(scene), imagingTipNote(scene)};
+    std::vector<std::string> notes = levelingNotes(scene.removedBySteps);
+    notes.push_back(imagingTipNote(scene));
+    return notes;
 }
 
 std::vector<std::string> forceNotes(const Scene& scene, const SceneNeeds& needs) {

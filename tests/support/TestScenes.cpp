@@ -49,7 +49,7 @@ HeightMap ridgedMap(double height) {
 
 SceneDescription plainScene() {
     SceneDescription scene = defaultScene();
-    scene.sample.leveling = Leveling::None;
+    scene.sample.leveling = {};
     scene.sample.smoothingPixels = 0.0;
     return scene;
 }

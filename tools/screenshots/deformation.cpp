@@ -143,7 +143,7 @@ void drawDeformations(const fs::path& path) {
 void drawErosion(const fs::path& out) {
     SceneDescription description = sceneOf("polystyrene");
     description.sample.imagingTipRadius = kImagingTip;
-    description.sample.leveling = Leveling::None;
+    description.sample.leveling = {};
     description.sample.smoothingPixels = 1.0;
     for (const bool erode : {false, true}) {
         description.sample.erode = erode;

@@ -3,6 +3,8 @@
 #include "core/Error.h"
 #include "core/PathText.h"
 #include "core/io/scene/HapticsKeys.h"
+#include "core/io/scene/LevelingKeys.h"
+#include "core/io/scene/MarkerKeys.h"
 #include "core/io/scene/NamedChoice.h"
 #include "core/io/scene/ProbeFile.h"
 #include "core/io/scene/TomlFile.h"
@@ -99,7 +101,7 @@ void readMapKeys(TomlSection& section, const SampleDescription& otherwise,
     }
     sample.channel = section.text("channel", otherwise.channel);
     readScale(section, otherwise.scale, sample.scale);
-    sample.leveling = choice(section, "level", otherwise.leveling);
+    readLeveling(section, sample);
     readSmoothing(section, sample);
     sample.imagingTipRadius = section.number("imaging_tip_radius_m", otherwise.imagingTipRadius);
     sample.erode = section.flag("erode", otherwise.erode);
@@ -193,7 +195,7 @@ void readRest(const toml::table& table, const std::filesystem::path& path,
 void refuseUnknownSections(const toml::table& table, const std::filesystem::path& path) {
     TomlSection root(table, path, "");
     for (const char* name : {"sample", "tip", "probe", "truth", "physics", "fidelity", "haptics",
-                             "approach", "view"}) {
+                             "approach", "view", kMarkers}) {
         root.allow(name);
     }
     root.refuseUnknownKeys();
@@ -248,7 +250,7 @@ toml::table sampleTable(const SampleDescription& sample) {
     if (sample.scale.hasHeight()) {
         table.insert("z_scale_m", sample.scale.heightPerValue);
     }
-    table.insert("level", keyOf(sample.leveling));
+    insertLeveling(sample, table);
     if (sample.smoothingLength != 0.0) {
         table.insert("smoothing_m", sample.smoothingLength);
     } else {
@@ -301,6 +303,7 @@ SceneDescription readScene(const std::filesystem::path& path) {
     try {
         scene.truth = readTruth(TomlSection(table, path, "truth"), scene);
         readRest(table, path, scene);
+        scene.markers = readMarkers(table, path);
         checkScene(scene);
     } catch (const InputError&) {
         throw;
@@ -320,7 +323,7 @@ SceneDescription sceneFromInput(const std::filesystem::path& path) {
 }
 
 std::string sceneText(const SceneDescription& scene) {
-    const toml::table table{
+    toml::table table{
         {"sample", sampleTable(scene.sample)},
         {"tip", toml::table{{"radius_m", scene.tip.radius},
                             {"youngs_modulus_pa", scene.tip.elastic.youngsModulus},
@@ -336,6 +339,7 @@ std::string sceneText(const SceneDescription& scene) {
         {"haptics", hapticsTable(scene)},
         {"approach", toml::table{{"setpoint_n", scene.setpoint}}},
         {"view", toml::table{{"zoom_half_width_m", scene.zoomHalfWidth}}}};
+    insertMarkers(scene.markers, table);
     std::ostringstream text;
     text << table << '\n';
     return text.str();

@@ -89,6 +89,49 @@ std::string TomlSection::text(const std::string& key, const std::string& otherwi
     return *node->value<std::string>();
 }
 
+std::optional<std::vector<std::string>> TomlSection::texts(const std::string& key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return std::nullopt;
+    }
+    const toml::array* const list = node->as_array();
+    if (list == nullptr) {
+        if (!node->is_string()) {
+            refuse(key, "a text in quotes, or a list of such texts");
+        }
+        return std::vector<std::string>{*node->value<std::string>()};
+    }
+    std::vector<std::string> texts;
+    for (const toml::node& one : *list) {
+        if (!one.is_string()) {
+            refuse(key, "a text in quotes, or a list of such texts");
+        }
+        texts.push_back(*one.value<std::string>());
+    }
+    return texts;
+}
+
+std::vector<Vector2> TomlSection::places(const std::string& key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) {
+        return {};
+    }
+    const std::string expected = "a list of places, each written [x, y]";
+    if (!node->is_array()) {
+        refuse(key, expected);
+    }
+    std::vector<Vector2> places;
+    for (const toml::node& one : *node->as_array()) {
+        const toml::array* const pair = one.as_array();
+        if (pair == nullptr || pair->size() != 2 || !pair->get(0)->is_number() ||
+            !pair->get(1)->is_number()) {
+            refuse(key, expected);
+        }
+        places.emplace_back(*pair->get(0)->value<double>(), *pair->get(1)->value<double>());
+    }
+    return places;
+}
+
 std::filesystem::path TomlSection::path(const std::string& key) {
     const std::optional<std::filesystem::path> given = pathFromText(text(key, ""));
     if (!given) {

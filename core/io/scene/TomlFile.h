@@ -1,10 +1,14 @@
 #pragma once
 
+#include "core/Vector.h"
+
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <toml++/toml.h>
+#include <vector>
 
 namespace asperity {
 
@@ -22,6 +26,10 @@ public:
     [[nodiscard]] std::uint64_t count(const std::string& key, std::uint64_t otherwise);
     [[nodiscard]] bool flag(const std::string& key, bool otherwise);
     [[nodiscard]] std::string text(const std::string& key, const std::string& otherwise);
+    /// A text or a list of texts; none where the key is absent.
+    [[nodiscard]] std::optional<std::vector<std::string>> texts(const std::string& key);
+    /// Places [[x, y], ...]; empty where the key is absent.
+    [[nodiscard]] std::vector<Vector2> places(const std::string& key);
     /// A path as pathText() writes it, resolved against the folder of the file.
     [[nodiscard]] std::filesystem::path path(const std::string& key);
 

@@ -26,7 +26,7 @@ Scene sceneOf(const HoldBench& bench, double signalNoise) {
     SceneDescription scene = defaultScene();
     scene.sample.material = bench.material;
     scene.sample.smoothingPixels = 0.0;
-    scene.sample.leveling = Leveling::None;
+    scene.sample.leveling = {};
     scene.truth.material = bench.material;
     scene.truth.signalNoise = signalNoise;
     scene.truth.stiffness = bench.leverStiffness;

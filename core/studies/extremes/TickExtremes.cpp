@@ -43,7 +43,7 @@ SceneDescription sceneOf(const RoughPlace& place, const TickSetting& setting) {
     SceneDescription scene = defaultScene();
     scene.sample.material = setting.material;
     scene.sample.smoothingPixels = 0.0;
-    scene.sample.leveling = Leveling::None;
+    scene.sample.leveling = {};
     scene.truth.material = setting.material;
     scene.truth.stiffness = setting.leverStiffness;
     scene.probe.thickness = thicknessForStiffness(scene.probe, setting.leverStiffness);

@@ -40,7 +40,7 @@ TEST(Scene, TruthIsWhatTheSceneSaysUnlessSaidOtherwise) {
 
 TEST(Scene, LevelsTheMapAndKeepsWhatItRemoved) {
     SceneDescription description = test::plainScene();
-    description.sample.leveling = Leveling::Plane;
+    description.sample.leveling = {LevelingStep::Plane};
     const HeightMap map = test::slopedMap(0.05);
     const Scene scene = buildScene(description, map);
     // The scan is kept in single precision about the middle of its heights.

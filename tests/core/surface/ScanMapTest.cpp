@@ -1,8 +1,8 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/InvalidPixels.h"
-#include "core/surface/Leveling.h"
 #include "core/surface/fit/BSplineFit.h"
+#include "core/surface/leveling/Leveling.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
 #include "tests/support/ScanMaps.h"
@@ -61,10 +61,20 @@ TEST(ScanMap, IsLeveledLikeAMapInDoublePrecision) {
     EXPECT_NEAR(fitPlane(scan).slopeX, fitPlane(map).slopeX, 3.0 * kRounding / map.sizeX());
     EXPECT_NEAR(fitPlane(scan).mean, fitPlane(map).mean, kRounding);
     EXPECT_EQ(fitPlane(scan).centerX, fitPlane(map).centerX);
-    for (const Leveling leveling : {Leveling::None, Leveling::Plane, Leveling::Rows}) {
-        const HeightMap exact = leveled(map, leveling);
-        const ScanMap level = leveled(scan, leveling);
-        EXPECT_EQ(level.datum, leveling == Leveling::None ? scan.datum : 0.0);
+    const LevelPoints points{Vector2(60.0_nm, 60.0_nm), Vector2(400.0_nm, 70.0_nm),
+                             Vector2(200.0_nm, 380.0_nm)};
+    std::vector<LevelingSteps> lists{{}, {LevelingStep::Plane, LevelingStep::Zero}};
+    for (const LevelingStep step : kValues<LevelingStep>) {
+        lists.push_back({step});
+    }
+    for (const LevelingSteps& steps : lists) {
+        SCOPED_TRACE(textOf(steps));
+        const HeightMap exact = leveled(map, steps, points);
+        const ScanMap level = leveled(scan, steps, points);
+        const bool keepsDatum = steps.empty() || steps.front() == LevelingStep::Scars ||
+                                steps.front() == LevelingStep::MedianOfDifferences;
+        EXPECT_EQ(level.datum, keepsDatum ? scan.datum : 0.0);
+        EXPECT_EQ(level.invalid, exact.invalid);
         for (std::size_t i = 0; i < exact.heights.size(); ++i) {
             if (isFiniteHeight(exact.heights[i])) {
                 ASSERT_NEAR(level.datum + static_cast<double>(level.heights[i]), exact.heights[i],

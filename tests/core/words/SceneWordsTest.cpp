@@ -7,13 +7,13 @@
 namespace asperity {
 namespace {
 
-std::vector<std::string> notesOf(SceneDescription description, Leveling leveling) {
+std::vector<std::string> notesOf(SceneDescription description, const LevelingSteps& leveling) {
     description.sample.leveling = leveling;
     return surfaceNotes(buildScene(description, test::slopedMap(0.1)));
 }
 
 TEST(SceneWords, TellOfHeightsTipLawAndModel) {
-    const std::vector<std::string> notes = notesOf(test::plainScene(), Leveling::None);
+    const std::vector<std::string> notes = notesOf(test::plainScene(), {});
     ASSERT_EQ(notes.size(), 2U);
     EXPECT_EQ(notes[0], "leveling: none, heights as the file gives them");
     EXPECT_EQ(notes[1].find("imaging tip: "), 0U) << notes[1];
@@ -25,9 +25,9 @@ TEST(SceneWords, TellOfHeightsTipLawAndModel) {
 }
 
 TEST(SceneWords, NameThePlaneThatWasRemoved) {
-    EXPECT_EQ(notesOf(test::plainScene(), Leveling::Rows)[0],
-              "leveling: the median of each row and the mean removed");
-    EXPECT_EQ(notesOf(test::plainScene(), Leveling::Plane)[0].find(
+    EXPECT_EQ(notesOf(test::plainScene(), {LevelingStep::Rows})[0],
+              "leveling: the median of each row and the mean removed (medians spread by 0 m)");
+    EXPECT_EQ(notesOf(test::plainScene(), {LevelingStep::Plane})[0].find(
                   "leveling: plane with slopes +0.1 along x and "),
               0U);
 }

@@ -139,11 +139,16 @@ public:
     }
 
 private:
-    /// The format forbids NaN: pixels without data hold the lowest height, and the mask marks them.
+    /// The format forbids NaN: pixels without data hold what was filled in, or the lowest height,
+    /// and the mask marks them.
     void writeHeights(double filling, Progress* progress) {
+        HeightRows rows = image_.rows;
+        if (rows.readFilledRow) {
+            rows.readRow = rows.readFilledRow;
+        }
         stream_.begin(prefix_ + "data", "GwyDataField");
         writeGeometry(stream_, image_);
-        stream_.numbers("data", image_.rows, progress, [filling](double height) {
+        stream_.numbers("data", rows, progress, [filling](double height) {
             return isFiniteHeight(height) ? height : filling;
         });
         writeUnit(stream_, "si_unit_z", image_.meta.unit);

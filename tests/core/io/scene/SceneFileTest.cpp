@@ -34,7 +34,7 @@ protected:
 TEST_F(SceneFile, FillsInDefaultsAndResolvesPathsAgainstItself) {
     const SceneDescription scene = readScene(write("scene.toml", "[sample]\nfile = \"map.gsf\"\n"));
     EXPECT_EQ(scene.sample.file, (scratch.path() / "map.gsf").string());
-    EXPECT_EQ(scene.sample.leveling, Leveling::Plane);
+    EXPECT_EQ(scene.sample.leveling, LevelingSteps{LevelingStep::Plane});
     EXPECT_NEAR(Cantilever(scene.probe).stiffness(), 14.0, 1e-12);
     EXPECT_EQ(scene.truth.material.workOfAdhesion, scene.sample.material.workOfAdhesion);
 }
@@ -235,7 +235,7 @@ TEST_F(SceneFile, RefusesMistakesWithTheirPlace) {
         {"[sample]\n", "file"},
         {"[sample]\nfile = \"file:///a%4.gsf\"\n", "two digits after each '%'"},
         {"sample = 1\n", "'sample' must be a section"},
-        {std::string(sample) + "level = \"flat\"\n", "plane, rows, none"},
+        {std::string(sample) + "level = \"flat\"\n", "plane, rows, three_point, facet"},
         {std::string(sample) + "smoothing_px = \"one\"\n", "a number"},
         {std::string(sample) + "smoothing_px = -1\n", "smoothing_px"},
         {std::string(sample) + "smoothing_m = -1e-9\n", "smoothing_m"},

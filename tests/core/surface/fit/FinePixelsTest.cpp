@@ -1,6 +1,6 @@
 #include "core/Units.h"
-#include "core/surface/Leveling.h"
 #include "core/surface/fit/BSplineFit.h"
+#include "core/surface/leveling/Leveling.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
 #include "tests/support/FloatingPointTraps.h"
 #include "tests/support/ScanMaps.h"
@@ -96,7 +96,8 @@ TEST(FinePixels, KeepTheirDigitsThroughLeveling) {
         }
     }
     const double level = curvatureError(fitSurface(mapOf(256, 0.0)));
-    const double error = curvatureError(fitSurface(leveled(std::move(tilted), Leveling::Plane)));
+    const double error =
+        curvatureError(fitSurface(leveled(std::move(tilted), {LevelingStep::Plane})));
     EXPECT_NEAR(error, level, 10.0);
 }
 

@@ -1,22 +1,14 @@
-#include "core/surface/Leveling.h"
+#include "core/surface/leveling/PlaneFit.h"
 
 #include "core/Error.h"
 #include "core/Vector.h"
+#include "core/surface/leveling/CountedPixels.h"
 
 #include <Eigen/QR>
-
-#include <algorithm>
-#include <utility>
-#include <vector>
 
 namespace asperity {
 
 namespace {
-
-template <class Heights>
-bool counts(const BasicHeightMap<Heights>& map, int row, int column) {
-    return map.isValid(row, column) && isFiniteHeight(map.at(row, column));
-}
 
 /// Sums over valid pixels of place [pixel], seen from the middle of the map, y up, and of height.
 struct Moments {
@@ -63,7 +55,17 @@ Moments rowMoments(const BasicHeightMap<Heights>& map, int row, double origin) {
     return moments;
 }
 
-/// Height of the first valid pixel. @throw Error when there is none
+template <class Heights>
+Moments mapMoments(const BasicHeightMap<Heights>& map, double origin) {
+    Moments sum;
+    for (int row = 0; row < map.rows; ++row) {
+        sum += rowMoments(map, row, origin);
+    }
+    return sum;
+}
+
+}  // namespace
+
 template <class Heights>
 double firstHeight(const BasicHeightMap<Heights>& map) {
     for (int row = 0; row < map.rows; ++row) {
@@ -74,15 +76,6 @@ double firstHeight(const BasicHeightMap<Heights>& map) {
         }
     }
     throw Error("the height map holds no valid pixel");
-}
-
-template <class Heights>
-Moments mapMoments(const BasicHeightMap<Heights>& map, double origin) {
-    Moments sum;
-    for (int row = 0; row < map.rows; ++row) {
-        sum += rowMoments(map, row, origin);
-    }
-    return sum;
 }
 
 template <class Heights>
@@ -102,71 +95,12 @@ PlaneFit planeOf(const BasicHeightMap<Heights>& map) {
             .centerY = (center.y() + 0.5 * map.rows) * map.pitchY};
 }
 
-template <class Heights, class Removed>
-void subtract(BasicHeightMap<Heights>& map, const Removed& removed) {
-    using Height = typename Heights::value_type;
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column) {
-            Height& height = map.heights[map.index(row, column)];
-            height = static_cast<Height>(height - removed(row, column));
-        }
-    }
-}
-
 template <class Heights>
-void removePlane(BasicHeightMap<Heights>& map) {
-    const PlaneFit plane = planeOf(map);
+void subtractPlane(BasicHeightMap<Heights>& map, const PlaneFit& plane) {
     subtract(map, [&](int row, int column) {
         return plane.at((column + 0.5) * map.pitchX, (map.rows - row - 0.5) * map.pitchY);
     });
 }
-
-/// The mean of the two middle values when their number is even, as in statistics.
-double median(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) {
-        return *middle;
-    }
-    return 0.5 * (*std::max_element(values.begin(), middle) + *middle);
-}
-
-template <class Heights>
-void removeRowMedians(BasicHeightMap<Heights>& map) {
-    std::vector<double> medians(static_cast<std::size_t>(map.rows), 0.0);
-    std::vector<double> values;
-    for (int row = 0; row < map.rows; ++row) {
-        values.clear();
-        for (int column = 0; column < map.columns; ++column) {
-            if (counts(map, row, column)) {
-                values.push_back(map.at(row, column));
-            }
-        }
-        if (!values.empty()) {
-            medians[static_cast<std::size_t>(row)] = median(values);
-        }
-    }
-    subtract(map, [&](int row, int) { return medians[static_cast<std::size_t>(row)]; });
-    const double mean = planeOf(map).mean;
-    subtract(map, [mean](int, int) { return mean; });
-}
-
-template <class Heights>
-void level(BasicHeightMap<Heights>& map, Leveling leveling) {
-    requireUsable(map);
-    switch (leveling) {
-    case Leveling::None:
-        break;
-    case Leveling::Plane:
-        removePlane(map);
-        break;
-    case Leveling::Rows:
-        removeRowMedians(map);
-        break;
-    }
-}
-
-}  // namespace
 
 PlaneFit fitPlane(const HeightMap& map) { return planeOf(map); }
 
@@ -176,17 +110,11 @@ PlaneFit fitPlane(const ScanMap& map) {
     return plane;
 }
 
-HeightMap leveled(HeightMap map, Leveling leveling) {
-    level(map, leveling);
-    return map;
-}
-
-ScanMap leveled(ScanMap map, Leveling leveling) {
-    level(map, leveling);
-    if (leveling != Leveling::None) {
-        map.datum = 0.0;
-    }
-    return map;
-}
+template double firstHeight(const BasicHeightMap<std::vector<double>>&);
+template double firstHeight(const BasicHeightMap<PixelVector<float>>&);
+template PlaneFit planeOf(const BasicHeightMap<std::vector<double>>&);
+template PlaneFit planeOf(const BasicHeightMap<PixelVector<float>>&);
+template void subtractPlane(BasicHeightMap<std::vector<double>>&, const PlaneFit&);
+template void subtractPlane(BasicHeightMap<PixelVector<float>>&, const PlaneFit&);
 
 }  // namespace asperity

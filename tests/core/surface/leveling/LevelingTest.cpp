@@ -1,4 +1,4 @@
-#include "core/surface/Leveling.h"
+#include "core/surface/leveling/Leveling.h"
 
 #include "core/Error.h"
 #include "core/Units.h"
@@ -40,8 +40,8 @@ TEST(Leveling, FindsThePlaneWithYUp) {
 }
 
 TEST(Leveling, GivesBackASurfaceWhateverPlaneWasAdded) {
-    const HeightMap leveledHills = leveled(hills(), Leveling::Plane);
-    const HeightMap tilted = leveled(withPlane(hills(), 2.0_um, 0.3, -0.7), Leveling::Plane);
+    const HeightMap leveledHills = leveled(hills(), {LevelingStep::Plane});
+    const HeightMap tilted = leveled(withPlane(hills(), 2.0_um, 0.3, -0.7), {LevelingStep::Plane});
     for (std::size_t i = 0; i < tilted.heights.size(); ++i) {
         // relative to what was removed
         ASSERT_NEAR(tilted.heights[i], leveledHills.heights[i], 1e-12 * 2.0_um);
@@ -49,7 +49,8 @@ TEST(Leveling, GivesBackASurfaceWhateverPlaneWasAdded) {
 }
 
 TEST(Leveling, LeavesNoMeanAndNoTilt) {
-    const PlaneFit rest = fitPlane(leveled(withPlane(hills(), 5.0_nm, 0.1, 0.2), Leveling::Plane));
+    const PlaneFit rest =
+        fitPlane(leveled(withPlane(hills(), 5.0_nm, 0.1, 0.2), {LevelingStep::Plane}));
     EXPECT_NEAR(rest.slopeX, 0.0, 1e-15);
     EXPECT_NEAR(rest.slopeY, 0.0, 1e-15);
     EXPECT_NEAR(rest.mean, 0.0, 1e-22);
@@ -62,7 +63,7 @@ TEST(Leveling, IgnoresInvalidPixelsAndLeavesThemAlone) {
     map.invalid.assign(map.heights.size(), 0);
     map.heights[map.index(5, 1)] = 1.0;  // a meter: masked by the user
     map.invalid[map.index(5, 1)] = 1;
-    const HeightMap level = leveled(map, Leveling::Plane);
+    const HeightMap level = leveled(map, {LevelingStep::Plane});
     EXPECT_NEAR(fitPlane(map).slopeX, 0.1, 1e-14);
     EXPECT_TRUE(std::isnan(level.at(2, 3)));
     EXPECT_NEAR(level.at(0, 0), 0.0, 1e-22);
@@ -86,7 +87,7 @@ TEST(Leveling, RowsRemovesRowOffsetsExactlyWhereMostOfEachRowIsFlat) {
             map.heights[map.index(row, column)] = island + 16.0 * row;
         }
     }
-    const HeightMap level = leveled(map, Leveling::Rows);
+    const HeightMap level = leveled(map, {LevelingStep::Rows});
     for (int row = 0; row < 4; ++row) {
         EXPECT_EQ(level.at(row, 0) - level.at(row, 8), 2.0);
         EXPECT_EQ(level.at(row, 8), level.at(0, 8));
@@ -97,20 +98,20 @@ TEST(Leveling, RowsRemovesRowOffsetsExactlyWhereMostOfEachRowIsFlat) {
 TEST(Leveling, MedianOfAnEvenRowIsTheMeanOfTheTwoMiddleValues) {
     HeightMap map = flatMap({.columns = 4, .rows = 1, .sizeX = 4.0, .sizeY = 1.0});
     map.heights = {8.0, 1.0, 4.0, 2.0};  // median 3, and then mean 0.75
-    const HeightMap level = leveled(map, Leveling::Rows);
+    const HeightMap level = leveled(map, {LevelingStep::Rows});
     EXPECT_EQ(level.heights, (std::vector<double>{4.25, -2.75, 0.25, -1.75}));
 }
 
 TEST(Leveling, NoneChangesNothing) {
     const HeightMap map = hills();
-    EXPECT_EQ(leveled(map, Leveling::None).heights, map.heights);
+    EXPECT_EQ(leveled(map, {}).heights, map.heights);
 }
 
 TEST(Leveling, RefusesAMapWithoutAValidPixel) {
     HeightMap map = flatMap({.columns = 3, .rows = 2, .sizeX = 3.0_nm, .sizeY = 2.0_nm});
     map.heights.assign(6, kNan);
     EXPECT_THROW((void)fitPlane(map), Error);
-    EXPECT_THROW((void)leveled(map, Leveling::Rows), Error);
+    EXPECT_THROW((void)leveled(map, {LevelingStep::Rows}), Error);
     EXPECT_THROW((void)fitPlane(HeightMap{}), Error);
 }
 

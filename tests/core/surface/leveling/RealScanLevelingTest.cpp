@@ -1,6 +1,6 @@
 #include "core/Error.h"
 #include "core/io/heightmap/HeightMapFile.h"
-#include "core/surface/Leveling.h"
+#include "core/surface/leveling/Leveling.h"
 #include "tests/support/ReferenceTable.h"
 
 #include <gtest/gtest.h>
@@ -32,8 +32,8 @@ void expectAgreement(const HeightMap& map, const test::ReferenceTable& table, st
     expectNear(plane.slopeX, "plane_slope_x", slopeUnit);
     expectNear(-plane.slopeY, "plane_slope_y_down", slopeUnit);
     expectNear(rms(map), "rms_raw", 0.0);
-    expectNear(rms(leveled(map, Leveling::Plane)), "rms_after_plane", 0.0);
-    expectNear(rms(leveled(map, Leveling::Rows)), "rms_after_row_median", 0.0);
+    expectNear(rms(leveled(map, {LevelingStep::Plane})), "rms_after_plane", 0.0);
+    expectNear(rms(leveled(map, {LevelingStep::Rows})), "rms_after_row_median", 0.0);
 }
 
 TEST(Leveling, OfRealScansAgreesWithTheGroundTruth) {

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/surface/HeightMap.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace asperity {
+
+/// Whether a pixel takes part in leveling and measures: it holds data.
+template <class Heights>
+[[nodiscard]] bool counts(const BasicHeightMap<Heights>& map, int row, int column) {
+    return map.isValid(row, column) && isFiniteHeight(map.at(row, column));
+}
+
+/// Subtracts removed(row, column) [m] from all pixels, so that filled ones stay beside their
+/// neighbors; those without a height stay without one.
+template <class Heights, class Removed>
+void subtract(BasicHeightMap<Heights>& map, const Removed& removed) {
+    using Height = typename Heights::value_type;
+    for (int row = 0; row < map.rows; ++row) {
+        for (int column = 0; column < map.columns; ++column) {
+            Height& height = map.heights[map.index(row, column)];
+            height = static_cast<Height>(height - removed(row, column));
+        }
+    }
+}
+
+/// The mean of the two middle values when their number is even, as in statistics. Reorders them;
+/// there must be one.
+[[nodiscard]] inline double median(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 == 1) {
+        return *middle;
+    }
+    return 0.5 * (*std::max_element(values.begin(), middle) + *middle);
+}
+
+}  // namespace asperity

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/surface/HeightMap.h"
+
+#include <cstddef>
+
+namespace asperity {
+
+/// What a scar is: Gwyddion's defaults. Thresholds are in units of the root mean square of the
+/// differences between pixels above each other.
+struct ScarLimits {
+    int maxWidth = 4;     ///< rows
+    int minLength = 16;   ///< pixels along a row
+    double hard = 0.666;  ///< a scar stands out by this much somewhere in each of its segments
+    double soft = 0.25;   ///< and by this much everywhere
+};
+
+/// The scars of a map: pixels of at most `maxWidth` rows that all stand out, up or down, from the
+/// rows on both sides, in segments of at least `minLength`. Pixels without data take part in none.
+/// Empty where there is none.
+/// @throw Error when the map is unusable
+template <class Heights>
+[[nodiscard]] PixelMask scarsOf(const BasicHeightMap<Heights>& map, const ScarLimits& limits = {});
+
+/// Interpolates the scars linearly between the nearest good pixels above and below, and marks them
+/// as holding no data: pictures hatch them, contact there is flagged.
+/// @return how many pixels
+template <class Heights>
+std::size_t removeScars(BasicHeightMap<Heights>& map, const ScarLimits& limits = {});
+
+}  // namespace asperity

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/surface/HeightMap.h"
+
+namespace asperity {
+
+/// The lowest height of a valid pixel, relative to the map's datum [m].
+/// @throw Error when the map is unusable or no pixel is valid
+template <class Heights>
+[[nodiscard]] double lowestHeight(const BasicHeightMap<Heights>& map);
+
+}  // namespace asperity
