@@ -66,12 +66,9 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
             .channels = heightChannels(file.contents())};
 }
 
-}  // namespace
-
-LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
-                      Progress* progress) {
-    SceneDescription description = sceneFromInput(input);
-    description.setpoint = overrides.setpoint.value_or(description.setpoint);
+/// @param name that an error says
+LoadedScene loadNamed(const std::string& name, const SceneDescription& description,
+                      const SceneOverrides& overrides, Progress* progress) {
     try {
         LoadedScene loaded = description.sample.shape ? shapeScene(description, overrides)
                                                       : mapScene(description, overrides, progress);
@@ -81,8 +78,21 @@ LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& 
     } catch (const InputError&) {
         throw;
     } catch (const Error& error) {
-        throw InputError(input.string(), "", error.what());
+        throw InputError(name, "", error.what());
     }
+}
+
+}  // namespace
+
+LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
+                      Progress* progress) {
+    SceneDescription description = sceneFromInput(input);
+    description.setpoint = overrides.setpoint.value_or(description.setpoint);
+    return loadNamed(input.string(), description, overrides, progress);
+}
+
+LoadedScene loadScene(const SceneDescription& description, Progress* progress) {
+    return loadNamed(sampleName(description.sample), description, {}, progress);
 }
 
 std::vector<std::string> notesOn(const LoadedScene& loaded) {
@@ -91,22 +101,16 @@ std::vector<std::string> notesOn(const LoadedScene& loaded) {
     return notes;
 }
 
-LoadedScene withMaterial(LoadedScene loaded, const SampleMaterial& material) {
-    loaded.scene = withMaterial(std::move(loaded.scene), material);
-    loaded.needs = fitModel(loaded.scene);
-    return loaded;
-}
-
-LoadedScene withDescription(LoadedScene loaded, const SceneDescription& description) {
-    loaded.scene = withDescription(std::move(loaded.scene), description);
-    loaded.needs = fitModel(loaded.scene);
-    return loaded;
-}
-
-LoadedScene withChoices(LoadedScene loaded, const SceneDescription& choices) {
-    loaded.scene.description = choices;
-    loaded.needs = fitModel(loaded.scene);
-    return loaded;
+LoadedScene withDescription(const LoadedScene& loaded, const SceneDescription& description) {
+    LoadedScene changed{.scene = withDescription(loaded.scene, description),
+                        .format = loaded.format,
+                        .sha256 = loaded.sha256,
+                        .notes = loaded.notes,
+                        .provenance = loaded.provenance,
+                        .needs = {},
+                        .channels = loaded.channels};
+    changed.needs = fitModel(changed.scene);
+    return changed;
 }
 
 std::unique_ptr<AfmController> instrumentOf(const Scene& scene) {

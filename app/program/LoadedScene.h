@@ -43,16 +43,14 @@ struct LoadedScene {
 [[nodiscard]] LoadedScene loadScene(const std::filesystem::path& input,
                                     const SceneOverrides& overrides, Progress* progress = nullptr);
 
-/// The same scan of another material, with the model that this requires. @throw Error as
-/// withMaterial()
-[[nodiscard]] LoadedScene withMaterial(LoadedScene loaded, const SampleMaterial& material);
+/// The scene that a description asks for, whose file or shape it names. @throw as above
+[[nodiscard]] LoadedScene loadScene(const SceneDescription& description,
+                                    Progress* progress = nullptr);
 
-/// The same scan under another tip, lever and material, with the model that this requires.
-/// @throw Error as withDescription()
-[[nodiscard]] LoadedScene withDescription(LoadedScene loaded, const SceneDescription& description);
-
-/// The same scene with these choices in place of its own. @throw Error as buildScene()
-[[nodiscard]] LoadedScene withChoices(LoadedScene loaded, const SceneDescription& choices);
+/// A copy of the same scan under another tip, lever, material or model, fitted anew. Reads nothing
+/// of the scene's description: that may change meanwhile. @throw Error as withDescription()
+[[nodiscard]] LoadedScene withDescription(const LoadedScene& loaded,
+                                          const SceneDescription& description);
 
 /// The instrument of a scene, which outlives it, in the window and in `explore`: a simulated AFM
 /// that answers at once, as the scene's [truth] says.

@@ -6,19 +6,31 @@
 
 namespace asperity {
 
-EngageControl::EngageControl(MainWindow& window, RunControl& runs, DeviceControl& devices)
-    : window_(window), runs_(runs), devices_(devices) {
+EngageControl::EngageControl(MainWindow& window, RunControl& runs, DeviceControl& devices,
+                             SceneEdits& edits)
+    : window_(window), runs_(runs), devices_(devices), edits_(edits) {
     EngageBar& bar = window.engage();
     connect(&bar, &EngageBar::engageChosen, this, &EngageControl::engage);
     connect(&bar, &EngageBar::withdrawChosen, this, &EngageControl::withdraw);
-    connect(&runs, &RunControl::ending, this, [this, &bar] {
-        engaging_ = false;
-        setpoint_ = bar.setpoint();
-    });
-    connect(&runs, &RunControl::begun, this,
-            [&runs, &bar] { bar.setSetpoint(runs.run()->scene().description.setpoint); });
-    // The same scene changed: the user's setpoint stays.
-    connect(&runs, &RunControl::rebuilt, this, [this, &bar] { bar.setSetpoint(setpoint_); });
+    connect(&bar, &EngageBar::setpointChanged, this, &EngageControl::setSetpoint);
+    connect(&runs, &RunControl::ending, this, [this] { engaging_ = false; });
+    connect(&runs, &RunControl::begun, this, &EngageControl::showSetpoint);
+    connect(&edits, &SceneEdits::changed, this, &EngageControl::showSetpoint);
+}
+
+void EngageControl::setSetpoint(double force) {
+    if (const SceneDescription* const now = edits_.wanted()) {
+        SceneDescription next = *now;
+        next.setpoint = force;
+        edits_.change(tr("Setpoint: %1").arg(QString::fromStdString(formatSi(force, "N"))), next,
+                      QStringLiteral("setpoint_n"));
+    }
+}
+
+void EngageControl::showSetpoint() {
+    if (const SceneDescription* const scene = edits_.wanted()) {
+        window_.engage().setSetpoint(scene->setpoint);
+    }
 }
 
 void EngageControl::engage() {

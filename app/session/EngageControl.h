@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/session/DeviceControl.h"
+#include "app/session/SceneEdits.h"
 
 namespace asperity {
 
@@ -9,7 +10,7 @@ class EngageControl : public QObject {
     Q_OBJECT
 
 public:
-    EngageControl(MainWindow& window, RunControl& runs, DeviceControl& devices);
+    EngageControl(MainWindow& window, RunControl& runs, DeviceControl& devices, SceneEdits& edits);
 
     /// Once a frame: gives the tip back to mouse and keyboard once it has engaged. There is a run.
     void advance();
@@ -17,13 +18,15 @@ public:
 private:
     void engage();
     void withdraw();
+    void setSetpoint(double force);
+    void showSetpoint();
 
     MainWindow& window_;
     RunControl& runs_;
     DeviceControl& devices_;
+    SceneEdits& edits_;
     bool engaging_ = false;
-    double asked_ = 0.0;     ///< setpoint of the present approach [N]
-    double setpoint_ = 0.0;  ///< that the window showed when the last run ended [N]
+    double asked_ = 0.0;  ///< setpoint of the present approach [N]
 };
 
 }  // namespace asperity

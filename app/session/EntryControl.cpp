@@ -14,14 +14,16 @@ QString unless(bool works, const QString& reason) { return works ? QString() : r
 
 }  // namespace
 
-EntryControl::EntryControl(MainWindow& window, const RunControl& runs, const DeviceControl& devices)
-    : window_(window), runs_(runs), devices_(devices) {
+EntryControl::EntryControl(MainWindow& window, const RunControl& runs, const DeviceControl& devices,
+                           const SceneEdits& edits)
+    : window_(window), runs_(runs), devices_(devices), edits_(edits) {
     show();
 }
 
 void EntryControl::show() {
     showThoseOfARun();
     showThoseOfADevice();
+    window_.menus().setHistory(edits_.undoName(), edits_.redoName());
 }
 
 void EntryControl::showThoseOfARun() {

@@ -1,9 +1,10 @@
 #include "app/session/FidelityControl.h"
 
-#include "core/Error.h"
-#include "core/scene/BelievedModel.h"
 #include "core/scene/ModelChoices.h"
+#include "core/words/ModelWords.h"
+#include "ui/CoreWords.h"
 #include "ui/panels/FidelityPanel.h"
+#include "ui/panels/PercentText.h"
 #include "ui/window/MainWindow.h"
 
 #include <utility>
@@ -18,10 +19,12 @@ constexpr long kMaxPixels = 2048L * 2048L;
 /// seconds, and pictures are not shown.
 constexpr TradeOffPlan kPlan{.duration = 2.0, .rounds = 3, .patches = 1};
 
-/// @throw Error where no model can be made of the choices
-void requireModel(const SceneDescription& scene) {
-    checkScene(scene);
-    static_cast<void>(believedSystem(scene, usualModel(scene)));
+/// What the history calls a term's choice.
+QString nameOf(ModelTerm term, std::optional<bool> on) {
+    return FidelityControl::tr("Model: %1 %2")
+        .arg(coreWords(nameOf(term)),
+             !on ? FidelityControl::tr("automatic")
+                 : (*on ? FidelityControl::tr("on") : FidelityControl::tr("off")));
 }
 
 }  // namespace
@@ -31,9 +34,10 @@ bool canBeStudied(const Scene& scene) noexcept {
     return static_cast<long>(grid.columns) * grid.rows <= kMaxPixels;
 }
 
-FidelityControl::FidelityControl(MainWindow& window, RunControl& runs)
+FidelityControl::FidelityControl(MainWindow& window, RunControl& runs, SceneEdits& edits)
     : window_(window)
     , runs_(runs)
+    , edits_(edits)
     , study_({.progressed = [&window](double share) { window.fidelity().setMeasuring(share); },
               .finished =
                   [&window](const TradeOff& study) {
@@ -48,36 +52,32 @@ FidelityControl::FidelityControl(MainWindow& window, RunControl& runs)
               .canceled = [&window] { window.fidelity().setMeasuring(std::nullopt); }}) {
     connectInputs();
     connect(&runs, &RunControl::begun, this, &FidelityControl::showScene);
+    connect(&edits, &SceneEdits::changed, this, &FidelityControl::showModel);
 }
 
 void FidelityControl::connectInputs() {
     FidelityPanel& panel = window_.fidelity();
-    const auto change = [this](const std::function<SceneDescription(SceneDescription)>& choose) {
-        if (runs_.run() != nullptr) {
-            chooseModel(choose(runs_.run()->scene().description));
+    const auto change = [this](const QString& name, const QString& number, const auto& choose) {
+        if (const SceneDescription* const now = edits_.wanted()) {
+            SceneDescription next = *now;
+            choose(next);
+            edits_.change(name, next, number);
         }
     };
-    const auto choose = [change](const std::function<ModelChoices(const ModelChoices&)>& choice) {
-        change([&choice](SceneDescription scene) {
-            scene.choices = choice(scene.choices);
-            return scene;
-        });
-    };
     connect(&panel, &FidelityPanel::termChosen, this,
-            [choose](ModelTerm term, std::optional<bool> on) {
-                choose([&](const ModelChoices& now) { return withChoice(now, term, on); });
+            [change](ModelTerm term, std::optional<bool> on) {
+                change(nameOf(term, on), {}, [&](SceneDescription& scene) {
+                    scene.choices = withChoice(scene.choices, term, on);
+                });
             });
     connect(&panel, &FidelityPanel::toleranceChosen, this, [change](double share) {
-        change([share](SceneDescription scene) {
-            scene.tolerance = share;
-            return scene;
-        });
+        change(tr("Tolerance: %1 %").arg(percentText(share)), QStringLiteral("tolerance"),
+               [share](SceneDescription& scene) { scene.tolerance = share; });
     });
     connect(&panel, &FidelityPanel::automaticRequested, this, [change] {
-        change([](SceneDescription scene) {
+        change(tr("Model: all automatic"), {}, [](SceneDescription& scene) {
             scene.choices = allAutomatic(scene.choices);
             scene.tolerance = defaultScene().tolerance;
-            return scene;
         });
     });
     connect(&panel, &FidelityPanel::optionsPicked, this, &FidelityControl::pickOptions);
@@ -85,26 +85,13 @@ void FidelityControl::connectInputs() {
     connect(&panel, &FidelityPanel::stopRequested, this, [this] { study_.cancel(); });
 }
 
-void FidelityControl::chooseModel(const SceneDescription& choices) {
-    try {
-        requireModel(choices);
-        runs_.run()->requireHolding(choices);
-    } catch (const Error& error) {
-        window_.complain(QString::fromUtf8(error.what()));
-        showScene();
-        return;
-    }
-    runs_.rebuild([&choices](LoadedScene scene) { return withChoices(std::move(scene), choices); });
-}
-
 /// The chart stays: it is of the same scene, whatever its tick.
 void FidelityControl::pickOptions(const ForceModelOptions& options) {
-    if (runs_.run() != nullptr) {
-        const std::optional<TradeOff> study = window_.fidelity().tradeOff();
-        SceneDescription scene = runs_.run()->scene().description;
-        scene.choices = withForce(scene.choices, options);
-        chooseModel(scene);
-        window_.fidelity().showTradeOff(study);
+    if (const SceneDescription* const now = edits_.wanted()) {
+        SceneDescription next = *now;
+        next.choices = withForce(now->choices, options);
+        picked_ = next.choices;
+        edits_.change(tr("Model: %1").arg(coreWords(nameOf(options))), next);
     }
 }
 
@@ -124,12 +111,21 @@ void FidelityControl::measure() {
 void FidelityControl::showScene() {
     const Scene& scene = runs_.run()->scene();
     study_.cancel();
-    window_.fidelity().showTradeOff(std::nullopt);
+    if (std::exchange(picked_, std::nullopt) != scene.description.choices) {
+        window_.fidelity().showTradeOff(std::nullopt);
+    }
     window_.fidelity().refuseMeasuring(
         canBeStudied(scene) ? QString()
                             : tr("A scan of more than 2048 × 2048 pixels cannot be measured during "
                                  "the run: use asperity tradeoff"));
-    window_.fidelity().showModel(runs_.run()->loaded().needs, scene.description.choices);
+    showModel();
+}
+
+/// The choices as they are to be; what they are worth as it is.
+void FidelityControl::showModel() {
+    if (const SceneDescription* const scene = edits_.wanted()) {
+        window_.fidelity().showModel(runs_.run()->loaded().needs, scene->choices);
+    }
 }
 
 }  // namespace asperity

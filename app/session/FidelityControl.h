@@ -2,6 +2,7 @@
 
 #include "app/session/BackgroundWork.h"
 #include "app/session/RunControl.h"
+#include "app/session/SceneEdits.h"
 #include "core/studies/TradeOffStudy.h"
 
 namespace asperity {
@@ -10,17 +11,19 @@ namespace asperity {
 /// beside the run.
 class FidelityControl : public QObject {
 public:
-    FidelityControl(MainWindow& window, RunControl& runs);
+    FidelityControl(MainWindow& window, RunControl& runs, SceneEdits& edits);
 
 private:
     void connectInputs();
-    void chooseModel(const SceneDescription& choices);
     void pickOptions(const ForceModelOptions& options);
     void measure();
     void showScene();
+    void showModel();
 
     MainWindow& window_;
     RunControl& runs_;
+    SceneEdits& edits_;
+    std::optional<ModelChoices> picked_;  ///< in the chart: it stays over the scene with these
     BackgroundWork<TradeOff> study_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/haptics/device/PointerDevice.h"
 #include "core/scene/BelievedModel.h"
+#include "core/scene/SceneChange.h"
 #include "core/surface/MeasuredPlace.h"
 #include "core/words/ScaleWords.h"
 
@@ -37,20 +38,22 @@ Vector3 startPlace(const Scene& scene) {
 }
 
 LiveRun::LiveRun(LoadedScene loaded, const Vector3& start, const MakeInstrument& makeInstrument)
-    : loaded_(std::move(loaded))
-    , coupling_(loaded_.scene)
+    : loaded_(std::make_shared<LoadedScene>(std::move(loaded)))
+    , coupling_(loaded_->scene)
     , start_(start)
-    , settings_(loaded_.scene.settings)
-    , instrument_(makeInstrument(loaded_.scene))
+    , settings_(loaded_->scene.settings)
+    , instrument_(makeInstrument(loaded_->scene))
     , device_(std::make_unique<PointerDevice>(start / settings_.positionGain))
-    , halfSpace_(loaded_.scene.model.deformation == DeformationModel::HalfSpace
-                     ? std::make_unique<HalfSpaceWorker>(loaded_.scene)
+    , halfSpace_(loaded_->scene.model.deformation == DeformationModel::HalfSpace
+                     ? std::make_unique<HalfSpaceWorker>(loaded_->scene)
                      : nullptr)
-    , loop_(loaded_.scene, *device_, *instrument_)
-    , blackBox_(loaded_.scene.timeStep())
+    , loop_(loaded_->scene, *device_, *instrument_)
+    , blackBox_(loaded_->scene.timeStep())
     , energy_(newEnergyWatch()) {}
 
-EnergyWatch LiveRun::newEnergyWatch() const { return {loaded_.scene.timeStep(), device_->delay()}; }
+EnergyWatch LiveRun::newEnergyWatch() const {
+    return {loaded_->scene.timeStep(), device_->delay()};
+}
 
 void LiveRun::fetch(const TickSink& sink) {
     const double begin = processorSeconds();
@@ -156,10 +159,8 @@ Vector3 LiveRun::basePosition() noexcept {
     return latest.statistics.ticks > 0 ? latest.sample.output.base.position : start_;
 }
 
-LoadedScene LiveRun::release(std::unique_ptr<LiveRun> run) {
-    run->loop_.stop();
-    run->halfSpace_.reset();
-    return std::move(run->loaded_);
+void LiveRun::adopt(const SceneDescription& description) {
+    adoptShown(loaded_->scene.description, description);
 }
 
 }  // namespace asperity

@@ -32,8 +32,10 @@ public:
     LiveRun(LoadedScene loaded, const Vector3& start,
             const MakeInstrument& makeInstrument = instrumentOf);
 
-    [[nodiscard]] const LoadedScene& loaded() const noexcept { return loaded_; }
-    [[nodiscard]] const Scene& scene() const noexcept { return loaded_.scene; }
+    [[nodiscard]] const LoadedScene& loaded() const noexcept { return *loaded_; }
+    /// The same, for who works with it beside the run, and after its end.
+    [[nodiscard]] std::shared_ptr<const LoadedScene> shared() const noexcept { return loaded_; }
+    [[nodiscard]] const Scene& scene() const noexcept { return loaded_->scene; }
     [[nodiscard]] HapticLoop& loop() noexcept { return loop_; }
     /// Passes all ticks since the last call to `sink`, in order, and to the black box and the
     /// energy monitor.
@@ -75,8 +77,8 @@ public:
     /// Where the base is [m].
     [[nodiscard]] Vector3 basePosition() noexcept;
 
-    /// Ends the run and gives the scene back, for another material.
-    [[nodiscard]] static LoadedScene release(std::unique_ptr<LiveRun> run);
+    /// Gives the scene what can change while it is in use, see SceneChange::Shown.
+    void adopt(const SceneDescription& description);
 
 private:
     void apply(const Settings& settings) noexcept;
@@ -84,7 +86,7 @@ private:
     void keep(const TickSample& sample);
     [[nodiscard]] EnergyWatch newEnergyWatch() const;
 
-    LoadedScene loaded_;
+    std::shared_ptr<LoadedScene> loaded_;
     CouplingKeeper coupling_;
     Vector3 start_;  ///< of the base [m]
     Settings settings_;

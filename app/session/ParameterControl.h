@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/RunControl.h"
+#include "app/session/SceneEdits.h"
 #include "core/scene/SceneParameter.h"
 
 namespace asperity {
@@ -10,14 +10,14 @@ class ParameterControl : public QObject {
     Q_OBJECT
 
 public:
-    ParameterControl(MainWindow& window, RunControl& runs);
+    ParameterControl(MainWindow& window, RunControl& runs, SceneEdits& edits);
 
 private:
     void change(SceneParameter parameter, double value);
     void show();
 
     MainWindow& window_;
-    RunControl& runs_;
+    SceneEdits& edits_;
 };
 
 }  // namespace asperity

@@ -73,14 +73,13 @@ void RunControl::begin(LoadedScene scene, const Vector3& start, const Settings& 
     Q_EMIT begun();
 }
 
-void RunControl::rebuild(const Change& change) {
+void RunControl::replace(LoadedScene scene) {
     const bool running = run_->loop().running();
     const double halfWidth = window_.view().halfWidth();
     const Vector2 place = run_->basePosition().head<2>();
     Settings settings = run_->sensingSettings();
     settings.forcesOn = forcesMayAct();
-    leave();
-    LoadedScene scene = change(LiveRun::release(std::move(run_)));
+    end();
     const Vector3 above = waitingPlace(scene.scene, place);
     begin(std::move(scene), above, settings);
     window_.view().setHalfWidth(halfWidth);

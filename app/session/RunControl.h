@@ -29,10 +29,9 @@ public:
     /// Shows a scene that is loaded, and starts its loop. Forces that are off, or that a fault
     /// keeps away, stay off.
     void use(LoadedScene scene);
-    using Change = std::function<LoadedScene(LoadedScene)>;
     /// The loop begins again above the same place, with the same knobs, on the scene changed. There
     /// is a run.
-    void rebuild(const Change& change);
+    void replace(LoadedScene scene);
     /// Ends the run, if there is one.
     void end();
 

@@ -1,20 +1,19 @@
 #pragma once
 
-#include "app/session/BackgroundWork.h"
 #include "app/session/RunControl.h"
 #include "app/session/ScaleControl.h"
+#include "app/session/SceneEdits.h"
 
 #include <filesystem>
-#include <vector>
 
 namespace asperity {
 
-/// Which scene the window shows: loads files in the background, and changes the material.
+/// Which scene the window shows: opens files, and chooses the channel of a scan.
 class SceneControl : public QObject {
     Q_OBJECT
 
 public:
-    SceneControl(MainWindow& window, RunControl& runs);
+    SceneControl(MainWindow& window, RunControl& runs, SceneEdits& edits);
 
     /// Loads in the background, then shows; says so in the window when that fails. Where a file
     /// does not hold its scale the user is asked for it first. Another one that is being loaded is
@@ -32,29 +31,24 @@ Q_SIGNALS:
     void scaleAsked();
 
 private:
-    void readMaterials();
-    void chooseMaterial(int index);
-    void showMaterials();
     /// Of the scan that is open.
     void showChannels();
-    void endLoading();
-    void use(LoadedScene& scene);
+    void chooseChannel(const QString& name);
     void fail(const std::exception_ptr& reason);
     /// Whether the user is asked for the scale that is missing.
     [[nodiscard]] bool asksFor(const std::exception_ptr& reason);
-    /// Of the scan that is open.
-    void chooseChannel(const QString& name);
+    /// For what the scale is asked for: is called with it.
+    using Retry = std::function<void(const GivenScale& scale)>;
+    void askForScale(const std::filesystem::path& file, const ScaleGap& gap, const Retry& retry);
 
     MainWindow& window_;
     RunControl& runs_;
-    std::vector<SampleMaterial> materials_;
+    SceneEdits& edits_;
     ScaleControl scales_;
+    Retry retry_;                  ///< what was asked for last
     std::filesystem::path asked_;  ///< the file that was asked for last
     SceneOverrides askedWith_;
-    std::filesystem::path open_;  ///< the file that is shown
-    QString loading_;             ///< name of the file that is being loaded; empty: none
     std::exception_ptr openError_;
-    BackgroundWork<LoadedScene> loader_;
 };
 
 }  // namespace asperity

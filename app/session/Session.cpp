@@ -17,15 +17,17 @@ constexpr double kMaxFrameTime = 0.1;  // that a held key moves the device for [
 
 Session::Session(MainWindow& window)
     : runs_(window)
+    , edits_(window, runs_)
     , recordings_(window, runs_)
     , devices_(window, runs_)
-    , scenes_(window, runs_)
-    , fidelity_(window, runs_)
+    , scenes_(window, runs_, edits_)
+    , materials_(window, runs_, edits_)
+    , fidelity_(window, runs_, edits_)
     , paths_(window, runs_, devices_)
-    , engaging_(window, runs_, devices_)
-    , parameters_(window, runs_)
+    , engaging_(window, runs_, devices_, edits_)
+    , parameters_(window, runs_, edits_)
     , views_(window, runs_)
-    , entries_(window, runs_, devices_) {
+    , entries_(window, runs_, devices_, edits_) {
     runs_.setSink([this](const TickSample& sample) {
         views_.take(sample);
         recordings_.take(sample);

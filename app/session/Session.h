@@ -4,11 +4,13 @@
 #include "app/session/EngageControl.h"
 #include "app/session/EntryControl.h"
 #include "app/session/FidelityControl.h"
+#include "app/session/MaterialControl.h"
 #include "app/session/ParameterControl.h"
 #include "app/session/PathControl.h"
 #include "app/session/RecordingControl.h"
 #include "app/session/RunControl.h"
 #include "app/session/SceneControl.h"
+#include "app/session/SceneEdits.h"
 #include "app/session/ViewControl.h"
 
 #include <QTimer>
@@ -27,6 +29,8 @@ public:
     /// The present run; null before the first scene.
     [[nodiscard]] LiveRun* run() const { return runs_.run(); }
     [[nodiscard]] RunControl& runs() { return runs_; }
+    /// What changes the scene.
+    [[nodiscard]] SceneEdits& edits() { return edits_; }
     [[nodiscard]] SceneControl& scenes() { return scenes_; }
     [[nodiscard]] DeviceControl& devices() { return devices_; }
     [[nodiscard]] PathControl& paths() { return paths_; }
@@ -41,9 +45,11 @@ private:
 
     // In the order in which they hear that a run begins or ends.
     RunControl runs_;
+    SceneEdits edits_;
     RecordingControl recordings_;
     DeviceControl devices_;
     SceneControl scenes_;
+    MaterialControl materials_;
     FidelityControl fidelity_;
     PathControl paths_;
     EngageControl engaging_;

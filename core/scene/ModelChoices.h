@@ -26,6 +26,8 @@ struct ModelChoices {
     std::optional<bool> torsion = {};
     std::optional<bool> mountTilt = {};
     std::optional<bool> curvature = {};
+
+    bool operator==(const ModelChoices&) const = default;
 };
 
 /// What is said, and all that is open as by default; terms of the law are not regarded.

@@ -141,18 +141,16 @@ Scene buildScene(const SceneDescription& description) {
 }
 
 Scene withMaterial(Scene scene, const SampleMaterial& material) {
-    SceneDescription description = scene.description;
-    if (description.truth.material == description.sample.material) {
-        description.truth.material = material;
-    }
-    description.sample.material = material;
-    return withDescription(std::move(scene), description);
-}
-
-Scene withDescription(Scene scene, const SceneDescription& description) {
+    const SceneDescription description = withMaterial(scene.description, material);
     checkScene(description);
     return assemble(description, {std::move(scene.removedBySteps), std::move(scene.surface),
                                   std::move(scene.certainty), std::move(scene.shape)});
+}
+
+Scene withDescription(const Scene& scene, const SceneDescription& description) {
+    checkScene(description);
+    return assemble(description,
+                    {scene.removedBySteps, scene.surface, scene.certainty, scene.shape});
 }
 
 void setModel(Scene& scene, const ForceModelOptions& model) {

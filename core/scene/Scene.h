@@ -62,8 +62,9 @@ struct Scene {
 /// what the scene said. @throw Error as buildScene()
 [[nodiscard]] Scene withMaterial(Scene scene, const SampleMaterial& material);
 
-/// The same surface under another tip, lever and material. @throw Error as buildScene()
-[[nodiscard]] Scene withDescription(Scene scene, const SceneDescription& description);
+/// A copy of the same surface under another tip, lever and material. Reads nothing but the surface.
+/// @throw Error as buildScene()
+[[nodiscard]] Scene withDescription(const Scene& scene, const SceneDescription& description);
 
 /// Sets another model. @throw Error as believedSystem()
 void setModel(Scene& scene, const ForceModelOptions& model);

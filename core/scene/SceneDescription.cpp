@@ -127,6 +127,14 @@ SceneDescription defaultScene() {
     return scene;
 }
 
+SceneDescription withMaterial(SceneDescription scene, const SampleMaterial& material) {
+    if (scene.truth.material == scene.sample.material) {
+        scene.truth.material = material;
+    }
+    scene.sample.material = material;
+    return scene;
+}
+
 ContactPair contactPair(const SceneDescription& scene, const SampleMaterial& material) {
     return {.tipRadius = scene.tip.radius,
             .reducedModulus = reducedModulus(material.elastic, scene.tip.elastic),

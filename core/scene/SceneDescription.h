@@ -64,11 +64,15 @@ struct SampleDescription {
     double imagingTipRadius = 0.0;  ///< of the tip that recorded the map [m]; 0: not known
     bool erode = false;             ///< whether that tip's shape is taken out of the map
     SampleMaterial material;
+
+    bool operator==(const SampleDescription&) const = default;
 };
 
 struct TipDescription {
     double radius = 15e-9;                                          ///< [m]
     Elastic elastic{.youngsModulus = 169e9, .poissonRatio = 0.27};  ///< silicon
+
+    bool operator==(const TipDescription&) const = default;
 };
 
 /// What the instrument really is; by default the same as what the scene says.
@@ -78,6 +82,8 @@ struct TruthDescription {
     double signalNoise = 1e-7;  ///< standard deviation of the detector's noise in each signal [rad]
     std::uint64_t noiseSeed = 1;
     double temperature = 0.0;  ///< that shakes the lever [K]; 0: no thermal noise
+
+    bool operator==(const TruthDescription&) const = default;
 };
 
 /// Everything that a scene file says, with defaults filled in; units SI.
@@ -99,6 +105,8 @@ struct SceneDescription {
     double setpoint = 5e-9;      ///< at which an approach ends: force along z [N]
     double zoomHalfWidth = 0.0;  ///< of the zoomed view [m]; 0: chosen from the contact
     std::vector<Marker> markers;
+
+    bool operator==(const SceneDescription&) const = default;
 };
 
 inline constexpr double kMinSetpoint = 1e-12;  ///< [N]
@@ -110,6 +118,10 @@ inline constexpr double kMaxSetpoint = 1e-3;   ///< [N]
 
 /// The scene that a height map alone stands for: polystyrene, 15 nm silicon tip, 14 N/m lever.
 [[nodiscard]] SceneDescription defaultScene();
+
+/// The scene with another material. The instrument's truth goes along where it was the same as what
+/// the scene said.
+[[nodiscard]] SceneDescription withMaterial(SceneDescription scene, const SampleMaterial& material);
 
 /// Tip and a material of the scene as one pair.
 [[nodiscard]] ContactPair contactPair(const SceneDescription& scene,

@@ -53,6 +53,8 @@ EngageBar::EngageBar(QWidget* parent)
     setRefusal({});
     connect(engage_, &QPushButton::clicked, this, &EngageBar::engageChosen);
     connect(withdraw_, &QPushButton::clicked, this, &EngageBar::withdrawChosen);
+    connect(setpoint_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+            [this](double shown) { Q_EMIT setpointChanged(shown / kPerNewton); });
     connect(setpoint_->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this,
             &EngageBar::setpointEntered);
 }

@@ -25,7 +25,8 @@ public:
 Q_SIGNALS:
     void engageChosen();
     void withdrawChosen();
-    void setpointEntered();  ///< by the Return key
+    void setpointEntered();              ///< by the Return key
+    void setpointChanged(double force);  ///< [N]
 
 private:
     GainSpinBox* setpoint_;

@@ -44,6 +44,11 @@ void LoadingBar::begin(const QString& name) {
     setFraction(0.0);
 }
 
+void LoadingBar::beginChange(const QString& name) {
+    words_->setText(tr("%1 …").arg(name));
+    setFraction(0.0);
+}
+
 void LoadingBar::setFraction(double fraction) {
     bar_->setValue(static_cast<int>(std::floor(kWhole * fraction)));
 }

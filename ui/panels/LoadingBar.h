@@ -17,6 +17,8 @@ public:
 
     /// Another file, at its beginning.
     void begin(const QString& name);
+    /// A change of the scene, by its name in the history.
+    void beginChange(const QString& name);
     /// @param fraction of the work that is done, 0..1
     void setFraction(double fraction);
 

@@ -3,6 +3,7 @@
 #include "ui/NumberText.h"
 #include "ui/Theme.h"
 
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QToolTip>
 
@@ -82,6 +83,18 @@ void NumberBox::fixup(QString& text) const {
 void NumberBox::discardTyped() {
     setValue(value());
     mark(false);
+}
+
+bool NumberBox::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        auto& key = static_cast<QKeyEvent&>(*event);
+        if ((key.matches(QKeySequence::Undo) && !lineEdit()->isUndoAvailable()) ||
+            (key.matches(QKeySequence::Redo) && !lineEdit()->isRedoAvailable())) {
+            key.ignore();
+            return false;
+        }
+    }
+    return QDoubleSpinBox::event(event);
 }
 
 void NumberBox::mark(bool refused) const {

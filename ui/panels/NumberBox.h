@@ -20,6 +20,8 @@ public:
     void fixup(QString& text) const override;
     /// What was typed and does not count yet is gone.
     void discardTyped();
+    /// Undo and redo are the window's while nothing typed is to be undone.
+    bool event(QEvent* event) override;
 
 Q_SIGNALS:
     /// A text is not taken. A tool tip says it, too, but goes with the focus: show it where it

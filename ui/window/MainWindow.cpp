@@ -287,6 +287,12 @@ void MainWindow::setEmergencyStop(bool active) {
     hint_->setText(active ? tr("%1   ·   Esc: forces off").arg(gestures) : gestures);
 }
 
+void MainWindow::showChanging(const QString& name) {
+    loading_->beginChange(name);
+    bottomLine_->setCurrentIndex(1);
+    menus_->cancelLoading->setEnabled(true);
+}
+
 void MainWindow::lock() {
     setAcceptDrops(false);
     controls_->setEnabled(false);

@@ -58,6 +58,8 @@ public:
     void showScene(const Scene* scene, const QString& title);
     /// Shows in place of the hint that a file is being loaded; empty: nothing is.
     void showLoading(const QString& name);
+    /// The same for a change of the scene that takes a while. @param name as in the history
+    void showChanging(const QString& name);
     [[nodiscard]] LoadingBar& loading() { return *loading_; }
     /// A short message for a while.
     void tell(const QString& message);

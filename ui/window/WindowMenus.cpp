@@ -29,6 +29,7 @@ QMenu* addMenu(QMenuBar& bar, const QString& title) {
 
 WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
     addFileMenu(bar);
+    addEditMenu(bar);
     addRunMenu(bar);
     addDeviceMenu(bar);
     addViewMenu(bar);
@@ -52,6 +53,30 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     menu->addSeparator();
     quit = menu->addAction(tr("&Quit"));
     quit->setShortcut(QKeySequence::Quit);
+}
+
+void WindowMenus::addEditMenu(QMenuBar& bar) {
+    QMenu* menu = addMenu(bar, tr("&Edit"));
+    undo = menu->addAction(QString());
+    undo->setObjectName(QStringLiteral("undo"));
+    undo->setShortcut(tr("Ctrl+Z"));
+    redo = menu->addAction(QString());
+    redo->setObjectName(QStringLiteral("redo"));
+    redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+    setHistory({}, {});
+}
+
+void WindowMenus::setHistory(const QString& undoName, const QString& redoName) {
+    const auto show = [this](QAction& entry, const QString& text, const QString& name) {
+        const QString plain = QString(name).replace('&', QStringLiteral("&&"));
+        entry.setText(text.arg(plain).trimmed());
+        refuse(entry, name.isEmpty() ? tr("The scene has not been changed") : QString());
+    };
+    show(*undo, tr("&Undo %1"), undoName);
+    show(*redo, tr("&Redo %1"), redoName);
+    if (redoName.isEmpty()) {
+        refuse(*redo, tr("Nothing has been undone"));
+    }
 }
 
 void WindowMenus::addRunMenu(QMenuBar& bar) {

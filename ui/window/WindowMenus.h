@@ -30,6 +30,9 @@ public:
     QAction* saveLastSeconds;
     QAction* quit;
 
+    QAction* undo;
+    QAction* redo;
+
     QAction* startPause;
     QAction* forcesOff;
     QAction* resetFault;
@@ -56,6 +59,9 @@ public:
     /// Shows which channels of the scan there are to choose from, and which one is open.
     void setChannels(const QStringList& names, const QString& present);
 
+    /// Shows which change of the scene can be undone, which done again; empty: none.
+    void setHistory(const QString& undoName, const QString& redoName);
+
     /// Disables an entry that cannot work now. @param reason that its tool tip says; empty: it can
     void refuse(QAction& entry, const QString& reason);
     /// The same for all guides but none.
@@ -71,6 +77,7 @@ Q_SIGNALS:
 
 private:
     void addFileMenu(QMenuBar& bar);
+    void addEditMenu(QMenuBar& bar);
     void addRunMenu(QMenuBar& bar);
     void addDeviceMenu(QMenuBar& bar);
     void addGuides(QMenu& menu);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/session/RunControl.h"
+#include "app/session/SceneEdits.h"
 #include "tests/support/ScratchFolder.h"
 #include "tests/support/TestScenes.h"
 #include "ui/window/MainWindow.h"
@@ -30,6 +31,10 @@ protected:
                   .notes = {}});
     }
     LiveRun& run() { return *runs.run(); }
+    /// Waits for the end of the change under way.
+    bool changeEnds() {
+        return eventually([this] { return *edits.wanted() == run().scene().description; });
+    }
     /// The short message of the bottom line.
     std::string told() { return window.statusBar()->currentMessage().toStdString(); }
     /// What must be read; closes it. Empty: nothing.
@@ -43,6 +48,7 @@ protected:
     ScratchFolder folder;
     MainWindow window;
     RunControl runs{window};
+    SceneEdits edits{window, runs};
 };
 
 }  // namespace asperity::test

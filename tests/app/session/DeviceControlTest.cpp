@@ -44,7 +44,7 @@ TEST_F(DeviceControlTest, ADeviceWithMotorsIsToldItsScaleAndTakenUpOverTheSceneC
     EXPECT_EQ(shown(), "Simulated device");
     EXPECT_TRUE(told().starts_with("1 mm : 1 nm")) << told();
     runs.turn([](Settings& settings) { settings.forceGain = 2e8; });
-    runs.rebuild([](LoadedScene scene) { return scene; });
+    runs.replace(withDescription(run().loaded(), run().scene().description));
     EXPECT_EQ(shown(), "Simulated device");
     EXPECT_EQ(run().settings().forceGain, 2e8);
     useFlatScene();

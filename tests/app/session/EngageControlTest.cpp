@@ -5,6 +5,7 @@
 #include "ui/panels/EngageBar.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QPushButton>
 
@@ -33,7 +34,7 @@ protected:
     bool engaged() { return told().starts_with("Engaged"); }
 
     DeviceControl devices{window, runs};
-    EngageControl engaging{window, runs, devices};
+    EngageControl engaging{window, runs, devices, edits};
 };
 
 // It took 75 notches of the wheel, and more care than an AFM asks for.
@@ -80,8 +81,10 @@ TEST_F(EngageControlTest, TheSetpointIsThatOfTheSceneAndStaysOverAnotherMaterial
               .sha256 = "",
               .notes = {}});
     EXPECT_DOUBLE_EQ(window.engage().setpoint(), 2e-9);
-    window.engage().setSetpoint(7e-9);
-    runs.rebuild([](LoadedScene scene) { return scene; });
+    window.findChild<QDoubleSpinBox*>("setpoint")->setValue(7.0);
+    EXPECT_DOUBLE_EQ(run().scene().description.setpoint, 7e-9) << "at once";
+    edits.change("softer", withMaterial(run().scene().description, {}));
+    ASSERT_TRUE(changeEnds());
     EXPECT_DOUBLE_EQ(window.engage().setpoint(), 7e-9);
     useFlatScene();
     EXPECT_DOUBLE_EQ(window.engage().setpoint(), 5e-9) << "another scene";

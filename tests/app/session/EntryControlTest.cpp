@@ -21,7 +21,7 @@ protected:
     }
 
     DeviceControl devices{window, runs};
-    EntryControl entries{window, runs, devices};
+    EntryControl entries{window, runs, devices, edits};
 };
 
 TEST_F(EntryControlTest, WithoutASceneEntriesOfARunSayThatItNeedsOne) {

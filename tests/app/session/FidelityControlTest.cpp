@@ -12,14 +12,16 @@ protected:
     FidelityPanel& panel() { return window.fidelity(); }
     const Scene& scene() { return run().scene(); }
 
-    FidelityControl fidelity{window, runs};
+    FidelityControl fidelity{window, runs, edits};
 };
 
 TEST_F(FidelityControlTest, ATermIsOverruledAndGivenBack) {
     ASSERT_TRUE(has(scene().model, ModelTerm::Adhesion));
     Q_EMIT panel().termChosen(ModelTerm::Adhesion, false);
+    ASSERT_TRUE(changeEnds());
     EXPECT_FALSE(has(scene().model, ModelTerm::Adhesion));
     Q_EMIT panel().automaticRequested();
+    ASSERT_TRUE(changeEnds());
     EXPECT_TRUE(has(scene().model, ModelTerm::Adhesion));
 }
 
@@ -28,6 +30,7 @@ TEST_F(FidelityControlTest, AModelIsPickedAndTheChartStays) {
     ForceModelOptions options = ofForce(scene().model);
     options.closestPointSearch = SearchEffort::Local;
     Q_EMIT panel().optionsPicked(options);
+    ASSERT_TRUE(changeEnds());
     EXPECT_EQ(scene().model.closestPointSearch, SearchEffort::Local);
     EXPECT_TRUE(panel().tradeOff().has_value());
     useFlatScene();

@@ -1,6 +1,6 @@
 #include "app/session/ParameterControl.h"
 
-#include "app/session/SceneControl.h"
+#include "app/session/MaterialControl.h"
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ParameterPanel.h"
 
@@ -20,8 +20,8 @@ protected:
         return window.parameters().findChild<QAbstractSpinBox*>(box)->text().toStdString();
     }
 
-    SceneControl scenes{window, runs};
-    ParameterControl parameters{window, runs};
+    MaterialControl materials{window, runs, edits};
+    ParameterControl parameters{window, runs, edits};
 };
 
 TEST_F(ParameterControlTest, ARunBeginsAnewAboveTheSamePlaceWithTheNewValue) {
@@ -29,11 +29,13 @@ TEST_F(ParameterControlTest, ARunBeginsAnewAboveTheSamePlaceWithTheNewValue) {
     EXPECT_EQ(shown("tipRadius"), "15");
     const Vector3 before = run().basePosition();
     enter(SceneParameter::TipRadius, 30e-9);
+    ASSERT_TRUE(changeEnds());
     EXPECT_EQ(run().scene().belief.contact.pair().tipRadius, 30e-9);
     EXPECT_EQ(shown("tipRadius"), "30");
     EXPECT_LT((run().basePosition() - before).head<2>().norm(), 1e-15);
     EXPECT_TRUE(run().loop().running());
     enter(SceneParameter::SpringConstant, 2.0);
+    ASSERT_TRUE(changeEnds());
     EXPECT_NEAR(run().scene().belief.cantilever.stiffness(), 2.0, 1e-12);
 }
 
@@ -41,6 +43,7 @@ TEST_F(ParameterControlTest, ListsAChangedMaterialOnce) {
     useFlatScene();
     enter(SceneParameter::YoungsModulus, 3e9);
     enter(SceneParameter::Hardness, 1e9);
+    ASSERT_TRUE(changeEnds());
     const auto& list = *window.findChild<QComboBox*>("material");
     EXPECT_EQ(list.currentText(), "polystyrene (edited)");
     int edited = 0;

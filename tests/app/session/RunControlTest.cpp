@@ -76,11 +76,9 @@ TEST_F(RunControlTest, TheSceneChangedHasPlaceKnobsAndPauseOfTheOneBefore) {
     std::vector<std::string> heard;
     QObject::connect(&runs, &RunControl::begun, [&] { heard.emplace_back("begun"); });
     QObject::connect(&runs, &RunControl::rebuilt, [&] { heard.emplace_back("rebuilt"); });
-    runs.rebuild([](LoadedScene scene) {
-        SampleMaterial softer = scene.scene.description.sample.material;
-        softer.elastic.youngsModulus *= 0.5;
-        return withMaterial(std::move(scene), softer);
-    });
+    SceneDescription softer = run().scene().description;
+    softer.sample.material.elastic.youngsModulus *= 0.5;
+    runs.replace(withDescription(run().loaded(), softer));
     EXPECT_EQ(heard, (std::vector<std::string>{"begun", "rebuilt"}));
     EXPECT_EQ(run().settings().forceGain, 250.0);
     EXPECT_LT((run().basePosition().head<2>() - place).norm(), 1e-15);

@@ -2,10 +2,8 @@
 
 #include "tests/app/session/ControlFixture.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
-#include "ui/panels/ControlBar.h"
 
 #include <QAction>
-#include <QComboBox>
 #include <QMenu>
 
 #include <vector>
@@ -15,7 +13,7 @@ namespace {
 
 class SceneControlTest : public ControlFixture {
 protected:
-    SceneControl scenes{window, runs};
+    SceneControl scenes{window, runs, edits};
     QSignalSpy begun{&runs, &RunControl::begun};
     QSignalSpy failed{&scenes, &SceneControl::openFailed};
     QSignalSpy canceled{&scenes, &SceneControl::openCanceled};
@@ -87,26 +85,6 @@ TEST_F(SceneControlTest, NothingComesOfWhatIsCanceled) {
     EXPECT_EQ(told(), "Loading of steps.gsf canceled");
     QTest::qWait(500);
     EXPECT_EQ(begun.count(), 0);
-}
-
-TEST_F(SceneControlTest, AnotherMaterialIsAnotherRun) {
-    useFlatScene();
-    auto* list = window.findChild<QComboBox*>("material");
-    const int rubber = list->findText("silicone rubber");
-    ASSERT_GE(rubber, 0);
-    EXPECT_NE(list->currentIndex(), rubber);
-    Q_EMIT window.controls().materialChosen(rubber);
-    EXPECT_EQ(run().scene().description.sample.material.name, "silicone_rubber");
-    EXPECT_EQ(list->currentIndex(), rubber);
-}
-
-TEST_F(SceneControlTest, AMaterialThatNoFileHasIsListedToo) {
-    SceneDescription scene = plainScene();
-    scene.sample.material.name = "of_this_test";
-    scene.sample.material.elastic.youngsModulus *= 1.5;
-    runs.use({.scene = buildScene(scene, flatMap()), .format = "", .sha256 = "", .notes = {}});
-    EXPECT_EQ(window.findChild<QComboBox*>("material")->currentText().toStdString(),
-              "of this test");
 }
 
 }  // namespace

@@ -130,6 +130,7 @@ TEST_F(WindowWithDevice, GoesOnLeadingOverAnotherMaterialUnlessThatDoesNotHold) 
     const std::string refusal = complaint();
     EXPECT_NE(refusal.find("exceeds its force limit (3 N)"), std::string::npos) << refusal;
     choose("material", "silicone rubber");
+    ASSERT_TRUE(changeEnds());
     EXPECT_EQ(child<QComboBox>("material")->currentText().toStdString(), "silicone rubber");
     EXPECT_EQ(deviceShown(), kSimulated);
     EXPECT_EQ(knobs().forceGain, 4e8);

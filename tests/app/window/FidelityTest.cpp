@@ -52,11 +52,13 @@ protected:
             QTest::keyClick(combo, combo->currentIndex() < combo->findText(choice) ? Qt::Key_Down
                                                                                    : Qt::Key_Up);
         }
+        EXPECT_TRUE(changeEnds());
     }
     void pick(int index) {
         auto* chart = panel().findChild<TradeOffChart*>();
         panel().grab();
         QTest::mouseClick(&chart->canvas(), Qt::LeftButton, {}, chart->placeOf(index));
+        EXPECT_TRUE(changeEnds());
     }
     /// Ticks go on after what was done before.
     bool goesOn() {
@@ -108,6 +110,7 @@ TEST_F(Fidelity, AWayForTheTickIsPickedInTheChartAndTakenBack) {
     pick(0);
     EXPECT_EQ(scene().model.law, ContactLaw::Hertz);
     QTest::mouseClick(child<QPushButton>("allAutomatic"), Qt::LeftButton);
+    ASSERT_TRUE(changeEnds());
     EXPECT_FALSE(scene().description.choices.law.has_value());
     EXPECT_FALSE(scene().description.choices.torsion.has_value());
     EXPECT_EQ(choiceOf(ModelTerm::Adhesion)->currentText(), QStringLiteral("auto"));
@@ -138,8 +141,10 @@ TEST_F(Fidelity, AModelThatCannotBeIsRefusedAndTheSceneStays) {
 TEST_F(Fidelity, AllAutomaticResetsTheTolerance) {
     auto* tolerance = child<QDoubleSpinBox>("tolerance");
     tolerance->setValue(20.0);
+    ASSERT_TRUE(changeEnds());
     ASSERT_DOUBLE_EQ(scene().description.tolerance, 0.2);
     QTest::mouseClick(child<QPushButton>("allAutomatic"), Qt::LeftButton);
+    ASSERT_TRUE(changeEnds());
     EXPECT_DOUBLE_EQ(scene().description.tolerance, 0.05);
     EXPECT_EQ(tolerance->value(), 5.0);
 }

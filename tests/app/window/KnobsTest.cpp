@@ -44,6 +44,7 @@ TEST_F(Window, AnotherMaterialIsAnotherSceneAtTheSamePlace) {
     while (material->currentIndex() != rubber) {
         QTest::keyClick(material, material->currentIndex() < rubber ? Qt::Key_Down : Qt::Key_Up);
     }
+    ASSERT_TRUE(changeEnds());
     EXPECT_EQ(session.run()->scene().description.sample.material.elastic.youngsModulus, 1e6);
     EXPECT_NEAR(session.run()->basePosition().x(), x, 1e-12);
     EXPECT_TRUE(eventually([this] { return far(); })) << state();
@@ -79,6 +80,7 @@ TEST_F(Window, ForcesStayOffAndKnobsStayTurnedOverAnotherMaterial) {
     session.runs().pause();
     auto* material = child<QComboBox>("material");
     QTest::keyClick(material, material->currentIndex() > 0 ? Qt::Key_Up : Qt::Key_Down);
+    ASSERT_TRUE(changeEnds());
     EXPECT_FALSE(session.run()->settings().forcesOn);
     EXPECT_EQ(session.run()->settings().forceGain, 250.0);
     EXPECT_FALSE(session.run()->loop().running());

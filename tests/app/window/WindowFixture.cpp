@@ -72,6 +72,11 @@ void Window::choose(const char* list, const QString& entry) {
     Q_EMIT box->activated(index);
 }
 
+bool Window::changeEnds() {
+    return eventually(
+        [this] { return *session.edits().wanted() == session.run()->scene().description; });
+}
+
 void Window::turn(const char* knob, const QString& number) {
     auto* box = child<QAbstractSpinBox>(knob);
     box->setFocus();

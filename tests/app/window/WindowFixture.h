@@ -48,6 +48,8 @@ protected:
 
     /// Chooses an entry of a list of the control bar.
     void choose(const char* list, const QString& entry);
+    /// Waits for the end of the change of scene under way.
+    bool changeEnds();
     /// Types a number into a knob of the control bar.
     void turn(const char* knob, const QString& number);
     /// The short message of the bottom line.

@@ -1,0 +1,302 @@
+#include "app/session/SceneEdits.h"
+
+#include "core/Error.h"
+#include "core/io/heightmap/MissingScale.h"
+#include "core/scene/BelievedModel.h"
+#include "core/scene/SceneTruth.h"
+#include "ui/panels/LoadingBar.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/MainWindow.h"
+
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kSlow = 300;  ///< a change that takes longer shows how far it is [ms]
+
+/// @throw Error where no scene can be made of the description
+void requireScene(const SceneDescription& scene) {
+    checkScene(scene);
+    static_cast<void>(believedSystem(scene, usualModel(scene)));
+    static_cast<void>(truthOf(scene));
+}
+
+/// Whether both lie in the same place, so that the tip can stay where it is.
+bool haveSameGround(const SampleDescription& a, const SampleDescription& b) {
+    return a.shape.has_value() == b.shape.has_value() && a.file == b.file;
+}
+
+}  // namespace
+
+SceneEdits::SceneEdits(MainWindow& window, RunControl& runs)
+    : window_(window)
+    , runs_(runs)
+    , work_({.progressed = [&window](double share) { window.loading().setFraction(share); },
+             .finished = [this](LoadedScene& scene) { opening_ ? useOpened(scene) : use(scene); },
+             .failed = [this](const std::exception_ptr& reason) { fail(reason); }}) {
+    connect(&runs, &RunControl::begun, this, &SceneEdits::begun);
+    slow_.setSingleShot(true);
+    slow_.setInterval(kSlow);
+    connect(&slow_, &QTimer::timeout, this, [this] {
+        if (target_) {
+            window_.showChanging(target_->steps.empty() ? tr("Undo or redo")
+                                                        : target_->steps.back().name);
+        }
+    });
+}
+
+/// A scene that did not come from here has no history.
+void SceneEdits::begun() {
+    if (!using_) {
+        work_.cancel();
+        giveUp();
+        history_.clear();
+    }
+}
+
+const SceneDescription& SceneEdits::present() const { return runs_.run()->scene().description; }
+
+const SceneDescription* SceneEdits::wanted() const {
+    return runs_.run() == nullptr ? nullptr : &goalOf(target());
+}
+
+SceneEdits::Target SceneEdits::target() const {
+    return target_.value_or(Target{.index = history_.index(), .steps = {}});
+}
+
+const SceneDescription& SceneEdits::goalOf(const Target& target) const {
+    if (!target.steps.empty()) {
+        return target.steps.back().after;
+    }
+    return target.index == history_.index() ? present() : history_.after(target.index);
+}
+
+bool SceneEdits::isOpening() {
+    if (opening_) {
+        window_.tell(
+            tr("%1 is being loaded: change the scene afterwards, or cancel").arg(opening_->name));
+    }
+    return opening_.has_value();
+}
+
+bool SceneEdits::allows(const SceneDescription& scene) {
+    try {
+        requireScene(scene);
+        runs_.run()->requireHolding(scene);
+        return true;
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+        return false;
+    }
+}
+
+void SceneEdits::change(const QString& name, const SceneDescription& next, const QString& number) {
+    const SceneDescription* const now = wanted();
+    if (now == nullptr || next == *now || isOpening()) {
+        Q_EMIT changed();
+        return;
+    }
+    Target goal = target();
+    if (!number.isEmpty() && !goal.steps.empty() && goal.steps.back().number == number) {
+        goal.steps.pop_back();
+    }
+    goal.steps.push_back({.name = name, .number = number, .after = next});
+    goTo(goal);
+}
+
+void SceneEdits::goTo(const Target& target) {
+    const SceneDescription next = goalOf(target);
+    if (allows(next)) {
+        target_ = target;
+        const SceneChange change = changeBetween(present(), next);
+        if (change == SceneChange::None || change == SceneChange::Shown) {
+            adopt();
+        } else {
+            startWork(next, change);
+        }
+    }
+    Q_EMIT changed();
+}
+
+void SceneEdits::startWork(const SceneDescription& next, SceneChange change) {
+    if (change == SceneChange::Surface) {
+        work_.start([next](Progress& progress) { return loadScene(next, &progress); });
+    } else {
+        work_.start([next, present = runs_.run()->shared()](Progress& /*progress*/) {
+            return withDescription(*present, next);
+        });
+    }
+    if (!slow_.isActive()) {
+        slow_.start();
+    }
+}
+
+/// What can change while the run goes on does so at once.
+void SceneEdits::adopt() {
+    const Target made = target();
+    const SceneDescription before = present();
+    const SceneDescription after = goalOf(made);
+    work_.cancel();
+    giveUp();
+    runs_.run()->adopt(after);
+    if (after.zoomHalfWidth != before.zoomHalfWidth && after.zoomHalfWidth > 0.0) {
+        window_.view().setHalfWidth(after.zoomHalfWidth);
+    }
+    keep(made, before, after);
+}
+
+void SceneEdits::use(LoadedScene& scene) {
+    LiveRun& run = *runs_.run();
+    const Target made = target();
+    const SceneDescription before = present();
+    const SceneDescription after = scene.scene.description;
+    if (!allows(after)) {  // another device may have come meanwhile
+        giveUp();
+        Q_EMIT changed();
+        return;
+    }
+    const Vector3 place = run.basePosition();
+    const bool stays = haveSameGround(before.sample, after.sample) &&
+                       scene.scene.surface.contains(place.x(), place.y());
+    giveUp();
+    using_ = true;
+    stays ? runs_.replace(std::move(scene)) : runs_.use(std::move(scene));
+    using_ = false;
+    keep(made, before, after);
+    Q_EMIT changed();
+}
+
+void SceneEdits::keep(const Target& target, SceneDescription before,
+                      const SceneDescription& after) {
+    if (target.index != history_.index()) {
+        before = history_.after(target.index);
+        history_.moveTo(target.index);
+    }
+    for (const Step& step : target.steps) {
+        const bool isLast = &step == &target.steps.back();
+        history_.add(step.name, step.number, before, isLast ? after : step.after);
+        before = step.after;
+    }
+}
+
+void SceneEdits::open(Opening opening) {
+    target_.reset();
+    slow_.stop();
+    opening_ = std::move(opening);
+    window_.showLoading(opening_->name);
+    work_.start(opening_->load);
+    Q_EMIT changed();
+}
+
+void SceneEdits::useOpened(LoadedScene& scene) {
+    const Opening opening = *opening_;
+    giveUp();
+    const SceneDescription after = scene.scene.description;
+    std::optional<SceneDescription> before;
+    if (runs_.run() != nullptr) {
+        before = present();
+    }
+    using_ = true;
+    runs_.use(std::move(scene));
+    using_ = false;
+    if (before) {
+        history_.add(tr("Open %1").arg(opening.name), {}, *before, after);
+    }
+    Q_EMIT changed();
+}
+
+void SceneEdits::fail(const std::exception_ptr& reason) {
+    const std::optional<Opening> opening = opening_;
+    const Target failed = target();
+    giveUp();
+    if (opening) {
+        opening->failed(reason);
+    } else {
+        explain(failed, reason);
+    }
+    Q_EMIT changed();
+}
+
+void SceneEdits::explain(const Target& failed, const std::exception_ptr& reason) {
+    try {
+        std::rethrow_exception(reason);
+    } catch (const MissingScale& missing) {
+        if (!failed.steps.empty()) {
+            Q_EMIT scaleMissing(missing.path(), missing.gap(), failed.steps.back().name,
+                                failed.steps.back().after);
+            return;
+        }
+    } catch (...) {  // in words below
+    }
+    window_.complain(reasonOf(reason));
+}
+
+void SceneEdits::giveUp() {
+    target_.reset();
+    opening_.reset();
+    slow_.stop();
+    window_.showLoading({});
+}
+
+void SceneEdits::cancel() {
+    const std::optional<Opening> opening = opening_;
+    const std::optional<Target> target = target_;
+    if (!opening && !target) {
+        return;
+    }
+    work_.cancel();
+    giveUp();
+    if (opening) {
+        opening->canceled();
+    } else {
+        window_.tell(tr("The change is canceled; the scene stays as it was"));
+    }
+    Q_EMIT changed();
+}
+
+void SceneEdits::undo() {
+    if (opening_) {
+        cancel();
+        return;
+    }
+    if (runs_.run() == nullptr || undoName().isEmpty()) {
+        return;
+    }
+    Target next = target();
+    if (next.steps.empty()) {
+        --next.index;
+    } else {
+        next.steps.pop_back();
+    }
+    goTo(next);
+}
+
+void SceneEdits::redo() {
+    if (runs_.run() != nullptr && !redoName().isEmpty()) {
+        Target next = target();
+        ++next.index;
+        goTo(next);
+    }
+}
+
+QString SceneEdits::undoName() const {
+    if (opening_) {
+        return tr("Open %1").arg(opening_->name);
+    }
+    const Target now = target();
+    if (!now.steps.empty()) {
+        return now.steps.back().name;
+    }
+    return now.index > 0 ? history_.nameOf(now.index - 1) : QString();
+}
+
+QString SceneEdits::redoName() const {
+    const Target now = target();
+    return now.steps.empty() && !opening_ && now.index < history_.count()
+               ? history_.nameOf(now.index)
+               : QString();
+}
+
+}  // namespace asperity
