@@ -74,6 +74,25 @@ std::shared_ptr<const HalfSpaceField> fieldOf(const Scene& scene, const TipState
     return std::make_shared<const HalfSpaceField>(displacement, patch.samples, patch.pitch());
 }
 
+/// Of bodies in contact, less the cohesive stress.
+std::shared_ptr<const PixelField> pressureOf(const HalfSpaceContact& problem,
+                                             const SurfaceTraction& traction) {
+    HeightMap map{.columns = problem.samples,
+                  .rows = problem.samples,
+                  .pitchX = problem.pitch,
+                  .pitchY = problem.pitch,
+                  .heights = {},
+                  .invalid = {}};
+    for (int row = problem.samples - 1; row >= 0; --row) {  // an image's top row is the last one
+        for (int column = 0; column < problem.samples; ++column) {
+            const std::size_t pixel = map.index(row, column);
+            map.heights.push_back(traction.contact[pixel] -
+                                  problem.cohesiveStress * traction.cohesion[pixel]);
+        }
+    }
+    return std::make_shared<const PixelField>(map, "Pa");
+}
+
 }  // namespace
 
 bool stillHolds(const HalfSpaceAnswer& answer, const TipState& now) {
@@ -107,12 +126,13 @@ HalfSpaceAnswer HalfSpaceModel::solve(const Scene& scene, const TipState& state,
     }
     const double tipRadius = scene.belief.tipRadius();
     HalfSpacePatch patch{.samples = samples_, .halfWidth = halfWidthFor(state, tipRadius)};
+    HalfSpaceContact problem;
     HalfSpaceSolution solution;
     for (;;) {
         const bool warm = kept_ && kept_->halfWidth == patch.halfWidth;
-        solution =
-            solver_.solve(halfSpaceContact(scene, state, patch),
-                          warm ? kept_->traction : closedFormTraction(scene, state, patch), stop);
+        problem = halfSpaceContact(scene, state, patch);
+        solution = solver_.solve(
+            problem, warm ? kept_->traction : closedFormTraction(scene, state, patch), stop);
         const bool wider =
             solution.doubts.reachesBorder && kWiden * patch.halfWidth <= kMaxPatchWidth * tipRadius;
         if (!wider || solution.status == HalfSpaceStatus::Canceled) {
@@ -127,6 +147,7 @@ HalfSpaceAnswer HalfSpaceModel::solve(const Scene& scene, const TipState& state,
     kept_.reset();
     if (answer.valid()) {
         answer.field = fieldOf(scene, state, patch, std::move(solution.displacement));
+        answer.pressure = pressureOf(problem, solution.traction);
         kept_ = Kept{.halfWidth = patch.halfWidth, .traction = std::move(solution.traction)};
     }
     return answer;

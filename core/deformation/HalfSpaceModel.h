@@ -4,6 +4,7 @@
 #include "core/contact/halfspace/HalfSpaceSolver.h"
 #include "core/deformation/HalfSpaceField.h"
 #include "core/scene/Scene.h"
+#include "core/surface/PixelField.h"
 
 #include <memory>
 #include <optional>
@@ -47,6 +48,8 @@ struct HalfSpaceAnswer {
     double contactRadius = 0.0;  ///< of the circle of the contact's area [m]
     int iterations = 0;
     std::shared_ptr<const HalfSpaceField> field;  ///< of both bodies together; null unless valid
+    /// On the sample, over the same pixels with their corner at 0 [Pa]; null unless valid.
+    std::shared_ptr<const PixelField> pressure = nullptr;
 
     [[nodiscard]] bool valid() const noexcept { return verdict == HalfSpaceVerdict::Valid; }
 };

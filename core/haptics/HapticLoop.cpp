@@ -23,6 +23,7 @@ HapticLoop::HapticLoop(const Scene& scene, HapticDevice& device, AfmController& 
     , device_(&device)
     , specification_(device.specification())
     , afm_(afm)
+    , truth_(dynamic_cast<const TrueTip*>(&afm))
     , samples_(ringSize(scene)) {}
 
 HapticLoop::~HapticLoop() { stop(); }
@@ -84,6 +85,9 @@ void HapticLoop::tickOnce(double timeStep) noexcept {
     const BaseCommand command = commandBase(scene_, input, latest_.memory);
     input.measurement = afm_.exchange(command.base);
     sample.output = tick(scene_, input, command, latest_.memory);
+    if (truth_ != nullptr) {
+        latest_.trueTip = truth_->trueTip();
+    }
     tellForce(sample.output.deviceForce);
     device_->observe(sample.output);
 }

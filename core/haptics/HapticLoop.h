@@ -4,6 +4,7 @@
 #include "core/haptics/Snapshot.h"
 #include "core/haptics/device/HapticDevice.h"
 #include "core/probe/AfmController.h"
+#include "core/probe/TrueTip.h"
 #include "core/realtime/PacedThread.h"
 #include "core/realtime/TripleBuffer.h"
 
@@ -76,6 +77,7 @@ private:
     HapticDevice* device_;
     DeviceSpecification specification_;  ///< of the device
     AfmController& afm_;
+    const TrueTip* truth_;  ///< of the instrument; null where it knows none
 
     // The loop thread's own while it runs.
     Snapshot latest_;

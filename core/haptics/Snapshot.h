@@ -4,6 +4,8 @@
 #include "core/realtime/LatencyHistogram.h"
 #include "core/realtime/PacedThread.h"
 
+#include <optional>
+
 namespace asperity {
 
 /// How well the loop keeps its time. Quantiles are those of the last full second.
@@ -21,6 +23,8 @@ struct Snapshot {
     TickSample sample;
     TickMemory memory;  ///< what the tick after it starts from: a replay can begin there
     LoopStatistics statistics;
+    /// Where the tip of a simulated instrument really is (apex); only pictures show it [m].
+    std::optional<Vector3> trueTip;
 };
 
 }  // namespace asperity

@@ -30,11 +30,16 @@ SimulatedAfm::SimulatedAfm(const SampleSurface& surface, const InstrumentTruth& 
 
 AfmMeasurement SimulatedAfm::exchange(const BaseMotion& target) noexcept {
     state_ = tipEquilibrium(surface_, truth_.system, target, memory_);
+    measured_ = true;
     LeverSignals signals = leverSignals(truth_.system.cantilever, state_.force);
     signals.bending += bendingPerDeflection_ * thermal_.next();
     signals.bending += truth_.noise.bending * random_.normal();
     signals.torsion += truth_.noise.torsion * random_.normal();
     return {signals, 0.0};
+}
+
+std::optional<Vector3> SimulatedAfm::trueTip() const noexcept {
+    return measured_ ? std::optional(state_.tip) : std::nullopt;
 }
 
 }  // namespace asperity

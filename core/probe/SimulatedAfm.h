@@ -5,6 +5,7 @@
 #include "core/probe/CantileverModes.h"
 #include "core/probe/ProbeSystem.h"
 #include "core/probe/ThermalNoise.h"
+#include "core/probe/TrueTip.h"
 #include "core/surface/sample/SampleSurface.h"
 
 #include <cstdint>
@@ -23,8 +24,8 @@ struct InstrumentTruth {
 /// An AFM that answers at once with the quasi-static state of its own truth, plus what heat does to
 /// the lever's fundamental mode and the white noise of the detector. The heat shakes a lever in
 /// contact as if it were free: an upper bound, since the sample would hold it. Only the two signals
-/// and their age leave it through the port.
-class SimulatedAfm final : public AfmController {
+/// and their age leave it through the port; where the tip really is only pictures show (TrueTip).
+class SimulatedAfm final : public AfmController, public TrueTip {
 public:
     /// The surface must outlive the instrument. @throw Error when time step or temperature is no
     /// such thing
@@ -34,6 +35,7 @@ public:
 
     /// The state behind the last measurement: for tests and experiments, never for the tick.
     [[nodiscard]] const TipState& trueState() const noexcept { return state_; }
+    [[nodiscard]] std::optional<Vector3> trueTip() const noexcept override;
 
 private:
     SimulatedAfm(const SampleSurface& surface, const InstrumentTruth& truth,
@@ -46,6 +48,7 @@ private:
     double bendingPerDeflection_;  ///< of the fundamental mode [rad/m]
     EquilibriumMemory memory_;
     TipState state_;
+    bool measured_ = false;  ///< state_ is of a measurement
 };
 
 }  // namespace asperity

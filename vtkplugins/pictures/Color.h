@@ -10,6 +10,8 @@ struct Color {
     std::uint8_t green = 0;
     std::uint8_t blue = 0;
 
+    bool operator==(const Color&) const = default;
+
     /// As VTK's properties take it: 0 ... 1 each.
     [[nodiscard]] std::array<double, 3> fractions() const {
         return {red / 255.0, green / 255.0, blue / 255.0};

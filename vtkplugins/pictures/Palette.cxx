@@ -45,14 +45,7 @@ Color seriesColor(std::size_t index) {
 }
 
 vtkSmartPointer<vtkLookupTable> divergingTable(double limit) {
-    static constexpr std::array<Color, 7> kAnchors = {{{179, 78, 8},
-                                                       {229, 138, 52},
-                                                       {250, 205, 150},
-                                                       {240, 240, 240},
-                                                       {160, 203, 228},
-                                                       {62, 138, 192},
-                                                       {14, 74, 134}}};
-    return tableThrough(kAnchors, -limit, limit);
+    return tableThrough(palette::kDiverging, -limit, limit);
 }
 
 vtkSmartPointer<vtkLookupTable> heightTable(double low, double high) {

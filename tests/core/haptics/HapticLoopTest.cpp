@@ -323,5 +323,27 @@ TEST(ScriptedDevice, TakesOverFromWhereAnotherDeviceIs) {
     EXPECT_NEAR(device.advance(1.0).position.x(), 101.0_nm, 1e-18);
 }
 
+TEST(HapticLoop, PublishesWhereTheSimulatedTipReallyIsBesideTheTick) {
+    Bench bench;
+    EXPECT_FALSE(bench.loop.snapshot().trueTip);
+    bench.loop.step();
+    const Snapshot& snapshot = bench.loop.snapshot();
+    ASSERT_TRUE(snapshot.trueTip);
+    EXPECT_EQ(*snapshot.trueTip, bench.afm.trueState().tip);
+    EXPECT_GT(snapshot.trueTip->z(), snapshot.sample.output.base.position.z())
+        << "the sample bends the lever up";
+}
+
+TEST(HapticLoop, PublishesNoTrueTipOfAnInstrumentThatKnowsNone) {
+    class Measuring final : public AfmController {
+    public:
+        AfmMeasurement exchange(const BaseMotion& /*target*/) noexcept override { return {}; }
+    } measuring;
+    Bench bench;
+    HapticLoop loop(bench.scene, bench.device, measuring);
+    loop.step();
+    EXPECT_FALSE(loop.snapshot().trueTip);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -1,0 +1,67 @@
+#include "core/deformation/ContactField.h"
+
+#include "core/contact/displacement/SurfaceDisplacement.h"
+#include "core/surface/deformation/DisplacementField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity {
+
+namespace {
+
+/// A paraboloid goes on beyond the tip's radius where the contact is about as wide.
+constexpr double kParaboloidReach = 1.5;  // in contact radii
+
+/// The tip's surface above its lowest point.
+double tipRise(const CohesiveContact& profile, double tipRadius, double distance) noexcept {
+    if (profile.shape == TipShape::Paraboloid) {
+        return distance * distance / (2.0 * tipRadius);
+    }
+    const double up = std::max(0.0, (tipRadius - distance) * (tipRadius + distance));
+    return distance * distance / (tipRadius + std::sqrt(up));
+}
+
+}  // namespace
+
+ContactField::ContactField(const Scene& scene, const TipState& state,
+                           const HalfSpaceAnswer* halfSpace)
+    : contact_(tipContact(scene, state))
+    , profile_(contactProfile(contactModelAt(scene, state), state.contact))
+    , reach_(profile_.shape == TipShape::Paraboloid
+                 ? std::max(contact_.tipRadius, kParaboloidReach * contact_.contactRadius)
+                 : contact_.tipRadius) {
+    if (scene.model.deformation == DeformationModel::HalfSpace && halfSpace != nullptr &&
+        stillHolds(*halfSpace, state)) {
+        frame_ = tangentFrame(contact_.closest, contact_.normal);
+        pixels_ = halfSpace->pressure;
+    }
+}
+
+double ContactField::gap(const Vector3& rest, double sample, double tip) const noexcept {
+    const double distance = distanceFromAxis(contact_, rest);
+    if (contact_.contactRadius > 0.0 && distance <= contact_.contactRadius) {
+        return 0.0;
+    }
+    if (!(distance <= reach_)) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    const double lowest =
+        (contact_.tipCenter - contact_.closest).dot(contact_.normal) - contact_.tipRadius;
+    const double height = (rest - contact_.closest).dot(contact_.normal);
+    return std::max(0.0, lowest + tipRise(profile_, contact_.tipRadius, distance) - height +
+                             sample + tip);
+}
+
+double ContactField::pressure(const Vector3& rest) const noexcept {
+    if (pixels_ == nullptr) {
+        return contactPressure(profile_, distanceFromAxis(contact_, rest));
+    }
+    const Vector3 place = frame_.local(rest);
+    const double middle = 0.5 * pixels_->sizeX();
+    const bool inside = std::max(std::abs(place.x()), std::abs(place.y())) <= middle;
+    return inside ? pixels_->at(middle + place.x(), middle + place.y()) : 0.0;
+}
+
+}  // namespace asperity
