@@ -50,6 +50,7 @@ QString styleSheet() {
         QToolTip { background: %5; color: %3; border: 1px solid %1; padding: 3px; }
         QStatusBar::item { border: none; }
         QSplitter::handle { background: %4; }
+        QSplitter::handle:hover { background: %1; }
     )");
     const auto name = [](QRgb color) { return QColor(color).name(); };
     return sheet.arg(name(theme::kFaint), name(theme::kAccent), name(theme::kInk),

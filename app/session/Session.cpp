@@ -16,7 +16,8 @@ constexpr double kMaxFrameTime = 0.1;  // that a held key moves the device for [
 }  // namespace
 
 Session::Session(MainWindow& window)
-    : runs_(window)
+    : window_(window)
+    , runs_(window)
     , edits_(window, runs_)
     , recordings_(window, runs_)
     , devices_(window, runs_)
@@ -59,7 +60,8 @@ void Session::stop() {
     const QWidget* const active = QApplication::activeWindow();
     const bool closesTool =
         !stopsForces && active != nullptr && active->windowType() == Qt::Tool;  // by its shortcut
-    const bool closesSomething = closesTool || QApplication::activePopupWidget() != nullptr ||
+    const bool closesSomething = closesTool || (!stopsForces && window_.isPanelEnlarged()) ||
+                                 QApplication::activePopupWidget() != nullptr ||
                                  QApplication::activeModalWidget() != nullptr;
     if (!closesSomething) {
         scenes_.cancelOpen();

@@ -43,6 +43,7 @@ private:
     void stop();
     void advance();
 
+    MainWindow& window_;
     // In the order in which they hear that a run begins or ends.
     RunControl runs_;
     SceneEdits edits_;

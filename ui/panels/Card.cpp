@@ -1,11 +1,15 @@
 #include "ui/panels/Card.h"
 
 #include "ui/Theme.h"
+#include "ui/panels/CardHeading.h"
 
 #include <QHBoxLayout>
-#include <QToolButton>
+#include <QMouseEvent>
+#include <QResizeEvent>
 #include <QVBoxLayout>
 #include <QVariant>
+
+#include <algorithm>
 
 namespace asperity {
 
@@ -23,18 +27,12 @@ void colorText(QLabel& label, QRgb color) {
 
 Card::Card(const QString& title, QWidget* parent)
     : QFrame(parent)
-    , heading_(new QToolButton(this))
+    , heading_(new CardHeading(title, this))
     , top_(new QHBoxLayout)
     , note_(captionLabel(QString(), this))
     , content_(new QWidget(this))
     , body_(new QVBoxLayout(content_)) {
     setProperty("card", true);
-    heading_->setProperty("heading", true);
-    heading_->setText(title);
-    heading_->setFont(theme::boldFont());
-    heading_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    heading_->setFocusPolicy(Qt::NoFocus);
-    heading_->setAttribute(Qt::WA_TransparentForMouseEvents);
     note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     top_->addWidget(heading_);
@@ -51,21 +49,60 @@ Card::Card(const QString& title, QWidget* parent)
 QString Card::title() const { return heading_->text(); }
 
 void Card::setFoldable() {
-    heading_->setAttribute(Qt::WA_TransparentForMouseEvents, false);
-    connect(heading_, &QToolButton::clicked, this, [this] { setFolded(!folded_); });
+    foldable_ = true;
+    heading_->setActive();
+    connect(heading_, &CardHeading::foldRequested, this, [this] { setFolded(!folded_); });
+    connect(heading_, &CardHeading::enlargeRequested, this, &Card::enlargeRequested);
     setFolded(folded_);
 }
 
 void Card::setFolded(bool folded) {
+    if (enlarged_) {
+        return;
+    }
+    const bool changes = folded != folded_;
     folded_ = folded;
     content_->setVisible(!folded);
-    heading_->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
-    heading_->setToolTip(folded ? tr("Unfold this panel") : tr("Fold this panel"));
+    heading_->setState(folded_, enlarged_);
     // Folded it leaves its room to the other panels.
-    setSizePolicy(QSizePolicy::Preferred, folded ? QSizePolicy::Maximum : QSizePolicy::Preferred);
+    setMaximumHeight(folded ? QFrame::sizeHint().height() : QWIDGETSIZE_MAX);
+    if (changes) {
+        Q_EMIT foldedChanged(folded);
+    }
+}
+
+void Card::setEnlarged(bool enlarged) {
+    enlarged_ = enlarged;
+    heading_->setState(folded_, enlarged_);
+}
+
+/// A splitter asks for no height at a width: texts that wrap must have theirs.
+QSize Card::minimumSizeHint() const {
+    QSize least = QFrame::minimumSizeHint();
+    if (layout()->hasHeightForWidth() && width() >= least.width()) {
+        least.setHeight(std::max(least.height(), layout()->minimumHeightForWidth(width())));
+    }
+    return least;
+}
+
+void Card::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    if (layout()->hasHeightForWidth() && event->size().width() != event->oldSize().width()) {
+        updateGeometry();
+    }
 }
 
 void Card::addToHeading(QWidget* control) { top_->addWidget(control); }
+
+/// The whole line of the title counts, also where it has no words.
+void Card::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (foldable_ && event->button() == Qt::LeftButton &&
+        event->pos().y() <= top_->geometry().bottom()) {
+        Q_EMIT enlargeRequested();
+        return;
+    }
+    QFrame::mouseDoubleClickEvent(event);
+}
 
 QLabel* captionLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);

@@ -1,7 +1,6 @@
 #include "ui/window/MainWindow.h"
 
 #include "ui/panels/CantileverPanel.h"
-#include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/EngageBar.h"
 #include "ui/panels/FidelityPanel.h"
@@ -13,24 +12,24 @@
 #include "ui/panels/ParameterPanel.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"
+#include "ui/window/CardColumn.h"
 #include "ui/window/Dialogs.h"
+#include "ui/window/Maximizer.h"
+#include "ui/window/PageTabs.h"
+#include "ui/window/PanelsMenu.h"
 #include "ui/window/Placement.h"
+#include "ui/window/ViewSide.h"
+#include "ui/window/WindowLayout.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
 #include <QDragEnterEvent>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QShortcut>
-#include <QStackedLayout>
 #include <QStatusBar>
-#include <QVBoxLayout>
 
 #include <functional>
 
@@ -38,50 +37,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 6;         // between panels [px]
-constexpr int kLeftShare = 69;  // of the width, against kRightShare
-constexpr int kRightShare = 31;
-constexpr int kMessageTime = 8000;   // [ms]
-constexpr int kColumnMinimum = 372;  // [px]
+constexpr int kMessageTime = 8000;  // [ms]
 constexpr QSize kUsualSize(1600, 1000);
-
-QVBoxLayout* newColumn(QWidget& side) {
-    auto* column = new QVBoxLayout(&side);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(kGap);
-    return column;
-}
-
-/// A column that shrinks to what its panels need before it has to be scrolled.
-class PanelColumn : public QWidget {
-public:
-    using QWidget::QWidget;
-    [[nodiscard]] int heightForWidth(int width) const override {
-        return layout()->minimumHeightForWidth(width);
-    }
-};
-
-/// Scrolls a column of panels where the window is too low for it.
-QScrollArea* newScroller(QWidget* column, QWidget* window) {
-    auto* area = new QScrollArea(window);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setWidgetResizable(true);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setWidget(column);
-    area->setMinimumWidth(column->minimumWidth() + area->verticalScrollBar()->sizeHint().width());
-    return area;
-}
-
-/// Hint and loading in one place, so that nothing moves when a file is loaded.
-QStackedLayout* newBottomLine(QLabel* hint, QWidget* loading) {
-    hint->setObjectName(QStringLiteral("hint"));
-    hint->setAlignment(Qt::AlignCenter);
-    auto* line = new QStackedLayout;
-    line->addWidget(hint);
-    line->addWidget(loading);
-    return line;
-}
 
 /// The keys that move the device work again once a knob is turned.
 void giveFocusBack(ControlBar& controls, ZoomView& view) {
@@ -117,8 +74,8 @@ MainWindow::MainWindow()
     , engage_(new EngageBar(this))
     , view_(new ZoomView(this))
     , loading_(new LoadingBar(this))
-    , hint_(new QLabel(this))
-    , bottomLine_(newBottomLine(hint_, loading_))
+    , viewSide_(new ViewSide({banner_, engage_, view_, loading_}, this))
+    , layout_(new WindowLayout(controls_, viewSide_, this))
     , overview_(new OverviewPanel(this))
     , loopStatus_(new LoopStatusBar(this))
     , fidelity_(new FidelityPanel(this))
@@ -139,59 +96,48 @@ MainWindow::MainWindow()
     view_->setFocus();
 }
 
-QWidget* MainWindow::leftSide() {
-    auto* side = new QWidget(this);
-    QVBoxLayout* column = newColumn(*side);
-    column->addWidget(banner_);
-    panels_.push_back(banner_);
-    column->addWidget(engage_);
-    column->addWidget(view_, 1);
-    auto* bars = new QHBoxLayout;
-    bars->setSpacing(3 * kGap);
-    auto* heights = new ColorBarWidget(this);
-    auto* displacements = new ColorBarWidget(this);
-    bars->addWidget(heights);
-    bars->addWidget(displacements);
-    connect(view_, &ZoomView::scalesChanged, this, [this, heights, displacements] {
-        heights->setScale(view_->heightScale());
-        displacements->setScale(view_->displacementScale());
-    });
-    column->addLayout(bars);
-    column->addLayout(bottomLine_);
-    return side;
-}
-
-QWidget* MainWindow::rightSide() {
-    auto* side = new PanelColumn(this);
-    side->setMinimumWidth(kColumnMinimum);
-    QVBoxLayout* column = newColumn(*side);
-    const auto add = [this, column](auto* panel, int share) {
-        column->addWidget(panel, share);
-        panels_.push_back(panel);
-        panel->setFoldable();
-        cards_.push_back(panel);
+void MainWindow::placeAll() {
+    setCentralWidget(layout_);
+    const auto add = [this](auto* card, int share) {
+        layout_->addCard(card, share);
+        panels_.push_back(card);
     };
+    panels_.push_back(banner_);
     add(new ForcePanel(this), 4);
     add(new CantileverPanel(this), 3);
     add(overview_, 3);
-    column->addStretch();
-    return newScroller(side, this);
-}
-
-void MainWindow::placeAll() {
-    auto* middle = new QWidget(this);
-    auto* rows = new QVBoxLayout(middle);
-    rows->setContentsMargins(kGap, 0, kGap, 0);
-    rows->setSpacing(kGap);
-    rows->addWidget(controls_);
-    auto* sides = new QHBoxLayout;
-    sides->setSpacing(kGap);
-    sides->addWidget(leftSide(), kLeftShare);
-    sides->addWidget(rightSide(), kRightShare);
-    rows->addLayout(sides, 1);
-    setCentralWidget(middle);
     statusBar()->addWidget(loopStatus_, 1);  // a message takes the whole line for a while
     panels_.push_back(loopStatus_);
+    new PanelsMenu(*menus_->panels, *layout_);
+    connect(&layout_->maximizer(), &Maximizer::changed, view_, [this](bool active) {
+        if (!active) {
+            view_->setFocus();
+        }
+    });
+}
+
+const std::vector<Card*>& MainWindow::cards() const { return layout_->cards().cards(); }
+
+bool MainWindow::isPanelEnlarged() const { return layout_->maximizer().isActive(); }
+
+QSplitter& MainWindow::views() { return viewSide_->views(); }
+
+void MainWindow::addTool(QWidget* page, const QString& title) {
+    layout_->tools().addPage(page, title, false);
+}
+
+void MainWindow::showTool(QWidget* page) {
+    layout_->maximizer().restore();
+    layout_->tools().showPage(page);
+}
+
+void MainWindow::addSidePage(QWidget* page, const QString& title) {
+    layout_->sidePages().addPage(page, title, true);
+}
+
+void MainWindow::showSidePage(QWidget* page) {
+    layout_->maximizer().restore();
+    layout_->sidePages().showPage(page);
 }
 
 void MainWindow::toggle(QWidget& panel) {
@@ -273,7 +219,7 @@ void MainWindow::tell(const QString& message) { statusBar()->showMessage(message
 
 void MainWindow::showLoading(const QString& name) {
     loading_->begin(name);
-    bottomLine_->setCurrentIndex(name.isEmpty() ? 0 : 1);
+    viewSide_->setLoading(!name.isEmpty());
     menus_->cancelLoading->setEnabled(!name.isEmpty());
 }
 
@@ -282,9 +228,10 @@ void MainWindow::setEmergencyStop(bool active) {
     for (QShortcut* escape : toolClosers_) {
         escape->setEnabled(!active);
     }
+    layout_->maximizer().setEscape(!active);
     const QString gestures = tr("Drag: move the tip   ·   Wheel: up and down   ·   "
                                 "Right drag: turn   ·   Ctrl + wheel: zoom");
-    hint_->setText(active ? tr("%1   ·   Esc: forces off").arg(gestures) : gestures);
+    viewSide_->setHint(active ? tr("%1   ·   Esc: forces off").arg(gestures) : gestures);
 }
 
 void MainWindow::showChanging(const QString& name) {

@@ -8,9 +8,8 @@
 #include <set>
 #include <vector>
 
-class QLabel;
 class QShortcut;
-class QStackedLayout;
+class QSplitter;
 
 namespace asperity {
 
@@ -24,12 +23,13 @@ class OverviewPanel;
 class ParameterPanel;
 class RunPanel;
 class StateBanner;
+class ViewSide;
+class WindowLayout;
 class WindowMenus;
 class ZoomView;
 
-/// Places the panels: knobs on top, the zoomed view large on the left, forces, cantilever and the
-/// whole scan in a column on the right, the loop's timing below. Opens in the middle of the screen,
-/// no larger than it; where the window is low the column scrolls.
+/// All panels of the live window, placed by a WindowLayout, with the menus above and the loop's
+/// timing below them. Opens in the middle of the screen, no larger than it.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -50,7 +50,21 @@ public:
     /// All that show a run beside the view.
     [[nodiscard]] const std::vector<RunPanel*>& panels() const { return panels_; }
     /// Those of the column on the right, from the top.
-    [[nodiscard]] const std::vector<Card*>& cards() const { return cards_; }
+    [[nodiscard]] const std::vector<Card*>& cards() const;
+    [[nodiscard]] WindowLayout& layout() { return *layout_; }
+    /// Whether one panel has the middle of the window for itself.
+    [[nodiscard]] bool isPanelEnlarged() const;
+    /// Of the views beside one another; the large view is the first of them.
+    [[nodiscard]] QSplitter& views();
+
+    /// Adds a page to the tabs below the view; it is hidden at first.
+    void addTool(QWidget* page, const QString& title);
+    /// Shows such a page and puts it on top.
+    void showTool(QWidget* page);
+    /// Adds a page to the tabs right of the view.
+    void addSidePage(QWidget* page, const QString& title);
+    /// Shows such a page and puts it on top.
+    void showSidePage(QWidget* page);
 
     /// Which types of files the dialog that opens a scan shows, beside scenes.
     void setScanFiles(const std::vector<ScanFileType>& types) { scanFiles_ = types; }
@@ -84,8 +98,6 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    [[nodiscard]] QWidget* leftSide();
-    [[nodiscard]] QWidget* rightSide();
     void placeAll();
     /// Shows a panel that is a window of its own, at first beside this one; or hides it.
     void toggle(QWidget& panel);
@@ -102,8 +114,8 @@ private:
     EngageBar* engage_;
     ZoomView* view_;
     LoadingBar* loading_;
-    QLabel* hint_;
-    QStackedLayout* bottomLine_;  ///< hint, loading
+    ViewSide* viewSide_;
+    WindowLayout* layout_;
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
@@ -111,7 +123,6 @@ private:
     std::set<QWidget*> placed_;            ///< panels that have stood beside this window
     std::vector<QShortcut*> toolClosers_;  ///< Esc, where it is no emergency stop
     std::vector<RunPanel*> panels_;
-    std::vector<Card*> cards_;
 };
 
 }  // namespace asperity

@@ -2,9 +2,14 @@
 
 #include "ui/panels/Card.h"
 #include "ui/window/MainWindow.h"
+#include "ui/window/Maximizer.h"
+#include "ui/window/PageTabs.h"
+#include "ui/window/WindowLayout.h"
 
 #include <QGuiApplication>
 #include <QScreen>
+#include <QSplitter>
+#include <QVariantList>
 
 #include <utility>
 
@@ -14,6 +19,9 @@ namespace {
 
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kFolded = QStringLiteral("window/foldedPanels");
+const QString kShown = QStringLiteral("window/shown/");
+const QString kSplitter = QStringLiteral("window/splitter/");
+const QString kOnTop = QStringLiteral("window/onTop/");
 
 /// A screen that has become smaller than the window, or has gone, must not hide parts of it.
 void bringOnScreen(QWidget& window) {
@@ -42,9 +50,43 @@ WindowMemory::WindowMemory(MainWindow& window, std::unique_ptr<QSettings> settin
     for (Card* card : window_.cards()) {
         card->setFolded(folded.contains(card->title()));
     }
+    restoreLayout();
+}
+
+void WindowMemory::restoreLayout() {
+    WindowLayout& layout = window_.layout();
+    for (const PanelSwitch& part : layout.switches()) {
+        part.setShown(settings_->value(kShown + part.key, part.shownAtFirst).toBool());
+    }
+    for (QSplitter* splitter : layout.splitters()) {
+        // Of as many panels as there are now.
+        const QVariantList kept = settings_->value(kSplitter + splitter->objectName()).toList();
+        if (kept.size() == 2 && kept.front().toInt() == splitter->count()) {
+            splitter->restoreState(kept.back().toByteArray());
+        }
+    }
+    for (PageTabs* pages : {&layout.tools(), &layout.sidePages()}) {
+        pages->putOnTop(settings_->value(kOnTop + pages->objectName()).toString());
+    }
+}
+
+void WindowMemory::keepLayout() {
+    WindowLayout& layout = window_.layout();
+    layout.maximizer().restore();
+    for (const PanelSwitch& part : layout.switches()) {
+        settings_->setValue(kShown + part.key, part.isShown());
+    }
+    for (const QSplitter* splitter : layout.splitters()) {
+        settings_->setValue(kSplitter + splitter->objectName(),
+                            QVariantList{splitter->count(), splitter->saveState()});
+    }
+    for (const PageTabs* pages : {&layout.tools(), &layout.sidePages()}) {
+        settings_->setValue(kOnTop + pages->objectName(), pages->pageOnTop());
+    }
 }
 
 WindowMemory::~WindowMemory() {
+    keepLayout();
     QStringList folded;
     for (const Card* card : window_.cards()) {
         if (card->isFolded()) {

@@ -8,8 +8,9 @@ namespace asperity {
 
 class MainWindow;
 
-/// Keeps place and size of the window, and which panels are folded, from one session to the next.
-/// Where the settings cannot be read or written the window opens as at first.
+/// Keeps place and size of the window, which panels are folded, hidden or on top, and how
+/// splitters share out the room, from one session to the next. Where the settings cannot be read
+/// or written the window opens as at first.
 class WindowMemory {
 public:
     /// Places the window as `settings` have it, on the screens that there are now.
@@ -20,6 +21,9 @@ public:
     WindowMemory& operator=(const WindowMemory&) = delete;
 
 private:
+    void restoreLayout();
+    void keepLayout();
+
     MainWindow& window_;
     std::unique_ptr<QSettings> settings_;
 };

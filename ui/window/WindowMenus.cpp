@@ -181,6 +181,8 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
     fidelity->setShortcut(tr("F6"));
     parameters = menu->addAction(tr("Scene &parameters…"));
     parameters->setShortcut(tr("F7"));
+    menu->addSeparator();
+    panels = menu->addMenu(tr("&Panels"));
 }
 
 void WindowMenus::addHelpMenu(QMenuBar& bar) {

@@ -49,6 +49,7 @@ public:
     QAction* resetView;
     QAction* fidelity;
     QAction* parameters;
+    QMenu* panels;  ///< empty
 
     QAction* controls;
     QAction* about;

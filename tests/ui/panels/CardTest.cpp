@@ -1,5 +1,7 @@
 #include "ui/panels/Card.h"
 
+#include <QApplication>
+#include <QSignalSpy>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QtTest>
@@ -18,21 +20,75 @@ public:
     QWidget* content = new QWidget(this);
 };
 
-TEST(Card, AClickOnTheTitleFoldsItAndTheNextOneUnfoldsIt) {
+class CardTest : public ::testing::Test {
+protected:
+    CardTest() {
+        card.setFoldable();
+        card.resize(300, 200);
+        card.show();
+    }
+    QToolButton& heading() { return *card.findChild<QToolButton*>(); }
+    QPoint arrow() { return {4, heading().height() / 2}; }
+    QPoint words() { return {heading().width() - 8, heading().height() / 2}; }
+    bool becomes(bool folded) {
+        return QTest::qWaitFor([&] { return card.isFolded() == folded; },
+                               2 * QApplication::doubleClickInterval());
+    }
+
     FilledCard card;
-    card.setFoldable();
-    auto* heading = card.findChild<QToolButton*>();
-    ASSERT_NE(heading, nullptr);
+};
+
+TEST_F(CardTest, AClickOnTheArrowFoldsItAtOnceAndTheNextOneUnfoldsIt) {
     EXPECT_EQ(card.title(), QStringLiteral("Forces"));
     EXPECT_FALSE(card.isFolded());
     const int before = card.sizeHint().height();
-    QTest::mouseClick(heading, Qt::LeftButton);
+    QTest::mouseClick(&heading(), Qt::LeftButton, Qt::NoModifier, arrow());
     EXPECT_TRUE(card.isFolded());
     EXPECT_FALSE(card.content->isVisibleTo(&card));
     EXPECT_LT(card.sizeHint().height(), before - 90);
-    QTest::mouseClick(heading, Qt::LeftButton);
+    EXPECT_LT(card.maximumHeight(), 40);
+    QTest::mouseClick(&heading(), Qt::LeftButton, Qt::NoModifier, arrow());
     EXPECT_FALSE(card.isFolded());
     EXPECT_TRUE(card.content->isVisibleTo(&card));
+}
+
+TEST_F(CardTest, AClickOnTheTitleFoldsItWhenNoSecondClickFollows) {
+    QSignalSpy enlarged(&card, &Card::enlargeRequested);
+    QTest::mouseClick(&heading(), Qt::LeftButton, Qt::NoModifier, words());
+    EXPECT_FALSE(card.isFolded());
+    EXPECT_TRUE(becomes(true));
+    QTest::mouseClick(&heading(), Qt::LeftButton, Qt::NoModifier, words());
+    EXPECT_TRUE(becomes(false));
+    EXPECT_EQ(enlarged.count(), 0);
+}
+
+TEST_F(CardTest, ADoubleClickOnTheTitleAsksForRoomAndFoldsNothing) {
+    QSignalSpy enlarged(&card, &Card::enlargeRequested);
+    QSignalSpy folded(&card, &Card::foldedChanged);
+    QTest::mouseClick(&heading(), Qt::LeftButton, Qt::NoModifier, words());
+    QTest::mouseDClick(&heading(), Qt::LeftButton, Qt::NoModifier, words());
+    QTest::qWait(2 * QApplication::doubleClickInterval());
+    EXPECT_EQ(enlarged.count(), 1);
+    EXPECT_EQ(folded.count(), 0);
+    QTest::mouseDClick(&card, Qt::LeftButton, Qt::NoModifier,
+                       QPoint(card.width() - 20, heading().geometry().center().y()));
+    EXPECT_EQ(enlarged.count(), 2) << "right of the words";
+    QTest::mouseDClick(&card, Qt::LeftButton, Qt::NoModifier, QPoint(2, card.height() - 3));
+    EXPECT_EQ(enlarged.count(), 2) << "below the title";
+}
+
+TEST_F(CardTest, AnEnlargedCardCannotBeFolded) {
+    card.setEnlarged(true);
+    QTest::mouseClick(&heading(), Qt::LeftButton, Qt::NoModifier, arrow());
+    EXPECT_FALSE(card.isFolded());
+    card.setEnlarged(false);
+    QTest::mouseClick(&heading(), Qt::LeftButton, Qt::NoModifier, arrow());
+    EXPECT_TRUE(card.isFolded());
+}
+
+TEST(Card, AClickOnTheTitleOfOneThatCannotBeFoldedDoesNothing) {
+    FilledCard card;
+    EXPECT_TRUE(card.findChild<QToolButton*>()->testAttribute(Qt::WA_TransparentForMouseEvents));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ protected:
         QTest::qWait(50);
         ASSERT_EQ(window.size(), size) << "it is not too large for that";
     }
-    QScrollArea& scroller() { return *window.findChild<QScrollArea*>(); }
+    QScrollArea& scroller() { return *window.findChild<QScrollArea*>(QStringLiteral("live")); }
 
     Scene scene = buildScene(plainScene(), flatMap());
     MainWindow window;

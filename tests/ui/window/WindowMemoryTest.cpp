@@ -2,12 +2,21 @@
 
 #include "tests/support/ScratchFolder.h"
 #include "ui/panels/Card.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/CardColumn.h"
 #include "ui/window/MainWindow.h"
+#include "ui/window/Maximizer.h"
+#include "ui/window/PageTabs.h"
+#include "ui/window/WindowLayout.h"
 
+#include <QLabel>
 #include <QScreen>
+#include <QSplitter>
 #include <QtTest>
 
 #include <gtest/gtest.h>
+
+#include <vector>
 
 namespace asperity::test {
 namespace {
@@ -44,6 +53,74 @@ TEST_F(WindowMemoryTest, KeepsPlaceSizeAndFoldedPanels) {
     EXPECT_TRUE(window.cards().at(1)->isFolded());
 }
 
+TEST_F(WindowMemoryTest, KeepsWhatIsHiddenWhatIsOnTopAndHowTheRoomIsShared) {
+    const auto addPages = [](MainWindow& window) {
+        window.addTool(new QLabel(QStringLiteral("a profile")), QStringLiteral("Profile"));
+        window.addTool(new QLabel(QStringLiteral("a table")), QStringLiteral("Touches"));
+        window.addSidePage(new QLabel(QStringLiteral("gains")), QStringLiteral("Haptics"));
+    };
+    const auto sizes = [](MainWindow& window) {
+        QTest::qWait(50);
+        std::vector<QList<int>> sizes;
+        for (const QSplitter* splitter : window.layout().splitters()) {
+            sizes.push_back(splitter->sizes());
+        }
+        return sizes;
+    };
+    std::vector<QList<int>> left;
+    {
+        MainWindow window;
+        addPages(window);
+        const WindowMemory memory(window, settings());
+        window.setGeometry(100, 80, 1200, 800);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        WindowLayout& layout = window.layout();
+        layout.cards().setShown(*window.cards().at(2), false);
+        window.showTool(layout.tools().pages().at(1).panel);
+        window.showSidePage(layout.sidePages().pages().at(1).panel);
+        layout.splitters().at(0)->setSizes({650, 540});
+        layout.splitters().at(1)->setSizes({300, 250});
+        left = sizes(window);
+        layout.maximizer().toggle(*window.cards().front());
+    }
+    MainWindow window;
+    addPages(window);
+    const WindowMemory memory(window, settings());
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    EXPECT_EQ(sizes(window), left);
+    EXPECT_TRUE(window.cards().at(2)->isHidden());
+    EXPECT_FALSE(window.cards().at(1)->isHidden());
+    EXPECT_EQ(window.layout().tools().pageOnTop(), QStringLiteral("Touches"));
+    EXPECT_EQ(window.layout().tools().count(), 1);
+    EXPECT_EQ(window.layout().sidePages().pageOnTop(), QStringLiteral("Haptics"));
+    EXPECT_FALSE(window.layout().maximizer().isActive());
+}
+
+TEST_F(WindowMemoryTest, SplittersOfALargerScreenLeaveEveryPanelItsRoom) {
+    {
+        MainWindow window;
+        const WindowMemory memory(window, settings());
+        window.setGeometry(0, 0, 3000, 1500);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        window.layout().splitters().at(0)->setSizes({400, 2590});
+        QTest::qWait(50);
+    }
+    MainWindow window;
+    const WindowMemory memory(window, settings());
+    window.resize(1012, 658);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    QTest::qWait(50);
+    const QList<int> sizes = window.layout().splitters().at(0)->sizes();
+    EXPECT_GE(sizes.at(0), window.view().minimumSizeHint().width());
+    EXPECT_GT(sizes.at(0), 200);
+    EXPECT_GE(sizes.at(1), 372);
+    EXPECT_EQ(window.width(), 1012);
+}
+
 TEST_F(WindowMemoryTest, BringsAWindowBackToAScreenThatHasBecomeSmaller) {
     leaveAt({900, 700, 4000, 3000});
     MainWindow window;
@@ -60,7 +137,9 @@ TEST_F(WindowMemoryTest, WithoutSettingsTheWindowOpensAsAtFirst) {
             std::make_unique<QSettings>(QStringLiteral("/proc/none/a.ini"), QSettings::IniFormat));
         EXPECT_EQ(window.geometry(), first);
     }
-    (void)folder.write("a.ini", "[window]\ngeometry=no geometry\n");
+    (void)folder.write("a.ini",
+                       "[window]\ngeometry=no geometry\nsplitter\\sides=7\nshown\\sides=maybe\n"
+                       "onTop\\tools=no page\n");
     const WindowMemory memory(window, settings());
     EXPECT_EQ(window.geometry(), first);
 }

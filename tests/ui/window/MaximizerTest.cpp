@@ -1,0 +1,130 @@
+#include "ui/window/Maximizer.h"
+
+#include "tests/support/TestScenes.h"
+#include "ui/panels/Card.h"
+#include "ui/panels/StateBanner.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/CardColumn.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/PageTabs.h"
+#include "ui/window/WindowLayout.h"
+
+#include <QApplication>
+#include <QSplitter>
+#include <QTabBar>
+#include <QToolButton>
+#include <QtTest>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace asperity::test {
+namespace {
+
+class MaximizerTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        window.showScene(&scene, QStringLiteral("a flat sample"));
+        window.resize(1280, 800);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        QApplication::setActiveWindow(&window);
+        QTest::qWait(50);
+    }
+    QToolButton& headingOf(Card& card) { return *card.findChild<QToolButton*>(); }
+    void doubleClick(Card& card) {
+        QToolButton& heading = headingOf(card);
+        const QPoint words(heading.width() - 8, heading.height() / 2);
+        QTest::mouseClick(&heading, Qt::LeftButton, Qt::NoModifier, words);
+        QTest::mouseDClick(&heading, Qt::LeftButton, Qt::NoModifier, words);
+        QTest::qWait(50);
+    }
+    /// Place and size of all panels.
+    std::vector<QRect> places() {
+        QTest::qWait(50);
+        std::vector<QRect> places{placeOf(window.view()), placeOf(window.banner())};
+        for (const Card* card : window.cards()) {
+            places.push_back(placeOf(*card));
+        }
+        return places;
+    }
+    static QRect placeOf(const QWidget& panel) {
+        return {panel.mapTo(panel.window(), QPoint()), panel.size()};
+    }
+
+    Scene scene = buildScene(plainScene(), flatMap());
+    MainWindow window;
+};
+
+TEST_F(MaximizerTest, ADoubleClickOnATitleGivesThePanelTheWholeMiddleAndAnotherOnePutsItBack) {
+    QSplitter& column = window.layout().cards().splitter();
+    QList<int> sizes = column.sizes();
+    column.setSizes({sizes[0] + 30, sizes[1] - 10, sizes[2] - 20});  // as a user left it
+    window.cards().at(1)->setFolded(true);
+    const std::vector<QRect> before = places();
+    for (Card* card : window.cards()) {
+        const bool wasFolded = card->isFolded();
+        doubleClick(*card);
+        EXPECT_TRUE(window.layout().maximizer().isActive());
+        EXPECT_GT(card->width(), 1200);
+        EXPECT_GT(card->height(), 550);
+        EXPECT_FALSE(card->isFolded());
+        EXPECT_TRUE(window.banner().isVisible()) << "a fault must show";
+        EXPECT_FALSE(window.view().isVisible());
+        doubleClick(*card);
+        EXPECT_EQ(card->isFolded(), wasFolded);
+        EXPECT_TRUE(window.view().isVisible());
+        QTest::qWait(2 * QApplication::doubleClickInterval());
+        EXPECT_EQ(places(), before) << card->title().toStdString();
+    }
+}
+
+TEST_F(MaximizerTest, EscPutsItBackUnlessItIsTheEmergencyStop) {
+    const std::vector<QRect> before = places();
+    Card& card = *window.cards().front();
+    doubleClick(card);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_FALSE(window.layout().maximizer().isActive());
+    EXPECT_TRUE(window.view().hasFocus()) << "the keys move the device again";
+    EXPECT_EQ(places(), before);
+    window.setEmergencyStop(true);
+    doubleClick(card);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_TRUE(window.layout().maximizer().isActive());
+    window.findChild<QToolButton*>(QStringLiteral("backFromEnlarged"))->click();
+    EXPECT_FALSE(window.layout().maximizer().isActive());
+    doubleClick(card);
+    window.setEmergencyStop(false);
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_FALSE(window.layout().maximizer().isActive());
+}
+
+TEST_F(MaximizerTest, ADoubleClickOnATabEnlargesAllTools) {
+    auto* page = new QLabel(QStringLiteral("a profile"));
+    window.addTool(page, QStringLiteral("Profile"));
+    window.showTool(page);
+    const std::vector<QRect> before = places();
+    QTabBar& bar = *window.layout().tools().tabBar();
+    const auto doubleClickTab = [&] {
+        QTest::mouseDClick(&bar, Qt::LeftButton, Qt::NoModifier,
+                           bar.tabRect(0).topLeft() + QPoint(8, 8));
+        QTest::qWait(50);
+    };
+    doubleClickTab();
+    EXPECT_GT(page->width(), 1200);
+    doubleClickTab();
+    EXPECT_EQ(places(), before);
+}
+
+TEST_F(MaximizerTest, APageThatIsAskedForBringsTheWindowBack) {
+    auto* page = new QLabel(QStringLiteral("a profile"));
+    window.addTool(page, QStringLiteral("Profile"));
+    doubleClick(*window.cards().front());
+    window.showTool(page);
+    EXPECT_TRUE(page->isVisible());
+    EXPECT_TRUE(window.view().isVisible());
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,64 @@
+#include "ui/window/ViewSide.h"
+
+#include "ui/panels/ColorBarWidget.h"
+#include "ui/panels/EngageBar.h"
+#include "ui/panels/LoadingBar.h"
+#include "ui/panels/StateBanner.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/Splitters.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSplitter>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+
+namespace asperity {
+
+ViewSide::ViewSide(const Parts& parts, QWidget* parent)
+    : QWidget(parent)
+    , parts_(parts)
+    , column_(new QVBoxLayout(this))
+    , views_(newSplitter(Qt::Horizontal, "views", this)) {
+    column_->setContentsMargins(0, 0, 0, 0);
+    column_->setSpacing(kPanelGap);
+    column_->addWidget(parts.banner);
+    column_->addWidget(parts.engage);
+    views_->addWidget(parts.view);
+    column_->addWidget(views_, 1);
+    addColorBars();
+    addBottomLine();
+}
+
+void ViewSide::addColorBars() {
+    auto* bars = new QHBoxLayout;
+    bars->setSpacing(3 * kPanelGap);
+    auto* heights = new ColorBarWidget(this);
+    auto* displacements = new ColorBarWidget(this);
+    bars->addWidget(heights);
+    bars->addWidget(displacements);
+    connect(parts_.view, &ZoomView::scalesChanged, this, [this, heights, displacements] {
+        heights->setScale(parts_.view->heightScale());
+        displacements->setScale(parts_.view->displacementScale());
+    });
+    column_->addLayout(bars);
+}
+
+/// Hint and loading in one place, so that nothing moves when a file is loaded.
+void ViewSide::addBottomLine() {
+    auto* hint = new QLabel(this);
+    hint->setObjectName(QStringLiteral("hint"));
+    hint->setAlignment(Qt::AlignCenter);
+    bottomLine_ = new QStackedLayout;
+    bottomLine_->addWidget(hint);
+    bottomLine_->addWidget(parts_.loading);
+    column_->addLayout(bottomLine_);
+}
+
+void ViewSide::setHint(const QString& hint) {
+    static_cast<QLabel*>(bottomLine_->widget(0))->setText(hint);
+}
+
+void ViewSide::setLoading(bool loading) { bottomLine_->setCurrentIndex(loading ? 1 : 0); }
+
+}  // namespace asperity
