@@ -1,5 +1,7 @@
 #include "app/session/Session.h"
 
+#include "ui/window/MainWindow.h"
+
 #include <QApplication>
 #include <QKeyEvent>
 

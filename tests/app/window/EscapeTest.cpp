@@ -1,7 +1,10 @@
 #include "tests/app/window/WindowFixture.h"
+#include "ui/panels/Card.h"
 #include "ui/panels/FidelityPanel.h"
 #include "ui/panels/ParameterPanel.h"
 #include "ui/view/ZoomView.h"
+#include "ui/window/Maximizer.h"
+#include "ui/window/WindowLayout.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAbstractSpinBox>
@@ -137,6 +140,16 @@ TEST_F(Escape, ClosingAToolWindowCancelsNoLoading) {
     EXPECT_FALSE(window.parameters().isVisible());
     EXPECT_TRUE(window.menus().cancelLoading->isEnabled());
     EXPECT_EQ(canceled.count(), 0);
+}
+
+TEST_F(Escape, PuttingAnEnlargedPanelBackCancelsNoLoading) {
+    openFlatScene();
+    window.layout().maximizer().toggle(*window.cards().front());
+    session.scenes().open(levelScan(folder, 1024));
+    ASSERT_TRUE(window.menus().cancelLoading->isEnabled());
+    QTest::keyClick(&window, Qt::Key_Escape);
+    EXPECT_FALSE(window.isPanelEnlarged());
+    EXPECT_TRUE(window.menus().cancelLoading->isEnabled());
 }
 
 TEST_F(Escape, WithMotorsItStopsTheForcesFromAToolWindowWhichStaysOpen) {
