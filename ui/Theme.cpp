@@ -1,86 +1,170 @@
 #include "ui/Theme.h"
 
+#include "ui/StyleSheet.h"
+#include "ui/ThemeChange.h"
+
 #include <QApplication>
+#include <QFontMetricsF>
+#include <QLabel>
 #include <QPalette>
 #include <QStyleFactory>
+
+#include <algorithm>
+#include <cmath>
 
 namespace asperity {
 
 namespace {
 
-QPalette lightPalette() {
-    QPalette palette;
-    palette.setColor(QPalette::Window, theme::kWindow);
-    palette.setColor(QPalette::WindowText, theme::kInk);
-    palette.setColor(QPalette::Base, theme::kPaper);
-    palette.setColor(QPalette::AlternateBase, theme::kWindow);
-    palette.setColor(QPalette::Text, theme::kInk);
-    palette.setColor(QPalette::Button, theme::kPaper);
-    palette.setColor(QPalette::ButtonText, theme::kInk);
-    palette.setColor(QPalette::Highlight, theme::kAccent);
-    palette.setColor(QPalette::HighlightedText, theme::kPaper);
-    palette.setColor(QPalette::ToolTipBase, theme::kPaper);
-    palette.setColor(QPalette::ToolTipText, theme::kInk);
-    palette.setColor(QPalette::Disabled, QPalette::WindowText, theme::kMuted);
-    palette.setColor(QPalette::Disabled, QPalette::Text, theme::kMuted);
-    palette.setColor(QPalette::Disabled, QPalette::ButtonText, theme::kMuted);
+ThemeColors forQt(const Palette& colors) {
+    return {.paper = toQColor(colors.paper),
+            .window = toQColor(colors.window),
+            .backdrop = toQColor(colors.backdrop),
+            .ink = toQColor(colors.ink),
+            .muted = toQColor(colors.muted),
+            .faint = toQColor(colors.faint),
+            .accent = toQColor(colors.accent),
+            .wash = toQColor(colors.wash),
+            .onAccent = toQColor(colors.onAccent),
+            .fault = toQColor(colors.fault),
+            .caution = toQColor(colors.caution),
+            .refused = toQColor(colors.refused),
+            .side = toQColor(colors.side),
+            .tip = toQColor(colors.tip),
+            .tipBody = toQColor(colors.tipBody),
+            .lever = toQColor(colors.lever),
+            .force = toQColor(colors.force),
+            .marker = toQColor(colors.marker),
+            .path = toQColor(colors.path),
+            .zoom = toQColor(colors.zoom),
+            .guide = toQColor(colors.guide),
+            .commanded = toQColor(colors.commanded),
+            .trueTip = toQColor(colors.trueTip),
+            .blue = toQColor(colors.blue),
+            .orange = toQColor(colors.orange),
+            .green = toQColor(colors.green),
+            .purple = toQColor(colors.purple),
+            .sky = toQColor(colors.sky),
+            .yellow = toQColor(colors.yellow),
+            .gray = toQColor(colors.gray)};
+}
+
+/// What there is once in a program, as its QApplication.
+struct Theme {
+    ThemeChoice choice = ThemeChoice::Desktop;
+    bool desktopIsDark = false;
+    bool isDark = false;
+    ThemeColors colors = forQt(kLightPalette);
+    ThemeChange change;
+};
+
+Theme& theTheme() {
+    static Theme theme;
+    return theme;
+}
+
+QPalette qtPalette(const ThemeColors& colors) {
+    QPalette palette(colors.window);  // with its shades
+    const auto set = [&palette](QPalette::ColorRole role, const QColor& color) {
+        palette.setColor(role, color);
+    };
+    set(QPalette::Window, colors.window);
+    set(QPalette::WindowText, colors.ink);
+    set(QPalette::Base, colors.paper);
+    set(QPalette::AlternateBase, colors.window);
+    set(QPalette::Text, colors.ink);
+    set(QPalette::BrightText, colors.ink);
+    set(QPalette::PlaceholderText, colors.muted);
+    set(QPalette::Button, colors.paper);
+    set(QPalette::ButtonText, colors.ink);
+    set(QPalette::Highlight, colors.accent);
+    set(QPalette::HighlightedText, colors.onAccent);
+    set(QPalette::Link, colors.accent);
+    set(QPalette::LinkVisited, colors.accent);
+    set(QPalette::ToolTipBase, colors.paper);
+    set(QPalette::ToolTipText, colors.ink);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        palette.setColor(QPalette::Disabled, role, colors.muted);
+    }
     return palette;
 }
 
-/// %1 faint, %2 accent, %3 ink, %4 window, %5 paper, %6 a wash of the accent, %7 accent, darker.
-QString styleSheet() {
-    const QString sheet = QStringLiteral(R"(
-        QFrame[card="true"] { background: %5; border: 1px solid %1; border-radius: 6px; }
-        QPushButton, QToolButton {
-            background: %5; border: 1px solid %1; border-radius: 4px; padding: 3px 9px; }
-        QPushButton:hover, QToolButton:hover { border-color: %2; }
-        QPushButton:pressed, QToolButton:pressed { background: %4; }
-        QPushButton:checked, QToolButton:checked { background: %6; border-color: %2; color: %2; }
-        QPushButton:focus, QToolButton:focus { border-color: %2; }
-        QToolButton[heading="true"] {
-            background: transparent; border: none; padding: 0; font-weight: bold; }
-        QToolButton[heading="true"]:hover { color: %2; }
-        QPushButton#startPause {
-            background: %2; border-color: %2; color: %5; font-weight: bold; }
-        QPushButton#startPause:hover { background: %7; }
-        QMenuBar, QStatusBar { background: %4; }
-        QMenu { background: %5; border: 1px solid %1; }
-        QMenu::item { padding: 4px 24px 4px 16px; }
-        QMenu::item:selected { background: %6; color: %3; }
-        QToolTip { background: %5; color: %3; border: 1px solid %1; padding: 3px; }
-        QStatusBar::item { border: none; }
-        QSplitter::handle { background: %4; }
-        QSplitter::handle:hover { background: %1; }
-    )");
-    const auto name = [](QRgb color) { return QColor(color).name(); };
-    return sheet.arg(name(theme::kFaint), name(theme::kAccent), name(theme::kInk),
-                     name(theme::kWindow), name(theme::kPaper), QStringLiteral("#e3f0f8"),
-                     QColor(theme::kAccent).darker(115).name());
+bool isDarkChosen(const Theme& theme) {
+    return theme.choice == ThemeChoice::Dark ||
+           (theme.choice == ThemeChoice::Desktop && theme.desktopIsDark);
+}
+
+void show(QApplication& application) {
+    Theme& theme = theTheme();
+    theme.isDark = isDarkChosen(theme);
+    theme.colors = forQt(theme::palette());
+    QApplication::setPalette(qtPalette(theme.colors));
+    application.setStyleSheet(styleSheet(theme.colors));
+    Q_EMIT theme.change.happened();
 }
 
 }  // namespace
 
+QColor toQColor(const Color& color) { return {color.red, color.green, color.blue}; }
+
 namespace theme {
 
-QFont textFont(int pixelSize) {
+const ThemeColors& colors() { return theTheme().colors; }
+
+const Palette& palette() { return isDark() ? kDarkPalette : kLightPalette; }
+
+bool isDark() { return theTheme().isDark; }
+
+ThemeChoice choice() { return theTheme().choice; }
+
+void choose(ThemeChoice choice) {
+    Theme& theme = theTheme();
+    theme.choice = choice;
+    if (theme.isDark != isDarkChosen(theme)) {
+        show(*qApp);
+    }
+}
+
+void follow(QObject* owner, const std::function<void()>& show) {
+    show();
+    QObject::connect(&theTheme().change, &ThemeChange::happened, owner, show);
+}
+
+void colorText(QLabel& label, QColor ThemeColors::*color) {
+    follow(&label, [&label, color] {
+        QPalette palette = label.palette();
+        palette.setColor(QPalette::WindowText, colors().*color);
+        label.setPalette(palette);
+    });
+}
+
+QFont textFont(double points) {
     QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPixelSize(pixelSize);
+    font.setPointSizeF(points);
     return font;
 }
 
-QFont boldFont(int pixelSize) {
-    QFont font = textFont(pixelSize);
+QFont boldFont(double points) {
+    QFont font = textFont(points);
     font.setBold(true);
     return font;
+}
+
+int scaled(int pixels) {
+    constexpr double kUsualHeight = 14.0;  // of kTextSize at 96 dots an inch [px]
+    const double factor = QFontMetricsF(textFont()).height() / kUsualHeight;
+    return static_cast<int>(std::lround(pixels * std::max(1.0, factor)));
 }
 
 }  // namespace theme
 
 void applyTheme(QApplication& application) {
+    const QPalette desktop = QApplication::palette();
+    theTheme().desktopIsDark = desktop.color(QPalette::Window).lightness() <
+                               desktop.color(QPalette::WindowText).lightness();
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    QApplication::setPalette(lightPalette());
     QApplication::setFont(theme::textFont());
-    application.setStyleSheet(styleSheet());
+    show(application);
 }
 
 }  // namespace asperity

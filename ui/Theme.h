@@ -1,40 +1,58 @@
 #pragma once
 
+#include "vtkplugins/pictures/Palette.h"
+
 #include <QColor>
 #include <QFont>
 
+#include <cstdint>
+#include <functional>
+
 class QApplication;
+class QLabel;
+class QObject;
 
 namespace asperity {
 
-/// The window's colors and letters: one place for all panels. Ink on white paper, muted grays,
-/// red for forces: the colors of the pictures (vtkplugins/pictures/Palette.h).
+/// The window's colors as Qt paints with them.
+using ThemeColors = PaletteOf<QColor>;
+
+[[nodiscard]] QColor toQColor(const Color& color);
+
+enum class ThemeChoice : std::uint8_t {
+    Desktop,  ///< light or dark as the desktop is when the program starts
+    Light,
+    Dark
+};
+
+/// The window's colors and letters: one place for all panels. The colors change while the program
+/// runs: whoever keeps one takes it anew by follow().
 namespace theme {
 
-inline constexpr QRgb kPaper = qRgb(255, 255, 255);   ///< behind panels and plots
-inline constexpr QRgb kWindow = qRgb(243, 245, 247);  ///< between the panels
-inline constexpr QRgb kInk = qRgb(31, 41, 51);        ///< text
-inline constexpr QRgb kMuted = qRgb(95, 107, 118);    ///< captions, axes
-inline constexpr QRgb kFaint = qRgb(216, 222, 228);   ///< frames, grids
-inline constexpr QRgb kTip = qRgb(96, 112, 128);      ///< tip and cantilever
-inline constexpr QRgb kForce = qRgb(200, 40, 60);     ///< forces
-inline constexpr QRgb kMarker = qRgb(222, 30, 90);    ///< the tip's place
-inline constexpr QRgb kZoom = qRgb(213, 94, 0);       ///< frame of the zoomed view
-inline constexpr QRgb kAccent = qRgb(0, 114, 178);    ///< what is chosen or running
-inline constexpr QRgb kFault = qRgb(186, 26, 46);     ///< forces are off because of a fault
-inline constexpr QRgb kCaution = qRgb(150, 88, 0);    ///< a result holds with a reservation
+[[nodiscard]] const ThemeColors& colors();
+/// The same colors for VTK.
+[[nodiscard]] const Palette& palette();
+[[nodiscard]] bool isDark();
 
-/// Colors of curves, told apart with any color vision. Source: Okabe and Ito (2008).
-inline constexpr QRgb kBlue = qRgb(0, 114, 178);
-inline constexpr QRgb kOrange = qRgb(213, 94, 0);
-inline constexpr QRgb kGreen = qRgb(0, 158, 115);
+[[nodiscard]] ThemeChoice choice();
+/// Repaints all windows in other colors.
+void choose(ThemeChoice choice);
 
-inline constexpr int kTextSize = 12;   ///< [px]
-inline constexpr int kSmallSize = 11;  ///< captions, axes [px]
+/// Calls `show` now, and each time that colors() have changed as long as `owner` lives.
+void follow(QObject* owner, const std::function<void()>& show);
+/// The letters of a label have this color of colors(), whatever the theme.
+void colorText(QLabel& label, QColor ThemeColors::*color);
+
+inline constexpr double kTextSize = 9.0;   ///< [pt]
+inline constexpr double kSmallSize = 8.0;  ///< captions, legends [pt]
+inline constexpr double kTickSize = 7.5;   ///< numbers at axes [pt]
 
 /// Digits of this font are all equally wide: numbers stay where they are.
-[[nodiscard]] QFont textFont(int pixelSize = kTextSize);
-[[nodiscard]] QFont boldFont(int pixelSize = kTextSize);
+[[nodiscard]] QFont textFont(double points = kTextSize);
+[[nodiscard]] QFont boldFont(double points = kTextSize);
+
+/// A length that suits letters of 96 dots an inch, for the letters that there are. @return [px]
+[[nodiscard]] int scaled(int pixels);
 
 }  // namespace theme
 

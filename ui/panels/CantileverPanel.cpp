@@ -22,8 +22,8 @@ CurvePlotSetup angleSetup() {
     return {.title = CantileverPanel::tr("Lever signals"),
             .unit = QStringLiteral("rad"),
             .smallest = 1e-6,
-            .curves = {{CantileverPanel::tr("bending"), theme::kBlue},
-                       {CantileverPanel::tr("torsion"), theme::kOrange}},
+            .curves = {{CantileverPanel::tr("bending"), &ThemeColors::blue},
+                       {CantileverPanel::tr("torsion"), &ThemeColors::orange}},
             .timeLabels = TimeLabels::Shown};
 }
 

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kSideShare = 0.66;        ///< of the width, for the side view
 constexpr double kClampWidth = 14.0;       ///< [px]
-constexpr double kCaptionHeight = 15.0;    ///< [px]
 constexpr double kMinBeamThickness = 3.0;  ///< [px]
 constexpr double kMaxArrowLength = 26.0;   ///< [px]
 constexpr double kArrowShare = 0.28;       ///< of the height, at most
@@ -23,6 +22,8 @@ constexpr double kMinDeflection = 2e-10;   ///< noise below this stays small [m]
 constexpr double kMinTorsion = 5e-7;       ///< [rad]
 constexpr double kMaxShownTorsion = 0.4;   ///< [rad]
 constexpr int kBeamPieces = 32;
+
+double captionHeight() { return QFontMetricsF(theme::textFont(theme::kSmallSize)).height() + 1.0; }
 
 /// From the cantilever's x, z to the drawing: turned by the mount tilt, free end down.
 struct SideMap {
@@ -76,10 +77,10 @@ void drawArrow(QPainter& painter, const QPointF& from, const QPointF& way) {
     const QPointF aside(-ahead.y(), ahead.x());
     const QPointF head = from + way;
     const double headLength = std::min(8.0, length);
-    painter.setPen(QPen(QColor(theme::kForce), 2.0));
+    painter.setPen(QPen(theme::colors().force, 2.0));
     painter.drawLine(from, head - ahead * headLength);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(theme::kForce));
+    painter.setBrush(theme::colors().force);
     const QPointF back = head - headLength * ahead;
     const QPointF half = 0.5 * headLength * aside;
     painter.drawPolygon(QPolygonF({head, back + half, back - half}));
@@ -88,14 +89,14 @@ void drawArrow(QPainter& painter, const QPointF& from, const QPointF& way) {
 void drawClamp(QPainter& painter, const QPointF& beamStart) {
     const QRectF block(beamStart.x() - kClampWidth, beamStart.y() - 14.0, kClampWidth, 28.0);
     painter.setPen(Qt::NoPen);
-    painter.fillRect(block, QColor(theme::kFaint));
-    painter.fillRect(block, QBrush(QColor(theme::kMuted), Qt::BDiagPattern));
-    painter.setPen(QPen(QColor(theme::kMuted), 1.5));
+    painter.fillRect(block, theme::colors().faint);
+    painter.fillRect(block, QBrush(theme::colors().muted, Qt::BDiagPattern));
+    painter.setPen(QPen(theme::colors().muted, 1.5));
     painter.drawLine(block.topRight(), block.bottomRight());
 }
 
 QPen ghostPen() {
-    QPen pen(QColor(theme::kMuted), 1.0);
+    QPen pen(theme::colors().muted, 1.0);
     pen.setDashPattern({4.0, 3.0});
     return pen;
 }
@@ -124,7 +125,7 @@ void CantileverSketch::resizeEvent(QResizeEvent* /*event*/) { fitFactors(); }
 
 CantileverSketch::View CantileverSketch::sideView() const {
     const CantileverGeometry& beam = cantilever_->geometry();
-    const QRectF box(0.0, kCaptionHeight, kSideShare * width(), height() - kCaptionHeight);
+    const QRectF box(0.0, captionHeight(), kSideShare * width(), height() - captionHeight());
     const double run = beam.length * std::cos(beam.mountTilt);
     const double drop = (beam.length * std::sin(std::abs(beam.mountTilt))) + beam.tipHeight;
     return {box,
@@ -133,8 +134,8 @@ CantileverSketch::View CantileverSketch::sideView() const {
 
 CantileverSketch::View CantileverSketch::endView() const {
     const CantileverGeometry& beam = cantilever_->geometry();
-    const QRectF box(kSideShare * width(), kCaptionHeight, (1.0 - kSideShare) * width(),
-                     height() - kCaptionHeight);
+    const QRectF box(kSideShare * width(), captionHeight(), (1.0 - kSideShare) * width(),
+                     height() - captionHeight());
     return {box, std::min(0.6 * box.width() / beam.width,
                           0.6 * box.height() / (beam.tipHeight + (2.0 * beam.thickness)))};
 }
@@ -168,8 +169,8 @@ void CantileverSketch::drawSide(QPainter& painter, const View& view) const {
     const double drop = ((beam.length * std::sin(tilt)) + beam.tipHeight) * view.scale;
     const SideMap map{view.box.center() - QPointF((view.box.width() / 2.0) - kClampWidth, drop / 2),
                       view.scale, std::sin(tilt), std::cos(tilt)};
-    painter.setPen(QColor(theme::kMuted));
-    painter.drawText(QRectF(0.0, 0.0, view.box.width(), kCaptionHeight), Qt::AlignLeft,
+    painter.setPen(theme::colors().muted);
+    painter.drawText(QRectF(0.0, 0.0, view.box.width(), captionHeight()), Qt::AlignLeft,
                      tr("from the side, bending") + timesText(bendingFactor()));
 
     const BeamDrawing resting = bentBeam(*cantilever_, Vector3::Zero(), 0.0, map);
@@ -180,9 +181,9 @@ void CantileverSketch::drawSide(QPainter& painter, const View& view) const {
 
     const BeamDrawing bent = bentBeam(*cantilever_, force_, bendingFactor(), map);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(theme::kTip).darker(125));
+    painter.setBrush(theme::colors().tip.darker(125));
     painter.drawPolygon(bent.tip);
-    painter.setPen(QPen(QColor(theme::kTip),
+    painter.setPen(QPen(theme::colors().tip,
                         std::max(kMinBeamThickness, beam.thickness * view.scale), Qt::SolidLine,
                         Qt::FlatCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
@@ -207,8 +208,8 @@ QPointF CantileverSketch::forceArrow(double sine, double cosine) const {
 
 void CantileverSketch::drawEnd(QPainter& painter, const View& view) const {
     const CantileverGeometry& beam = cantilever_->geometry();
-    painter.setPen(QColor(theme::kMuted));
-    painter.drawText(QRectF(view.box.left(), 0.0, view.box.width(), kCaptionHeight),
+    painter.setPen(theme::colors().muted);
+    painter.drawText(QRectF(view.box.left(), 0.0, view.box.width(), captionHeight()),
                      Qt::AlignHCenter, tr("torsion") + timesText(torsionFactor()));
     const double half = beam.width / 2.0 * view.scale;
     const double thick = std::max(kMinBeamThickness, beam.thickness * view.scale);
@@ -226,9 +227,9 @@ void CantileverSketch::drawEnd(QPainter& painter, const View& view) const {
     // Seen from the free end with y to the right, a positive turn about x is anticlockwise.
     painter.rotate(-torsion * torsionFactor() * 180.0 / M_PI);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(theme::kTip).darker(125));
+    painter.setBrush(theme::colors().tip.darker(125));
     painter.drawPolygon(tip);
-    painter.setBrush(QColor(theme::kTip));
+    painter.setBrush(theme::colors().tip);
     painter.drawRect(section);
     painter.restore();
 }

@@ -17,12 +17,6 @@ namespace {
 
 constexpr int kMargin = 8;  ///< [px]
 
-void colorText(QLabel& label, QRgb color) {
-    QPalette palette = label.palette();
-    palette.setColor(QPalette::WindowText, color);
-    label.setPalette(palette);
-}
-
 }  // namespace
 
 Card::Card(const QString& title, QWidget* parent)
@@ -108,7 +102,7 @@ QLabel* captionLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setTextFormat(Qt::PlainText);
     label->setFont(theme::textFont(theme::kSmallSize));
-    colorText(*label, theme::kMuted);
+    theme::colorText(*label, &ThemeColors::muted);
     return label;
 }
 

@@ -26,7 +26,7 @@ SiScale siScaleOf(const ColorScale& scale) {
                       scale.unit.toStdString());
 }
 
-QFont tickFont() { return theme::textFont(theme::kSmallSize - 1); }
+QFont tickFont() { return theme::textFont(theme::kTickSize); }
 
 }  // namespace
 
@@ -62,7 +62,7 @@ void ColorBarWidget::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setFont(theme::textFont(theme::kSmallSize));
     const int top = painter.fontMetrics().height() + 2;
-    painter.setPen(QColor(theme::kMuted));
+    painter.setPen(theme::colors().muted);
     painter.drawText(QRect(kSideMargin, 0, width() - kSideMargin, top), Qt::AlignLeft, heading());
     const QRectF bar(kSideMargin, top, width() - (2 * kSideMargin), kBarHeight);
     drawBar(painter, bar);
@@ -86,7 +86,7 @@ void ColorBarWidget::drawTicks(QPainter& painter, const QRectF& bar) const {
     const std::vector<double> ticks = axisTicks(low, high, count);
     const std::vector<std::string> labels = tickLabels(ticks);
     painter.setFont(tickFont());
-    painter.setPen(QColor(theme::kMuted));
+    painter.setPen(theme::colors().muted);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const double share = high > low ? (ticks[i] - low) / (high - low) : 0.5;
         const double x = bar.left() + (share * bar.width());

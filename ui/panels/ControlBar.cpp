@@ -21,7 +21,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kControlHeight = 26;   ///< [px]
+constexpr int kControlHeight = 26;   ///< [px, as theme::scaled() takes them]
+constexpr int kKnobWidth = 96;       ///< likewise
 constexpr int kLetterRoom = 8;       ///< [px]
 constexpr int kMaxGroupWidth = 260;  ///< of a list with what belongs to it [px]
 constexpr const char* kTip = "tip";  ///< property: what a knob says while it can be turned
@@ -39,18 +40,20 @@ void addWithCaption(FlowLayout& bar, const QString& caption, const QList<QWidget
         row->addWidget(widget);
     }
     column->addLayout(row);
-    group->setMaximumWidth(kMaxGroupWidth);
+    group->setMaximumWidth(theme::scaled(kMaxGroupWidth));
     bar.addWidget(group, stretch);
 }
 
 void addSeparator(FlowLayout& bar) {
     auto* line = new QFrame(bar.parentWidget());
     line->setFrameShape(QFrame::VLine);
-    line->setFixedHeight(kControlHeight);
-    QPalette palette = line->palette();
-    palette.setColor(QPalette::WindowText, theme::kFaint);
+    line->setFixedHeight(theme::scaled(kControlHeight));
     line->setFrameShadow(QFrame::Plain);
-    line->setPalette(palette);
+    theme::follow(line, [line] {
+        QPalette palette = line->palette();
+        palette.setColor(QPalette::WindowText, theme::colors().faint);
+        line->setPalette(palette);
+    });
     bar.addWidget(line);
 }
 
@@ -83,6 +86,11 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new FlowLayout(t
     setForcesOn(true);
     setRecording(false);
     connectInputs();
+    theme::follow(this, [this] {
+        setRunning(startPause_->property("running").toBool());
+        setForcesOn(forces_->isChecked());
+        setRecording(record_->isChecked());
+    });
 }
 
 QPushButton* ControlBar::addButton(const char* objectName, const QString& widest) {
@@ -90,7 +98,7 @@ QPushButton* ControlBar::addButton(const char* objectName, const QString& widest
     button->setObjectName(QString::fromUtf8(objectName));
     button->ensurePolished();
     // Letters are wider than measured where a pixel of the window is 1.5 of the screen.
-    button->setFixedSize(button->sizeHint().width() + kLetterRoom, kControlHeight);
+    button->setFixedSize(button->sizeHint().width() + kLetterRoom, theme::scaled(kControlHeight));
     row_->addWidget(button);
     return button;
 }
@@ -98,7 +106,7 @@ QPushButton* ControlBar::addButton(const char* objectName, const QString& widest
 ChoiceBox* ControlBar::addCombo(const char* objectName, const QString& caption) {
     auto* combo = new ChoiceBox(this);
     combo->setObjectName(QString::fromUtf8(objectName));
-    combo->setFixedHeight(kControlHeight);
+    combo->setFixedHeight(theme::scaled(kControlHeight));
     guardFromWheel(*combo);
     QList<QWidget*> widgets{combo};
     if (combo->objectName() == QStringLiteral("path")) {
@@ -106,7 +114,7 @@ ChoiceBox* ControlBar::addCombo(const char* objectName, const QString& caption) 
         pathFile_->setObjectName(QStringLiteral("pathFile"));
         pathFile_->setText(QStringLiteral("…"));
         pathFile_->setToolTip(tr("Follow a path from a file"));
-        pathFile_->setFixedHeight(kControlHeight);
+        pathFile_->setFixedHeight(theme::scaled(kControlHeight));
         widgets << pathFile_;
     }
     addWithCaption(*row_, caption, widgets, 1);
@@ -131,7 +139,7 @@ void ControlBar::addKnob(const SettingField& field) {
     box->setObjectName(QString::fromUtf8(field.knob.name));
     box->setProperty(kTip, coreWords(field.knob.toolTip));
     box->setToolTip(coreWords(field.knob.toolTip));
-    box->setFixedSize(96, kControlHeight);
+    box->setFixedSize(theme::scaled(kKnobWidth), theme::scaled(kControlHeight));
     guardFromWheel(*box);
     addWithCaption(*row_, coreWords(field.knob.caption), {box}, 0);
     knobs_[field.column] = box;

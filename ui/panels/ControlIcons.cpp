@@ -12,26 +12,26 @@ namespace {
 constexpr int kSize = 16;  ///< [px]
 
 void drawStart(QPainter& painter) {
-    painter.setBrush(QColor(theme::kPaper));
+    painter.setBrush(theme::colors().onAccent);
     painter.drawPolygon(QPolygonF({{4.0, 2.5}, {13.5, 8.0}, {4.0, 13.5}}));
 }
 
 void drawPause(QPainter& painter) {
-    painter.setBrush(QColor(theme::kPaper));
+    painter.setBrush(theme::colors().onAccent);
     painter.drawRect(QRectF(4.0, 3.0, 3.0, 10.0));
     painter.drawRect(QRectF(9.0, 3.0, 3.0, 10.0));
 }
 
 /// An arrow that pushes up against a line.
-void drawForces(QPainter& painter, QRgb color) {
-    painter.setBrush(QColor(color));
+void drawForces(QPainter& painter, const QColor& color) {
+    painter.setBrush(color);
     painter.drawRect(QRectF(7.0, 7.0, 2.0, 7.5));
     painter.drawPolygon(QPolygonF({{8.0, 2.5}, {12.0, 8.0}, {4.0, 8.0}}));
     painter.drawRect(QRectF(3.0, 1.0, 10.0, 1.2));
 }
 
 void drawRecord(QPainter& painter) {
-    painter.setBrush(QColor(theme::kFault));
+    painter.setBrush(theme::colors().fault);
     painter.drawEllipse(QPointF(8.0, 8.0), 4.5, 4.5);
 }
 
@@ -51,10 +51,10 @@ QIcon controlIcon(ControlIcon icon) {
         drawPause(painter);
         break;
     case ControlIcon::ForcesOn:
-        drawForces(painter, theme::kForce);
+        drawForces(painter, theme::colors().force);
         break;
     case ControlIcon::ForcesOff:
-        drawForces(painter, theme::kFaint);
+        drawForces(painter, theme::colors().faint);
         break;
     case ControlIcon::Record:
         drawRecord(painter);

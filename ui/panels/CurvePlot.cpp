@@ -1,6 +1,5 @@
 #include "ui/panels/CurvePlot.h"
 
-#include "ui/Theme.h"
 #include "ui/panels/AxisTicks.h"
 #include "ui/panels/QwtParts.h"
 
@@ -36,7 +35,7 @@ QString legendText(const CurvePlotSetup& setup, const QString& unit) {
     }
     for (const CurvePlotSetup::Curve& curve : setup.curves) {
         text += QStringLiteral("&nbsp; <span style='color:%1'><b>&#x2501;</b></span>&nbsp;%2")
-                    .arg(QColor(curve.color).name(), curve.name);
+                    .arg((theme::colors().*curve.color).name(), curve.name);
     }
     return text;
 }
@@ -56,6 +55,7 @@ public:
 private:
     void buildAxes(const CurvePlotSetup& setup);
     void buildItems(const CurvePlotSetup& setup);
+    void color();
 
     CurvePlotSetup setup_;
     QLabel* title_;
@@ -80,6 +80,14 @@ CurvePlot::Canvas::Canvas(const CurvePlotSetup& setup, CurvePlot* owner)
     layout->setSpacing(1);
     layout->addWidget(title_);
     layout->addWidget(plot_, 1);
+    theme::follow(owner, [this] { color(); });
+}
+
+void CurvePlot::Canvas::color() {
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        curves_[i]->setPen(theme::colors().*setup_.curves[i].color, kCurveWidth, Qt::SolidLine);
+    }
+    title_->setText(legendText(setup_, unit_));
 }
 
 void CurvePlot::Canvas::buildAxes(const CurvePlotSetup& setup) {
@@ -96,9 +104,8 @@ void CurvePlot::Canvas::buildItems(const CurvePlotSetup& setup) {
     if (setup.zero == ZeroLine::Shown) {
         addZeroLine(*plot_);
     }
-    for (const CurvePlotSetup::Curve& curve : setup.curves) {
+    for (std::size_t i = 0; i < setup.curves.size(); ++i) {
         curves_.push_back(new PiecewiseCurve);
-        curves_.back()->setPen(QColor(curve.color), kCurveWidth, Qt::SolidLine);
         curves_.back()->setRenderHint(QwtPlotItem::RenderAntialiased);
         curves_.back()->attach(plot_);
     }

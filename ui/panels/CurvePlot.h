@@ -2,9 +2,9 @@
 
 // Compiled as C++17 too: Qwt's headers are not C++20.
 #include "ui/Steady.h"
+#include "ui/Theme.h"
 #include "ui/panels/CurveHistory.h"
 
-#include <QColor>
 #include <QString>
 #include <QWidget>
 
@@ -24,7 +24,7 @@ enum class ZeroLine { Shown, None };
 struct CurvePlotSetup {
     struct Curve {
         QString name;
-        QRgb color = 0;
+        QColor ThemeColors::*color = &ThemeColors::ink;
     };
 
     QString title;

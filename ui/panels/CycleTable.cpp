@@ -144,7 +144,7 @@ QRect CycleTable::cell(int line, int column) const {
 
 void CycleTable::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
-    painter.setPen(QColor(theme::kMuted));
+    painter.setPen(theme::colors().muted);
     for (int column = Material + 1; column < kColumns; ++column) {
         painter.drawText(cell(0, column), Qt::AlignRight | Qt::AlignVCenter, nameOf(column));
     }
@@ -160,7 +160,7 @@ void CycleTable::paintRow(QPainter& painter, int row) const {
     painter.fillRect(QRect(0, middle - 2, kSwatch, 2), colors.approach);
     painter.fillRect(QRect(0, middle + 1, kSwatch, 2), colors.retract);
     first.setLeft(kSwatch + kSwatchDistance);
-    painter.setPen(QColor(row == 0 ? theme::kInk : theme::kMuted));
+    painter.setPen(row == 0 ? theme::colors().ink : theme::colors().muted);
     painter.drawText(first, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(text(row, Material), Qt::ElideRight, first.width()));
     for (int column = Material + 1; column < kColumns; ++column) {

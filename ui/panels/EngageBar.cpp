@@ -1,6 +1,7 @@
 #include "ui/panels/EngageBar.h"
 
 #include "core/scene/SceneDescription.h"
+#include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/GainSpinBox.h"
 #include "ui/panels/WheelGuard.h"
@@ -15,8 +16,8 @@ namespace asperity {
 namespace {
 
 constexpr double kPerNewton = 1e9;  // shown as nanonewtons
-constexpr int kControlHeight = 26;  // [px]
-constexpr int kSetpointWidth = 84;  // [px]
+constexpr int kControlHeight = 26;  // [px, as theme::scaled() takes them]
+constexpr int kSetpointWidth = 84;  // likewise
 constexpr int kSpace = 8;           // [px]
 
 QPushButton* newButton(const char* name, const QString& text, const QString& toolTip,
@@ -24,7 +25,7 @@ QPushButton* newButton(const char* name, const QString& text, const QString& too
     auto* button = new QPushButton(text, parent);
     button->setObjectName(QString::fromUtf8(name));
     button->setToolTip(toolTip);
-    button->setFixedHeight(kControlHeight);
+    button->setFixedHeight(theme::scaled(kControlHeight));
     button->setFocusPolicy(Qt::NoFocus);  // the keys go on moving the tip
     return button;
 }
@@ -38,7 +39,7 @@ EngageBar::EngageBar(QWidget* parent)
     , withdraw_(newButton("withdraw", tr("Withdraw"), tr("Rise out of the sample's reach"), this)) {
     setpoint_->setObjectName(QStringLiteral("setpoint"));
     setpoint_->setToolTip(tr("Force along z at which an approach ends"));
-    setpoint_->setFixedSize(kSetpointWidth, kControlHeight);
+    setpoint_->setFixedSize(theme::scaled(kSetpointWidth), theme::scaled(kControlHeight));
     guardFromWheel(*setpoint_);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(kSpace, 0, kSpace, 0);

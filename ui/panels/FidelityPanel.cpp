@@ -83,6 +83,7 @@ FidelityPanel::FidelityPanel(QWidget* parent)
     connectInputs();
     setMeasuring(std::nullopt);
     showTradeOff(std::nullopt);
+    theme::follow(this, [this] { key_->setText(keyText()); });
     resize(1080, 760);
 }
 
@@ -113,7 +114,7 @@ QWidget* FidelityPanel::chartCard() {
     auto* card = new OpenCard(tr("Model options: click a point to use it"), this);
     key_->setTextFormat(Qt::RichText);
     key_->setWordWrap(true);
-    key_->setFixedWidth(kKeyWidth);
+    key_->setFixedWidth(theme::scaled(kKeyWidth));
     key_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     key_->setFont(theme::textFont(theme::kSmallSize));
     auto* side = new QVBoxLayout;
@@ -197,7 +198,7 @@ void FidelityPanel::showCurrent() {
 /// What the numbers in the chart stand for, and the ring.
 QString FidelityPanel::keyText() const {
     QString text = tr("<p><span style='color:%1'><b>◯</b></span> now: %2</p>")
-                       .arg(QColor(theme::kOrange).name(), coreWords(nameOf(now_)));
+                       .arg(theme::colors().orange.name(), coreWords(nameOf(now_)));
     if (!study_) {
         return text;
     }
@@ -206,7 +207,7 @@ QString FidelityPanel::keyText() const {
     for (const int index : frontOf(shown.points)) {
         const TradeOffPoint& point = shown.points.at(static_cast<std::size_t>(index));
         text += tr("<p><span style='color:%1'><b>%2</b></span>&nbsp; %3<br>%4 µs, %5</p>")
-                    .arg(QColor(theme::kAccent).name())
+                    .arg(theme::colors().accent.name())
                     .arg(++number)
                     .arg(point.name)
                     .arg(1e6 * point.time, 0, 'f', 2)

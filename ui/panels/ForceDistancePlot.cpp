@@ -32,9 +32,8 @@ constexpr int kRingSize = 7;               ///< [px]
 /// Share of paper in the colors of the newest cycle and of the older ones.
 constexpr std::array<double, ForceDistancePlot::kMaxCycles> kFaintness = {0.0, 0.45, 0.62, 0.74};
 
-QColor faded(QRgb color, double paper) {
-    const QColor full(color);
-    const QColor background(theme::kPaper);
+QColor faded(const QColor& full, double paper) {
+    const QColor& background = theme::colors().paper;
     const auto mix = [paper](int from, int to) {
         return static_cast<int>(std::lround(from + paper * (to - from)));
     };
@@ -58,7 +57,8 @@ QString legendText(const QString& unit) {
 BranchColors branchColors(int age) {
     const auto index =
         static_cast<std::size_t>(std::clamp(age, 0, ForceDistancePlot::kMaxCycles - 1));
-    return {faded(theme::kBlue, kFaintness[index]), faded(theme::kOrange, kFaintness[index])};
+    return {faded(theme::colors().blue, kFaintness[index]),
+            faded(theme::colors().orange, kFaintness[index])};
 }
 
 class ForceDistancePlot::Canvas {
@@ -79,7 +79,8 @@ private:
         QwtPlotMarker* pullOff = nullptr;
     };
 
-    [[nodiscard]] Items newItems(int age);
+    [[nodiscard]] Items newItems();
+    void color();
 
     QHBoxLayout* heading_;
     QLabel* legend_;
@@ -87,6 +88,7 @@ private:
     NumberScaleDraw* forceLabels_;     ///< owned by the plot
     NumberScaleDraw* distanceLabels_;  ///< owned by the plot
     std::array<Items, kMaxCycles> items_;
+    QString unit_;  ///< of the forces
 };
 
 ForceDistancePlot::Canvas::Canvas(ForceDistancePlot* owner)
@@ -106,7 +108,7 @@ ForceDistancePlot::Canvas::Canvas(ForceDistancePlot* owner)
     forceLabels_->setMinimumExtent(valueLabelRoom());
     addZeroLine(*plot_);
     for (int age = kMaxCycles - 1; age >= 0; --age) {  // the newest is drawn last
-        items_[static_cast<std::size_t>(age)] = newItems(age);
+        items_[static_cast<std::size_t>(age)] = newItems();
     }
     auto* layout = new QVBoxLayout(owner);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -114,22 +116,29 @@ ForceDistancePlot::Canvas::Canvas(ForceDistancePlot* owner)
     layout->addLayout(heading_);
     plot_->setMinimumHeight(kMinHeight);
     layout->addWidget(plot_, 1);
+    theme::follow(owner, [this] { color(); });
 }
 
-ForceDistancePlot::Canvas::Items ForceDistancePlot::Canvas::newItems(int age) {
-    const BranchColors colors = branchColors(age);
-    const auto curve = [this](const QColor& color, double width) {
+void ForceDistancePlot::Canvas::color() {
+    for (std::size_t age = 0; age < items_.size(); ++age) {
+        const BranchColors colors = branchColors(static_cast<int>(age));
+        items_[age].approach->setPen(colors.approach, kApproachWidth, Qt::SolidLine);
+        items_[age].retract->setPen(colors.retract, kCurveWidth, Qt::SolidLine);
+        items_[age].pullOff->setSymbol(
+            new QwtSymbol(QwtSymbol::Ellipse, QBrush(theme::colors().paper),
+                          QPen(colors.retract, kCurveWidth), {kRingSize, kRingSize}));
+    }
+    legend_->setText(legendText(unit_));
+}
+
+ForceDistancePlot::Canvas::Items ForceDistancePlot::Canvas::newItems() {
+    const auto curve = [this] {
         auto* item = new PiecewiseCurve;
-        item->setPen(color, width, Qt::SolidLine);
         item->setRenderHint(QwtPlotItem::RenderAntialiased);
         item->attach(plot_);
         return item;
     };
-    Items items{curve(colors.approach, kApproachWidth), curve(colors.retract, kCurveWidth),
-                new QwtPlotMarker};
-    items.pullOff->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, QBrush(QColor(theme::kPaper)),
-                                           QPen(colors.retract, kCurveWidth),
-                                           {kRingSize, kRingSize}));
+    const Items items{curve(), curve(), new QwtPlotMarker};
     items.pullOff->setRenderHint(QwtPlotItem::RenderAntialiased);
     items.pullOff->attach(plot_);
     return items;
@@ -145,7 +154,8 @@ void ForceDistancePlot::Canvas::showAxes(const AxisRange& forces, const SiScale&
         labels.set(decimalsFor(ticks), unit);
         plot_->setAxisScaleDiv(axis, divisions(low, high, ticks));
     };
-    legend_->setText(legendText(QString::fromStdString(force.unit)));
+    unit_ = QString::fromStdString(force.unit);
+    legend_->setText(legendText(unit_));
     show(QwtPlot::yLeft, *forceLabels_, forces, force.factor, {},
          plot_->canvas()->height() / kMinTickHeight);
     show(QwtPlot::xBottom, *distanceLabels_, distances, distance.factor,

@@ -28,16 +28,16 @@ CurvePlotSetup forceSetup() {
     return {.title = ForcePanel::tr("Force on the tip"),
             .unit = QStringLiteral("N"),
             .smallest = 0.2e-9,
-            .curves = {{QStringLiteral("Fx"), theme::kBlue},
-                       {QStringLiteral("Fy"), theme::kOrange},
-                       {QStringLiteral("Fz"), theme::kGreen}}};
+            .curves = {{QStringLiteral("Fx"), &ThemeColors::blue},
+                       {QStringLiteral("Fy"), &ThemeColors::orange},
+                       {QStringLiteral("Fz"), &ThemeColors::green}}};
 }
 
 CurvePlotSetup heightSetup() {
     return {.title = ForcePanel::tr("Height z of the tip"),
             .unit = QStringLiteral("m"),
             .smallest = 0.2e-9,
-            .curves = {{QStringLiteral("z"), theme::kInk}},
+            .curves = {{QStringLiteral("z"), &ThemeColors::ink}},
             .zero = ZeroLine::None,
             .timeLabels = TimeLabels::Shown};
 }
@@ -131,14 +131,16 @@ void ForcePanel::buildCurves() {
 }
 
 void ForcePanel::buildForces(QGridLayout& grid) {
-    const std::array<QRgb, 3> colors = {theme::kBlue, theme::kOrange, theme::kGreen};
+    const std::array<QColor ThemeColors::*, 3> colors = {&ThemeColors::blue, &ThemeColors::orange,
+                                                         &ThemeColors::green};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int row = static_cast<int>(axis);
-        auto* name = new QLabel(QStringLiteral("F") + kAxes.at(axis).toLower(), this);
+        auto* name = new QLabel(this);
         name->setFont(theme::boldFont());
-        QPalette palette = name->palette();
-        palette.setColor(QPalette::WindowText, colors.at(axis));
-        name->setPalette(palette);
+        theme::follow(name, [name, axis, color = colors.at(axis)] {
+            name->setText(QStringLiteral("<span style='color:%1'>▌</span>F%2")
+                              .arg((theme::colors().*color).name(), kAxes.at(axis).toLower()));
+        });
         const QString objectName = QStringLiteral("force") + kAxes.at(axis);
         force_.at(axis) = valueLabel(objectName, QStringLiteral("-88.88 µN"), this);
         sigma_.at(axis) =

@@ -1,6 +1,6 @@
 #include "ui/panels/HeightColors.h"
 
-#include "vtkplugins/pictures/Palette.h"
+#include "ui/Theme.h"
 
 #include <QObject>
 
@@ -16,7 +16,7 @@ ColorScale heightColors(double low, double high) {
                      .high = high,
                      .colors = {}};
     for (const Color& color : palette::kHeights) {
-        scale.colors.emplace_back(color.red, color.green, color.blue);
+        scale.colors.push_back(toQColor(color));
     }
     return scale;
 }

@@ -24,7 +24,7 @@ LoadingBar::LoadingBar(QWidget* parent)
     words_->setTextFormat(Qt::PlainText);
     bar_->setObjectName(QStringLiteral("loadingBar"));
     bar_->setRange(0, kWhole);
-    bar_->setFixedHeight(kBarHeight);
+    bar_->setFixedHeight(theme::scaled(kBarHeight));
     bar_->setFont(theme::textFont(theme::kSmallSize));
     auto* cancel = new QPushButton(tr("Cancel"), this);
     cancel->setObjectName(QStringLiteral("cancelLoading"));

@@ -19,11 +19,12 @@ constexpr double kBorder = 1.0;  ///< of white around a line [px]
 constexpr double kMinFrame = 30.0;  ///< width that reaches beyond the tip's mark [px]
 constexpr double kBracket = 7.0;    ///< arm of a corner bracket [px]
 
-void strokeOverWhite(QPainter& painter, QRgb color, double width, const QPainterPath& path) {
+void strokeOverWhite(QPainter& painter, const Color& color, double width,
+                     const QPainterPath& path) {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(theme::kPaper), width + 2.0 * kBorder));
+    painter.setPen(QPen(toQColor(kLightPalette.paper), width + 2.0 * kBorder));
     painter.drawPath(path);
-    painter.setPen(QPen(QColor(color), width));
+    painter.setPen(QPen(toQColor(color), width));
     painter.drawPath(path);
 }
 
@@ -51,26 +52,26 @@ void drawTipMark(QPainter& painter, const QPointF& place) {
         mark.moveTo(place + kRing * way);
         mark.lineTo(place + kArm * way);
     }
-    strokeOverWhite(painter, theme::kMarker, 2.0, mark);
+    strokeOverWhite(painter, kLightPalette.marker, 2.0, mark);
 }
 
 void drawFrameMark(QPainter& painter, const QRectF& frame) {
     QPainterPath path;
     path.addRect(frame);
-    strokeOverWhite(painter, theme::kZoom, 1.6, path);
+    strokeOverWhite(painter, kLightPalette.zoom, 1.6, path);
     QRectF around(0.0, 0.0, std::max(frame.width(), kMinFrame),
                   std::max(frame.height(), kMinFrame));
     around.moveCenter(frame.center());
     around.moveTo(std::floor(around.x()) + 0.5, std::floor(around.y()) + 0.5);  // sharp lines
     if (around.size() != frame.size()) {
-        strokeOverWhite(painter, theme::kZoom, 1.6, cornerBrackets(around));
+        strokeOverWhite(painter, kLightPalette.zoom, 1.6, cornerBrackets(around));
     }
 }
 
 void drawPathMark(QPainter& painter, const QPolygonF& path) {
     QPainterPath line;
     line.addPolygon(path);
-    strokeOverWhite(painter, theme::kInk, 1.2, line);
+    strokeOverWhite(painter, kLightPalette.path, 1.2, line);
 }
 
 }  // namespace asperity

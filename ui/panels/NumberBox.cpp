@@ -14,24 +14,29 @@ namespace {
 constexpr int kMinDigits = 4;   ///< before a power of ten is shorter
 constexpr int kMaxDigits = 12;  ///< the others are of units and rounding
 constexpr int kMaxQuoted = 24;  ///< letters of what was typed
-const QColor kRefused(0xfb, 0xdd, 0xdd);
 
 }  // namespace
 
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setLocale(QLocale::c());
     setKeyboardTracking(false);
-    const auto color = [this] {
-        QPalette colors = lineEdit()->palette();
-        colors.setColor(QPalette::Text,
-                        lineEdit()->hasAcceptableInput() ? theme::kInk : theme::kFault);
-        lineEdit()->setPalette(colors);
-    };
+    const auto color = [this] { colorText(); };
     connect(lineEdit(), &QLineEdit::textChanged, this, color);
     connect(this, &QAbstractSpinBox::editingFinished, this, color);  // by Qt's own text
     const auto unmark = [this] { mark(false); };
     connect(lineEdit(), &QLineEdit::textEdited, this, unmark);
     connect(this, qOverload<double>(&QDoubleSpinBox::valueChanged), this, unmark);
+    theme::follow(this, [this] {
+        colorText();
+        mark(refused_);
+    });
+}
+
+void NumberBox::colorText() {
+    QPalette colors = lineEdit()->palette();
+    colors.setColor(QPalette::Text,
+                    lineEdit()->hasAcceptableInput() ? theme::colors().ink : theme::colors().fault);
+    lineEdit()->setPalette(colors);
 }
 
 QString NumberBox::withoutUnit(const QString& text) const {
@@ -99,8 +104,9 @@ bool NumberBox::event(QEvent* event) {
 
 void NumberBox::mark(bool refused) const {
     QPalette colors = lineEdit()->palette();
-    colors.setColor(QPalette::Base, refused ? kRefused : QColor(theme::kPaper));
+    colors.setColor(QPalette::Base, refused ? theme::colors().refused : theme::colors().paper);
     lineEdit()->setPalette(colors);
+    refused_ = refused;
 }
 
 }  // namespace asperity

@@ -31,6 +31,9 @@ Q_SIGNALS:
 private:
     [[nodiscard]] QString withoutUnit(const QString& text) const;
     void mark(bool refused) const;
+    void colorText();
+
+    mutable bool refused_ = false;  ///< and marked
 };
 
 }  // namespace asperity

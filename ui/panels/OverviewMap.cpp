@@ -165,15 +165,15 @@ void OverviewMap::drawScaleBar(QPainter& painter, const QRectF& map) const {
     if (tip_ && plate.adjusted(-12.0, -12.0, 12.0, 12.0).contains(toPixel(*tip_))) {
         plate.moveRight(map.right() - 5.0);  // out of the tip's way
     }
-    QColor paper(theme::kPaper);
+    QColor paper(theme::colors().paper);
     paper.setAlphaF(0.82);
     painter.setPen(Qt::NoPen);
     painter.setBrush(paper);
     painter.drawRoundedRect(plate, 3.0, 3.0);
-    painter.setPen(QColor(theme::kInk));
+    painter.setPen(theme::colors().ink);
     painter.drawText(plate.adjusted(0.0, 1.0, 0.0, -5.0), Qt::AlignCenter, text);
     painter.fillRect(QRectF(plate.center().x() - (pixels / 2.0), plate.bottom() - 5.0, pixels, 2.0),
-                     QColor(theme::kInk));
+                     theme::colors().ink);
 }
 
 void OverviewMap::drawFrame(QPainter& painter) const {

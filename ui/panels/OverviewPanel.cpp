@@ -4,6 +4,7 @@
 #include "core/scene/Scene.h"
 #include "core/words/ImagingTipWords.h"
 #include "ui/CoreWords.h"
+#include "ui/Theme.h"
 #include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/MapMarks.h"
 #include "ui/panels/OverviewMap.h"
@@ -61,7 +62,7 @@ OverviewPanel::OverviewPanel(QWidget* parent)
     , filledLegend_(new QWidget(this)) {
     auto* side = new QVBoxLayout;
     side->setSpacing(3);
-    colorBar_->setFixedWidth(kSideWidth);
+    colorBar_->setFixedWidth(theme::scaled(kSideWidth));
     side->addWidget(colorBar_);
     side->addSpacing(6);
     addLegend(*side);
@@ -69,7 +70,7 @@ OverviewPanel::OverviewPanel(QWidget* parent)
     scanNote_->setObjectName(QStringLiteral("scanNote"));
     scanNote_->setContentsMargins(kLegendIndent, 0, 0, 0);
     scanNote_->setWordWrap(true);
-    scanNote_->setFixedWidth(kSideWidth);
+    scanNote_->setFixedWidth(theme::scaled(kSideWidth));
     side->addWidget(scanNote_);
     side->addStretch(1);
     auto* hint = captionLabel(tr("Double click: go there"), this);

@@ -1,6 +1,7 @@
 #include "ui/panels/ParameterPanel.h"
 
 #include "ui/CoreWords.h"
+#include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/GainSpinBox.h"
 #include "ui/panels/RefusalLine.h"
@@ -50,7 +51,7 @@ void ParameterPanel::addRow(QGridLayout& grid, const SceneParameterTraits& trait
     NumberBox* box = newBox(traits, this);
     box->setObjectName(QString::fromUtf8(traits.key));
     box->setToolTip(coreWords(traits.toolTip));
-    box->setMinimumWidth(kBoxWidth);
+    box->setMinimumWidth(theme::scaled(kBoxWidth));
     guardFromWheel(*box);
     const int row = grid.rowCount();
     grid.addWidget(captionLabel(coreWords(traits.caption), this), row, 0);

@@ -67,35 +67,45 @@ void styleLivePlot(QwtPlot& plot) {
     canvas->setFrameStyle(QFrame::NoFrame);
     canvas->setPaintAttribute(QwtPlotCanvas::BackingStore, false);  // every frame is a new one
     plot.setCanvas(canvas);
-    plot.setCanvasBackground(QColor(theme::kPaper));
     plot.setMinimumSize(120, kMinCanvasHeight);
     plot.plotLayout()->setAlignCanvasToScales(true);
     plot.plotLayout()->setSpacing(0);
     for (const int axis : {QwtPlot::yLeft, QwtPlot::xBottom}) {
-        plot.setAxisFont(axis, theme::textFont(theme::kSmallSize - 1));
-        QPalette palette;
-        palette.setColor(QPalette::WindowText, theme::kFaint);
-        palette.setColor(QPalette::Text, theme::kMuted);
-        plot.axisWidget(axis)->setPalette(palette);
+        plot.setAxisFont(axis, theme::textFont(theme::kTickSize));
         plot.axisWidget(axis)->setMargin(0);
         QwtScaleDraw* draw = plot.axisScaleDraw(axis);
         draw->setTickLength(QwtScaleDiv::MajorTick, kTickLength);
         draw->setSpacing(2);
     }
     auto* grid = new QwtPlotGrid;
-    grid->setPen(QColor(theme::kFaint), 0.0, Qt::SolidLine);
     grid->attach(&plot);
+    theme::follow(&plot, [&plot, grid] {
+        const ThemeColors& colors = theme::colors();
+        plot.setCanvasBackground(colors.paper);
+        grid->setPen(colors.faint, 0.0, Qt::SolidLine);
+        colorAxes(plot, colors.faint, colors.muted);
+        plot.replot();
+    });
+}
+
+void colorAxes(QwtPlot& plot, const QColor& lines, const QColor& numbers) {
+    QPalette palette;
+    palette.setColor(QPalette::WindowText, lines);
+    palette.setColor(QPalette::Text, numbers);
+    for (int axis = 0; axis < QwtPlot::axisCnt; ++axis) {
+        plot.axisWidget(axis)->setPalette(palette);
+    }
 }
 
 void addZeroLine(QwtPlot& plot) {
     auto* zero = new QwtPlotMarker;
     zero->setLineStyle(QwtPlotMarker::HLine);
-    zero->setLinePen(QColor(theme::kMuted), 0.0, Qt::SolidLine);
     zero->attach(&plot);
+    theme::follow(&plot, [zero] { zero->setLinePen(theme::colors().muted, 0.0, Qt::SolidLine); });
 }
 
 double valueLabelRoom() {
-    const QFontMetrics metrics(theme::textFont(theme::kSmallSize - 1));
+    const QFontMetrics metrics(theme::textFont(theme::kTickSize));
     return kMaxLabelDigits * metrics.horizontalAdvance(QLatin1Char('0')) + kTickLength + 2;
 }
 

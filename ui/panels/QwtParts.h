@@ -1,6 +1,7 @@
 #pragma once
 
 // Compiled as C++17 too: Qwt's headers are not C++20.
+#include <QColor>
 #include <QString>
 #include <qwt_plot_curve.h>
 #include <qwt_scale_div.h>
@@ -40,6 +41,8 @@ private:
 
 /// A plot on paper with gray axes, a grid below what is attached later, and no frame.
 void styleLivePlot(QwtPlot& plot);
+/// Colors of the lines and of the numbers of all axes.
+void colorAxes(QwtPlot& plot, const QColor& lines, const QColor& numbers);
 /// A line at zero force or value.
 void addZeroLine(QwtPlot& plot);
 /// Room for the labels of the value axis, so that the canvas stays where it is.

@@ -19,9 +19,7 @@ RefusalLine::RefusalLine(QWidget* boxes) : QLabel(boxes) {
     setWordWrap(true);
     setFont(theme::textFont(theme::kSmallSize));
     setMinimumHeight(2 * fontMetrics().lineSpacing() + kRounding);  // so that nothing moves
-    QPalette colors = palette();
-    colors.setColor(QPalette::WindowText, theme::kFault);
-    setPalette(colors);
+    theme::colorText(*this, &ThemeColors::fault);
     for (const NumberBox* box : boxes->findChildren<NumberBox*>()) {
         connect(box, &NumberBox::refused, this, &QLabel::setText);
         connect(box->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, &QLabel::clear);

@@ -1,5 +1,6 @@
 #include "ui/panels/ReliefImage.h"
 
+#include "ui/Theme.h"
 #include "ui/panels/HeightColors.h"
 #include "vtkplugins/pictures/Palette.h"
 
@@ -75,7 +76,7 @@ std::array<QColor, kColors> colorTable(const ColorScale& scale) {
 
 QColor hatched(int row, int column) {
     constexpr int kStripe = 5;  // [pixel]
-    const QColor gray(palette::kNoData.red, palette::kNoData.green, palette::kNoData.blue);
+    const QColor gray = toQColor(palette::kNoData);
     return ((row + column) / kStripe) % 2 == 0 ? gray : gray.lighter(140);
 }
 

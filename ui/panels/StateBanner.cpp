@@ -36,18 +36,16 @@ StateBanner::StateBanner(QWidget* parent)
     , flags_(new QLabel(this))
     , rearm_(new QPushButton(tr("Reset fault"), this)) {
     setObjectName(QStringLiteral("stateBanner"));
-    setFixedHeight(kHeight);
+    setFixedHeight(theme::scaled(kHeight));
     state_->setObjectName(QStringLiteral("state"));
     state_->setTextFormat(Qt::PlainText);
-    state_->setFont(theme::boldFont(theme::kTextSize + 1));
+    state_->setFont(theme::boldFont(theme::kTextSize + 0.75));
     flags_->setObjectName(QStringLiteral("flags"));
     flags_->setTextFormat(Qt::PlainText);
     flags_->setFont(theme::textFont());
     flags_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     flags_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    QPalette palette = flags_->palette();
-    palette.setColor(QPalette::WindowText, theme::kCaution);
-    flags_->setPalette(palette);
+    theme::colorText(*flags_, &ThemeColors::caution);
     rearm_->setObjectName(QStringLiteral("rearm"));
     rearm_->setToolTip(tr("Reset the fault: forces act again"));
     auto* layout = new QHBoxLayout(this);
@@ -58,6 +56,7 @@ StateBanner::StateBanner(QWidget* parent)
     layout->addWidget(rearm_);
     connect(rearm_, &QPushButton::clicked, this, &StateBanner::rearmRequested);
     clear();
+    theme::follow(this, [this] { showColor(); });
 }
 
 void StateBanner::take(const TickSample& sample) noexcept { shown_.take(sample); }
@@ -175,40 +174,39 @@ void StateBanner::showDetails(const QStringList& state, const std::vector<Cautio
     }
 }
 
-QRgb StateBanner::stateColor() const {
+QColor StateBanner::stateColor() const {
     const TickOutput& output = latest_.sample.output;
     if (output.fault != Fault::None) {
-        return theme::kFault;
+        return theme::colors().fault;
     }
     if (paused_ || !hasRun_) {
-        return theme::kMuted;
+        return theme::colors().muted;
     }
     if (!actsFully(output.forceState)) {
-        return theme::kCaution;
+        return theme::colors().caution;
     }
     switch (output.region()) {
     case TipRegion::Far:
-        return theme::kTip;
+        return theme::colors().tip;
     case TipRegion::Cohesive:
-        return theme::kOrange;
+        return theme::colors().orange;
     case TipRegion::Contact:
-        return theme::kGreen;
+        return theme::colors().green;
     }
-    return theme::kInk;
+    return theme::colors().ink;
 }
 
 void StateBanner::showColor() {
-    const QRgb color = stateColor();
+    const QColor color = stateColor();
     if (color == shownColor_) {
         return;  // style sheets are slow to set
     }
     shownColor_ = color;
-    QColor wash(color);
+    QColor wash = color;
     wash.setAlphaF(0.12);
     setStyleSheet(QStringLiteral("#stateBanner { background: %1; border: none; border-left: 5px "
-                                 "solid %2; border-radius: 4px; } #state { color: %3; }")
-                      .arg(wash.name(QColor::HexArgb), QColor(color).name(),
-                           QColor(color).darker(125).name()));
+                                 "solid %2; border-radius: 4px; }")
+                      .arg(wash.name(QColor::HexArgb), color.name()));
 }
 
 void StateBanner::resizeEvent(QResizeEvent* /*event*/) { showLine(); }

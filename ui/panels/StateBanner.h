@@ -62,14 +62,14 @@ private:
     /// The most severe one first.
     [[nodiscard]] std::vector<Caution> cautions() const;
     void showDetails(const QStringList& state, const std::vector<Caution>& cautions);
-    [[nodiscard]] QRgb stateColor() const;
+    [[nodiscard]] QColor stateColor() const;
 
     Snapshot latest_;
     bool hasRun_ = false;
     bool paused_ = false;
     bool energyGiven_ = false;
     ShownFlags shown_;
-    QRgb shownColor_ = 0;
+    QColor shownColor_;
     QString details_;     ///< all there is to say
     QString halfSpace_;   ///< its force beside the law's
     QString notHolding_;  ///< why it is not shown

@@ -71,6 +71,11 @@ TermTable::TermTable(QWidget* parent)
     setShowGrid(false);
     setAlternatingRowColors(true);
     setWordWrap(true);
+    theme::follow(this, [this] {
+        for (int row = 0; row < rowCount(); ++row) {
+            colorNow(row);
+        }
+    });
 }
 
 void TermTable::addRow(int row) {
@@ -108,12 +113,18 @@ void TermTable::show(const SceneNeeds& needs, const ModelChoices& choices) {
 
 void TermTable::showNeed(int row, const TermNeed& need, const std::string& reason) {
     setText(row, Now, need.on ? tr("on") : tr("off"));
-    item(row, Now)->setForeground(QColor(need.on ? theme::kInk : theme::kMuted));
+    item(row, Now)->setData(Qt::UserRole, need.on);
+    colorNow(row);
     setText(row, Effect, effectText(need));
     setText(row, Time, timeText(need));
     const QString why = coreWords(reason);
     setText(row, Why, why);
     item(row, Why)->setToolTip(why);
+}
+
+void TermTable::colorNow(int row) {
+    const bool on = item(row, Now)->data(Qt::UserRole).toBool();
+    item(row, Now)->setForeground(on ? theme::colors().ink : theme::colors().muted);
 }
 
 void TermTable::showChoice(int row, const ModelChoices& choices) {

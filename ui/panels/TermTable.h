@@ -33,6 +33,7 @@ protected:
 private:
     void addRow(int row);
     void showNeed(int row, const TermNeed& need, const std::string& reason);
+    void colorNow(int row);
     void showChoice(int row, const ModelChoices& choices);
     /// Whether the term can be on; where not, the entry says why.
     void setPossible(int row, bool possible);

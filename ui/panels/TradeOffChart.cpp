@@ -1,6 +1,7 @@
 #include "ui/panels/TradeOffChart.h"
 
 #include "ui/Theme.h"
+#include "ui/panels/QwtParts.h"
 
 #include <QHelpEvent>
 #include <QLabel>
@@ -15,7 +16,6 @@
 #include <qwt_plot_marker.h>
 #include <qwt_scale_engine.h>
 #include <qwt_scale_map.h>
-#include <qwt_scale_widget.h>
 #include <qwt_symbol.h>
 #include <qwt_text.h>
 
@@ -26,9 +26,11 @@ namespace asperity {
 
 namespace {
 
-constexpr int kReach = 24;     ///< of a click [px]
-constexpr int kPointSize = 8;  ///< [px]
-constexpr int kRingSize = 17;  ///< [px]
+constexpr int kReach = 24;           ///< of a click [px]
+constexpr int kPointSize = 8;        ///< [px]
+constexpr int kRingSize = 17;        ///< [px]
+constexpr double kRingWidth = 2.0;   ///< [px]
+constexpr double kFrontWidth = 1.3;  ///< of the line that joins the front [px]
 constexpr double kMicroseconds = 1e6;
 constexpr double kNanonewtons = 1e9;
 
@@ -62,12 +64,11 @@ QwtScaleDiv divisions(const Range& range) {
 QwtText axisTitle(const QString& text) {
     QwtText title(text);
     title.setFont(theme::textFont(theme::kSmallSize));
-    title.setColor(QColor(theme::kMuted));
     return title;
 }
 
-QwtSymbol* dot(QRgb color) {
-    return new QwtSymbol(QwtSymbol::Ellipse, QColor(color), QPen(QColor(theme::kPaper)),
+QwtSymbol* dot(const QColor& color) {
+    return new QwtSymbol(QwtSymbol::Ellipse, color, QPen(theme::colors().paper),
                          {kPointSize, kPointSize});
 }
 
@@ -98,6 +99,7 @@ public:
 private:
     void buildAxes();
     void buildItems();
+    void color();
     void showRanges(const TradeOffPoints& shown);
     void number(const std::vector<int>& front);
 
@@ -105,7 +107,8 @@ private:
     QLabel* hint_;
     QwtPlot* plot_;
     QwtPlotCanvas* canvas_;
-    QwtPlotCurve* others_ = nullptr;  // items are owned by the plot
+    QwtPlotGrid* grid_ = nullptr;  // items are owned by the plot
+    QwtPlotCurve* others_ = nullptr;
     QwtPlotCurve* front_ = nullptr;
     QwtPlotMarker* ring_ = nullptr;
     std::vector<QwtPlotMarker*> numbers_;
@@ -125,9 +128,9 @@ TradeOffChart::Plot::Plot(TradeOffChart* owner)
     canvas_->setFrameStyle(QFrame::NoFrame);
     canvas_->setCursor(Qt::PointingHandCursor);
     plot_->setCanvas(canvas_);
-    plot_->setCanvasBackground(QColor(theme::kPaper));
     buildAxes();
     buildItems();
+    theme::follow(owner, [this] { color(); });
 }
 
 void TradeOffChart::Plot::buildAxes() {
@@ -138,33 +141,46 @@ void TradeOffChart::Plot::buildAxes() {
     for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft, QwtPlot::yRight}) {
         plot_->setAxisScaleEngine(axis, new QwtLogScaleEngine);
         plot_->setAxisFont(axis, theme::textFont(theme::kSmallSize));
-        QPalette palette;
-        palette.setColor(QPalette::WindowText, theme::kMuted);
-        palette.setColor(QPalette::Text, theme::kMuted);
-        plot_->axisWidget(axis)->setPalette(palette);
     }
     plot_->plotLayout()->setAlignCanvasToScales(true);
 }
 
 void TradeOffChart::Plot::buildItems() {
-    auto* grid = new QwtPlotGrid;
-    grid->setPen(QColor(theme::kFaint), 0.0, Qt::SolidLine);
-    grid->attach(plot_);
+    grid_ = new QwtPlotGrid;
+    grid_->attach(plot_);
     others_ = new QwtPlotCurve;
     others_->setStyle(QwtPlotCurve::NoCurve);
-    others_->setSymbol(dot(qRgb(160, 166, 178)));
     front_ = new QwtPlotCurve;
-    front_->setPen(QColor(theme::kAccent), 1.3, Qt::SolidLine);
-    front_->setSymbol(dot(theme::kAccent));
     for (QwtPlotCurve* curve : {others_, front_}) {
         curve->setRenderHint(QwtPlotItem::RenderAntialiased);
         curve->attach(plot_);
     }
     ring_ = new QwtPlotMarker;
-    ring_->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, Qt::NoBrush,
-                                   QPen(QColor(theme::kOrange), 2.0), {kRingSize, kRingSize}));
     ring_->setRenderHint(QwtPlotItem::RenderAntialiased);
     ring_->attach(plot_);
+}
+
+void TradeOffChart::Plot::color() {
+    const ThemeColors& colors = theme::colors();
+    plot_->setCanvasBackground(colors.paper);
+    colorAxes(*plot_, colors.muted, colors.muted);
+    for (const int axis : {QwtPlot::xBottom, QwtPlot::yLeft, QwtPlot::yRight}) {
+        QwtText title = plot_->axisTitle(axis);
+        title.setColor(colors.muted);
+        plot_->setAxisTitle(axis, title);
+    }
+    grid_->setPen(colors.faint, 0.0, Qt::SolidLine);
+    others_->setSymbol(dot(colors.tip));
+    front_->setPen(colors.accent, kFrontWidth, Qt::SolidLine);
+    front_->setSymbol(dot(colors.accent));
+    ring_->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, Qt::NoBrush, QPen(colors.orange, kRingWidth),
+                                   {kRingSize, kRingSize}));
+    for (QwtPlotMarker* number : numbers_) {
+        QwtText label = number->label();
+        label.setColor(colors.accent);
+        number->setLabel(label);
+    }
+    plot_->replot();
 }
 
 void TradeOffChart::Plot::show(const TradeOffPoints& shown, const QString& hint) {
@@ -211,7 +227,7 @@ void TradeOffChart::Plot::number(const std::vector<int>& front) {
         joined << places_[index];
         QwtText text(QString::number(joined.size()));
         text.setFont(theme::boldFont());
-        text.setColor(QColor(theme::kAccent));
+        text.setColor(theme::colors().accent);
         numbers_.push_back(new QwtPlotMarker);
         numbers_.back()->setValue(joined.back());
         numbers_.back()->setLabel(text);

@@ -1,5 +1,6 @@
 #include "ui/view/ContactLayer.h"
 
+#include "ui/Theme.h"
 #include "ui/view/DrapedGrid.h"
 #include "vtkplugins/module/StripGrid.h"
 #include "vtkplugins/pictures/SceneParts.h"
@@ -151,7 +152,7 @@ void ContactLayer::showWalls(const ContactStyle& style) {
                                    .back = area.top == window.top,
                                    .left = area.left == window.left,
                                    .right = area.right == window.right});
-    paint(sides, palette::kSide, style.shading, kWallMatt);
+    paint(sides, theme::palette().side, style.shading, kWallMatt);
     sides->GetPointData()->SetNormals(nullptr);  // they are lit already
     setData(walls_, sides);
 }

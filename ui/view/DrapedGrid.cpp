@@ -36,7 +36,7 @@ std::vector<double> gridPlaces(double low, double high, double spacing) {
 }
 
 vtkSmartPointer<vtkActor> thinLines(vtkPolyData* data) {
-    vtkSmartPointer<vtkActor> actor = linesAsDrawn(data, palette::kInk, 1.0);
+    vtkSmartPointer<vtkActor> actor = linesAsDrawn(data, palette::kSurfaceLine, 1.0);
     actor->GetProperty()->SetOpacity(kOpacity);
     actor->ForceOpaqueOn();
     return actor;

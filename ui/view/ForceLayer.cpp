@@ -1,5 +1,6 @@
 #include "ui/view/ForceLayer.h"
 
+#include "ui/Theme.h"
 #include "ui/view/ForceScale.h"
 #include "vtkplugins/module/vtkAspForceGlyphSource.h"
 #include "vtkplugins/pictures/SceneParts.h"
@@ -26,7 +27,7 @@ constexpr double kConfirmation = 0.05;
 
 ForceLayer::ForceLayer(vtkRenderer* renderer) {
     source_->SetResolution(kFacets);
-    arrow_ = plainSurface(source_->GetOutput(), palette::kForce);
+    arrow_ = plainSurface(source_->GetOutput(), theme::palette().force);
     arrow_->GetProperty()->SetAmbient(0.55);  // red on any side
     renderer->AddActor(arrow_);
     hide();
@@ -54,6 +55,7 @@ void ForceLayer::show(const ForceEstimate& estimate, const Vector3& start, doubl
         hide();
         return;
     }
+    arrow_->GetProperty()->SetColor(theme::palette().force.fractions().data());
     source_->SetContactPoint(start.x(), start.y(), start.z());
     source_->SetForce(force.x(), force.y(), force.z());
     source_->SetMetersPerNewton(length / magnitude);

@@ -1,6 +1,7 @@
 #include "ui/view/FrameAxes.h"
 
 #include "core/SiFormat.h"
+#include "ui/Theme.h"
 #include "vtkplugins/pictures/Painter.h"
 #include "vtkplugins/pictures/Ticks.h"
 
@@ -53,11 +54,11 @@ TextStyle textBeside(const Project& project, const Edge& edge) {
     const Align align = sideways < -kSideways  ? Align::Right
                         : sideways > kSideways ? Align::Left
                                                : Align::Center;
-    return {.size = kTextSize, .align = align};
+    return {.size = kTextSize, .color = theme::palette().ink, .align = align};
 }
 
 void paintEdge(Painter& painter, const Edge& edge, const Project& project) {
-    const LineStyle line{.color = palette::kInk, .width = 1.0};
+    const LineStyle line{.color = theme::palette().ink, .width = 1.0};
     const TextStyle text = textBeside(project, edge);
     painter.line({project(edge.at(edge.low)), project(edge.at(edge.high))}, line);
     const std::vector<double> ticks = niceTicks(edge.low, edge.high, kTicks);

@@ -1,5 +1,6 @@
 #include "ui/view/GuideLayer.h"
 
+#include "ui/Theme.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkActor.h>
@@ -7,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include <vector>
@@ -53,7 +55,7 @@ std::vector<Stroke> strokesOf(const VirtualFixture& guide, double reach) {
 
 GuideLayer::GuideLayer(vtkRenderer* renderer) {
     vtkNew<vtkPolyData> nothing;
-    lines_ = linesAsDrawn(nothing, palette::kGuide, kLineWidth);
+    lines_ = linesAsDrawn(nothing, theme::palette().guide, kLineWidth);
     renderer->AddActor(lines_);
     hide();
 }
@@ -74,6 +76,7 @@ void GuideLayer::show(const VirtualFixture& guide, double reach, const DrawnSpac
     }
     all->Update();
     vtkPolyDataMapper::SafeDownCast(lines_->GetMapper())->SetInputData(all->GetOutput());
+    lines_->GetProperty()->SetColor(theme::palette().guide.fractions().data());
     space.apply(lines_);
     lines_->VisibilityOn();
 }

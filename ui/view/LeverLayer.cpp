@@ -1,5 +1,7 @@
 #include "ui/view/LeverLayer.h"
 
+#include "ui/Theme.h"
+
 #include <vtkActor.h>
 #include <vtkCubeSource.h>
 #include <vtkPolyData.h>
@@ -46,7 +48,7 @@ void LeverLayer::show(const LeverPlace& place, const Shading& shading) {
     placed->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     placed->Update();
     data_->ShallowCopy(placed->GetOutput());
-    paint(data_, palette::kLever, shading);
+    paint(data_, theme::palette().lever, shading);
     slab_->VisibilityOn();
 }
 

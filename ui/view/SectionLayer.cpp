@@ -1,5 +1,6 @@
 #include "ui/view/SectionLayer.h"
 
+#include "ui/Theme.h"
 #include "vtkplugins/module/StripGrid.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
@@ -13,6 +14,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -51,7 +53,7 @@ SectionLayer::SectionLayer(const std::vector<vtkRenderer*>& cut, vtkRenderer* fa
         }
     }
     vtkNew<vtkPolyData> nothing;
-    outline_ = linesAsDrawn(nothing, palette::kInk, 2.0);
+    outline_ = linesAsDrawn(nothing, theme::palette().ink, 2.0);
     for (vtkActor* actor : {sample_, tip_, outline_}) {
         faces->AddActor(actor);
     }
@@ -89,6 +91,7 @@ void SectionLayer::show(const Scene& scene, const ContactShape& shape, const Sec
     plane_->SetOrigin(Vector3(shape.contact().tipCenter).data());
     plane_->SetNormal(Vector3(away).data());
     setCutting(true);
+    outline_->GetProperty()->SetColor(theme::palette().ink.fractions().data());
     fillSample(scene, shape, style);
     fillTip(style);
     for (vtkActor* actor : {sample_, tip_, outline_}) {
@@ -122,7 +125,7 @@ void SectionLayer::fillSample(const Scene& scene, const ContactShape& shape,
     }
     sampleFace_->SetPoints(points);
     sampleFace_->SetStrips(gridStrips(kSamples, 2));
-    paint(sampleFace_, style.shading.lit(palette::kSide, -normal, kWallMatt));
+    paint(sampleFace_, style.shading.lit(theme::palette().side, -normal, kWallMatt));
     vtkPolyDataMapper::SafeDownCast(outline_->GetMapper())->SetInputData(polyline(top));
 }
 
@@ -134,7 +137,7 @@ void SectionLayer::fillTip(const SectionStyle& style) {
     filled->SetInputConnection(cutter->GetOutputPort());
     filled->Update();
     tipFace_->ShallowCopy(filled->GetOutput());
-    const Color& face = palette::kTip;
+    const Color& face = theme::palette().tip;
     paint(tipFace_, {face.red, face.green, face.blue});
 }
 

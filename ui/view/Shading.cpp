@@ -41,7 +41,7 @@ void paint(vtkPolyData* data, const Color& color, const Shading& shading, const 
 }
 
 vtkSmartPointer<vtkActor> surfaceAsColored(vtkPolyData* data) {
-    vtkSmartPointer<vtkActor> actor = plainSurface(data, palette::kPaper);
+    vtkSmartPointer<vtkActor> actor = plainSurface(data, kLightPalette.paper);
     actor->GetProperty()->LightingOff();
     actor->GetProperty()->SetAmbient(0.0);
     actor->GetProperty()->SetDiffuse(1.0);

@@ -1,5 +1,6 @@
 #include "ui/view/TerrainLayer.h"
 
+#include "ui/Theme.h"
 #include "ui/view/DrapedGrid.h"
 #include "vtkplugins/module/vtkAspSurfaceSource.h"
 #include "vtkplugins/pictures/SceneParts.h"
@@ -145,7 +146,8 @@ struct TerrainLayer::Mesh {
         wallRgb->SetNumberOfTuples(count);
         for (vtkIdType id = 0; id < count; ++id) {
             const Vector3 normal(wallNormals->GetTuple(id));
-            wallRgb->SetTypedTuple(id, shading.lit(palette::kSide, normal, kWallMatt).data());
+            wallRgb->SetTypedTuple(id,
+                                   shading.lit(theme::palette().side, normal, kWallMatt).data());
         }
         wallRgb->Modified();
     }

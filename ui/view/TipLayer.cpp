@@ -1,5 +1,6 @@
 #include "ui/view/TipLayer.h"
 
+#include "ui/Theme.h"
 #include "vtkplugins/module/vtkAspTipSource.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
@@ -7,6 +8,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 namespace asperity {
@@ -27,7 +29,7 @@ TipLayer::TipLayer(vtkRenderer* renderer) {
     solid_ = surfaceAsColored(body_);
     renderer->AddActor(solid_);
     vtkNew<vtkPolyData> nothing;
-    drop_ = linesAsDrawn(nothing, palette::kMuted, 1.0);
+    drop_ = linesAsDrawn(nothing, theme::palette().muted, 1.0);
     renderer->AddActor(drop_);
     hide();
 }
@@ -48,7 +50,7 @@ void TipLayer::show(const ContactShape& shape, const TipStyle& style) {
     source_->Update();
     body_->ShallowCopy(source_->GetOutput());
     deform(shape);
-    paint(body_, palette::kTipBody, style.shading);
+    paint(body_, theme::palette().tipBody, style.shading);
     style.space.apply(solid_);
     style.space.apply(drop_);
     solid_->VisibilityOn();
@@ -83,6 +85,7 @@ void TipLayer::showDrop(const ContactShape& shape) {
     }
     vtkPolyDataMapper::SafeDownCast(drop_->GetMapper())
         ->SetInputData(polyline({apexOf(contact), contact.closest}));
+    drop_->GetProperty()->SetColor(theme::palette().muted.fractions().data());
     drop_->VisibilityOn();
 }
 

@@ -1,6 +1,7 @@
 #include "ui/view/ViewLabels.h"
 
 #include "core/SiFormat.h"
+#include "ui/Theme.h"
 #include "vtkplugins/pictures/PainterItem.h"
 #include "vtkplugins/pictures/Ticks.h"
 
@@ -67,8 +68,8 @@ void ViewLabels::paint(Painter& painter) const {
 
 /// One along the screen, one for heights, from one corner.
 void ViewLabels::paintScaleBars(Painter& painter) const {
-    const LineStyle style{palette::kInk, 2.0};
-    const TextStyle text{.size = kTextSize};
+    const LineStyle style{theme::palette().ink, 2.0};
+    const TextStyle text{.size = kTextSize, .color = theme::palette().ink};
     const double across = niceBelow(kMaxBarLength * content_.metersPerPixel);
     const double right = kMargin + across / content_.metersPerPixel;
     const double upwards = niceBelow(kMaxBarHeight * content_.heightPerPixel);
@@ -84,12 +85,15 @@ void ViewLabels::paintScaleBars(Painter& painter) const {
 void ViewLabels::paintNotes(Painter& painter, double viewWidth, double viewHeight) const {
     double y = viewHeight - kMargin - 0.5 * kTextSize;
     for (const std::string& note : content_.notes) {
-        painter.text({kMargin, y}, note, {.size = kTextSize, .color = palette::kInk});
+        painter.text({kMargin, y}, note, {.size = kTextSize, .color = theme::palette().ink});
         y -= kLineHeight * kTextSize;
     }
     if (!content_.tipAbove.empty()) {
         painter.text({0.5 * viewWidth, y}, content_.tipAbove,
-                     {.size = kForceTextSize, .bold = true, .align = Align::Center});
+                     {.size = kForceTextSize,
+                      .bold = true,
+                      .color = theme::palette().ink,
+                      .align = Align::Center});
     }
 }
 
@@ -99,8 +103,8 @@ void ViewLabels::paintForce(Painter& painter, double viewWidth, double viewHeigh
     }
     const PixelPoint end = project(*content_.forceEnd);
     painter.label({end.x + 14.0, end.y}, formatSi(content_.force, "N"),
-                  {.size = kForceTextSize, .bold = true, .color = palette::kForce},
-                  {0.0, 0.0, viewWidth, viewHeight});
+                  {.size = kForceTextSize, .bold = true, .color = theme::palette().force},
+                  {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
 }
 
 }  // namespace asperity

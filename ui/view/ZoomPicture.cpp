@@ -1,6 +1,7 @@
 #include "ui/view/ZoomPicture.h"
 
 #include "core/SiFormat.h"
+#include "ui/Theme.h"
 #include "ui/view/DrapedGrid.h"
 #include "vtkplugins/pictures/SceneParts.h"
 #include "vtkplugins/pictures/Ticks.h"
@@ -84,11 +85,16 @@ ZoomPicture::ZoomPicture(vtkGenericOpenGLRenderWindow* window)
         addLights(renderer);
         window->AddRenderer(renderer);
     }
-    still_->SetBackground(palette::kBackdrop.fractions().data());
+    showTheme();
     live_->PreserveDepthBufferOn();
 }
 
 ZoomPicture::~ZoomPicture() = default;
+
+void ZoomPicture::showTheme() {
+    still_->SetBackground(theme::palette().backdrop.fractions().data());
+    cache_.invalidate();
+}
 
 void ZoomPicture::setScene(const Scene* scene) {
     scene_ = scene;

@@ -60,6 +60,9 @@ public:
     /// @param height     of the view [pixels of the screen's coordinates]
     /// @param pixelRatio drawn pixels per such a pixel
     void showLabels(const ViewCamera& camera, int height, double pixelRatio);
+    /// Takes the colors around the sample from the theme; terrain, contact and labels have to be
+    /// shown anew.
+    void showTheme();
     /// The picture is seen so from now on. @param aspect width over height of the view
     void aim(const ViewCamera& camera, double aspect);
 

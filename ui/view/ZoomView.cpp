@@ -1,5 +1,7 @@
 #include "ui/view/ZoomView.h"
 
+#include "ui/Theme.h"
+
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
@@ -40,6 +42,11 @@ ZoomView::ZoomView(QWidget* parent) : GestureWidget(parent), picture_(renderWind
     frameDue_.setSingleShot(true);
     frameDue_.setInterval(kFrameTime);
     connect(&frameDue_, &QTimer::timeout, this, &ZoomView::renderNow);
+    theme::follow(this, [this] {
+        picture_.showTheme();
+        terrainDue_ = true;
+        renderSoon();
+    });
 }
 
 ZoomView::~ZoomView() { makeCurrent(); }

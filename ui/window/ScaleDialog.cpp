@@ -83,7 +83,7 @@ QString shortened(const QString& name, const QWidget& label) {
 QLabel* newText(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
     label->setTextFormat(Qt::PlainText);
-    label->setMinimumWidth(kTextWidth);
+    label->setMinimumWidth(theme::scaled(kTextWidth));
     return label;
 }
 
@@ -171,7 +171,7 @@ void ScaleDialog::addHeight(QGridLayout& grid) {
 
 void ScaleDialog::addButtons(QGridLayout& grid) {
     for (LengthBox* const box : {sizeX_, sizeY_, height_}) {
-        box->setMinimumWidth(kBoxWidth);
+        box->setMinimumWidth(theme::scaled(kBoxWidth));
         guardFromWheel(*box);
     }
     const int row = grid.rowCount();

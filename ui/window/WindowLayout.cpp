@@ -1,5 +1,6 @@
 #include "ui/window/WindowLayout.h"
 
+#include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/window/CardColumn.h"
@@ -25,7 +26,7 @@ const QList<int> kRowShares{6500, 3500};
 
 CardColumn* newCards(QWidget* parent) {
     auto* cards = new CardColumn(parent);
-    cards->setMinimumWidth(kColumnMinimum);
+    cards->setMinimumWidth(theme::scaled(kColumnMinimum));
     return cards;
 }
 

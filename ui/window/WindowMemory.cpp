@@ -1,5 +1,6 @@
 #include "ui/window/WindowMemory.h"
 
+#include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/Maximizer.h"
@@ -11,6 +12,7 @@
 #include <QSplitter>
 #include <QVariantList>
 
+#include <array>
 #include <utility>
 
 namespace asperity {
@@ -21,6 +23,7 @@ const QString kGeometry = QStringLiteral("window/geometry");
 const QString kFolded = QStringLiteral("window/foldedPanels");
 const QString kShown = QStringLiteral("window/shown/");
 const QString kSplitter = QStringLiteral("window/splitter/");
+const QString kTheme = QStringLiteral("window/theme");
 const QString kOnTop = QStringLiteral("window/onTop/");
 
 /// A screen that has become smaller than the window, or has gone, must not hide parts of it.
@@ -38,6 +41,28 @@ void bringOnScreen(QWidget& window) {
     }
 }
 
+const std::array<std::pair<ThemeChoice, QString>, 3> kThemes{
+    {{ThemeChoice::Desktop, QStringLiteral("desktop")},
+     {ThemeChoice::Light, QStringLiteral("light")},
+     {ThemeChoice::Dark, QStringLiteral("dark")}}};
+
+void restoreTheme(const QSettings& settings) {
+    const QString kept = settings.value(kTheme).toString();
+    for (const auto& [choice, name] : kThemes) {
+        if (name == kept) {
+            theme::choose(choice);
+        }
+    }
+}
+
+void keepTheme(QSettings& settings) {
+    for (const auto& [choice, name] : kThemes) {
+        if (choice == theme::choice()) {
+            settings.setValue(kTheme, name);
+        }
+    }
+}
+
 }  // namespace
 
 WindowMemory::WindowMemory(MainWindow& window, std::unique_ptr<QSettings> settings)
@@ -51,6 +76,7 @@ WindowMemory::WindowMemory(MainWindow& window, std::unique_ptr<QSettings> settin
         card->setFolded(folded.contains(card->title()));
     }
     restoreLayout();
+    restoreTheme(*settings_);
 }
 
 void WindowMemory::restoreLayout() {
@@ -87,6 +113,7 @@ void WindowMemory::keepLayout() {
 
 WindowMemory::~WindowMemory() {
     keepLayout();
+    keepTheme(*settings_);
     QStringList folded;
     for (const Card* card : window_.cards()) {
         if (card->isFolded()) {

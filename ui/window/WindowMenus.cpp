@@ -1,5 +1,6 @@
 #include "ui/window/WindowMenus.h"
 
+#include "ui/window/ThemeMenu.h"
 #include "ui/window/ViewOptionsMenu.h"
 
 #include <QAction>
@@ -183,6 +184,7 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
     parameters->setShortcut(tr("F7"));
     menu->addSeparator();
     panels = menu->addMenu(tr("&Panels"));
+    new ThemeMenu(*menu->addMenu(tr("&Theme")));
 }
 
 void WindowMenus::addHelpMenu(QMenuBar& bar) {

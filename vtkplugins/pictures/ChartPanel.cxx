@@ -76,9 +76,11 @@ void setUpAxis(vtkAxis* axis, const ChartAxis& shown) {
         ticks->InsertNextValue(tick);
     }
     axis->SetCustomTickPositions(ticks);
-    axis->GetPen()->SetColor(palette::kMuted.red, palette::kMuted.green, palette::kMuted.blue);
+    axis->GetPen()->SetColor(kLightPalette.muted.red, kLightPalette.muted.green,
+                             kLightPalette.muted.blue);
     axis->GetPen()->SetWidth(1.2F * kDrawn);
-    axis->GetGridPen()->SetColor(palette::kFaint.red, palette::kFaint.green, palette::kFaint.blue);
+    axis->GetGridPen()->SetColor(kLightPalette.faint.red, kLightPalette.faint.green,
+                                 kLightPalette.faint.blue);
     axis->GetGridPen()->SetWidth(1.0F * kDrawn);
 }
 
@@ -118,7 +120,7 @@ std::vector<LegendEntry> ChartPanel::legend() const {
 }
 
 Color ChartPanel::colorOf(std::size_t curve) const {
-    return chart_.curves[curve].color.value_or(seriesColor(curve));
+    return chart_.curves[curve].color.value_or(seriesColor(kLightPalette, curve));
 }
 
 PixelPoint ChartPanel::pixelOf(double x, double y) const {

@@ -47,7 +47,7 @@ void drawColorBar(Painter& painter, const ColorBar& bar, const PixelRect& area) 
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const double part = (ticks[i] / scale.factor - bar.low) / (bar.high - bar.low);
         const double x = colors.left + std::clamp(part, 0.0, 1.0) * colors.width;
-        painter.line({{x, colors.bottom}, {x, colors.bottom - 6.0}}, {palette::kMuted, 1.0});
+        painter.line({{x, colors.bottom}, {x, colors.bottom - 6.0}}, {kLightPalette.muted, 1.0});
         painter.text({x, colors.bottom - 18.0}, labels[i], plain);
     }
 }

@@ -43,13 +43,13 @@ void check(const DeformationView& view) {
 
 std::vector<LegendEntry> legendOf(const DeformationView& view) {
     std::vector<LegendEntry> entries{
-        {palette::kTip, "tip, radius " + formatSi(view.tipRadius, "m")}};
+        {kLightPalette.tip, "tip, radius " + formatSi(view.tipRadius, "m")}};
     if (view.contactRadius > 0.0) {
         entries.push_back(
             {palette::kContact, "contact circle, radius " + formatSi(view.contactRadius, "m")});
     }
     if (!view.force.isZero(0.0)) {
-        entries.push_back({palette::kForce, "force on the tip"});
+        entries.push_back({kLightPalette.force, "force on the tip"});
     }
     return entries;
 }

@@ -146,7 +146,7 @@ void DeformationScene::addSample(vtkPolyData* surface) {
     solid_->AddActor(coloredSurface(shown, colors_));
     solid_->AddActor(blockWalls(shown, size, bottom_));
     const vtkSmartPointer<vtkActor> grid =
-        lines(drapedGrid(shown, size, kGridLines), palette::kInk, 0.7);
+        lines(drapedGrid(shown, size, kGridLines), kLightPalette.ink, 0.7);
     grid->GetProperty()->SetOpacity(0.35);
     solid_->AddActor(grid);
 }
@@ -173,9 +173,9 @@ void DeformationScene::addTip() {
     tip->Update();
     const vtkSmartPointer<vtkPolyData> shown =
         stretch_.apply(deformedTip(data_, outward_, tip->GetOutput()));
-    solid_->AddActor(lines(topEdge(tip->GetOutput(), stretch_), palette::kTip, 1.2));
+    solid_->AddActor(lines(topEdge(tip->GetOutput(), stretch_), kLightPalette.tip, 1.2));
     for (const bool back : {true, false}) {  // the far wall first: it shows through the near one
-        const vtkSmartPointer<vtkActor> wall = plainSurface(shown, palette::kTip);
+        const vtkSmartPointer<vtkActor> wall = plainSurface(shown, kLightPalette.tip);
         wall->GetProperty()->SetFrontfaceCulling(back ? 1 : 0);
         wall->GetProperty()->SetBackfaceCulling(back ? 0 : 1);
         wall->GetProperty()->SetOpacity(0.34);
@@ -216,7 +216,7 @@ void DeformationScene::addForce() {
     arrow->SetResolution(48);
     arrow->Update();
     if (arrow->GetOutput()->GetNumberOfPoints() > 0) {
-        through_->AddActor(plainSurface(arrow->GetOutput(), palette::kForce));
+        through_->AddActor(plainSurface(arrow->GetOutput(), kLightPalette.force));
     }
 }
 
@@ -241,7 +241,7 @@ void DeformationScene::addScaleBars() {
     const Vector3 start = leftEnd + outside;
     const Vector3 end = start + horizontalBar_ * along;
     horizontalBarAt_ = 0.5 * (start + end);
-    solid_->AddActor(lines(polyline({start, end}), palette::kInk, 3.0));
+    solid_->AddActor(lines(polyline({start, end}), kLightPalette.ink, 3.0));
 
     // Beside the rightmost lower corner.
     verticalBar_ = niceBelow(0.2 * width_ / stretch_.factor());
@@ -252,7 +252,7 @@ void DeformationScene::addScaleBars() {
     const Vector3 closest = corner + kLabelRoom * gap * right;
     const Vector3 top = closest + rise;
     verticalBarAt_ = top;
-    solid_->AddActor(lines(polyline({closest, top}), palette::kInk, 3.0));
+    solid_->AddActor(lines(polyline({closest, top}), kLightPalette.ink, 3.0));
 }
 
 void DeformationScene::paintLabels(Painter& painter) const {
@@ -267,7 +267,7 @@ void DeformationScene::paintLabels(Painter& painter) const {
     const double magnitude = data_.force.stableNorm();
     if (magnitude > 0.0) {
         painter.label(place(forceEnd_, 16.0, 0.0), formatSi(magnitude, "N"),
-                      {.size = 20.0, .bold = true, .color = palette::kForce}, area_);
+                      {.size = 20.0, .bold = true, .color = kLightPalette.force}, area_);
     }
 }
 

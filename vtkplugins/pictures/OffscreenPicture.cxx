@@ -53,7 +53,7 @@ OffscreenPicture::OffscreenPicture(PictureSize size) : size_(size) {
     window_->SetNumberOfLayers(kLayers);
 
     vtkRenderer* paper = addView({0.0, 0.0, double(size.width), double(size.height)}, 0);
-    paper->SetBackground(palette::kPaper.fractions().data());
+    paper->SetBackground(kLightPalette.paper.fractions().data());
     flat_ = addView({0.0, 0.0, double(size.width), double(size.height)}, kLayers - 1);
     flatActor_ = vtkSmartPointer<vtkContextActor>::New();
     flatActor_->GetScene()->SetRenderer(flat_);

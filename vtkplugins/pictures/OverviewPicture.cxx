@@ -14,15 +14,15 @@ namespace {
 std::vector<LegendEntry> legendOf(const OverviewView& view, bool hasFilled) {
     std::vector<LegendEntry> entries;
     if (view.tip) {
-        entries.push_back({palette::kMarker, "tip", LegendMark::Point});
+        entries.push_back({kLightPalette.marker, "tip", LegendMark::Point});
     }
     if (view.path.size() > 1) {
-        entries.push_back({palette::kPath, "path of the tip"});
+        entries.push_back({kLightPalette.path, "path of the tip"});
     }
     if (view.zoom) {
         const ScanWindow& zoom = *view.zoom;
-        entries.push_back({palette::kZoom, "zoom, " + formatSi(zoom.right - zoom.left, "m") +
-                                               " × " + formatSi(zoom.top - zoom.bottom, "m")});
+        entries.push_back({kLightPalette.zoom, "zoom, " + formatSi(zoom.right - zoom.left, "m") +
+                                                   " × " + formatSi(zoom.top - zoom.bottom, "m")});
     }
     if (hasFilled) {
         entries.push_back({palette::kNoData, "no data: filled in", LegendMark::Point});

@@ -109,7 +109,7 @@ std::vector<Vector3> OverviewScene::draped(double fromX, double fromY, double to
 void OverviewScene::addRimmedLine(vtkRenderer* view, const std::vector<Vector3>& points,
                                   const Color& color) {
     const vtkSmartPointer<vtkPolyData> line = polyline(points);
-    view->AddActor(lines(line, palette::kPaper, 4.4));
+    view->AddActor(lines(line, kLightPalette.paper, 4.4));
     view->AddActor(lines(line, color, 2.2));
 }
 
@@ -124,7 +124,7 @@ void OverviewScene::addZoomFrame() {
                              draped(zoom.left, zoom.top, zoom.left, zoom.bottom)}) {
         frame.insert(frame.end(), side.begin(), side.end());
     }
-    addRimmedLine(through_, frame, palette::kZoom);
+    addRimmedLine(through_, frame, kLightPalette.zoom);
 }
 
 void OverviewScene::addPath() {
@@ -133,7 +133,7 @@ void OverviewScene::addPath() {
     std::vector<Vector3> run;  // of neighboring points below the ceiling
     const auto finish = [this, &run] {
         if (run.size() > 1) {
-            addRimmedLine(solid_, run, palette::kPath);
+            addRimmedLine(solid_, run, kLightPalette.path);
         }
         run.clear();
     };
@@ -156,19 +156,19 @@ void OverviewScene::addPin() {
     const double y = data_.tip->y();
     const double arm = kCrossHair * side_;
     if (!data_.zoom) {  // whose frame shows the place already
-        addRimmedLine(through_, draped(x - arm, y, x + arm, y), palette::kMarker);
-        addRimmedLine(through_, draped(x, y - arm, x, y + arm), palette::kMarker);
+        addRimmedLine(through_, draped(x - arm, y, x + arm, y), kLightPalette.marker);
+        addRimmedLine(through_, draped(x, y - arm, x, y + arm), kLightPalette.marker);
     }
     const Vector3 closest(x, y, magnification_ * data_.surface.at(x, y).height);
     const Vector3 head = closest + kPinHeight * side_ * Vector3::UnitZ();
-    through_->AddActor(lines(polyline({closest, head}), palette::kMarker, 2.5));
+    through_->AddActor(lines(polyline({closest, head}), kLightPalette.marker, 2.5));
     vtkNew<vtkSphereSource> ball;
     ball->SetCenter(head.x(), head.y(), head.z());
     ball->SetRadius(kPinHead * side_);
     ball->SetThetaResolution(48);
     ball->SetPhiResolution(32);
     ball->Update();
-    through_->AddActor(plainSurface(ball->GetOutput(), palette::kMarker));
+    through_->AddActor(plainSurface(ball->GetOutput(), kLightPalette.marker));
 }
 
 void OverviewScene::addScaleBar() {
@@ -176,7 +176,7 @@ void OverviewScene::addScaleBar() {
     const Vector3 start(0.0, -0.04 * side_, bottom_);
     const Vector3 end = start + scaleBar_ * Vector3::UnitX();
     scaleBarAt_ = 0.5 * (start + end);
-    solid_->AddActor(lines(polyline({start, end}), palette::kInk, 3.0));
+    solid_->AddActor(lines(polyline({start, end}), kLightPalette.ink, 3.0));
 }
 
 void OverviewScene::paintLabels(Painter& painter) const {

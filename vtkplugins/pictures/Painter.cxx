@@ -90,7 +90,7 @@ void Painter::upright(const PixelPoint& at, const std::string& text, const TextS
 }
 
 void Painter::label(const PixelPoint& at, const std::string& text, const TextStyle& style,
-                    const PixelRect& bounds) {
+                    const PixelRect& bounds, const Color& plateColor) {
     const double width = textWidth(text, style) + style.size;
     const double height = style.size * 1.5;
     const double anchor = style.align == Align::Left     ? 0.0
@@ -99,7 +99,7 @@ void Painter::label(const PixelPoint& at, const std::string& text, const TextSty
     PixelRect plate{at.x - anchor * width, at.y - 0.5 * height, width, height};
     plate.left = std::max(bounds.left, std::min(plate.left, bounds.right() - width));
     plate.bottom = std::max(bounds.bottom, std::min(plate.bottom, bounds.top() - height));
-    fill(plate, palette::kPaper, kPlateOpacity / 255.0);
+    fill(plate, plateColor, kPlateOpacity / 255.0);
     TextStyle inside = style;
     inside.align = Align::Left;
     this->text({plate.left + 0.5 * style.size, plate.bottom + 0.5 * height}, text, inside);

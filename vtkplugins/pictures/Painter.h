@@ -34,12 +34,12 @@ enum class Align : std::uint8_t { Left, Center, Right };
 struct TextStyle {
     double size = 17.0;  ///< height of the font [pixel]
     bool bold = false;
-    Color color = palette::kInk;
+    Color color = kLightPalette.ink;
     Align align = Align::Left;
 };
 
 struct LineStyle {
-    Color color = palette::kInk;
+    Color color = kLightPalette.ink;
     double width = 1.5;  ///< [pixel]
     bool dashed = false;
 };
@@ -57,9 +57,9 @@ public:
     void text(const PixelPoint& at, const std::string& text, const TextStyle& style);
     /// Text that reads upwards, centerd at `at`.
     void upright(const PixelPoint& at, const std::string& text, const TextStyle& style);
-    /// Text on a light plate, readable over anything; the whole plate stays inside `bounds`.
+    /// Text on a plate, readable over anything; the whole plate stays inside `bounds`.
     void label(const PixelPoint& at, const std::string& text, const TextStyle& style,
-               const PixelRect& bounds);
+               const PixelRect& bounds, const Color& plateColor = kLightPalette.paper);
     [[nodiscard]] double textWidth(const std::string& text, const TextStyle& style);
 
     /// Words wrapped into the rectangle from its top; the font shrinks until all lines fit.

@@ -33,16 +33,68 @@ vtkSmartPointer<vtkLookupTable> tableThrough(std::span<const Color> anchors, dou
 
 }  // namespace
 
-Color seriesColor(std::size_t index) {
-    static constexpr std::array<Color, 7> kColors = {{{0, 114, 178},
-                                                      {213, 94, 0},
-                                                      {0, 158, 115},
-                                                      {204, 121, 167},
-                                                      {86, 180, 233},
-                                                      {230, 159, 0},
-                                                      {70, 70, 70}}};
-    return kColors.at(index % kColors.size());
-}
+// The curves have the colors of Okabe and Ito (2008).
+constexpr Palette kLightPalette{.paper = {255, 255, 255},
+                                .window = {243, 245, 247},
+                                .backdrop = {234, 237, 240},
+                                .ink = {31, 41, 51},
+                                .muted = {95, 107, 118},
+                                .faint = {216, 222, 228},
+                                .accent = {0, 108, 170},
+                                .wash = {232, 243, 250},
+                                .onAccent = {255, 255, 255},
+                                .fault = {186, 26, 46},
+                                .caution = {138, 80, 0},
+                                .refused = {251, 221, 221},
+                                .side = {178, 184, 191},
+                                .tip = {96, 112, 128},
+                                .tipBody = {186, 194, 203},
+                                .lever = {196, 202, 208},
+                                .force = {200, 40, 60},
+                                .marker = {222, 30, 90},
+                                .path = {31, 41, 51},
+                                .zoom = {213, 94, 0},
+                                .guide = {213, 94, 0},
+                                .commanded = {0, 114, 178},
+                                .trueTip = {0, 128, 92},
+                                .blue = {0, 114, 178},
+                                .orange = {213, 94, 0},
+                                .green = {0, 158, 115},
+                                .purple = {204, 121, 167},
+                                .sky = {86, 180, 233},
+                                .yellow = {230, 159, 0},
+                                .gray = {70, 70, 70}};
+
+constexpr Palette kDarkPalette{.paper = {30, 35, 41},
+                               .window = {20, 24, 29},
+                               .backdrop = {24, 28, 34},
+                               .ink = {226, 232, 238},
+                               .muted = {158, 170, 182},
+                               .faint = {62, 71, 81},
+                               .accent = {94, 180, 242},
+                               .wash = {32, 54, 73},
+                               .onAccent = {13, 22, 31},
+                               .fault = {255, 128, 128},
+                               .caution = {240, 182, 84},
+                               .refused = {84, 34, 40},
+                               .side = {88, 96, 106},
+                               .tip = {150, 166, 182},
+                               .tipBody = {186, 194, 203},
+                               .lever = {160, 168, 177},
+                               .force = {255, 112, 124},
+                               .marker = {255, 82, 140},
+                               .path = {226, 232, 238},
+                               .zoom = {255, 146, 64},
+                               .guide = {255, 146, 64},
+                               .commanded = {82, 168, 240},
+                               .trueTip = {70, 214, 160},
+                               .blue = {82, 168, 240},
+                               .orange = {255, 146, 64},
+                               .green = {52, 206, 150},
+                               .purple = {226, 150, 196},
+                               .sky = {150, 214, 255},
+                               .yellow = {246, 208, 92},
+                               .gray = {176, 182, 188}};
 
 vtkSmartPointer<vtkLookupTable> divergingTable(double limit) {
     return tableThrough(palette::kDiverging, -limit, limit);

@@ -11,25 +11,66 @@ class vtkLookupTable;
 
 namespace asperity {
 
+/// Colors by what they are for, of pictures and window. Text has a contrast of at least 4.5 : 1 to
+/// what is behind it, as WCAG 2.1 asks.
+/// @tparam Value Color, or what a toolkit paints with
+template <typename Value>
+struct PaletteOf {
+    Value paper;      ///< behind panels and plots
+    Value window;     ///< between the panels
+    Value backdrop;   ///< behind the live view
+    Value ink;        ///< text
+    Value muted;      ///< captions, axes
+    Value faint;      ///< frames, grids
+    Value accent;     ///< what is chosen or running
+    Value wash;       ///< behind what is chosen
+    Value onAccent;   ///< text upon the accent
+    Value fault;      ///< forces are off because of a fault; refused text
+    Value caution;    ///< a result holds with a reservation
+    Value refused;    ///< behind text that is refused
+    Value side;       ///< cut faces of a block of sample
+    Value tip;        ///< the AFM tip and cantilever, flat
+    Value tipBody;    ///< the tip as a lit solid
+    Value lever;      ///< its cantilever as a lit solid
+    Value force;      ///< forces
+    Value marker;     ///< the tip's place
+    Value path;       ///< the way the tip went
+    Value zoom;       ///< frame of the zoomed view
+    Value guide;      ///< what helps the device to hold a target
+    Value commanded;  ///< ghost of the tip without forces
+    Value trueTip;    ///< ghost of the tip where it really is
+
+    // Of curves, told apart with any color vision.
+    Value blue;
+    Value orange;
+    Value green;
+    Value purple;
+    Value sky;
+    Value yellow;
+    Value gray;
+};
+
+using Palette = PaletteOf<Color>;
+
+/// Ink on white paper: of pictures, and of the light window.
+extern const Palette kLightPalette;
+/// Light ink on dark paper: of the dark window. The hues of its curves are those of the light one.
+extern const Palette kDarkPalette;
+
+/// Color of the n-th curve.
+template <typename Value>
+[[nodiscard]] const Value& seriesColor(const PaletteOf<Value>& colors, std::size_t index) {
+    const std::array<const Value*, 7> all{&colors.blue,   &colors.orange, &colors.green,
+                                          &colors.purple, &colors.sky,    &colors.yellow,
+                                          &colors.gray};
+    return *all.at(index % all.size());
+}
+
+/// What lies on the colors of a surface, and is the same whatever is around them.
 namespace palette {
 
-inline constexpr Color kPaper{255, 255, 255};
-inline constexpr Color kInk{31, 41, 51};
-inline constexpr Color kMuted{95, 107, 118};
-inline constexpr Color kFaint{216, 222, 228};
-inline constexpr Color kSide{178, 184, 191};       ///< cut faces of a block of sample
-inline constexpr Color kBackdrop{234, 237, 240};   ///< behind the live view
-inline constexpr Color kTip{96, 112, 128};         ///< the AFM tip
-inline constexpr Color kTipBody{186, 194, 203};    ///< the same as a lit solid
-inline constexpr Color kLever{196, 202, 208};      ///< its cantilever
-inline constexpr Color kForce{200, 40, 60};        ///< forces
-inline constexpr Color kMarker{222, 30, 90};       ///< the tip's place
-inline constexpr Color kPath{31, 41, 51};          ///< the way the tip went
-inline constexpr Color kZoom{213, 94, 0};          ///< frame of the zoomed view
-inline constexpr Color kGuide{213, 94, 0};         ///< what helps the device to hold a target
 inline constexpr Color kContact{20, 20, 24};       ///< the edge of the contact
-inline constexpr Color kCommanded{0, 114, 178};    ///< ghost of the tip without forces
-inline constexpr Color kTrueTip{0, 128, 92};       ///< ghost of the tip where it really is
+inline constexpr Color kSurfaceLine{31, 41, 51};   ///< of a grid
 inline constexpr Color kNoData{150, 150, 150};     ///< of a surface where the scan holds no data
 inline constexpr Color kUndefined{206, 210, 214};  ///< where a quantity has no value
 
@@ -54,9 +95,6 @@ inline constexpr std::array<Color, 7> kDiverging = {{{179, 78, 8},
                                                      {14, 74, 134}}};
 
 }  // namespace palette
-
-/// Color of the n-th curve: told apart with any color vision. Source: Okabe and Ito (2008).
-[[nodiscard]] Color seriesColor(std::size_t index);
 
 /// Blue over near-white to orange, neutral at zero, over [-limit, limit]: what is pushed in is
 /// blue.

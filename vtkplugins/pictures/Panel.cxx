@@ -15,7 +15,7 @@ constexpr double kBelow = 12.0;
 
 constexpr double kLegendRow = 24.0;
 constexpr double kSwatch = 28.0;
-const TextStyle kLegendText{.size = 16.0, .color = palette::kMuted};
+const TextStyle kLegendText{.size = 16.0, .color = kLightPalette.muted};
 
 void paintMark(Painter& painter, const LegendEntry& entry, const PixelPoint& at) {
     if (entry.mark == LegendMark::Point) {
@@ -79,7 +79,7 @@ void ScenePanel::paint(Painter& painter, const PanelText& text) const {
     paintLegend(painter, text.legend, band(kTop + kTitle, kLegend));
     drawColorBar(painter, text.bar, band(barTop, kBar));
     painter.paragraph(band(barTop + kBar, kCaption), text.caption,
-                      {.size = 17.0, .color = palette::kMuted});
+                      {.size = 17.0, .color = kLightPalette.muted});
 }
 
 }  // namespace asperity

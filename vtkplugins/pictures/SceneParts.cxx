@@ -143,7 +143,7 @@ vtkSmartPointer<vtkPolyData> blockSides(vtkPolyData* surface, GridSize size, dou
 
 vtkSmartPointer<vtkActor> blockWalls(vtkPolyData* surface, GridSize size, double bottom) {
     vtkSmartPointer<vtkActor> actor =
-        plainSurface(blockSides(surface, size, bottom), palette::kSide);
+        plainSurface(blockSides(surface, size, bottom), kLightPalette.side);
     actor->GetProperty()->SetAmbient(kWallMatt.ambient);
     actor->GetProperty()->SetDiffuse(kWallMatt.diffuse);
     return actor;

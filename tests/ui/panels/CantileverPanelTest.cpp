@@ -23,7 +23,7 @@ TickSample tickOf(double time, const Vector3& force) {
 
 /// Mean row of the drawn beam's free end, from the top [px].
 double beamEndRow(const QImage& image) {
-    const QColor beam(theme::kTip);
+    const QColor beam(theme::colors().tip);
     double rows = 0.0;
     int count = 0;
     const int from = static_cast<int>(0.45 * image.width());
@@ -121,10 +121,10 @@ TEST(CantileverSketch, TheForceIsDrawnInRedAndOnlyWhenThereIsOne) {
     CantileverSketch sketch;
     sketch.resize(360, 90);
     sketch.setCantilever(kLever);
-    EXPECT_EQ(test::pixelsLike(sketch.grab().toImage(), QColor(theme::kForce)), 0);
+    EXPECT_EQ(test::pixelsLike(sketch.grab().toImage(), theme::colors().force), 0);
     const Vector3 force(0.0, 0.0, 20e-9);
     sketch.showForce(force, cantileverShape(kLever, force, kLever.geometry().length));
-    EXPECT_GT(test::pixelsLike(sketch.grab().toImage(), QColor(theme::kForce)), 20);
+    EXPECT_GT(test::pixelsLike(sketch.grab().toImage(), theme::colors().force), 20);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ CurvePlotSetup setupOf(ZeroLine zero) {
     return {.title = QStringLiteral("Force"),
             .unit = QStringLiteral("N"),
             .smallest = 1e-12,
-            .curves = {{QStringLiteral("Fx"), kFirst.rgb()}, {QStringLiteral("Fz"), kSecond.rgb()}},
+            .curves = {{QStringLiteral("Fx"), &ThemeColors::blue},
+                       {QStringLiteral("Fz"), &ThemeColors::orange}},
             .zero = zero};
 }
 
@@ -133,6 +134,22 @@ TEST(CurvePlot, LeavesOutValuesThatAreNotNumbers) {
     EXPECT_TRUE(plot.history(0).isEmpty());
     EXPECT_FALSE(plot.history(1).isEmpty());
     EXPECT_TRUE(std::isfinite(plot.valueRange().low));
+}
+
+TEST(CurvePlot, TakesTheColorsOfAnotherThemeWhileItIsShown) {
+    CurvePlot plot(setupOf(ZeroLine::Shown));
+    for (int i = 0; i < 100; ++i) {
+        plot.take(0.1 * i, {1e-9 * i, -1e-9 * i});
+    }
+    const QImage light = picture(plot);
+    theme::choose(ThemeChoice::Dark);
+    const QImage dark = picture(plot);
+    EXPECT_GT(test::pixelsLike(dark, toQColor(kDarkPalette.paper)), 20000);
+    EXPECT_EQ(test::pixelsLike(dark, toQColor(kLightPalette.paper)), 0);
+    EXPECT_GT(pixelsOfHue(dark, toQColor(kDarkPalette.blue)), 60);
+    EXPECT_TRUE(titleOf(plot).contains(theme::colors().blue.name()));
+    theme::choose(ThemeChoice::Desktop);
+    EXPECT_EQ(picture(plot), light);
 }
 
 }  // namespace

@@ -71,11 +71,11 @@ TEST_P(NumberBoxTest, RefusesTheRestVisibly) {
         QToolTip::hideText();
         type(box, text);
         const auto* line = box.findChild<QLineEdit*>();
-        EXPECT_EQ(line->palette().color(QPalette::Text).rgb(), theme::kFault) << text;
+        EXPECT_EQ(line->palette().color(QPalette::Text).rgb(), theme::colors().fault) << text;
         QTest::keyClick(&box, Qt::Key_Return);
         EXPECT_EQ(box.value(), 7.0) << text;
         EXPECT_EQ(box.text(), QStringLiteral("7 %"));
-        EXPECT_EQ(line->palette().color(QPalette::Text).rgb(), theme::kInk);
+        EXPECT_EQ(line->palette().color(QPalette::Text).rgb(), theme::colors().ink);
         EXPECT_TRUE(QToolTip::text().contains(QString::fromUtf8(text))) << text;
         EXPECT_TRUE(QToolTip::text().contains(QStringLiteral("from 0 to 100")));
     }
@@ -92,11 +92,11 @@ TEST_P(NumberBoxTest, SaysARefusalToWhoListensAndIsMarkedUntilTheNextLetter) {
     QTest::keyClick(&box, Qt::Key_Return);
     ASSERT_GE(refused.count(), 1);
     EXPECT_TRUE(refused.back()[0].toString().contains(QStringLiteral("“oops”")));
-    EXPECT_NE(paper(), theme::kPaper);
+    EXPECT_NE(paper(), theme::colors().paper);
     box.clearFocus();  // what is selected hides it
     EXPECT_GT(test::pixelsLike(box.grab().toImage(), QColor(paper())), 100) << "it is seen";
     type(box, "8");
-    EXPECT_EQ(paper(), theme::kPaper);
+    EXPECT_EQ(paper(), theme::colors().paper);
     QTest::keyClick(&box, Qt::Key_Return);
     EXPECT_EQ(box.value(), 8.0);
     type(box, std::string(500, 'x').c_str());

@@ -131,14 +131,14 @@ TEST(OverviewMap, MarksTheTipAndKeepsTheMarkInSightOutsideTheScan) {
     map.resize(400, 200);
     map.setSurface(wideSurface());
     const auto marked = [&map] {
-        return test::pixelsLike(map.grab().toImage(), QColor(theme::kMarker));
+        return test::pixelsLike(map.grab().toImage(), theme::colors().marker);
     };
     EXPECT_EQ(marked(), 0);
     map.showTip({128.0_nm, 64.0_nm});
     const int inside = marked();
     EXPECT_GT(inside, 30);
     const QPoint ring = map.toPixel({128.0_nm, 64.0_nm}).toPoint() + QPoint(5, 0);
-    EXPECT_LT(std::abs(map.grab().toImage().pixelColor(ring).red() - QColor(theme::kMarker).red()),
+    EXPECT_LT(std::abs(map.grab().toImage().pixelColor(ring).red() - theme::colors().marker.red()),
               40);
     map.showTip({900.0_nm, 64.0_nm});
     EXPECT_GT(marked(), inside / 4);
@@ -152,17 +152,17 @@ TEST(OverviewMap, DrawsTheZoomsFrameAndThePathWhereTheyAre) {
     map.setSurface(wideSurface());
     map.showFrame({100.0_nm, 20.0_nm, 60.0_nm, 40.0_nm});
     const QImage framed = map.grab().toImage();
-    EXPECT_GT(test::pixelsLike(framed, QColor(theme::kZoom)), 100);
+    EXPECT_GT(test::pixelsLike(framed, theme::colors().zoom), 100);
     const QPoint onEdge = map.toPixel({130.0_nm, 60.0_nm}).toPoint();
     int found = 0;
     for (int dy = -2; dy <= 2; ++dy) {
         found +=
-            test::pixelsLike(framed.copy(onEdge.x(), onEdge.y() + dy, 1, 1), QColor(theme::kZoom));
+            test::pixelsLike(framed.copy(onEdge.x(), onEdge.y() + dy, 1, 1), theme::colors().zoom);
     }
     EXPECT_GE(found, 1) << "its upper edge";
-    const int before = test::pixelsLike(framed, QColor(theme::kInk));
+    const int before = test::pixelsLike(framed, theme::colors().ink);
     map.showPath(QVector<QPointF>{{20.0_nm, 20.0_nm}, {240.0_nm, 110.0_nm}});
-    EXPECT_GT(test::pixelsLike(map.grab().toImage(), QColor(theme::kInk)), before + 50);
+    EXPECT_GT(test::pixelsLike(map.grab().toImage(), theme::colors().ink), before + 50);
 }
 
 TEST(OverviewMap, ASmallFrameIsSeenOutsideTheTipsMark) {
@@ -177,13 +177,13 @@ TEST(OverviewMap, ASmallFrameIsSeenOutsideTheTipsMark) {
     for (const QPoint& way : {QPoint(-1, -1), QPoint(-1, 1), QPoint(1, -1), QPoint(1, 1)}) {
         QRect outside(QPoint(), QSize(10, 10));
         outside.moveCenter(center + 14 * way);
-        EXPECT_GE(test::pixelsLike(image.copy(outside), QColor(theme::kZoom)), 8)
+        EXPECT_GE(test::pixelsLike(image.copy(outside), theme::colors().zoom), 8)
             << way.x() << ", " << way.y();
     }
     map.showFrame({middle.x() - 20.0_nm, middle.y() - 20.0_nm, 40.0_nm, 40.0_nm});
     const QImage large = map.grab().toImage();
     EXPECT_EQ(test::pixelsLike(large.copy(QRect(center - QPoint(18, 18), QSize(36, 36))),
-                               QColor(theme::kZoom)),
+                               theme::colors().zoom),
               0)
         << "no brackets in a frame that is large enough";
 }
@@ -196,8 +196,8 @@ TEST(OverviewMap, ANewSurfaceForgetsTheOldOnesMarks) {
     map.showFrame({100.0_nm, 20.0_nm, 60.0_nm, 40.0_nm});
     map.setSurface(wideSurface());
     const QImage image = map.grab().toImage();
-    EXPECT_EQ(test::pixelsLike(image, QColor(theme::kMarker)), 0);
-    EXPECT_EQ(test::pixelsLike(image, QColor(theme::kZoom)), 0);
+    EXPECT_EQ(test::pixelsLike(image, theme::colors().marker), 0);
+    EXPECT_EQ(test::pixelsLike(image, theme::colors().zoom), 0);
 }
 
 TEST(ReliefImage, IsAtMost512PixelsAndCoversTheHeights) {

@@ -259,7 +259,7 @@ TEST_F(ZoomViewTest, LeavesOutWhatCannotBeDrawn) {
 TEST_F(ZoomViewTest, IsEmptyWithoutAScene) {
     view->setScene(nullptr);
     const QImage picture = pictureOf(moments.deep);
-    const Color& backdrop = palette::kBackdrop;
+    const Color& backdrop = kLightPalette.backdrop;
     EXPECT_EQ(picture.pixelColor(picture.rect().center()),
               QColor(backdrop.red, backdrop.green, backdrop.blue));
     EXPECT_FALSE(view->window().has_value());

@@ -1,0 +1,132 @@
+#include "ui/window/ThemeMenu.h"
+
+#include "tests/support/ScratchFolder.h"
+#include "tests/support/TestScenes.h"
+#include "ui/Theme.h"
+#include "ui/panels/FidelityPanel.h"
+#include "ui/panels/ParameterPanel.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMemory.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QMenu>
+#include <QMenuBar>
+#include <QtTest>
+
+#include <gtest/gtest.h>
+
+namespace asperity::test {
+namespace {
+
+/// Share of pixels that are lighter than anything but letters and marks is on dark paper.
+double lightShare(const QImage& image) {
+    int light = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            light += image.pixelColor(x, y).lightness() > 150 ? 1 : 0;
+        }
+    }
+    return static_cast<double>(light) / (image.width() * image.height());
+}
+
+class ThemeMenuTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        theme::choose(ThemeChoice::Light);
+        window.showScene(&scene, QStringLiteral("a flat sample"));
+        window.resize(1280, 800);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    }
+    void TearDown() override { theme::choose(ThemeChoice::Desktop); }
+    QMenu& menu() {
+        for (QMenu* menu : window.menuBar()->findChildren<QMenu*>()) {
+            if (menu->title() == QStringLiteral("&Theme")) {
+                return *menu;
+            }
+        }
+        throw std::runtime_error("no menu for themes");
+    }
+    void choose(const char* title) {
+        for (QAction* entry : menu().actions()) {
+            if (entry->text() == QString::fromUtf8(title)) {
+                entry->trigger();
+            }
+        }
+        QTest::qWait(300);
+    }
+    static QImage pictureOf(QWidget& widget) {
+        widget.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&widget));
+        QTest::qWait(300);
+        return widget.grab().toImage();
+    }
+
+    Scene scene = buildScene(plainScene(), flatMap());
+    MainWindow window;
+};
+
+TEST_F(ThemeMenuTest, RepaintsAllWindowsWhileTheProgramRunsAndBackToTheSamePixels) {
+    for (QWidget* shown :
+         {static_cast<QWidget*>(&window), static_cast<QWidget*>(&window.fidelity()),
+          static_cast<QWidget*>(&window.parameters())}) {
+        const QImage before = pictureOf(*shown);
+        EXPECT_GT(lightShare(before), 0.6) << shown->windowTitle().toStdString();
+        choose("&Dark");
+        // The surface keeps its own colors.
+        EXPECT_LT(lightShare(pictureOf(*shown)), 0.15) << shown->windowTitle().toStdString();
+        choose("&Light");
+        EXPECT_EQ(pictureOf(*shown), before) << shown->windowTitle().toStdString();
+    }
+}
+
+TEST_F(ThemeMenuTest, TheLargeViewHasTheBackdropOfTheTheme) {
+    const auto corner = [this] {
+        QTest::qWait(300);
+        return window.view().grabFramebuffer().pixelColor(3, 3);
+    };
+    EXPECT_EQ(corner(), toQColor(kLightPalette.backdrop));
+    choose("&Dark");
+    EXPECT_EQ(corner(), toQColor(kDarkPalette.backdrop));
+}
+
+TEST_F(ThemeMenuTest, TheMenuMarksTheThemeThatIsChosen) {
+    const auto checked = [this] {
+        Q_EMIT menu().aboutToShow();
+        QStringList checked;
+        for (const QAction* entry : menu().actions()) {
+            if (entry->isChecked()) {
+                checked << entry->text();
+            }
+        }
+        return checked;
+    };
+    EXPECT_EQ(checked(), QStringList("&Light"));
+    theme::choose(ThemeChoice::Dark);
+    EXPECT_EQ(checked(), QStringList("&Dark"));
+    theme::choose(ThemeChoice::Desktop);
+    EXPECT_EQ(checked(), QStringList("&As the desktop"));
+}
+
+TEST_F(ThemeMenuTest, TheThemeIsRememberedByTheNextSession) {
+    const ScratchFolder folder;
+    const auto settings = [&] {
+        return std::make_unique<QSettings>(QString::fromStdString(folder.file("a.ini").string()),
+                                           QSettings::IniFormat);
+    };
+    {
+        const WindowMemory memory(window, settings());
+        choose("&Dark");
+    }
+    theme::choose(ThemeChoice::Desktop);
+    ASSERT_FALSE(theme::isDark());
+    const WindowMemory memory(window, settings());
+    EXPECT_EQ(theme::choice(), ThemeChoice::Dark);
+    EXPECT_TRUE(theme::isDark());
+}
+
+}  // namespace
+}  // namespace asperity::test
