@@ -46,6 +46,9 @@ CantileverPanel::CantileverPanel(QWidget* parent)
     , lengthScale_("m", kMinLength)
     , sketch_(new CantileverSketch(this))
     , plot_(new CurvePlot(angleSetup(), this)) {
+    sketch_->setToolTip(tr("The cantilever from its side and from its free end, bent and twisted "
+                           "by the estimated force, enlarged as stated; dashed: without force"));
+    plot_->setToolTip(tr("Measured bending and torsion of the free end over the last 10 s"));
     buildNumbers();
     body().addWidget(sketch_, 4);
     body().addWidget(plot_, 5);
@@ -63,14 +66,28 @@ void CantileverPanel::buildNumbers() {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(1);
-    grid->addWidget(captionLabel(tr("bending"), this), 0, 0);
-    grid->addWidget(bending_, 0, 1);
-    grid->addWidget(captionLabel(tr("torsion"), this), 1, 0);
-    grid->addWidget(torsion_, 1, 1);
-    grid->addWidget(captionLabel(tr("deflection z"), this), 0, 3);
-    grid->addWidget(deflection_, 0, 4);
-    grid->addWidget(captionLabel(tr("sideways"), this), 1, 3);
-    grid->addWidget(lateral_, 1, 4);
+    struct Cell {
+        QLabel* value;
+        QString caption;
+        QString meaning;
+        int row;
+        int column;
+    };
+    for (const Cell& cell :
+         {Cell{bending_, tr("bending"), tr("Measured angle by which the free end is bent"), 0, 0},
+          Cell{torsion_, tr("torsion"), tr("Measured angle by which the free end is twisted"), 1,
+               0},
+          Cell{deflection_, tr("deflection z"),
+               tr("Displacement of the tip along z of the cantilever by the estimated force"), 0,
+               3},
+          Cell{lateral_, tr("sideways"),
+               tr("Displacement of the tip across the cantilever by the estimated force"), 1, 3}}) {
+        auto* caption = captionLabel(cell.caption, this);
+        caption->setToolTip(cell.meaning);
+        cell.value->setToolTip(cell.meaning);
+        grid->addWidget(caption, cell.row, cell.column);
+        grid->addWidget(cell.value, cell.row, cell.column + 1);
+    }
     grid->setColumnStretch(2, 1);
     body().addLayout(grid);
 }

@@ -36,7 +36,15 @@ ColorBarWidget::ColorBarWidget(QWidget* parent) : QWidget(parent) {
 
 void ColorBarWidget::setScale(const ColorScale& scale) {
     scale_ = scale;
+    setToolTip(scale_.colors.empty()
+                   ? QString()
+                   : tr("Color scale: %1, %2 to %3")
+                         .arg(scale_.quantity, text(scale_.low), text(scale_.high)));
     update();
+}
+
+QString ColorBarWidget::text(double value) const {
+    return QString::fromStdString(formatSi(value, scale_.unit.toUtf8().constData()));
 }
 
 QString ColorBarWidget::heading() const {

@@ -22,6 +22,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    [[nodiscard]] QString text(double value) const;
     void drawBar(QPainter& painter, const QRectF& bar) const;
     void drawTicks(QPainter& painter, const QRectF& bar) const;
 

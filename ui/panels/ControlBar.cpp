@@ -34,6 +34,7 @@ void addWithCaption(FlowLayout& bar, const QString& caption, const QList<QWidget
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(1);
     column->addWidget(captionLabel(caption, group));
+    group->setToolTip(widgets.front()->toolTip());
     auto* row = new QHBoxLayout;
     row->setSpacing(3);
     for (QWidget* widget : widgets) {
@@ -74,8 +75,11 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new FlowLayout(t
     forces_->setToolTip(tr("Switch the forces on the device on or off"));
     addSeparator(*row_);
     material_ = addCombo("material", tr("Material"));
+    material_->setToolTip(tr("Sample material; another one restarts the run at this position"));
     device_ = addCombo("hand", tr("Device"));
+    device_->setToolTip(tr("What moves the base of the cantilever"));
     path_ = addCombo("path", tr("Path"));
+    path_->setToolTip(tr("What the device Scripted path does"));
     addKnobs();
     row_->addStretch();
     record_ = addButton("record", tr("Recording"));

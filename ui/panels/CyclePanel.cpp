@@ -27,6 +27,8 @@ CyclePanel::CyclePanel(QWidget* parent)
     , axis_(new QComboBox(this))
     , plot_(new ForceDistancePlot(this))
     , table_(new CycleTable(this)) {
+    plot_->setToolTip(tr("Estimated normal force over distance in the last cycles, positive: "
+                         "repulsive; a ring marks the pull-off"));
     older_.reserve(kMaxOlder + 1);
     buildHeading();
     auto* column = new QVBoxLayout(this);

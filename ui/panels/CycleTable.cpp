@@ -77,6 +77,7 @@ QString explanation() {
 CycleTable::CycleTable(QWidget* parent) : QWidget(parent) {
     setFont(theme::textFont(theme::kSmallSize));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);  // the plot has the rest
+    setToolTip(explanation());
 }
 
 void CycleTable::setRows(const std::vector<CycleRow>& newestFirst) {
@@ -175,7 +176,7 @@ bool CycleTable::event(QEvent* event) {
     }
     const auto* const help = static_cast<QHelpEvent*>(event);
     const int row = help->pos().y() / lineHeight() - 1;
-    QToolTip::showText(help->globalPos(), row >= 0 && row < rows() ? details(row) : explanation(),
+    QToolTip::showText(help->globalPos(), row >= 0 && row < rows() ? details(row) : toolTip(),
                        this);
     return true;
 }

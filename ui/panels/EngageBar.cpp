@@ -38,13 +38,15 @@ EngageBar::EngageBar(QWidget* parent)
     , engage_(newButton("engage", tr("Engage"), {}, this))
     , withdraw_(newButton("withdraw", tr("Withdraw"), tr("Rise out of the sample's reach"), this)) {
     setpoint_->setObjectName(QStringLiteral("setpoint"));
-    setpoint_->setToolTip(tr("Force along z at which an approach ends"));
+    setpoint_->setToolTip(tr("Force along z at which an approach ends [nN]"));
     setpoint_->setFixedSize(theme::scaled(kSetpointWidth), theme::scaled(kControlHeight));
     guardFromWheel(*setpoint_);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(kSpace, 0, kSpace, 0);
     row->setSpacing(kSpace);
-    row->addWidget(captionLabel(tr("Setpoint [nN]"), this));
+    auto* caption = captionLabel(tr("Setpoint [nN]"), this);
+    caption->setToolTip(setpoint_->toolTip());
+    row->addWidget(caption);
     row->addWidget(setpoint_);
     row->addWidget(engage_);
     row->addWidget(withdraw_);

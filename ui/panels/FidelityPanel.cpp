@@ -74,6 +74,11 @@ FidelityPanel::FidelityPanel(QWidget* parent)
     tolerance_->setObjectName(QStringLiteral("tolerance"));
     automatic_->setObjectName(QStringLiteral("allAutomatic"));
     measure_->setObjectName(QStringLiteral("measure"));
+    refuseMeasuring({});
+    summary_->setToolTip(tr("Error and computing time of the model options that are in use"));
+    chart_->setToolTip(tr("Median time of a tick and force error of each model option"));
+    key_->setToolTip(tr("The numbered points: no other option is both faster and more accurate"));
+    terms_->setToolTip(tr("Terms of the model: on or off, and what leaving one out changes"));
     key_->setObjectName(QStringLiteral("chartKey"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kGap, kGap, kGap, kGap);
@@ -170,7 +175,9 @@ void FidelityPanel::showTradeOff(const std::optional<TradeOff>& study) {
 
 void FidelityPanel::refuseMeasuring(const QString& reason) {
     measure_->setEnabled(reason.isEmpty());
-    measure_->setToolTip(reason);
+    measure_->setToolTip(reason.isEmpty()
+                             ? tr("Measure time and force error of each model option on this scene")
+                             : reason);
 }
 
 void FidelityPanel::setMeasuring(std::optional<double> fraction) {

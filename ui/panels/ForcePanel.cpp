@@ -109,7 +109,10 @@ void ForcePanel::buildNumbers() {
 /// One of two pages, chosen in the heading: no height is lost to tabs.
 void ForcePanel::buildCurves() {
     forcePlot_->setObjectName(QStringLiteral("forcePlot"));
+    forcePlot_->setToolTip(
+        tr("Estimated force on the tip over the last 10 s; z points out of the sample"));
     heightPlot_->setObjectName(QStringLiteral("heightPlot"));
+    heightPlot_->setToolTip(tr("Height z of the tip's apex in the scan over the last 10 s"));
     auto* overTime = new QWidget(this);
     auto* column = new QVBoxLayout(overTime);
     column->setContentsMargins(0, 0, 0, 0);
@@ -122,6 +125,8 @@ void ForcePanel::buildCurves() {
     tabs_->setObjectName(QStringLiteral("curveTabs"));
     tabs_->addTab(tr("vs. distance"));
     tabs_->addTab(tr("vs. time"));
+    tabs_->setTabToolTip(0, tr("Force–distance curves of the last approaches and retracts"));
+    tabs_->setTabToolTip(1, tr("Force and height of the tip over the last 10 s"));
     tabs_->setFont(theme::textFont(theme::kSmallSize));
     tabs_->setDrawBase(false);
     tabs_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
@@ -154,7 +159,11 @@ void ForcePanel::buildForces(QGridLayout& grid) {
         grid.addWidget(sigma_.at(axis), row, 2);
     }
     magnitude_ = valueLabel(QStringLiteral("forceMagnitude"), QStringLiteral("-88.88 µN"), this);
-    grid.addWidget(captionLabel(QStringLiteral("|F|"), this), 3, 0);
+    auto* caption = captionLabel(QStringLiteral("|F|"), this);
+    for (QLabel* const label : {caption, magnitude_}) {
+        label->setToolTip(tr("Magnitude of the estimated force on the tip"));
+    }
+    grid.addWidget(caption, 3, 0);
     grid.addWidget(magnitude_, 3, 1);
 }
 
@@ -163,7 +172,13 @@ void ForcePanel::buildPosition(QGridLayout& grid) {
         const int row = static_cast<int>(axis);
         tip_.at(axis) =
             valueLabel(QStringLiteral("tip") + kAxes.at(axis), QStringLiteral("-88.8888 µm"), this);
-        grid.addWidget(captionLabel(kAxes.at(axis).toLower(), this), row, 4);
+        auto* caption = captionLabel(kAxes.at(axis).toLower(), this);
+        for (QLabel* const label : {caption, tip_.at(axis)}) {
+            label->setToolTip(
+                tr("Position of the tip's apex in the scan: x to the right, y up from "
+                   "the lower left corner, z out of the sample"));
+        }
+        grid.addWidget(caption, row, 4);
         grid.addWidget(tip_.at(axis), row, 5);
     }
 }
@@ -183,7 +198,12 @@ void ForcePanel::buildContact(QGridLayout& grid) {
     distance_->setToolTip(meaning);
     grid.addWidget(distanceName_, 0, 7, Qt::AlignRight);
     grid.addWidget(distance_, 1, 7, Qt::AlignRight);
-    grid.addWidget(captionLabel(tr("contact radius"), this), 2, 7, Qt::AlignRight);
+    auto* caption = captionLabel(tr("contact radius"), this);
+    for (QLabel* const label : {caption, contactRadius_}) {
+        label->setToolTip(tr("Radius of the circle in which tip and sample touch, as the contact "
+                             "law has it"));
+    }
+    grid.addWidget(caption, 2, 7, Qt::AlignRight);
     grid.addWidget(contactRadius_, 3, 7, Qt::AlignRight);
 }
 

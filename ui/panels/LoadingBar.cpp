@@ -23,6 +23,7 @@ LoadingBar::LoadingBar(QWidget* parent)
     words_->setObjectName(QStringLiteral("loadingWords"));
     words_->setTextFormat(Qt::PlainText);
     bar_->setObjectName(QStringLiteral("loadingBar"));
+    setToolTip(tr("How much of the file is read and checked"));
     bar_->setRange(0, kWhole);
     bar_->setFixedHeight(theme::scaled(kBarHeight));
     bar_->setFont(theme::textFont(theme::kSmallSize));

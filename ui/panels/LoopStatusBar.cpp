@@ -29,27 +29,38 @@ LoopStatusBar::LoopStatusBar(QWidget* parent) : QWidget(parent) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 1, 8, 1);
     layout->setSpacing(4);
-    rate_ = addItem("rate", tr("loop"), QStringLiteral("10,000 Hz"));
-    tickTime_ = addItem("tickTime", tr("tick p50 / p99"), QStringLiteral("88.8 µs / 88.8 µs"));
-    lateness_ = addItem("lateness", tr("late p99"), QStringLiteral("88.8 µs"));
-    overruns_ = addItem("overruns", tr("overruns"), QStringLiteral("88,888"));
-    lost_ = addItem("lost", tr("lost"), QStringLiteral("88,888"));
-    ticks_ = addItem("ticks", tr("ticks"), QStringLiteral("88,888,888"));
-    frames_ = addItem("frames", tr("frames/s"), QStringLiteral("88.8"));
+    rate_ = addItem("rate", tr("Ticks a second that the loop is asked for"), tr("loop"),
+                    QStringLiteral("10,000 Hz"));
+    tickTime_ = addItem("tickTime", tr("Computing time of a tick: median and 99th percentile"),
+                        tr("tick p50 / p99"), QStringLiteral("88.8 µs / 88.8 µs"));
+    lateness_ = addItem("lateness", tr("How late a tick begins: 99th percentile"), tr("late p99"),
+                        QStringLiteral("88.8 µs"));
+    overruns_ = addItem("overruns", tr("Ticks that ended after the next one should have begun"),
+                        tr("overruns"), QStringLiteral("88,888"));
+    lost_ = addItem("lost", tr("Ticks that the window did not fetch in time: missing in curves"),
+                    tr("lost"), QStringLiteral("88,888"));
+    ticks_ = addItem("ticks", tr("Ticks since the run began"), tr("ticks"),
+                     QStringLiteral("88,888,888"));
+    frames_ = addItem("frames", tr("Pictures of the large view a second"), tr("frames/s"),
+                      QStringLiteral("88.8"));
     layout->addStretch(1);
     scheduling_ = captionLabel(QString(), this);
     scheduling_->setObjectName(QStringLiteral("scheduling"));
+    scheduling_->setToolTip(tr("How the system schedules the loop's thread"));
     layout->addWidget(scheduling_);
     clear();
 }
 
-QLabel* LoopStatusBar::addItem(const char* objectName, const QString& caption,
-                               const QString& widest) {
+QLabel* LoopStatusBar::addItem(const char* objectName, const QString& meaning,
+                               const QString& caption, const QString& widest) {
     auto* value = valueLabel(QString::fromUtf8(objectName), widest, this);
     value->setFont(theme::textFont(theme::kSmallSize));
     value->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     auto* row = static_cast<QHBoxLayout*>(layout());
-    row->addWidget(captionLabel(caption, this));
+    auto* name = captionLabel(caption, this);
+    name->setToolTip(meaning);
+    value->setToolTip(meaning);
+    row->addWidget(name);
     row->addWidget(value);
     row->addSpacing(6);
     return value;

@@ -21,7 +21,8 @@ public:
     using QWidget::show;
 
 private:
-    QLabel* addItem(const char* objectName, const QString& caption, const QString& widest);
+    QLabel* addItem(const char* objectName, const QString& meaning, const QString& caption,
+                    const QString& widest);
 
     QLabel* rate_;
     QLabel* ticks_;

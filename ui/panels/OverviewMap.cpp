@@ -115,7 +115,8 @@ bool OverviewMap::event(QEvent* event) {
         return QWidget::event(event);
     }
     const auto* help = static_cast<QHelpEvent*>(event);
-    QToolTip::showText(help->globalPos(), toolTipAt(help->pos()), this);
+    const QString there = toolTipAt(help->pos());
+    QToolTip::showText(help->globalPos(), there.isEmpty() ? toolTip() : there, this);
     return true;
 }
 

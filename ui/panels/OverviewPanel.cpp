@@ -64,6 +64,7 @@ OverviewPanel::OverviewPanel(QWidget* parent)
     side->setSpacing(3);
     colorBar_->setFixedWidth(theme::scaled(kSideWidth));
     side->addWidget(colorBar_);
+    map_->setToolTip(tr("The whole scan from above, colored by height; double click: go there"));
     side->addSpacing(6);
     addLegend(*side);
     side->addSpacing(6);

@@ -87,6 +87,8 @@ void TermTable::addRow(int row) {
     auto* combo = new QComboBox(this);
     combo->setObjectName(QString::fromUtf8(nameOf(term)));
     combo->setEnabled(false);
+    combo->setToolTip(
+        tr("Whether %1 is in the model; auto: as the scene needs it").arg(coreWords(nameOf(term))));
     combo->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     guardFromWheel(*combo);
     // activated() comes from people only.

@@ -306,7 +306,7 @@ bool TradeOffChart::eventFilter(QObject* watched, QEvent* event) {
     } else if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const int index = nearest(help->pos());
-        QToolTip::showText(help->globalPos(), index < 0 ? QString() : textOf(index));
+        QToolTip::showText(help->globalPos(), index < 0 ? toolTip() : textOf(index));
         return true;
     }
     return QWidget::eventFilter(watched, event);

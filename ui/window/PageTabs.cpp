@@ -34,7 +34,7 @@ void PageTabs::addPage(QWidget* panel, const QString& title, bool shownAtFirst) 
     page.area->hide();
     pages_.push_back(page);
     if (shownAtFirst) {
-        addTab(page.area, title);
+        setTabToolTip(addTab(page.area, title), toolTipOf(page));
     }
     settle();
     Q_EMIT pageAdded();
@@ -62,6 +62,11 @@ int PageTabs::placeOf(const Page& page) const {
     return place;
 }
 
+QString PageTabs::toolTipOf(const Page& page) {
+    const QString& own = page.panel->toolTip();
+    return (own.isEmpty() ? page.title : own) + tr("\nDouble click: enlarge");
+}
+
 bool PageTabs::isShown(const QWidget* panel) const { return indexOf(pageOf(panel).area) >= 0; }
 
 void PageTabs::setShown(const QWidget* panel, bool shown) {
@@ -69,6 +74,7 @@ void PageTabs::setShown(const QWidget* panel, bool shown) {
     const int index = indexOf(page.area);
     if (shown && index < 0) {
         insertTab(placeOf(page), page.area, page.title);
+        setTabToolTip(placeOf(page), toolTipOf(page));
     } else if (!shown && index >= 0) {
         removeTab(index);
     }

@@ -52,6 +52,7 @@ Q_SIGNALS:
 private:
     [[nodiscard]] const Page& pageOf(const QWidget* panel) const;
     [[nodiscard]] int placeOf(const Page& page) const;
+    [[nodiscard]] static QString toolTipOf(const Page& page);
     void settle();
 
     std::vector<Page> pages_;

@@ -139,6 +139,10 @@ void ScaleDialog::addSize(QGridLayout& grid) {
     square_->setObjectName(QStringLiteral("squarePixels"));
     pixel_->setObjectName(QStringLiteral("pixelSize"));
     square_->setChecked(true);
+    sizeX_->setToolTip(tr("Length of the whole scan along x, the fast axis"));
+    sizeY_->setToolTip(tr("Length of the whole scan along y, the slow axis"));
+    sizeUnit_->setToolTip(tr("Unit of both lengths"));
+    pixel_->setToolTip(tr("Distance of neighboring pixels along x and y"));
     square_->setToolTip(tr("One side follows from the other by the numbers of pixels"));
     QLabel* x = captionLabel(tr("Scan size along x"), this);
     QLabel* y = captionLabel(tr("Scan size along y"), this);
@@ -159,6 +163,8 @@ void ScaleDialog::addSize(QGridLayout& grid) {
 void ScaleDialog::addHeight(QGridLayout& grid) {
     height_->setObjectName(QStringLiteral("heightPerValue"));
     heightUnit_->setObjectName(QStringLiteral("heightUnit"));
+    height_->setToolTip(tr("Height that one unit of the file's values stands for"));
+    heightUnit_->setToolTip(tr("Unit of this height"));
     QLabel* caption = captionLabel(tr("A value of 1 is a height of"), this);
     const int row = grid.rowCount();
     grid.addWidget(caption, row, 0);
@@ -184,6 +190,7 @@ void ScaleDialog::addButtons(QGridLayout& grid) {
     }
     ok_ = buttons->button(QDialogButtonBox::Ok);
     ok_->setToolTip(tr("Open the scan with this scale"));
+    buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Open nothing"));
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
         accept();
         Q_EMIT given(scale());

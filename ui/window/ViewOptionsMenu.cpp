@@ -33,13 +33,17 @@ private:
 ViewOptionsMenu::ViewOptionsMenu(QMenu& menu) : QObject(&menu) {
     addHeightScales(*menu.addMenu(tr("&Height scale")));
     addLights(*menu.addMenu(tr("&Light")));
-    addSwitch(menu, tr("&Axes"), &ViewOptions::axes);
-    addSwitch(menu, tr("&Scale bars"), &ViewOptions::scaleBars);
-    addSwitch(menu, tr("&Grid"), &ViewOptions::grid);
-    addSwitch(menu, tr("S&ection through the tip"), &ViewOptions::section);
+    addSwitch(menu, tr("&Axes"), &ViewOptions::axes)
+        ->setToolTip(tr("x and y in the scan, with units, along the edges of the block"));
+    addSwitch(menu, tr("&Scale bars"), &ViewOptions::scaleBars)
+        ->setToolTip(tr("Lengths across and along z in the corner of the view"));
+    addSwitch(menu, tr("&Grid"), &ViewOptions::grid)
+        ->setToolTip(tr("Lines of equal x and y on the surface"));
+    addSwitch(menu, tr("S&ection through the tip"), &ViewOptions::section)
+        ->setToolTip(tr("Cut the sample at the tip and look at the cut"));
 }
 
-void ViewOptionsMenu::addSwitch(QMenu& menu, const QString& text, bool ViewOptions::*option) {
+QAction* ViewOptionsMenu::addSwitch(QMenu& menu, const QString& text, bool ViewOptions::*option) {
     QAction* action = menu.addAction(text);
     action->setCheckable(true);
     action->setChecked(options_.*option);
@@ -47,9 +51,11 @@ void ViewOptionsMenu::addSwitch(QMenu& menu, const QString& text, bool ViewOptio
         options_.*option = on;
         Q_EMIT optionsChosen(options_);
     });
+    return action;
 }
 
 void ViewOptionsMenu::addHeightScales(QMenu& menu) {
+    menu.setToolTipsVisible(true);
     Choices choices(menu);
     for (const int factor : {1, 2, 5, 10, 20}) {
         const QString text = factor == 1 ? tr("True to scale") : QStringLiteral("×%1").arg(factor);
@@ -58,10 +64,13 @@ void ViewOptionsMenu::addHeightScales(QMenu& menu) {
             Q_EMIT optionsChosen(options_);
         });
         action->setChecked(factor == 1);
+        action->setToolTip(factor == 1 ? tr("One scale in all directions")
+                                       : tr("All heights drawn %1 times as large").arg(factor));
     }
 }
 
 void ViewOptionsMenu::addLights(QMenu& menu) {
+    menu.setToolTipsVisible(true);
     Choices choices(menu);
     const auto add = [&](const QString& text, const Light& light) {
         QAction* action = choices.add(text, [this, light] {
@@ -69,6 +78,7 @@ void ViewOptionsMenu::addLights(QMenu& menu) {
             Q_EMIT optionsChosen(options_);
         });
         action->setChecked(light == options_.light);
+        action->setToolTip(tr("Direction from which the light falls on the surface"));
     };
     add(tr("From the upper left"), {});
     add(tr("From the upper right"), {.azimuth = 48.0});

@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+class QAction;
 class QMenu;
 
 namespace asperity {
@@ -20,7 +21,7 @@ Q_SIGNALS:
     void optionsChosen(ViewOptions options);
 
 private:
-    void addSwitch(QMenu& menu, const QString& text, bool ViewOptions::*option);
+    QAction* addSwitch(QMenu& menu, const QString& text, bool ViewOptions::*option);
     void addHeightScales(QMenu& menu);
     void addLights(QMenu& menu);
 

@@ -49,6 +49,9 @@ void ViewSide::addBottomLine() {
     auto* hint = new QLabel(this);
     hint->setObjectName(QStringLiteral("hint"));
     hint->setAlignment(Qt::AlignCenter);
+    hint->setToolTip(tr("What the mouse does in the large view; keys: Help > Mouse and keys"));
+    parts_.view->setAccessibleDescription(
+        tr("The sample around the tip, the tip and the force on it, in three dimensions"));
     bottomLine_ = new QStackedLayout;
     bottomLine_->addWidget(hint);
     bottomLine_->addWidget(parts_.loading);

@@ -8,6 +8,9 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <initializer_list>
+#include <utility>
+
 namespace asperity {
 
 namespace {
@@ -35,6 +38,38 @@ WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
     addDeviceMenu(bar);
     addViewMenu(bar);
     addHelpMenu(bar);
+    explainAll();
+}
+
+/// What each entry does; those that others explain are not named here.
+void WindowMenus::explainAll() {
+    const std::initializer_list<std::pair<QAction*, QString>> tips{
+        {open, tr("Open a height-map file or a scene")},
+        {cancelLoading, tr("Stop loading; the scene stays as it is")},
+        {savePicture, tr("Save the whole window as a picture")},
+        {record, tr("Write every tick to a folder, until it is chosen again")},
+        {saveLastSeconds, tr("Save the last 10 s of the run as a recording")},
+        {quit, tr("End the run and close the window")},
+        {startPause, tr("Start the run, or pause it")},
+        {forcesOff, tr("Switch the forces on the device off")},
+        {resetFault, tr("Reset the fault: forces act again")},
+        {followPathFile, tr("Move the base along a path from a CSV file")},
+        {followRecording, tr("Move the base as in a recorded run")},
+        {calibrate, tr("Set the zero of the device's angles")},
+        {zoomIn, tr("Show a smaller part of the scan")},
+        {zoomOut, tr("Show a larger part of the scan")},
+        {resetView, tr("Direction and width as at first")},
+        {fidelity, tr("Terms of the model with their errors and costs")},
+        {parameters, tr("Tip radius, spring constant and material of the scene")},
+        {controls, tr("What mouse and keys do")},
+        {about, tr("Version, purpose and license")}};
+    for (const auto& [entry, tip] : tips) {
+        explain(*entry, tip);
+    }
+    for (const auto& [kind, entry] : guides_) {
+        explain(*entry, kind == FixtureKind::None ? tr("No guide")
+                                                  : tr("Help the device to hold this place"));
+    }
 }
 
 void WindowMenus::addFileMenu(QMenuBar& bar) {
@@ -43,6 +78,7 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     open->setShortcut(QKeySequence::Open);
     channels_ = menu->addMenu(tr("C&hannel"));
     channels_->setObjectName(QStringLiteral("channels"));
+    channels_->setToolTipsVisible(true);
     setChannels({}, {});
     cancelLoading = menu->addAction(tr("&Cancel loading"));
     savePicture = menu->addAction(tr("&Save picture of the window…"));
@@ -142,6 +178,7 @@ void WindowMenus::setChannels(const QStringList& names, const QString& present) 
         entry->setCheckable(true);
         entry->setChecked(name == present);
         channels_->addAction(entry);
+        entry->setToolTip(tr("Open the channel “%1” of the file").arg(name.toHtmlEscaped()));
         connect(entry, &QAction::triggered, this, [this, name] { Q_EMIT channelChosen(name); });
     }
     refuse(*channels_->menuAction(),
@@ -167,7 +204,7 @@ void WindowMenus::refuseGuides(const QString& reason) {
 }
 
 void WindowMenus::addViewMenu(QMenuBar& bar) {
-    QMenu* menu = bar.addMenu(tr("&View"));
+    QMenu* menu = addMenu(bar, tr("&View"));
     zoomIn = menu->addAction(tr("Zoom &in"));
     zoomIn->setShortcut(QKeySequence::ZoomIn);
     zoomOut = menu->addAction(tr("Zoom &out"));
@@ -188,7 +225,7 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
 }
 
 void WindowMenus::addHelpMenu(QMenuBar& bar) {
-    QMenu* menu = bar.addMenu(tr("&Help"));
+    QMenu* menu = addMenu(bar, tr("&Help"));
     controls = menu->addAction(tr("&Mouse and keys"));
     controls->setShortcut(QKeySequence::HelpContents);
     about = menu->addAction(tr("&About Asperity"));

@@ -84,6 +84,7 @@ private:
     void addGuides(QMenu& menu);
     void addViewMenu(QMenuBar& bar);
     void addHelpMenu(QMenuBar& bar);
+    void explainAll();
 
     QMenu* channels_;
     QActionGroup* channelGroup_ = nullptr;  ///< of its entries
