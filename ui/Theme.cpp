@@ -7,6 +7,7 @@
 #include <QFontMetricsF>
 #include <QLabel>
 #include <QPalette>
+#include <QScreen>
 #include <QStyleFactory>
 
 #include <algorithm>
@@ -89,6 +90,16 @@ QPalette qtPalette(const ThemeColors& colors) {
     return palette;
 }
 
+/// A bare display tells its size in millimeters, of which follow 100 dots an inch where 96 are
+/// meant: near the usual steps of a desktop letters are as large as at the step.
+double snapped(double points) {
+    constexpr double kStep = 12.0;  // [dots an inch]
+    const QScreen* screen = QGuiApplication::primaryScreen();
+    const double dots = screen != nullptr ? screen->logicalDotsPerInchY() : 0.0;
+    const double step = kStep * std::round(dots / kStep);
+    return step > 0.0 ? points * step / dots : points;
+}
+
 bool isDarkChosen(const Theme& theme) {
     return theme.choice == ThemeChoice::Dark ||
            (theme.choice == ThemeChoice::Desktop && theme.desktopIsDark);
@@ -140,7 +151,7 @@ void colorText(QLabel& label, QColor ThemeColors::*color) {
 
 QFont textFont(double points) {
     QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPointSizeF(points);
+    font.setPointSizeF(snapped(points));
     return font;
 }
 

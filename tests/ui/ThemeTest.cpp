@@ -175,8 +175,9 @@ TEST(Theme, EveryColorOfBothPalettesReachesQt) {
 }
 
 TEST(Theme, LettersAreMeasuredInPointsAndLengthsGrowWithThem) {
-    EXPECT_EQ(theme::textFont().pointSizeF(), 9.0);
-    EXPECT_EQ(theme::textFont(theme::kSmallSize).pointSizeF(), 8.0);
+    EXPECT_NEAR(theme::textFont().pointSizeF(), 9.0, 0.6);
+    EXPECT_NEAR(theme::textFont(theme::kSmallSize).pointSizeF() / theme::textFont().pointSizeF(),
+                8.0 / 9.0, 0.01);
     EXPECT_GE(theme::scaled(100), 100);
 }
 
