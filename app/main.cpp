@@ -7,6 +7,7 @@
 #include "app/commands/ExtremesCommand.h"
 #include "app/commands/InfoCommand.h"
 #include "app/commands/LoopCommand.h"
+#include "app/commands/MeasureCommand.h"
 #include "app/commands/ProjectCommand.h"
 #include "app/commands/ReplayCommand.h"
 #include "app/commands/TradeOffCommand.h"
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
     asperity::addExploreCommand(program);
     asperity::addInfoCommand(program);
     asperity::addConvertCommand(program);
+    asperity::addMeasureCommand(program);
     asperity::addContactCommand(program);
     asperity::addCurveCommand(program);
     asperity::addDecoupleCommand(program);

@@ -3,9 +3,11 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -113,6 +115,76 @@ TEST(Leveling, RefusesAMapWithoutAValidPixel) {
     EXPECT_THROW((void)fitPlane(map), Error);
     EXPECT_THROW((void)leveled(map, {LevelingStep::Rows}), Error);
     EXPECT_THROW((void)fitPlane(HeightMap{}), Error);
+}
+
+TEST(Leveling, DoesStepsInOrderAndSaysWhatEachRemoved) {
+    const HeightMap tilted = withPlane(hills(), 2.0_um, 0.3, -0.7);
+    const LeveledMap<HeightMap> level =
+        leveledInSteps(tilted, {LevelingStep::Plane, LevelingStep::Zero});
+    ASSERT_EQ(level.removed.size(), 2U);
+    EXPECT_EQ(level.removed[0].step, LevelingStep::Plane);
+    EXPECT_NEAR(level.removed[0].plane.slopeX, 0.3, 1e-12);
+    EXPECT_NEAR(level.removed[1].plane.mean, -4.0_nm, 0.1_nm);
+    EXPECT_EQ(*std::ranges::min_element(level.map.heights), 0.0);
+    const HeightMap other = leveled(tilted, {LevelingStep::Zero, LevelingStep::Plane});
+    EXPECT_NEAR(fitPlane(other).mean, 0.0, 1e-20);
+}
+
+TEST(Leveling, ZeroSetsTheLowestValidHeightToZero) {
+    HeightMap map = flatMap({.columns = 3, .rows = 1, .sizeX = 3.0, .sizeY = 1.0});
+    map.heights = {-2.0, 5.0, -9.0};
+    map.invalid = {false, false, true};
+    const HeightMap level = leveled(map, {LevelingStep::Zero});
+    EXPECT_EQ(level.heights, (std::vector<double>{0.0, 7.0, -7.0}));
+}
+
+TEST(Leveling, PlanesOfSeveralStepsAddUp) {
+    const HeightMap tilted = withPlane(hills(), 20.0_nm, 0.03, -0.07);
+    const LevelPoints points{Vector2(100.0_nm, 100.0_nm), Vector2(400.0_nm, 150.0_nm),
+                             Vector2(250.0_nm, 390.0_nm)};
+    const LeveledMap<HeightMap> level = leveledInSteps(
+        tilted, {LevelingStep::ThreePoint, LevelingStep::Plane, LevelingStep::Zero}, points);
+    const PlaneFit sum = sumOfPlanes(level.removed);
+    for (const auto& [row, column] : {std::pair{0, 0}, {31, 47}, {4, 40}}) {
+        EXPECT_NEAR(sum.at((column + 0.5) * tilted.pitchX, (31.5 - row) * tilted.pitchY),
+                    tilted.at(row, column) - level.map.at(row, column), 1e-22 + 1e-14 * 20.0_nm);
+    }
+    EXPECT_EQ(sumOfPlanes({}), PlaneFit{});
+}
+
+/// Told with what a map in single precision is relative to.
+TEST(Leveling, WhatIsRemovedFromAScanMapHoldsItsDatum) {
+    const ScanMap scan = test::singlePrecision(withPlane(hills(), 2.0_um, 0.0, 0.0));
+    const auto zeroed = leveledInSteps(scan, {LevelingStep::Zero});
+    EXPECT_NEAR(zeroed.removed.front().plane.mean, 2.0_um - 4.0_nm, 0.1_nm);
+    const auto shifted =
+        leveledInSteps(scan, {LevelingStep::MedianOfDifferences, LevelingStep::Plane});
+    EXPECT_NEAR(shifted.removed.back().plane.mean, 2.0_um, 1e-6_nm);
+    EXPECT_EQ(shifted.map.datum, 0.0);
+}
+
+class Countdown : public Progress {
+public:
+    explicit Countdown(int reports) : left_(reports) {}
+    void report(double fraction) override {
+        EXPECT_GE(fraction, last_);
+        last_ = fraction;
+        --left_;
+    }
+    [[nodiscard]] bool isCanceled() const override { return left_ <= 0; }
+
+private:
+    int left_;
+    double last_ = 0.0;
+};
+
+TEST(Leveling, ReportsProgressAndCanBeCanceled) {
+    Countdown whole(1000000);
+    (void)leveled(hills(), {LevelingStep::Plane, LevelingStep::Facet, LevelingStep::Zero}, {},
+                  &whole);
+    Countdown early(2);
+    EXPECT_THROW((void)leveled(hills(), {LevelingStep::Plane, LevelingStep::Facet}, {}, &early),
+                 Canceled);
 }
 
 }  // namespace

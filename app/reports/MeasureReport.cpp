@@ -1,0 +1,160 @@
+#include "app/reports/MeasureReport.h"
+
+#include "app/program/JsonText.h"
+#include "core/FormattedText.h"
+#include "core/PathText.h"
+#include "core/PrintableText.h"
+#include "core/SiFormat.h"
+#include "core/Version.h"
+#include "core/io/tables/CsvWriter.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace asperity {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string degrees(double angle) {
+    return formatted("%.4g degrees", angle * 180.0 / std::numbers::pi);
+}
+
+std::string placeText(const Vector2& place) {
+    return "(" + formatSi(place.x(), "m") + ", " + formatSi(place.y(), "m") + ")";
+}
+
+void printLine(std::ostream& out, const char* name, const std::string& value,
+               const std::string& meaning) {
+    out << formatted("  %-5s", name) << value
+        << std::string(value.size() < 12 ? 12 - value.size() : 1, ' ') << meaning << '\n';
+}
+
+void printRoughness(std::ostream& out, const MeasuredMap& measured) {
+    const Roughness& roughness = measured.roughness;
+    const PixelRectangle& rectangle = measured.rectangle;
+    out << "Roughness (ISO 25178-2) of " << roughness.pixels << " pixels with data, "
+        << rectangle.columns << " x " << rectangle.rows << " from column " << rectangle.left
+        << ", row " << rectangle.top << '\n';
+    printLine(out, "Sa", formatSi(roughness.sa, "m"), "arithmetical mean height");
+    printLine(out, "Sq", formatSi(roughness.sq, "m"), "root mean square height");
+    printLine(out, "Sz", formatSi(roughness.sz, "m"),
+              "maximum height, from " + formatSi(roughness.lowest, "m") + " to " +
+                  formatSi(roughness.highest, "m") + ", mean " + formatSi(roughness.mean, "m"));
+    printLine(out, "Sdr", formatted("%.4g %%", 100.0 * roughness.sdr),
+              "developed interfacial area ratio");
+}
+
+void printStep(std::ostream& out, const char* what, const StepHeight& step) {
+    out << "  " << what << ": " << formatSi(step.height, "m") << " (standard deviation "
+        << formatSi(step.deviation, "m") << ", " << step.samples << " samples on " << step.plateaus
+        << " plateaus)\n";
+}
+
+void printProfile(std::ostream& out, const MeasuredProfile& measured) {
+    const Profile& profile = measured.profile;
+    out << "Profile from " << placeText(profile.from) << " to " << placeText(profile.to) << ", "
+        << formatSi(profile.length(), "m") << ", " << profile.heights.size() << " samples\n";
+    if (measured.ends) {
+        out << "  end over start: " << formatSi(measured.ends->rise, "m") << ", angle "
+            << degrees(measured.ends->angle) << '\n';
+    }
+    if (measured.fittedAngle) {
+        out << "  angle of the fitted line: " << degrees(*measured.fittedAngle) << '\n';
+    }
+    if (measured.grating) {
+        printStep(out, "height of a grating", *measured.grating);
+    }
+    if (measured.twoLevels) {
+        printStep(out, "step height", *measured.twoLevels);
+    }
+}
+
+Json stepJson(const std::optional<StepHeight>& step) {
+    if (!step) {
+        return nullptr;
+    }
+    return {{"height_m", step->height},
+            {"deviation_m", step->deviation},
+            {"samples", step->samples},
+            {"plateaus", step->plateaus}};
+}
+
+Json profileJson(const MeasuredProfile& measured) {
+    const Profile& profile = measured.profile;
+    Json ends = nullptr;
+    if (measured.ends) {
+        ends = {{"rise_m", measured.ends->rise}, {"angle_rad", measured.ends->angle}};
+    }
+    return {
+        {"from_m", {profile.from.x(), profile.from.y()}},
+        {"to_m", {profile.to.x(), profile.to.y()}},
+        {"length_m", profile.length()},
+        {"samples", profile.heights.size()},
+        {"ends", ends},
+        {"fitted_angle_rad", measured.fittedAngle ? Json(*measured.fittedAngle) : Json(nullptr)},
+        {"grating", stepJson(measured.grating)},
+        {"step", stepJson(measured.twoLevels)}};
+}
+
+}  // namespace
+
+void printMeasures(std::ostream& out, const MeasuredMap& measured) {
+    out << printable(measured.file) << ", channel '" << printable(measured.channel) << "', "
+        << measured.columns << " x " << measured.rows << " pixels, "
+        << formatSi(measured.sizeX, "m") << " x " << formatSi(measured.sizeY, "m") << '\n';
+    for (const std::string& note : measured.notes) {
+        out << "- " << printable(note) << '\n';
+    }
+    printRoughness(out, measured);
+    if (measured.profile) {
+        printProfile(out, *measured.profile);
+    }
+}
+
+std::string measuresJson(const MeasuredMap& measured) {
+    const Roughness& roughness = measured.roughness;
+    const PixelRectangle& rectangle = measured.rectangle;
+    return jsonText(
+        Json{{"file", pathText(measured.file)},
+             {"channel", measured.channel},
+             {"level", measured.leveling},
+             {"columns", measured.columns},
+             {"rows", measured.rows},
+             {"size_x_m", measured.sizeX},
+             {"size_y_m", measured.sizeY},
+             {"rectangle",
+              {{"left", rectangle.left},
+               {"top", rectangle.top},
+               {"columns", rectangle.columns},
+               {"rows", rectangle.rows}}},
+             {"pixels", roughness.pixels},
+             {"squares", roughness.squares},
+             {"sa_m", roughness.sa},
+             {"sq_m", roughness.sq},
+             {"sz_m", roughness.sz},
+             {"sdr", roughness.sdr},
+             {"mean_m", roughness.mean},
+             {"lowest_m", roughness.lowest},
+             {"highest_m", roughness.highest},
+             {"profile", measured.profile ? profileJson(*measured.profile) : Json(nullptr)},
+             {"notes", measured.notes}});
+}
+
+void writeProfile(std::ostream& out, const MeasuredMap& measured, const Profile& profile) {
+    std::vector<std::string> comments{
+        std::string("Asperity ") + kVersion + ": profile of " + measured.file + ", channel " +
+            measured.channel,
+        "distance along the line, place in the world frame, height; meters; nan: no data"};
+    comments.insert(comments.end(), measured.notes.begin(), measured.notes.end());
+    CsvWriter csv(out, comments, {"distance_m", "x_m", "y_m", "z_m"});
+    for (std::size_t i = 0; i < profile.heights.size(); ++i) {
+        const Vector2 place = profile.place(i);
+        csv.row(std::array{profile.distance(i), place.x(), place.y(), profile.heights[i]});
+    }
+    csv.close();
+}
+
+}  // namespace asperity

@@ -1,0 +1,214 @@
+#include "core/surface/measure/Roughness.h"
+
+#include "core/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+/// Rows of a rectangle from the top down, with the one above.
+class RectangleRows {
+public:
+    RectangleRows(const HeightRows& map, const PixelRectangle& pixels)
+        : map_(map), pixels_(pixels), whole_(static_cast<std::size_t>(map.columns)) {}
+
+    /// Calls visit(row, above), both const std::vector<double>&; `above` is empty for the first.
+    template <class Visit>
+    void forEach(Progress* progress, const Visit& visit) {
+        std::vector<double> above;
+        std::vector<double> row(static_cast<std::size_t>(pixels_.columns));
+        for (int i = 0; i < pixels_.rows; ++i) {
+            if (i % kStep == 0) {
+                reportTo(progress, static_cast<double>(i) / pixels_.rows);
+            }
+            map_.readRow(pixels_.top + i, whole_.data());
+            std::copy_n(whole_.begin() + pixels_.left, pixels_.columns, row.begin());
+            visit(row, above);
+            std::swap(row, above);
+            row.resize(above.size());
+        }
+    }
+
+private:
+    static constexpr int kStep = 64;
+    const HeightRows& map_;
+    PixelRectangle pixels_;
+    std::vector<double> whole_;
+};
+
+/// Mean and extremes.
+struct Heights {
+    double origin = 0.0;  ///< that the sum starts from: an offset costs no digits [m]
+    double sum = 0.0;     ///< [m]
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
+    std::size_t count = 0;
+
+    void add(const std::vector<double>& row) {
+        double ofRow = 0.0;
+        for (const double height : row) {
+            if (!isFiniteHeight(height)) {
+                continue;
+            }
+            origin = count == 0 ? height : origin;
+            ofRow += height - origin;
+            lowest = std::min(lowest, height);
+            highest = std::max(highest, height);
+            ++count;
+        }
+        sum += ofRow;
+    }
+    [[nodiscard]] double mean() const { return origin + sum / static_cast<double>(count); }
+};
+
+/// Sums of distances from the mean.
+struct Deviations {
+    double absolute = 0.0;  ///< [m]
+    double square = 0.0;    ///< [m^2]
+
+    void add(const std::vector<double>& row, double mean) {
+        double ofRow = 0.0;
+        double squareOfRow = 0.0;
+        for (const double height : row) {
+            if (isFiniteHeight(height)) {
+                ofRow += std::abs(height - mean);
+                squareOfRow += (height - mean) * (height - mean);
+            }
+        }
+        absolute += ofRow;
+        square += squareOfRow;
+    }
+};
+
+/// Surface of the squares, in units of their outline, beyond it.
+class Surplus {
+public:
+    Surplus(double pitchX, double pitchY) : pitchX_(pitchX), pitchY_(pitchY) {}
+
+    void add(const std::vector<double>& row, const std::vector<double>& above) {
+        double ofRow = 0.0;
+        for (std::size_t i = 1; i < above.size(); ++i) {
+            const double topLeft = above[i - 1];
+            const double topRight = above[i];
+            const double bottomLeft = row[i - 1];
+            const double bottomRight = row[i];
+            if (!(isFiniteHeight(topLeft) && isFiniteHeight(topRight) &&
+                  isFiniteHeight(bottomLeft) && isFiniteHeight(bottomRight))) {
+                continue;
+            }
+            // A triangle has the slopes of its two sides along x and y: one at each corner.
+            const double top = (topRight - topLeft) / pitchX_;
+            const double bottom = (bottomRight - bottomLeft) / pitchX_;
+            const double left = (topLeft - bottomLeft) / pitchY_;
+            const double right = (topRight - bottomRight) / pitchY_;
+            ofRow += 0.25 * (surplus(top, left) + surplus(top, right) + surplus(bottom, left) +
+                             surplus(bottom, right));
+            ++count;
+        }
+        sum += ofRow;
+    }
+
+    double sum = 0.0;
+    std::size_t count = 0;
+
+private:
+    /// sqrt(1 + s^2) - 1, without loss for small slopes.
+    static double surplus(double slopeX, double slopeY) {
+        const double square = slopeX * slopeX + slopeY * slopeY;
+        return square / (std::sqrt(1.0 + square) + 1.0);
+    }
+
+    double pitchX_;  ///< [m]
+    double pitchY_;  ///< [m]
+};
+
+void requireInside(const HeightRows& map, const PixelRectangle& pixels) {
+    if (pixels.left < 0 || pixels.top < 0 || pixels.columns < 1 || pixels.rows < 1 ||
+        pixels.left > map.columns - pixels.columns || pixels.top > map.rows - pixels.rows) {
+        throw Error("the rectangle reaches out of the scan");
+    }
+}
+
+/// First pixel and number of those whose centers lie from `low` to `high` [pixel].
+std::pair<int, int> centersBetween(double low, double high, int count) {
+    const double first = std::max(std::ceil(low - 0.5), 0.0);
+    const double last = std::min(std::floor(high - 0.5), count - 1.0);
+    if (!(first <= last)) {
+        throw Error("the rectangle holds no pixel of the scan");
+    }
+    return {static_cast<int>(first), static_cast<int>(last - first) + 1};
+}
+
+}  // namespace
+
+PixelRectangle allPixels(const HeightRows& map) {
+    return {.left = 0, .top = 0, .columns = map.columns, .rows = map.rows};
+}
+
+PixelRectangle pixelsBetween(const HeightRows& map, const Vector2& corner,
+                             const Vector2& opposite) {
+    if (!corner.allFinite() || !opposite.allFinite()) {
+        throw Error("the corners of the rectangle must be finite numbers of meters");
+    }
+    const Vector2 low = corner.cwiseMin(opposite);
+    const Vector2 high = corner.cwiseMax(opposite);
+    const auto [left, columns] =
+        centersBetween(low.x() / map.pitchX, high.x() / map.pitchX, map.columns);
+    const auto [bottom, rows] =
+        centersBetween(low.y() / map.pitchY, high.y() / map.pitchY, map.rows);
+    return {.left = left, .top = map.rows - bottom - rows, .columns = columns, .rows = rows};
+}
+
+Roughness roughnessOf(const HeightRows& map, const PixelRectangle& pixels, Progress* progress) {
+    requireInside(map, pixels);
+    RectangleRows rows(map, pixels);
+    Heights heights;
+    ProgressPart first(progress, 0.0, 0.4);
+    rows.forEach(&first, [&](const auto& row, const auto& /*above*/) { heights.add(row); });
+    if (heights.count == 0) {
+        throw Error("no pixel of the rectangle holds data");
+    }
+    const double mean = heights.mean();
+    Deviations deviations;
+    Surplus surplus(map.pitchX, map.pitchY);
+    ProgressPart second(progress, 0.4, 1.0);
+    rows.forEach(&second, [&](const auto& row, const auto& above) {
+        deviations.add(row, mean);
+        surplus.add(row, above);
+    });
+    const auto count = static_cast<double>(heights.count);
+    return {.sa = deviations.absolute / count,
+            .sq = std::sqrt(deviations.square / count),
+            .sz = heights.highest - heights.lowest,
+            .sdr = surplus.count == 0 ? 0.0 : surplus.sum / static_cast<double>(surplus.count),
+            .mean = mean,
+            .lowest = heights.lowest,
+            .highest = heights.highest,
+            .pixels = heights.count,
+            .squares = surplus.count};
+}
+
+HeightRows rowsOf(const BSplineSurface& surface) {
+    const BSplineSurface::Grid& grid = surface.grid();
+    return {.columns = grid.columns,
+            .rows = grid.rows,
+            .pitchX = grid.pitchX,
+            .pitchY = grid.pitchY,
+            .readRow = [&surface](int row, double* heights) {
+                const BSplineSurface::Grid& pixels = surface.grid();
+                const double y = (pixels.rows - row - 0.5) * pixels.pitchY;
+                for (int column = 0; column < pixels.columns; ++column) {
+                    const double x = (column + 0.5) * pixels.pitchX;
+                    heights[column] = surface.isMeasured(x, y)
+                                          ? surface.at(x, y).height
+                                          : std::numeric_limits<double>::quiet_NaN();
+                }
+            }};
+}
+
+}  // namespace asperity

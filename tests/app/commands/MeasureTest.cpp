@@ -1,0 +1,146 @@
+#include "core/io/heightmap/HeightMapWriter.h"
+#include "core/io/tables/CsvTable.h"
+#include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+// `asperity measure`
+
+namespace asperity {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr double kDepth = 50e-9;
+
+/// A grating of 50 nm, ridges and grooves of 180 nm and flanks of 20 nm, on a slope of 0.01.
+class Measure : public testing::Test {
+protected:
+    void SetUp() override {
+        HeightMap map = sampledMap(
+            {.columns = 300, .rows = 20, .sizeX = 3000e-9, .sizeY = 400e-9},
+            TrapezoidGrating{
+                .pitch = 400e-9, .depth = kDepth, .topWidth = 180e-9, .flankWidth = 20e-9});
+        for (int row = 0; row < map.rows; ++row) {
+            for (int column = 0; column < map.columns; ++column) {
+                map.heights[map.index(row, column)] += 0.01 * (map.rows - row) * map.pitchY;
+            }
+        }
+        writeHeightMap(scratch.file("grating.gwy"), map, {.title = "Height"});
+    }
+    [[nodiscard]] test::ProgramRun run(const std::string& options) const {
+        return test::runProgram("measure " + scratch.file("grating.gwy").string() + " " + options);
+    }
+    [[nodiscard]] json measured(const std::string& options) const {
+        const auto ran = run(options + " --json");
+        EXPECT_EQ(ran.exitCode, 0) << ran.output;
+        return json::parse(ran.output);
+    }
+
+    test::ScratchFolder scratch;
+};
+
+TEST_F(Measure, LevelsByAPlaneUnlessToldOtherwise) {
+    const json level = measured("");
+    EXPECT_EQ(level["level"], "plane");
+    EXPECT_EQ(level["pixels"], 300 * 20);
+    EXPECT_EQ(level["squares"], 299 * 19);
+    EXPECT_NEAR(level["mean_m"].get<double>(), 0.0, 1e-20);
+    EXPECT_THAT(level["notes"].back().get<std::string>(), HasSubstr("leveling: plane"));
+    const json raw = measured("--level none");
+    EXPECT_NEAR(raw["sz_m"].get<double>(), kDepth + 0.01 * 380e-9, 1e-20);
+    const json flat = measured("--level rows,zero");
+    EXPECT_EQ(flat["level"], "rows, zero");
+    EXPECT_NEAR(flat["sz_m"].get<double>(), kDepth, 1e-20);
+    EXPECT_EQ(flat["lowest_m"], 0.0);
+}
+
+TEST_F(Measure, RectangleLimitsTheRoughness) {
+    // On the first ridge alone there is nothing but the slope.
+    const json ridge = measured("--level none --rectangle 0,0,179e-9,400e-9");
+    EXPECT_EQ(ridge["rectangle"], json({{"left", 0}, {"top", 0}, {"columns", 18}, {"rows", 20}}));
+    EXPECT_NEAR(ridge["sz_m"].get<double>(), 0.01 * 380e-9, 1e-20);
+    EXPECT_NEAR(ridge["sdr"].get<double>(), std::sqrt(1.0 + 0.01 * 0.01) - 1.0, 1e-15);
+    const auto outside = run("--rectangle 5,5,6,6");
+    EXPECT_EQ(outside.exitCode, 1);
+    EXPECT_THAT(outside.output, HasSubstr("holds no pixel"));
+}
+
+TEST_F(Measure, ProfileAcrossAGratingGivesItsDepth) {
+    const json all = measured("--level none --profile 0,110e-9,3000e-9,110e-9 --samples 1501 "
+                              "--low 200e-9,380e-9 --high 0,160e-9");
+    const json& profile = all["profile"];
+    EXPECT_EQ(profile["samples"], 1501);
+    EXPECT_NEAR(profile["length_m"].get<double>(), 3000e-9, 1e-20);
+    EXPECT_NEAR(profile["grating"]["height_m"].get<double>(), kDepth, 1e-12 * kDepth);
+    EXPECT_GE(profile["grating"]["plateaus"], 12);
+    EXPECT_NEAR(profile["step"]["height_m"].get<double>(), kDepth, 1e-12 * kDepth);
+    EXPECT_NEAR(profile["ends"]["rise_m"].get<double>(), -kDepth, 1e-12 * kDepth);
+}
+
+TEST_F(Measure, ProfileAlongARidgeGivesTheAngle) {
+    const json profile = measured("--level none --profile 95e-9,10e-9,95e-9,390e-9")["profile"];
+    EXPECT_EQ(profile["samples"], 20);
+    EXPECT_NEAR(profile["ends"]["angle_rad"].get<double>(), std::atan(0.01), 1e-12);
+    EXPECT_NEAR(profile["fitted_angle_rad"].get<double>(), std::atan(0.01), 1e-12);
+    EXPECT_TRUE(profile["grating"].is_object());  // what is left of the slope is split, too
+    EXPECT_TRUE(profile["step"].is_null());
+}
+
+TEST_F(Measure, ProfileGoesIntoATable) {
+    const std::string out = scratch.file("profile.csv").string();
+    const auto ran =
+        run("--level none --profile 5e-9,110e-9,2995e-9,110e-9 --samples 300 --out " + out);
+    EXPECT_EQ(ran.exitCode, 0) << ran.output;
+    const CsvTable table(test::contentOf(out), out);
+    ASSERT_EQ(table.rows(), 300U);
+    EXPECT_NEAR(table.number(299, "distance_m"), 2990e-9, 1e-20);
+    EXPECT_NEAR(table.number(30, "x_m"), 305e-9, 1e-20);
+    EXPECT_EQ(table.number(30, "y_m"), 110e-9);
+    EXPECT_NEAR(table.number(3, "z_m") - table.number(30, "z_m"), kDepth, 1e-12 * kDepth);
+    EXPECT_EQ(test::runProgram("measure " + scratch.file("grating.gwy").string() +
+                               " --profile 0,0,1e-9,0 --out " +
+                               scratch.file("grating.gwy").string())
+                  .exitCode,
+              1);
+}
+
+TEST_F(Measure, TellsPeopleInWords) {
+    const auto ran = run("--level rows,zero --profile 0,110e-9,3000e-9,110e-9");
+    EXPECT_THAT(ran.output, HasSubstr("channel 'Height', 300 x 20 pixels, 3 µm x 400 nm\n"));
+    EXPECT_THAT(ran.output, HasSubstr("Roughness (ISO 25178-2) of 6000 pixels with data"));
+    EXPECT_THAT(ran.output, HasSubstr("Sz   50 nm"));
+    EXPECT_THAT(ran.output, HasSubstr("height of a grating: 50 nm (standard deviation "));
+}
+
+TEST_F(Measure, TakesASceneAndRefusesAShape) {
+    const auto scene = scratch.write(
+        "scene.toml", "[sample]\nfile = \"grating.gwy\"\nlevel = [\"rows\", \"zero\"]\n");
+    const auto ran = test::runProgram("measure --json " + scene.string());
+    EXPECT_EQ(json::parse(ran.output)["level"], "rows, zero");
+    const auto shape = scratch.write("shape.toml", "[sample]\nshape = \"sphere\"\n");
+    const auto refused = test::runProgram("measure " + shape.string());
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.output, HasSubstr("no height map to measure"));
+}
+
+TEST_F(Measure, WrongCallsExitWith2) {
+    for (const char* const options :
+         {"--rectangle 1,2,3", "--rectangle 0,0,nan,1", "--samples 5", "--out p.csv",
+          "--profile 0,0,1,1 --samples 1", "--profile 0,0,1,1 --low 0,1", "--level flat"}) {
+        EXPECT_EQ(run(options).exitCode, 2) << options;
+    }
+    EXPECT_EQ(run("--profile 0,0,0,0").exitCode, 1);
+    EXPECT_EQ(run("--profile 0,0,1e-7,0 --low 5,6 --high 0,1e-8").exitCode, 1);
+    EXPECT_EQ(test::runProgram("measure none.gsf").exitCode, 3);
+}
+
+}  // namespace
+}  // namespace asperity
