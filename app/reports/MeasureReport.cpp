@@ -8,6 +8,8 @@
 #include "core/Version.h"
 #include "core/io/tables/CsvWriter.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -32,6 +34,12 @@ void printLine(std::ostream& out, const char* name, const std::string& value,
         << std::string(value.size() < 12 ? 12 - value.size() : 1, ' ') << meaning << '\n';
 }
 
+/// What rounding leaves of a mean that leveling removed is no height.
+double shownMean(const Roughness& roughness) {
+    constexpr double kRounding = 1e-12;
+    return std::abs(roughness.mean) < kRounding * roughness.sz ? 0.0 : roughness.mean;
+}
+
 void printRoughness(std::ostream& out, const MeasuredMap& measured) {
     const Roughness& roughness = measured.roughness;
     const PixelRectangle& rectangle = measured.rectangle;
@@ -42,7 +50,8 @@ void printRoughness(std::ostream& out, const MeasuredMap& measured) {
     printLine(out, "Sq", formatSi(roughness.sq, "m"), "root mean square height");
     printLine(out, "Sz", formatSi(roughness.sz, "m"),
               "maximum height, from " + formatSi(roughness.lowest, "m") + " to " +
-                  formatSi(roughness.highest, "m") + ", mean " + formatSi(roughness.mean, "m"));
+                  formatSi(roughness.highest, "m") + ", mean " +
+                  formatSi(shownMean(roughness), "m"));
     printLine(out, "Sdr", formatted("%.4g %%", 100.0 * roughness.sdr),
               "developed interfacial area ratio");
 }
@@ -56,7 +65,10 @@ void printStep(std::ostream& out, const char* what, const StepHeight& step) {
 void printProfile(std::ostream& out, const MeasuredProfile& measured) {
     const Profile& profile = measured.profile;
     out << "Profile from " << placeText(profile.from) << " to " << placeText(profile.to) << ", "
-        << formatSi(profile.length(), "m") << ", " << profile.heights.size() << " samples\n";
+        << formatSi(profile.length(), "m") << ", " << profile.heights.size() << " samples";
+    const auto missing = std::ranges::count_if(
+        profile.heights, [](double height) { return !isFiniteHeight(height); });
+    out << (missing > 0 ? ", " + std::to_string(missing) + " of them without data\n" : "\n");
     if (measured.ends) {
         out << "  end over start: " << formatSi(measured.ends->rise, "m") << ", angle "
             << degrees(measured.ends->angle) << '\n';

@@ -4,6 +4,8 @@
 #include "core/Vector.h"
 #include "core/surface/leveling/CountedPixels.h"
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <vector>
 
@@ -14,30 +16,43 @@ namespace {
 /// Sums over squares of pixels.
 struct SlopeSums {
     double weight = 0.0;
-    Vector2 slope = Vector2::Zero();  ///< times weight
+    Vector2 slope = Vector2::Zero();                   ///< times weight
+    Eigen::Matrix2d square = Eigen::Matrix2d::Zero();  ///< times weight
+
+    void add(double weightOfOne, const Vector2& one) {
+        weight += weightOfOne;
+        slope += weightOfOne * one;
+        square += weightOfOne * one * one.transpose();
+    }
+    [[nodiscard]] Vector2 mean() const { return slope / weight; }
+    [[nodiscard]] Eigen::Matrix2d covariance() const {
+        return square / weight - mean() * mean().transpose();
+    }
 };
 
-/// The squares of 2 x 2 pixels of a map and their slopes, world frame.
+/// The squares of 2 x 2 pixels of a map, of every `stride`-th row, and their slopes, world frame.
 template <class Heights>
 class Facets {
 public:
-    explicit Facets(const BasicHeightMap<Heights>& map) : map_(map) {}
+    Facets(const BasicHeightMap<Heights>& map, int stride) : map_(map), stride_(stride) {}
 
     /// Sums of what add(SlopeSums&, slope) makes of the squares, row by row: a row's sum does not
     /// depend on the thread that takes it.
     template <class Add>
     [[nodiscard]] SlopeSums sum(Progress* progress, const Add& add) const {
-        if (map_.rows < 2 || map_.columns < 2) {
+        const int count = (map_.rows - 1 + stride_ - 1) / stride_;
+        if (count < 1 || map_.columns < 2) {
             return {};
         }
-        std::vector<SlopeSums> ofRows(static_cast<std::size_t>(map_.rows) - 1);
-        shareOut(map_.rows - 1, progress, [&](int row, const CancelCheck& /*check*/) {
-            ofRows[static_cast<std::size_t>(row)] = rowSum(row, add);
+        std::vector<SlopeSums> ofRows(static_cast<std::size_t>(count));
+        shareOut(count, progress, [&](int i, const CancelCheck& /*check*/) {
+            ofRows[static_cast<std::size_t>(i)] = rowSum(i * stride_, add);
         });
         SlopeSums all;
         for (const SlopeSums& one : ofRows) {
             all.weight += one.weight;
             all.slope += one.slope;
+            all.square += one.square;
         }
         return all;
     }
@@ -72,69 +87,99 @@ private:
     }
 
     const BasicHeightMap<Heights>& map_;
+    int stride_;
 };
 
 /// Mean slope and mean square distance from it.
 struct Spread {
     Vector2 mean = Vector2::Zero();
     double square = 0.0;
+
+    /// s^2 of the weights around a slope.
+    [[nodiscard]] double widthSquareAt(const Vector2& slope) const {
+        constexpr double kShare = 1.0 / 20.0;
+        return kShare * (square + (mean - slope).squaredNorm());
+    }
 };
 
 template <class Heights>
 Spread spreadOf(const Facets<Heights>& facets) {
-    const SlopeSums all = facets.sum(nullptr, [](SlopeSums& sums, const Vector2& slope) {
-        sums.weight += 1.0;
-        sums.slope += slope;
-    });
+    const SlopeSums all =
+        facets.sum(nullptr, [](SlopeSums& sums, const Vector2& slope) { sums.add(1.0, slope); });
     if (all.weight == 0.0) {
         return {};
     }
-    const Vector2 mean = all.slope / all.weight;
+    const Vector2 mean = all.mean();
     const SlopeSums square = facets.sum(nullptr, [&](SlopeSums& sums, const Vector2& slope) {
         sums.weight += (slope - mean).squaredNorm();
     });
     return {.mean = mean, .square = square.weight / all.weight};
 }
 
-/// The next mean slope after `slope`.
+/// The squares near `slope`, relative to it, with their weights.
 template <class Heights>
-Vector2 weightedMean(const Facets<Heights>& facets, const Vector2& slope, double widthSquare,
-                     Progress* progress) {
-    constexpr double kNegligible = 100.0;  // exp(-100) of the largest weight
-    const SlopeSums near = facets.sum(progress, [&](SlopeSums& sums, const Vector2& one) {
-        const double exponent = (one - slope).squaredNorm() / widthSquare;
+SlopeSums weightedAround(const Facets<Heights>& facets, const Vector2& slope, double widthSquare,
+                         Progress* progress) {
+    constexpr double kNegligible = 40.0;  // exp(-40) of the largest weight
+    return facets.sum(progress, [&](SlopeSums& sums, const Vector2& one) {
+        const Vector2 from = one - slope;
+        const double exponent = from.squaredNorm() / widthSquare;
         if (exponent < kNegligible) {
-            const double weight = std::exp(-exponent);
-            sums.weight += weight;
-            sums.slope += weight * one;
+            sums.add(std::exp(-exponent), from);
         }
     });
-    return near.weight > 0.0 ? Vector2(near.slope / near.weight) : slope;
 }
 
+/// From a slope towards the one that is its own weighted mean. Near that one, a step to the mean
+/// closes a few percent of the gap only; Newton's step closes it.
+Vector2 stepFrom(const SlopeSums& near, double widthSquare) {
+    const Vector2 toMean = near.mean();
+    const Eigen::Matrix2d gap = Eigen::Matrix2d::Identity() - 2.0 / widthSquare * near.covariance();
+    const bool isNearPeak = gap.determinant() > 0.0 && gap.trace() > 0.0;
+    if (!isNearPeak) {
+        return toMean;
+    }
+    const Vector2 newton = gap.inverse() * toMean;
+    return newton.squaredNorm() < widthSquare ? newton : toMean;
+}
+
+/// The prevailing slope of the facets, sought from `slope` on.
 template <class Heights>
-Vector2 prevailingSlope(const BasicHeightMap<Heights>& map, Progress* progress) {
+Vector2 prevailingSlope(const Facets<Heights>& facets, Vector2 slope, Progress* progress) {
     constexpr int kMaxPasses = 100;
-    constexpr double kShare = 1.0 / 20.0;
     constexpr double kSettled = 1e-6;  // of the width of the weights
-    const Facets<Heights> facets(map);
     const Spread spread = spreadOf(facets);
-    Vector2 slope = Vector2::Zero();
     for (int pass = 0; pass < kMaxPasses; ++pass) {
-        const double widthSquare = kShare * (spread.square + (spread.mean - slope).squaredNorm());
+        const double widthSquare = spread.widthSquareAt(slope);
         if (!(widthSquare > 0.0)) {
             break;  // all squares have this slope
         }
-        ProgressPart part(progress, static_cast<double>(pass) / kMaxPasses,
-                          static_cast<double>(pass + 1) / kMaxPasses);
-        const Vector2 next = weightedMean(facets, slope, widthSquare, &part);
-        const double step = (next - slope).squaredNorm();
-        slope = next;
-        if (step < kSettled * kSettled * widthSquare) {
+        reportTo(progress, static_cast<double>(pass) / kMaxPasses);
+        const SlopeSums near = weightedAround(facets, slope, widthSquare, nullptr);
+        if (near.weight == 0.0) {
+            break;
+        }
+        const Vector2 step = stepFrom(near, widthSquare);
+        slope += step;
+        if (step.squaredNorm() < kSettled * kSettled * widthSquare) {
             break;
         }
     }
     return slope;
+}
+
+/// Large maps are searched on some rows before they are on all: the last passes decide.
+template <class Heights>
+Vector2 prevailingSlope(const BasicHeightMap<Heights>& map, Progress* progress) {
+    constexpr std::size_t kManySquares = std::size_t{1} << 19U;
+    const auto stride = static_cast<int>(map.heights.size() / kManySquares);
+    Vector2 slope = Vector2::Zero();
+    ProgressPart some(progress, 0.0, 0.3);
+    if (stride > 1) {
+        slope = prevailingSlope(Facets<Heights>(map, stride), slope, &some);
+    }
+    ProgressPart all(progress, 0.3, 1.0);
+    return prevailingSlope(Facets<Heights>(map, 1), slope, &all);
 }
 
 }  // namespace

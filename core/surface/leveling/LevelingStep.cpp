@@ -1,5 +1,7 @@
 #include "core/surface/leveling/LevelingStep.h"
 
+#include "core/FiniteVector.h"
+
 #include <algorithm>
 
 namespace asperity {
@@ -49,11 +51,11 @@ std::string levelingKeys() { return keyList<LevelingStep>() + " or " + kNoLeveli
 
 std::string refusalOf(const LevelPoints& points) {
     constexpr double kMinHeight = 1e-6;  // of the triangle, of its longest side
+    if (!std::ranges::all_of(points, isFinite)) {
+        return "three_point needs places that are finite numbers of meters";
+    }
     double longest = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!points[i].allFinite()) {
-            return "three_point needs places that are finite numbers of meters";
-        }
         longest = std::max(longest, (points[(i + 1) % points.size()] - points[i]).norm());
     }
     const Vector2 along = points[1] - points[0];

@@ -77,6 +77,9 @@ private:
                 return;
             }
             top = std::min(top, height(under - 1, column));
+            if (top - height(row, column) < limits_.soft * rms_) {
+                return;  // a wider run stands out no more
+            }
             const double bottom = std::max(height(row, column), height(under, column));
             if (top - bottom >= limits_.soft * rms_) {
                 raise(row, width, column, bottom);

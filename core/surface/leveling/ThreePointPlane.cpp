@@ -23,16 +23,18 @@ struct Support {
 
 template <class Heights>
 Support supportAt(const BasicHeightMap<Heights>& map, const Vector2& point) {
-    const double column = std::floor(point.x() / map.pitchX);
-    const double row = std::floor(map.rows - point.y() / map.pitchY);
-    if (!(column >= 0.0 && column < map.columns && row >= 0.0 && row < map.rows)) {
+    const double right = point.x() / map.pitchX;
+    const double down = map.rows - point.y() / map.pitchY;
+    if (!(right >= 0.0 && right <= map.columns && down >= 0.0 && down <= map.rows)) {
         throw Error("three_point: the place " + placeText(point) + " lies outside the scan");
     }
+    const int column = std::min(static_cast<int>(right), map.columns - 1);
+    const int row = std::min(static_cast<int>(down), map.rows - 1);
     Vector2 place = Vector2::Zero();
     double height = 0.0;
     double count = 0.0;
-    for (int r = static_cast<int>(row) - 1; r <= static_cast<int>(row) + 1; ++r) {
-        for (int c = static_cast<int>(column) - 1; c <= static_cast<int>(column) + 1; ++c) {
+    for (int r = row - 1; r <= row + 1; ++r) {
+        for (int c = column - 1; c <= column + 1; ++c) {
             if (r < 0 || c < 0 || r >= map.rows || c >= map.columns || !counts(map, r, c)) {
                 continue;
             }

@@ -1,5 +1,7 @@
 #include "core/surface/measure/Profile.h"
 
+#include "core/FiniteVector.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +11,9 @@ namespace asperity {
 namespace {
 
 constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
+
+/// A place this close to a pixel center is on it: rounding must not ask for its neighbor [pixel].
+constexpr double kOnCenter = 1e-9;
 
 /// The two pixels around a place along one axis, and the share of the second.
 struct Between {
@@ -20,8 +25,11 @@ struct Between {
 /// @param place in pixels from the center of the first one
 Between between(double place, int count) {
     const double inside = std::clamp(place, 0.0, count - 1.0);
-    const int first = static_cast<int>(inside);
-    return {.first = first, .second = std::min(first + 1, count - 1), .share = inside - first};
+    const int first = static_cast<int>(inside + kOnCenter);
+    const double share = inside - first;
+    return {.first = first,
+            .second = std::min(first + 1, count - 1),
+            .share = share > kOnCenter ? share : 0.0};
 }
 
 }  // namespace
@@ -30,7 +38,7 @@ void requireLine(const Vector2& from, const Vector2& to, int samples) {
     if (samples < 2) {
         throw Error("a profile needs at least two samples");
     }
-    if (!from.allFinite() || !to.allFinite() || !((to - from).norm() > 0.0)) {
+    if (!isFinite(from) || !isFinite(to) || !((to - from).norm() > 0.0)) {
         throw Error("a profile needs two places apart from each other");
     }
 }

@@ -1,6 +1,7 @@
 #include "core/surface/measure/Roughness.h"
 
 #include "core/Error.h"
+#include "core/FiniteVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -152,7 +153,7 @@ PixelRectangle allPixels(const HeightRows& map) {
 
 PixelRectangle pixelsBetween(const HeightRows& map, const Vector2& corner,
                              const Vector2& opposite) {
-    if (!corner.allFinite() || !opposite.allFinite()) {
+    if (!isFinite(corner) || !isFinite(opposite)) {
         throw Error("the corners of the rectangle must be finite numbers of meters");
     }
     const Vector2 low = corner.cwiseMin(opposite);

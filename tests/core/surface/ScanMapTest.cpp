@@ -73,12 +73,15 @@ TEST(ScanMap, IsLeveledLikeAMapInDoublePrecision) {
         const ScanMap level = leveled(scan, steps, points);
         const bool keepsDatum = steps.empty() || steps.front() == LevelingStep::Scars ||
                                 steps.front() == LevelingStep::MedianOfDifferences;
+        // The weights of facets depend on slopes between two pixels, which rounding changes most.
+        const bool isFacet = !steps.empty() && steps.front() == LevelingStep::Facet;
+        const double tolerance = (isFacet ? 10.0 : 3.0) * kRounding;
         EXPECT_EQ(level.datum, keepsDatum ? scan.datum : 0.0);
         EXPECT_EQ(level.invalid, exact.invalid);
         for (std::size_t i = 0; i < exact.heights.size(); ++i) {
             if (isFiniteHeight(exact.heights[i])) {
                 ASSERT_NEAR(level.datum + static_cast<double>(level.heights[i]), exact.heights[i],
-                            3.0 * kRounding);
+                            tolerance);
             }
         }
     }

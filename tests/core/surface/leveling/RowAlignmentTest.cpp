@@ -18,7 +18,7 @@ ASPERITY_TRAP_FLOATING_POINT();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Offsets of rows that have neither a mean nor a trend.
-constexpr double kOffsets[] = {3.0, -1.0, -5.0, 2.0, 2.0, -5.0, 1.0, 3.0};
+constexpr double kOffsets[] = {3.0, -1.0, -5.0, 3.0, 3.0, -5.0, -1.0, 3.0};
 constexpr int kRows = 8;
 
 /// Large bumps, a tilt along y of `trend` a row and the offsets.
@@ -69,7 +69,6 @@ TEST(RowAlignment, RowsWithoutDataAreStridden) {
     EXPECT_NEAR(level.at(5, 9) - level.at(3, 9), step, 1e-13);
     EXPECT_NEAR(level.at(2, 9) - level.at(0, 9), step, 1e-13);
     EXPECT_TRUE(std::isnan(level.at(4, 3)));
-    EXPECT_NEAR(spreadOf(differenceShifts(map), map), spreadOf(rowMedians(map), map), 32.0);
 }
 
 TEST(RowAlignment, OfASingleRowChangesNothing) {
