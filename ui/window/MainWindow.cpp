@@ -236,7 +236,7 @@ void MainWindow::setEmergencyStop(bool active) {
 
 void MainWindow::showChanging(const QString& name) {
     loading_->beginChange(name);
-    bottomLine_->setCurrentIndex(1);
+    viewSide_->setLoading(true);
     menus_->cancelLoading->setEnabled(true);
 }
 

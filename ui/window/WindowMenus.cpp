@@ -19,7 +19,9 @@ constexpr const char* kTip = "tip";  ///< property: what an entry says while it 
 
 void explain(QAction& entry, const QString& tip) {
     entry.setProperty(kTip, tip);
-    entry.setToolTip(tip);
+    if (entry.isEnabled()) {  // else it says why it is not
+        entry.setToolTip(tip);
+    }
 }
 
 /// A menu that shows why an entry does not work.
@@ -50,6 +52,8 @@ void WindowMenus::explainAll() {
         {record, tr("Write every tick to a folder, until it is chosen again")},
         {saveLastSeconds, tr("Save the last 10 s of the run as a recording")},
         {quit, tr("End the run and close the window")},
+        {undo, tr("The scene as it was before its last change")},
+        {redo, tr("The scene as it was before the last undo")},
         {startPause, tr("Start the run, or pause it")},
         {forcesOff, tr("Switch the forces on the device off")},
         {resetFault, tr("Reset the fault: forces act again")},
