@@ -1,5 +1,6 @@
 #include "app/commands/WindowCommand.h"
 
+#include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
@@ -114,6 +115,8 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
         ->check(noMistypedCommand());
     program.add_option("--channel", options->channel, "channel of the height map to open");
     addScaleOptions(program, options->scale);
+    addLevelingOptions(program, options->leveling, options->levelPoints,
+                       "default: as in the scene, or plane");
     program
         .add_option("--record", options->record,
                     "folder: record every tick of the scene from the first one on")
@@ -123,7 +126,10 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
 }
 
 int openWindow(const WindowOptions& options) {
-    const SceneOverrides overrides{.channel = options.channel, .scale = options.scale};
+    const SceneOverrides overrides{.channel = options.channel,
+                                   .leveling = options.leveling,
+                                   .levelPoints = options.levelPoints,
+                                   .scale = options.scale};
     if (!options.input.empty() && !haveDisplay()) {
         (void)loadSceneOnTerminal(options.input,
                                   overrides);  // what is wrong with the input comes first

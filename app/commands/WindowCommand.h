@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/surface/GivenScale.h"
+#include "core/surface/leveling/LevelingStep.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
@@ -13,11 +15,13 @@ namespace asperity {
 
 /// What `asperity [FILE or SCENE.toml]` was given.
 struct WindowOptions {
-    std::string input;    ///< empty: the scene that comes with the program
-    std::string channel;  ///< of the input's height map; empty: as the scene says
-    GivenScale scale;     ///< of a file that does not say its own
-    std::string record;   ///< folder for a recording from the first tick on; empty: none
-    bool force = false;   ///< an earlier run in that folder may go
+    std::string input;                      ///< empty: the scene that comes with the program
+    std::string channel;                    ///< of the input's height map; empty: as the scene says
+    GivenScale scale;                       ///< of a file that does not say its own
+    std::optional<LevelingSteps> leveling;  ///< none: as the scene says
+    std::optional<LevelPoints> levelPoints;  ///< of the step three_point
+    std::string record;  ///< folder for a recording from the first tick on; empty: none
+    bool force = false;  ///< an earlier run in that folder may go
 };
 
 /// Adds the options of the program itself, without a subcommand.

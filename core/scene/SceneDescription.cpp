@@ -57,8 +57,8 @@ void check(const Meniscus& meniscus) {
 void checkLeveling(const SampleDescription& sample) {
     const bool needsPoints =
         std::ranges::find(sample.leveling, LevelingStep::ThreePoint) != sample.leveling.end();
-    require(!needsPoints || sample.levelPoints,
-            "[sample]: level three_point needs level_points_m, three places on the scan");
+    require(!needsPoints || sample.levelPoints, "[sample]: level three_point needs level_points_m "
+                                                "(or --level-points), three places on the scan");
     const std::string refusal = sample.levelPoints ? refusalOf(*sample.levelPoints) : "";
     require(refusal.empty(), "[sample]: level_points_m: " + refusal);
 }

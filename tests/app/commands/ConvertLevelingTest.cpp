@@ -224,6 +224,22 @@ TEST_F(ConvertSteps, ThreePointTakesItsPlaces) {
     EXPECT_EQ(convert("--level-points 1,2,3").exitCode, 2);
 }
 
+/// The same options level what other commands, and the window, open.
+TEST_F(ConvertSteps, AreThoseOfEveryCommandThatOpensAScan) {
+    const std::string input = scratch.file("in.gwy").string();
+    const std::string points = " --level-points 100e-9,100e-9,500e-9,100e-9,300e-9,350e-9";
+    const auto explored =
+        test::runProgram("explore " + input + " --out " + scratch.file("run").string() +
+                         " --path slide --duration 0.1 --level three_point,zero" + points);
+    EXPECT_EQ(explored.exitCode, 0) << explored.output;
+    EXPECT_THAT(explored.output, HasSubstr("leveling, step 1 of 2: plane through three places"));
+    EXPECT_THAT(test::contentOf(scratch.file("run") / "scene.toml"),
+                HasSubstr("level = [ 'three_point', 'zero' ]"));
+    const auto window = test::runProgram(input + " --level three_point", "DISPLAY=");
+    EXPECT_EQ(window.exitCode, 3);
+    EXPECT_THAT(window.output, HasSubstr("three_point needs level_points_m (or --level-points)"));
+}
+
 TEST_F(ConvertSteps, RefuseWhatIsNoStep) {
     const auto run = convert("--level plane,flat");
     EXPECT_EQ(run.exitCode, 2);

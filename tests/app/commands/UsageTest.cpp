@@ -42,6 +42,8 @@ TEST(Usage, WrongCallsExitWith2) {
                                    "explore a --out ''",
                                    "replay a --out ''",
                                    "explore a --out b --level flat",
+                                   "a.gsf --level flat",
+                                   "measure",
                                    "explore a --out b --setpoint 5nm",
                                    "explore a --out b --setpoint 5",
                                    "explore a --out b --setpoint x",
