@@ -124,6 +124,11 @@ Json readingJson(const std::optional<Reading>& reading) {
 Json cycleJson(const ContactCycle& cycle) {
     return {{"touch_s", cycle.touchTime},
             {"off_s", cycle.complete() ? Json(cycle.offTime) : Json(nullptr)},
+            {"x_m", cycle.place.x()},
+            {"y_m", cycle.place.y()},
+            {"snap_in_force_n", readingJson(cycle.snapIn)},
+            {"snap_in_force_sigma_n", cycle.snapIn ? Json(cycle.snapIn->sigma) : Json(nullptr)},
+            {"snap_in_distance_m", cycle.snapIn ? Json(cycle.snapInBaseDistance) : Json(nullptr)},
             {"pull_off_force_n", readingJson(cycle.pullOff)},
             {"pull_off_force_sigma_n", cycle.pullOff ? Json(cycle.pullOff->sigma) : Json(nullptr)},
             {"adhesion_work_j", cycle.adhesionWork},

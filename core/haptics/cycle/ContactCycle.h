@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/Vector.h"
+
 #include <cstdint>
 #include <optional>
 
@@ -25,10 +27,15 @@ struct Reading {
 /// distances, too.
 struct ContactCycle {
     CyclePhase phase = CyclePhase::Apart;
-    double touchTime = 0.0;       ///< first tick in contact [s]
-    double offTime = 0.0;         ///< first tick after it [s]
-    double maxForce = 0.0;        ///< repulsive [N]
-    double maxIndentation = 0.0;  ///< of the undeformed surface, >= 0 [m]
+    double touchTime = 0.0;           ///< first tick in contact [s]
+    Vector2 place = Vector2::Zero();  ///< of the tip in that tick, world x, y [m]
+    double offTime = 0.0;             ///< first tick after it [s]
+    double maxForce = 0.0;            ///< repulsive [N]
+    double maxIndentation = 0.0;      ///< of the undeformed surface, >= 0 [m]
+    /// Strongest pull of the first approach, > 0; none: no pull beyond the noise [N]
+    std::optional<Reading> snapIn;
+    double snapInSeparation = 0.0;    ///< where that was [m]
+    double snapInBaseDistance = 0.0;  ///< gap that the undeflected tip had there [m]
     /// Strongest pull of the last retract branch, > 0; none: no pull beyond the noise [N]
     std::optional<Reading> pullOff;
     double pullOffSeparation = 0.0;    ///< where that was [m]

@@ -59,6 +59,7 @@ void CycleDetector::take(double time, const TickInput& input, const TickOutput& 
 void CycleDetector::begin() noexcept {
     cycle_ = {};
     areaVariance_ = 0.0;
+    retracted_ = false;
     ++number_;
 }
 
@@ -67,9 +68,11 @@ void CycleDetector::takeApart(double time, bool turned, bool touches) noexcept {
     if (anew || (touches && cycle_.complete())) {
         begin();
     }
+    takeSnapIn();
     if (touches) {
         cycle_.phase = CyclePhase::Contact;
         cycle_.touchTime = time;
+        cycle_.place = tip_;
         touched_ = place_;
         tipTouched_ = tip_;
         deepest_ = std::numeric_limits<double>::infinity();
@@ -91,12 +94,30 @@ void CycleDetector::takeContact(double time, bool turned, bool held) noexcept {
     cycle_.maxIndentation = std::max(cycle_.maxIndentation, -point_.separation);
     takeUnloading();
     if (branch_.branch() != CurveBranch::Retract) {
+        takeSnapIn();
         return;
     }
+    retracted_ = true;
     if (turned) {
         cycle_.pullOff.reset();
         cycle_.adhesionWork = 0.0;
     }
+    takePullOff();
+}
+
+/// An attraction that comes before contact counts, too: instrument and model seldom snap in at the
+/// same tick.
+void CycleDetector::takeSnapIn() noexcept {
+    const double pull = -trend_.force();
+    const bool approaches = !retracted_ && branch_.branch() == CurveBranch::Approach;
+    if (approaches && trend_.pulls() && pull > (cycle_.snapIn ? cycle_.snapIn->value : 0.0)) {
+        cycle_.snapIn = {.value = pull, .sigma = trend_.sigma()};
+        cycle_.snapInSeparation = point_.separation;
+        cycle_.snapInBaseDistance = point_.baseDistance;
+    }
+}
+
+void CycleDetector::takePullOff() noexcept {
     const double pull = -trend_.force();
     if (trend_.pulls() && pull > (cycle_.pullOff ? cycle_.pullOff->value : 0.0)) {
         cycle_.pullOff = {.value = pull, .sigma = trend_.sigma()};

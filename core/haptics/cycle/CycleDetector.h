@@ -17,7 +17,8 @@ namespace asperity {
 /// than half of the strongest pull. An instrument and its model seldom come off in the same tick;
 /// the later of the two ends the cycle, and a pull that comes only then reopens it. A cycle begins
 /// when the tip turns to the sample in free air. However often it turns or rests in contact, the
-/// cycle goes on, and what it says of the retract is of the last one. O(1) a tick, allocation-free.
+/// cycle goes on, and what it says of the retract is of the last one, of the approach of the first.
+/// O(1) a tick, allocation-free.
 class CycleDetector {
 public:
     /// A tick without a point (no equilibrium, values that are not finite) is left out.
@@ -34,6 +35,8 @@ public:
 private:
     void takeApart(double time, bool turned, bool touches) noexcept;
     void takeContact(double time, bool turned, bool held) noexcept;
+    void takeSnapIn() noexcept;
+    void takePullOff() noexcept;
     void takeAreas(const ForceDistancePoint& before, double forceBefore) noexcept;
     void takeUnloading() noexcept;
     void begin() noexcept;
@@ -52,6 +55,7 @@ private:
     double areaVariance_ = 0.0;             ///< [J^2]
     int ticksOff_ = 0;                      ///< without a sign of contact, in a row
     bool slides_ = false;
+    bool retracted_ = false;  ///< the cycle's first approach is over
     bool started_ = false;
 };
 

@@ -41,6 +41,46 @@ TEST(CycleDetector, SaysWhereThePullOffWas) {
                 1.01 * SpringContact::kStep);
 }
 
+TEST(CycleDetector, ATipThatNothingPullsHasNoSnapIn) {
+    SpringContact run(SpringContact::kSigma);
+    run.oneCycle();
+    EXPECT_FALSE(run.cycle().snapIn);
+}
+
+TEST(CycleDetector, SnapInIsThePullOfTheFirstApproach) {
+    SpringContact run;
+    run.attraction = 2e-9;
+    run.moveTo(-2e-9);
+    ASSERT_TRUE(run.cycle().snapIn);
+    EXPECT_NEAR(run.cycle().snapIn->value, 2e-9, kForceStep);
+    EXPECT_GT(run.cycle().snapIn->sigma, 0.0);
+    EXPECT_NEAR(run.cycle().snapInBaseDistance, 1e-9, 1.01 * SpringContact::kStep);
+    EXPECT_NEAR(run.cycle().snapInSeparation, 1e-9 - 2e-9 / SpringContact::kLever,
+                1.01 * SpringContact::kStep);
+    run.moveTo(0.4e-9);  // pulls by 4.4 nN: of a retract
+    run.moveTo(-1e-9);
+    EXPECT_NEAR(run.cycle().snapIn->value, 2e-9, kForceStep);
+}
+
+TEST(CycleDetector, AnAttractionThatWasLeftAgainIsNoSnapInOfTheNextCycle) {
+    SpringContact run;
+    run.attraction = 2e-9;
+    run.moveTo(0.5e-9);
+    run.moveTo(4e-9);
+    run.attraction = 0.0;
+    run.moveTo(-2e-9);
+    EXPECT_FALSE(run.cycle().snapIn);
+}
+
+TEST(CycleDetector, SaysWhereTheTipTouched) {
+    SpringContact run;
+    run.sample.output.model.tip.head<2>() = Vector2(30e-9, 40e-9);
+    run.moveTo(-2e-9);
+    run.sample.output.model.tip.x() = 50e-9;
+    run.moveTo(4e-9);
+    EXPECT_EQ(run.cycle().place, Vector2(30e-9, 40e-9));
+}
+
 TEST(CycleDetector, NoiseNeitherAddsNorLosesACycle) {
     SpringContact run(SpringContact::kSigma);
     for (int i = 1; i <= 30; ++i) {

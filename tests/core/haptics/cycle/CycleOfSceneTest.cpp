@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <tuple>
@@ -71,6 +73,14 @@ protected:
         return pull;
     }
 
+    /// Strongest pull of the law's approach, and the base's distance there.
+    [[nodiscard]] const ForceCurvePoint& lawSnapIn() const {
+        return *std::min_element(law.approach.begin(), law.approach.end(),
+                                 [](const ForceCurvePoint& a, const ForceCurvePoint& b) {
+                                     return a.state.force < b.state.force;
+                                 });
+    }
+
     [[nodiscard]] double lawHysteresis() const {
         return (law.snapIn ? law.snapIn->after.energyLost : 0.0) +
                (law.pullOff ? law.pullOff->after.energyLost : 0.0);
@@ -100,6 +110,19 @@ TEST_P(CycleOfScene, PullOffIsThatOfTheLaw) {
     ASSERT_TRUE(cycle.pullOff);
     const double tolerance = noisy() ? 0.2e-9 : 0.01 * lawPull();
     EXPECT_NEAR(cycle.pullOff->value, lawPull(), tolerance);
+}
+
+TEST_P(CycleOfScene, SnapInIsThatOfTheLaw) {
+    ASSERT_TRUE(cycle.snapIn);
+    const double pull = -lawSnapIn().state.force;
+    EXPECT_NEAR(cycle.snapIn->value, pull, noisy() ? 5.0 * cycle.snapIn->sigma : 0.02 * pull);
+    EXPECT_NEAR(cycle.snapInBaseDistance, -lawSnapIn().basePosition,
+                noisy() ? 0.02_nm : 0.02 * std::abs(lawSnapIn().basePosition));
+}
+
+TEST_P(CycleOfScene, PlaceIsWhereTheTipTouched) {
+    EXPECT_NEAR(cycle.place.x(), 64.0_nm, 1e-12);
+    EXPECT_NEAR(cycle.place.y(), 64.0_nm, 1e-12);
 }
 
 TEST_P(CycleOfScene, WorkIsTheIntegralOfTheLawsCurve) {
