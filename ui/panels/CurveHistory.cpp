@@ -53,14 +53,17 @@ void CurveHistory::clear() noexcept {
     newestTime_ = 0.0;
 }
 
-/// Calls visitor(interval) for each interval that holds samples and is not too old.
+CurveHistory::Span CurveHistory::kept() const noexcept {
+    return {newest_ - static_cast<std::int64_t>(ring_.size()) + 1, newest_};
+}
+
+/// Calls visitor(interval) for each interval of the span that holds samples and is not too old.
 template <typename Visitor>
-void CurveHistory::visit(const Visitor& visitor) const {
+void CurveHistory::visit(const Span& span, const Visitor& visitor) const {
     if (!started_) {
         return;
     }
-    const auto count = static_cast<std::int64_t>(ring_.size());
-    for (std::int64_t index = newest_ - count + 1; index <= newest_; ++index) {
+    for (std::int64_t index = span.first; index <= span.last; ++index) {
         const Interval& interval = ring_[slotOf(index)];
         if (interval.index == index) {
             visitor(interval);
@@ -73,29 +76,66 @@ CurveExtent CurveHistory::extent() const noexcept {
         return {};
     }
     CurveExtent extent{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
-    visit([&extent](const Interval& interval) {
+    visit(kept(), [&extent](const Interval& interval) {
         extent.low = std::min(extent.low, interval.low.value);
         extent.high = std::max(extent.high, interval.high.value);
     });
     return extent;
 }
 
-std::vector<CurvePoint> CurveHistory::points() const {
+std::vector<CurvePoint> CurveHistory::points() const { return points(kept(), 1); }
+
+std::vector<CurvePoint> CurveHistory::points(double begin, double end, int pieces) const {
+    const Span all = kept();
+    const auto indexOf = [&](double time) {
+        const double place = std::floor(time / width_);
+        const auto low = static_cast<double>(all.first);
+        const auto high = static_cast<double>(all.last);
+        return static_cast<std::int64_t>(std::clamp(place, low, high));
+    };
+    const Span asked{indexOf(begin), indexOf(end)};
+    const std::int64_t group = (asked.last - asked.first) / pieces + 1;
+    return points(
+        {std::max(all.first, asked.first - group), std::min(all.last, asked.last + group)}, group);
+}
+
+/// Groups begin at multiples of their size, so that they stay the same as time goes on.
+std::vector<CurvePoint> CurveHistory::points(const Span& span, std::int64_t group) const {
     std::vector<CurvePoint> points;
-    points.reserve(2 * ring_.size() + 1);
-    visit([&](const Interval& interval) {
-        const bool lowFirst = interval.low.time <= interval.high.time;
-        const CurvePoint& first = lowFirst ? interval.low : interval.high;
-        const CurvePoint& second = lowFirst ? interval.high : interval.low;
-        if (!points.empty() && first.time - points.back().time > longestJoin_) {
-            points.push_back({first.time, std::numeric_limits<double>::quiet_NaN()});
+    points.reserve(2 * static_cast<std::size_t>((span.last - span.first) / group) + 6);
+    Interval merged;
+    std::int64_t present = kUnused;
+    visit(span, [&](const Interval& interval) {
+        const auto number = static_cast<std::int64_t>(
+            std::floor(static_cast<double>(interval.index) / static_cast<double>(group)));
+        if (number == present) {
+            merged.low = interval.low.value < merged.low.value ? interval.low : merged.low;
+            merged.high = interval.high.value > merged.high.value ? interval.high : merged.high;
+            return;
         }
-        points.push_back(first);
-        if (second.time > first.time) {
-            points.push_back(second);
+        if (present != kUnused) {
+            append(points, merged);
         }
+        merged = interval;
+        present = number;
     });
+    if (present != kUnused) {
+        append(points, merged);
+    }
     return points;
+}
+
+void CurveHistory::append(std::vector<CurvePoint>& points, const Interval& interval) const {
+    const bool lowFirst = interval.low.time <= interval.high.time;
+    const CurvePoint& first = lowFirst ? interval.low : interval.high;
+    const CurvePoint& second = lowFirst ? interval.high : interval.low;
+    if (!points.empty() && first.time - points.back().time > longestJoin_) {
+        points.push_back({first.time, std::numeric_limits<double>::quiet_NaN()});
+    }
+    points.push_back(first);
+    if (second.time > first.time) {
+        points.push_back(second);
+    }
 }
 
 }  // namespace asperity

@@ -37,6 +37,9 @@ public:
     /// The curve in the order of time; a value that is not a number parts two pieces between which
     /// nothing is known for longer than a twentieth of the span.
     [[nodiscard]] std::vector<CurvePoint> points() const;
+    /// The part between two times [s], and one point more beyond each where there is one, as
+    /// smallest and largest values of at most about `pieces` equal times, >= 1.
+    [[nodiscard]] std::vector<CurvePoint> points(double begin, double end, int pieces) const;
 
 private:
     struct Interval {
@@ -47,8 +50,18 @@ private:
     static constexpr std::int64_t kUnused = INT64_MIN;
 
     [[nodiscard]] std::size_t slotOf(std::int64_t index) const noexcept;
+    /// The range of indices of a run of intervals, both ends in it.
+    struct Span {
+        std::int64_t first = 0;
+        std::int64_t last = 0;
+    };
+
+    [[nodiscard]] Span kept() const noexcept;
     template <typename Visitor>
-    void visit(const Visitor& visitor) const;
+    void visit(const Span& span, const Visitor& visitor) const;
+    /// In groups of this many intervals.
+    [[nodiscard]] std::vector<CurvePoint> points(const Span& span, std::int64_t group) const;
+    void append(std::vector<CurvePoint>& points, const Interval& interval) const;
 
     double width_;        ///< of an interval [s]
     double longestJoin_;  ///< time without samples over which the curve is still drawn [s]

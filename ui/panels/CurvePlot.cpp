@@ -1,9 +1,13 @@
 #include "ui/panels/CurvePlot.h"
 
 #include "ui/panels/AxisTicks.h"
+#include "ui/panels/PlotCursor.h"
+#include "ui/panels/PlotNavigation.h"
 #include "ui/panels/QwtParts.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <qwt_painter.h>
 #include <qwt_plot.h>
@@ -17,16 +21,22 @@ namespace asperity {
 
 namespace {
 
-constexpr int kIntervals = 400;       ///< of a history: about one a pixel
+constexpr int kIntervals = 4000;      ///< of a history: zoomed in by ten, one a pixel
+constexpr int kPieces = 400;          ///< that are drawn: about one a pixel
 constexpr double kCurveWidth = 1.3;   ///< [px]
 constexpr int kMinTickDistance = 14;  ///< [px]
+constexpr int kMinTimeDistance = 46;  ///< of ticks of the time axis [px]
 
-class TimeScaleDraw : public QwtScaleDraw {
-public:
-    [[nodiscard]] QwtText label(double value) const override {
-        return QStringLiteral("%1 s").arg(value);
-    }
-};
+/// A label at an end of the horizontal axis would reach beyond the plot.
+void dropEnds(std::vector<double>& ticks, const AxisRange& range) {
+    constexpr double kEndShare = 0.04;
+    const double room = kEndShare * (range.high - range.low);
+    ticks.erase(std::remove_if(ticks.begin(), ticks.end(),
+                               [&](double tick) {
+                                   return tick < range.low + room || tick > range.high - room;
+                               }),
+                ticks.end());
+}
 
 QString legendText(const CurvePlotSetup& setup, const QString& unit) {
     QString text = QStringLiteral("<b>%1</b> [%2]").arg(setup.title, unit);
@@ -46,39 +56,71 @@ class CurvePlot::Canvas {
 public:
     Canvas(const CurvePlotSetup& setup, CurvePlot* owner);
 
+    PlotNavigation& navigation() { return *navigation_; }
+    [[nodiscard]] QWidget& area() { return *plot_->canvas(); }
+    [[nodiscard]] const QString& reading() const { return cursor_->text(); }
     void showUnit(const QString& unit);
-    /// Limits of the value axis, in the shown unit.
-    void showRange(const AxisRange& range);
+    /// Limits of the value axis, in the shown unit, and of the time axis.
+    void showWindow(const AxisRange& values, const AxisRange& times);
     void showCurve(std::size_t index, const CurveHistory& history, double now, double factor);
+    void showCursor();
+    void showReset();
     void replot() { plot_->replot(); }
 
 private:
+    /// An axis as it is drawn.
+    struct Axis {
+        AxisRange range;
+        int room = 0;  ///< for ticks
+        bool operator==(const Axis& other) const {
+            return range.low == other.range.low && range.high == other.range.high &&
+                   room == other.room;
+        }
+    };
+
     void buildAxes(const CurvePlotSetup& setup);
     void buildItems(const CurvePlotSetup& setup);
     void color();
+    void showAxis(int axis, Axis& shown, const Axis& wanted, NumberScaleDraw& labels,
+                  const QString& unit);
 
     CurvePlotSetup setup_;
     QLabel* title_;
+    QToolButton* reset_;
     QwtPlot* plot_;
     NumberScaleDraw* valueLabels_ = nullptr;  ///< owned by the plot
+    NumberScaleDraw* timeLabels_ = nullptr;   ///< owned by the plot
     std::vector<PiecewiseCurve*> curves_;     ///< owned by the plot
+    std::unique_ptr<PlotCursor> cursor_;
+    PlotNavigation* navigation_ = nullptr;
     QString unit_;
-    AxisRange range_;
-    std::size_t tickRoom_ = 0;
+    Axis values_;
+    Axis times_;
 };
 
 CurvePlot::Canvas::Canvas(const CurvePlotSetup& setup, CurvePlot* owner)
-    : setup_(setup), title_(new QLabel(owner)), plot_(new QwtPlot(owner)) {
+    : setup_(setup)
+    , title_(new QLabel(owner))
+    , reset_(new QToolButton(owner))
+    , plot_(new QwtPlot(owner)) {
     title_->setFont(theme::textFont(theme::kSmallSize));
     title_->setFixedHeight(title_->fontMetrics().height() + 1);
     title_->setMinimumWidth(1);
     QwtPainter::setRoundingAlignment(false);  // curves run smoothly between the pixels
     buildAxes(setup);
     buildItems(setup);
+    cursor_ = std::make_unique<PlotCursor>(*plot_);
+    navigation_ = new PlotNavigation(area(), AxisRange{-kSpan, 0.0});
+    styleResetButton(*reset_, title_->height());
+    QObject::connect(reset_, &QToolButton::clicked, navigation_, &PlotNavigation::reset);
+    auto* heading = new QHBoxLayout;
+    heading->setSpacing(4);
+    heading->addWidget(title_, 1);
+    heading->addWidget(reset_);
     auto* layout = new QVBoxLayout(owner);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(1);
-    layout->addWidget(title_);
+    layout->addLayout(heading);
     layout->addWidget(plot_, 1);
     theme::follow(owner, [this] { color(); });
 }
@@ -93,8 +135,8 @@ void CurvePlot::Canvas::color() {
 void CurvePlot::Canvas::buildAxes(const CurvePlotSetup& setup) {
     valueLabels_ = new NumberScaleDraw;
     plot_->setAxisScaleDraw(QwtPlot::yLeft, valueLabels_);
-    plot_->setAxisScaleDraw(QwtPlot::xBottom, new TimeScaleDraw);
-    plot_->setAxisScaleDiv(QwtPlot::xBottom, divisions(-kSpan, 0.0, {-8.0, -6.0, -4.0, -2.0}));
+    timeLabels_ = new NumberScaleDraw;
+    plot_->setAxisScaleDraw(QwtPlot::xBottom, timeLabels_);
     plot_->enableAxis(QwtPlot::xBottom, setup.timeLabels == TimeLabels::Shown);
     styleLivePlot(*plot_);
     valueLabels_->setMinimumExtent(valueLabelRoom());
@@ -118,27 +160,59 @@ void CurvePlot::Canvas::showUnit(const QString& unit) {
     }
 }
 
-void CurvePlot::Canvas::showRange(const AxisRange& range) {
-    const auto room =
-        static_cast<std::size_t>(std::max(1, plot_->canvas()->height() / kMinTickDistance));
-    if (range.low == range_.low && range.high == range_.high && room == tickRoom_) {
+void CurvePlot::Canvas::showAxis(int axis, Axis& shown, const Axis& wanted, NumberScaleDraw& labels,
+                                 const QString& unit) {
+    if (shown == wanted) {
         return;
     }
-    range_ = range;
-    tickRoom_ = room;
-    const std::vector<double> ticks = axisTicks(range.low, range.high, static_cast<int>(room));
-    valueLabels_->set(decimalsFor(ticks));
-    plot_->setAxisScaleDiv(QwtPlot::yLeft, divisions(range.low, range.high, ticks));
+    shown = wanted;
+    std::vector<double> ticks =
+        axisTicks(wanted.range.low, wanted.range.high, std::max(1, wanted.room));
+    labels.set(decimalsFor(ticks), unit);
+    if (axis == QwtPlot::xBottom) {
+        dropEnds(ticks, wanted.range);
+    }
+    plot_->setAxisScaleDiv(axis, divisions(wanted.range.low, wanted.range.high, ticks));
+}
+
+void CurvePlot::Canvas::showWindow(const AxisRange& values, const AxisRange& times) {
+    showAxis(QwtPlot::yLeft, values_, {values, plot_->canvas()->height() / kMinTickDistance},
+             *valueLabels_, {});
+    showAxis(QwtPlot::xBottom, times_, {times, plot_->canvas()->width() / kMinTimeDistance},
+             *timeLabels_, QStringLiteral("s"));
 }
 
 void CurvePlot::Canvas::showCurve(std::size_t index, const CurveHistory& history, double now,
                                   double factor) {
     QVector<QPointF> samples;
-    for (const CurvePoint& point : history.points()) {
+    const AxisRange& times = times_.range;
+    for (const CurvePoint& point : history.points(now + times.low, now + times.high, kPieces)) {
         samples.append({point.time - now, point.value * factor});
     }
     curves_[index]->setSamples(samples);
 }
+
+void CurvePlot::Canvas::showCursor() {
+    const std::optional<double> time = navigation_->cursor();
+    QString text;
+    for (std::size_t curve = 0; time && curve < curves_.size(); ++curve) {
+        if (const std::optional<QPointF> sample = nearestSample(*curves_[curve], *time)) {
+            const CurvePlotSetup::Curve& about = setup_.curves[curve];
+            const std::string value =
+                threeDigitText(sample->y(), SiScale{1.0, unit_.toStdString()});
+            text += QStringLiteral("&nbsp; ") +
+                    coloredReading(theme::colors().*about.color,
+                                   about.name + QLatin1Char(' ') + QString::fromStdString(value));
+        }
+    }
+    if (text.isEmpty()) {
+        cursor_->hide();
+    } else {
+        cursor_->show(*time, QStringLiteral("%1 s").arg(*time, 0, 'f', 2) + text);
+    }
+}
+
+void CurvePlot::Canvas::showReset() { reset_->setVisible(navigation_->isZoomed()); }
 
 CurvePlot::CurvePlot(const CurvePlotSetup& setup, QWidget* parent)
     : QWidget(parent)
@@ -147,6 +221,8 @@ CurvePlot::CurvePlot(const CurvePlotSetup& setup, QWidget* parent)
     , range_(setup.smallest)
     , scale_(setup.unit.toStdString(), setup.smallest)
     , canvas_(std::make_unique<Canvas>(setup, this)) {
+    connect(&canvas_->navigation(), &PlotNavigation::windowChanged, this, &CurvePlot::refresh);
+    connect(&canvas_->navigation(), &PlotNavigation::cursorMoved, this, &CurvePlot::refresh);
     refresh();
 }
 
@@ -161,7 +237,7 @@ void CurvePlot::take(double time, const Values& values) noexcept {
 void CurvePlot::fitRange() {
     bool found = zero_ == ZeroLine::Shown;
     CurveExtent all;
-    for (const CurveHistory& history : histories_) {
+    for (const CurveHistory& history : drawn()) {
         if (history.isEmpty()) {
             continue;
         }
@@ -174,19 +250,22 @@ void CurvePlot::fitRange() {
 
 void CurvePlot::refresh() {
     fitRange();
-    const AxisRange& range = range_.range();
+    const PlotWindow& window = canvas_->navigation().fit({{-kSpan, 0.0}, range_.range()});
+    shownTimes_ = window.x;
     // A range far from zero takes the prefix of its extent: 7012 nm and not 7.012 um.
-    const double largest = std::max(std::abs(range.low), std::abs(range.high));
-    const SiScale& scale = scale_.fit(std::min(largest, 50.0 * (range.high - range.low)));
+    const double largest = std::max(std::abs(window.y.low), std::abs(window.y.high));
+    const SiScale& scale = scale_.fit(std::min(largest, 50.0 * (window.y.high - window.y.low)));
     canvas_->showUnit(QString::fromStdString(scale.unit));
-    canvas_->showRange({range.low * scale.factor, range.high * scale.factor});
+    canvas_->showWindow({window.y.low * scale.factor, window.y.high * scale.factor}, window.x);
     double now = 0.0;
-    for (const CurveHistory& history : histories_) {
+    for (const CurveHistory& history : drawn()) {
         now = std::max(now, history.newestTime());
     }
-    for (std::size_t curve = 0; curve < histories_.size(); ++curve) {
-        canvas_->showCurve(curve, histories_[curve], now, scale.factor);
+    for (std::size_t curve = 0; curve < drawn().size(); ++curve) {
+        canvas_->showCurve(curve, drawn()[curve], now, scale.factor);
     }
+    canvas_->showCursor();
+    canvas_->showReset();
     canvas_->replot();
 }
 
@@ -196,5 +275,18 @@ void CurvePlot::clear() {
     }
     refresh();
 }
+
+void CurvePlot::setPaused(bool paused) {
+    if (paused != isPaused()) {
+        paused_ = paused ? std::optional(histories_) : std::nullopt;
+        refresh();
+    }
+}
+
+QString CurvePlot::reading() const { return canvas_->reading(); }
+
+bool CurvePlot::isZoomed() const { return canvas_->navigation().isZoomed(); }
+
+QWidget& CurvePlot::canvas() { return canvas_->area(); }
 
 }  // namespace asperity

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace asperity {
@@ -36,7 +37,8 @@ struct CurvePlotSetup {
 };
 
 /// Live curves of one to three quantities of the same unit over the last ten seconds of physics
-/// time. The value axis ranges itself and names its unit with the fitting prefix.
+/// time. The value axis ranges itself and names its unit with the fitting prefix, until a user
+/// zooms or pans (PlotNavigation). A hovering pointer reads all curves.
 class CurvePlot : public QWidget {
 public:
     static constexpr double kSpan = 10.0;  ///< [s]
@@ -53,17 +55,31 @@ public:
     void refresh();
     /// Forgets all values.
     void clear();
+    /// Freezes what is drawn; values are kept on, so that it goes on with those of now.
+    void setPaused(bool paused);
+    [[nodiscard]] bool isPaused() const { return paused_.has_value(); }
+
+    /// What the cursor reads; empty: the pointer is elsewhere.
+    [[nodiscard]] QString reading() const;
+    [[nodiscard]] bool isZoomed() const;
+    /// The range of the time axis, 0: now [s].
+    [[nodiscard]] const AxisRange& shownTimes() const { return shownTimes_; }
+    [[nodiscard]] QWidget& canvas();
 
     [[nodiscard]] const CurveHistory& history(std::size_t curve) const { return histories_[curve]; }
     [[nodiscard]] const AxisRange& valueRange() const { return range_.range(); }  ///< [unit]
 
 private:
     class Canvas;  ///< what Qwt draws
+    using Histories = std::vector<CurveHistory>;
 
     void fitRange();
+    [[nodiscard]] const Histories& drawn() const { return paused_ ? *paused_ : histories_; }
 
     ZeroLine zero_;
-    std::vector<CurveHistory> histories_;
+    Histories histories_;
+    std::optional<Histories> paused_;  ///< as they were then
+    AxisRange shownTimes_;
     SteadyRange range_;
     SteadyScale scale_;
     std::unique_ptr<Canvas> canvas_;

@@ -2,6 +2,8 @@
 
 #include "ui/Theme.h"
 #include "ui/panels/CycleTable.h"
+#include "ui/panels/MeasuredBar.h"
+#include "ui/panels/PlotNavigation.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -26,16 +28,22 @@ CyclePanel::CyclePanel(QWidget* parent)
     : QWidget(parent)
     , axis_(new QComboBox(this))
     , plot_(new ForceDistancePlot(this))
-    , table_(new CycleTable(this)) {
+    , table_(new CycleTable(this))
+    , bar_(new MeasuredBar(this)) {
     plot_->setToolTip(tr("Estimated normal force over distance in the last cycles, positive: "
-                         "repulsive; a ring marks the pull-off"));
-    older_.reserve(kMaxOlder + 1);
+                         "repulsive; a ring marks the pull-off") +
+                      QLatin1Char('\n') + PlotNavigation::help());
+    cycles_.older.reserve(kMaxOlder + 1);
     buildHeading();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
     column->addWidget(plot_, 1);
+    column->addWidget(bar_);
     column->addWidget(table_);
+    connect(table_, &CycleTable::rowClicked, this, &CyclePanel::toggle);
+    connect(bar_, &MeasuredBar::offsetChanged, this, &CyclePanel::refresh);
+    connect(bar_, &MeasuredBar::removeChosen, this, [this] { setMeasured(std::nullopt); });
     refresh();
 }
 
@@ -45,11 +53,16 @@ void CyclePanel::buildHeading() {
     axis_->addItem(tr("base position"));
     axis_->setToolTip(tr("Distance axis: separation of tip and undeformed surface, negative: "
                          "indented; or of the undeflected tip, which the base sets"));
+    auto* load = new QToolButton(this);
+    load->setObjectName(QStringLiteral("loadMeasured"));
+    load->setText(tr("Curve…"));
+    load->setToolTip(tr("Draw a measured force–distance curve from a text file over these"));
     auto* clearAll = new QToolButton(this);
     clearAll->setObjectName(QStringLiteral("clearCycles"));
     clearAll->setText(tr("Clear"));
     clearAll->setToolTip(tr("Forget these curves"));
-    for (QWidget* const control : {static_cast<QWidget*>(axis_), static_cast<QWidget*>(clearAll)}) {
+    for (QWidget* const control : {static_cast<QWidget*>(axis_), static_cast<QWidget*>(load),
+                                   static_cast<QWidget*>(clearAll)}) {
         control->setFont(theme::textFont(theme::kSmallSize));
         control->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
         plot_->heading().addWidget(control);
@@ -58,10 +71,11 @@ void CyclePanel::buildHeading() {
         plot_->forgetRange();
         refresh();
     });
+    connect(load, &QToolButton::clicked, this, &CyclePanel::measuredCurveWanted);
     connect(clearAll, &QToolButton::clicked, this, &CyclePanel::clear);
 }
 
-void CyclePanel::begin(const QString& material) { present_.material = material; }
+void CyclePanel::begin(const QString& material) { cycles_.present.material = material; }
 
 void CyclePanel::end() {
     keep();
@@ -76,39 +90,44 @@ void CyclePanel::take(const TickSample& sample) noexcept {
         keep();
         number_ = detector_.number();
     }
-    present_.cycle = detector_.cycle();
-    present_.trace.take(detector_);
+    cycles_.present.cycle = detector_.cycle();
+    cycles_.present.trace.take(detector_);
 }
 
 /// What is present becomes the newest of the older ones, if the tip touched.
 void CyclePanel::keep() {
-    if (present_.cycle.touched()) {
-        older_.insert(older_.begin(), present_);
-        if (older_.size() > kMaxOlder) {
+    if (cycles_.present.cycle.touched()) {
+        cycles_.older.insert(cycles_.older.begin(), cycles_.present);
+        if (cycles_.older.size() > kMaxOlder) {
             dropOne();
         }
     }
-    present_.cycle = {};
-    present_.trace.clear();
+    cycles_.present.cycle = {};
+    cycles_.present.trace.clear();
+    cycles_.present.hidden = false;
 }
 
 /// The oldest of which there is a newer one on the same material: each material stays for
 /// comparison as long as there is room.
 void CyclePanel::dropOne() {
     const auto isRepeated = [this](const Kept& kept) {
-        return std::any_of(older_.begin(), older_.end(), [&kept](const Kept& other) {
+        return std::any_of(cycles_.older.begin(), cycles_.older.end(), [&kept](const Kept& other) {
             return &other < &kept && other.material == kept.material;
         });
     };
-    const auto repeated = std::find_if(older_.rbegin(), older_.rend(), isRepeated);
-    older_.erase(repeated == older_.rend() ? older_.end() - 1 : std::prev(repeated.base()));
+    const auto repeated = std::find_if(cycles_.older.rbegin(), cycles_.older.rend(), isRepeated);
+    cycles_.older.erase(repeated == cycles_.older.rend() ? cycles_.older.end() - 1
+                                                         : std::prev(repeated.base()));
 }
 
 void CyclePanel::clear() {
-    if (present_.cycle.phase != CyclePhase::Contact) {
+    if (cycles_.present.cycle.phase != CyclePhase::Contact) {
         end();
     }
-    older_.clear();
+    cycles_.older.clear();
+    if (paused_) {
+        paused_ = cycles_;
+    }
     plot_->forgetRange();
     refresh();
 }
@@ -116,13 +135,49 @@ void CyclePanel::clear() {
 /// The newest first.
 std::vector<const CyclePanel::Kept*> CyclePanel::shown() const {
     std::vector<const Kept*> cycles;
-    if (present_.trace.size() > 0) {
-        cycles.push_back(&present_);
+    if (drawnCycles().present.trace.size() > 0) {
+        cycles.push_back(&drawnCycles().present);
     }
-    for (const Kept& kept : older_) {
+    for (const Kept& kept : drawnCycles().older) {
         cycles.push_back(&kept);
     }
     return cycles;
+}
+
+void CyclePanel::toggle(int row) {
+    Cycles& cycles = paused_ ? *paused_ : cycles_;
+    const int older = cycles.present.trace.size() > 0 ? row - 1 : row;
+    Kept& kept = older < 0 ? cycles.present : cycles.older.at(static_cast<std::size_t>(older));
+    kept.hidden = !kept.hidden;
+    refresh();
+}
+
+void CyclePanel::setPaused(bool paused) {
+    if (paused != paused_.has_value()) {
+        paused_ = paused ? std::optional(cycles_) : std::nullopt;
+        refresh();
+    }
+}
+
+void CyclePanel::setMeasured(const std::optional<MeasuredCurve>& curve) {
+    measured_ = curve;
+    bar_->setCurve(curve ? curve->name : QString(), curve ? curve->details : QString());
+    plot_->forgetRange();
+    refresh();
+}
+
+DrawnMeasurement CyclePanel::drawnMeasurement() const {
+    if (!measured_) {
+        return {};
+    }
+    const auto moved = [this](const MeasuredBranchPoints& branch) {
+        QVector<QPointF> points = showsBase() ? branch.overBase : branch.overSeparation;
+        for (QPointF& point : points) {
+            point.rx() += bar_->offset();
+        }
+        return points;
+    };
+    return {measured_->name, moved(measured_->approach), moved(measured_->retract)};
 }
 
 bool CyclePanel::showsBase() const { return axis_->currentIndex() == 1; }
@@ -167,6 +222,10 @@ AxisRange CyclePanel::distancesOf(const std::vector<const Kept*>& cycles) const 
             }
         }
     }
+    if (measured_) {
+        range = {std::min(range.low, measured_->contact.low + bar_->offset()),
+                 std::max(range.high, measured_->contact.high + bar_->offset())};
+    }
     if (!(range.low <= range.high)) {
         return {};
     }
@@ -179,10 +238,10 @@ void CyclePanel::refresh() {
     std::vector<DrawnCycle> curves;
     std::vector<CycleRow> rows;
     for (const Kept* const kept : cycles) {
-        curves.push_back(drawn(*kept));
-        rows.push_back({kept->material, kept->cycle});
+        curves.push_back(kept->hidden ? DrawnCycle() : drawn(*kept));
+        rows.push_back({kept->material, kept->cycle, kept->hidden});
     }
-    plot_->setCycles(curves, distancesOf(cycles));
+    plot_->setCycles(curves, distancesOf(cycles), drawnMeasurement());
     table_->setRows(rows);
 }
 

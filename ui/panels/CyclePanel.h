@@ -7,6 +7,7 @@
 #include <QString>
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -14,9 +15,26 @@ class QComboBox;
 namespace asperity {
 
 class CycleTable;
+class MeasuredBar;
+
+/// One branch of a measured curve; distance [m], force [N]; 0: contact.
+struct MeasuredBranchPoints {
+    QVector<QPointF> overSeparation;
+    QVector<QPointF> overBase;
+};
+
+/// A measured force-distance curve that is drawn for comparison.
+struct MeasuredCurve {
+    QString name;
+    QString details;  ///< how it was aligned, for its tool tip
+    MeasuredBranchPoints approach;
+    MeasuredBranchPoints retract;
+    AxisRange contact;  ///< distances that are to be seen [m]
+};
 
 /// Force-distance curves of the last cycles, approach and retract over one another, with what is
-/// read from them. Cycles stay when the material changes, until they are cleared: for comparison.
+/// read from them; a click on a row hides or shows its curves. Cycles stay when the material
+/// changes, until they are cleared: for comparison. A measured curve can be drawn over them.
 class CyclePanel : public QWidget {
     Q_OBJECT
 
@@ -33,19 +51,39 @@ public:
     void refresh();
     /// Forgets all cycles; one in contact goes on.
     void clear();
+    /// Freezes what is drawn; cycles are kept on.
+    void setPaused(bool paused);
+    /// Draws it over the cycles, with no offset; none: takes it away.
+    void setMeasured(const std::optional<MeasuredCurve>& curve);
+    [[nodiscard]] const std::optional<MeasuredCurve>& measured() const { return measured_; }
 
     [[nodiscard]] const ForceDistancePlot& plot() const { return *plot_; }
+    [[nodiscard]] ForceDistancePlot& plot() { return *plot_; }
     [[nodiscard]] const CycleTable& table() const { return *table_; }
+
+Q_SIGNALS:
+    /// The user wants to draw one from a file.
+    void measuredCurveWanted();
 
 private:
     /// A cycle with its curve.
     struct Kept {
         QString material;
+        bool hidden = false;  ///< its curves are not drawn
         ContactCycle cycle;
         CycleTrace trace;
     };
 
+    /// All cycles, as they are now or were when the plot was paused.
+    struct Cycles {
+        Kept present;
+        std::vector<Kept> older;  ///< the newest first
+    };
+
     void buildHeading();
+    void toggle(int row);
+    [[nodiscard]] const Cycles& drawnCycles() const { return paused_ ? *paused_ : cycles_; }
+    [[nodiscard]] DrawnMeasurement drawnMeasurement() const;
     void keep();
     void dropOne();
     [[nodiscard]] std::vector<const Kept*> shown() const;
@@ -55,11 +93,13 @@ private:
 
     CycleDetector detector_;
     std::int64_t number_ = 0;  ///< of the present cycle
-    Kept present_;
-    std::vector<Kept> older_;  ///< the newest first
+    Cycles cycles_;
+    std::optional<Cycles> paused_;
+    std::optional<MeasuredCurve> measured_;
     QComboBox* axis_;
     ForceDistancePlot* plot_;
     CycleTable* table_;
+    MeasuredBar* bar_;
 };
 
 }  // namespace asperity

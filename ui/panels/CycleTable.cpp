@@ -5,6 +5,7 @@
 #include "ui/panels/ForceDistancePlot.h"
 
 #include <QHelpEvent>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 
@@ -69,13 +70,15 @@ QString explanation() {
     return CycleTable::tr("Pull-off: strongest pull of the retract branch\n"
                           "Work: work of adhesion, area between the retract branch and zero force\n"
                           "Hysteresis: area between approach and retract\n"
-                          "Stiffness: of the contact, where unloading begins");
+                          "Stiffness: of the contact, where unloading begins\n"
+                          "Click on a row: hide or show its curves");
 }
 
 }  // namespace
 
 CycleTable::CycleTable(QWidget* parent) : QWidget(parent) {
     setFont(theme::textFont(theme::kSmallSize));
+    setCursor(Qt::PointingHandCursor);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);  // the plot has the rest
     setToolTip(explanation());
 }
@@ -90,7 +93,8 @@ void CycleTable::setRows(const std::vector<CycleRow>& newestFirst) {
 }
 
 QString CycleTable::text(int row, Column column) const {
-    const auto& [material, cycle] = rows_.at(static_cast<std::size_t>(row));
+    const ContactCycle& cycle = rows_.at(static_cast<std::size_t>(row)).cycle;
+    const QString& material = rows_.at(static_cast<std::size_t>(row)).material;
     switch (column) {
     case PullOff:
         return asperity::text(cycle.pullOff, kNanonewtons);
@@ -106,7 +110,8 @@ QString CycleTable::text(int row, Column column) const {
 }
 
 QString CycleTable::details(int row) const {
-    const auto& [material, cycle] = rows_.at(static_cast<std::size_t>(row));
+    const ContactCycle& cycle = rows_.at(static_cast<std::size_t>(row)).cycle;
+    const QString& material = rows_.at(static_cast<std::size_t>(row)).material;
     return tr("%1\nPull-off force: %2\nWork of adhesion: %3\nHysteresis: %4\nContact stiffness: "
               "%5\nMaximum force: %6\nMaximum indentation: %7")
         .arg(material, withSigma(cycle.pullOff, kNanonewtons), withSigma(workOf(cycle), energies()),
@@ -118,8 +123,8 @@ QString CycleTable::details(int row) const {
 /// Of the largest: 1 aJ is 1 nN nm.
 SiScale CycleTable::energies() const {
     double largest = 0.0;
-    for (const auto& [material, cycle] : rows_) {
-        largest = std::max({largest, cycle.adhesionWork, cycle.hysteresis});
+    for (const CycleRow& row : rows_) {
+        largest = std::max({largest, row.cycle.adhesionWork, row.cycle.hysteresis});
     }
     return largest < 1e-14   ? SiScale{1e18, "aJ"}
            : largest < 1e-11 ? SiScale{1e15, "fJ"}
@@ -158,10 +163,13 @@ void CycleTable::paintRow(QPainter& painter, int row) const {
     const BranchColors colors = branchColors(row);
     QRect first = cell(row + 1, Material);
     const int middle = first.center().y();
-    painter.fillRect(QRect(0, middle - 2, kSwatch, 2), colors.approach);
-    painter.fillRect(QRect(0, middle + 1, kSwatch, 2), colors.retract);
+    const bool hidden = rows_[static_cast<std::size_t>(row)].hidden;
+    if (!hidden) {
+        painter.fillRect(QRect(0, middle - 2, kSwatch, 2), colors.approach);
+        painter.fillRect(QRect(0, middle + 1, kSwatch, 2), colors.retract);
+    }
     first.setLeft(kSwatch + kSwatchDistance);
-    painter.setPen(row == 0 ? theme::colors().ink : theme::colors().muted);
+    painter.setPen(row == 0 && !hidden ? theme::colors().ink : theme::colors().muted);
     painter.drawText(first, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(text(row, Material), Qt::ElideRight, first.width()));
     for (int column = Material + 1; column < kColumns; ++column) {
@@ -175,10 +183,21 @@ bool CycleTable::event(QEvent* event) {
         return QWidget::event(event);
     }
     const auto* const help = static_cast<QHelpEvent*>(event);
-    const int row = help->pos().y() / lineHeight() - 1;
-    QToolTip::showText(help->globalPos(), row >= 0 && row < rows() ? details(row) : toolTip(),
-                       this);
+    const int row = rowAt(help->pos().y());
+    QToolTip::showText(help->globalPos(), row >= 0 ? details(row) : toolTip(), this);
     return true;
+}
+
+int CycleTable::rowAt(int y) const {
+    const int row = y / lineHeight() - 1;
+    return row < rows() ? row : -1;
+}
+
+void CycleTable::mouseReleaseEvent(QMouseEvent* event) {
+    const int row = rowAt(event->pos().y());
+    if (event->button() == Qt::LeftButton && row >= 0) {
+        Q_EMIT rowClicked(row);
+    }
 }
 
 }  // namespace asperity

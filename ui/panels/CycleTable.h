@@ -16,6 +16,7 @@ namespace asperity {
 struct CycleRow {
     QString material;
     ContactCycle cycle;
+    bool hidden = false;  ///< its curves are not drawn
 };
 
 /// What is read from the curves of a few cycles, the newest on top: pull-off force, work of
@@ -40,12 +41,19 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override;
     bool event(QEvent* event) override;
 
+Q_SIGNALS:
+    /// The user clicks on a cycle's row, counted from the top.
+    void rowClicked(int row);
+
 protected:
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
     [[nodiscard]] SiScale energies() const;
     [[nodiscard]] int lineHeight() const;
+    /// Which row is at this height of the widget [px]; none: -1.
+    [[nodiscard]] int rowAt(int y) const;
     [[nodiscard]] QRect cell(int line, int column) const;
     void paintRow(QPainter& painter, int row) const;
 

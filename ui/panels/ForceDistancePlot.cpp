@@ -2,10 +2,13 @@
 
 #include "ui/Theme.h"
 #include "ui/panels/AxisTicks.h"
+#include "ui/panels/PlotCursor.h"
+#include "ui/panels/PlotNavigation.h"
 #include "ui/panels/QwtParts.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <qwt_painter.h>
 #include <qwt_plot.h>
@@ -15,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace asperity {
 
@@ -29,6 +33,9 @@ constexpr int kMinHeight = 72;             ///< of the plot [px]
 constexpr int kMinTickHeight = 14;         ///< between ticks of the force axis [px]
 constexpr int kMinTickWidth = 52;          ///< between those of the distance axis [px]
 constexpr int kRingSize = 7;               ///< [px]
+constexpr double kMeasuredWidth = 1.1;     ///< of a measured curve [px]
+/// Of the shown distances: a sample farther from the cursor is not read.
+constexpr double kReadReach = 0.03;
 /// Share of paper in the colors of the newest cycle and of the older ones.
 constexpr std::array<double, ForceDistancePlot::kMaxCycles> kFaintness = {0.0, 0.45, 0.62, 0.74};
 
@@ -68,8 +75,14 @@ public:
     [[nodiscard]] QHBoxLayout& heading() { return *heading_; }
     void showAxes(const AxisRange& forces, const SiScale& force, const AxisRange& distances,
                   const SiScale& distance);
-    void showCycles(const std::vector<DrawnCycle>& cycles, const SiScale& force,
+    void showCycles(const std::vector<DrawnCycle>& cycles, const DrawnMeasurement& measured,
+                    const SiScale& force, const SiScale& distance);
+    /// @param name of the measured curve
+    void showCursor(const QString& name, const AxisRange& distances, const SiScale& force,
                     const SiScale& distance);
+    [[nodiscard]] PlotNavigation& navigation() { return *navigation_; }
+    [[nodiscard]] QWidget& area() { return *plot_->canvas(); }
+    [[nodiscard]] const QString& reading() const { return cursor_->text(); }
 
 private:
     /// What draws one cycle; owned by the plot.
@@ -80,20 +93,26 @@ private:
     };
 
     [[nodiscard]] Items newItems();
+    [[nodiscard]] PiecewiseCurve* newCurve();
     void color();
 
     QHBoxLayout* heading_;
     QLabel* legend_;
+    QToolButton* reset_;
     QwtPlot* plot_;
     NumberScaleDraw* forceLabels_;     ///< owned by the plot
     NumberScaleDraw* distanceLabels_;  ///< owned by the plot
     std::array<Items, kMaxCycles> items_;
+    Items measured_;
+    std::unique_ptr<PlotCursor> cursor_;
+    PlotNavigation* navigation_;
     QString unit_;  ///< of the forces
 };
 
 ForceDistancePlot::Canvas::Canvas(ForceDistancePlot* owner)
     : heading_(new QHBoxLayout)
     , legend_(new QLabel(owner))
+    , reset_(new QToolButton(owner))
     , plot_(new QwtPlot(owner))
     , forceLabels_(new NumberScaleDraw)
     , distanceLabels_(new NumberScaleDraw) {
@@ -101,6 +120,7 @@ ForceDistancePlot::Canvas::Canvas(ForceDistancePlot* owner)
     legend_->setMinimumWidth(1);
     heading_->setSpacing(4);
     heading_->addWidget(legend_, 1);
+    heading_->addWidget(reset_);
     QwtPainter::setRoundingAlignment(false);  // curves run smoothly between the pixels
     plot_->setAxisScaleDraw(QwtPlot::yLeft, forceLabels_);
     plot_->setAxisScaleDraw(QwtPlot::xBottom, distanceLabels_);
@@ -110,6 +130,12 @@ ForceDistancePlot::Canvas::Canvas(ForceDistancePlot* owner)
     for (int age = kMaxCycles - 1; age >= 0; --age) {  // the newest is drawn last
         items_[static_cast<std::size_t>(age)] = newItems();
     }
+    measured_.approach = newCurve();
+    measured_.retract = newCurve();
+    cursor_ = std::make_unique<PlotCursor>(*plot_);
+    navigation_ = new PlotNavigation(area());
+    styleResetButton(*reset_, legend_->sizeHint().height());
+    QObject::connect(reset_, &QToolButton::clicked, navigation_, &PlotNavigation::reset);
     auto* layout = new QVBoxLayout(owner);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(1);
@@ -128,17 +154,20 @@ void ForceDistancePlot::Canvas::color() {
             new QwtSymbol(QwtSymbol::Ellipse, QBrush(theme::colors().paper),
                           QPen(colors.retract, kCurveWidth), {kRingSize, kRingSize}));
     }
+    measured_.approach->setPen(theme::colors().ink, kMeasuredWidth, Qt::SolidLine);
+    measured_.retract->setPen(theme::colors().muted, kMeasuredWidth, Qt::SolidLine);
     legend_->setText(legendText(unit_));
 }
 
+PiecewiseCurve* ForceDistancePlot::Canvas::newCurve() {
+    auto* item = new PiecewiseCurve;
+    item->setRenderHint(QwtPlotItem::RenderAntialiased);
+    item->attach(plot_);
+    return item;
+}
+
 ForceDistancePlot::Canvas::Items ForceDistancePlot::Canvas::newItems() {
-    const auto curve = [this] {
-        auto* item = new PiecewiseCurve;
-        item->setRenderHint(QwtPlotItem::RenderAntialiased);
-        item->attach(plot_);
-        return item;
-    };
-    const Items items{curve(), curve(), new QwtPlotMarker};
+    const Items items{newCurve(), newCurve(), new QwtPlotMarker};
     items.pullOff->setRenderHint(QwtPlotItem::RenderAntialiased);
     items.pullOff->attach(plot_);
     return items;
@@ -163,7 +192,8 @@ void ForceDistancePlot::Canvas::showAxes(const AxisRange& forces, const SiScale&
 }
 
 void ForceDistancePlot::Canvas::showCycles(const std::vector<DrawnCycle>& cycles,
-                                           const SiScale& force, const SiScale& distance) {
+                                           const DrawnMeasurement& measured, const SiScale& force,
+                                           const SiScale& distance) {
     const auto placed = [&](const QPointF& point) {
         return QPointF(distance.factor * point.x(), force.factor * point.y());
     };
@@ -182,7 +212,40 @@ void ForceDistancePlot::Canvas::showCycles(const std::vector<DrawnCycle>& cycles
         items_[age].pullOff->setVisible(cycle.pullOff.has_value());
         items_[age].pullOff->setValue(placed(cycle.pullOff.value_or(QPointF())));
     }
+    show(*measured_.approach, measured.approach);
+    show(*measured_.retract, measured.retract);
+    reset_->setVisible(navigation_->isZoomed());
     plot_->replot();
+}
+
+void ForceDistancePlot::Canvas::showCursor(const QString& name, const AxisRange& distances,
+                                           const SiScale& force, const SiScale& distance) {
+    const std::optional<double> place = navigation_->cursor();
+    if (!place) {
+        cursor_->hide();
+        return;
+    }
+    const double x = distance.factor * *place;
+    const double reach = kReadReach * distance.factor * (distances.high - distances.low);
+    const auto read = [&](const PiecewiseCurve& curve, const QString& what) {
+        const std::optional<QPointF> sample = nearestSample(curve, x);
+        const bool isThere = sample && std::abs(sample->x() - x) <= reach;
+        return isThere ? QStringLiteral("&nbsp; ") +
+                             coloredReading(curve.pen().color(),
+                                            what + QLatin1Char(' ') +
+                                                QString::fromStdString(threeDigitText(
+                                                    sample->y(), SiScale{1.0, force.unit})))
+                       : QString();
+    };
+    QStringList lines;
+    for (const Items& items : items_) {
+        lines << read(*items.approach, QWidget::tr("approach")) +
+                     read(*items.retract, QWidget::tr("retract"));
+    }
+    lines << read(*measured_.approach, name) + read(*measured_.retract, QWidget::tr("retract"));
+    lines.removeAll(QString());
+    const QString head = QString::fromStdString(scaledText(*place, distance, 2));
+    cursor_->show(x, (QStringList{head} + lines).join(lines.size() > 1 ? "<br>" : ""));
 }
 
 ForceDistancePlot::ForceDistancePlot(QWidget* parent)
@@ -192,39 +255,64 @@ ForceDistancePlot::ForceDistancePlot(QWidget* parent)
     , forceScale_("N", kMinForces)
     , distanceScale_("m", kMinDistanceUnit)
     , canvas_(std::make_unique<Canvas>(this)) {
+    connect(&canvas_->navigation(), &PlotNavigation::windowChanged, this, &ForceDistancePlot::draw);
+    connect(&canvas_->navigation(), &PlotNavigation::cursorMoved, this, &ForceDistancePlot::draw);
     setCycles({}, {});
 }
 
 ForceDistancePlot::~ForceDistancePlot() = default;
 
-void ForceDistancePlot::fitRanges(const std::vector<DrawnCycle>& cycles,
-                                  const AxisRange& distances) {
+void ForceDistancePlot::fitRanges(const AxisRange& distances) {
     distances_.fit(distances.low, distances.high);
     AxisRange forces;  // zero is always in sight
-    for (const DrawnCycle& cycle : cycles) {
-        for (const QVector<QPointF>* const points : {&cycle.approach, &cycle.retract}) {
-            for (const QPointF& point : *points) {
+    const auto hold = [&forces](const QVector<QPointF>& points, const AxisRange& within) {
+        for (const QPointF& point : points) {
+            if (point.x() >= within.low && point.x() <= within.high) {
                 forces.low = std::fmin(forces.low, point.y());
                 forces.high = std::fmax(forces.high, point.y());
             }
         }
+    };
+    constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+    for (const DrawnCycle& cycle : cycles_) {
+        hold(cycle.approach, {-kAnywhere, kAnywhere});
+        hold(cycle.retract, {-kAnywhere, kAnywhere});
     }
+    hold(measured_.approach, distances_.range());
+    hold(measured_.retract, distances_.range());
     forces_.fit(forces.low, forces.high);
 }
 
 void ForceDistancePlot::setCycles(const std::vector<DrawnCycle>& newestFirst,
-                                  const AxisRange& distances) {
-    fitRanges(newestFirst, distances);
+                                  const AxisRange& distances, const DrawnMeasurement& measured) {
+    cycles_ = newestFirst;
+    measured_ = measured;
+    fitRanges(distances);
+    draw();
+}
+
+void ForceDistancePlot::draw() {
+    const PlotWindow& window = canvas_->navigation().fit({distances_.range(), forces_.range()});
     const auto largest = [](const AxisRange& range) {
         return std::max(std::abs(range.low), std::abs(range.high));
     };
-    const SiScale& force = forceScale_.fit(largest(forces_.range()));
-    const SiScale& distance = distanceScale_.fit(largest(distances_.range()));
-    canvas_->showAxes(forces_.range(), force, distances_.range(), distance);
-    canvas_->showCycles(newestFirst, force, distance);
+    const SiScale& force = forceScale_.fit(largest(window.y));
+    const SiScale& distance = distanceScale_.fit(largest(window.x));
+    canvas_->showAxes(window.y, force, window.x, distance);
+    canvas_->showCursor(measured_.name, window.x, force, distance);
+    canvas_->showCycles(cycles_, measured_, force, distance);
 }
 
-void ForceDistancePlot::forgetRange() { distances_ = SteadyRange(kMinDistances); }
+void ForceDistancePlot::forgetRange() {
+    distances_ = SteadyRange(kMinDistances);
+    canvas_->navigation().reset();
+}
+
+QString ForceDistancePlot::reading() const { return canvas_->reading(); }
+
+bool ForceDistancePlot::isZoomed() const { return canvas_->navigation().isZoomed(); }
+
+QWidget& ForceDistancePlot::canvas() { return canvas_->area(); }
 
 QHBoxLayout& ForceDistancePlot::heading() { return canvas_->heading(); }
 

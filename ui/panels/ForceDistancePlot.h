@@ -5,6 +5,7 @@
 
 #include <QColor>
 #include <QPointF>
+#include <QString>
 #include <QVector>
 #include <QWidget>
 
@@ -33,7 +34,15 @@ struct DrawnCycle {
     std::optional<QPointF> pullOff;  ///< marked with a ring
 };
 
-/// Force-distance curves of a few cycles over one another, the newest in full colors.
+/// A measured curve as it is drawn over the cycles; points as theirs.
+struct DrawnMeasurement {
+    QString name;  ///< empty: there is none
+    QVector<QPointF> approach;
+    QVector<QPointF> retract;
+};
+
+/// Force-distance curves of a few cycles over one another, the newest in full colors, and a
+/// measured one in ink. A user may zoom and pan (PlotNavigation); a hovering pointer reads them.
 class ForceDistancePlot : public QWidget {
 public:
     static constexpr int kMaxCycles = 4;
@@ -45,20 +54,30 @@ public:
 
     /// @param newestFirst at most kMaxCycles
     /// @param distances   what the distance axis must hold [m]
-    void setCycles(const std::vector<DrawnCycle>& newestFirst, const AxisRange& distances);
+    void setCycles(const std::vector<DrawnCycle>& newestFirst, const AxisRange& distances,
+                   const DrawnMeasurement& measured = {});
     /// Another quantity is on the distance axis: it ranges itself anew.
     void forgetRange();
     /// Where controls of the plot stand, beside its legend.
     [[nodiscard]] QHBoxLayout& heading();
 
+    /// What the cursor reads; empty: the pointer is elsewhere.
+    [[nodiscard]] QString reading() const;
+    [[nodiscard]] bool isZoomed() const;
+    [[nodiscard]] QWidget& canvas();
+
+    /// What the plot shows by itself, without zoom.
     [[nodiscard]] const AxisRange& forceRange() const { return forces_.range(); }        ///< [N]
     [[nodiscard]] const AxisRange& distanceRange() const { return distances_.range(); }  ///< [m]
 
 private:
     class Canvas;  ///< what Qwt draws
 
-    void fitRanges(const std::vector<DrawnCycle>& cycles, const AxisRange& distances);
+    void fitRanges(const AxisRange& distances);
+    void draw();
 
+    std::vector<DrawnCycle> cycles_;
+    DrawnMeasurement measured_;
     SteadyRange forces_;
     SteadyRange distances_;
     SteadyScale forceScale_;

@@ -4,10 +4,12 @@
 #include "core/scene/Scene.h"
 #include "ui/Theme.h"
 #include "ui/panels/CyclePanel.h"
+#include "ui/panels/PlotNavigation.h"
 
 #include <QGridLayout>
 #include <QStackedLayout>
 #include <QTabBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -85,7 +87,8 @@ ForcePanel::ForcePanel(QWidget* parent)
     , forcePlot_(new CurvePlot(forceSetup(), this))
     , heightPlot_(new CurvePlot(heightSetup(), this))
     , cycles_(new CyclePanel(this))
-    , tabs_(new QTabBar(this)) {
+    , tabs_(new QTabBar(this))
+    , pause_(new QToolButton(this)) {
     buildNumbers();
     buildCurves();
     clear();
@@ -110,9 +113,11 @@ void ForcePanel::buildNumbers() {
 void ForcePanel::buildCurves() {
     forcePlot_->setObjectName(QStringLiteral("forcePlot"));
     forcePlot_->setToolTip(
-        tr("Estimated force on the tip over the last 10 s; z points out of the sample"));
+        tr("Estimated force on the tip over the last 10 s; z points out of the sample") +
+        QLatin1Char('\n') + PlotNavigation::help());
     heightPlot_->setObjectName(QStringLiteral("heightPlot"));
-    heightPlot_->setToolTip(tr("Height z of the tip's apex in the scan over the last 10 s"));
+    heightPlot_->setToolTip(tr("Height z of the tip's apex in the scan over the last 10 s") +
+                            QLatin1Char('\n') + PlotNavigation::help());
     auto* overTime = new QWidget(this);
     auto* column = new QVBoxLayout(overTime);
     column->setContentsMargins(0, 0, 0, 0);
@@ -126,13 +131,29 @@ void ForcePanel::buildCurves() {
     tabs_->addTab(tr("vs. distance"));
     tabs_->addTab(tr("vs. time"));
     tabs_->setTabToolTip(0, tr("Force–distance curves of the last approaches and retracts"));
-    tabs_->setTabToolTip(1, tr("Force and height of the tip over the last 10 s"));
+    tabs_->setTabToolTip(1, tr("Force and height of the tip over the last 10 s") +
+                                QLatin1Char('\n') + PlotNavigation::help());
     tabs_->setFont(theme::textFont(theme::kSmallSize));
     tabs_->setDrawBase(false);
     tabs_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
     connect(tabs_, &QTabBar::currentChanged, pages, &QStackedLayout::setCurrentIndex);
     addToHeading(tabs_);
+    pause_->setObjectName(QStringLiteral("pausePlots"));
+    pause_->setText(tr("Pause"));
+    pause_->setCheckable(true);
+    pause_->setFont(theme::textFont(theme::kSmallSize));
+    pause_->setFocusPolicy(Qt::TabFocus);
+    pause_->setToolTip(tr("Freezes the curves; the loop goes on. Off: they jump to now"));
+    connect(pause_, &QToolButton::toggled, this, &ForcePanel::setPaused);
+    addToHeading(pause_);
     body().addLayout(pages, 1);
+}
+
+void ForcePanel::setPaused(bool paused) {
+    pause_->setChecked(paused);
+    forcePlot_->setPaused(paused);
+    heightPlot_->setPaused(paused);
+    cycles_->setPaused(paused);
 }
 
 void ForcePanel::buildForces(QGridLayout& grid) {

@@ -9,6 +9,7 @@
 
 class QGridLayout;
 class QTabBar;
+class QToolButton;
 
 namespace asperity {
 
@@ -30,6 +31,9 @@ public:
     [[nodiscard]] const char* slowName() const override { return "forces"; }
 
     [[nodiscard]] const CyclePanel& cycles() const { return *cycles_; }
+    [[nodiscard]] CyclePanel& cycles() { return *cycles_; }
+    /// Freezes the curves; the numbers go on.
+    void setPaused(bool paused);
 
 private:
     void buildNumbers();
@@ -57,6 +61,7 @@ private:
     CurvePlot* heightPlot_;
     CyclePanel* cycles_;
     QTabBar* tabs_;
+    QToolButton* pause_;
 };
 
 }  // namespace asperity

@@ -19,14 +19,7 @@ constexpr double kBorder = 1.0;  ///< of white around a line [px]
 constexpr double kMinFrame = 30.0;  ///< width that reaches beyond the tip's mark [px]
 constexpr double kBracket = 7.0;    ///< arm of a corner bracket [px]
 
-void strokeOverWhite(QPainter& painter, const Color& color, double width,
-                     const QPainterPath& path) {
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(toQColor(kLightPalette.paper), width + 2.0 * kBorder));
-    painter.drawPath(path);
-    painter.setPen(QPen(toQColor(color), width));
-    painter.drawPath(path);
-}
+constexpr double kPlateOpacity = 0.75;  ///< of the white behind a label
 
 /// Both sides of each corner: not a whole rectangle, which would pass for the frame.
 QPainterPath cornerBrackets(const QRectF& around) {
@@ -44,6 +37,27 @@ QPainterPath cornerBrackets(const QRectF& around) {
 }
 
 }  // namespace
+
+void strokeOverWhite(QPainter& painter, const Color& color, double width,
+                     const QPainterPath& path) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(toQColor(kLightPalette.paper), width + 2.0 * kBorder));
+    painter.drawPath(path);
+    painter.setPen(QPen(toQColor(color), width));
+    painter.drawPath(path);
+}
+
+void labelMark(QPainter& painter, const Color& color, const QPointF& at, const QString& text) {
+    painter.setFont(theme::textFont(theme::kSmallSize));
+    QColor plate = toQColor(kLightPalette.paper);
+    plate.setAlphaF(kPlateOpacity);
+    painter.fillRect(QRectF(painter.fontMetrics().boundingRect(text))
+                         .translated(at)
+                         .adjusted(-2.0, 0.0, 2.0, 0.0),
+                     plate);
+    painter.setPen(toQColor(color));
+    painter.drawText(at, text);
+}
 
 void drawTipMark(QPainter& painter, const QPointF& place) {
     QPainterPath mark;

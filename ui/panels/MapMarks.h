@@ -1,15 +1,22 @@
 #pragma once
 
+#include "vtkplugins/pictures/Color.h"
+
 #include <QPointF>
 #include <QPolygonF>
 #include <QRectF>
+#include <QString>
 
 class QPainter;
+class QPainterPath;
 
 namespace asperity {
 
 // Marks on a map of heights, in pixels: seen on dark and on bright heights alike.
 
+void strokeOverWhite(QPainter& painter, const Color& color, double width, const QPainterPath& path);
+/// Small letters on a white plate. @param at the left end of their base line
+void labelMark(QPainter& painter, const Color& color, const QPointF& at, const QString& text);
 void drawTipMark(QPainter& painter, const QPointF& place);
 /// Around a frame so small that the tip's mark would hide it stand corner brackets as well.
 void drawFrameMark(QPainter& painter, const QRectF& frame);

@@ -4,6 +4,7 @@
 #include "ui/Steady.h"
 #include "ui/Theme.h"
 #include "ui/panels/MapMarks.h"
+#include "ui/panels/MapTool.h"
 #include "vtkplugins/pictures/Ticks.h"
 
 #include <QHelpEvent>
@@ -106,8 +107,69 @@ QString OverviewMap::toolTipAt(const QPointF& pixel) const {
         return {};
     }
     const QPointF place = toPlace(pixel);
-    return tr("height %1\nx %2, y %3\nDouble click: go there")
-        .arg(lengthText(heightAt(place)), lengthText(place.x()), lengthText(place.y()));
+    return tr("height %1\nx %2, y %3\n%4")
+        .arg(lengthText(heightAt(place)), lengthText(place.x()), lengthText(place.y()),
+             active_ != nullptr ? active_->hint() : tr("Double click: go there"));
+}
+
+QPointF OverviewMap::onScan(const QPointF& place) const {
+    return {std::clamp(place.x(), 0.0, size_.width()), std::clamp(place.y(), 0.0, size_.height())};
+}
+
+void OverviewMap::addTool(MapTool& tool) {
+    tools_.push_back(&tool);
+    connect(&tool, &MapTool::marksChanged, this, qOverload<>(&QWidget::update));
+    connect(&tool, &QObject::destroyed, this, [this, gone = &tool] {
+        if (active_ == gone) {
+            activate(nullptr);
+        }
+        tools_.erase(std::remove(tools_.begin(), tools_.end(), gone), tools_.end());
+        update();
+    });
+}
+
+void OverviewMap::activate(MapTool* tool) {
+    if (tool == active_) {
+        return;
+    }
+    active_ = tool;
+    pressed_ = false;
+    setMouseTracking(active_ != nullptr);  // the cursor says what a press would do
+    setCursor(Qt::CrossCursor);
+    Q_EMIT toolActivated(active_);
+}
+
+MapPointer OverviewMap::pointerOf(const QMouseEvent& event) const {
+    return {event.localPos(), toPlace(event.localPos()), event.modifiers()};
+}
+
+bool OverviewMap::belongsToTool(const QMouseEvent& event) const {
+    return active_ != nullptr && event.button() == Qt::LeftButton && !size_.isEmpty();
+}
+
+void OverviewMap::mousePressEvent(QMouseEvent* event) {
+    if (belongsToTool(*event)) {
+        pressed_ = true;
+        active_->press(pointerOf(*event), *this);
+    }
+}
+
+void OverviewMap::mouseMoveEvent(QMouseEvent* event) {
+    if (active_ == nullptr || size_.isEmpty()) {
+        return;
+    }
+    if (pressed_) {
+        active_->drag(pointerOf(*event), *this);
+    } else {
+        setCursor(active_->cursor(pointerOf(*event), *this));
+    }
+}
+
+void OverviewMap::mouseReleaseEvent(QMouseEvent* event) {
+    if (belongsToTool(*event) && pressed_) {
+        pressed_ = false;
+        active_->release(pointerOf(*event), *this);
+    }
 }
 
 bool OverviewMap::event(QEvent* event) {
@@ -121,6 +183,10 @@ bool OverviewMap::event(QEvent* event) {
 }
 
 void OverviewMap::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (belongsToTool(*event)) {
+        active_->doubleClick(pointerOf(*event), *this);
+        return;
+    }
     if (event->button() == Qt::LeftButton && mapRect().contains(event->localPos())) {
         const QPointF place = toPlace(event->localPos());
         Q_EMIT placeChosen(place.x(), place.y());
@@ -151,6 +217,11 @@ void OverviewMap::paintEvent(QPaintEvent* /*event*/) {
     }
     drawScaleBar(painter, map);
     drawFrame(painter);
+    for (const MapTool* const tool : tools_) {
+        painter.save();
+        tool->paint(painter, *this);
+        painter.restore();
+    }
     drawTip(painter, map);
 }
 

@@ -7,8 +7,12 @@
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 namespace asperity {
+
+class MapTool;
+struct MapPointer;
 
 /// The scan from above, aspect ratio kept, with the tip's place, the zoomed view's frame, the path
 /// of a scripted device and a scale bar. Places are world x, y [m], y up.
@@ -34,18 +38,35 @@ public:
     [[nodiscard]] const ColorScale& colors() const { return relief_.colors; }
     /// Whether the scan holds no data somewhere.
     [[nodiscard]] bool hasFilled() const { return relief_.hasFilled; }
+    [[nodiscard]] const QSizeF& scanSize() const { return size_; }  ///< [m]
+    /// The place on the scan that is nearest to this one [m].
+    [[nodiscard]] QPointF onScan(const QPointF& place) const;
+
+    /// Shows the marks of a tool, as long as it lives, above those of earlier ones.
+    void addTool(MapTool& tool);
+    /// From now on the left button is this tool's; null: nobody's, and a double click travels.
+    void activate(MapTool* tool);
+    [[nodiscard]] MapTool* activeTool() const { return active_; }
 
 Q_SIGNALS:
     /// A user wants to go there: double click [m].
     void placeChosen(double x, double y);
+    /// Another tool is active; null: none is.
+    void toolActivated(MapTool* tool);
 
 protected:
     bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    [[nodiscard]] MapPointer pointerOf(const QMouseEvent& event) const;
+    /// Whether the active tool gets what this button does.
+    [[nodiscard]] bool belongsToTool(const QMouseEvent& event) const;
     [[nodiscard]] double heightAt(const QPointF& place) const;  ///< [m]
     void drawScaleBar(QPainter& painter, const QRectF& map) const;
     void drawFrame(QPainter& painter) const;
@@ -57,6 +78,9 @@ private:
     std::optional<QPointF> tip_;
     QRectF frame_;
     QPolygonF path_;
+    std::vector<MapTool*> tools_;  ///< in the order in which they are drawn
+    MapTool* active_ = nullptr;
+    bool pressed_ = false;  ///< the active tool has the left button
 };
 
 }  // namespace asperity

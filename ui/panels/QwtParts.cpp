@@ -2,6 +2,7 @@
 
 #include "ui/Theme.h"
 
+#include <QToolButton>
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
@@ -102,6 +103,16 @@ void addZeroLine(QwtPlot& plot) {
     zero->setLineStyle(QwtPlotMarker::HLine);
     zero->attach(&plot);
     theme::follow(&plot, [zero] { zero->setLinePen(theme::colors().muted, 0.0, Qt::SolidLine); });
+}
+
+void styleResetButton(QToolButton& button, int height) {
+    button.setObjectName(QStringLiteral("resetZoom"));
+    button.setText(QToolButton::tr("All"));
+    button.setToolTip(QToolButton::tr("Shows all again (double click in the plot)"));
+    button.setFont(theme::textFont(theme::kSmallSize));
+    button.setFixedHeight(height);
+    button.setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
+    button.hide();
 }
 
 double valueLabelRoom() {

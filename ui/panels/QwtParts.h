@@ -9,6 +9,7 @@
 
 #include <vector>
 
+class QToolButton;
 class QwtPlot;
 
 // What the live plots have in common.
@@ -45,6 +46,8 @@ void styleLivePlot(QwtPlot& plot);
 void colorAxes(QwtPlot& plot, const QColor& lines, const QColor& numbers);
 /// A line at zero force or value.
 void addZeroLine(QwtPlot& plot);
+/// The button that ends zooming, as high as the line that it stands in [px]; hidden at first.
+void styleResetButton(QToolButton& button, int height);
 /// Room for the labels of the value axis, so that the canvas stays where it is.
 [[nodiscard]] double valueLabelRoom();
 

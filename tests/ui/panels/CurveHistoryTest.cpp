@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -92,6 +93,47 @@ TEST(CurveHistory, LeavesOutWhatIsNotFinite) {
     history.add(2.0, 3.0);
     EXPECT_EQ(history.extent().low, 3.0);
     EXPECT_EQ(history.extent().high, 3.0);
+}
+
+TEST(CurveHistory, APartIsPutTogetherInPiecesThatKeepItsPeaks) {
+    CurveHistory history(10.0, 4000);
+    for (int i = 0; i < 10000; ++i) {
+        history.add(1e-3 * i, i == 4321 ? 5.0 : 0.01 * (i % 2));
+    }
+    const std::vector<CurvePoint> all = history.points(0.0, 10.0, 100);
+    EXPECT_LE(all.size(), 210U);
+    EXPECT_GE(all.size(), 190U);
+    const std::vector<CurvePoint> part = history.points(4.0, 5.0, 100);
+    EXPECT_LE(part.size(), 220U);
+    EXPECT_GE(part.size(), 190U) << "as fine as the part is short";
+    EXPECT_NEAR(part.front().time, 4.0, 0.03);
+    EXPECT_LE(part.front().time, 4.0) << "reaches both edges";
+    EXPECT_GE(part.back().time, 4.999);
+    for (const std::vector<CurvePoint>& points : {all, part}) {
+        double highest = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            highest = std::max(highest, points[i].value);
+            EXPECT_TRUE(i == 0 || points[i].time > points[i - 1].time);
+        }
+        EXPECT_EQ(highest, 5.0);
+    }
+    EXPECT_TRUE(history.points(20.0, 30.0, 10).size() <= 4U);
+}
+
+TEST(CurveHistory, PiecesStayTheSameAsTimeGoesOn) {
+    CurveHistory history(1.0, 1000);
+    for (int i = 0; i < 1000; ++i) {
+        history.add(1e-3 * i, std::sin(0.9 * i));
+    }
+    const std::vector<CurvePoint> before = history.points(0.2, 0.8, 50);
+    for (int i = 1000; i < 1100; ++i) {
+        history.add(1e-3 * i, std::sin(0.9 * i));
+    }
+    const std::vector<CurvePoint> after = history.points(0.2, 0.8, 50);
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_EQ(before[i].time, after[i].time);
+    }
 }
 
 TEST(CurveHistory, IsEmptyAfterClear) {

@@ -1,6 +1,9 @@
 #include "ui/panels/CurvePlot.h"
 
+#include "tests/ui/MouseEvents.h"
 #include "tests/ui/panels/PanelSamples.h"
+
+#include <QToolButton>
 
 #include <gtest/gtest.h>
 
@@ -125,6 +128,60 @@ TEST(CurvePlot, DrawsNothingAcrossTimeThatWasLeaptOver) {
     const int half = pixelsOfHue(picture(plot), kFirst);
     EXPECT_LT(half, 0.75 * whole);
     EXPECT_GT(half, 0.3 * whole);
+}
+
+/// A plot with a ramp of ten seconds.
+struct CurvePlotByMouse : ::testing::Test {
+    void SetUp() override {
+        plot.resize(400, 160);
+        plot.grab();  // lays out
+        ramp(0);
+    }
+    void ramp(int from) {
+        for (int i = from; i < from + 10000; ++i) {
+            plot.take(1e-3 * i, {1e-12 * i, -1e-9});
+        }
+        plot.refresh();
+    }
+    /// Where a time before now is on the canvas, while nothing is zoomed.
+    [[nodiscard]] QPointF at(double time) {
+        return {(1.0 + time / CurvePlot::kSpan) * plot.canvas().width(), 40.0};
+    }
+
+    CurvePlot plot{setupOf(ZeroLine::Shown)};
+};
+
+TEST_F(CurvePlotByMouse, TheCursorReadsTimeAndAllCurves) {
+    EXPECT_TRUE(plot.reading().isEmpty());
+    test::sendMouse(plot.canvas(), QEvent::MouseMove, at(-4.0), Qt::NoButton);
+    const QString reading = plot.reading();
+    EXPECT_TRUE(reading.startsWith(QStringLiteral("-4.0"))) << reading.toStdString();
+    EXPECT_TRUE(reading.contains(QStringLiteral("Fx 6.0"))) << reading.toStdString();
+    EXPECT_TRUE(reading.contains(QStringLiteral("Fz -1.00 nN"))) << reading.toStdString();
+}
+
+TEST_F(CurvePlotByMouse, PauseFreezesThePictureAndGoesOnWithNow) {
+    const QImage before = plot.grab().toImage();
+    plot.setPaused(true);
+    ramp(10000);
+    EXPECT_EQ(plot.grab().toImage(), before);
+    EXPECT_EQ(plot.history(0).newestTime(), 19.999) << "values are kept on";
+    plot.setPaused(false);
+    EXPECT_GE(plot.valueRange().high, 19e-9);
+    EXPECT_NE(plot.grab().toImage(), before);
+}
+
+TEST_F(CurvePlotByMouse, ZoomsByDragAndBackByTheButton) {
+    auto* button = plot.findChild<QToolButton*>(QStringLiteral("resetZoom"));
+    EXPECT_TRUE(button->isHidden());
+    test::dragMouse(plot.canvas(), at(-8.0), at(-6.0) + QPointF(0.0, 2.0));
+    EXPECT_TRUE(plot.isZoomed());
+    EXPECT_NEAR(plot.shownTimes().low, -8.0, 0.05);
+    EXPECT_NEAR(plot.shownTimes().high, -6.0, 0.05);
+    EXPECT_FALSE(button->isHidden());
+    button->click();
+    EXPECT_FALSE(plot.isZoomed());
+    EXPECT_EQ(plot.shownTimes().low, -CurvePlot::kSpan);
 }
 
 TEST(CurvePlot, LeavesOutValuesThatAreNotNumbers) {

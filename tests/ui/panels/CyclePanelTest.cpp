@@ -1,11 +1,16 @@
 #include "ui/panels/CyclePanel.h"
 
 #include "tests/core/haptics/cycle/SpringContact.h"
+#include "tests/ui/MouseEvents.h"
 #include "tests/ui/panels/PanelSamples.h"
+#include "ui/Theme.h"
 #include "ui/panels/CycleTable.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QSignalSpy>
 #include <QToolButton>
+#include <QtTest>
 
 #include <gtest/gtest.h>
 
@@ -153,6 +158,78 @@ TEST_F(CyclePanelTest, BranchesHaveTheirColorsAndOlderOnesAreFainter) {
     const QImage both = panel.grab().toImage();
     EXPECT_GT(test::pixelsLike(both, branchColors(1).retract),
               test::pixelsLike(first, branchColors(1).retract) + 20);
+}
+
+TEST_F(CyclePanelTest, AClickOnARowHidesItsCurves) {
+    panel.resize(370, 240);
+    cycles(1);
+    const QImage shown = panel.plot().grab().toImage();
+    auto* table = panel.findChild<CycleTable*>();
+    const QPoint row(20, 3 * table->fontMetrics().height() / 2);
+    QSignalSpy clicked(table, &CycleTable::rowClicked);
+    QTest::mouseClick(table, Qt::LeftButton, Qt::NoModifier, row);
+    ASSERT_EQ(clicked.count(), 1);
+    const QImage hidden = panel.plot().grab().toImage();
+    EXPECT_LT(test::pixelsLike(hidden, branchColors(0).retract),
+              test::pixelsLike(shown, branchColors(0).retract) / 2);
+    EXPECT_EQ(panel.table().rows(), 1) << "its row stays";
+    QTest::mouseClick(table, Qt::LeftButton, Qt::NoModifier, row);
+    EXPECT_EQ(panel.plot().grab().toImage(), shown);
+}
+
+TEST_F(CyclePanelTest, PauseFreezesThePictureAndCyclesAreKeptOn) {
+    panel.resize(370, 240);
+    cycles(1);
+    panel.setPaused(true);
+    const QImage before = panel.grab().toImage();
+    cycles(1);
+    EXPECT_EQ(panel.grab().toImage(), before);
+    EXPECT_EQ(panel.table().rows(), 1);
+    panel.setPaused(false);
+    EXPECT_EQ(panel.table().rows(), 2);
+}
+
+TEST_F(CyclePanelTest, TheCursorReadsDistanceAndBothBranches) {
+    panel.resize(370, 240);
+    cycles(1);
+    panel.grab();  // lays out
+    QWidget& canvas = panel.plot().canvas();
+    const AxisRange& range = panel.plot().distanceRange();
+    // In contact, where both branches are.
+    const double distance = 0.5 * range.low;
+    const double pixel = (distance - range.low) / (range.high - range.low) * canvas.width();
+    test::sendMouse(canvas, QEvent::MouseMove, {pixel, 20.0}, Qt::NoButton);
+    const QString reading = panel.plot().reading();
+    EXPECT_TRUE(reading.contains(QStringLiteral("nm"))) << reading.toStdString();
+    EXPECT_TRUE(reading.contains(QStringLiteral("approach "))) << reading.toStdString();
+    EXPECT_TRUE(reading.contains(QStringLiteral("retract "))) << reading.toStdString();
+    EXPECT_TRUE(reading.contains(QStringLiteral(" nN"))) << reading.toStdString();
+}
+
+TEST_F(CyclePanelTest, AMeasuredCurveIsDrawnOverThemMovedAndTakenAway) {
+    panel.resize(370, 260);
+    cycles(1);
+    const QColor ink = theme::colors().ink;
+    const int without = test::pixelsLike(panel.plot().grab().toImage(), ink);
+    MeasuredCurve curve{.name = QStringLiteral("lever 7.csv"), .details = QStringLiteral("how")};
+    for (int i = 0; i < 200; ++i) {
+        const QPointF point(-2e-9 + 0.03e-9 * i, i < 100 ? 15e-9 - 0.2e-9 * i : 0.0);
+        curve.approach.overSeparation << point;
+        curve.approach.overBase << point;
+    }
+    curve.contact = {-2e-9, 1e-9};
+    panel.setMeasured(curve);
+    const QImage drawn = panel.plot().grab().toImage();
+    EXPECT_GT(test::pixelsLike(drawn, ink), without + 40);
+    EXPECT_FALSE(panel.findChild<QWidget*>(QStringLiteral("measuredName"))->isHidden());
+    EXPECT_EQ(panel.findChild<QWidget*>(QStringLiteral("measuredName"))->toolTip(),
+              QStringLiteral("how"));
+    auto* offset = panel.findChild<QDoubleSpinBox*>(QStringLiteral("measuredOffset"));
+    offset->setValue(0.5);
+    EXPECT_NE(panel.plot().grab().toImage(), drawn);
+    panel.findChild<QToolButton*>(QStringLiteral("removeMeasured"))->click();
+    EXPECT_FALSE(panel.measured());
+    EXPECT_LT(test::pixelsLike(panel.plot().grab().toImage(), ink), without + 10);
 }
 
 TEST_F(CyclePanelTest, FitsTheColumnOfASmallWindow) {

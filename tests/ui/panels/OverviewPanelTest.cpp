@@ -3,12 +3,15 @@
 #include "core/Units.h"
 #include "core/surface/fit/BSplineFit.h"
 #include "tests/support/TestScenes.h"
+#include "tests/ui/MouseEvents.h"
 #include "tests/ui/panels/PanelSamples.h"
 #include "ui/Theme.h"
 #include "ui/panels/AxisTicks.h"
 #include "ui/panels/ColorBarWidget.h"
+#include "ui/panels/MapTool.h"
 #include "ui/panels/OverviewMap.h"
 
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -186,6 +189,76 @@ TEST(OverviewMap, ASmallFrameIsSeenOutsideTheTipsMark) {
                                theme::colors().zoom),
               0)
         << "no brackets in a frame that is large enough";
+}
+
+/// Notes what it is told.
+class NotingTool : public MapTool {
+public:
+    void paint(QPainter& painter, const OverviewMap& map) const override {
+        painter.fillRect(QRectF(map.toPixel({120.0_nm, 70.0_nm}), QSizeF(10.0, 10.0)), Qt::cyan);
+    }
+    void press(const MapPointer& pointer, const OverviewMap& /*map*/) override {
+        told += "p";
+        place = pointer.place;
+    }
+    void drag(const MapPointer& /*pointer*/, const OverviewMap& /*map*/) override { told += "d"; }
+    void release(const MapPointer& /*pointer*/, const OverviewMap& /*map*/) override {
+        told += "r";
+    }
+    void doubleClick(const MapPointer& /*pointer*/, const OverviewMap& /*map*/) override {
+        told += "2";
+    }
+    [[nodiscard]] Qt::CursorShape cursor(const MapPointer& /*pointer*/,
+                                         const OverviewMap& /*map*/) const override {
+        return Qt::SizeAllCursor;
+    }
+
+    std::string told;
+    QPointF place;
+};
+
+TEST(OverviewMap, OnlyTheActiveToolHasTheMouse) {
+    OverviewMap map;
+    map.resize(400, 200);
+    map.setSurface(wideSurface());
+    NotingTool tool;
+    map.addTool(tool);
+    EXPECT_GT(test::pixelsLike(map.grab().toImage(), Qt::cyan), 60) << "marks are always shown";
+    QSignalSpy chosen(&map, &OverviewMap::placeChosen);
+    QSignalSpy activated(&map, &OverviewMap::toolActivated);
+    const QPointF pixel = map.toPixel({64.0_nm, 32.0_nm});
+    test::dragMouse(map, pixel, pixel + QPointF(20.0, 0.0));
+    doubleClick(map, pixel);
+    EXPECT_EQ(tool.told, "");
+    EXPECT_EQ(chosen.count(), 1);
+
+    map.activate(&tool);
+    EXPECT_EQ(activated.count(), 1);
+    test::sendMouse(map, QEvent::MouseMove, pixel, Qt::NoButton);
+    EXPECT_EQ(map.cursor().shape(), Qt::SizeAllCursor);
+    test::dragMouse(map, pixel, pixel + QPointF(20.0, 0.0));
+    EXPECT_EQ(tool.told, "pddr");
+    EXPECT_NEAR(tool.place.x(), 64.0_nm, 0.01_nm);
+    doubleClick(map, pixel);
+    EXPECT_EQ(chosen.count(), 1) << "no travel while a tool has the mouse";
+
+    map.activate(nullptr);
+    EXPECT_EQ(map.cursor().shape(), Qt::CrossCursor);
+    doubleClick(map, pixel);
+    EXPECT_EQ(chosen.count(), 2);
+}
+
+TEST(OverviewMap, AToolMayGo) {
+    OverviewMap map;
+    map.resize(400, 200);
+    map.setSurface(wideSurface());
+    {
+        NotingTool tool;
+        map.addTool(tool);
+        map.activate(&tool);
+    }
+    EXPECT_EQ(map.activeTool(), nullptr);
+    EXPECT_EQ(test::pixelsLike(map.grab().toImage(), Qt::cyan), 0);
 }
 
 TEST(OverviewMap, ANewSurfaceForgetsTheOldOnesMarks) {
