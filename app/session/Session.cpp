@@ -30,9 +30,11 @@ Session::Session(MainWindow& window)
     , engaging_(window, runs_, devices_, edits_)
     , parameters_(window, runs_, edits_)
     , views_(window, runs_)
+    , measuring_(window, runs_, edits_)
     , entries_(window, runs_, devices_, edits_) {
     runs_.setSink([this](const TickSample& sample) {
         views_.take(sample);
+        measuring_.take(sample);
         recordings_.take(sample);
     });
     qApp->installEventFilter(this);
@@ -65,7 +67,7 @@ void Session::stop() {
     const bool closesSomething = closesTool || (!stopsForces && window_.isPanelEnlarged()) ||
                                  QApplication::activePopupWidget() != nullptr ||
                                  QApplication::activeModalWidget() != nullptr;
-    if (!closesSomething) {
+    if (!closesSomething && !measuring_.leaveTool()) {
         scenes_.cancelOpen();
     }
 }
@@ -79,6 +81,7 @@ void Session::advance() {
         runs_.fetch();
         recordings_.advance();
         views_.show(now);
+        measuring_.show();
     }
     entries_.show();
 }

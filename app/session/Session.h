@@ -5,6 +5,7 @@
 #include "app/session/EntryControl.h"
 #include "app/session/FidelityControl.h"
 #include "app/session/MaterialControl.h"
+#include "app/session/MeasureControl.h"
 #include "app/session/ParameterControl.h"
 #include "app/session/PathControl.h"
 #include "app/session/RecordingControl.h"
@@ -35,6 +36,7 @@ public:
     [[nodiscard]] DeviceControl& devices() { return devices_; }
     [[nodiscard]] PathControl& paths() { return paths_; }
     [[nodiscard]] RecordingControl& recordings() { return recordings_; }
+    [[nodiscard]] MeasureControl& measuring() { return measuring_; }
     [[nodiscard]] const ViewControl& views() const { return views_; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -56,6 +58,7 @@ private:
     EngageControl engaging_;
     ParameterControl parameters_;
     ViewControl views_;
+    MeasureControl measuring_;
     EntryControl entries_;
     QTimer frames_;
     double lastFrame_ = 0.0;  ///< [s]

@@ -3,6 +3,7 @@
 #include "core/Version.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMessageBox>
 
 namespace asperity {
@@ -73,6 +74,21 @@ QString askForPicture(QWidget* window) {
     return QFileDialog::getSaveFileName(window, QObject::tr("Save a picture of the window"),
                                         QStringLiteral("asperity.png"),
                                         QObject::tr("Pictures (*.png)"));
+}
+
+QString askForCurve(QWidget* window) {
+    return QFileDialog::getOpenFileName(
+        window, QObject::tr("Draw a measured force–distance curve"), {},
+        QObject::tr("Text tables: distance and force with units (*.csv *.txt *.tsv *.dat);;"
+                    "All files (*)"));
+}
+
+QString askForTable(QWidget* window) {
+    const QString file =
+        QFileDialog::getSaveFileName(window, QObject::tr("Export the touches"),
+                                     QStringLiteral("touches.csv"), QObject::tr("Tables (*.csv)"));
+    return file.isEmpty() || !QFileInfo(file).suffix().isEmpty() ? file
+                                                                 : file + QStringLiteral(".csv");
 }
 
 void complainIn(QWidget* window, const QString& message) {

@@ -24,6 +24,10 @@ struct ScanFileType {
 [[nodiscard]] QString askForPath(QWidget* window);
 [[nodiscard]] QString askForRecording(QWidget* window);
 [[nodiscard]] QString askForPicture(QWidget* window);
+/// Of a measured force-distance curve.
+[[nodiscard]] QString askForCurve(QWidget* window);
+/// Where a table is to be written.
+[[nodiscard]] QString askForTable(QWidget* window);
 
 /// What must be read; the window goes on meanwhile.
 void complainIn(QWidget* window, const QString& message);

@@ -39,6 +39,7 @@ WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
     addRunMenu(bar);
     addDeviceMenu(bar);
     addViewMenu(bar);
+    measure_.emplace(*addMenu(bar, tr("&Measure")));
     addHelpMenu(bar);
     explainAll();
 }

@@ -2,12 +2,14 @@
 
 #include "core/scene/VirtualFixture.h"
 #include "ui/view/ViewOptions.h"
+#include "ui/window/MeasureMenu.h"
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
 
 #include <map>
+#include <optional>
 
 class QAction;
 class QActionGroup;
@@ -51,6 +53,8 @@ public:
     QAction* parameters;
     QMenu* panels;  ///< empty
 
+    [[nodiscard]] const MeasureMenu& measure() const { return *measure_; }
+
     QAction* controls;
     QAction* about;
 
@@ -86,6 +90,7 @@ private:
     void addHelpMenu(QMenuBar& bar);
     void explainAll();
 
+    std::optional<MeasureMenu> measure_;  ///< always there
     QMenu* channels_;
     QActionGroup* channelGroup_ = nullptr;  ///< of its entries
     std::map<FixtureKind, QAction*> guides_;

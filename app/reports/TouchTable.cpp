@@ -1,0 +1,88 @@
+#include "app/reports/TouchTable.h"
+
+#include "core/io/tables/CsvWriter.h"
+
+#include <optional>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+const std::vector<std::string>& columns() {
+    static const std::vector<std::string> kColumns{"number",
+                                                   "touch_s",
+                                                   "off_s",
+                                                   "x_m",
+                                                   "y_m",
+                                                   "snap_in_force_n",
+                                                   "snap_in_force_sigma_n",
+                                                   "snap_in_distance_m",
+                                                   "pull_off_force_n",
+                                                   "pull_off_force_sigma_n",
+                                                   "adhesion_work_j",
+                                                   "hysteresis_j",
+                                                   "area_sigma_j",
+                                                   "contact_stiffness_n_m",
+                                                   "contact_stiffness_sigma_n_m",
+                                                   "max_force_n",
+                                                   "max_indentation_m",
+                                                   "material",
+                                                   "scan"};
+    return kColumns;
+}
+
+class Row {
+public:
+    explicit Row(CsvWriter& csv) : csv_(csv) {}
+
+    void add(double value) { csv_.add(value); }
+    void add(const std::string& text) { csv_.add(text); }
+    void addIf(bool known, double value) {
+        if (known) {
+            csv_.add(value);
+        } else {
+            csv_.add(std::string_view());
+        }
+    }
+    void add(const std::optional<Reading>& reading) {
+        addIf(reading.has_value(), reading ? reading->value : 0.0);
+        addIf(reading.has_value(), reading ? reading->sigma : 0.0);
+    }
+
+private:
+    CsvWriter& csv_;
+};
+
+}  // namespace
+
+void writeTouches(const std::filesystem::path& file, const std::vector<Touch>& touches) {
+    CsvWriter csv(file,
+                  {"touches of the tip, SI units; x and y from the scan's lower left corner; an "
+                   "empty cell: no such value beyond the noise"},
+                  columns());
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+        const ContactCycle& cycle = touches[i].cycle;
+        Row row(csv);
+        row.add(static_cast<double>(i + 1));
+        row.add(cycle.touchTime);
+        row.addIf(cycle.complete(), cycle.offTime);
+        row.add(cycle.place.x());
+        row.add(cycle.place.y());
+        row.add(cycle.snapIn);
+        row.addIf(cycle.snapIn.has_value(), cycle.snapInBaseDistance);
+        row.add(cycle.pullOff);
+        row.add(cycle.adhesionWork);
+        row.addIf(cycle.complete() && !cycle.slid, cycle.hysteresis);
+        row.add(cycle.areaSigma);
+        row.add(cycle.stiffness);
+        row.add(cycle.maxForce);
+        row.add(cycle.maxIndentation);
+        row.add(touches[i].material.toStdString());
+        row.add(touches[i].scan.toStdString());
+        csv.endRow();
+    }
+    csv.close();
+}
+
+}  // namespace asperity

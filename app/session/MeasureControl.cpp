@@ -1,0 +1,73 @@
+#include "app/session/MeasureControl.h"
+
+#include "core/words/SceneWords.h"
+#include "ui/measure/MarkersPage.h"
+#include "ui/measure/ProfilePage.h"
+#include "ui/measure/TouchesPage.h"
+#include "ui/panels/OverviewMap.h"
+#include "ui/panels/OverviewPanel.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/MeasureMenu.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+
+namespace asperity {
+
+namespace {
+
+/// Two surfaces with the same key are the same piece of a sample, whatever was done to its heights.
+std::string scanKey(const Scene& scene) {
+    return sampleName(scene.description.sample) + " " + std::to_string(scene.surface.sizeX()) +
+           " " + std::to_string(scene.surface.grid().columns) + " " +
+           std::to_string(scene.surface.grid().rows);
+}
+
+}  // namespace
+
+MeasureControl::MeasureControl(MainWindow& window, RunControl& runs, SceneEdits& edits)
+    : window_(window)
+    , runs_(runs)
+    , profile_(window, runs)
+    , roughness_(window, runs)
+    , markers_(window, runs, edits)
+    , touches_(window, runs)
+    , curves_(window, runs, *window.findChild<CyclePanel*>()) {
+    connect(&runs, &RunControl::begun, this, &MeasureControl::begin);
+    connectMenu();
+}
+
+void MeasureControl::connectMenu() {
+    const auto on = [this](const QAction* action, auto what) {
+        connect(action, &QAction::triggered, this, what);
+    };
+    const MeasureMenu& menu = window_.menus().measure();
+    on(menu.profile, [this] {
+        window_.showTool(&profile_.page());
+        profile_.page().setDrawing(true);
+    });
+    on(menu.roughness, [this] { window_.showTool(&roughness_.page()); });
+    on(menu.markers, [this] { window_.showTool(&markers_.page()); });
+    on(menu.touches, [this] { window_.showTool(&touches_.page()); });
+    on(menu.curve, [this] { curves_.ask(); });
+}
+
+void MeasureControl::begin() {
+    const std::string key = scanKey(runs_.run()->scene());
+    if (std::exchange(scan_, key) != key) {
+        profile_.forget();
+        roughness_.forget();
+    } else {
+        profile_.refresh();
+        roughness_.refresh();
+    }
+}
+
+bool MeasureControl::leaveTool() {
+    OverviewMap& map = window_.overview().map();
+    const bool had = map.activeTool() != nullptr;
+    map.activate(nullptr);
+    return had;
+}
+
+}  // namespace asperity

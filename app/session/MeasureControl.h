@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/session/MarkerControl.h"
+#include "app/session/MeasuredCurveControl.h"
+#include "app/session/ProfileControl.h"
+#include "app/session/RoughnessControl.h"
+#include "app/session/TouchControl.h"
+
+#include <string>
+
+namespace asperity {
+
+/// The measuring tools: their pages below the view, their marks on the whole scan, their menu.
+class MeasureControl : public QObject {
+public:
+    MeasureControl(MainWindow& window, RunControl& runs, SceneEdits& edits);
+
+    /// Every tick, in order.
+    void take(const TickSample& sample) { touches_.take(sample); }
+    /// Once a frame. There is a run.
+    void show() { touches_.show(); }
+    /// Ends the tool that has the mouse on the whole scan. @return whether one had it
+    bool leaveTool();
+
+    [[nodiscard]] ProfileControl& profile() { return profile_; }
+    [[nodiscard]] RoughnessControl& roughness() { return roughness_; }
+    [[nodiscard]] TouchControl& touches() { return touches_; }
+    [[nodiscard]] MeasuredCurveControl& curves() { return curves_; }
+
+private:
+    void begin();
+    void connectMenu();
+
+    MainWindow& window_;
+    RunControl& runs_;
+    ProfileControl profile_;
+    RoughnessControl roughness_;
+    MarkerControl markers_;
+    TouchControl touches_;
+    MeasuredCurveControl curves_;
+    std::string scan_;  ///< that lines and rectangles were drawn on
+};
+
+}  // namespace asperity

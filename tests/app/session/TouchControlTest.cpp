@@ -1,0 +1,119 @@
+#include "app/session/TouchControl.h"
+
+#include "core/io/tables/CsvTable.h"
+#include "tests/app/session/ControlFixture.h"
+#include "tests/core/haptics/cycle/SpringContact.h"
+#include "ui/measure/TouchesPage.h"
+#include "ui/panels/OverviewMap.h"
+#include "ui/panels/OverviewPanel.h"
+
+#include <QCheckBox>
+#include <QToolButton>
+
+namespace asperity::test {
+namespace {
+
+class TouchControlTest : public ControlFixture {
+protected:
+    TouchControlTest() {
+        useFlatScene();
+        contact.sample.output.model.tip.head<2>() = Vector2(30e-9, 40e-9);
+        contact.onTick = [this] { touches.take(contact.sample); };
+    }
+    TouchModel& model() { return touches.page().model(); }
+    /// Some frames: a touch that goes on is shown a few times a second.
+    void frames() {
+        for (int i = 0; i < 8; ++i) {
+            touches.show();
+        }
+    }
+
+    TouchControl touches{window, runs};
+    SpringContact contact{SpringContact::kSigma};
+};
+
+TEST_F(TouchControlTest, EachTouchIsARowThatGoesOnUntilItIsOff) {
+    contact.moveTo(-2e-9);
+    EXPECT_EQ(model().rowCount(), 0) << "rows come with a frame";
+    touches.show();
+    ASSERT_EQ(model().rowCount(), 1);
+    EXPECT_FALSE(model().touches()[0].cycle.pullOff);
+    contact.moveTo(4e-9);
+    frames();
+    ASSERT_EQ(model().rowCount(), 1);
+    const ContactCycle& cycle = model().touches()[0].cycle;
+    EXPECT_TRUE(cycle.complete());
+    EXPECT_NEAR(cycle.pullOff.value().value, SpringContact::kPull, 3.0 * SpringContact::kSigma);
+    EXPECT_EQ(cycle.place, Vector2(30e-9, 40e-9));
+    EXPECT_EQ(model().touches()[0].material, QStringLiteral("polystyrene"));
+    contact.oneCycle();
+    contact.oneCycle();
+    touches.show();
+    EXPECT_EQ(model().rowCount(), 3) << "two within a frame";
+}
+
+TEST_F(TouchControlTest, TouchesStayOverAChangeOfTheScene) {
+    contact.oneCycle();
+    touches.show();
+    useFlatScene();
+    contact = SpringContact(SpringContact::kSigma);
+    contact.onTick = [this] { touches.take(contact.sample); };
+    contact.moveTo(-2e-9);
+    touches.show();
+    EXPECT_EQ(model().rowCount(), 2);
+}
+
+TEST_F(TouchControlTest, ClearForgetsAllAndATouchThatGoesOnStartsNoRow) {
+    contact.moveTo(-2e-9);
+    touches.show();
+    touches.page().findChild<QToolButton*>("clearTouches")->click();
+    contact.moveTo(-1.5e-9);
+    touches.show();
+    EXPECT_EQ(model().rowCount(), 0);
+    contact.moveTo(4e-9);
+    contact.oneCycle();
+    touches.show();
+    EXPECT_EQ(model().rowCount(), 1);
+}
+
+TEST_F(TouchControlTest, MarksTheTouchesOnTheScanWhileThatIsWanted) {
+    OverviewMap& map = window.overview().map();
+    map.resize(300, 300);
+    const auto picture = [&map] { return map.grab().toImage(); };
+    const QImage without = picture();
+    contact.oneCycle();
+    touches.show();
+    EXPECT_NE(picture(), without);
+    touches.page().findChild<QCheckBox*>("markTouches")->setChecked(false);
+    EXPECT_EQ(picture(), without);
+}
+
+TEST_F(TouchControlTest, ExportsATableThatReadsBackToTheSameBits) {
+    contact.oneCycle();
+    contact.moveTo(-1e-9);
+    touches.show();
+    const std::filesystem::path file = folder.file("touches.csv");
+    touches.writeTo(file);
+    const CsvTable table = readCsv(file);
+    ASSERT_EQ(table.rows(), 2U);
+    const ContactCycle& cycle = model().touches()[0].cycle;
+    EXPECT_EQ(table.number(0, "number"), 1.0);
+    EXPECT_EQ(table.number(0, "x_m"), 30e-9);
+    EXPECT_EQ(table.number(0, "pull_off_force_n"), cycle.pullOff->value);
+    EXPECT_EQ(table.number(0, "adhesion_work_j"), cycle.adhesionWork);
+    EXPECT_EQ(table.number(0, "contact_stiffness_n_m"), cycle.stiffness->value);
+    EXPECT_EQ(table.text(0, "snap_in_force_n"), "") << "nothing pulled";
+    EXPECT_EQ(table.text(1, "off_s"), "") << "it is in contact";
+    EXPECT_EQ(table.text(0, "material"), "polystyrene");
+    EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(TouchControlTest, SaysWhyATableCannotBeWritten) {
+    contact.oneCycle();
+    touches.show();
+    touches.writeTo(folder.file("no such folder") / "touches.csv");
+    EXPECT_NE(complaint().find("no such folder"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace asperity::test

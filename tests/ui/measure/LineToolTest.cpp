@@ -1,0 +1,78 @@
+#include "ui/measure/LineTool.h"
+
+#include "tests/ui/measure/MapFixture.h"
+#include "ui/Theme.h"
+
+namespace asperity {
+namespace {
+
+struct LineToolTest : test::MapFixture {
+    LineToolTest() { use(tool); }
+
+    /// Ends in nm.
+    void expectLine(double x1, double y1, double x2, double y2) {
+        ASSERT_TRUE(tool.line());
+        EXPECT_NEAR(tool.line()->x1(), 1e-9 * x1, kNear);
+        EXPECT_NEAR(tool.line()->y1(), 1e-9 * y1, kNear);
+        EXPECT_NEAR(tool.line()->x2(), 1e-9 * x2, kNear);
+        EXPECT_NEAR(tool.line()->y2(), 1e-9 * y2, kNear);
+    }
+
+    LineTool tool;
+};
+
+TEST_F(LineToolTest, ADragDrawsTheLineAndShowsIt) {
+    QSignalSpy drawn(&tool, &LineTool::lineDrawn);
+    const int before = test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.blue));
+    drag(20, 30, 100, 90);
+    expectLine(20, 30, 100, 90);
+    EXPECT_GE(drawn.count(), 1);
+    EXPECT_GT(test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.blue)), before + 150);
+}
+
+TEST_F(LineToolTest, AClickDrawsNothingAndKeepsTheLine) {
+    drag(50, 50, 50, 50);
+    EXPECT_FALSE(tool.line());
+    drag(20, 30, 100, 90);
+    drag(110, 20, 110, 20);
+    expectLine(20, 30, 100, 90);
+}
+
+TEST_F(LineToolTest, ShiftKeepsItHorizontalOrVertical) {
+    drag(20, 30, 100, 40, Qt::ShiftModifier);
+    expectLine(20, 30, 100, 30);
+    drag(110, 110, 100, 20, Qt::ShiftModifier);
+    expectLine(110, 110, 110, 20);
+}
+
+TEST_F(LineToolTest, ItsEndsCanBeDragged) {
+    drag(20, 30, 100, 90);
+    drag(100, 90, 60, 100);
+    expectLine(20, 30, 60, 100);
+    drag(20, 30, 10, 10);
+    expectLine(10, 10, 60, 100);
+}
+
+TEST_F(LineToolTest, InItsMiddleItIsMovedWholeAndStaysOnTheScan) {
+    drag(20, 30, 100, 30);
+    drag(60, 30, 70, 60);
+    expectLine(30, 60, 110, 60);
+    drag(70, 60, 127, 60);
+    expectLine(48, 60, 128, 60);
+}
+
+TEST_F(LineToolTest, StaysOnTheScan) {
+    test::dragMouse(map, pixel(60, 60), pixel(60, 60) + QPointF(1000.0, -1000.0));
+    expectLine(60, 60, 128, 128);
+}
+
+TEST_F(LineToolTest, TheCursorSaysWhatADragWouldDo) {
+    drag(20, 30, 100, 30);
+    EXPECT_EQ(cursorAt(100, 30), Qt::PointingHandCursor);
+    EXPECT_EQ(cursorAt(60, 30), Qt::SizeAllCursor);
+    EXPECT_EQ(cursorAt(60, 90), Qt::CrossCursor);
+    EXPECT_TRUE(map.toolTipAt(pixel(60, 90)).contains(QStringLiteral("profile line")));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,136 @@
+#include "ui/measure/TouchesPage.h"
+
+#include "tests/ui/measure/MapFixture.h"
+#include "ui/Theme.h"
+#include "ui/measure/TouchMarks.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QTableView>
+#include <QToolButton>
+
+namespace asperity {
+namespace {
+
+Touch touchOf(double pullOff, double x) {
+    Touch touch;
+    touch.cycle.phase = CyclePhase::Complete;
+    touch.cycle.touchTime = 1.25;
+    touch.cycle.place = {x, 50e-9};
+    if (pullOff > 0.0) {
+        touch.cycle.pullOff = Reading{pullOff, 0.2e-9};
+        touch.cycle.adhesionWork = 12.1e-18;
+        touch.cycle.areaSigma = 0.1e-18;
+    }
+    touch.cycle.maxForce = 5e-9;
+    touch.material = QStringLiteral("silicon oxide");
+    touch.scan = QStringLiteral("steps.gsf");
+    return touch;
+}
+
+/// Three touches; the second one has no pull-off.
+struct TouchesPageTest : ::testing::Test {
+    TouchesPageTest() {
+        page.model().append(touchOf(9.5e-9, 30e-9));
+        page.model().append(touchOf(0.0, 60e-9));
+        page.model().append(touchOf(12.3e-9, 90e-9));
+        table = page.findChild<QTableView*>();
+    }
+    [[nodiscard]] QString cell(int row, int column) const {
+        return table->model()->index(row, column).data().toString();
+    }
+    QToolButton* button(const char* name) {
+        return page.findChild<QToolButton*>(QString::fromLatin1(name));
+    }
+
+    TouchesPage page;
+    QTableView* table;
+};
+
+TEST_F(TouchesPageTest, ShowsValuesInTheUnitsOfTheTitles) {
+    EXPECT_EQ(cell(0, TouchModel::Number), QStringLiteral("1"));
+    EXPECT_EQ(cell(0, TouchModel::Time), QStringLiteral("1.250"));
+    EXPECT_EQ(cell(2, TouchModel::X), QStringLiteral("0.0900"));
+    EXPECT_EQ(cell(2, TouchModel::PullOff), QStringLiteral("12.3"));
+    EXPECT_EQ(cell(2, TouchModel::Work), QStringLiteral("12.1"));
+    EXPECT_EQ(cell(1, TouchModel::PullOff), QStringLiteral("–"));
+    EXPECT_EQ(cell(1, TouchModel::SnapIn), QStringLiteral("–"));
+    const QAbstractItemModel& model = page.model();
+    EXPECT_EQ(model.headerData(TouchModel::PullOff, Qt::Horizontal, Qt::DisplayRole).toString(),
+              QStringLiteral("pull-off [nN]"));
+    for (int column = 0; column < TouchModel::kColumns; ++column) {
+        EXPECT_FALSE(
+            model.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty());
+    }
+    EXPECT_TRUE(page.model()
+                    .index(2, TouchModel::PullOff)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(QStringLiteral("12.3 ± 0.20 nN")));
+}
+
+TEST_F(TouchesPageTest, SortsByNumbersNotByTexts) {
+    table->sortByColumn(TouchModel::PullOff, Qt::DescendingOrder);
+    EXPECT_EQ(cell(0, TouchModel::PullOff), QStringLiteral("12.3"));
+    EXPECT_EQ(cell(1, TouchModel::PullOff), QStringLiteral("9.50"));
+    EXPECT_EQ(cell(2, TouchModel::PullOff), QStringLiteral("–"));
+}
+
+TEST_F(TouchesPageTest, TheLastTouchGoesOn) {
+    Touch last = touchOf(13.0e-9, 90e-9);
+    page.model().updateLast(last);
+    EXPECT_EQ(cell(2, TouchModel::PullOff), QStringLiteral("13.0"));
+    EXPECT_EQ(table->model()->rowCount(), 3);
+}
+
+TEST_F(TouchesPageTest, CopiesTheSelectedRowsInTheirOrder) {
+    table->sortByColumn(TouchModel::PullOff, Qt::DescendingOrder);
+    QSignalSpy changed(&page, &TouchesPage::selectionChanged);
+    table->selectRow(0);
+    EXPECT_EQ(changed.count(), 1);
+    EXPECT_EQ(page.selected(), QSet<int>{3});
+    button("copyTouches")->click();
+    const QStringList lines =
+        QApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    ASSERT_EQ(lines.size(), 2);
+    EXPECT_TRUE(lines[0].startsWith(QStringLiteral("no.\ttime [s]\tx [µm]")));
+    EXPECT_TRUE(lines[1].startsWith(QStringLiteral("3\t1.250\t0.0900\t")));
+    table->clearSelection();
+    EXPECT_EQ(page.rowsAsText().count(QLatin1Char('\n')), 4) << "all without a selection";
+}
+
+TEST_F(TouchesPageTest, ButtonsWorkWhereThereAreTouches) {
+    EXPECT_TRUE(button("exportTouches")->isEnabled());
+    QSignalSpy exported(&page, &TouchesPage::exportChosen);
+    button("exportTouches")->click();
+    EXPECT_EQ(exported.count(), 1);
+    page.model().clear();
+    for (const char* name : {"exportTouches", "copyTouches", "clearTouches"}) {
+        EXPECT_FALSE(button(name)->isEnabled()) << name;
+    }
+}
+
+struct TouchMarksTest : test::MapFixture {};
+
+TEST_F(TouchMarksTest, AreNumberedDotsThatCanBeHidden) {
+    TouchMarks marks;
+    map.addTool(marks);
+    const auto count = [this](const Color& color) {
+        return test::pixelsLike(map.grab().toImage(), toQColor(color));
+    };
+    const int without = count(kLightPalette.ink);
+    marks.setTouches({{1, {40e-9, 40e-9}}, {2, {80e-9, 90e-9}}});
+    EXPECT_GT(count(kLightPalette.ink), without + 30);
+    EXPECT_EQ(count(kLightPalette.force), 0);
+    marks.setSelected({2});
+    EXPECT_GT(count(kLightPalette.force), 40);
+    const QPoint dot = pixel(80, 90).toPoint();
+    EXPECT_EQ(map.grab().toImage().pixelColor(dot), toQColor(kLightPalette.force));
+    marks.setShown(false);
+    EXPECT_EQ(count(kLightPalette.ink), without);
+    EXPECT_EQ(count(kLightPalette.force), 0);
+}
+
+}  // namespace
+}  // namespace asperity

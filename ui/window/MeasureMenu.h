@@ -1,0 +1,20 @@
+#pragma once
+
+class QAction;
+class QMenu;
+
+namespace asperity {
+
+/// The entries of the menu Measure.
+struct MeasureMenu {
+    /// Adds them.
+    explicit MeasureMenu(QMenu& menu);
+
+    QAction* profile;
+    QAction* roughness;
+    QAction* markers;
+    QAction* touches;
+    QAction* curve;  ///< draws a measured force-distance curve
+};
+
+}  // namespace asperity
