@@ -33,6 +33,8 @@ MeasureControl::MeasureControl(MainWindow& window, RunControl& runs, SceneEdits&
     , markers_(window, runs, edits)
     , touches_(window, runs)
     , curves_(window, runs, *window.findChild<CyclePanel*>()) {
+    leaving_.setSingleShot(true);
+    leaving_.setInterval(0);
     connect(&runs, &RunControl::begun, this, &MeasureControl::begin);
     connectMenu();
 }
@@ -65,9 +67,11 @@ void MeasureControl::begin() {
 
 bool MeasureControl::leaveTool() {
     OverviewMap& map = window_.overview().map();
-    const bool had = map.activeTool() != nullptr;
-    map.activate(nullptr);
-    return had;
+    if (map.activeTool() != nullptr) {
+        map.activate(nullptr);
+        leaving_.start();
+    }
+    return leaving_.isActive();
 }
 
 }  // namespace asperity

@@ -6,6 +6,8 @@
 #include "app/session/RoughnessControl.h"
 #include "app/session/TouchControl.h"
 
+#include <QTimer>
+
 #include <string>
 
 namespace asperity {
@@ -19,7 +21,8 @@ public:
     void take(const TickSample& sample) { touches_.take(sample); }
     /// Once a frame. There is a run.
     void show() { touches_.show(); }
-    /// Ends the tool that has the mouse on the whole scan. @return whether one had it
+    /// Ends the tool that has the mouse on the whole scan. @return whether one had it when the
+    /// present event of the user began: a key comes in several parts
     bool leaveTool();
 
     [[nodiscard]] ProfileControl& profile() { return profile_; }
@@ -38,6 +41,7 @@ private:
     MarkerControl markers_;
     TouchControl touches_;
     MeasuredCurveControl curves_;
+    QTimer leaving_;    ///< runs until the event that ended a tool is over
     std::string scan_;  ///< that lines and rectangles were drawn on
 };
 

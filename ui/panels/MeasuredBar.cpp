@@ -18,6 +18,7 @@ constexpr int kBoxWidth = 92;       ///< [px]
 
 MeasuredBar::MeasuredBar(QWidget* parent)
     : QWidget(parent), name_(new QLabel(this)), offset_(new NumberBox(this)) {
+    setToolTip(tr("A measured curve that is drawn over the cycles"));
     name_->setObjectName(QStringLiteral("measuredName"));
     name_->setMinimumWidth(1);
     offset_->setObjectName(QStringLiteral("measuredOffset"));

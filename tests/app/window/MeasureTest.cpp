@@ -89,6 +89,19 @@ TEST_F(Measure, AProfileReadsTheStepOfAGrating) {
     EXPECT_FALSE(child<QToolButton>("drawProfile")->isChecked());
 }
 
+TEST_F(Measure, EscEndsAToolBeforeItCancelsLoading) {
+    openGrating();
+    window.menus().measure().profile->trigger();
+    QSignalSpy canceled(&session.scenes(), &SceneControl::openCanceled);
+    session.scenes().open(levelScan(folder, 2048));
+    QTest::keyClick(&window.view(), Qt::Key_Escape);
+    EXPECT_EQ(map().activeTool(), nullptr);
+    EXPECT_EQ(canceled.count(), 0);
+    live(1);
+    QTest::keyClick(&window.view(), Qt::Key_Escape);
+    EXPECT_EQ(canceled.count(), 1);
+}
+
 TEST_F(Measure, ALineIsOfItsScanAlone) {
     openGrating();
     window.menus().measure().profile->trigger();
