@@ -31,8 +31,8 @@ void EntryControl::showThoseOfARun() {
     LiveRun* const run = runs_.run();
     const QString noRun = unless(run != nullptr, QObject::tr("Open a scan or a scene first"));
     for (QAction* const entry :
-         {menus.record, menus.saveLastSeconds, menus.startPause, menus.followPathFile,
-          menus.followRecording, menus.tipControl, menus.clutch}) {
+         {menus.record, menus.saveScene, menus.saveLastSeconds, menus.startPause,
+          menus.followPathFile, menus.followRecording, menus.tipControl, menus.clutch}) {
         menus.refuse(*entry, noRun);
     }
     const bool isFaulty =

@@ -1,8 +1,11 @@
 #include "app/session/SceneControl.h"
 
+#include "core/Error.h"
 #include "core/PathText.h"
 #include "core/PrintableText.h"
 #include "core/io/heightmap/MissingScale.h"
+#include "core/io/scene/SceneSaving.h"
+#include "core/scene/SettingFields.h"
 #include "core/surface/MergedScale.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/window/MainWindow.h"
@@ -25,6 +28,8 @@ SceneControl::SceneControl(MainWindow& window, RunControl& runs, SceneEdits& edi
     connect(&window.loading(), &LoadingBar::cancelRequested, this, &SceneControl::cancelOpen);
     connect(menus.undo, &QAction::triggered, &edits, &SceneEdits::undo);
     connect(menus.redo, &QAction::triggered, &edits, &SceneEdits::redo);
+    connect(&window, &MainWindow::sceneFileChosen, this,
+            [this](const QString& file) { save(std::filesystem::path(file.toStdString())); });
     connect(&menus, &WindowMenus::channelChosen, this, &SceneControl::chooseChannel);
     connect(&scales_, &ScaleControl::given, this, [this](const GivenScale& scale) {
         const Retry retry = retry_;
@@ -41,6 +46,7 @@ SceneControl::SceneControl(MainWindow& window, RunControl& runs, SceneEdits& edi
                 });
             });
     connect(&runs, &RunControl::begun, this, &SceneControl::showChannels);
+    connect(&runs, &RunControl::begun, this, &SceneControl::suggestFile);
     connect(&edits, &SceneEdits::changed, this, &SceneControl::showChannels);
 }
 
@@ -72,6 +78,23 @@ void SceneControl::fail(const std::exception_ptr& reason) {
     Q_EMIT openFailed(words);
 }
 
+void SceneControl::save(const std::filesystem::path& file) {
+    if (runs_.run() == nullptr) {
+        return;
+    }
+    SceneDescription scene = runs_.run()->scene().description;
+    scene.settings = ofScene(runs_.run()->sensingSettings());
+    const std::filesystem::path target =
+        file.has_extension() ? file : std::filesystem::path(file.string() + ".toml");
+    try {
+        saveScene(scene, target);
+        window_.setSceneFile(QString::fromStdString(target.string()));
+        window_.tell(tr("Saved as %1").arg(QString::fromStdString(printable(target.string()))));
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+}
+
 bool SceneControl::asksFor(const std::exception_ptr& reason) {
     try {
         std::rethrow_exception(reason);
@@ -100,6 +123,13 @@ void SceneControl::chooseChannel(const QString& name) {
         next.sample.channel = name.toStdString();
         edits_.change(tr("Channel: %1").arg(name), next);
     }
+}
+
+/// Beside the scan, under its name.
+void SceneControl::suggestFile() {
+    std::filesystem::path file = runs_.run()->scene().description.sample.file;
+    window_.setSceneFile(QString::fromStdString(
+        file.empty() ? "scene.toml" : file.replace_extension(".toml").string()));
 }
 
 void SceneControl::showChannels() {

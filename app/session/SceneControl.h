@@ -21,6 +21,8 @@ public:
     void open(const std::filesystem::path& input, const SceneOverrides& overrides = {});
     /// Cancels what is being loaded; the scene stays as it is.
     void cancelOpen();
+    /// Writes the scene as it is now, with its knobs, to a file that opens as the same.
+    void save(const std::filesystem::path& file);
     /// Why the last scene that failed to open did so; null: none did.
     [[nodiscard]] std::exception_ptr openError() const { return openError_; }
 
@@ -34,6 +36,7 @@ private:
     /// Of the scan that is open.
     void showChannels();
     void chooseChannel(const QString& name);
+    void suggestFile();
     void fail(const std::exception_ptr& reason);
     /// Whether the user is asked for the scale that is missing.
     [[nodiscard]] bool asksFor(const std::exception_ptr& reason);

@@ -25,10 +25,12 @@ Session::Session(MainWindow& window)
     , devices_(window, runs_)
     , scenes_(window, runs_, edits_)
     , materials_(window, runs_, edits_)
+    , probes_(window, runs_, edits_)
+    , scenePanel_(window, runs_, edits_)
     , fidelity_(window, runs_, edits_)
     , paths_(window, runs_, devices_)
     , engaging_(window, runs_, devices_, edits_)
-    , parameters_(window, runs_, edits_)
+    , haptics_(window, runs_, edits_)
     , views_(window, runs_)
     , measuring_(window, runs_, edits_)
     , entries_(window, runs_, devices_, edits_) {
@@ -82,6 +84,7 @@ void Session::advance() {
         recordings_.advance();
         views_.show(now);
         measuring_.show();
+        haptics_.show();
     }
     entries_.show();
 }

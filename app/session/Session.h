@@ -4,14 +4,16 @@
 #include "app/session/EngageControl.h"
 #include "app/session/EntryControl.h"
 #include "app/session/FidelityControl.h"
+#include "app/session/HapticControl.h"
 #include "app/session/MaterialControl.h"
 #include "app/session/MeasureControl.h"
-#include "app/session/ParameterControl.h"
 #include "app/session/PathControl.h"
+#include "app/session/ProbeControl.h"
 #include "app/session/RecordingControl.h"
 #include "app/session/RunControl.h"
 #include "app/session/SceneControl.h"
 #include "app/session/SceneEdits.h"
+#include "app/session/ScenePanelControl.h"
 #include "app/session/ViewControl.h"
 
 #include <QTimer>
@@ -33,6 +35,9 @@ public:
     /// What changes the scene.
     [[nodiscard]] SceneEdits& edits() { return edits_; }
     [[nodiscard]] SceneControl& scenes() { return scenes_; }
+    /// Materials and probes of the user's own.
+    [[nodiscard]] LibraryControl& materials() { return materials_; }
+    [[nodiscard]] LibraryControl& probes() { return probes_; }
     [[nodiscard]] DeviceControl& devices() { return devices_; }
     [[nodiscard]] PathControl& paths() { return paths_; }
     [[nodiscard]] RecordingControl& recordings() { return recordings_; }
@@ -53,10 +58,12 @@ private:
     DeviceControl devices_;
     SceneControl scenes_;
     MaterialControl materials_;
+    ProbeControl probes_;
+    ScenePanelControl scenePanel_;
     FidelityControl fidelity_;
     PathControl paths_;
     EngageControl engaging_;
-    ParameterControl parameters_;
+    HapticControl haptics_;
     ViewControl views_;
     MeasureControl measuring_;
     EntryControl entries_;

@@ -37,6 +37,21 @@ void setSetting(Settings& settings, std::string_view column, double value) {
     });
 }
 
+Settings ofScene(Settings settings) {
+    Settings scene;
+    listSettings(settings, [&scene](const SettingField& field, const auto& value) {
+        listSettings(scene, [&](const SettingField& other, auto& kept) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(kept)>,
+                                         std::decay_t<decltype(value)>>) {
+                if (field.key != nullptr && field.column == other.column) {
+                    kept = value;
+                }
+            }
+        });
+    });
+    return scene;
+}
+
 void checkSettings(const Settings& settings) {
     listSettings(settings, [](const SettingField& field, const auto& value) {
         if (field.key != nullptr) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "core/EnumTable.h"
 #include "core/contact/Within.h"
 #include "core/scene/Settings.h"
 
+#include <cstdint>
 #include <limits>
 #include <string_view>
 
@@ -24,13 +26,39 @@ inline constexpr Limits kAboveZero{.low = std::numeric_limits<double>::denorm_mi
 inline constexpr Limits kZeroOrMore{.low = 0.0, .words = "be zero or a positive number"};
 inline constexpr Limits kNotNegative{.low = 0.0, .words = "not be negative"};
 
-/// How the bar of the window shows a knob.
+/// What a knob is about.
+enum class SettingGroup : std::uint8_t {
+    Hidden,  ///< no page shows it: it is of a run, or of a device
+    Gains,
+    Coupling,
+    Governor,
+    Clutch,
+    Guide,
+};
+
+template <>
+inline constexpr auto kEnumTable<SettingGroup> =
+    std::to_array<NamedRow<SettingGroup>>({{SettingGroup::Hidden, ""},
+                                           {SettingGroup::Gains, "Gains"},
+                                           {SettingGroup::Coupling, "Coupling"},
+                                           {SettingGroup::Governor, "Governor"},
+                                           {SettingGroup::Clutch, "Clutch and tip control"},
+                                           {SettingGroup::Guide, "Guide"}});
+
+/// How people see a knob.
+struct SettingWords {
+    SettingGroup group = SettingGroup::Hidden;
+    const char* caption = "";
+    const char* toolTip = "";
+    const char* unit = "";  ///< in which it is shown
+    double scale = 1.0;     ///< that unit [SI]
+};
+
+/// How the bar of the window shows a knob, too.
 struct KnobWords {
     int place = 0;          ///< from the left; 0: it is not in the bar
     const char* name = "";  ///< of the widget
-    const char* caption = "";
-    const char* toolTip = "";
-    double low = 0.0;  ///< that can be set there, > 0: its steps go by factors
+    double low = 0.0;       ///< that can be set there, > 0: its steps go by factors
     double high = 0.0;
 };
 
@@ -40,6 +68,7 @@ struct SettingField {
     const char* key =
         column;  ///< in [haptics] of scene files; null: it is of a run, not of a scene
     Limits limits;
+    SettingWords words;
     KnobWords knob;
     bool later = true;  ///< recordings from before it say nothing of it: it has its default then
 };
@@ -48,18 +77,38 @@ template <class Guide, class Visitor>
 void listGuide(Guide& guide, const Visitor& field) {
     constexpr Limits kGain{0.0, 1e4, "lie between 0 and 1e4"};
     constexpr Limits kReach{kAboveZero.low, std::numeric_limits<double>::infinity(), "be above 0"};
-    field({.column = "guide"}, guide.kind);
-    field({.column = "guide_x_m"}, guide.point.x());
-    field({.column = "guide_y_m"}, guide.point.y());
-    field({.column = "guide_z_m"}, guide.point.z());
-    field({.column = "guide_axis_x"}, guide.axis.x());
-    field({.column = "guide_axis_y"}, guide.axis.y());
-    field({.column = "guide_axis_z"}, guide.axis.z());
-    field({.column = "guide_stiffness_n_m", .limits = kGain}, guide.stiffness);
-    field({.column = "guide_damping_n_s_m", .limits = kGain}, guide.damping);
-    field({.column = "guide_force_limit_n", .limits = {0.0, 50.0, "lie between 0 and 50"}},
+    constexpr SettingGroup kGroup = SettingGroup::Guide;
+    const auto place = [](const char* caption) {
+        return SettingWords{kGroup, caption, "A point of the guide, world frame", "nm", 1e-9};
+    };
+    const auto axis = [](const char* caption) {
+        return SettingWords{kGroup, caption, "Normal of a plane, direction of a line"};
+    };
+    field({.column = "guide", .words = {kGroup, "Guide", "Helps to hold a plane, line or point"}},
+          guide.kind);
+    field({.column = "guide_x_m", .words = place("x")}, guide.point.x());
+    field({.column = "guide_y_m", .words = place("y")}, guide.point.y());
+    field({.column = "guide_z_m", .words = place("z")}, guide.point.z());
+    field({.column = "guide_axis_x", .words = axis("Axis, x")}, guide.axis.x());
+    field({.column = "guide_axis_y", .words = axis("Axis, y")}, guide.axis.y());
+    field({.column = "guide_axis_z", .words = axis("Axis, z")}, guide.axis.z());
+    field({.column = "guide_stiffness_n_m",
+           .limits = kGain,
+           .words = {kGroup, "Stiffness", "Its pull per device displacement", "N/m"}},
+          guide.stiffness);
+    field({.column = "guide_damping_n_s_m",
+           .limits = kGain,
+           .words = {kGroup, "Damping", "Its damping of the device", "N s/m"}},
+          guide.damping);
+    field({.column = "guide_force_limit_n",
+           .limits = {0.0, 50.0, "lie between 0 and 50"},
+           .words = {kGroup, "Force limit", "Which its force approaches smoothly", "N"}},
           guide.forceLimit);
-    field({.column = "guide_capture_m", .limits = kReach}, guide.captureDistance);
+    field({.column = "guide_capture_m",
+           .limits = kReach,
+           .words = {kGroup, "Capture distance", "Of the tip, beyond which it does not act", "nm",
+                     1e-9}},
+          guide.captureDistance);
 }
 
 /// What is of a device, not of a scene.
@@ -81,22 +130,43 @@ void listDevice(Knobs& settings, const Visitor& field) {
 template <class Knobs, class Visitor>
 void listCoupling(Knobs& settings, const Visitor& field) {
     constexpr Limits kDamping{0.0, 1e6, "lie between 0 and 1e6"};
+    constexpr SettingGroup kGroup = SettingGroup::Coupling;
     field({.column = "coupling_stiffness_n_m",
-           .limits = {0.0, 1e6, "lie between 0 (no coupling) and 1e6"}},
+           .limits = {0.0, 1e6, "lie between 0 (no coupling) and 1e6"},
+           .words = {kGroup, "Stiffness", "Of the spring between device and tip; 0: no coupling",
+                     "N/m"}},
           settings.coupling.stiffness);
-    field({.column = "coupling_damping_n_s_m", .limits = kDamping}, settings.coupling.damping);
-    field({.column = "proxy_damping_n_s_m", .limits = kDamping}, settings.coupling.proxyDamping);
+    field({.column = "coupling_damping_n_s_m",
+           .limits = kDamping,
+           .words = {kGroup, "Damping", "Of the device against the proxy", "N s/m"}},
+          settings.coupling.damping);
+    field({.column = "proxy_damping_n_s_m",
+           .limits = kDamping,
+           .words = {kGroup, "Proxy damping", "Of the proxy against the ground: drag in free air",
+                     "N s/m"}},
+          settings.coupling.proxyDamping);
 }
 
 template <class Governor, class Visitor>
 void listGovernor(Governor& governor, const Visitor& field) {
-    field({.column = "max_force_n", .limits = {1e-3, 50.0, "lie between 1e-3 and 50"}},
+    constexpr SettingGroup kGroup = SettingGroup::Governor;
+    field({.column = "max_force_n",
+           .limits = {1e-3, 50.0, "lie between 1e-3 and 50"},
+           .words = {kGroup, "Largest force", "On the operator; a weaker device has its own limit",
+                     "N"}},
           governor.maxForce);
-    field({.column = "engage_s", .limits = {0.5, 2.0, "lie between 0.5 and 2"}},
+    field({.column = "engage_s",
+           .limits = {0.5, 2.0, "lie between 0.5 and 2"},
+           .words = {kGroup, "Ramp", "Time in which the force comes on", "s"}},
           governor.engageTime);
-    field({.column = "max_hand_speed_m_s", .limits = {0.01, 10.0, "lie between 0.01 and 10"}},
-          governor.maxDeviceSpeed);
-    field({.column = "dead_man_button"}, governor.deadManButton);
+    field(
+        {.column = "max_hand_speed_m_s",
+         .limits = {0.01, 10.0, "lie between 0.01 and 10"},
+         .words = {kGroup, "Largest speed", "Of the device; above it the force trips off", "m/s"}},
+        governor.maxDeviceSpeed);
+    field({.column = "dead_man_button",
+           .words = {kGroup, "Dead-man switch", "Button that must be held for a force, from 0"}},
+          governor.deadManButton);
 }
 
 /// The one list of the knobs: scene files, tick_input.csv, checks and the window are made from it.
@@ -106,32 +176,50 @@ template <class Knobs, class Visitor>
 void listSettings(Knobs& settings, const Visitor& field) {
     field({.column = "position_gain",
            .limits = kAboveZero,
-           .knob = {2, "positionGain", "Position gain", "Base displacement per device displacement",
-                    1e-12, 1e3},
+           .words = {SettingGroup::Gains, "Position gain",
+                     "Base displacement per device displacement"},
+           .knob = {2, "positionGain", 1e-12, 1e3},
            .later = false},
           settings.positionGain);
     field({.column = "force_gain",
            .limits = kZeroOrMore,
-           .knob = {1, "forceGain", "Force gain", "Force on the device per force on the tip", 1e-3,
-                    1e12},
+           .words = {SettingGroup::Gains, "Force gain", "Force on the device per force on the tip"},
+           .knob = {1, "forceGain", 1e-3, 1e12},
            .later = false},
           settings.forceGain);
-    field({.column = "correction_hz", .limits = kZeroOrMore, .later = false},
+    field({.column = "correction_hz",
+           .limits = kZeroOrMore,
+           .words = {SettingGroup::Gains, "Correction bandwidth",
+                     "Of the slow correction of the force from the estimate", "Hz"},
+           .later = false},
           settings.correctionBandwidth);
-    field({.column = "tip_control", .key = "position_control", .later = false},
+    field({.column = "tip_control",
+           .key = "position_control",
+           .words = {SettingGroup::Clutch, "The device moves",
+                     "The base of the lever, or the tip: the base then compensates the deflection"},
+           .later = false},
           settings.positionControl);
     field({.column = "forces_on", .key = nullptr, .later = false}, settings.forcesOn);
     field({.column = "rearms", .key = nullptr, .later = false}, settings.rearms);
     listCoupling(settings, field);
     listGovernor(settings.governor, field);
-    field({.column = "clutched", .key = nullptr}, settings.clutched);
-    field({.column = "clutch_button"}, settings.clutchButton);
+    field({.column = "clutched",
+           .key = nullptr,
+           .words = {SettingGroup::Clutch, "Clutch", "The device moves while the tip stays"}},
+          settings.clutched);
+    field({.column = "clutch_button",
+           .words = {SettingGroup::Clutch, "Clutch button",
+                     "Button that disconnects the device from the tip while held, from 0"}},
+          settings.clutchButton);
     listDevice(settings, field);
     listGuide(settings.guide, field);
 }
 
 /// Turns one knob. @param column one of the list; else nothing happens
 void setSetting(Settings& settings, std::string_view column, double value);
+
+/// The knobs that a scene says, the others as they are by default: those of a run or a device.
+[[nodiscard]] Settings ofScene(Settings settings);
 
 /// Refuses knobs that no scene may have. @throw Error naming the key of the first one
 void checkSettings(const Settings& settings);

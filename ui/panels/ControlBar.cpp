@@ -141,11 +141,11 @@ void ControlBar::addKnobs() {
 void ControlBar::addKnob(const SettingField& field) {
     auto* box = new GainSpinBox(field.knob.low, field.knob.high, this);
     box->setObjectName(QString::fromUtf8(field.knob.name));
-    box->setProperty(kTip, coreWords(field.knob.toolTip));
-    box->setToolTip(coreWords(field.knob.toolTip));
+    box->setProperty(kTip, coreWords(field.words.toolTip));
+    box->setToolTip(coreWords(field.words.toolTip));
     box->setFixedSize(theme::scaled(kKnobWidth), theme::scaled(kControlHeight));
     guardFromWheel(*box);
-    addWithCaption(*row_, coreWords(field.knob.caption), {box}, 0);
+    addWithCaption(*row_, coreWords(field.words.caption), {box}, 0);
     knobs_[field.column] = box;
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             [this, name = QString::fromUtf8(field.column)](double value) {

@@ -33,10 +33,16 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
 }
 
 void NumberBox::colorText() {
+    const QColor usual = muted_ ? theme::colors().muted : theme::colors().ink;
     QPalette colors = lineEdit()->palette();
     colors.setColor(QPalette::Text,
-                    lineEdit()->hasAcceptableInput() ? theme::colors().ink : theme::colors().fault);
+                    lineEdit()->hasAcceptableInput() ? usual : theme::colors().fault);
     lineEdit()->setPalette(colors);
+}
+
+void NumberBox::setMuted(bool muted) {
+    muted_ = muted;
+    colorText();
 }
 
 QString NumberBox::withoutUnit(const QString& text) const {

@@ -20,6 +20,8 @@ public:
     void fixup(QString& text) const override;
     /// What was typed and does not count yet is gone.
     void discardTyped();
+    /// Shows its number muted: it is what it is by default.
+    void setMuted(bool muted);
     /// Undo and redo are the window's while nothing typed is to be undone.
     bool event(QEvent* event) override;
 
@@ -34,6 +36,7 @@ private:
     void colorText();
 
     mutable bool refused_ = false;  ///< and marked
+    bool muted_ = false;
 };
 
 }  // namespace asperity

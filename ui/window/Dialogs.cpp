@@ -4,6 +4,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMessageBox>
 
 namespace asperity {
@@ -23,7 +24,7 @@ QString controlsText() {
         "<tr><td><b>Ctrl + wheel</b>, <b>+</b>, <b>−</b></td><td>zoom</td></tr>"
         "<tr><td><b>Double click</b> on the scan</td><td>move the tip there</td></tr>"
         "<tr><td><b>Space</b></td><td>pause and continue</td></tr>"
-        "<tr><td><b>Esc</b></td><td>close a menu, a message, Fidelity or Scene parameters, "
+        "<tr><td><b>Esc</b></td><td>close a menu, a message or Fidelity, "
         "otherwise stop loading; with a force-feedback device: switch off its forces"
         "</td></tr></table>");
 }
@@ -89,6 +90,28 @@ QString askForTable(QWidget* window) {
                                      QStringLiteral("touches.csv"), QObject::tr("Tables (*.csv)"));
     return file.isEmpty() || !QFileInfo(file).suffix().isEmpty() ? file
                                                                  : file + QStringLiteral(".csv");
+}
+
+void askForName(QWidget* window, const QString& title, const QString& label, const QString& name,
+                const std::function<void(const QString&)>& take) {
+    auto* dialog = new QInputDialog(window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setObjectName(QStringLiteral("askForName"));
+    dialog->setWindowTitle(title);
+    dialog->setLabelText(label);
+    dialog->setTextValue(name);
+    QObject::connect(dialog, &QInputDialog::textValueSelected, window,
+                     [take](const QString& given) {
+                         if (!given.trimmed().isEmpty()) {
+                             take(given.trimmed());
+                         }
+                     });
+    dialog->open();
+}
+
+QString askForSceneFile(QWidget* window, const QString& suggestion) {
+    return QFileDialog::getSaveFileName(window, QObject::tr("Save the scene"), suggestion,
+                                        QObject::tr("Scenes (*.toml)"));
 }
 
 void complainIn(QWidget* window, const QString& message) {

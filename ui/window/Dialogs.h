@@ -3,6 +3,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <vector>
 
 class QWidget;
@@ -28,6 +29,14 @@ struct ScanFileType {
 [[nodiscard]] QString askForCurve(QWidget* window);
 /// Where a table is to be written.
 [[nodiscard]] QString askForTable(QWidget* window);
+
+/// A name that a user gives; the window goes on meanwhile. @param take is called with one that is
+/// not empty
+void askForName(QWidget* window, const QString& title, const QString& label, const QString& name,
+                const std::function<void(const QString&)>& take);
+
+/// The file to write a scene to. @param suggestion its path
+[[nodiscard]] QString askForSceneFile(QWidget* window, const QString& suggestion);
 
 /// What must be read; the window goes on meanwhile.
 void complainIn(QWidget* window, const QString& message);

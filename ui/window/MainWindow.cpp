@@ -5,11 +5,12 @@
 #include "ui/panels/EngageBar.h"
 #include "ui/panels/FidelityPanel.h"
 #include "ui/panels/ForcePanel.h"
+#include "ui/panels/HapticPanel.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/panels/LoopStatusBar.h"
 #include "ui/panels/NumberBox.h"
 #include "ui/panels/OverviewPanel.h"
-#include "ui/panels/ParameterPanel.h"
+#include "ui/panels/ScenePanel.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/CardColumn.h"
@@ -79,7 +80,8 @@ MainWindow::MainWindow()
     , overview_(new OverviewPanel(this))
     , loopStatus_(new LoopStatusBar(this))
     , fidelity_(new FidelityPanel(this))
-    , parameters_(new ParameterPanel(this)) {
+    , scenePanel_(new ScenePanel(this))
+    , hapticPanel_(new HapticPanel(this)) {
     setAcceptDrops(true);
     placeAll();
     connectMenus();
@@ -88,7 +90,6 @@ MainWindow::MainWindow()
     connect(engage_, &EngageBar::setpointEntered, view_, [this] { view_->setFocus(); });
     tellRefusals();
     closeByEscape(*fidelity_);
-    closeByEscape(*parameters_);
     showScene(nullptr, {});
     showLoading({});
     setEmergencyStop(false);
@@ -106,6 +107,8 @@ void MainWindow::placeAll() {
     add(new ForcePanel(this), 4);
     add(new CantileverPanel(this), 3);
     add(overview_, 3);
+    addSidePage(scenePanel_, tr("Scene"));
+    addSidePage(hapticPanel_, tr("Haptics"));
     statusBar()->addWidget(loopStatus_, 1);  // a message takes the whole line for a while
     panels_.push_back(loopStatus_);
     new PanelsMenu(*menus_->panels, *layout_);
@@ -166,6 +169,7 @@ void MainWindow::closeByEscape(QWidget& panel) {
 }
 
 void MainWindow::tellRefusals() {
+    connect(scenePanel_, &ScenePanel::refused, this, &MainWindow::tell);
     for (const NumberBox* box : findChildren<NumberBox*>()) {
         if (box->window() == this) {
             connect(box, &NumberBox::refused, this, &MainWindow::tell);
@@ -188,6 +192,10 @@ void MainWindow::connectMenus() {
     };
     const auto askScan = [this](QWidget* window) { return askForScan(window, scanFiles_); };
     on(menus_->open, ask(askScan, &MainWindow::openRequested));
+    const auto askSceneFile = [this](QWidget* window) {
+        return askForSceneFile(window, sceneFile_);
+    };
+    on(menus_->saveScene, ask(askSceneFile, &MainWindow::sceneFileChosen));
     on(menus_->savePicture, ask(askForPicture, &MainWindow::pictureFileChosen));
     const auto askPath = ask(askForPath, &MainWindow::pathFileChosen);
     on(menus_->followPathFile, askPath);
@@ -199,7 +207,7 @@ void MainWindow::connectMenus() {
     on(menus_->resetView, [this] { view_->resetCamera(); });
     connect(menus_, &WindowMenus::viewOptionsChosen, view_, &ZoomView::setOptions);
     on(menus_->fidelity, [this] { toggle(*fidelity_); });
-    on(menus_->parameters, [this] { toggle(*parameters_); });
+    on(menus_->parameters, [this] { showSidePage(scenePanel_); });
     on(menus_->controls, [this] { explainControls(this); });
     on(menus_->about, [this] { explainProgram(this); });
 }
@@ -247,7 +255,8 @@ void MainWindow::lock() {
     overview_->setEnabled(false);
     fidelity_->setEnabled(false);
     menus_->lock();
-    parameters_->setEnabled(false);
+    scenePanel_->setEnabled(false);
+    hapticPanel_->setEnabled(false);
     for (QAction* action : findChildren<QAction*>()) {
         action->setEnabled(action == menus_->quit);
     }

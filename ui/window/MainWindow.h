@@ -17,11 +17,12 @@ class Card;
 class ControlBar;
 class EngageBar;
 class FidelityPanel;
+class HapticPanel;
 class LoadingBar;
 class LoopStatusBar;
 class OverviewPanel;
-class ParameterPanel;
 class RunPanel;
+class ScenePanel;
 class StateBanner;
 class ViewSide;
 class WindowLayout;
@@ -44,8 +45,10 @@ public:
     [[nodiscard]] OverviewPanel& overview() { return *overview_; }
     /// A window of its own, hidden at first.
     [[nodiscard]] FidelityPanel& fidelity() { return *fidelity_; }
-    /// A window of its own, hidden at first.
-    [[nodiscard]] ParameterPanel& parameters() { return *parameters_; }
+    /// The page beside the live one that shows all keys of the scene.
+    [[nodiscard]] ScenePanel& scenePanel() { return *scenePanel_; }
+    /// Likewise all knobs of the haptics.
+    [[nodiscard]] HapticPanel& hapticPanel() { return *hapticPanel_; }
     [[nodiscard]] LoopStatusBar& loopStatus() { return *loopStatus_; }
     /// All that show a run beside the view.
     [[nodiscard]] const std::vector<RunPanel*>& panels() const { return panels_; }
@@ -66,6 +69,8 @@ public:
     /// Shows such a page and puts it on top.
     void showSidePage(QWidget* page);
 
+    /// What the dialog that saves the scene begins with.
+    void setSceneFile(const QString& path) { sceneFile_ = path; }
     /// Which types of files the dialog that opens a scan shows, beside scenes.
     void setScanFiles(const std::vector<ScanFileType>& types) { scanFiles_ = types; }
     /// Sets the scene of all panels; null: none. The scene outlives its use here.
@@ -91,6 +96,7 @@ Q_SIGNALS:
     void pathFileChosen(QString file);
     void recordingChosen(QString forceLog);
     void pictureFileChosen(QString file);
+    void sceneFileChosen(QString file);  ///< to be written
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -108,6 +114,7 @@ private:
     void connectMenus();
 
     std::vector<ScanFileType> scanFiles_;
+    QString sceneFile_;
     WindowMenus* menus_;
     ControlBar* controls_;
     StateBanner* banner_;
@@ -119,7 +126,8 @@ private:
     OverviewPanel* overview_;
     LoopStatusBar* loopStatus_;
     FidelityPanel* fidelity_;
-    ParameterPanel* parameters_;
+    ScenePanel* scenePanel_;
+    HapticPanel* hapticPanel_;
     std::set<QWidget*> placed_;            ///< panels that have stood beside this window
     std::vector<QShortcut*> toolClosers_;  ///< Esc, where it is no emergency stop
     std::vector<RunPanel*> panels_;

@@ -42,6 +42,7 @@ WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
     measure_.emplace(*addMenu(bar, tr("&Measure")));
     addHelpMenu(bar);
     explainAll();
+    setHistory({}, {});
 }
 
 /// What each entry does; those that others explain are not named here.
@@ -49,6 +50,7 @@ void WindowMenus::explainAll() {
     const std::initializer_list<std::pair<QAction*, QString>> tips{
         {open, tr("Open a height-map file or a scene")},
         {cancelLoading, tr("Stop loading; the scene stays as it is")},
+        {saveScene, tr("Write the scene as it is now to a file (.toml)")},
         {savePicture, tr("Save the whole window as a picture")},
         {record, tr("Write every tick to a folder, until it is chosen again")},
         {saveLastSeconds, tr("Save the last 10 s of the run as a recording")},
@@ -65,7 +67,7 @@ void WindowMenus::explainAll() {
         {zoomOut, tr("Show a larger part of the scan")},
         {resetView, tr("Direction and width as at first")},
         {fidelity, tr("Terms of the model with their errors and costs")},
-        {parameters, tr("Tip radius, spring constant and material of the scene")},
+        {parameters, tr("Every key of the scene: scan, material, tip, lever, physics")},
         {controls, tr("What mouse and keys do")},
         {about, tr("Version, purpose and license")}};
     for (const auto& [entry, tip] : tips) {
@@ -86,6 +88,8 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     channels_->setToolTipsVisible(true);
     setChannels({}, {});
     cancelLoading = menu->addAction(tr("&Cancel loading"));
+    saveScene = menu->addAction(tr("Save s&cene as…"));
+    saveScene->setShortcut(tr("Ctrl+Shift+S"));
     savePicture = menu->addAction(tr("&Save picture of the window…"));
     savePicture->setShortcut(QKeySequence::Save);
     record = menu->addAction(tr("&Record"));
@@ -105,20 +109,17 @@ void WindowMenus::addEditMenu(QMenuBar& bar) {
     redo = menu->addAction(QString());
     redo->setObjectName(QStringLiteral("redo"));
     redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
-    setHistory({}, {});
 }
 
 void WindowMenus::setHistory(const QString& undoName, const QString& redoName) {
-    const auto show = [this](QAction& entry, const QString& text, const QString& name) {
+    const auto show = [this](QAction& entry, const QString& text, const QString& name,
+                             const QString& reason) {
         const QString plain = QString(name).replace('&', QStringLiteral("&&"));
         entry.setText(text.arg(plain).trimmed());
-        refuse(entry, name.isEmpty() ? tr("The scene has not been changed") : QString());
+        refuse(entry, name.isEmpty() ? reason : QString());
     };
-    show(*undo, tr("&Undo %1"), undoName);
-    show(*redo, tr("&Redo %1"), redoName);
-    if (redoName.isEmpty()) {
-        refuse(*redo, tr("Nothing has been undone"));
-    }
+    show(*undo, tr("&Undo %1"), undoName, tr("The scene has not been changed"));
+    show(*redo, tr("&Redo %1"), redoName, tr("Nothing has been undone"));
 }
 
 void WindowMenus::addRunMenu(QMenuBar& bar) {
@@ -222,7 +223,7 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
     menu->addSeparator();
     fidelity = menu->addAction(tr("&Fidelity…"));
     fidelity->setShortcut(tr("F6"));
-    parameters = menu->addAction(tr("Scene &parameters…"));
+    parameters = menu->addAction(tr("S&cene"));
     parameters->setShortcut(tr("F7"));
     menu->addSeparator();
     panels = menu->addMenu(tr("&Panels"));

@@ -27,6 +27,7 @@ public:
 
     QAction* open;
     QAction* cancelLoading;
+    QAction* saveScene;
     QAction* savePicture;
     QAction* record;  ///< checkable
     QAction* saveLastSeconds;

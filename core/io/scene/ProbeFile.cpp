@@ -133,6 +133,10 @@ ProbeDescription readProbe(const std::filesystem::path& path) {
     return probe;
 }
 
+std::string probeText(const ProbeDescription& probe, const std::string& notes) {
+    return commented(probeTable(probe), notes);
+}
+
 toml::table probeTable(const ProbeDescription& probe) {
     const CantileverGeometry& lever = probe.lever;
     toml::table table{{"youngs_modulus_pa", lever.youngsModulus},

@@ -16,6 +16,9 @@ namespace asperity {
 [[nodiscard]] ProbeDescription readProbeKeys(TomlSection& section,
                                              const ProbeDescription& otherwise);
 
+/// A probe file. @param notes that stand above it as comments, a line each
+[[nodiscard]] std::string probeText(const ProbeDescription& probe, const std::string& notes);
+
 /// Every key of a probe: reading them back gives the same probe.
 [[nodiscard]] toml::table probeTable(const ProbeDescription& probe);
 

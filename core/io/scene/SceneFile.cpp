@@ -345,6 +345,10 @@ std::string sceneText(const SceneDescription& scene) {
     return text.str();
 }
 
+std::string materialText(const SampleMaterial& material, const std::string& notes) {
+    return commented(materialTable(material), notes);
+}
+
 SampleMaterial readMaterialFile(const std::filesystem::path& path) {
     const toml::table table = readToml(path);
     TomlSection root(table, path, "");

@@ -18,6 +18,9 @@ namespace asperity {
 /// The whole description as TOML text, every value spelled out: reading it back gives the same.
 [[nodiscard]] std::string sceneText(const SceneDescription& scene);
 
+/// A material file. @param notes that stand above it as comments, a line each
+[[nodiscard]] std::string materialText(const SampleMaterial& material, const std::string& notes);
+
 /// A sample from a material file. @throw InputError
 [[nodiscard]] SampleMaterial readMaterialFile(const std::filesystem::path& path);
 

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 namespace asperity {
@@ -26,6 +27,29 @@ toml::table readToml(const std::filesystem::path& path) {
     } catch (const toml::parse_error& error) {
         throw InputError(path.string(), lineOf(error.source()), std::string(error.description()));
     }
+}
+
+std::string commented(const toml::table& table, const std::string& notes) {
+    std::ostringstream text;
+    std::istringstream lines(notes);
+    for (std::string line; std::getline(lines, line);) {
+        text << "# " << line << '\n';
+    }
+    text << table << '\n';
+    return text.str();
+}
+
+std::string notesOf(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    if (!stream) {
+        throw FileError(file.string(), "cannot be read");
+    }
+    std::string notes;
+    for (std::string line; std::getline(stream, line) && line.starts_with('#');) {
+        line.erase(0, line.starts_with("# ") ? 2 : 1);
+        notes += (notes.empty() ? "" : "\n") + line;
+    }
+    return notes;
 }
 
 TomlSection::TomlSection(const toml::table& root, std::filesystem::path file, std::string name)

@@ -15,6 +15,12 @@ namespace asperity {
 /// Parses a TOML file. @throw InputError with the line of the first mistake
 [[nodiscard]] toml::table readToml(const std::filesystem::path& path);
 
+/// A table as text, below notes as comments, a line each.
+[[nodiscard]] std::string commented(const toml::table& table, const std::string& notes);
+
+/// The comments that a file begins with, a line each. @throw FileError
+[[nodiscard]] std::string notesOf(const std::filesystem::path& file);
+
 /// One section of a TOML file, read key by key; what is left unread at the end was not known.
 class TomlSection {
 public:

@@ -1,15 +1,40 @@
 #include "app/session/MaterialControl.h"
 
+#include "core/io/scene/SceneFile.h"
+#include "core/scene/SceneFieldChange.h"
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ControlBar.h"
 
 #include <QComboBox>
+#include <QInputDialog>
+#include <QToolButton>
 
 namespace asperity::test {
 namespace {
 
 class MaterialControlTest : public ControlFixture {
 protected:
+    MaterialControlTest() { materials.setFolder(own); }
+
+    /// Answers the dialog that asks for a name.
+    void name(const char* text) {
+        auto* dialog = window.findChild<QInputDialog*>("askForName");
+        ASSERT_NE(dialog, nullptr);
+        dialog->setTextValue(text);
+        dialog->accept();
+        delete dialog;
+    }
+    void press(const char* button) { window.findChild<QToolButton*>(button)->click(); }
+    const SampleMaterial& material() { return run().scene().description.sample.material; }
+    void soften() {
+        SampleMaterial softer = material();
+        softer.elastic.youngsModulus *= 0.5;
+        softer.name += kEditedSuffix;
+        edits.change("softer", withMaterial(run().scene().description, softer));
+        ASSERT_TRUE(changeEnds());
+    }
+
+    const std::filesystem::path own = folder.path() / "own";
     QComboBox& list() { return *window.findChild<QComboBox*>("material"); }
 
     MaterialControl materials{window, runs, edits};
@@ -34,6 +59,52 @@ TEST_F(MaterialControlTest, AMaterialThatNoFileHasIsListedToo) {
     scene.sample.material.elastic.youngsModulus *= 1.5;
     runs.use({.scene = buildScene(scene, flatMap()), .format = "", .sha256 = "", .notes = {}});
     EXPECT_EQ(list().currentText().toStdString(), "of this test");
+}
+
+TEST_F(MaterialControlTest, AnEditedOneIsSavedAsTheUsersOwn) {
+    useFlatScene();
+    soften();
+    EXPECT_EQ(list().currentText(), "polystyrene (edited)");
+    press("saveMaterial");
+    EXPECT_EQ(window.findChild<QInputDialog*>("askForName")->textValue(), "polystyrene");
+    name("My foam");
+    ASSERT_TRUE(changeEnds());
+    EXPECT_EQ(material().name, "My foam");
+    EXPECT_EQ(list().currentText(), "My foam (own)");
+    EXPECT_EQ(readMaterialFile(own / "my_foam.toml"), material());
+    EXPECT_NE(contentOf(own / "my_foam.toml").find("Changed from polystyrene"), std::string::npos)
+        << "where its numbers come from";
+    MaterialControl next(window, runs, edits);
+    next.setFolder(own);
+    EXPECT_EQ(list().currentText(), "My foam (own)") << "in a later session, too";
+}
+
+TEST_F(MaterialControlTest, OneOfTheProgramIsNeitherReplacedNorDeleted) {
+    useFlatScene();
+    soften();
+    press("saveMaterial");
+    name("Silicon oxide");
+    EXPECT_NE(complaint().find("comes with the program"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(own));
+    EXPECT_FALSE(window.findChild<QToolButton*>("deleteMaterial")->isEnabledTo(&window));
+}
+
+TEST_F(MaterialControlTest, OwnOnesAreRenamedAndDeleted) {
+    useFlatScene();
+    soften();
+    press("saveMaterial");
+    name("foam");
+    ASSERT_TRUE(changeEnds());
+    press("renameMaterial");
+    name("foam 2");
+    ASSERT_TRUE(changeEnds());
+    EXPECT_EQ(list().currentText(), "foam 2 (own)");
+    EXPECT_FALSE(std::filesystem::exists(own / "foam.toml"));
+    EXPECT_TRUE(std::filesystem::exists(own / "foam_2.toml"));
+    press("deleteMaterial");
+    EXPECT_FALSE(std::filesystem::exists(own / "foam_2.toml"));
+    EXPECT_EQ(list().currentText(), "foam 2") << "the scene still has it";
+    EXPECT_EQ(complaint(), "");
 }
 
 }  // namespace

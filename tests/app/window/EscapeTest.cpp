@@ -1,7 +1,6 @@
 #include "tests/app/window/WindowFixture.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/FidelityPanel.h"
-#include "ui/panels/ParameterPanel.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/Maximizer.h"
 #include "ui/window/WindowLayout.h"
@@ -32,7 +31,7 @@ protected:
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&menu));
         return menu;
     }
-    std::vector<QWidget*> tools() { return {&window.fidelity(), &window.parameters()}; }
+    std::vector<QWidget*> tools() { return {&window.fidelity()}; }
     void openTools() {
         for (QWidget* tool : tools()) {
             tool->show();
@@ -118,15 +117,15 @@ TEST_F(Escape, ANumberHalfTypedDoesNotCountWhenItClosesTheWindow) {
     openFlatScene();
     const LiveRun* run = session.run();
     openTools();
-    QApplication::setActiveWindow(&window.parameters());
-    auto& box = *window.parameters().findChild<QAbstractSpinBox*>(QStringLiteral("tipRadius"));
+    QApplication::setActiveWindow(&window.fidelity());
+    auto& box = *window.fidelity().findChild<QAbstractSpinBox*>(QStringLiteral("tolerance"));
     box.setFocus();
     box.selectAll();
     QTest::keyClicks(&box, QStringLiteral("30"));
     QTest::keyClick(&box, Qt::Key_Escape);
-    EXPECT_FALSE(window.parameters().isVisible());
+    EXPECT_FALSE(window.fidelity().isVisible());
     EXPECT_EQ(session.run(), run) << "the scene goes on";
-    EXPECT_EQ(box.text().toStdString(), "15");
+    EXPECT_EQ(box.text().toStdString(), "5 %");
 }
 
 TEST_F(Escape, ClosingAToolWindowCancelsNoLoading) {
@@ -135,9 +134,9 @@ TEST_F(Escape, ClosingAToolWindowCancelsNoLoading) {
     QSignalSpy canceled(&session.scenes(), &SceneControl::openCanceled);
     session.scenes().open(levelScan(folder, 1024));
     ASSERT_TRUE(window.menus().cancelLoading->isEnabled());
-    QApplication::setActiveWindow(&window.parameters());
-    QTest::keyClick(&window.parameters(), Qt::Key_Escape);
-    EXPECT_FALSE(window.parameters().isVisible());
+    QApplication::setActiveWindow(&window.fidelity());
+    QTest::keyClick(&window.fidelity(), Qt::Key_Escape);
+    EXPECT_FALSE(window.fidelity().isVisible());
     EXPECT_TRUE(window.menus().cancelLoading->isEnabled());
     EXPECT_EQ(canceled.count(), 0);
 }

@@ -1,6 +1,5 @@
 #include "tests/app/window/WindowFixture.h"
 #include "ui/panels/FidelityPanel.h"
-#include "ui/panels/ParameterPanel.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/PageTabs.h"
 #include "ui/window/WindowLayout.h"

@@ -37,6 +37,8 @@ void Window::live(int milliseconds) { QTest::qWait(milliseconds); }
 
 void Window::SetUp() {
     session.recordings().setFolder(folder.path() / "recordings");
+    session.materials().setFolder(folder.path() / "materials");
+    session.probes().setFolder(folder.path() / "probes");
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
     QApplication::setActiveWindow(&window);  // a bare X server has nobody who does so

@@ -5,7 +5,8 @@
 #include "tests/ui/panels/PanelSamples.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/GainSpinBox.h"
-#include "ui/panels/ParameterPanel.h"
+#include "ui/panels/HapticPanel.h"
+#include "ui/panels/ScenePanel.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/panels/TermTable.h"
 
@@ -74,14 +75,23 @@ std::set<std::string> tableTexts() {
         add(flag.brief);
         add(flag.words);
     }
-    for (const SceneParameterTraits& parameter : kEnumTable<SceneParameter>) {
-        add(parameter.caption);
-        add(parameter.toolTip);
+    for (const SceneField& field : sceneFields()) {
+        add(field.words.caption);
+        add(field.words.toolTip);
+        for (const SceneChoice& choice : field.choices) {
+            add(choice.name.c_str());
+        }
+    }
+    for (const auto& group : kEnumTable<SceneGroup>) {
+        add(group.name);
+    }
+    for (const auto& group : kEnumTable<SettingGroup>) {
+        add(group.name);
     }
     const Settings any;
     listSettings(any, [&add](const SettingField& field, const auto& /*value*/) {
-        add(field.knob.caption);
-        add(field.knob.toolTip);
+        add(field.words.caption);
+        add(field.words.toolTip);
     });
     return texts;
 }
@@ -132,16 +142,26 @@ TEST_F(CoreWords, TheTableOfTermsIsTranslated) {
               marked(whyImpossible(ModelTerm::FilmBase)));
 }
 
-TEST_F(CoreWords, KnobsAndSceneParametersAreTranslated) {
+TEST_F(CoreWords, KnobsAreTranslated) {
     const ControlBar bar;
     EXPECT_TRUE(hasLabel(bar, marked("Force gain")));
     const auto* gain = bar.findChild<GainSpinBox*>("forceGain");
     EXPECT_EQ(gain->toolTip(), marked("Force on the device per force on the tip"));
-    const ParameterPanel panel;
-    for (const SceneParameterTraits& traits : kEnumTable<SceneParameter>) {
-        EXPECT_TRUE(hasLabel(panel, marked(traits.caption))) << traits.caption;
-        EXPECT_EQ(panel.findChild<NumberBox*>(traits.key)->toolTip(), marked(traits.toolTip));
+    const HapticPanel panel;
+    EXPECT_TRUE(hasLabel(panel, marked("Force gain")));
+    EXPECT_EQ(panel.findChild<QWidget*>("haptics.force_gain")->toolTip(),
+              marked("Force on the device per force on the tip"));
+}
+
+TEST_F(CoreWords, KeysOfScenesAreTranslated) {
+    const ScenePanel panel;
+    for (const SceneField& field : sceneFields()) {
+        const auto* control =
+            panel.findChild<QWidget*>(QString::fromStdString(asperity::nameOf(field)));
+        ASSERT_NE(control, nullptr) << asperity::nameOf(field);
+        EXPECT_EQ(control->toolTip(), marked(field.words.toolTip));
     }
+    EXPECT_TRUE(hasLabel(panel, marked("Poisson's ratio")));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include "ui/panels/ChoiceBox.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/FidelityPanel.h"
-#include "ui/panels/ParameterPanel.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/Placement.h"
 #include "ui/window/WindowMenus.h"
@@ -151,8 +150,7 @@ TEST_F(MainWindowTest, TheBottomLineSaysWhyANumberIsRefusedWhereverTheFocusGoes)
 
 TEST_F(MainWindowTest, WindowsOfTheirOwnSayARefusalThemselves) {
     showAt({1280, 800});
-    for (QWidget* tool :
-         {static_cast<QWidget*>(&window.fidelity()), static_cast<QWidget*>(&window.parameters())}) {
+    for (QWidget* tool : {static_cast<QWidget*>(&window.fidelity())}) {
         tool->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(tool));
         QApplication::setActiveWindow(tool);

@@ -4,7 +4,6 @@
 #include "tests/support/TestScenes.h"
 #include "ui/Theme.h"
 #include "ui/panels/FidelityPanel.h"
-#include "ui/panels/ParameterPanel.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/WindowMemory.h"
@@ -71,8 +70,7 @@ protected:
 
 TEST_F(ThemeMenuTest, RepaintsAllWindowsWhileTheProgramRunsAndBackToTheSamePixels) {
     for (QWidget* shown :
-         {static_cast<QWidget*>(&window), static_cast<QWidget*>(&window.fidelity()),
-          static_cast<QWidget*>(&window.parameters())}) {
+         {static_cast<QWidget*>(&window), static_cast<QWidget*>(&window.fidelity())}) {
         const QImage before = pictureOf(*shown);
         EXPECT_GT(lightShare(before), 0.6) << shown->windowTitle().toStdString();
         choose("&Dark");

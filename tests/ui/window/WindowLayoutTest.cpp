@@ -25,7 +25,7 @@ class WindowLayoutTest : public ::testing::Test {
 protected:
     void SetUp() override {
         window.addTool(profile, QStringLiteral("Profile"));
-        window.addSidePage(haptics, QStringLiteral("Haptics"));
+        window.addSidePage(notes, QStringLiteral("Notes"));
         window.resize(1280, 800);
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
@@ -54,7 +54,7 @@ protected:
 
     MainWindow window;
     QLabel* profile = new QLabel(QStringLiteral("a profile"));
-    QLabel* haptics = new QLabel(QStringLiteral("gains"));
+    QLabel* notes = new QLabel(QStringLiteral("some notes"));
 };
 
 TEST_F(WindowLayoutTest, EveryPartIsInTheMenuAndToolsAreHiddenAtFirst) {
@@ -62,7 +62,9 @@ TEST_F(WindowLayoutTest, EveryPartIsInTheMenuAndToolsAreHiddenAtFirst) {
                                                 {"card/Cantilever", true},
                                                 {"card/Overview", true},
                                                 {"side/Live", true},
+                                                {"side/Scene", true},
                                                 {"side/Haptics", true},
+                                                {"side/Notes", true},
                                                 {"tool/Profile", false},
                                                 {"sides", true},
                                                 {"tools", false}}));

@@ -57,7 +57,6 @@ TEST_F(WindowMemoryTest, KeepsWhatIsHiddenWhatIsOnTopAndHowTheRoomIsShared) {
     const auto addPages = [](MainWindow& window) {
         window.addTool(new QLabel(QStringLiteral("a profile")), QStringLiteral("Profile"));
         window.addTool(new QLabel(QStringLiteral("a table")), QStringLiteral("Touches"));
-        window.addSidePage(new QLabel(QStringLiteral("gains")), QStringLiteral("Haptics"));
     };
     const auto sizes = [](MainWindow& window) {
         QTest::qWait(50);
@@ -78,7 +77,7 @@ TEST_F(WindowMemoryTest, KeepsWhatIsHiddenWhatIsOnTopAndHowTheRoomIsShared) {
         WindowLayout& layout = window.layout();
         layout.cards().setShown(*window.cards().at(2), false);
         window.showTool(layout.tools().pages().at(1).panel);
-        window.showSidePage(layout.sidePages().pages().at(1).panel);
+        window.showSidePage(layout.sidePages().pages().at(2).panel);
         layout.splitters().at(0)->setSizes({650, 540});
         layout.splitters().at(1)->setSizes({300, 250});
         left = sizes(window);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// Files of one kind, "materials" or "probes": those that come with the program, which stay as they
+/// are, and a user's own in a folder of theirs.
+class UserLibrary {
+public:
+    /// @param kind the folder in the data that belong to the program
+    explicit UserLibrary(std::string kind) : kind_(std::move(kind)) {}
+
+    /// Where the user's own are; made when the first is saved.
+    void setFolder(const std::filesystem::path& folder) { folder_ = folder; }
+
+    struct Entry {
+        std::filesystem::path file;
+        bool own = false;
+    };
+    /// Those of the program by name, then the user's own.
+    [[nodiscard]] std::vector<Entry> entries() const;
+
+    /// Writes a file of the user's own; one of the same name is replaced. Complete or not at all.
+    /// @param name for people; the file's comes from it
+    /// @throw Error where that is no name, or one that comes with the program has it
+    std::filesystem::path save(const std::string& name, const std::string& text) const;
+    /// @throw Error where it comes with the program, or cannot be removed
+    void remove(const Entry& entry) const;
+
+private:
+    std::string kind_;
+    std::filesystem::path folder_;
+};
+
+/// The name of a file for something that people call so: "Silicon oxide" is "silicon_oxide". Empty:
+/// there is no letter and no digit in it.
+[[nodiscard]] std::string fileNameFor(const std::string& name);
+
+}  // namespace asperity

@@ -1,0 +1,197 @@
+#include "app/session/LibraryControl.h"
+
+#include "core/Error.h"
+#include "core/PrintableText.h"
+#include "core/io/scene/TomlFile.h"
+#include "core/scene/SceneFieldChange.h"
+#include "ui/panels/LibraryBar.h"
+#include "ui/window/Dialogs.h"
+#include "ui/window/MainWindow.h"
+
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+/// Where the platform keeps what a user makes with a program; empty: nowhere.
+std::filesystem::path ownFolder(const std::string& kind) {
+    const QString place = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    return place.isEmpty() ? std::filesystem::path()
+                           : std::filesystem::path(place.toStdString()) / kind;
+}
+
+QString withoutEdited(QString name) {
+    const QString suffix = QString::fromUtf8(kEditedSuffix);
+    return name.endsWith(suffix) ? name.chopped(suffix.size()) : name;
+}
+
+}  // namespace
+
+LibraryControl::LibraryControl(MainWindow& window, RunControl& runs, SceneEdits& edits,
+                               LibraryBar& bar, const std::string& folder, QString noun)
+    : window_(window)
+    , runs_(runs)
+    , edits_(edits)
+    , bar_(bar)
+    , library_(folder)
+    , noun_(std::move(noun)) {
+    library_.setFolder(ownFolder(folder));
+    connect(&bar, &LibraryBar::chosen, this, &LibraryControl::choose);
+    connect(&bar, &LibraryBar::saveRequested, this, &LibraryControl::save);
+    connect(&bar, &LibraryBar::renameRequested, this, &LibraryControl::rename);
+    connect(&bar, &LibraryBar::deleteRequested, this, &LibraryControl::removePresent);
+    connect(&runs, &RunControl::begun, this, &LibraryControl::show);
+    connect(&edits, &SceneEdits::changed, this, &LibraryControl::show);
+}
+
+void LibraryControl::setFolder(const std::filesystem::path& folder) {
+    library_.setFolder(folder);
+    readAll();
+}
+
+void LibraryControl::readAll() {
+    items_.clear();
+    for (const UserLibrary::Entry& entry : library_.entries()) {
+        add(entry);
+    }
+    show();
+}
+
+void LibraryControl::add(const UserLibrary::Entry& entry) {
+    try {
+        const SceneDescription scene = read(entry.file);
+        checkScene(scene);
+        const QString name = nameOf(scene, entry.file);
+        items_.push_back(
+            {.entry = entry,
+             .scene = scene,
+             .name = entry.own ? tr("%1 (own)").arg(name) : name,
+             .notes = QString::fromStdString(printable(asperity::notesOf(entry.file)))});
+    } catch (const Error& error) {
+        window_.tell(QString::fromUtf8(error.what()));
+    }
+}
+
+void LibraryControl::choose(int index) {
+    if (const SceneDescription* const now = edits_.wanted()) {
+        const Item& item = items_.at(static_cast<std::size_t>(index));
+        edits_.change(QStringLiteral("%1: %2").arg(noun_, item.name), with(*now, item.scene));
+    }
+}
+
+std::optional<std::size_t> LibraryControl::present() const {
+    const SceneDescription* const scene = edits_.wanted();
+    const auto found =
+        scene == nullptr ? items_.end() : std::ranges::find_if(items_, [&](const Item& item) {
+            return isSame(item.scene, *scene);
+        });
+    return found == items_.end() ? std::nullopt
+                                 : std::optional(static_cast<std::size_t>(found - items_.begin()));
+}
+
+void LibraryControl::listUnsaved(const SceneDescription& scene) {
+    const QString name = nameOf(scene, {});
+    std::erase_if(items_,
+                  [&](const Item& item) { return item.entry.file.empty() && item.name == name; });
+    items_.push_back({.entry = {}, .scene = scene, .name = name, .notes = {}});
+}
+
+void LibraryControl::show() {
+    const SceneDescription* const scene = edits_.wanted();
+    if (scene == nullptr) {
+        return;
+    }
+    if (!present()) {
+        listUnsaved(*scene);
+    }
+    QStringList names;
+    QStringList notes;
+    for (const Item& item : items_) {
+        names << item.name;
+        notes << item.notes;
+    }
+    const std::size_t index = *present();
+    bar_.setEntries(names, notes);
+    bar_.setCurrent(static_cast<int>(index));
+    bar_.setOwn(items_[index].entry.own);
+    listed(names, static_cast<int>(index));
+}
+
+/// Those of the file that the scene has it from, as far as the name tells.
+std::string LibraryControl::notesOf(const SceneDescription& scene) const {
+    const QString name = withoutEdited(nameOf(scene, {}));
+    const auto origin = std::ranges::find_if(
+        items_, [&](const Item& item) { return isSame(item.scene, scene) || item.name == name; });
+    if (origin == items_.end() || origin->notes.isEmpty()) {
+        return {};
+    }
+    const std::string notes = origin->notes.toStdString();
+    return isSame(origin->scene, scene)
+               ? notes
+               : "Changed from " + origin->name.toStdString() + ": " + notes;
+}
+
+bool LibraryControl::saveAs(const QString& name) {
+    const SceneDescription* const now = edits_.wanted();
+    if (now == nullptr) {
+        return false;
+    }
+    const SceneDescription saved = renamed(*now, name.trimmed().toStdString());
+    try {
+        library_.save(name.trimmed().toStdString(), textOf(saved, notesOf(*now)));
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+        return false;
+    }
+    edits_.change(QStringLiteral("%1: %2").arg(noun_, name.trimmed()), with(*now, saved));
+    readAll();
+    return true;
+}
+
+void LibraryControl::save() {
+    if (const SceneDescription* const now = edits_.wanted()) {
+        askForName(&window_, tr("%1 of your own").arg(noun_), tr("Name, as lists are to show it:"),
+                   withoutEdited(nameOf(*now, {})), [this](const QString& name) {
+                       if (saveAs(name)) {
+                           window_.tell(tr("Saved: %1").arg(name));
+                       }
+                   });
+    }
+}
+
+void LibraryControl::rename() {
+    const std::optional<std::size_t> index = present();
+    if (!index || !items_[*index].entry.own) {
+        return;
+    }
+    const Item item = items_[*index];
+    askForName(&window_, tr("Rename"), tr("Another name:"), nameOf(item.scene, item.entry.file),
+               [this, item](const QString& name) {
+                   const bool isOther =
+                       fileNameFor(name.trimmed().toStdString()) != item.entry.file.stem();
+                   if (saveAs(name) && isOther) {
+                       remove(item.entry);
+                   }
+               });
+}
+
+void LibraryControl::removePresent() {
+    if (const std::optional<std::size_t> index = present()) {
+        remove(items_[*index].entry);
+    }
+}
+
+void LibraryControl::remove(const UserLibrary::Entry& entry) {
+    try {
+        library_.remove(entry);
+    } catch (const Error& error) {
+        window_.complain(QString::fromUtf8(error.what()));
+    }
+    readAll();
+}
+
+}  // namespace asperity

@@ -1,0 +1,33 @@
+#include "core/io/scene/SceneSaving.h"
+
+#include "core/TemporaryFile.h"
+#include "core/io/scene/SceneFile.h"
+
+namespace asperity {
+
+namespace {
+
+/// Whether a way from one to the other need not pass the root of the file system.
+bool haveFolderInCommon(const std::filesystem::path& a, const std::filesystem::path& b) {
+    const auto first = [](const std::filesystem::path& path) {
+        const std::filesystem::path below = path.relative_path();
+        return below.empty() ? std::filesystem::path() : *below.begin();
+    };
+    return a.root_path() == b.root_path() && first(a) == first(b) && !first(a).empty();
+}
+
+}  // namespace
+
+void saveScene(const SceneDescription& scene, const std::filesystem::path& file) {
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+    SceneDescription saved = scene;
+    const std::filesystem::path scan = scene.sample.file;
+    if (scan.is_absolute() && haveFolderInCommon(scan.parent_path(), folder)) {
+        saved.sample.file = scan.lexically_relative(folder.lexically_normal()).string();
+    }
+    OutputFile output(file);
+    output.stream() << sceneText(saved);
+    output.commitToDisk();
+}
+
+}  // namespace asperity

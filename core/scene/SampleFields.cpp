@@ -1,0 +1,254 @@
+#include "core/scene/SampleFields.h"
+
+#include "core/FormattedText.h"
+#include "core/scene/SceneFieldOf.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+using scene_field::at;
+
+constexpr double kNano = 1e-9;
+constexpr double kMicro = 1e-6;
+constexpr double kDegree = std::numbers::pi / 180.0;  ///< [rad]
+
+constexpr double kMaxSlope = 85.0 * kDegree;  ///< as checkShape() has it [rad]
+
+constexpr const char* kNoShape = "none";
+
+SceneField row(const char* key, const SceneWords& words, SceneInput input, const Limits& limits,
+               SceneValue (*get)(const SceneDescription&),
+               void (*set)(SceneDescription&, const SceneValue&)) {
+    return {.group = SceneGroup::Sample,
+            .key = key,
+            .words = words,
+            .limits = limits,
+            .input = input,
+            .get = get,
+            .set = set};
+}
+
+/// Both sides or none: a first one makes the scan square.
+void setSide(double& side, double& other, double value) {
+    side = value;
+    other = value == 0.0 || other == 0.0 ? value : other;
+}
+
+std::string placesText(const std::optional<LevelPoints>& points) {
+    std::string text;
+    if (points) {
+        for (const Vector2& point : *points) {
+            text += (text.empty() ? "" : ", ") + formatted("%.12g", point.x() / kNano) + " " +
+                    formatted("%.12g", point.y() / kNano);
+        }
+    }
+    return text;
+}
+
+/// Six numbers with anything between them; none where there are fewer or more.
+std::optional<LevelPoints> placesOf(std::string_view text) {
+    std::vector<double> numbers;
+    while (!text.empty()) {
+        double number = 0.0;
+        const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (problem == std::errc()) {
+            numbers.push_back(number * kNano);
+            text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        } else {
+            text.remove_prefix(1);
+        }
+    }
+    if (numbers.size() != 6) {
+        return std::nullopt;
+    }
+    return LevelPoints{Vector2(numbers[0], numbers[1]), Vector2(numbers[2], numbers[3]),
+                       Vector2(numbers[4], numbers[5])};
+}
+
+std::vector<SceneField> scaleFields() {
+    constexpr Limits kSize{0.0, 1.0, "lie between 0 and 1"};
+    return {
+        row(
+            "size_x_m", {"Width", "Of the whole scan; 0: that of the file", "µm", kMicro},
+            SceneInput::Number, kSize,
+            [](const SceneDescription& scene) -> SceneValue { return scene.sample.scale.sizeX; },
+            [](SceneDescription& scene, const SceneValue& value) {
+                GivenScale& scale = scene.sample.scale;
+                setSide(scale.sizeX, scale.sizeY, std::get<double>(value));
+            }),
+        row(
+            "size_y_m", {"Height", "Of the whole scan along y; 0: that of the file", "µm", kMicro},
+            SceneInput::Number, kSize,
+            [](const SceneDescription& scene) -> SceneValue { return scene.sample.scale.sizeY; },
+            [](SceneDescription& scene, const SceneValue& value) {
+                GivenScale& scale = scene.sample.scale;
+                setSide(scale.sizeY, scale.sizeX, std::get<double>(value));
+            }),
+        at(
+            SceneGroup::Sample, "z_scale_m",
+            {"Height of 1", "Height of a value of 1 in the file; 0: as in the file", "nm", kNano},
+            {0.0, 1.0, "lie between 0 and 1"},
+            [](auto& scene) -> auto& { return scene.sample.scale.heightPerValue; }),
+    };
+}
+
+std::vector<SceneField> levelingFields() {
+    return {
+        row(
+            "level", {"Leveling", "Steps in order, such as “plane, scars, zero”, or none"},
+            SceneInput::Steps, {},
+            [](const SceneDescription& scene) -> SceneValue {
+                return textOf(scene.sample.leveling);
+            },
+            [](SceneDescription& scene, const SceneValue& value) {
+                scene.sample.leveling =
+                    levelingSteps(std::get<std::string>(value)).value_or(scene.sample.leveling);
+            }),
+        row(
+            "level_points_m",
+            {"Level points",
+             "Three places of the step “three points”: x y, x y, x y from the lower "
+             "left corner",
+             "nm", kNano},
+            SceneInput::Places, {},
+            [](const SceneDescription& scene) -> SceneValue {
+                return placesText(scene.sample.levelPoints);
+            },
+            [](SceneDescription& scene, const SceneValue& value) {
+                scene.sample.levelPoints = placesOf(std::get<std::string>(value));
+            }),
+    };
+}
+
+std::vector<SceneField> filterFields() {
+    return {
+        row(
+            "smoothing_px",
+            {"Smoothing", "Standard deviation of the Gaussian low-pass; 0: none", "px"},
+            SceneInput::Number, {0.0, 100.0, "lie between 0 and 100"},
+            [](const SceneDescription& scene) -> SceneValue {
+                return scene.sample.smoothingPixels;
+            },
+            [](SceneDescription& scene, const SceneValue& value) {
+                scene.sample.smoothingPixels = std::get<double>(value);
+                scene.sample.smoothingLength = 0.0;
+            }),
+        row(
+            "smoothing_m",
+            {"… as a length",
+             "Standard deviation of the low-pass as a length, in place of pixels; "
+             "0: in pixels",
+             "nm", kNano},
+            SceneInput::Number, {0.0, 1.0, "lie between 0 and 1"},
+            [](const SceneDescription& scene) -> SceneValue {
+                return scene.sample.smoothingLength;
+            },
+            [](SceneDescription& scene, const SceneValue& value) {
+                scene.sample.smoothingLength = std::get<double>(value);
+                scene.sample.smoothingPixels =
+                    std::get<double>(value) > 0.0 ? 0.0 : SampleDescription{}.smoothingPixels;
+            }),
+        at(
+            SceneGroup::Sample, "imaging_tip_radius_m",
+            {"Imaging tip radius", "Of the tip that recorded the scan; 0: not known", "nm", kNano},
+            {0.0, 1.0, "be 0 or lie between 1e-12 and 1"},
+            [](auto& scene) -> auto& { return scene.sample.imagingTipRadius; }),
+        at(
+            SceneGroup::Sample, "erode",
+            {"Remove the imaging tip", "Takes that tip's shape out of the scan, after smoothing"},
+            {}, [](auto& scene) -> auto& { return scene.sample.erode; }),
+    };
+}
+
+/// A shape has none of the keys of a scan, and each kind only its own.
+void setKind(SampleDescription& sample, const std::string& key) {
+    const std::optional<ShapeKind> kind = fromKey<ShapeKind>(key);
+    if (!kind) {
+        sample.shape.reset();
+        return;
+    }
+    ShapeDescription shape = sample.shape.value_or(ShapeDescription{});
+    shape.kind = *kind;
+    if (*kind == ShapeKind::Plane) {
+        shape.radius = ShapeDescription{}.radius;
+    } else {
+        shape.slope = ShapeDescription{}.slope;
+        shape.size = std::min(shape.size, shape.radius);  // a window that fits on all of them
+    }
+    SampleDescription shaped;
+    shaped.material = sample.material;
+    shaped.shape = shape;
+    sample = std::move(shaped);
+}
+
+template <double ShapeDescription::*part>
+SceneField ofShape(const char* key, const SceneWords& words, const Limits& limits) {
+    SceneField field = row(
+        key, words, SceneInput::Number, limits,
+        [](const SceneDescription& scene) -> SceneValue {
+            return scene.sample.shape.value_or(ShapeDescription{}).*part;
+        },
+        [](SceneDescription& scene, const SceneValue& value) {
+            if (scene.sample.shape) {
+                (*scene.sample.shape).*part = std::get<double>(value);
+            }
+        });
+    field.group = SceneGroup::Shape;
+    return field;
+}
+
+}  // namespace
+
+std::vector<SceneField> sampleFields() {
+    std::vector<SceneField> fields{
+        at(
+            SceneGroup::Sample, "file", {"File", "The height map of the scan"}, {},
+            [](auto& scene) -> auto& { return scene.sample.file; }),
+        at(
+            SceneGroup::Sample, "channel", {"Channel", "Of the file, that is shown"}, {},
+            [](auto& scene) -> auto& { return scene.sample.channel; })};
+    fields[0].input = SceneInput::File;
+    fields[1].input = SceneInput::Choice;  // of those that the file has
+    for (std::vector<SceneField> part : {scaleFields(), levelingFields(), filterFields()}) {
+        std::ranges::move(part, std::back_inserter(fields));
+    }
+    return fields;
+}
+
+std::vector<SceneField> shapeFields() {
+    constexpr SceneGroup kGroup = SceneGroup::Shape;
+    constexpr Limits kLength{1e-9, 1e-3, "lie between 1e-9 and 1e-3"};
+    SceneField kind = row(
+        "shape", {"Shape", "An exact shape in place of the scan"}, SceneInput::Choice, {},
+        [](const SceneDescription& scene) -> SceneValue {
+            return std::string(scene.sample.shape ? keyOf(scene.sample.shape->kind) : kNoShape);
+        },
+        [](SceneDescription& scene, const SceneValue& value) {
+            setKind(scene.sample, std::get<std::string>(value));
+        });
+    kind.group = kGroup;
+    kind.choices = scene_field::choicesOf<ShapeKind>(false);
+    kind.choices.insert(kind.choices.begin(), {kNoShape, "none"});
+    return {
+        kind,
+        ofShape<&ShapeDescription::radius>(
+            "shape_radius_m", {"Radius", "Of the sphere or cylinder", "nm", kNano}, kLength),
+        ofShape<&ShapeDescription::slope>("shape_slope_rad",
+                                          {"Slope", "Of the plane, along x", "°", kDegree},
+                                          {-kMaxSlope, kMaxSlope, "lie between -85° and 85°"}),
+        ofShape<&ShapeDescription::size>(
+            "shape_size_m", {"Window", "Side of the square that is looked at", "nm", kNano},
+            kLength),
+    };
+}
+
+}  // namespace asperity

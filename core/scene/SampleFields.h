@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/scene/SceneFields.h"
+
+#include <vector>
+
+namespace asperity {
+
+/// The rows of sceneFields() on the map of a scan and what is done to it.
+[[nodiscard]] std::vector<SceneField> sampleFields();
+
+/// Those on a shape in place of a map.
+[[nodiscard]] std::vector<SceneField> shapeFields();
+
+}  // namespace asperity

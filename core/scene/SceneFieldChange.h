@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/scene/SceneFields.h"
+
+#include <cstdint>
+#include <string>
+
+namespace asperity {
+
+/// What a lab has measured of a lever: it stays where length, width, density or modulus change.
+enum class LeverCalibration : std::uint8_t {
+    Thickness,
+    Stiffness,
+    Resonance,
+    StiffnessAndResonance,  ///< thickness and modulus follow
+};
+
+template <>
+inline constexpr auto kEnumTable<LeverCalibration> = std::to_array<EnumRow<LeverCalibration>>(
+    {{LeverCalibration::Thickness, "thickness"},
+     {LeverCalibration::Stiffness, "stiffness"},
+     {LeverCalibration::Resonance, "resonance"},
+     {LeverCalibration::StiffnessAndResonance, "stiffness_and_resonance",
+      "stiffness and resonance"}});
+
+/// The scene with another value of a key. Along go the instrument's truth where it was what the
+/// scene said, the lever by its calibration, and the name of a material that is another now.
+/// @throw Error where no lever has such a calibration
+[[nodiscard]] SceneDescription withValue(const SceneDescription& scene, const SceneField& field,
+                                         const SceneValue& value, LeverCalibration calibration);
+
+/// What the instrument's truth took from the scene before it takes from it still.
+void carryTruth(const SceneDescription& before, SceneDescription& scene);
+
+/// The scene that says nothing but its file or shape: the values that keys have by default.
+[[nodiscard]] SceneDescription defaultsOf(const SceneDescription& scene);
+
+/// Whether a key has the same value in both, but for rounding.
+[[nodiscard]] bool isSame(const SceneField& field, const SceneDescription& a,
+                          const SceneDescription& b);
+
+/// Why a key means nothing in a scene; empty: it means something.
+[[nodiscard]] std::string whyIdle(const SceneField& field, const SceneDescription& scene);
+
+/// What the name of a changed material ends in.
+inline constexpr const char* kEditedSuffix = " (edited)";
+
+}  // namespace asperity

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "core/scene/SceneFields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace asperity {
+
+/// How a panel calls what a key leaves to the program, or does not say.
+inline constexpr const char* kLeftOpen = "auto";
+
+/// The rows of a scene's fields from the place where the value stands: `place` is a lambda without
+/// captures from a scene to its member.
+namespace scene_field {
+
+template <class Value>
+inline constexpr bool kIsOptional = false;
+template <class Value>
+inline constexpr bool kIsOptional<std::optional<Value>> = true;
+
+template <HasEnumTable Value>
+std::vector<SceneChoice> choicesOf(bool open) {
+    std::vector<SceneChoice> choices;
+    if (open) {
+        choices.push_back({kLeftOpen, "automatic"});
+    }
+    for (const auto& row : kEnumTable<Value>) {
+        std::string name = row.name;
+        std::ranges::replace(name, '_', ' ');
+        choices.push_back({row.key, name});
+    }
+    return choices;
+}
+
+/// What a value is called or is, whatever its type.
+template <class Value>
+SceneValue shown(const Value& value) {
+    if constexpr (kIsOptional<Value>) {
+        using Inner = typename Value::value_type;
+        if constexpr (std::is_same_v<Inner, double>) {
+            return value.value_or(0.0);
+        } else if constexpr (std::is_same_v<Inner, bool>) {
+            return std::string(!value ? kLeftOpen : (*value ? "on" : "off"));
+        } else {
+            return std::string(value ? keyOf(*value) : kLeftOpen);
+        }
+    } else if constexpr (std::is_enum_v<Value>) {
+        return std::string(keyOf(value));
+    } else if constexpr (std::is_same_v<Value, bool> || std::is_same_v<Value, std::string>) {
+        return value;
+    } else {
+        return static_cast<double>(value);
+    }
+}
+
+/// 0 stands for a number that is not known; a key that is none of the list changes nothing.
+template <class Value>
+void take(Value& value, const SceneValue& given) {
+    if constexpr (kIsOptional<Value>) {
+        using Inner = typename Value::value_type;
+        if constexpr (std::is_same_v<Inner, double>) {
+            const double number = std::get<double>(given);
+            value = number == 0.0 ? std::nullopt : std::optional(number);
+        } else if (std::get<std::string>(given) == kLeftOpen) {
+            value = std::nullopt;
+        } else if constexpr (std::is_same_v<Inner, bool>) {
+            value = std::get<std::string>(given) == "on";
+        } else {
+            value = fromKey<Inner>(std::get<std::string>(given));
+        }
+    } else if constexpr (std::is_enum_v<Value>) {
+        value = fromKey<Value>(std::get<std::string>(given)).value_or(value);
+    } else if constexpr (std::is_same_v<Value, bool> || std::is_same_v<Value, std::string>) {
+        value = std::get<Value>(given);
+    } else {
+        value = static_cast<Value>(std::get<double>(given));
+    }
+}
+
+template <class Value>
+constexpr SceneInput inputOf() {
+    if constexpr (std::is_same_v<Value, bool>) {
+        return SceneInput::Switch;
+    } else if constexpr (std::is_same_v<Value, std::string>) {
+        return SceneInput::Text;
+    } else if constexpr (std::is_same_v<Value, double> ||
+                         std::is_same_v<Value, std::optional<double>>) {
+        return SceneInput::Number;
+    } else if constexpr (std::is_integral_v<Value>) {
+        return SceneInput::Whole;
+    } else {
+        return SceneInput::Choice;
+    }
+}
+
+template <class Value>
+std::vector<SceneChoice> listOf() {
+    if constexpr (std::is_same_v<Value, std::optional<bool>>) {
+        return {{kLeftOpen, "automatic"}, {"on", "on"}, {"off", "off"}};
+    } else if constexpr (kIsOptional<Value>) {
+        if constexpr (HasEnumTable<typename Value::value_type>) {
+            return choicesOf<typename Value::value_type>(true);
+        }
+    } else if constexpr (std::is_enum_v<Value>) {
+        return choicesOf<Value>(false);
+    }
+    return {};
+}
+
+/// A row by the type of the value.
+template <class Place>
+SceneField at(SceneGroup group, const char* key, const SceneWords& words, const Limits& limits,
+              Place /*place*/) {
+    using Value = std::decay_t<decltype(Place{}(std::declval<SceneDescription&>()))>;
+    return {.group = group,
+            .key = key,
+            .words = words,
+            .limits = limits,
+            .input = inputOf<Value>(),
+            .choices = listOf<Value>(),
+            .get = [](const SceneDescription& scene) { return shown(Place{}(scene)); },
+            .set = [](SceneDescription& scene,
+                      const SceneValue& value) { take(Place{}(scene), value); }};
+}
+
+}  // namespace scene_field
+
+}  // namespace asperity

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "core/EnumTable.h"
+#include "core/scene/SceneDescription.h"
+#include "core/scene/SettingFields.h"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace asperity {
+
+/// What the keys of a scene are about; of one section of a file each.
+enum class SceneGroup : std::uint8_t {
+    Sample,
+    Shape,
+    Material,
+    Tip,
+    Probe,
+    Truth,
+    Physics,
+    Fidelity,
+    Approach,
+    View,
+};
+
+template <>
+inline constexpr auto kEnumTable<SceneGroup> =
+    std::to_array<EnumRow<SceneGroup>>({{SceneGroup::Sample, "sample", "Sample"},
+                                        {SceneGroup::Shape, "sample", "Shape"},
+                                        {SceneGroup::Material, "sample", "Material"},
+                                        {SceneGroup::Tip, "tip", "Tip"},
+                                        {SceneGroup::Probe, "probe", "Probe"},
+                                        {SceneGroup::Truth, "truth", "Truth"},
+                                        {SceneGroup::Physics, "physics", "Physics"},
+                                        {SceneGroup::Fidelity, "fidelity", "Fidelity"},
+                                        {SceneGroup::Approach, "approach", "Approach"},
+                                        {SceneGroup::View, "view", "View"}});
+
+/// A number [SI], a switch, or a text: that of a choice is its key.
+using SceneValue = std::variant<double, bool, std::string>;
+
+/// How a value is entered.
+enum class SceneInput : std::uint8_t {
+    Number,
+    Whole,   ///< a number without decimals
+    Switch,  ///< bool
+    Choice,  ///< of a list
+    Text,
+    File,   ///< a height map: opened, not typed
+    Steps,  ///< of leveling, in order: "plane, zero"
+    Places  ///< of leveling [nm]: "10 20, 30 40, 50 10"
+};
+
+/// One of the values that a key can have.
+struct SceneChoice {
+    std::string key;
+    std::string name;  ///< for people
+};
+
+/// How people see a key.
+struct SceneWords {
+    const char* caption;
+    const char* toolTip;
+    const char* unit = "";  ///< in which it is shown
+    double scale = 1.0;     ///< that unit [SI]
+};
+
+/// One key of scene files, but for those of [haptics], which listSettings() has.
+struct SceneField {
+    SceneGroup group = SceneGroup::Sample;
+    const char* key = "";
+    SceneWords words;
+    Limits limits;  ///< of a number [SI]
+    SceneInput input = SceneInput::Number;
+    std::vector<SceneChoice> choices = {};
+    SceneValue (*get)(const SceneDescription& scene) = nullptr;
+    /// Nothing that follows from it goes along, see SceneFieldChange.h.
+    void (*set)(SceneDescription& scene, const SceneValue& value) = nullptr;
+};
+
+/// The one list of the keys of scenes that a panel shows, in its order.
+[[nodiscard]] const std::vector<SceneField>& sceneFields();
+
+/// A number that a user gives in a unit [SI], rounded once: 5 nm are 5e-9 m. @param unit [SI]
+[[nodiscard]] double fromUnit(double number, double unit) noexcept;
+
+/// "probe.length_m"
+[[nodiscard]] std::string nameOf(const SceneField& field);
+
+}  // namespace asperity

@@ -1,0 +1,200 @@
+#include "ui/panels/SceneFieldRow.h"
+
+#include "core/scene/SceneFieldChange.h"
+#include "core/surface/leveling/LevelingStep.h"
+#include "ui/CoreWords.h"
+#include "ui/Theme.h"
+#include "ui/panels/Card.h"
+#include "ui/panels/ChoiceBox.h"
+#include "ui/panels/GainSpinBox.h"
+#include "ui/panels/WheelGuard.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kBoxWidth = 96;    ///< of a number, at least [px]
+constexpr int kResetWidth = 22;  ///< [px]
+constexpr int kDecimals = 12;
+
+QString captionOf(const SceneField& field) {
+    const QString caption = coreWords(field.words.caption);
+    return *field.words.unit == '\0'
+               ? caption
+               : QStringLiteral("%1 [%2]").arg(caption, QString::fromUtf8(field.words.unit));
+}
+
+/// Steps by factors where there is no zero.
+NumberBox* newBox(const SceneField& field, QWidget* parent) {
+    const double low = field.limits.low / field.words.scale;
+    const double high = field.limits.high / field.words.scale;
+    if (field.input == SceneInput::Number && low > 0.0) {
+        return new GainSpinBox(low, high, parent);
+    }
+    auto* box = new NumberBox(parent);
+    box->setDecimals(field.input == SceneInput::Whole ? 0 : kDecimals);
+    box->setRange(low, high);
+    if (field.input == SceneInput::Number) {
+        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    }
+    return box;
+}
+
+}  // namespace
+
+SceneFieldRow::SceneFieldRow(const SceneField& field, QGridLayout& grid, QWidget* parent)
+    : QObject(parent)
+    , field_(field)
+    , choices_(field.choices)
+    , caption_(captionLabel(captionOf(field), parent))
+    , control_(newControl(parent))
+    , reset_(new QToolButton(parent)) {
+    const QString name = QString::fromStdString(nameOf(field));
+    control_->setObjectName(name);
+    reset_->setObjectName(name + QStringLiteral(".reset"));
+    reset_->setText(QStringLiteral("↺"));
+    reset_->setAutoRaise(true);
+    reset_->setFixedWidth(theme::scaled(kResetWidth));
+    QSizePolicy stays = reset_->sizePolicy();
+    stays.setRetainSizeWhenHidden(true);
+    reset_->setSizePolicy(stays);
+    connect(reset_, &QToolButton::clicked, this, [this] { Q_EMIT entered(default_); });
+    const int row = grid.rowCount();
+    grid.addWidget(caption_, row, 0);
+    grid.addWidget(control_, row, 1);
+    grid.addWidget(reset_, row, 2);
+    refuse({});
+    theme::follow(this, [this] { setMuted(muted_); });
+}
+
+QWidget* SceneFieldRow::newControl(QWidget* parent) {
+    switch (field_.input) {
+    case SceneInput::Number:
+    case SceneInput::Whole:
+        return newNumber(parent);
+    case SceneInput::Switch:
+        return newSwitch(parent);
+    case SceneInput::Choice:
+        return newChoice(parent);
+    case SceneInput::Text:
+    case SceneInput::File:
+    case SceneInput::Steps:
+    case SceneInput::Places:
+        break;
+    }
+    return newText(parent);
+}
+
+QWidget* SceneFieldRow::newNumber(QWidget* parent) {
+    NumberBox* box = newBox(field_, parent);
+    box->setMinimumWidth(theme::scaled(kBoxWidth));
+    guardFromWheel(*box);
+    connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+            [this](double number) { Q_EMIT entered(fromUnit(number, field_.words.scale)); });
+    showValue_ = [this, box](const SceneValue& value) {
+        const QSignalBlocker blocker(box);
+        const double number = std::get<double>(value) / field_.words.scale;
+        box->setRange(std::min(box->minimum(), number), std::max(box->maximum(), number));
+        box->setValue(number);
+    };
+    return box;
+}
+
+QWidget* SceneFieldRow::newSwitch(QWidget* parent) {
+    auto* box = new QCheckBox(parent);
+    connect(box, &QCheckBox::clicked, this, [this](bool on) { Q_EMIT entered(on); });
+    showValue_ = [box](const SceneValue& value) { box->setChecked(std::get<bool>(value)); };
+    return box;
+}
+
+QWidget* SceneFieldRow::newChoice(QWidget* parent) {
+    auto* box = new ChoiceBox(parent);
+    guardFromWheel(*box);
+    connect(box, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+        Q_EMIT entered(choices_.at(static_cast<std::size_t>(index)).key);
+    });
+    showValue_ = [this, box](const SceneValue& value) {
+        QStringList names;
+        int present = -1;
+        for (const SceneChoice& choice : choices_) {
+            present = choice.key == std::get<std::string>(value) ? names.size() : present;
+            names << coreWords(choice.name);
+        }
+        box->setNames(names);
+        box->setCurrentIndex(present);
+    };
+    return box;
+}
+
+QWidget* SceneFieldRow::newText(QWidget* parent) {
+    auto* line = new QLineEdit(parent);
+    line->setReadOnly(field_.input == SceneInput::File);
+    line->setMinimumWidth(theme::scaled(kBoxWidth));
+    connect(line, &QLineEdit::editingFinished, this, [this, line] { enterText(*line); });
+    showValue_ = [this, line](const SceneValue& value) {
+        shownText_ = QString::fromStdString(std::get<std::string>(value));
+        line->setText(shownText_);
+    };
+    return line;
+}
+
+void SceneFieldRow::enterText(QLineEdit& line) {
+    if (line.isReadOnly() || line.text() == shownText_) {
+        return;
+    }
+    const std::string text = line.text().toStdString();
+    const bool isSteps = field_.input == SceneInput::Steps;
+    if (isSteps && !levelingSteps(text)) {
+        line.setText(shownText_);
+        Q_EMIT refused(
+            tr("“%1” is not taken: %2")
+                .arg(QString::fromStdString(text), QString::fromStdString(levelingKeys())));
+        return;
+    }
+    shownText_ = line.text();
+    Q_EMIT entered(text);
+}
+
+void SceneFieldRow::setChoices(const std::vector<SceneChoice>& choices) { choices_ = choices; }
+
+void SceneFieldRow::show(const SceneDescription& scene, const SceneDescription& defaults) {
+    default_ = field_.get(defaults);
+    showValue_(field_.get(scene));
+    const bool isDefault = isSame(field_, scene, defaults);
+    reset_->setVisible(!isDefault);
+    muted_ = isDefault;
+    setMuted(muted_);
+    refuse(coreWords(whyIdle(field_, scene)));
+}
+
+void SceneFieldRow::setMuted(bool muted) {
+    if (auto* const box = qobject_cast<NumberBox*>(control_)) {
+        box->setMuted(muted);
+        return;
+    }
+    const QColor color = muted ? theme::colors().muted : theme::colors().ink;
+    QPalette colors = control_->palette();
+    colors.setColor(QPalette::Active, QPalette::Text, color);
+    colors.setColor(QPalette::Inactive, QPalette::Text, color);
+    control_->setPalette(colors);
+}
+
+void SceneFieldRow::refuse(const QString& reason) {
+    const QString usual = coreWords(field_.words.toolTip);
+    caption_->setToolTip(reason.isEmpty() ? usual : reason);
+    control_->setToolTip(reason.isEmpty() ? usual : reason);
+    control_->setEnabled(reason.isEmpty());
+    reset_->setEnabled(reason.isEmpty());
+    reset_->setToolTip(tr("Back to the default of a scene that does not say %1")
+                           .arg(QString::fromUtf8(field_.key)));
+}
+
+}  // namespace asperity

@@ -1,0 +1,60 @@
+#include "ui/panels/Section.h"
+
+#include "ui/Theme.h"
+
+#include <QGridLayout>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kGap = 4;     ///< [px]
+constexpr int kIndent = 6;  ///< of the rows [px]
+
+}  // namespace
+
+Section::Section(const QString& title, const QString& about, QWidget* parent)
+    : QWidget(parent)
+    , about_(about)
+    , heading_(new QToolButton(this))
+    , content_(new QWidget(this))
+    , rows_(new QGridLayout(content_)) {
+    heading_->setProperty("heading", true);
+    heading_->setObjectName(QStringLiteral("sectionHeading"));
+    heading_->setText(title);
+    heading_->setFont(theme::boldFont());
+    heading_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    heading_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    rows_->setContentsMargins(kIndent, 0, 0, kGap);
+    rows_->setHorizontalSpacing(kGap);
+    rows_->setVerticalSpacing(kGap);
+    rows_->setColumnStretch(1, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kGap);
+    column->addWidget(heading_);
+    column->addWidget(content_);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    connect(heading_, &QToolButton::clicked, this, [this] { setFolded(!folded_); });
+    setFolded(false);
+}
+
+void Section::setFolded(bool folded) {
+    folded_ = folded;
+    content_->setVisible(!folded);
+    heading_->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
+    heading_->setToolTip(folded ? tr("%1; click to unfold").arg(about_)
+                                : tr("%1; click to fold").arg(about_));
+}
+
+void Section::addWide(QWidget* widget) { rows_->addWidget(widget, rows_->rowCount(), 0, 1, 3); }
+
+void Section::refuse(const QString& reason) {
+    content_->setEnabled(reason.isEmpty());
+    content_->setToolTip(reason);
+}
+
+}  // namespace asperity
