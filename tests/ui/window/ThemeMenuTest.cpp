@@ -11,6 +11,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QtTest>
@@ -78,6 +79,20 @@ TEST_F(ThemeMenuTest, RepaintsAllWindowsWhileTheProgramRunsAndBackToTheSamePixel
         EXPECT_LT(lightShare(pictureOf(*shown)), 0.15) << shown->windowTitle().toStdString();
         choose("&Light");
         EXPECT_EQ(pictureOf(*shown), before) << shown->windowTitle().toStdString();
+    }
+}
+
+/// A color that was taken once and never again is that of the light theme.
+TEST_F(ThemeMenuTest, NoLabelKeepsAColorOfTheThemeBefore) {
+    choose("&Dark");
+    const ThemeColors& colors = theme::colors();
+    for (const QLabel* label : window.findChildren<QLabel*>()) {
+        const QColor shown = label->palette().color(QPalette::WindowText);
+        const bool isOfTheme = shown == colors.ink || shown == colors.muted ||
+                               shown == colors.fault || shown == colors.caution;
+        EXPECT_TRUE(isOfTheme) << shown.name().toStdString() << ": "
+                               << label->objectName().toStdString() << " "
+                               << label->text().toStdString();
     }
 }
 
