@@ -73,14 +73,14 @@ void RunControl::begin(LoadedScene scene, const Vector3& start, const Settings& 
     Q_EMIT begun();
 }
 
-void RunControl::replace(LoadedScene scene) {
+void RunControl::replace(LoadedScene scene, const std::optional<Vector2>& place) {
     const bool running = run_->loop().running();
     const double halfWidth = window_.view().halfWidth();
-    const Vector2 place = run_->basePosition().head<2>();
+    const Vector2 here = run_->basePosition().head<2>();
     Settings settings = run_->sensingSettings();
     settings.forcesOn = forcesMayAct();
     end();
-    const Vector3 above = waitingPlace(scene.scene, place);
+    const Vector3 above = waitingPlace(scene.scene, place.value_or(here));
     begin(std::move(scene), above, settings);
     window_.view().setHalfWidth(halfWidth);
     Q_EMIT rebuilt();

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace asperity {
@@ -29,9 +30,9 @@ public:
     /// Shows a scene that is loaded, and starts its loop. Forces that are off, or that a fault
     /// keeps away, stay off.
     void use(LoadedScene scene);
-    /// The loop begins again above the same place, with the same knobs, on the scene changed. There
-    /// is a run.
-    void replace(LoadedScene scene);
+    /// The loop begins again above the same place, or another one, with the same knobs, on the
+    /// scene changed. There is a run. @param place world [m]
+    void replace(LoadedScene scene, const std::optional<Vector2>& place = std::nullopt);
     /// Ends the run, if there is one.
     void end();
 

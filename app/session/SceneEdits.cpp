@@ -53,6 +53,7 @@ void SceneEdits::begun() {
         work_.cancel();
         giveUp();
         history_.clear();
+        stands_.clear();
     }
 }
 
@@ -148,7 +149,6 @@ void SceneEdits::adopt() {
 }
 
 void SceneEdits::use(LoadedScene& scene) {
-    LiveRun& run = *runs_.run();
     const Target made = target();
     const SceneDescription before = present();
     const SceneDescription after = scene.scene.description;
@@ -157,15 +157,36 @@ void SceneEdits::use(LoadedScene& scene) {
         Q_EMIT changed();
         return;
     }
-    const Vector3 place = run.basePosition();
-    const bool stays = haveSameGround(before.sample, after.sample) &&
-                       scene.scene.surface.contains(place.x(), place.y());
     giveUp();
-    using_ = true;
-    stays ? runs_.replace(std::move(scene)) : runs_.use(std::move(scene));
-    using_ = false;
+    begin(scene);
     keep(made, before, after);
     Q_EMIT changed();
+}
+
+/// The tip stays where it is, or is back where it was on that scan.
+void SceneEdits::begin(LoadedScene& scene) {
+    const Vector3 here = runs_.run()->basePosition();
+    const SampleDescription after = scene.scene.description.sample;
+    const bool isHere =
+        haveSameGround(present().sample, after) && scene.scene.surface.contains(here.x(), here.y());
+    rememberPlace();
+    const auto known = stands_.find(after.file);
+    using_ = true;
+    if (isHere) {
+        runs_.replace(std::move(scene));
+    } else if (known != stands_.end() &&
+               scene.scene.surface.contains(known->second.place.x(), known->second.place.y())) {
+        runs_.replace(std::move(scene), known->second.place);
+        window_.view().setHalfWidth(known->second.halfWidth);
+    } else {
+        runs_.use(std::move(scene));
+    }
+    using_ = false;
+}
+
+void SceneEdits::rememberPlace() {
+    stands_[present().sample.file] = {.place = runs_.run()->basePosition().head<2>(),
+                                      .halfWidth = window_.view().halfWidth()};
 }
 
 void SceneEdits::keep(const Target& target, SceneDescription before,
@@ -197,6 +218,7 @@ void SceneEdits::useOpened(LoadedScene& scene) {
     std::optional<SceneDescription> before;
     if (runs_.run() != nullptr) {
         before = present();
+        rememberPlace();
     }
     using_ = true;
     runs_.use(std::move(scene));

@@ -10,7 +10,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace asperity {
@@ -83,6 +85,9 @@ private:
     void startWork(const SceneDescription& next, SceneChange change);
     void adopt();
     void use(LoadedScene& scene);
+    /// Keeps where the tip is, for when its scan comes back.
+    void rememberPlace();
+    void begin(LoadedScene& scene);
     void useOpened(LoadedScene& scene);
     void fail(const std::exception_ptr& reason);
     /// Says why a change cannot be made, or what is missing for it.
@@ -97,7 +102,13 @@ private:
     std::optional<Target> target_;    ///< none: no change is under way
     std::optional<Opening> opening_;  ///< none: nothing is being opened
     bool using_ = false;              ///< the run that begins is of a change or opening here
-    QTimer slow_;                     ///< until a change takes so long that the window says so
+    /// Of the tip on a scan, when another one took its place.
+    struct Stand {
+        Vector2 place = Vector2::Zero();  ///< world [m]
+        double halfWidth = 0.0;           ///< of the large view [m]
+    };
+    std::map<std::string, Stand> stands_;  ///< by the file of the scan
+    QTimer slow_;                          ///< until a change takes so long that the window says so
     BackgroundWork<LoadedScene> work_;
 };
 

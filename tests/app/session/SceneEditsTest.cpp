@@ -237,6 +237,20 @@ TEST_F(SceneEditsTest, AnotherScanIsAStepAndUndoOpensTheOneBefore) {
     EXPECT_EQ(shown().tip.radius, 15e-9) << "two steps at once";
 }
 
+TEST_F(SceneEditsTest, TheTipComesBackToWhereItWasOnAScanBefore) {
+    open(kSteps);
+    const Vector2 start = run().basePosition().head<2>();
+    const Vector2 place = 0.25 * Vector2(run().scene().surface.sizeX(), 0.0) + 0.5 * start;
+    runs.replace(withDescription(run().loaded(), shown()), place);
+    const Vector2 before = run().basePosition().head<2>();
+    open(kGrating);
+    runs.turn([](Settings& settings) { settings.forceGain = 100.0; });
+    edits.undo();
+    ASSERT_TRUE(changeEnds());
+    EXPECT_LT((run().basePosition().head<2>() - before).norm(), 1e-15);
+    EXPECT_EQ(run().settings().forceGain, 100.0) << "knobs stay as they are";
+}
+
 TEST_F(SceneEditsTest, UndoWhileAFileIsLoadedCancelsThat) {
     open(kSteps);
     setTip(20e-9);
