@@ -4,6 +4,7 @@
 #include "core/haptics/ScriptedDevice.h"
 #include "core/scene/SceneTruth.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "ui/view/ContactPlot.h"
 #include "ui/view/ZoomView.h"
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -25,6 +26,7 @@
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace asperity {
@@ -166,6 +168,55 @@ void measureView(ZoomView& view, HapticLoop& loop, double empty) {
     }
 }
 
+/// The same with what a user can switch on, one after the other and then all together.
+void measureOptions(ZoomView& view, HapticLoop& loop, const Scene& scene) {
+    ZoomView second;
+    ContactPlot section;
+    second.setScene(&scene);
+    section.setScene(&scene);
+    for (QWidget* widget : {static_cast<QWidget*>(&second), static_cast<QWidget*>(&section)}) {
+        widget->resize(kWidth / 2, kHeight);
+    }
+    bool isSecondShown = false;
+    bool isEven = false;
+    const auto frame = [&] {
+        const Snapshot& snapshot = loop.snapshot();
+        view.showSnapshot(snapshot);
+        isEven = !isEven;
+        if (isEven && isSecondShown) {  // as the window does: every second time
+            second.showSnapshot(snapshot);
+            section.showSnapshot(snapshot);
+        }
+    };
+    const auto colorBy = [&view](SurfaceQuantity quantity) {
+        SurfaceLook look;
+        look.quantity = quantity;
+        view.setLook(look, SurfaceField(quantity));
+    };
+    const auto measured = [&](const char* what) { print(what, measure(view, frame)); };
+    measured("  heights alone");
+    for (const SurfaceQuantity quantity :
+         {SurfaceQuantity::Slope, SurfaceQuantity::Gap, SurfaceQuantity::Pressure,
+          SurfaceQuantity::Displacement}) {
+        colorBy(quantity);
+        measured((std::string("  color by ") + nameOf(quantity)).c_str());
+    }
+    view.showCrossHair(Vector2(0.5 * scene.surface.sizeX(), 0.5 * scene.surface.sizeY()));
+    measured("  and a cross-hair");
+    view.setOptions({.commandedTip = true, .trueTip = true});
+    measured("  and both ghosts");
+    section.show();
+    isSecondShown = true;
+    measured("  and a section beside");
+    section.hide();
+    second.show();
+    measured("  and a second 3-D view in place of it");
+    second.setScene(nullptr);
+    view.setOptions({});
+    view.showCrossHair(std::nullopt);
+    colorBy(SurfaceQuantity::Height);
+}
+
 void measureAll() {
     const double empty = fourEmptyViews();
 
@@ -185,6 +236,10 @@ void measureAll() {
                     kWidth, kHeight, scene.description.tickRate);
         measureView(view, loop, empty);
     }
+    view.resetCamera();
+    view.setCacheEnabled(true);
+    std::printf("camera still, cached, with options:\n");
+    measureOptions(view, loop, scene);
     loop.stop();
     const LoopStatistics statistics = loop.snapshot().statistics;
     std::printf("loop: %ld ticks, %ld overruns\n", statistics.ticks, statistics.overruns);

@@ -1,5 +1,6 @@
 #include "app/program/LoadedScene.h"
 
+#include "app/program/SurfaceImages.h"
 #include "core/Error.h"
 #include "core/io/heightmap/ScanFile.h"
 #include "core/io/scene/SceneFile.h"
@@ -63,6 +64,7 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
             .notes = std::move(scan.notes),
             .provenance = std::move(scan.provenance),
             .needs = {},
+            .images = imagesBeside(file.contents(), scan.channel),
             .channels = heightChannels(file.contents())};
 }
 

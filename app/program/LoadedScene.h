@@ -30,8 +30,9 @@ struct LoadedScene {
     std::string format;              ///< of the height map, for people; "shape" without one
     std::string sha256;              ///< of the height map's file; empty without one
     std::vector<std::string> notes;  ///< on the heights, a sentence each: of reader and leveling
-    std::vector<Provenance> provenance;  ///< what scale and orientation of the heights come from
-    SceneNeeds needs;                    ///< why the scene's model is what it is
+    std::vector<Provenance> provenance;    ///< what scale and orientation of the heights come from
+    SceneNeeds needs;                      ///< why the scene's model is what it is
+    std::vector<std::string> images = {};  ///< of the file, others with the scan's pixels
     std::vector<std::string> channels = {};  ///< of the file, those that can be taken instead
 };
 

@@ -33,6 +33,7 @@ Session::Session(MainWindow& window)
     , haptics_(window, runs_, edits_)
     , views_(window, runs_)
     , measuring_(window, runs_, edits_)
+    , colors_(window, runs_)
     , entries_(window, runs_, devices_, edits_) {
     runs_.setSink([this](const TickSample& sample) {
         views_.take(sample);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/session/ColorControl.h"
 #include "app/session/DeviceControl.h"
 #include "app/session/EngageControl.h"
 #include "app/session/EntryControl.h"
@@ -66,6 +67,7 @@ private:
     HapticControl haptics_;
     ViewControl views_;
     MeasureControl measuring_;
+    ColorControl colors_;
     EntryControl entries_;
     QTimer frames_;
     double lastFrame_ = 0.0;  ///< [s]

@@ -7,6 +7,7 @@
 #include "ui/view/ContactShape.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/MainWindow.h"
+#include "ui/window/SecondView.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -74,6 +75,7 @@ void ViewControl::solveHalfSpace(const Snapshot& latest) {
         worker->ask(latest.sample.output.model);
         const std::shared_ptr<const HalfSpaceAnswer> answer = worker->newest();
         window_.view().setHalfSpace(answer);
+        window_.second().setHalfSpace(answer);
         window_.banner().setHalfSpace(answer.get());
     }
 }
@@ -98,6 +100,9 @@ void ViewControl::show(double now) {
 
 void ViewControl::draw(const Snapshot& latest, bool everywhere) {
     window_.view().showSnapshot(latest);
+    if (everywhere) {
+        window_.second().showSnapshot(latest);
+    }
     for (RunPanel* const panel : window_.panels()) {
         if (everywhere || panel->slowName() == nullptr) {
             panel->show(latest);

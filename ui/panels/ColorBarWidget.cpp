@@ -20,10 +20,37 @@ constexpr int kTickLength = 3;      ///< [px]
 constexpr int kSideMargin = 14;     ///< room for half a label at each end [px]
 constexpr int kLabelDistance = 30;  ///< between ticks, at least [px]
 
+constexpr int kClipWidth = 7;  ///< of the arrow beyond an end [px]
+
 /// The prefix that suits the whole range.
 SiScale siScaleOf(const ColorScale& scale) {
-    return siScaleFor(std::max(std::abs(scale.low), std::abs(scale.high)),
-                      scale.unit.toStdString());
+    return shownScale(std::max(std::abs(scale.low), std::abs(scale.high)), scale.unit);
+}
+
+QString rangeText(const ColorScale& scale, double low, double high) {
+    return QObject::tr("%1 to %2").arg(shownValue(low, scale.unit), shownValue(high, scale.unit));
+}
+
+/// What the bar says in whole sentences.
+QString explanation(const ColorScale& scale) {
+    if (scale.colors.empty()) {
+        return {};
+    }
+    QString text = QObject::tr("Colors of %1: %2")
+                       .arg(scale.quantity, rangeText(scale, scale.low, scale.high));
+    if (!scale.rule.isEmpty()) {
+        text += QObject::tr(" (%1)").arg(scale.rule);
+    }
+    if (!scale.note.isEmpty()) {
+        text += QObject::tr("\nNo values: %1").arg(scale.note);
+    } else if (!std::isnan(scale.dataLow)) {
+        text +=
+            QObject::tr("\nValues shown: %1").arg(rangeText(scale, scale.dataLow, scale.dataHigh));
+    }
+    if (scale.clipsLow() || scale.clipsHigh()) {
+        text += QObject::tr("\nAn arrow marks an end that values lie beyond");
+    }
+    return text + QObject::tr("\nRight click: other colors, another range or quantity");
 }
 
 QFont tickFont() { return theme::textFont(theme::kTickSize); }
@@ -32,27 +59,30 @@ QFont tickFont() { return theme::textFont(theme::kTickSize); }
 
 ColorBarWidget::ColorBarWidget(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setContextMenuPolicy(Qt::CustomContextMenu);
+    setToolTip(tr("Which colors stand for which values"));
 }
 
 void ColorBarWidget::setScale(const ColorScale& scale) {
     scale_ = scale;
-    setToolTip(scale_.colors.empty()
-                   ? QString()
-                   : tr("Color scale: %1, %2 to %3")
-                         .arg(scale_.quantity, text(scale_.low), text(scale_.high)));
+    const QString text = explanation(scale);
+    setToolTip(text.isEmpty() ? tr("Which colors stand for which values") : text);
     update();
-}
-
-QString ColorBarWidget::text(double value) const {
-    return QString::fromStdString(formatSi(value, scale_.unit.toUtf8().constData()));
 }
 
 QString ColorBarWidget::heading() const {
     if (scale_.colors.empty()) {
         return {};
     }
-    return QStringLiteral("%1 [%2]").arg(scale_.quantity,
-                                         QString::fromStdString(siScaleOf(scale_).unit));
+    const QString unit = QString::fromStdString(siScaleOf(scale_).unit);
+    return unit.isEmpty() ? scale_.quantity : QStringLiteral("%1 [%2]").arg(scale_.quantity, unit);
+}
+
+QString ColorBarWidget::remark() const {
+    if (scale_.colors.empty()) {
+        return {};
+    }
+    return scale_.note.isEmpty() ? scale_.rule : scale_.note;
 }
 
 QSize ColorBarWidget::sizeHint() const {
@@ -70,11 +100,42 @@ void ColorBarWidget::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.setFont(theme::textFont(theme::kSmallSize));
     const int top = painter.fontMetrics().height() + 2;
-    painter.setPen(theme::colors().muted);
-    painter.drawText(QRect(kSideMargin, 0, width() - kSideMargin, top), Qt::AlignLeft, heading());
+    drawHeading(painter, top);
     const QRectF bar(kSideMargin, top, width() - (2 * kSideMargin), kBarHeight);
     drawBar(painter, bar);
+    drawClips(painter, bar);
     drawTicks(painter, bar);
+}
+
+void ColorBarWidget::drawHeading(QPainter& painter, int height) const {
+    const QRect line(kSideMargin, 0, width() - 2 * kSideMargin, height);
+    const QString right = remark();
+    const int taken = right.isEmpty() ? 0 : painter.fontMetrics().horizontalAdvance(right) + 6;
+    painter.setPen(theme::colors().muted);
+    painter.drawText(
+        line, Qt::AlignLeft,
+        painter.fontMetrics().elidedText(heading(), Qt::ElideRight, line.width() - taken));
+    painter.drawText(line, Qt::AlignRight, right);
+}
+
+/// An arrow that points out of the bar where values lie beyond its end, in that end's color.
+void ColorBarWidget::drawClips(QPainter& painter, const QRectF& bar) const {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const auto arrow = [&](double end, double direction, const QColor& color) {
+        const QPointF tip(end + direction * (kClipWidth + 2.0), bar.center().y());
+        painter.setPen(theme::colors().ink);
+        painter.setBrush(color);
+        painter.drawPolygon(QPolygonF({QPointF(end + direction * 2.0, bar.top()), tip,
+                                       QPointF(end + direction * 2.0, bar.bottom())}));
+    };
+    if (scale_.clipsLow()) {
+        arrow(bar.left(), -1.0, scale_.colors.front());
+    }
+    if (scale_.clipsHigh()) {
+        arrow(bar.right(), 1.0, scale_.colors.back());
+    }
+    painter.restore();
 }
 
 void ColorBarWidget::drawBar(QPainter& painter, const QRectF& bar) const {

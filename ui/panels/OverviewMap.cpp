@@ -33,15 +33,23 @@ OverviewMap::OverviewMap(QWidget* parent) : QWidget(parent) {
     setMinimumSize(120, 100);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setCursor(Qt::CrossCursor);
+    setMouseTracking(true);
 }
 
 void OverviewMap::setSurface(const BSplineSurface& surface) {
-    relief_ = reliefImage(surface);
+    relief_.setSurface(surface);
     size_ = {surface.sizeX(), surface.sizeY()};
     scaled_ = {};
     tip_.reset();
     frame_ = {};
     path_.clear();
+    crossHair_.reset();
+    update();
+}
+
+void OverviewMap::setLook(const SurfaceLook& look, const SurfaceField& field) {
+    relief_.setLook(look, field);
+    scaled_ = {};
     update();
 }
 
@@ -65,6 +73,12 @@ void OverviewMap::showFrame(const QRectF& frame) {
 
 void OverviewMap::showPath(const QPolygonF& path) {
     path_ = path;
+    update();
+}
+
+void OverviewMap::showCrossHair(const std::optional<QPointF>& place, const QString& reading) {
+    crossHair_ = place;
+    reading_ = reading;
     update();
 }
 
@@ -95,11 +109,11 @@ double OverviewMap::heightAt(const QPointF& place) const {
     const auto entry = [](double share, int count) {
         return std::clamp(static_cast<int>(share * count), 0, count - 1);
     };
-    const int column = entry(place.x() / size_.width(), relief_.image.width());
-    const int row = entry(1.0 - (place.y() / size_.height()), relief_.image.height());
-    return relief_
-        .heights[(static_cast<std::size_t>(row) * static_cast<std::size_t>(relief_.image.width())) +
-                 static_cast<std::size_t>(column)];
+    const int column = entry(place.x() / size_.width(), relief_.image().width());
+    const int row = entry(1.0 - (place.y() / size_.height()), relief_.image().height());
+    return relief_.heights()[(static_cast<std::size_t>(row) *
+                              static_cast<std::size_t>(relief_.image().width())) +
+                             static_cast<std::size_t>(column)];
 }
 
 QString OverviewMap::toolTipAt(const QPointF& pixel) const {
@@ -134,7 +148,6 @@ void OverviewMap::activate(MapTool* tool) {
     }
     active_ = tool;
     pressed_ = false;
-    setMouseTracking(active_ != nullptr);  // the cursor says what a press would do
     setCursor(Qt::CrossCursor);
     Q_EMIT toolActivated(active_);
 }
@@ -155,6 +168,12 @@ void OverviewMap::mousePressEvent(QMouseEvent* event) {
 }
 
 void OverviewMap::mouseMoveEvent(QMouseEvent* event) {
+    if (mapRect().contains(event->localPos())) {
+        const QPointF place = toPlace(event->localPos());
+        Q_EMIT placeHovered(place.x(), place.y());
+    } else {
+        Q_EMIT placeLeft();
+    }
     if (active_ == nullptr || size_.isEmpty()) {
         return;
     }
@@ -193,6 +212,11 @@ void OverviewMap::mouseDoubleClickEvent(QMouseEvent* event) {
     }
 }
 
+void OverviewMap::leaveEvent(QEvent* event) {
+    Q_EMIT placeLeft();
+    QWidget::leaveEvent(event);
+}
+
 void OverviewMap::resizeEvent(QResizeEvent* /*event*/) { scaled_ = {}; }
 
 void OverviewMap::paintEvent(QPaintEvent* /*event*/) {
@@ -201,7 +225,7 @@ void OverviewMap::paintEvent(QPaintEvent* /*event*/) {
         return;
     }
     if (scaled_.isNull()) {
-        scaled_ = QPixmap::fromImage(relief_.image.scaled(
+        scaled_ = QPixmap::fromImage(relief_.image().scaled(
             map.size().toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     }
     QPainter painter(this);
@@ -223,6 +247,31 @@ void OverviewMap::paintEvent(QPaintEvent* /*event*/) {
         painter.restore();
     }
     drawTip(painter, map);
+    drawCrossHair(painter, map);
+}
+
+void OverviewMap::drawCrossHair(QPainter& painter, const QRectF& map) const {
+    if (!crossHair_) {
+        return;
+    }
+    const QPointF pixel = toPixel(*crossHair_);
+    painter.setPen(QPen(theme::colors().marker, 1.0));
+    painter.drawLine(QPointF(map.left(), pixel.y()), QPointF(map.right(), pixel.y()));
+    painter.drawLine(QPointF(pixel.x(), map.top()), QPointF(pixel.x(), map.bottom()));
+    painter.setFont(theme::textFont(theme::kSmallSize));
+    const QRect text = painter.fontMetrics().boundingRect(
+        map.toRect(), Qt::AlignLeft | Qt::TextWordWrap, reading_);
+    constexpr int kInset = 4;
+    QRect plate(map.topLeft().toPoint() + QPoint(kInset, kInset),
+                text.size() + QSize(2 * kInset, kInset));
+    if (plate.adjusted(-kInset, -kInset, kInset, kInset).contains(pixel.toPoint())) {
+        plate.moveBottom(static_cast<int>(map.bottom()) - kInset);  // out of the pointer's way
+    }
+    QColor paper(theme::colors().paper);
+    paper.setAlphaF(0.88);
+    painter.fillRect(plate, paper);
+    painter.setPen(theme::colors().ink);
+    painter.drawText(plate, Qt::AlignCenter | Qt::TextWordWrap, reading_);
 }
 
 void OverviewMap::drawScaleBar(QPainter& painter, const QRectF& map) const {

@@ -24,10 +24,16 @@ public:
 
     /// Draws the relief once; forgets tip, frame and path.
     void setSurface(const BSplineSurface& surface);
+    /// How the surface is colored. @param field what the look's quantity is on the surface
+    void setLook(const SurfaceLook& look, const SurfaceField& field);
     void showTip(const QPointF& place);
     void hideTip();
     void showFrame(const QRectF& frame);
     void showPath(const QPolygonF& path);
+    /// Two lines that cross at a place, and what is read there; none: neither.
+    void showCrossHair(const std::optional<QPointF>& place, const QString& reading);
+
+    [[nodiscard]] const std::optional<QPointF>& crossHair() const { return crossHair_; }
 
     /// Where the scan is drawn, in this widget's pixels; empty before there is one.
     [[nodiscard]] QRectF mapRect() const;
@@ -35,9 +41,9 @@ public:
     [[nodiscard]] QPointF toPlace(const QPointF& pixel) const;
     /// What stands under a pixel, in words; empty beside the scan.
     [[nodiscard]] QString toolTipAt(const QPointF& pixel) const;
-    [[nodiscard]] const ColorScale& colors() const { return relief_.colors; }
+    [[nodiscard]] const ColorScale& colors() const { return relief_.colors(); }
     /// Whether the scan holds no data somewhere.
-    [[nodiscard]] bool hasFilled() const { return relief_.hasFilled; }
+    [[nodiscard]] bool hasFilled() const { return relief_.hasFilled(); }
     [[nodiscard]] const QSizeF& scanSize() const { return size_; }  ///< [m]
     /// The place on the scan that is nearest to this one [m].
     [[nodiscard]] QPointF onScan(const QPointF& place) const;
@@ -53,6 +59,10 @@ Q_SIGNALS:
     void placeChosen(double x, double y);
     /// Another tool is active; null: none is.
     void toolActivated(MapTool* tool);
+    /// The pointer is over this place [m].
+    void placeHovered(double x, double y);
+    /// The pointer is over the scan no more.
+    void placeLeft();
 
 protected:
     bool event(QEvent* event) override;
@@ -60,6 +70,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
@@ -71,6 +82,7 @@ private:
     void drawScaleBar(QPainter& painter, const QRectF& map) const;
     void drawFrame(QPainter& painter) const;
     void drawTip(QPainter& painter, const QRectF& map) const;
+    void drawCrossHair(QPainter& painter, const QRectF& map) const;
 
     ReliefImage relief_;
     QSizeF size_;     ///< of the scan [m]
@@ -81,6 +93,8 @@ private:
     std::vector<MapTool*> tools_;  ///< in the order in which they are drawn
     MapTool* active_ = nullptr;
     bool pressed_ = false;  ///< the active tool has the left button
+    std::optional<QPointF> crossHair_;
+    QString reading_;  ///< of the cross-hair
 };
 
 }  // namespace asperity

@@ -127,6 +127,11 @@ void OverviewPanel::setSurface(const BSplineSurface& surface) {
     setNote(sizeText(surface.sizeX(), surface.sizeY()));
 }
 
+void OverviewPanel::setLook(const SurfaceLook& look, const SurfaceField& field) {
+    map_->setLook(look, field);
+    colorBar_->setScale(map_->colors());
+}
+
 void OverviewPanel::setScanNote(const QString& words, const QString& whole) {
     scanNote_->setText(words);
     scanNote_->setToolTip(whole);

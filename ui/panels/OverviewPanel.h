@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/deformation/SurfaceField.h"
 #include "core/surface/BSplineSurface.h"
+#include "ui/SurfaceLook.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/RunPanel.h"
 
@@ -27,6 +29,8 @@ public:
     void setSurface(const BSplineSurface& surface);
     /// What there is to say of the scan as a whole: in a few words, and for the tool tip.
     void setScanNote(const QString& words, const QString& whole);
+    /// How the surface is colored. @param field what the look's quantity is on the surface
+    void setLook(const SurfaceLook& look, const SurfaceField& field);
     /// Where the zoomed view looks.
     void showFrame(const QRectF& frame);
     /// The way a scripted device goes; empty: none.
@@ -40,7 +44,7 @@ public:
     [[nodiscard]] const char* slowName() const override { return "overview"; }
 
     [[nodiscard]] OverviewMap& map() { return *map_; }
-    [[nodiscard]] const ColorBarWidget& colorBar() const { return *colorBar_; }
+    [[nodiscard]] ColorBarWidget& colorBar() { return *colorBar_; }
 
 Q_SIGNALS:
     /// A user wants to go there [m].

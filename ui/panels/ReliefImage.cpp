@@ -1,75 +1,45 @@
 #include "ui/panels/ReliefImage.h"
 
 #include "ui/Theme.h"
-#include "ui/panels/HeightColors.h"
+#include "vtkplugins/pictures/ColorMaps.h"
 #include "vtkplugins/pictures/Palette.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
+#include <limits>
 
 namespace asperity {
 
 namespace {
 
 constexpr int kMaxSide = 512;        ///< [pixel]
-constexpr int kColors = 256;         ///< of the table that stands for the scale
 constexpr double kShownSlope = 0.5;  ///< slopes are scaled until this is their root mean square
 constexpr double kShadeStrength = 0.55;
 
-struct Samples {
-    int columns = 0;
-    int rows = 0;
-    std::vector<HeightSample> values;    ///< top row first
-    std::vector<std::uint8_t> measured;  ///< whether the scan holds data there
-};
-
-Samples sampled(const BSplineSurface& surface) {
-    const double longer = std::max(surface.sizeX(), surface.sizeY());
-    const auto pixels = [longer](double size) {
-        return std::clamp(static_cast<int>(std::lround(kMaxSide * size / longer)), 1, kMaxSide);
-    };
-    Samples samples{.columns = pixels(surface.sizeX()), .rows = pixels(surface.sizeY())};
-    samples.values.reserve(static_cast<std::size_t>(samples.columns) *
-                           static_cast<std::size_t>(samples.rows));
-    for (int row = 0; row < samples.rows; ++row) {
-        const double y = surface.sizeY() * (samples.rows - row - 0.5) / samples.rows;
-        for (int column = 0; column < samples.columns; ++column) {
-            const double x = surface.sizeX() * (column + 0.5) / samples.columns;
-            samples.values.push_back(surface.at(x, y));
-            samples.measured.push_back(surface.isMeasured(x, y) ? 1 : 0);
-        }
-    }
-    return samples;
-}
-
 /// Factor for slopes that makes flat and steep scans alike show their shape.
-double slopeScale(const Samples& samples) {
+double slopeScale(const std::vector<Vector3>& normals) {
     double squares = 0.0;
-    for (const HeightSample& sample : samples.values) {
-        squares += (sample.dx * sample.dx) + (sample.dy * sample.dy);
+    for (const Vector3& normal : normals) {
+        squares += normal.head<2>().squaredNorm() / (normal.z() * normal.z());
     }
-    const double slope = std::sqrt(squares / static_cast<double>(samples.values.size()));
+    const double slope = std::sqrt(squares / static_cast<double>(normals.size()));
     return slope > 0.0 ? kShownSlope / slope : 0.0;
 }
 
 /// Brightness, 1 for level ground. The light comes from the upper left, 45 degrees high.
-double shade(const HeightSample& sample, double scale) {
-    const double dx = scale * sample.dx;
-    const double dy = scale * sample.dy;
+double shade(const Vector3& normal, double scale) {
+    const double dx = -scale * normal.x() / normal.z();
+    const double dy = -scale * normal.y() / normal.z();
     const double towardsLight = ((dx - dy) / std::sqrt(2.0)) + 1.0;
     const double light = towardsLight / std::sqrt(1.0 + (dx * dx) + (dy * dy));
     return std::clamp(1.0 + (kShadeStrength * (light - 1.0)), 0.35, 1.4);
 }
 
-std::array<QColor, kColors> colorTable(const ColorScale& scale) {
-    std::array<QColor, kColors> table;
-    for (int i = 0; i < kColors; ++i) {
-        table.at(static_cast<std::size_t>(i)) =
-            colorAt(scale, std::lerp(scale.low, scale.high, i / (kColors - 1.0)));
-    }
-    return table;
+QRgb shaded(const QColor& color, double brightness) {
+    const auto part = [brightness](int channel) {
+        return std::min(255, static_cast<int>(std::lround(channel * brightness)));
+    };
+    return qRgb(part(color.red()), part(color.green()), part(color.blue()));
 }
 
 }  // namespace
@@ -80,47 +50,80 @@ QColor hatched(int row, int column) {
     return ((row + column) / kStripe) % 2 == 0 ? gray : gray.lighter(140);
 }
 
-namespace {
-
-QRgb shaded(const QColor& color, double brightness) {
-    const auto part = [brightness](int channel) {
-        return std::min(255, static_cast<int>(std::lround(channel * brightness)));
+void ReliefImage::setSurface(const BSplineSurface& surface) {
+    sizeX_ = surface.sizeX();
+    sizeY_ = surface.sizeY();
+    const double longer = std::max(sizeX_, sizeY_);
+    const auto pixels = [longer](double size) {
+        return std::clamp(static_cast<int>(std::lround(kMaxSide * size / longer)), 1, kMaxSide);
     };
-    return qRgb(part(color.red()), part(color.green()), part(color.blue()));
-}
-
-ColorScale colorsOf(const Samples& samples) {
-    const auto [low, high] = std::minmax_element(
-        samples.values.begin(), samples.values.end(),
-        [](const HeightSample& a, const HeightSample& b) { return a.height < b.height; });
-    return heightColors(low->height, high->height);
-}
-
-}  // namespace
-
-ReliefImage reliefImage(const BSplineSurface& surface) {
-    const Samples samples = sampled(surface);
-    ReliefImage relief{
-        QImage(samples.columns, samples.rows, QImage::Format_RGB32), {}, colorsOf(samples), false};
-    relief.heights.reserve(samples.values.size());
-    const std::array<QColor, kColors> table = colorTable(relief.colors);
-    const double extent = relief.colors.high - relief.colors.low;
-    const double scale = slopeScale(samples);
-    std::size_t next = 0;
-    for (int row = 0; row < samples.rows; ++row) {
-        auto* line = reinterpret_cast<QRgb*>(relief.image.scanLine(row));
-        for (int column = 0; column < samples.columns; ++column, ++next) {
-            const HeightSample& sample = samples.values[next];
-            const double share = extent > 0.0 ? (sample.height - relief.colors.low) / extent : 0.5;
-            const auto entry = static_cast<std::size_t>(std::lround(share * (kColors - 1)));
-            relief.heights.push_back(sample.height);
-            const bool measured = samples.measured[next] != 0;
-            relief.hasFilled = relief.hasFilled || !measured;
-            line[column] =
-                shaded(measured ? table.at(entry) : hatched(row, column), shade(sample, scale));
+    image_ = QImage(pixels(sizeX_), pixels(sizeY_), QImage::Format_RGB32);
+    heights_.clear();
+    normals_.clear();
+    measured_.clear();
+    for (int row = 0; row < image_.height(); ++row) {
+        const double y = sizeY_ * (image_.height() - row - 0.5) / image_.height();
+        for (int column = 0; column < image_.width(); ++column) {
+            const double x = sizeX_ * (column + 0.5) / image_.width();
+            const HeightSample sample = surface.at(x, y);
+            heights_.push_back(sample.height);
+            normals_.push_back(sample.normal());
+            measured_.push_back(surface.isMeasured(x, y) ? 1 : 0);
         }
     }
-    return relief;
+    hasFilled_ = std::ranges::count(measured_, 0) > 0;
+    const double scale = slopeScale(normals_);
+    shades_.clear();
+    for (const Vector3& normal : normals_) {
+        shades_.push_back(static_cast<float>(shade(normal, scale)));
+    }
+    paint();
+}
+
+void ReliefImage::setLook(const SurfaceLook& look, const SurfaceField& field) {
+    ranges_.setChannel(look.channel);
+    look_ = look;
+    field_ = field.isLive() ? SurfaceField() : field;
+    if (!image_.isNull()) {
+        paint();
+    }
+}
+
+std::vector<double> ReliefImage::values() const {
+    std::vector<double> values;
+    values.reserve(heights_.size());
+    std::size_t next = 0;
+    for (int row = 0; row < image_.height(); ++row) {
+        const double y = sizeY_ * (image_.height() - row - 0.5) / image_.height();
+        for (int column = 0; column < image_.width(); ++column, ++next) {
+            const double x = sizeX_ * (column + 0.5) / image_.width();
+            values.push_back(measured_[next] != 0
+                                 ? field_.at({x, y, heights_[next]}, normals_[next])
+                                 : std::numeric_limits<double>::quiet_NaN());
+        }
+    }
+    return values;
+}
+
+void ReliefImage::paint() {
+    const std::vector<double> shownValues = values();
+    const QuantityColors& chosen = look_.of(field_.quantity());
+    ColorRange& range = ranges_.of(field_.quantity());
+    range.fit(shownValues, {.colors = chosen, .isSigned = field_.isSigned()});
+    const ColorTable table(chosen.map, range.range().low, range.range().high);
+    colors_ = scaleOf(table, QString::fromStdString(field_.name()),
+                      QString::fromStdString(field_.unit()));
+    range.describe(colors_, chosen);
+    std::size_t next = 0;
+    for (int row = 0; row < image_.height(); ++row) {
+        auto* line = reinterpret_cast<QRgb*>(image_.scanLine(row));
+        for (int column = 0; column < image_.width(); ++column, ++next) {
+            const double value = shownValues[next];
+            const QColor color =
+                std::isnan(value) ? hatched(row, column) : toQColor(table.of(value));
+            line[column] = shaded(color, shades_[next]);
+        }
+    }
 }
 
 }  // namespace asperity

@@ -103,7 +103,7 @@ void ContactLayer::hide() {
 
 void ContactLayer::show(const Scene& scene, const ContactShape& shape, const ContactStyle& style) {
     fitSize(shape.patch());
-    showSurface(scene, shape, style);
+    showSurface(shape, style);
     showWalls(style);
     showGrid(scene, shape, style);
     showRim(scene, shape, style);
@@ -123,19 +123,15 @@ void ContactLayer::fitSize(const SurfacePatch& patch) {
     mesh_->SetStrips(gridStrips(patch.columns, patch.rows));
 }
 
-void ContactLayer::showSurface(const Scene& scene, const ContactShape& shape,
-                               const ContactStyle& style) {
+void ContactLayer::showSurface(const ContactShape& shape, const ContactStyle& style) {
     const SurfacePatch& patch = shape.patch();
     for (int row = 0; row < patch.rows; ++row) {
         for (int column = 0; column < patch.columns; ++column) {
             const std::size_t i = patch.index(row, column);
             const auto id = static_cast<vtkIdType>(i);
-            const Vector3& rest = patch.rest[i];
             points_->SetPoint(id, patch.points[i].data());
-            const double pushed = shape.displacements()[i];
-            const Color color = style.colors.of(scene.surface, rest, pushed);
             const Vector3 normal = deformedNormal(shape, row, column);
-            rgb_->SetTypedTuple(id, style.shading.lit(color, normal).data());
+            rgb_->SetTypedTuple(id, style.shading.lit(style.colors.of(i), normal).data());
         }
     }
     points_->Modified();

@@ -2,8 +2,8 @@
 
 #include "ui/view/ContactShape.h"
 #include "ui/view/HiddenContact.h"
+#include "ui/view/PatchColors.h"
 #include "ui/view/Shading.h"
-#include "ui/view/SurfaceColors.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -18,7 +18,7 @@ namespace asperity {
 
 /// How the contact is drawn.
 struct ContactStyle {
-    const SurfaceColors& colors;
+    const PatchColors& colors;
     DrawnSpace space;
     Shading shading;
     double gridSpacing = 0.0;  ///< of the draped grid [m]; 0: no grid
@@ -44,7 +44,7 @@ public:
 
 private:
     void fitSize(const SurfacePatch& patch);
-    void showSurface(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
+    void showSurface(const ContactShape& shape, const ContactStyle& style);
     void showWalls(const ContactStyle& style);
     void showGrid(const Scene& scene, const ContactShape& shape, const ContactStyle& style);
     void showRim(const Scene& scene, const ContactShape& shape, const ContactStyle& style);

@@ -1,6 +1,7 @@
 #include "ui/view/ContactShape.h"
 
 #include "core/SmoothStep.h"
+#include "core/surface/deformation/DisplacementField.h"
 
 #include <Eigen/Geometry>
 
@@ -74,7 +75,8 @@ ContactShape::ContactShape(const Scene& scene, const TipState& state, const Scan
                            int samples, const HalfSpaceAnswer* halfSpace)
     : area_(area)
     , rest_(withoutScanEdges(area, scene.surface))
-    , deformation_(scene, state, scene.model.deformation, halfSpace) {
+    , deformation_(scene, state, scene.model.deformation, halfSpace)
+    , field_(scene, state, halfSpace) {
     sample(scene.surface, samples);
 }
 
@@ -101,6 +103,11 @@ void ContactShape::sample(const BSplineSurface& surface, int samples) {
             displacements_.push_back((rest - point).dot(contact().normal));
         }
     }
+}
+
+double ContactShape::gap(const Vector3& rest, double displacement) const {
+    const double tip = tipDisplacement(distanceFromAxis(contact(), rest));
+    return field_.gap(rest, displacement, tip);
 }
 
 double ContactShape::largestDisplacement() const {

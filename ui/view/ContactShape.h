@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/deformation/ContactDeformation.h"
+#include "core/deformation/ContactField.h"
 #include "core/scene/Scene.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
@@ -41,6 +42,12 @@ public:
         return deformation_.tipDisplacement(distance);
     }
 
+    /// Between tip and surface, along the contact's axis; not a number beside the tip [m].
+    /// @param displacement of that place into the sample [m]
+    [[nodiscard]] double gap(const Vector3& rest, double displacement) const;
+    /// On the surface, > 0 compression [Pa].
+    [[nodiscard]] double pressure(const Vector3& rest) const { return field_.pressure(rest); }
+
     /// Unit vector out of the sample, along the contact's axis.
     [[nodiscard]] const Vector3& outward() const { return contact().normal; }
     [[nodiscard]] const TipContact& contact() const { return deformation_.contact(); }
@@ -56,6 +63,7 @@ private:
     ScanWindow area_;
     ScanWindow rest_;  ///< where the surface is at rest: area_, without end beyond the scan's edges
     ContactDeformation deformation_;
+    ContactField field_;
     SurfacePatch patch_;
     std::vector<double> displacements_;
 };

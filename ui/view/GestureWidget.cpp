@@ -17,6 +17,10 @@ double fineness(Qt::KeyboardModifiers modifiers) {
 
 }  // namespace
 
+GestureWidget::GestureWidget(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
+    setMouseTracking(true);
+}
+
 void GestureWidget::mousePressEvent(QMouseEvent* event) {
     pointer_ = event->localPos();
     dragging_ = event->buttons().testFlag(Qt::LeftButton);
@@ -29,11 +33,18 @@ void GestureWidget::mouseMoveEvent(QMouseEvent* event) {
         Q_EMIT dragged(fineness(event->modifiers()) * pixels);
     } else if (event->buttons().testFlag(Qt::RightButton)) {
         Q_EMIT turned(pixels);
+    } else if (event->buttons() == Qt::NoButton) {
+        Q_EMIT hovered(pointer_);
     }
 }
 
 void GestureWidget::mouseReleaseEvent(QMouseEvent* event) {
     dragging_ = event->buttons().testFlag(Qt::LeftButton);
+}
+
+void GestureWidget::leaveEvent(QEvent* event) {
+    Q_EMIT unhovered();
+    QVTKOpenGLNativeWidget::leaveEvent(event);
 }
 
 void GestureWidget::wheelEvent(QWheelEvent* event) {

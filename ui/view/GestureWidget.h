@@ -13,7 +13,7 @@ class GestureWidget : public QVTKOpenGLNativeWidget {
     Q_OBJECT
 
 public:
-    using QVTKOpenGLNativeWidget::QVTKOpenGLNativeWidget;
+    explicit GestureWidget(QWidget* parent = nullptr);
 
     /// Whether the left button is held.
     [[nodiscard]] bool isDragging() const { return dragging_; }
@@ -23,6 +23,10 @@ Q_SIGNALS:
     void turned(QPointF pixels);
     void lifted(double notches);
     void zoomed(double steps);
+    /// The pointer is here and no button is held [pixel].
+    void hovered(QPointF pixel);
+    /// The pointer has left the view.
+    void unhovered();
 
 protected:
     void mousePressEvent(QMouseEvent* event) override;
@@ -30,6 +34,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
 private:
     QPointF pointer_;  ///< where the last event of the mouse was

@@ -83,7 +83,7 @@ void HiddenContact::showRim(vtkPolyData* rim, const DrawnSpace& space) {
 }
 
 void HiddenContact::showDent(const Scene& scene, const ContactShape& shape,
-                             const SurfaceColors& colors, const DrawnSpace& space) {
+                             const PatchColors& colors, const DrawnSpace& space) {
     const TipContact& contact = shape.contact();
     points_->Reset();
     rgb_->Reset();
@@ -93,7 +93,8 @@ void HiddenContact::showDent(const Scene& scene, const ContactShape& shape,
             const Vector3 place = shape.moved(rest);
             points_->InsertNextPoint(place.data());
             const double pushed = (rest - place).dot(contact.normal);
-            const Color color = colors.of(scene.surface, rest, pushed);
+            const Vector3 normal = scene.surface.at(rest.x(), rest.y()).normal();
+            const Color color = colors.of(rest, normal, pushed);
             rgb_->InsertNextTypedTuple(std::array{color.red, color.green, color.blue}.data());
         }
     }

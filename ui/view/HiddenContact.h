@@ -2,7 +2,7 @@
 
 #include "ui/view/ContactShape.h"
 #include "ui/view/DrawnSpace.h"
-#include "ui/view/SurfaceColors.h"
+#include "ui/view/PatchColors.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -33,7 +33,7 @@ public:
     /// @param rim line around the contact, world frame
     void showRim(vtkPolyData* rim, const DrawnSpace& space);
     /// The surface inside of the rim in its colors. There is a contact.
-    void showDent(const Scene& scene, const ContactShape& shape, const SurfaceColors& colors,
+    void showDent(const Scene& scene, const ContactShape& shape, const PatchColors& colors,
                   const DrawnSpace& space);
     void hide();
 

@@ -1,6 +1,7 @@
 #include "ui/view/SectionLayer.h"
 
 #include "ui/Theme.h"
+#include "ui/view/ViewFrame.h"
 #include "vtkplugins/module/StripGrid.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
@@ -26,11 +27,6 @@ namespace asperity {
 namespace {
 
 constexpr int kSamples = 384;
-
-bool isInside(const ScanWindow& area, const Vector3& place) {
-    return place.x() >= area.left && place.x() <= area.right && place.y() >= area.bottom &&
-           place.y() <= area.top;
-}
 
 void paint(vtkPolyData* face, const std::array<unsigned char, 3>& color) {
     vtkNew<vtkUnsignedCharArray> rgb;
@@ -113,7 +109,7 @@ void SectionLayer::fillSample(const Scene& scene, const ContactShape& shape,
         const double y =
             normal.x() != 0.0 ? std::lerp(window.bottom, window.top, part) : through.y();
         const Vector3 rest(x, y, scene.surface.at(x, y).height);
-        top.push_back(isInside(shape.area(), rest) ? shape.moved(rest) : rest);
+        top.push_back(holds(shape.area(), rest.head<2>()) ? shape.moved(rest) : rest);
     }
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();

@@ -2,13 +2,12 @@
 
 #include "vtkplugins/pictures/Palette.h"
 
-#include <vtkLookupTable.h>
-
 #include <QObject>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 namespace asperity {
 
@@ -16,7 +15,6 @@ namespace {
 
 constexpr double kMinHeightRange = 1e-10;        // [m]
 constexpr double kMinDisplacementRange = 1e-10;  // [m]
-constexpr int kScaleColors = 64;
 constexpr double kFaint = 0.1;  // part of the range below which a displacement leaves no color
 
 /// Fits a range. @return whether that changed it
@@ -26,58 +24,89 @@ bool refit(SteadyRange& range, double low, double high) {
     return before.low != after.low || before.high != after.high;
 }
 
-Color colorIn(vtkLookupTable* table, double value) {
-    const unsigned char* rgb = table->MapValue(value);
-    return {rgb[0], rgb[1], rgb[2]};
-}
-
-ColorScale scaleOf(const QString& quantity, vtkLookupTable* table) {
-    ColorScale scale{.quantity = quantity,
-                     .unit = "m",
-                     .low = table->GetRange()[0],
-                     .high = table->GetRange()[1]};
-    for (int i = 0; i < kScaleColors; ++i) {
-        const int entry =
-            i * (static_cast<int>(table->GetNumberOfColors()) - 1) / (kScaleColors - 1);
-        std::array<double, 4> rgba{};
-        table->GetTableValue(entry, rgba.data());
-        scale.colors.push_back(QColor::fromRgbF(rgba[0], rgba[1], rgba[2]));
-    }
-    return scale;
-}
+ColorTable tableOf(ColorMap map, const AxisRange& range) { return {map, range.low, range.high}; }
 
 }  // namespace
 
 SurfaceColors::SurfaceColors()
     : heightRange_(kMinHeightRange)
     , displacementRange_(kMinDisplacementRange)
-    , heights_(heightTable(heightRange_.range().low, heightRange_.range().high))
-    , displacements_(divergingTable(displacementRange_.range().high)) {}
+    , table_(tableOf(ColorMap::Standard, heightRange_.range()))
+    , displacements_(tableOf(ColorMap::Diverging, displacementRange_.range())) {}
 
-bool SurfaceColors::fitHeights(double low, double high) {
-    if (!refit(heightRange_, low, high)) {
-        return false;
+void SurfaceColors::setLook(const SurfaceLook& look, const SurfaceField& field) {
+    ranges_.setChannel(look.channel);
+    look_ = look;
+    field_ = field;
+    ++fieldNumber_;
+    table_ = ColorTable(chosen().map, range().range().low, range().range().high);
+    displacements_ = ColorTable(look_.of(SurfaceQuantity::Displacement).map, displacements_.low(),
+                                displacements_.high());
+}
+
+bool SurfaceColors::fitHeights(double low, double high) { return refit(heightRange_, low, high); }
+
+bool SurfaceColors::fit(std::span<const double> values, bool isSteady) {
+    const bool changed =
+        ranges_.of(field_.quantity())
+            .fit(values, {.colors = chosen(), .isSigned = field_.isSigned(), .isSteady = isSteady});
+    const ValueRange& fitted = range().range();
+    if (fitted.low != table_.low() || fitted.high != table_.high()) {
+        table_ = ColorTable(chosen().map, fitted.low, fitted.high);
     }
-    heights_ = heightTable(heightRange_.range().low, heightRange_.range().high);
-    return true;
+    return changed;
+}
+
+bool SurfaceColors::fitRest(std::span<const double> values) { return fit(values, needsEnds()); }
+
+bool SurfaceColors::needsEnds() const {
+    return field_.quantity() == SurfaceQuantity::Height && chosen().rule == RangeRule::Full;
 }
 
 bool SurfaceColors::fitDisplacement(double largest) {
     if (!refit(displacementRange_, -largest, largest)) {
         return false;
     }
-    displacements_ = divergingTable(displacementRange_.range().high);
+    displacements_ = tableOf(displacements_.map(), displacementRange_.range());
     return true;
 }
 
-Color SurfaceColors::at(double height, double displacement) const {
-    return moved(colorIn(heights_, height), displacement);
+bool SurfaceColors::fitLive(std::span<const double> values) {
+    const auto shown = [this] {
+        const ValueRange& colors = range().range();
+        const ValueRange& data = range().data();
+        return std::tuple(colors.low, colors.high, data.low<colors.low, data.high> colors.high,
+                          liveNote());
+    };
+    const auto before = shown();
+    fit(values, true);
+    return before != shown();
 }
 
-Color SurfaceColors::of(const BSplineSurface& surface, const Vector3& rest,
-                        double displacement) const {
-    return surface.isMeasured(rest.x(), rest.y()) ? at(rest.z(), displacement)
-                                                  : moved(palette::kNoData, displacement);
+/// Why there is nothing of a quantity that changes with the tip.
+QString SurfaceColors::liveNote() const {
+    if (!isLive()) {
+        return {};
+    }
+    if (!range().hasData()) {
+        return QObject::tr("no tip in the view");
+    }
+    const bool isZero = range().data().low == 0.0 && range().data().high == 0.0;
+    return isZero && field_.quantity() == SurfaceQuantity::Pressure ? QObject::tr("no contact")
+                                                                    : QString();
+}
+
+Color SurfaceColors::ofRest(double value) const {
+    return std::isnan(value) ? palette::kNoData : table_.of(value);
+}
+
+Color SurfaceColors::ofLive(double value) const {
+    return std::isnan(value) ? palette::kUndefined : table_.of(value);
+}
+
+Color SurfaceColors::ofDeformed(double value, double displacement) const {
+    const Color rest = ofRest(value);
+    return field_.quantity() == SurfaceQuantity::Height ? moved(rest, displacement) : rest;
 }
 
 /// Goes over from the color at rest to that of the displacement.
@@ -87,17 +116,32 @@ Color SurfaceColors::moved(const Color& rest, double displacement) const {
         return rest;
     }
     const double weight = 1.0 - std::pow((1.0 - part) / (1.0 - kFaint), 4);
-    const Color pushed = colorIn(displacements_, displacement);
+    const Color pushed = displacements_.of(displacement);
     const auto mix = [weight](std::uint8_t from, std::uint8_t to) {
         return static_cast<std::uint8_t>(std::lround(std::lerp(double(from), double(to), weight)));
     };
     return {mix(rest.red, pushed.red), mix(rest.green, pushed.green), mix(rest.blue, pushed.blue)};
 }
 
-ColorScale SurfaceColors::heightScale() const { return scaleOf(QObject::tr("height"), heights_); }
+ColorScale SurfaceColors::scale() const {
+    ColorScale scale = scaleOf(table_, QString::fromStdString(field_.name()),
+                               QString::fromStdString(field_.unit()));
+    range().describe(scale, chosen());
+    scale.note = liveNote();
+    return scale;
+}
 
 ColorScale SurfaceColors::displacementScale() const {
-    return scaleOf(QObject::tr("displacement"), displacements_);
+    if (field_.quantity() != SurfaceQuantity::Height) {
+        return {};
+    }
+    return scaleOf(displacements_, QObject::tr("displacement"), QStringLiteral("m"));
+}
+
+double valueAt(const SurfaceField& field, const BSplineSurface& surface, const Vector3& rest,
+               const Vector3& normal) {
+    return surface.isMeasured(rest.x(), rest.y()) ? field.at(rest, normal)
+                                                  : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace asperity

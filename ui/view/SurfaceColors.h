@@ -1,45 +1,76 @@
 #pragma once
 
+#include "core/deformation/SurfaceField.h"
 #include "core/surface/BSplineSurface.h"
+#include "ui/ColorRange.h"
 #include "ui/ColorScale.h"
 #include "ui/Steady.h"
+#include "ui/SurfaceLook.h"
 #include "vtkplugins/pictures/Color.h"
+#include "vtkplugins/pictures/ColorMaps.h"
 
-#include <vtkSmartPointer.h>
-
-class vtkLookupTable;
+#include <span>
 
 namespace asperity {
 
-/// The colors of a surface: height where it is at rest, going over into displacement where the
-/// tip has moved it. Ranges seldom change.
+/// The colors of a surface: those of one quantity. Heights go over into displacement where the tip
+/// has moved the surface. Ranges seldom change.
 class SurfaceColors {
 public:
     SurfaceColors();
 
-    /// Fits the range of heights [m]. @return whether it changed
+    /// @param field what the look's quantity is on the surface at rest; of another quantity: it is
+    /// shown in its own colors
+    void setLook(const SurfaceLook& look, const SurfaceField& field);
+    [[nodiscard]] const SurfaceField& field() const { return field_; }
+    /// Another number for each call of setLook() with another field.
+    [[nodiscard]] int fieldNumber() const { return fieldNumber_; }
+    /// Whether the quantity changes with the tip: then the colors around it are those of ofLive().
+    [[nodiscard]] bool isLive() const { return field_.isLive(); }
+
+    /// Fits the heights that the view has room for [m]. @return whether that changed
     bool fitHeights(double low, double high);
+    /// Whether of all values only the ends matter, and they are those of the heights.
+    [[nodiscard]] bool needsEnds() const;
+    /// Fits the colors to the field's values in the view. @return whether the colors changed
+    bool fitRest(std::span<const double> values);
     /// Fits the range of displacements to their largest magnitude [m]. @return whether it changed
     bool fitDisplacement(double largest);
+    /// Fits the colors to the values around the tip. @return whether the colors changed
+    bool fitLive(std::span<const double> values);
 
     [[nodiscard]] const AxisRange& heightRange() const { return heightRange_.range(); }  ///< [m]
-    /// Color of a height at rest [m]. @param displacement into the sample [m]
-    [[nodiscard]] Color at(double height, double displacement = 0.0) const;
-    /// Color of a place of the surface at rest; where the scan holds no data, heights filled in
-    /// have no color of a height.
-    [[nodiscard]] Color of(const BSplineSurface& surface, const Vector3& rest,
-                           double displacement = 0.0) const;
+    /// Color of a value of the field; of none where it is not a number.
+    [[nodiscard]] Color ofRest(double value) const;
+    /// Color of a place with this value at rest that the tip has moved. Heights alone show it.
+    /// @param displacement into the sample [m]
+    [[nodiscard]] Color ofDeformed(double value, double displacement) const;
+    [[nodiscard]] Color ofLive(double value) const;
 
-    [[nodiscard]] ColorScale heightScale() const;
+    /// Of the quantity.
+    [[nodiscard]] ColorScale scale() const;
+    /// Of displacements over heights; without colors where another quantity is shown.
     [[nodiscard]] ColorScale displacementScale() const;
 
 private:
     [[nodiscard]] Color moved(const Color& rest, double displacement) const;
+    [[nodiscard]] const QuantityColors& chosen() const { return look_.of(field_.quantity()); }
+    [[nodiscard]] const ColorRange& range() const { return ranges_.of(field_.quantity()); }
+    bool fit(std::span<const double> values, bool isSteady);
+    [[nodiscard]] QString liveNote() const;
 
+    SurfaceLook look_;
+    SurfaceField field_;
+    int fieldNumber_ = 0;
     SteadyRange heightRange_;
     SteadyRange displacementRange_;
-    vtkSmartPointer<vtkLookupTable> heights_;
-    vtkSmartPointer<vtkLookupTable> displacements_;
+    ColorRanges ranges_;
+    ColorTable table_;
+    ColorTable displacements_;
 };
+
+/// The field's values at places of the surface; not a number where the scan holds no data.
+[[nodiscard]] double valueAt(const SurfaceField& field, const BSplineSurface& surface,
+                             const Vector3& rest, const Vector3& normal);
 
 }  // namespace asperity

@@ -105,7 +105,9 @@ struct TerrainLayer::Mesh {
     vtkSmartPointer<vtkActor> surface;
     vtkSmartPointer<vtkActor> walls;
     vtkSmartPointer<vtkActor> grid;
-    bool built = false;  ///< for the present place
+    bool built = false;          ///< for the present place
+    std::vector<double> values;  ///< of the field at the surface's points
+    int fieldNumber = -1;        ///< that they are of
 
     explicit Mesh(vtkRenderer* renderer) {
         rgb->SetNumberOfComponents(3);
@@ -125,7 +127,24 @@ struct TerrainLayer::Mesh {
         grid->SetVisibility(visible && withGrid ? 1 : 0);
     }
 
-    void paint(const BSplineSurface& ground, const TerrainStyle& style) const {
+    /// The values stay until the mesh or the field is another.
+    void measure(const BSplineSurface& ground, const SurfaceColors& colors) {
+        if (fieldNumber == colors.fieldNumber()) {
+            return;
+        }
+        fieldNumber = colors.fieldNumber();
+        vtkPolyData* sampled = source->GetOutput();
+        vtkDataArray* normals = sampled->GetPointData()->GetNormals();
+        const vtkIdType count = sampled->GetNumberOfPoints();
+        values.resize(static_cast<std::size_t>(count));
+        for (vtkIdType id = 0; id < count; ++id) {
+            values[static_cast<std::size_t>(id)] =
+                valueAt(colors.field(), ground, Vector3(sampled->GetPoint(id)),
+                        Vector3(normals->GetTuple(id)));
+        }
+    }
+
+    void paint(const TerrainStyle& style) const {
         for (vtkActor* actor : {surface, walls, grid}) {
             style.space.apply(actor);
         }
@@ -134,7 +153,9 @@ struct TerrainLayer::Mesh {
         const vtkIdType count = sampled->GetNumberOfPoints();
         rgb->SetNumberOfTuples(count);
         for (vtkIdType id = 0; id < count; ++id) {
-            const Color color = style.colors.of(ground, Vector3(sampled->GetPoint(id)));
+            const double value = values[static_cast<std::size_t>(id)];
+            const Color color =
+                style.colors.isLive() ? style.colors.ofLive(value) : style.colors.ofRest(value);
             rgb->SetTypedTuple(id, style.shading.lit(color, Vector3(normals->GetTuple(id))).data());
         }
         rgb->Modified();
@@ -170,7 +191,12 @@ void TerrainLayer::setPlace(const BSplineSurface& surface, const TerrainPlace& p
     place_ = place;
     coarse_->built = false;
     fine_->built = false;
-    survey();
+    heights_ = {surface.at(place.window.left, place.window.bottom).height, 0.0};
+    heights_[1] = heights_[0];
+    survey([this](const Vector2& at) {
+        const double height = surface_->at(at.x(), at.y()).height;
+        heights_ = {std::min(heights_[0], height), std::max(heights_[1], height)};
+    });
 }
 
 void TerrainLayer::setBottom(double bottom) {
@@ -186,23 +212,34 @@ void TerrainLayer::show(TerrainDetail detail, const TerrainStyle& style) {
     if (!mesh.built) {
         build(mesh, fine ? finest : std::min(finest, kCoarse));
     }
-    mesh.paint(*surface_, style);
+    mesh.measure(*surface_, style.colors);
+    mesh.paint(style);
     fine_->setVisible(fine, style.grid);
     coarse_->setVisible(!fine, style.grid);
 }
 
-void TerrainLayer::survey() {
+/// Calls visit(place) for places spread evenly over the window, edges included.
+template <class Visit>
+void TerrainLayer::survey(const Visit& visit) const {
     const ScanWindow& window = place_.window;
-    const double first = surface_->at(window.left, window.bottom).height;
-    heights_ = {first, first};
     for (int row = 0; row < kSurveySamples; ++row) {
         const double y = std::lerp(window.bottom, window.top, row / (kSurveySamples - 1.0));
         for (int column = 0; column < kSurveySamples; ++column) {
             const double x = std::lerp(window.left, window.right, column / (kSurveySamples - 1.0));
-            const double height = surface_->at(x, y).height;
-            heights_ = {std::min(heights_[0], height), std::max(heights_[1], height)};
+            visit(Vector2(x, y));
         }
     }
+}
+
+std::vector<double> TerrainLayer::valuesOf(const SurfaceField& field) const {
+    std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(kSurveySamples) * kSurveySamples);
+    survey([&](const Vector2& at) {
+        const HeightSample sample = surface_->at(at.x(), at.y());
+        values.push_back(
+            valueAt(field, *surface_, {at.x(), at.y(), sample.height}, sample.normal()));
+    });
+    return values;
 }
 
 int TerrainLayer::fineSamples() const {
@@ -232,6 +269,7 @@ void TerrainLayer::build(Mesh& mesh, int samples) const {
     vtkPolyDataMapper::SafeDownCast(mesh.grid->GetMapper())
         ->SetInputData(drapedGrid(std::min(samples, kMaxGridSteps)));
     mesh.built = true;
+    mesh.fieldNumber = -1;
 }
 
 vtkSmartPointer<vtkPolyData> TerrainLayer::drapedGrid(int stepsAcross) const {

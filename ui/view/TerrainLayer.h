@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 class vtkPolyData;
 class vtkRenderer;
@@ -36,8 +37,9 @@ enum class TerrainDetail : std::uint8_t {
     Fine,    ///< at most 384: what a screen shows, and no frame takes over 0.1 s
 };
 
-/// A part of the surface at rest as a block of sample: lit, colored by height, a grid draped over
-/// it; with a hole where the contact is drawn, through its walls too where it lies at an edge.
+/// A part of the surface at rest as a block of sample: lit, in the colors of a quantity, a grid
+/// draped over it; with a hole where the contact is drawn, through its walls too where it lies at
+/// an edge.
 class TerrainLayer {
 public:
     explicit TerrainLayer(vtkRenderer* renderer);
@@ -58,10 +60,13 @@ public:
     [[nodiscard]] const TerrainPlace& place() const { return place_; }
     /// Lowest and highest place in the window [m].
     [[nodiscard]] const std::array<double, 2>& heightRange() const { return heights_; }
+    /// A field's values at places spread evenly over the window. There is a place.
+    [[nodiscard]] std::vector<double> valuesOf(const SurfaceField& field) const;
 
 private:
     struct Mesh;
-    void survey();
+    template <class Visit>
+    void survey(const Visit& visit) const;
     [[nodiscard]] int fineSamples() const;
     void build(Mesh& mesh, int samples) const;
     [[nodiscard]] vtkSmartPointer<vtkPolyData> drapedGrid(int stepsAcross) const;

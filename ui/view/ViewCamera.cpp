@@ -15,6 +15,11 @@ namespace {
 constexpr double kMinElevation = 0.2;  // [rad]
 constexpr double kMaxElevation = 1.5;  // [rad]; below pi/2: the view's top stays told
 
+constexpr double kRightAngle = 0.5 * std::numbers::pi;
+constexpr double kEdgeOn = 0.02;  // sine of the elevation below which the ground is seen edge-on
+
+constexpr double kViewAngle = 30.0;  // of a view with perspective, from top to bottom [degree]
+
 constexpr double kMargin = 1.04;
 constexpr double kTipsPlace = 0.15;  // where the tip mostly is, of the way to the far corner
 constexpr double kDepth = 8.0;       // seen before and behind the middle, in sizes of the frame
@@ -23,7 +28,31 @@ constexpr double kDepth = 8.0;       // seen before and behind the middle, in si
 
 void ViewCamera::turn(double azimuth, double elevation) {
     azimuth_ = std::remainder(azimuth_ + azimuth, 2.0 * std::numbers::pi);
-    elevation_ = std::clamp(elevation_ + elevation, kMinElevation, kMaxElevation);
+    // A view from the front or straight from above turns on from there.
+    elevation_ = std::clamp(elevation_ + elevation, std::min(kMinElevation, elevation_),
+                            std::max(kMaxElevation, elevation_));
+}
+
+void ViewCamera::lookFrom(ViewDirection side) {
+    elevation_ = side == ViewDirection::Top      ? kRightAngle
+                 : side == ViewDirection::Bottom ? -kRightAngle
+                                                 : 0.0;
+    switch (side) {
+    case ViewDirection::Right:
+        azimuth_ = 0.0;
+        break;
+    case ViewDirection::Back:
+        azimuth_ = kRightAngle;
+        break;
+    case ViewDirection::Left:
+        azimuth_ = std::numbers::pi;
+        break;
+    case ViewDirection::Front:
+    case ViewDirection::Top:
+    case ViewDirection::Bottom:  // x stays to the right
+        azimuth_ = -kRightAngle;
+        break;
+    }
 }
 
 Vector3 ViewCamera::out() const {
@@ -35,10 +64,15 @@ Vector3 ViewCamera::right() const { return {-std::sin(azimuth_), std::cos(azimut
 
 Vector3 ViewCamera::up() const { return out().cross(right()); }
 
+double ViewCamera::heightSeen() const {
+    const double seen = std::abs(std::cos(elevation_));
+    return seen > kEdgeOn ? seen : 0.0;
+}
+
 void ViewCamera::apply(vtkCamera* camera, const FrameBox& box, double aspect) const {
     // The frame's corners come anywhere on a circle as the eye goes round.
     const double corner = std::numbers::sqrt2 * box.halfWidth;
-    const double sine = std::sin(elevation_);
+    const double sine = std::abs(std::sin(elevation_));
     const double cosine = std::cos(elevation_);
     const double below = corner * sine + box.below * cosine;
     const double above = std::max(corner * sine + box.above * cosine,
@@ -46,18 +80,29 @@ void ViewCamera::apply(vtkCamera* camera, const FrameBox& box, double aspect) co
     const double halfHeight = kMargin * std::max(corner / aspect, 0.5 * (below + above));
     const Vector3 focus = box.middle + 0.5 * (above - below) * up();
     const double depth = kDepth * (box.halfWidth + box.below + box.above);
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(halfHeight);
+    camera->SetParallelProjection(perspective_ ? 0 : 1);
+    camera->SetViewAngle(kViewAngle);
+    camera->SetParallelScale(halfHeight);  // with perspective: as at the focal point
     camera->SetFocalPoint(focus.data());
-    camera->SetPosition(Vector3(focus + depth * out()).data());
-    camera->SetViewUp(0.0, 0.0, 1.0);
-    camera->SetClippingRange(0.01 * depth, 2.0 * depth);
+    camera->SetViewUp(up().data());
+    if (perspective_) {
+        const double distance = halfHeight / std::tan(kViewAngle * std::numbers::pi / 360.0);
+        camera->SetPosition(Vector3(focus + distance * out()).data());
+        camera->SetClippingRange(0.02 * distance, distance + depth);
+    } else {
+        camera->SetPosition(Vector3(focus + depth * out()).data());
+        camera->SetClippingRange(0.01 * depth, 2.0 * depth);
+    }
 }
 
 Vector3 ViewCamera::horizontalMove(double rightwards, double upwards) const {
     // Away from the eye on the ground is up in the view, shortened by the sine of the elevation.
     const Vector3 away(-std::cos(azimuth_), -std::sin(azimuth_), 0.0);
-    return rightwards * right() + upwards / std::sin(elevation_) * away;
+    const double sine = std::sin(elevation_);
+    if (std::abs(sine) < kEdgeOn) {
+        return rightwards * right();
+    }
+    return rightwards * right() + upwards / sine * away;
 }
 
 }  // namespace asperity

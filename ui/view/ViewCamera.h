@@ -2,6 +2,8 @@
 
 #include "core/Vector.h"
 
+#include <cstdint>
+
 class vtkCamera;
 
 namespace asperity {
@@ -15,30 +17,41 @@ struct FrameBox {
     double tipTop = 0.0;               ///< of the tip above the middle [m]
 };
 
-/// Where the eye of a view is: it looks at the middle of a frame from any side, always from above
-/// the surface, without perspective, so that lengths across the view are to scale.
+/// Directions to look from, named after where the eye is.
+enum class ViewDirection : std::uint8_t { Front, Back, Right, Left, Top, Bottom };
+
+/// Where the eye of a view is: it looks at the middle of a frame from any side, turned by hand
+/// always from above the surface; without perspective, so that lengths across the view are to
+/// scale, or with it.
 class ViewCamera {
 public:
     /// Turns about the vertical and over the surface [rad].
     void turn(double azimuth, double elevation);
+    /// Looks along an axis of the scan.
+    void lookFrom(ViewDirection side);
+    void setPerspective(bool perspective) { perspective_ = perspective; }
+    [[nodiscard]] bool hasPerspective() const { return perspective_; }
     void reset() { *this = {}; }
 
     /// Unit vectors, world frame: from the frame's middle to the eye, rightwards and upwards.
     [[nodiscard]] Vector3 out() const;
     [[nodiscard]] Vector3 right() const;
     [[nodiscard]] Vector3 up() const;
+    /// How long a height of 1 looks, 0 .. 1: none is seen from above.
+    [[nodiscard]] double heightSeen() const;
 
     /// Points VTK's camera at a frame so that all of it is seen, on any side.
     /// @param aspect width over height of the view
     void apply(vtkCamera* camera, const FrameBox& box, double aspect) const;
 
     /// The move within a horizontal plane that looks like this move across the view, rightwards
-    /// and upwards [m].
+    /// and upwards [m]; nothing of an upward move where the plane is seen from its edge.
     [[nodiscard]] Vector3 horizontalMove(double rightwards, double upwards) const;
 
 private:
     double azimuth_ = -1.917;   ///< of the eye, from x [rad]
     double elevation_ = 0.565;  ///< of the eye above the horizontal [rad]
+    bool perspective_ = false;
 };
 
 }  // namespace asperity

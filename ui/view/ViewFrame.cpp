@@ -64,6 +64,11 @@ ScanWindow windowAround(const Vector2& place, double halfWidth, const ScanWindow
             .top = std::min(y + halfWidth, inside.top)};
 }
 
+bool holds(const ScanWindow& area, const Vector2& place) {
+    return place.x() >= area.left && place.x() <= area.right && place.y() >= area.bottom &&
+           place.y() <= area.top;
+}
+
 bool sameWindow(const ScanWindow& one, const ScanWindow& other) {
     return one.left == other.left && one.right == other.right && one.bottom == other.bottom &&
            one.top == other.top;

@@ -38,6 +38,7 @@ private:
 [[nodiscard]] ScanWindow windowAround(const Vector2& place, double halfWidth,
                                       const ScanWindow& inside);
 
+[[nodiscard]] bool holds(const ScanWindow& area, const Vector2& place);
 [[nodiscard]] bool sameWindow(const ScanWindow& one, const ScanWindow& other);
 
 }  // namespace asperity

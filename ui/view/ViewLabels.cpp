@@ -11,6 +11,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity {
 
@@ -24,6 +25,7 @@ constexpr double kLineHeight = 1.4;  // in text sizes
 constexpr double kMaxBarLength = 170.0;
 constexpr double kMaxBarHeight = 110.0;
 constexpr double kBarEnd = 4.0;
+constexpr double kNameGap = 8.0;
 
 }  // namespace
 
@@ -63,7 +65,9 @@ void ViewLabels::paint(Painter& painter) const {
         paintScaleBars(painter);
     }
     paintNotes(painter, width, height);
+    paintNames(painter, width, height);
     paintForce(painter, width, height);
+    paintReading(painter, width, height);
 }
 
 /// One along the screen, one for heights, from one corner.
@@ -72,12 +76,16 @@ void ViewLabels::paintScaleBars(Painter& painter) const {
     const TextStyle text{.size = kTextSize, .color = theme::palette().ink};
     const double across = niceBelow(kMaxBarLength * content_.metersPerPixel);
     const double right = kMargin + across / content_.metersPerPixel;
-    const double upwards = niceBelow(kMaxBarHeight * content_.heightPerPixel);
-    const double top = kMargin + upwards / content_.heightPerPixel;
-    painter.line({{kMargin, top}, {kMargin, kMargin}, {right, kMargin}}, style);
-    painter.line({{kMargin - kBarEnd, top}, {kMargin + kBarEnd, top}}, style);
+    painter.line({{kMargin, kMargin}, {right, kMargin}}, style);
     painter.line({{right, kMargin - kBarEnd}, {right, kMargin + kBarEnd}}, style);
     painter.text({kMargin + 2.0 * kBarEnd, kMargin + 0.8 * kTextSize}, formatSi(across, "m"), text);
+    if (!std::isfinite(content_.heightPerPixel)) {  // seen from above, heights have no length
+        return;
+    }
+    const double upwards = niceBelow(kMaxBarHeight * content_.heightPerPixel);
+    const double top = kMargin + upwards / content_.heightPerPixel;
+    painter.line({{kMargin, top}, {kMargin, kMargin}}, style);
+    painter.line({{kMargin - kBarEnd, top}, {kMargin + kBarEnd, top}}, style);
     painter.text({kMargin + 2.0 * kBarEnd, std::max(top, kMargin + 2.0 * kTextSize)},
                  "z " + formatSi(upwards, "m"), text);
 }
@@ -95,6 +103,29 @@ void ViewLabels::paintNotes(Painter& painter, double viewWidth, double viewHeigh
                       .color = theme::palette().ink,
                       .align = Align::Center});
     }
+}
+
+/// Each below the one before where they would lie on top of each other.
+void ViewLabels::paintNames(Painter& painter, double viewWidth, double viewHeight) const {
+    double lowest = viewHeight;
+    for (const LabelContent::Name& name : content_.names) {
+        PixelPoint at = project(name.place);
+        at.y = std::min({at.y, lowest, viewHeight - kMargin});
+        lowest = at.y - kLineHeight * kTextSize - kNameGap;
+        painter.label({at.x + kNameGap, at.y}, name.text,
+                      {.size = kTextSize, .bold = true, .color = name.color},
+                      {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
+    }
+}
+
+void ViewLabels::paintReading(Painter& painter, double viewWidth, double viewHeight) const {
+    if (content_.reading.empty()) {
+        return;
+    }
+    const TextStyle style{.size = kTextSize, .color = theme::palette().ink};
+    const double left = viewWidth - kMargin - painter.textWidth(content_.reading, style);
+    painter.label({left, kMargin}, content_.reading, style, {0.0, 0.0, viewWidth, viewHeight},
+                  theme::palette().paper);
 }
 
 void ViewLabels::paintForce(Painter& painter, double viewWidth, double viewHeight) const {

@@ -25,6 +25,13 @@ struct LabelContent {
     std::string tipAbove;             ///< where the tip is above the view; empty: it is in it
     double force = 0.0;               ///< magnitude [N]
     std::optional<Vector3> forceEnd;  ///< where its label belongs, as drawn; empty: no label [m]
+    struct Name {
+        Vector3 place = Vector3::Zero();  ///< as drawn [m]
+        std::string text;
+        Color color;
+    };
+    std::vector<Name> names;  ///< of what is in the view
+    std::string reading;      ///< of the cross-hair; empty: none
 };
 
 /// Scale bars, axes, notes and the force, painted over a view.
@@ -46,6 +53,8 @@ private:
     void paintScaleBars(Painter& painter) const;
     void paintNotes(Painter& painter, double viewWidth, double viewHeight) const;
     void paintForce(Painter& painter, double viewWidth, double viewHeight) const;
+    void paintNames(Painter& painter, double viewWidth, double viewHeight) const;
+    void paintReading(Painter& painter, double viewWidth, double viewHeight) const;
     [[nodiscard]] PixelPoint project(const Vector3& place) const;
 
     vtkRenderer* renderer_;

@@ -15,14 +15,20 @@ struct Light {
     bool operator==(const Light&) const = default;
 };
 
+inline constexpr double kMaxHeightScale = 1000.0;
+
 /// What a user switches in a view.
 struct ViewOptions {
-    double heightScale = 1.0;  ///< of all that is upright, >= 1
+    double heightScale = 1.0;  ///< of all that is upright, 1 .. kMaxHeightScale
     bool axes = true;
     bool scaleBars = true;
     bool grid = true;
-    bool section = false;  ///< the half before the tip is cut away
+    bool section = false;       ///< the half before the tip is cut away
+    bool commandedTip = false;  ///< ghost of the tip where it would be without forces
+    bool trueTip = false;       ///< ghost of the tip where a simulated instrument has it
     Light light;
+
+    bool operator==(const ViewOptions&) const = default;
 };
 
 }  // namespace asperity

@@ -1,10 +1,10 @@
 #include "ui/view/ZoomPicture.h"
 
-#include "core/SiFormat.h"
 #include "ui/Theme.h"
 #include "ui/view/DrapedGrid.h"
+#include "ui/view/SurfacePick.h"
+#include "ui/view/ViewNotes.h"
 #include "vtkplugins/pictures/SceneParts.h"
-#include "vtkplugins/pictures/Ticks.h"
 
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -32,10 +32,6 @@ constexpr double kOverlap = 0.015;  // of patch and terrain
 constexpr double kDentStep = 1.5;    // a dent that needs more room gets so many times its depth
 constexpr double kDentMargin = 0.1;  // of the picture's height, below a dent
 
-/// Pixels of a scan wider than this show less than the view seems to; parts of the tip's radius
-/// and of the view.
-constexpr double kWidePixel = 1.0 / 3.0;
-
 // In sizes of tip and arrow.
 constexpr double kTipTop = 1.15;
 constexpr double kSmallGear = 0.6;  // of the frame: from here on outwards the lever is in the view
@@ -56,14 +52,6 @@ double gearSize(double halfWidth, double tipRadius) {
     return std::min(halfWidth, 1.5 * tipRadius + 0.4 * halfWidth);
 }
 
-/// Words with values in place of %1, %2.
-std::string filled(QString words, const std::vector<std::string>& values) {
-    for (const std::string& value : values) {
-        words = words.arg(QString::fromStdString(value));
-    }
-    return words.toStdString();
-}
-
 }  // namespace
 
 ZoomPicture::ZoomPicture(vtkGenericOpenGLRenderWindow* window)
@@ -75,6 +63,8 @@ ZoomPicture::ZoomPicture(vtkGenericOpenGLRenderWindow* window)
     , section_({still_, live_}, live_)
     , force_(through_)
     , guide_(through_)
+    , cross_(live_)
+    , ghosts_(through_)
     , labels_(through_) {
     window->SetMultiSamples(0);
     window->SetNumberOfLayers(3);
@@ -99,10 +89,12 @@ void ZoomPicture::showTheme() {
 void ZoomPicture::setScene(const Scene* scene) {
     scene_ = scene;
     sample_.reset();
+    trueTip_.reset();
     halfSpace_.reset();
     frame_.reset();
     forgetDents();
-    contactShown_.reset();
+    shape_.reset();
+    crossHair_.reset();
     terrain_.hide();
     cache_.invalidate();
     if (scene_ != nullptr) {
@@ -117,7 +109,7 @@ void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {
         follow(sample_->output.model.tip.head<2>(), dragging ? kSlackInDrag : kSlack);
         showContact(*sample_, camera);
     } else {
-        contactShown_.reset();
+        shape_.reset();
         contact_.hide();
         tip_.hide();
         lever_.hide();
@@ -125,6 +117,8 @@ void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {
         force_.hide();
         guide_.hide();
     }
+    showGhosts(camera);
+    showCrossHair();
 }
 
 void ZoomPicture::showTerrain(const ViewCamera& camera, TerrainDetail detail) {
@@ -156,7 +150,8 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     const bool otherWindow = !sameWindow(place.window, terrain_.place().window);
     terrain_.setPlace(scene_->surface, place);
     const std::array<double, 2> heights = terrain_.heightRange();
-    const bool otherColors = colors_.fitHeights(heights[0], heights[1]);
+    colors_.fitHeights(heights[0], heights[1]);
+    const bool otherColors = fitColors();
     terrain_.setBottom(drawnBottom() / options_.heightScale);
     if (isExtentAsked_ || !isTouching()) {  // the scale stays while the tip is in contact
         fitExtent();
@@ -168,6 +163,24 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     if (otherWindow) {
         Q_EMIT frameChanged();
     }
+}
+
+/// @return whether the colors are others
+bool ZoomPicture::fitColors() {
+    if (colors_.isLive()) {
+        return false;
+    }
+    return colors_.needsEnds() ? colors_.fitRest(terrain_.heightRange())
+                               : colors_.fitRest(terrain_.valuesOf(colors_.field()));
+}
+
+void ZoomPicture::setLook(const SurfaceLook& look, const SurfaceField& field) {
+    colors_.setLook(look, field);
+    if (frame_) {
+        fitColors();
+        Q_EMIT terrainPlaced();
+    }
+    Q_EMIT scalesChanged();
 }
 
 /// Where the block of sample ends below, as drawn [m].
@@ -182,7 +195,9 @@ double ZoomPicture::drawnMiddle() const {
     return options_.heightScale * 0.5 * (heights.low + heights.high);
 }
 
-bool ZoomPicture::isTouching() const { return contactShown_ && contactShown_->contactRadius > 0.0; }
+bool ZoomPicture::isTouching() const {
+    return shape_ != nullptr && shape_->contact().contactRadius > 0.0;
+}
 
 /// From now on the picture holds what is in the frame at rest, and the tip above it.
 void ZoomPicture::fitExtent() {
@@ -223,17 +238,18 @@ void ZoomPicture::makeRoomFor(const ContactShape& shape, const ViewCamera& camer
 void ZoomPicture::keepInPicture(const Vector3& place, const ViewCamera& camera) {
     const int height = still_->GetSize()[1];
     const double missing = kDentMargin * height - drawnPlace(place).y();
-    if (missing > 0.0) {
-        lowered_ += kDentStep * missing * metersPerPixel(height) / camera.up().z();
+    if (missing > 0.0 && camera.heightSeen() > 0.0) {
+        lowered_ += kDentStep * missing * metersPerPixel(height) / camera.heightSeen();
         Q_EMIT terrainPlaced();
     }
 }
 
 void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera) {
-    const TipState& state = sample.output.model;
-    const ContactShape shape(*scene_, state, terrain_.place().patch, kPatchSamples,
-                             halfSpace_.get());
-    if (colors_.fitDisplacement(shape.largestDisplacement())) {
+    shape_ = std::make_unique<const ContactShape>(
+        *scene_, sample.output.model, terrain_.place().patch, kPatchSamples, halfSpace_.get());
+    const ContactShape& shape = *shape_;
+    const PatchColors colors(*scene_, shape, colors_);
+    if (fitLiveColors(shape, colors)) {
         Q_EMIT scalesChanged();
     }
     makeRoomFor(shape, camera);
@@ -241,7 +257,7 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
     const double width = std::max(window.right - window.left, window.top - window.bottom);
     const Shading shading = this->shading(camera);
     contact_.show(*scene_, shape,
-                  {.colors = colors_,
+                  {.colors = colors,
                    .space = space(),
                    .shading = shading,
                    .gridSpacing = options_.grid ? gridSpacing(width) : 0.0,
@@ -251,11 +267,24 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
                    .isCut = options_.section});
     showTip(shape, shading);
     showSection(shape, camera);
-    contactShown_ = shape.contact();
     guide_.show(sample.input.settings.guide, kGuideReach * frame_->halfWidth(), space());
     force_.show(sample.output.estimate, space().point(shape.contactPoint()), sample.time,
                 scale_.force,
                 kArrowRoom * gearSize(frame_->halfWidth(), shape.contact().tipRadius));
+}
+
+/// @return whether the colors are others
+bool ZoomPicture::fitLiveColors(const ContactShape& shape, const PatchColors& colors) {
+    const bool otherDisplacements = colors_.fitDisplacement(shape.largestDisplacement());
+    if (!colors_.isLive()) {
+        return otherDisplacements && colors_.field().quantity() == SurfaceQuantity::Height;
+    }
+    const Color before = colors_.ofLive(0.0);
+    const bool others = colors_.fitLive(colors.values());
+    if (colors_.ofLive(0.0) != before) {
+        Q_EMIT terrainPlaced();  // it is far from the tip
+    }
+    return others;
 }
 
 /// Farther out than the tip alone.
@@ -298,20 +327,60 @@ void ZoomPicture::showSection(const ContactShape& shape, const ViewCamera& camer
                    .shading = shading(camera)});
 }
 
+void ZoomPicture::showGhosts(const ViewCamera& camera) {
+    if (!sample_ || !frame_) {
+        ghosts_.show({}, {}, {}, {});
+        return;
+    }
+    const double radius = scene_->belief.tipRadius();
+    ghosts_.show(options_, sample_->output.base.position, trueTip_,
+                 {.radius = radius,
+                  .height = kTipTop * gearSize(frame_->halfWidth(), radius),
+                  .paraboloidReach = scale_.paraboloidReach,
+                  .right = camera.right(),
+                  .space = space(),
+                  .color = {}});
+}
+
+void ZoomPicture::setCrossHair(const std::optional<Vector2>& place, const QString& reading) {
+    crossHair_ = place;
+    reading_ = reading;
+}
+
+void ZoomPicture::showCrossHair() {
+    if (!crossHair_ || !frame_) {
+        cross_.hide();
+        return;
+    }
+    cross_.show(scene_->surface, *crossHair_, terrain_.place().window, shape_.get(), space());
+}
+
+std::optional<Vector2> ZoomPicture::placeAt(const Vector2& pixel) const {
+    return frame_ ? seenPlace(scene_->surface, rayThrough(*still_, pixel, space()),
+                              terrain_.place().window, shape_.get())
+                  : std::nullopt;
+}
+
+SurfaceReading ZoomPicture::reading(const Vector2& place) const {
+    return readingAt(*scene_, colors_.field(), shape_.get(), place);
+}
+
 void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelRatio) {
     if (!frame_) {
         labels_.hide();
         return;
     }
     labels_.setPixelRatio(pixelRatio);
-    LabelContent content{.scaleBars = options_.scaleBars,
+    LabelContent content{.scaleBars = options_.scaleBars && !camera.hasPerspective(),
                          .metersPerPixel = metersPerPixel(height),
                          .heightPerPixel =
-                             metersPerPixel(height) / (options_.heightScale * camera.up().z()),
-                         .notes = notes(),
+                             metersPerPixel(height) / (options_.heightScale * camera.heightSeen()),
+                         .notes = notes(camera),
                          .tipAbove = tipAbove(height, pixelRatio),
                          .force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0,
-                         .forceEnd = force_.end()};
+                         .forceEnd = force_.end(),
+                         .names = ghosts_.names(),
+                         .reading = crossHair_ ? reading_.toStdString() : std::string()};
     if (options_.axes) {
         content.axes = FrameAxes{.window = terrain_.place().window,
                                  .bottom = options_.heightScale * terrain_.bottom(),
@@ -320,31 +389,21 @@ void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelR
     labels_.show(content);
 }
 
-std::vector<std::string> ZoomPicture::notes() const {
-    std::vector<std::string> notes;
-    if (options_.heightScale > 1.0) {
-        notes.push_back(filled(QObject::tr("heights ×%1"), tickLabels({options_.heightScale})));
-    }
-    const double radius = scene_->belief.tipRadius();
-    if (showsLever()) {
-        notes.push_back(QObject::tr("lever not to scale").toStdString());
-    }
-    if (scale_.pixel > kWidePixel * radius) {
-        notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for a tip radius of %2"),
-                               {formatSi(scale_.pixel, "m"), formatSi(radius, "m")}));
-    } else if (scale_.pixel > kWidePixel * 2.0 * frame_->halfWidth()) {
-        notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for this view"),
-                               {formatSi(scale_.pixel, "m")}));
-    }
-    return notes;
+std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
+    return viewNotes({.heightScale = options_.heightScale,
+                      .hasPerspective = camera.hasPerspective(),
+                      .missesTrueTip = options_.trueTip && sample_ && !trueTip_,
+                      .showsLever = showsLever(),
+                      .tipRadius = scene_->belief.tipRadius(),
+                      .pixel = scale_.pixel,
+                      .width = 2.0 * frame_->halfWidth()});
 }
 
 std::string ZoomPicture::tipAbove(int height, double pixelRatio) const {
-    if (!contactShown_ || drawnPlace(apexOf(*contactShown_)).y() < pixelRatio * height) {
+    if (shape_ == nullptr || drawnPlace(apexOf(shape_->contact())).y() < pixelRatio * height) {
         return {};
     }
-    return filled(QObject::tr("tip %1 above the surface"),
-                  {formatSi(-contactShown_->indentation, "m")});
+    return tipAboveNote(-shape_->contact().indentation);
 }
 
 void ZoomPicture::aim(const ViewCamera& camera, double aspect) {

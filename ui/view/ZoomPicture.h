@@ -4,13 +4,17 @@
 #include "core/haptics/VirtualRun.h"
 #include "core/scene/Scene.h"
 #include "ui/view/ContactLayer.h"
+#include "ui/view/CrossHairLayer.h"
 #include "ui/view/ForceLayer.h"
 #include "ui/view/GuideLayer.h"
 #include "ui/view/LeverLayer.h"
+#include "ui/view/PatchColors.h"
 #include "ui/view/SectionLayer.h"
 #include "ui/view/StaticLayer.h"
 #include "ui/view/SurfaceColors.h"
+#include "ui/view/SurfaceReading.h"
 #include "ui/view/TerrainLayer.h"
+#include "ui/view/TipGhosts.h"
 #include "ui/view/TipLayer.h"
 #include "ui/view/ViewCamera.h"
 #include "ui/view/ViewFrame.h"
@@ -46,8 +50,11 @@ public:
 
     /// Null: nothing. The scene outlives its use here.
     void setScene(const Scene* scene);
-    /// What to show next, of the present scene.
-    void setSample(const TickSample& sample) { sample_ = sample; }
+    /// What to show next, of the present scene. @param trueTip see Snapshot
+    void setSample(const TickSample& sample, const std::optional<Vector3>& trueTip = {}) {
+        sample_ = sample;
+        trueTip_ = trueTip;
+    }
     /// What is drawn from the next sample on where the scene asks for the half-space; or null.
     void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer) {
         halfSpace_ = std::move(answer);
@@ -57,6 +64,14 @@ public:
     /// @param dragging the picture stays still under the pointer as long as it can
     void showSample(const ViewCamera& camera, bool dragging);
     void showTerrain(const ViewCamera& camera, TerrainDetail detail);
+    /// Where the cross-hair is from the next sample on, of the surface at rest [m]; none: nowhere.
+    void setCrossHair(const std::optional<Vector2>& place, const QString& reading);
+    [[nodiscard]] const std::optional<Vector2>& crossHair() const { return crossHair_; }
+    /// The place of the surface at rest whose present place is seen at a drawn pixel, from the
+    /// lower left corner [m]; none: there is no surface.
+    [[nodiscard]] std::optional<Vector2> placeAt(const Vector2& pixel) const;
+    /// What there is to read at a place of the surface at rest. There is a scene.
+    [[nodiscard]] SurfaceReading reading(const Vector2& place) const;
     /// @param height     of the view [pixels of the screen's coordinates]
     /// @param pixelRatio drawn pixels per such a pixel
     void showLabels(const ViewCamera& camera, int height, double pixelRatio);
@@ -74,8 +89,10 @@ public:
     /// Contact and terrain have to be shown anew, and the camera to be aimed.
     void setOptions(const ViewOptions& options);
     [[nodiscard]] const ViewOptions& options() const { return options_; }
+    /// How the surface is colored. @param field what the look's quantity is on the surface at rest
+    void setLook(const SurfaceLook& look, const SurfaceField& field);
     /// What the picture does not say by itself: a stretched height, coarse pixels.
-    [[nodiscard]] std::vector<std::string> notes() const;
+    [[nodiscard]] std::vector<std::string> notes(const ViewCamera& camera) const;
     [[nodiscard]] const SurfaceColors& colors() const { return colors_; }
     /// What keeps the surface at rest from one frame to the next.
     [[nodiscard]] StaticLayer& cache() { return cache_; }
@@ -92,6 +109,8 @@ Q_SIGNALS:
 private:
     void follow(const Vector2& tip, double slack);
     void placeTerrain(const TerrainPlace& place);
+    bool fitColors();
+    bool fitLiveColors(const ContactShape& shape, const PatchColors& colors);
     [[nodiscard]] double drawnBottom() const;
     [[nodiscard]] double drawnMiddle() const;
     [[nodiscard]] bool isTouching() const;
@@ -105,11 +124,14 @@ private:
     void showTip(const ContactShape& shape, const Shading& shading);
     [[nodiscard]] bool showsLever() const;
     void showSection(const ContactShape& shape, const ViewCamera& camera);
+    void showGhosts(const ViewCamera& camera);
+    void showCrossHair();
     [[nodiscard]] std::string tipAbove(int height, double pixelRatio) const;
 
     const Scene* scene_ = nullptr;
     ViewScale scale_;
     std::optional<TickSample> sample_;
+    std::optional<Vector3> trueTip_;  ///< see Snapshot [m]
     std::shared_ptr<const HalfSpaceAnswer> halfSpace_;
     std::optional<ViewFrame> frame_;
     SurfaceColors colors_;
@@ -118,7 +140,9 @@ private:
     FrameBox extent_;         ///< what the camera makes room for; its middle goes with the frame
     bool isExtentAsked_ = true;
     double lowered_ = 0.0;  ///< camera below the middle of the frame, for a deep dent [m]
-    std::optional<TipContact> contactShown_;
+    std::unique_ptr<const ContactShape> shape_;  ///< as it is shown; null: none is
+    std::optional<Vector2> crossHair_;           ///< on the surface at rest [m]
+    QString reading_;                            ///< of the cross-hair
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest
     vtkNew<vtkRenderer> live_;     ///< what changes from frame to frame
@@ -131,6 +155,8 @@ private:
     SectionLayer section_;
     ForceLayer force_;
     GuideLayer guide_;
+    CrossHairLayer cross_;
+    TipGhosts ghosts_;
     ViewLabels labels_;
 };
 

@@ -19,6 +19,8 @@ constexpr double kTurnPerPixel = 0.006;  // [rad]
 
 constexpr int kSettlingTime = 200;  // [ms]
 constexpr int kFrameTime = 15;      // [ms]
+constexpr int kReadingTime = 100;   // between two readings: faster than numbers are read [ms]
+constexpr int kRunningTime = 100;   // after which snapshots come no more [ms]
 
 }  // namespace
 
@@ -66,6 +68,14 @@ void ZoomView::connectGestures() {
             Q_EMIT tipDragged(move.x(), move.y());
         }
     });
+    connect(this, &ZoomView::hovered, this, [this](const QPointF& pixel) {
+        if (const std::optional<Vector2> place = placeAt(pixel)) {
+            Q_EMIT placeHovered(place->x(), place->y());
+        } else {
+            Q_EMIT placeLeft();
+        }
+    });
+    connect(this, &ZoomView::unhovered, this, &ZoomView::placeLeft);
 }
 
 void ZoomView::setScene(const Scene* scene) {
@@ -78,8 +88,13 @@ void ZoomView::setScene(const Scene* scene) {
 
 void ZoomView::showSnapshot(const Snapshot& snapshot) {
     if (picture_.frame()) {
-        picture_.setSample(snapshot.sample);
+        picture_.setSample(snapshot.sample, snapshot.trueTip);
         contactDue_ = true;
+        sinceSnapshot_.start();
+        if (picture_.crossHair() && sinceReading_.hasExpired(kReadingTime)) {
+            read();
+            Q_EMIT readingChanged();
+        }
         renderNow();
     }
 }
@@ -104,9 +119,23 @@ void ZoomView::setHalfWidth(double halfWidth) {
 }
 
 void ZoomView::resetCamera() {
+    const bool perspective = camera_.hasPerspective();
     camera_.reset();
+    camera_.setPerspective(perspective);
     disturb();
     setHalfWidth(picture_.scale().usual);
+}
+
+void ZoomView::lookFrom(ViewDirection side) {
+    camera_.lookFrom(side);
+    disturb();
+    renderSoon();
+}
+
+void ZoomView::setPerspective(bool perspective) {
+    camera_.setPerspective(perspective);
+    disturb();
+    renderSoon();
 }
 
 void ZoomView::setOptions(const ViewOptions& options) {
@@ -114,12 +143,43 @@ void ZoomView::setOptions(const ViewOptions& options) {
     renderSoon();
 }
 
-ColorScale ZoomView::heightScale() const {
-    return picture_.frame() ? picture_.colors().heightScale() : ColorScale{};
+void ZoomView::setLook(const SurfaceLook& look, const SurfaceField& field) {
+    picture_.setLook(look, field);
+    renderSoon();
+}
+
+ColorScale ZoomView::colorScale() const {
+    return picture_.frame() ? picture_.colors().scale() : ColorScale{};
 }
 
 ColorScale ZoomView::displacementScale() const {
     return picture_.frame() ? picture_.colors().displacementScale() : ColorScale{};
+}
+
+void ZoomView::showCrossHair(const std::optional<Vector2>& place) {
+    picture_.setCrossHair(place, {});
+    read();
+    const bool framesCome = sinceSnapshot_.isValid() && !sinceSnapshot_.hasExpired(kRunningTime);
+    if (!framesCome) {
+        renderSoon();
+    }
+}
+
+/// What stands at the cross-hair in the next frame.
+void ZoomView::read() {
+    if (const std::optional<Vector2> place = picture_.crossHair(); place && picture_.frame()) {
+        picture_.setCrossHair(place, textOf(picture_.reading(*place)));
+        sinceReading_.start();
+    }
+}
+
+std::optional<SurfaceReading> ZoomView::reading(const Vector2& place) const {
+    return picture_.frame() ? std::optional(picture_.reading(place)) : std::nullopt;
+}
+
+std::optional<Vector2> ZoomView::placeAt(const QPointF& pixel) const {
+    const double ratio = devicePixelRatioF();
+    return picture_.placeAt({ratio * pixel.x(), ratio * (height() - pixel.y())});
 }
 
 QPointF ZoomView::onScreen(const Vector3& place) const {

@@ -3,10 +3,12 @@
 #include "core/haptics/Snapshot.h"
 #include "ui/ColorScale.h"
 #include "ui/view/GestureWidget.h"
+#include "ui/view/SurfaceReading.h"
 #include "ui/view/ZoomPicture.h"
 
 #include <vtkNew.h>
 
+#include <QElapsedTimer>
 #include <QTimer>
 
 class vtkGenericOpenGLRenderWindow;
@@ -44,13 +46,26 @@ public:
     [[nodiscard]] const ViewCamera& camera() const { return camera_; }
     /// Back to the direction and the width that a scene starts with.
     void resetCamera();
+    void lookFrom(ViewDirection side);
+    void setPerspective(bool perspective);
 
     void setOptions(const ViewOptions& options);
     [[nodiscard]] const ViewOptions& options() const { return picture_.options(); }
 
-    /// They hold no colors while there is no scene.
-    [[nodiscard]] ColorScale heightScale() const;
+    /// How the surface is colored. @param field what the look's quantity is on the surface at rest
+    void setLook(const SurfaceLook& look, const SurfaceField& field);
+    /// Of the quantity, and of displacements over it. They hold no colors while there is no scene.
+    [[nodiscard]] ColorScale colorScale() const;
     [[nodiscard]] ColorScale displacementScale() const;
+
+    /// Shows a cross-hair at a place of the surface at rest, world x, y [m], with what is read
+    /// there; none: no cross-hair. While the loop runs it costs no frame of its own.
+    void showCrossHair(const std::optional<Vector2>& place);
+    [[nodiscard]] const std::optional<Vector2>& crossHair() const { return picture_.crossHair(); }
+    /// What is read at a place of the surface at rest; none without a scene.
+    [[nodiscard]] std::optional<SurfaceReading> reading(const Vector2& place) const;
+    /// The place of the surface at rest that is seen at a pixel of the widget; none: there is none.
+    [[nodiscard]] std::optional<Vector2> placeAt(const QPointF& pixel) const;
 
     /// Where a world place [m] is seen, in pixels of the widget.
     [[nodiscard]] QPointF onScreen(const Vector3& place) const;
@@ -63,6 +78,12 @@ Q_SIGNALS:
     void frameChanged();   ///< window() is another
     void scalesChanged();  ///< a color scale is another
     void frameRendered();
+    /// The pointer is over this place of the surface at rest, world [m].
+    void placeHovered(double x, double y);
+    /// The pointer is over no surface any more.
+    void placeLeft();
+    /// What is read at the cross-hair has changed with the tip.
+    void readingChanged();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -70,14 +91,17 @@ protected:
 private:
     void connectGestures();
     void disturb();
+    void read();
     void renderSoon();
     void renderNow();
 
     vtkNew<vtkGenericOpenGLRenderWindow> renderWindow_;
     ZoomPicture picture_;
     ViewCamera camera_;
-    QTimer settling_;          ///< runs while the view is in motion
-    QTimer frameDue_;          ///< runs while a frame is due
+    QTimer settling_;  ///< runs while the view is in motion
+    QTimer frameDue_;  ///< runs while a frame is due
+    QElapsedTimer sinceSnapshot_;
+    QElapsedTimer sinceReading_;
     bool terrainDue_ = false;  ///< it is to be shown anew in the next frame
     bool contactDue_ = false;  ///< and so is all the rest
 };

@@ -1,6 +1,7 @@
 #include "ui/window/MainWindow.h"
 
 #include "ui/panels/CantileverPanel.h"
+#include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/EngageBar.h"
 #include "ui/panels/FidelityPanel.h"
@@ -9,16 +10,22 @@
 #include "ui/panels/LoadingBar.h"
 #include "ui/panels/LoopStatusBar.h"
 #include "ui/panels/NumberBox.h"
+#include "ui/panels/OverviewMap.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/panels/ScenePanel.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/CardColumn.h"
+#include "ui/window/ColorsMenu.h"
+#include "ui/window/CrossHairLink.h"
 #include "ui/window/Dialogs.h"
+#include "ui/window/DirectionMenu.h"
 #include "ui/window/Maximizer.h"
 #include "ui/window/PageTabs.h"
 #include "ui/window/PanelsMenu.h"
 #include "ui/window/Placement.h"
+#include "ui/window/SecondView.h"
+#include "ui/window/ViewBars.h"
 #include "ui/window/ViewSide.h"
 #include "ui/window/WindowLayout.h"
 #include "ui/window/WindowMenus.h"
@@ -56,6 +63,12 @@ void giveFocusBack(ControlBar& controls, ZoomView& view) {
     }
 }
 
+/// A right click on a color bar chooses other colors.
+void openColorsMenu(const ViewBars& bars, ColorsMenu& colors) {
+    QObject::connect(&bars, &ViewBars::colorsRequested, &colors,
+                     [&colors](const QPoint& at) { colors.menu().popup(at); });
+}
+
 /// The overview shows where the view looks.
 void showFrameOf(const ZoomView& view, OverviewPanel& overview) {
     QObject::connect(&view, &ZoomView::frameChanged, &overview, [&] {
@@ -74,8 +87,9 @@ MainWindow::MainWindow()
     , banner_(new StateBanner(this))
     , engage_(new EngageBar(this))
     , view_(new ZoomView(this))
+    , second_(new SecondView(this))
     , loading_(new LoadingBar(this))
-    , viewSide_(new ViewSide({banner_, engage_, view_, loading_}, this))
+    , viewSide_(new ViewSide({banner_, engage_, view_, second_, loading_}, this))
     , layout_(new WindowLayout(controls_, viewSide_, this))
     , overview_(new OverviewPanel(this))
     , loopStatus_(new LoopStatusBar(this))
@@ -85,7 +99,7 @@ MainWindow::MainWindow()
     setAcceptDrops(true);
     placeAll();
     connectMenus();
-    showFrameOf(*view_, *overview_);
+    connectViews();
     giveFocusBack(*controls_, *view_);
     connect(engage_, &EngageBar::setpointEntered, view_, [this] { view_->setFocus(); });
     tellRefusals();
@@ -96,6 +110,8 @@ MainWindow::MainWindow()
     setGeometry(openingPlace(kUsualSize, screen()->availableGeometry()));
     view_->setFocus();
 }
+
+MainWindow::~MainWindow() = default;
 
 void MainWindow::placeAll() {
     setCentralWidget(layout_);
@@ -206,10 +222,39 @@ void MainWindow::connectMenus() {
     on(menus_->zoomOut, [this] { view_->setHalfWidth(view_->halfWidth() * 1.25); });
     on(menus_->resetView, [this] { view_->resetCamera(); });
     connect(menus_, &WindowMenus::viewOptionsChosen, view_, &ZoomView::setOptions);
+    connect(&menus_->directions(), &DirectionMenu::sideChosen, view_, &ZoomView::lookFrom);
+    connect(&menus_->directions(), &DirectionMenu::perspectiveChosen, view_,
+            &ZoomView::setPerspective);
+    connect(menus_->secondView, &QAction::toggled, second_, &QWidget::setVisible);
     on(menus_->fidelity, [this] { toggle(*fidelity_); });
     on(menus_->parameters, [this] { showSidePage(scenePanel_); });
     on(menus_->controls, [this] { explainControls(this); });
     on(menus_->about, [this] { explainProgram(this); });
+}
+
+void MainWindow::connectViews() {
+    showFrameOf(*view_, *overview_);
+    openColorsMenu(viewSide_->bars(), menus_->colors());
+    openColorsMenu(second_->bars(), menus_->colors());
+    ColorBarWidget& whole = overview_->colorBar();
+    connect(&whole, &QWidget::customContextMenuRequested, this, [this, &whole](const QPoint& at) {
+        menus_->colors().menu().popup(whole.mapToGlobal(at));
+    });
+    connect(view_, &ZoomView::scalesChanged, this, [this] {
+        const ColorScale shown = view_->colorScale();
+        menus_->colors().setShown(shown.unit, shown.low, shown.high);
+    });
+    crossHair_ = std::make_unique<CrossHairLink>(*view_, *second_, overview_->map());
+    // The second view moves the tip as the large one does.
+    connect(&second_->space(), &ZoomView::tipDragged, view_, &ZoomView::tipDragged);
+    connect(&second_->space(), &ZoomView::lifted, view_, &ZoomView::lifted);
+}
+
+void MainWindow::showLook(const SurfaceLook& look, const SurfaceField& field) {
+    view_->setLook(look, field);
+    second_->setLook(look, field);
+    overview_->setLook(look, field);
+    menus_->colors().setLook(look);
 }
 
 void MainWindow::showScene(const Scene* scene, const QString& title) {
@@ -220,6 +265,7 @@ void MainWindow::showScene(const Scene* scene, const QString& title) {
         }
     }
     view_->setScene(scene);
+    second_->setScene(scene);
     setWindowTitle(title.isEmpty() ? tr("Asperity") : tr("%1 – Asperity").arg(title));
 }
 

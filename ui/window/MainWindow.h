@@ -5,6 +5,7 @@
 
 #include <QMainWindow>
 
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace asperity {
 
 class Card;
 class ControlBar;
+class CrossHairLink;
 class EngageBar;
 class FidelityPanel;
 class HapticPanel;
@@ -23,11 +25,14 @@ class LoopStatusBar;
 class OverviewPanel;
 class RunPanel;
 class ScenePanel;
+class SecondView;
 class StateBanner;
+class SurfaceField;
 class ViewSide;
 class WindowLayout;
 class WindowMenus;
 class ZoomView;
+struct SurfaceLook;
 
 /// All panels of the live window, placed by a WindowLayout, with the menus above and the loop's
 /// timing below them. Opens in the middle of the screen, no larger than it.
@@ -36,12 +41,17 @@ class MainWindow : public QMainWindow {
 
 public:
     MainWindow();
+    ~MainWindow() override;
+    MainWindow(const MainWindow&) = delete;
+    MainWindow& operator=(const MainWindow&) = delete;
 
     [[nodiscard]] WindowMenus& menus() { return *menus_; }
     [[nodiscard]] ControlBar& controls() { return *controls_; }
     [[nodiscard]] StateBanner& banner() { return *banner_; }
     [[nodiscard]] EngageBar& engage() { return *engage_; }
     [[nodiscard]] ZoomView& view() { return *view_; }
+    /// Hidden at first.
+    [[nodiscard]] SecondView& second() { return *second_; }
     [[nodiscard]] OverviewPanel& overview() { return *overview_; }
     /// A window of its own, hidden at first.
     [[nodiscard]] FidelityPanel& fidelity() { return *fidelity_; }
@@ -73,6 +83,8 @@ public:
     void setSceneFile(const QString& path) { sceneFile_ = path; }
     /// Which types of files the dialog that opens a scan shows, beside scenes.
     void setScanFiles(const std::vector<ScanFileType>& types) { scanFiles_ = types; }
+    /// How the surface is colored in all views. @param field what the look's quantity is on it
+    void showLook(const SurfaceLook& look, const SurfaceField& field);
     /// Sets the scene of all panels; null: none. The scene outlives its use here.
     void showScene(const Scene* scene, const QString& title);
     /// Shows in place of the hint that a file is being loaded; empty: nothing is.
@@ -112,6 +124,7 @@ private:
     /// The bottom line says why a number is refused; windows of their own have lines of their own.
     void tellRefusals();
     void connectMenus();
+    void connectViews();
 
     std::vector<ScanFileType> scanFiles_;
     QString sceneFile_;
@@ -120,6 +133,7 @@ private:
     StateBanner* banner_;
     EngageBar* engage_;
     ZoomView* view_;
+    SecondView* second_;
     LoadingBar* loading_;
     ViewSide* viewSide_;
     WindowLayout* layout_;
@@ -131,6 +145,7 @@ private:
     std::set<QWidget*> placed_;            ///< panels that have stood beside this window
     std::vector<QShortcut*> toolClosers_;  ///< Esc, where it is no emergency stop
     std::vector<RunPanel*> panels_;
+    std::unique_ptr<CrossHairLink> crossHair_;
 };
 
 }  // namespace asperity

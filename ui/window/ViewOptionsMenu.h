@@ -4,12 +4,16 @@
 
 #include <QObject>
 
+#include <map>
+#include <utility>
+#include <vector>
+
 class QAction;
 class QMenu;
 
 namespace asperity {
 
-/// What stands in a menu to switch the live view.
+/// What stands in a menu to switch a view.
 class ViewOptionsMenu : public QObject {
     Q_OBJECT
 
@@ -17,15 +21,27 @@ public:
     /// Adds its entries to the menu, which owns it.
     explicit ViewOptionsMenu(QMenu& menu);
 
+    [[nodiscard]] const ViewOptions& options() const { return options_; }
+    /// Shows options without asking for them.
+    void setOptions(const ViewOptions& options);
+
 Q_SIGNALS:
     void optionsChosen(ViewOptions options);
 
 private:
-    QAction* addSwitch(QMenu& menu, const QString& text, bool ViewOptions::*option);
+    using Switch = bool ViewOptions::*;
+    void addSwitch(QMenu& menu, const QString& text, Switch option, const QString& toolTip);
     void addHeightScales(QMenu& menu);
     void addLights(QMenu& menu);
+    void choose(const ViewOptions& options);
+    void askForHeightScale();
 
+    QMenu& menu_;
     ViewOptions options_;
+    std::vector<std::pair<Switch, QAction*>> switches_;
+    std::vector<std::pair<Light, QAction*>> lights_;
+    std::map<int, QAction*> factors_;
+    QAction* ownFactor_ = nullptr;
 };
 
 }  // namespace asperity

@@ -1,13 +1,13 @@
 #include "ui/window/ViewSide.h"
 
-#include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/EngageBar.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/panels/StateBanner.h"
 #include "ui/view/ZoomView.h"
+#include "ui/window/SecondView.h"
 #include "ui/window/Splitters.h"
+#include "ui/window/ViewBars.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSplitter>
 #include <QStackedLayout>
@@ -15,33 +15,31 @@
 
 namespace asperity {
 
+namespace {
+
+constexpr int kFirstViewShare = 3;  // of the width of both views
+constexpr int kSecondViewShare = 2;
+
+}  // namespace
+
 ViewSide::ViewSide(const Parts& parts, QWidget* parent)
     : QWidget(parent)
     , parts_(parts)
     , column_(new QVBoxLayout(this))
-    , views_(newSplitter(Qt::Horizontal, "views", this)) {
+    , views_(newSplitter(Qt::Horizontal, "views", this))
+    , bars_(new ViewBars(*parts.view, this)) {
     column_->setContentsMargins(0, 0, 0, 0);
     column_->setSpacing(kPanelGap);
     column_->addWidget(parts.banner);
     column_->addWidget(parts.engage);
     views_->addWidget(parts.view);
+    views_->addWidget(parts.second);
+    views_->setStretchFactor(0, kFirstViewShare);
+    views_->setStretchFactor(1, kSecondViewShare);
+    parts.second->hide();
     column_->addWidget(views_, 1);
-    addColorBars();
+    column_->addWidget(bars_);
     addBottomLine();
-}
-
-void ViewSide::addColorBars() {
-    auto* bars = new QHBoxLayout;
-    bars->setSpacing(3 * kPanelGap);
-    auto* heights = new ColorBarWidget(this);
-    auto* displacements = new ColorBarWidget(this);
-    bars->addWidget(heights);
-    bars->addWidget(displacements);
-    connect(parts_.view, &ZoomView::scalesChanged, this, [this, heights, displacements] {
-        heights->setScale(parts_.view->heightScale());
-        displacements->setScale(parts_.view->displacementScale());
-    });
-    column_->addLayout(bars);
 }
 
 /// Hint and loading in one place, so that nothing moves when a file is loaded.

@@ -10,7 +10,9 @@ namespace asperity {
 
 class EngageBar;
 class LoadingBar;
+class SecondView;
 class StateBanner;
+class ViewBars;
 class ZoomView;
 
 /// The large view with what belongs to it: above it the banner and Engage, below it the color bars
@@ -21,6 +23,7 @@ public:
         StateBanner* banner;
         EngageBar* engage;
         ZoomView* view;
+        SecondView* second;  ///< beside it, hidden at first
         LoadingBar* loading;
     };
 
@@ -30,17 +33,18 @@ public:
     [[nodiscard]] QSplitter& views() { return *views_; }
     [[nodiscard]] StateBanner& banner() { return *parts_.banner; }
     [[nodiscard]] QVBoxLayout& column() { return *column_; }
+    [[nodiscard]] const ViewBars& bars() const { return *bars_; }
     void setHint(const QString& hint);
     /// Whether the last line shows the loading, in place of the hint.
     void setLoading(bool loading);
 
 private:
-    void addColorBars();
     void addBottomLine();
 
     Parts parts_;
     QVBoxLayout* column_;
     QSplitter* views_;
+    ViewBars* bars_;
     QStackedLayout* bottomLine_ = nullptr;  ///< hint, loading
 };
 

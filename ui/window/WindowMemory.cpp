@@ -5,6 +5,7 @@
 #include "ui/window/MainWindow.h"
 #include "ui/window/Maximizer.h"
 #include "ui/window/PageTabs.h"
+#include "ui/window/ViewMemory.h"
 #include "ui/window/WindowLayout.h"
 
 #include <QGuiApplication>
@@ -75,6 +76,7 @@ WindowMemory::WindowMemory(MainWindow& window, std::unique_ptr<QSettings> settin
     for (Card* card : window_.cards()) {
         card->setFolded(folded.contains(card->title()));
     }
+    restoreViews(window_, *settings_);  // first: which of them share the room
     restoreLayout();
     restoreTheme(*settings_);
 }
@@ -114,6 +116,7 @@ void WindowMemory::keepLayout() {
 WindowMemory::~WindowMemory() {
     keepLayout();
     keepTheme(*settings_);
+    saveViews(window_, *settings_);
     QStringList folded;
     for (const Card* card : window_.cards()) {
         if (card->isFolded()) {

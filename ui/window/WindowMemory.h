@@ -9,8 +9,8 @@ namespace asperity {
 class MainWindow;
 
 /// Keeps place and size of the window, which panels are folded, hidden or on top, how splitters
-/// share out the room, and the theme, from one session to the next. Where the settings cannot be
-/// read or written the window opens as at first.
+/// share out the room, how the views look, and the theme, from one session to the next. Where the
+/// settings cannot be read or written the window opens as at first.
 class WindowMemory {
 public:
     /// Places the window as `settings` have it, on the screens that there are now.

@@ -1,5 +1,7 @@
 #include "ui/window/WindowMenus.h"
 
+#include "ui/window/ColorsMenu.h"
+#include "ui/window/DirectionMenu.h"
 #include "ui/window/ThemeMenu.h"
 #include "ui/window/ViewOptionsMenu.h"
 
@@ -66,6 +68,9 @@ void WindowMenus::explainAll() {
         {zoomIn, tr("Show a smaller part of the scan")},
         {zoomOut, tr("Show a larger part of the scan")},
         {resetView, tr("Direction and width as at first")},
+        {secondView,
+         tr("Beside the large view: a section through the contact, or a 3-D view with a "
+            "direction and options of its own")},
         {fidelity, tr("Terms of the model with their errors and costs")},
         {parameters, tr("Every key of the scene: scan, material, tip, lever, physics")},
         {controls, tr("What mouse and keys do")},
@@ -218,8 +223,13 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
     resetView = menu->addAction(tr("&Reset the view"));
     resetView->setShortcut(tr("Home"));
     menu->addSeparator();
-    auto* options = new ViewOptionsMenu(*menu);
-    connect(options, &ViewOptionsMenu::optionsChosen, this, &WindowMenus::viewOptionsChosen);
+    directions_ = new DirectionMenu(*menu->addMenu(tr("&Direction")), DirectionMenu::Keys::Digits);
+    secondView = menu->addAction(tr("Seco&nd view"));
+    secondView->setCheckable(true);
+    menu->addSeparator();
+    colors_ = new ColorsMenu(*menu->addMenu(tr("&Colors")));
+    viewOptions_ = new ViewOptionsMenu(*menu);
+    connect(viewOptions_, &ViewOptionsMenu::optionsChosen, this, &WindowMenus::viewOptionsChosen);
     menu->addSeparator();
     fidelity = menu->addAction(tr("&Fidelity…"));
     fidelity->setShortcut(tr("F6"));

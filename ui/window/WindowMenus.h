@@ -18,6 +18,10 @@ class QMenuBar;
 
 namespace asperity {
 
+class ColorsMenu;
+class DirectionMenu;
+class ViewOptionsMenu;
+
 /// The menus of the window and what stands in them.
 class WindowMenus : public QObject {
     Q_OBJECT
@@ -50,6 +54,7 @@ public:
     QAction* zoomIn;
     QAction* zoomOut;
     QAction* resetView;
+    QAction* secondView;  ///< checkable
     QAction* fidelity;
     QAction* parameters;
     QMenu* panels;  ///< empty
@@ -72,6 +77,10 @@ public:
     void refuse(QAction& entry, const QString& reason);
     /// The same for all guides but none.
     void refuseGuides(const QString& reason);
+    [[nodiscard]] ColorsMenu& colors() { return *colors_; }
+    [[nodiscard]] ViewOptionsMenu& viewOptions() { return *viewOptions_; }
+    [[nodiscard]] DirectionMenu& directions() { return *directions_; }
+
     /// From now on every entry stays as it is.
     void lock() { locked_ = true; }
 
@@ -92,6 +101,9 @@ private:
     void explainAll();
 
     std::optional<MeasureMenu> measure_;  ///< always there
+    ColorsMenu* colors_ = nullptr;
+    ViewOptionsMenu* viewOptions_ = nullptr;
+    DirectionMenu* directions_ = nullptr;
     QMenu* channels_;
     QActionGroup* channelGroup_ = nullptr;  ///< of its entries
     std::map<FixtureKind, QAction*> guides_;

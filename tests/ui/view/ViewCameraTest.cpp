@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace asperity {
 
@@ -101,6 +102,55 @@ TEST(ViewCamera, ResetsToItsFirstDirection) {
     EXPECT_GT((view.out() - first).norm(), 0.3);
     view.reset();
     EXPECT_EQ(view.out(), first);
+}
+
+TEST(ViewCamera, LooksFromTheSidesOfTheScan) {
+    const auto sees = [](ViewDirection side, const Vector3& right, const Vector3& up) {
+        ViewCamera view;
+        view.lookFrom(side);
+        EXPECT_LT((view.right() - right).norm(), 1e-12) << static_cast<int>(side);
+        EXPECT_LT((view.up() - up).norm(), 1e-12) << static_cast<int>(side);
+        vtkNew<vtkCamera> camera;
+        view.apply(camera, kBox, kAspect);
+        EXPECT_LT((Vector3(camera->GetViewUp()) - up).norm(), 1e-12);
+        EXPECT_LT((Vector3(camera->GetDirectionOfProjection()) + view.out()).norm(), 1e-12);
+    };
+    const Vector3 x = Vector3::UnitX();
+    const Vector3 y = Vector3::UnitY();
+    const Vector3 z = Vector3::UnitZ();
+    sees(ViewDirection::Front, x, z);
+    sees(ViewDirection::Back, -x, z);
+    sees(ViewDirection::Right, y, z);
+    sees(ViewDirection::Left, -y, z);
+    sees(ViewDirection::Top, x, y);
+    sees(ViewDirection::Bottom, x, -y);
+}
+
+TEST(ViewCamera, SeesNoHeightsFromAboveAndNoGroundFromItsEdge) {
+    ViewCamera view;
+    view.lookFrom(ViewDirection::Top);
+    EXPECT_EQ(view.heightSeen(), 0.0);
+    EXPECT_NEAR(view.horizontalMove(0.0, 2.0_nm).y(), 2.0_nm, 1e-20);
+    view.lookFrom(ViewDirection::Front);
+    EXPECT_EQ(view.heightSeen(), 1.0);
+    const Vector3 move = view.horizontalMove(3.0_nm, 2.0_nm);
+    EXPECT_NEAR(move.x(), 3.0_nm, 1e-20);
+    EXPECT_NEAR(move.y(), 0.0, 1e-20) << "no move along the line of sight";
+    view.turn(0.0, 0.1);
+    EXPECT_NEAR(view.out().z(), std::sin(0.1), 1e-12) << "turns on from there";
+}
+
+TEST(ViewCamera, WithPerspectiveHasTheSameScaleInTheMiddle) {
+    ViewCamera view;
+    vtkNew<vtkCamera> camera;
+    view.apply(camera, kBox, kAspect);
+    const double before = camera->GetParallelScale();
+    view.setPerspective(true);
+    view.apply(camera, kBox, kAspect);
+    EXPECT_EQ(camera->GetParallelProjection(), 0);
+    EXPECT_EQ(camera->GetParallelScale(), before);
+    const double halfAngle = 0.5 * camera->GetViewAngle() * std::numbers::pi / 180.0;
+    EXPECT_NEAR(std::tan(halfAngle) * camera->GetDistance(), before, 1e-9 * before);
 }
 
 }  // namespace asperity

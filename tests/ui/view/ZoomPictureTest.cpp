@@ -66,20 +66,21 @@ TEST_F(ZoomPictureTest, TheFrameGoesWithTheTipUnlessItIsDragged) {
 TEST_F(ZoomPictureTest, SaysWhatItDoesNotShowAsItIs) {
     using testing::ElementsAre;
     picture.setScene(&scene);
-    EXPECT_TRUE(picture.notes().empty());
+    EXPECT_TRUE(picture.notes({}).empty());
     ViewOptions options;
     options.heightScale = 5.0;
     picture.setOptions(options);
-    EXPECT_THAT(picture.notes(), ElementsAre("heights ×5"));
+    EXPECT_THAT(picture.notes({}), ElementsAre("heights ×5"));
     picture.setOptions({});
     const Scene wide = buildScene(plainScene(), mapOfPitch(4e-9));
     picture.setScene(&wide);
     picture.setHalfWidth(1e-6);
-    EXPECT_THAT(picture.notes(), ElementsAre("lever not to scale"));
+    EXPECT_THAT(picture.notes({}), ElementsAre("lever not to scale"));
     const Scene coarse = buildScene(plainScene(), mapOfPitch(24e-9));
     picture.setScene(&coarse);
     picture.setHalfWidth(picture.scale().least);
-    EXPECT_THAT(picture.notes(), ElementsAre("Scan pixel 24 nm: coarse for a tip radius of 15 nm"));
+    EXPECT_THAT(picture.notes({}),
+                ElementsAre("Scan pixel 24 nm: coarse for a tip radius of 15 nm"));
     picture.setScene(nullptr);
 }
 

@@ -210,7 +210,7 @@ TEST_F(ZoomViewTest, SaysWhatItsColorsMean) {
     const double pushedIn = moments.deep.sample.output.model.contact.indentation;
     EXPECT_GE(view->displacementScale().high, 0.9 * pushedIn);
     EXPECT_LE(view->displacementScale().high, 4.0 * pushedIn);
-    EXPECT_FALSE(view->heightScale().colors.empty());
+    EXPECT_FALSE(view->colorScale().colors.empty());
     const int changes = static_cast<int>(changed.count());
     view->showSnapshot(moments.deep);
     EXPECT_EQ(changed.count(), changes) << "the same picture, the same scales";
@@ -264,7 +264,7 @@ TEST_F(ZoomViewTest, IsEmptyWithoutAScene) {
               QColor(backdrop.red, backdrop.green, backdrop.blue));
     EXPECT_FALSE(view->window().has_value());
     EXPECT_EQ(view->halfWidth(), 0.0);
-    EXPECT_TRUE(view->heightScale().colors.empty());
+    EXPECT_TRUE(view->colorScale().colors.empty());
     view->setHalfWidth(10.0_nm);
     view->resetCamera();
     view->setOptions({.heightScale = 2.0});

@@ -1,0 +1,183 @@
+#include "app/session/ColorControl.h"
+
+#include "app/program/SurfaceImages.h"
+#include "ui/window/ColorsMenu.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMenus.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+QString nameOfImage(const SurfaceLook& look) {
+    return look.quantity == SurfaceQuantity::Channel ? look.channel
+                                                     : QObject::tr(nameOf(look.quantity));
+}
+
+}  // namespace
+
+ColorControl::ColorControl(MainWindow& window, RunControl& runs)
+    : window_(window)
+    , runs_(runs)
+    , loader_({.progressed =
+                   [this](double share) {
+                       window_.tell(tr("Reading %1: %2 %")
+                                        .arg(nameOfImage(look_))
+                                        .arg(std::lround(100.0 * share)));
+                   },
+               .finished =
+                   [this](PixelField& image) {
+                       loaded_ = std::exchange(loading_, {});
+                       image_ = std::make_shared<const PixelField>(std::move(image));
+                       show();
+                   },
+               .failed =
+                   [this](const std::exception_ptr& reason) {
+                       loading_.clear();
+                       showHeights(reasonOf(reason));
+                   }}) {
+    connect(&window.menus().colors(), &ColorsMenu::lookChosen, this, &ColorControl::choose);
+    connect(&runs, &RunControl::ending, this, &ColorControl::leaveScene);
+    connect(&runs, &RunControl::begun, this, &ColorControl::beginScene);
+    offer();
+}
+
+void ColorControl::choose(const SurfaceLook& look) {
+    look_ = look;
+    show();
+}
+
+/// Only a file holds them.
+bool ColorControl::isOfFile() const {
+    return look_.quantity == SurfaceQuantity::Residual ||
+           look_.quantity == SurfaceQuantity::Channel;
+}
+
+/// What an image depends on: while it is the same, the image need not be read again.
+std::string ColorControl::imageKey() const {
+    const Scene& scene = runs_.run()->scene();
+    const SampleDescription& sample = scene.description.sample;
+    std::ostringstream key;
+    key << keyOf(look_.quantity) << '\n'
+        << look_.channel.toStdString() << '\n'
+        << sample.file << '\n'
+        << runs_.run()->loaded().sha256 << '\n'
+        << scene.surface.sizeX() << '\n'
+        << scene.surface.sizeY() << '\n';
+    if (look_.quantity == SurfaceQuantity::Residual) {
+        key << sample.channel << '\n'
+            << sample.smoothingPixels << '\n'
+            << sample.smoothingLength << '\n'
+            << sample.erode << sample.imagingTipRadius << '\n'
+            << textOf(sample.leveling);
+        for (const Vector2& point : sample.levelPoints.value_or(LevelPoints{})) {
+            key << '\n' << point.transpose();
+        }
+    }
+    return key.str();
+}
+
+void ColorControl::show() {
+    if (runs_.run() == nullptr) {
+        window_.showLook(look_, isOfFile() || look_.quantity == SurfaceQuantity::Certainty
+                                    ? SurfaceField()
+                                    : SurfaceField(look_.quantity));
+        return;
+    }
+    const Scene& scene = runs_.run()->scene();
+    if (!isOfFile()) {
+        loader_.cancel();
+        loading_.clear();
+        window_.showLook(look_, look_.quantity == SurfaceQuantity::Certainty
+                                    ? SurfaceField(scene.certainty)
+                                    : SurfaceField(look_.quantity));
+        return;
+    }
+    if (loaded_ == imageKey()) {
+        window_.showLook(look_, SurfaceField(look_.quantity, image_, look_.channel.toStdString()));
+        return;
+    }
+    window_.showLook(look_, SurfaceField());  // heights, until the image is read
+    if (loading_ != imageKey()) {
+        load();
+    }
+}
+
+/// The surface goes along: the run may end meanwhile.
+void ColorControl::load() {
+    const Scene& scene = runs_.run()->scene();
+    loading_ = imageKey();
+    window_.tell(tr("Reading %1…").arg(nameOfImage(look_)));
+    loader_.start([sample = scene.description.sample,
+                   surface = std::make_shared<const BSplineSurface>(scene.surface),
+                   channel = look_.channel.toStdString(),
+                   isResidual = look_.quantity == SurfaceQuantity::Residual](Progress& progress) {
+        return isResidual ? residualImage(sample, *surface, &progress)
+                          : imageBeside(sample, *surface, channel, &progress);
+    });
+}
+
+void ColorControl::showHeights(const QString& reason) {
+    const QString name = nameOfImage(look_);
+    look_.quantity = SurfaceQuantity::Height;
+    look_.channel.clear();
+    show();
+    window_.complain(tr("%1 cannot be shown: %2").arg(name, reason));
+}
+
+/// Nothing of the scene stays behind.
+void ColorControl::leaveScene() {
+    loader_.cancel();
+    loading_.clear();
+    if (!SurfaceField(look_.quantity).isLive()) {
+        window_.showLook(look_, SurfaceField());
+    }
+}
+
+void ColorControl::beginScene() {
+    offer();
+    const Scene& scene = runs_.run()->scene();
+    const std::vector<std::string>& images = runs_.run()->loaded().images;
+    const bool isMissing =
+        (look_.quantity == SurfaceQuantity::Channel &&
+         std::ranges::find(images, look_.channel.toStdString()) == images.end()) ||
+        (look_.quantity == SurfaceQuantity::Certainty && !scene.certainty.isKnown()) ||
+        (look_.quantity == SurfaceQuantity::Residual && scene.description.sample.file.empty());
+    if (isMissing) {
+        window_.tell(tr("The scan has no %1: colored by height").arg(nameOfImage(look_)));
+        look_.quantity = SurfaceQuantity::Height;
+        look_.channel.clear();
+    }
+    show();
+}
+
+/// Which quantities the scene has.
+void ColorControl::offer() {
+    ColorsMenu& menu = window_.menus().colors();
+    if (runs_.run() == nullptr) {
+        menu.refuse(SurfaceQuantity::Residual, tr("No scan is open"));
+        menu.refuse(SurfaceQuantity::Certainty, tr("No scan is open"));
+        return;
+    }
+    const Scene& scene = runs_.run()->scene();
+    QStringList images;
+    for (const std::string& name : runs_.run()->loaded().images) {
+        images << QString::fromStdString(name);
+    }
+    menu.setChannels(images);
+    menu.refuse(SurfaceQuantity::Certainty,
+                scene.certainty.isKnown()
+                    ? QString()
+                    : tr("The scene does not say which tip recorded the scan: [sample] "
+                         "imaging_tip_radius_m"));
+    menu.refuse(SurfaceQuantity::Residual, scene.description.sample.file.empty()
+                                               ? tr("The sample is a shape, not a scan")
+                                               : QString());
+}
+
+}  // namespace asperity

@@ -1,0 +1,99 @@
+#include "app/session/ColorControl.h"
+
+#include "app/session/SceneControl.h"
+#include "tests/app/session/ControlFixture.h"
+#include "ui/panels/OverviewMap.h"
+#include "ui/panels/OverviewPanel.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/ColorsMenu.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+#include <QMenu>
+
+namespace asperity::test {
+namespace {
+
+const std::filesystem::path kSteps = std::filesystem::path(ASPERITY_DATA_DIR) / "samples/steps.gsf";
+
+class ColorControlTest : public ControlFixture {
+protected:
+    void choose(SurfaceQuantity quantity) {
+        SurfaceLook look = window.menus().colors().look();
+        look.quantity = quantity;
+        window.menus().colors().choose(look);
+    }
+    QString shown() { return window.view().colorScale().quantity; }
+    QString shownOfAll() { return window.overview().map().colors().quantity; }
+    QAction& entry(const char* name) { return *window.findChild<QAction*>(name); }
+
+    ColorControl colors{window, runs};
+    SceneControl scenes{window, runs, edits};
+};
+
+TEST_F(ColorControlTest, AllViewsAreColoredByTheSameQuantity) {
+    useFlatScene();
+    choose(SurfaceQuantity::Slope);
+    EXPECT_EQ(shown(), QStringLiteral("slope"));
+    EXPECT_EQ(shownOfAll(), QStringLiteral("slope"));
+    choose(SurfaceQuantity::Gap);
+    EXPECT_EQ(shown(), QStringLiteral("gap to the tip"));
+    EXPECT_EQ(shownOfAll(), QStringLiteral("height")) << "there is no tip over the whole scan";
+}
+
+TEST_F(ColorControlTest, ReadsTheResidualInTheBackground) {
+    scenes.open(kSteps);
+    ASSERT_TRUE(eventually([this] { return runs.run() != nullptr; }));
+    choose(SurfaceQuantity::Residual);
+    EXPECT_EQ(shown(), QStringLiteral("height")) << "until it is read";
+    ASSERT_TRUE(eventually([this] { return shown() == QStringLiteral("residual"); }));
+    EXPECT_GT(window.overview().map().colors().dataHigh, 1e-13);
+    choose(SurfaceQuantity::Height);
+    choose(SurfaceQuantity::Residual);
+    EXPECT_EQ(shown(), QStringLiteral("residual")) << "it is kept";
+}
+
+TEST_F(ColorControlTest, SaysWhatASceneDoesNotHave) {
+    EXPECT_FALSE(entry("colorBy.residual").isEnabled()) << "no scan";
+    useFlatScene();
+    EXPECT_FALSE(entry("colorBy.certainty").isEnabled());
+    EXPECT_TRUE(
+        entry("colorBy.certainty").toolTip().contains(QStringLiteral("imaging_tip_radius_m")));
+    SceneDescription known = plainScene();
+    known.sample.imagingTipRadius = 10e-9;
+    runs.use({.scene = buildScene(known, hillyMap()), .format = "", .sha256 = "", .notes = {}});
+    EXPECT_TRUE(entry("colorBy.certainty").isEnabled());
+    choose(SurfaceQuantity::Certainty);
+    EXPECT_EQ(shown(), QStringLiteral("certainty"));
+    useFlatScene();
+    EXPECT_EQ(shown(), QStringLiteral("height"));
+    EXPECT_NE(told().find("certainty"), std::string::npos);
+}
+
+TEST_F(ColorControlTest, AFileThatIsGoneIsTold) {
+    const std::filesystem::path copy = folder.file("gone.gsf");
+    std::filesystem::copy_file(kSteps, copy);
+    scenes.open(copy);
+    ASSERT_TRUE(eventually([this] { return runs.run() != nullptr; }));
+    std::filesystem::remove(copy);
+    choose(SurfaceQuantity::Residual);
+    ASSERT_TRUE(eventually(
+        [this] { return window.menus().colors().look().quantity == SurfaceQuantity::Height; }));
+    EXPECT_NE(complaint().find("gone.gsf"), std::string::npos);
+    EXPECT_EQ(shown(), QStringLiteral("height"));
+}
+
+TEST_F(ColorControlTest, APinnedRangeStaysForAnotherMaterial) {
+    useFlatScene();
+    SurfaceLook look = window.menus().colors().look();
+    look.of(SurfaceQuantity::Height).pinned = true;
+    window.menus().colors().choose(look);
+    const double high = window.overview().map().colors().high;
+    runs.use(
+        {.scene = buildScene(plainScene(), hillyMap()), .format = "", .sha256 = "", .notes = {}});
+    EXPECT_EQ(window.overview().map().colors().high, high);
+    EXPECT_TRUE(window.overview().map().colors().clipsHigh());
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,99 @@
+#include "ui/view/ContactPlot.h"
+
+#include "core/Units.h"
+#include "tests/support/TestScenes.h"
+#include "tests/ui/view/ViewMoments.h"
+
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace asperity::test {
+namespace {
+
+class ContactPlotTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        plot.resize(600, 400);
+        plot.setScene(&scene);
+    }
+
+    Scene scene = flatScene();
+    ViewMoments moments = momentsOf(scene);
+    ContactPlot plot;
+};
+
+TEST_F(ContactPlotTest, IsEmptyWithoutATip) {
+    EXPECT_FALSE(plot.section());
+    plot.grab();
+    plot.showSnapshot(moments.deep);
+    EXPECT_TRUE(plot.section());
+    plot.setScene(nullptr);
+    EXPECT_FALSE(plot.section());
+}
+
+TEST_F(ContactPlotTest, IsTrueToScaleUnlessAFactorIsAskedFor) {
+    plot.showSnapshot(moments.deep);
+    EXPECT_EQ(plot.drawnFactor(), 1.0);
+    const auto lengths = [this] {
+        const QPointF from = plot.toPixel({0.0, 0.0});
+        return QPointF(plot.toPixel({2.0_nm, 0.0}).x() - from.x(),
+                       from.y() - plot.toPixel({0.0, 2.0_nm}).y());
+    };
+    EXPECT_NEAR(lengths().x(), lengths().y(), 1e-9);
+    plot.setHeightFactor(5.0);
+    EXPECT_NEAR(5.0 * lengths().x(), lengths().y(), 1e-9);
+    plot.setHeightFactor(0.0);
+    EXPECT_GT(plot.drawnFactor(), 1.0) << "a dent of nanometers is flat";
+    EXPECT_NEAR(plot.drawnFactor() * lengths().x(), lengths().y(), 1e-9);
+}
+
+TEST_F(ContactPlotTest, ShowsTheSurfaceWhereThePlotSaysItIs) {
+    plot.showSnapshot(moments.deep);
+    const QImage picture = plot.grab().toImage();
+    const QPointF middle = plot.toPixel(plot.section()->contact);
+    const QPointF aside = plot.toPixel({0.9 * plot.halfWidth(), 0.0});
+    EXPECT_GT(middle.y(), aside.y() + 1.0) << "the dent lies deeper, on the screen too";
+    const auto darkest = [&](const QPointF& at) {
+        int lightness = 255;
+        for (int dy = -2; dy <= 2; ++dy) {
+            lightness =
+                std::min(lightness, picture.pixelColor(at.toPoint() + QPoint(0, dy)).lightness());
+        }
+        return lightness;
+    };
+    EXPECT_LT(darkest(aside), 110);
+    EXPECT_GT(picture.pixelColor(aside.toPoint() - QPoint(0, 30)).lightness(), 200);
+}
+
+TEST_F(ContactPlotTest, TurnsItsPlaneWithoutAnotherSnapshot) {
+    plot.showSnapshot(moments.deep);
+    plot.setAzimuth(std::numbers::pi / 2.0);
+    ASSERT_TRUE(plot.section());
+    EXPECT_NEAR(plot.section()->direction.y(), 1.0, 1e-12);
+}
+
+TEST_F(ContactPlotTest, PointsAtThePlaceUnderThePointerAlongThePlane) {
+    plot.setAzimuth(std::numbers::pi / 2.0);
+    plot.showSnapshot(moments.deep);
+    QSignalSpy hovered(&plot, &ContactPlot::placeHovered);
+    const QPointF pixel = plot.toPixel({10.0_nm, 0.0});
+    QMouseEvent move(QEvent::MouseMove, pixel, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&plot, &move);
+    ASSERT_EQ(hovered.count(), 1);
+    EXPECT_NEAR(hovered[0][0].toDouble(), plot.section()->axis.x(), 1e-15);
+    EXPECT_NEAR(hovered[0][1].toDouble(), plot.section()->axis.y() + 10.0_nm, 1e-13);
+    QSignalSpy left(&plot, &ContactPlot::placeLeft);
+    QMouseEvent out(QEvent::MouseMove, QPointF(2.0, 2.0), Qt::NoButton, Qt::NoButton,
+                    Qt::NoModifier);
+    QApplication::sendEvent(&plot, &out);
+    EXPECT_EQ(left.count(), 1);
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,119 @@
+#include "core/Units.h"
+#include "tests/support/TestScenes.h"
+#include "tests/ui/view/ZoomViewFixture.h"
+#include "vtkplugins/pictures/Palette.h"
+
+#include <QSignalSpy>
+
+#include <cmath>
+
+namespace asperity::test {
+
+namespace {
+
+/// A place of the surface that the tip leaves alone, and one in its dent.
+const Vector2 kAside(80.0_nm, 50.0_nm);
+
+}  // namespace
+
+TEST_F(ZoomViewTest, FindsThePlaceUnderThePointer) {
+    const Scene hilly = hillyScene();
+    view->setScene(&hilly);
+    settle();
+    for (const double heightScale : {1.0, 5.0}) {
+        view->setOptions({.heightScale = heightScale});
+        for (const ViewDirection side : {ViewDirection::Top, ViewDirection::Front}) {
+            view->lookFrom(side);
+            for (const bool perspective : {false, true}) {
+                view->setPerspective(perspective);
+                settle();
+                const double y =
+                    side == ViewDirection::Front ? view->window()->bottom + 1.0_nm : 60.0_nm;
+                const Vector3 place(58.0_nm, y, hilly.surface.at(58.0_nm, y).height);
+                const auto found = view->placeAt(view->onScreen(place));
+                ASSERT_TRUE(found) << heightScale << " " << static_cast<int>(side);
+                EXPECT_NEAR(found->x(), place.x(), 1e-12) << heightScale;
+                if (side == ViewDirection::Top) {
+                    EXPECT_NEAR(found->y(), place.y(), 1e-12) << heightScale;
+                }
+            }
+        }
+    }
+    EXPECT_FALSE(view->placeAt({3.0, 3.0})) << "the backdrop";
+    view->setScene(nullptr);
+}
+
+TEST_F(ZoomViewTest, FindsThePlaceInTheDentWhereItHasGone) {
+    pictureOf(moments.deep);
+    const Vector2 rest =
+        moments.deep.sample.output.model.closest.point.head<2>() + Vector2(1.0_nm, -2.0_nm);
+    const double displacement = view->reading(rest)->value;
+    EXPECT_GT(displacement, 0.1_nm);
+    const auto found = view->placeAt(view->onScreen({rest.x(), rest.y(), -displacement}));
+    ASSERT_TRUE(found);
+    EXPECT_LT((*found - rest).norm(), 0.02_nm);
+}
+
+TEST_F(ZoomViewTest, ReadsPlaceHeightAndTheQuantityOfTheColors) {
+    pictureOf(moments.deep);
+    const SurfaceReading aside = *view->reading(kAside);
+    EXPECT_EQ(textOf(aside), QStringLiteral("x 80.00 nm   y 50.00 nm   z 0.00 nm"));
+    SurfaceLook look;
+    look.quantity = SurfaceQuantity::Pressure;
+    view->setLook(look, SurfaceField(SurfaceQuantity::Pressure));
+    const Vector2 middle = moments.deep.sample.output.model.closest.point.head<2>();
+    const SurfaceReading inside = *view->reading(middle);
+    EXPECT_EQ(inside.quantity, QStringLiteral("contact pressure"));
+    EXPECT_GT(inside.value, 1e8);
+    EXPECT_TRUE(textOf(inside).contains(QStringLiteral("Pa")));
+    EXPECT_EQ(view->reading(kAside)->value, 0.0);
+    look.quantity = SurfaceQuantity::Slope;
+    view->setLook(look, SurfaceField(SurfaceQuantity::Slope));
+    EXPECT_TRUE(textOf(*view->reading(kAside)).endsWith(QStringLiteral("slope 0 °")));
+}
+
+TEST_F(ZoomViewTest, DrawsTheCrossHairWhereItPoints) {
+    const QImage without = pictureOf(moments.away);
+    view->showCrossHair(kAside);
+    const QImage with = pictureOf(moments.away);
+    const auto isMarker = [](const QColor& color) {
+        return color.red() > 150 && color.green() < 110 && color.blue() < 150;
+    };
+    const Vector3 onLine(kAside.x() + 6.0_nm, kAside.y(), 0.0);
+    EXPECT_FALSE(isMarker(colorAt(without, onLine)));
+    EXPECT_TRUE(isMarker(colorAt(with, onLine)));
+    EXPECT_FALSE(isMarker(colorAt(with, {kAside.x() + 6.0_nm, kAside.y() + 6.0_nm, 0.0})));
+    view->showCrossHair(std::nullopt);
+    EXPECT_FALSE(isMarker(colorAt(pictureOf(moments.away), onLine)));
+}
+
+TEST_F(ZoomViewTest, TheCrossHairCostsNoFrameWhileSnapshotsCome) {
+    pictureOf(moments.away);
+    QSignalSpy frames(view.get(), &ZoomView::frameRendered);
+    view->showSnapshot(moments.away);
+    view->showCrossHair(kAside);
+    view->showCrossHair(Vector2(81.0_nm, 50.0_nm));
+    QTest::qWait(40);
+    EXPECT_EQ(frames.count(), 1);
+    QTest::qWait(200);  // no snapshot any more
+    view->showCrossHair(kAside);
+    QTest::qWait(60);
+    EXPECT_EQ(frames.count(), 2);
+}
+
+TEST_F(ZoomViewTest, SaysWhereThePointerIs) {
+    pictureOf(moments.away);
+    QSignalSpy hovered(view.get(), &ZoomView::placeHovered);
+    QSignalSpy left(view.get(), &ZoomView::placeLeft);
+    const QPointF pixel = view->onScreen({kAside.x(), kAside.y(), 0.0});
+    QTest::mouseMove(view.get(), pixel.toPoint());
+    QTest::qWait(20);
+    ASSERT_GE(hovered.count(), 1);
+    EXPECT_NEAR(hovered.last()[0].toDouble(), kAside.x(), 0.4_nm);
+    EXPECT_NEAR(hovered.last()[1].toDouble(), kAside.y(), 0.4_nm);
+    QTest::mouseMove(view.get(), QPoint(3, 3));
+    QTest::qWait(20);
+    EXPECT_GE(left.count(), 1);
+}
+
+}  // namespace asperity::test

@@ -1,0 +1,116 @@
+#include "ui/window/SecondView.h"
+
+#include "core/Units.h"
+#include "tests/support/TestScenes.h"
+#include "tests/ui/view/ViewMoments.h"
+#include "ui/panels/NumberBox.h"
+#include "ui/panels/OverviewMap.h"
+#include "ui/panels/OverviewPanel.h"
+#include "ui/view/ContactPlot.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace asperity::test {
+namespace {
+
+class SecondViewTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        window.showScene(&scene, QStringLiteral("a flat sample"));
+        window.resize(1280, 800);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    }
+    void TearDown() override { window.showScene(nullptr, {}); }
+    SecondView& second() { return window.second(); }
+
+    Scene scene = flatScene();
+    ViewMoments moments = momentsOf(scene);
+    MainWindow window;
+};
+
+TEST_F(SecondViewTest, IsHiddenAtFirstAndDoesNothingThen) {
+    EXPECT_FALSE(second().isVisible());
+    QSignalSpy frames(&second().space(), &ZoomView::frameRendered);
+    second().showSnapshot(moments.deep);
+    EXPECT_FALSE(second().section().section()) << "no section is made";
+    EXPECT_FALSE(second().space().window()) << "no terrain either";
+    EXPECT_EQ(frames.count(), 0);
+}
+
+TEST_F(SecondViewTest, ShowsASectionOrA3DView) {
+    window.menus().secondView->trigger();
+    ASSERT_TRUE(second().isVisible());
+    second().showSnapshot(moments.deep);
+    EXPECT_TRUE(second().section().section());
+    SecondViewSettings settings = second().settings();
+    settings.content = SecondContent::Space;
+    second().setSettings(settings);
+    QTest::qWait(50);
+    EXPECT_TRUE(second().space().isVisible());
+    EXPECT_FALSE(second().section().isVisible());
+    EXPECT_FALSE(second().section().section()) << "what is not seen holds no scene";
+    QSignalSpy frames(&second().space(), &ZoomView::frameRendered);
+    second().showSnapshot(moments.deep);
+    EXPECT_EQ(frames.count(), 1);
+    EXPECT_TRUE(second().space().window());
+    window.menus().secondView->trigger();
+    EXPECT_FALSE(second().space().window());
+}
+
+TEST_F(SecondViewTest, HasADirectionAndOptionsOfItsOwn) {
+    SecondViewSettings settings;
+    settings.content = SecondContent::Space;
+    settings.options.heightScale = 5.0;
+    second().setSettings(settings);
+    window.menus().secondView->trigger();
+    second().space().lookFrom(ViewDirection::Top);
+    EXPECT_EQ(second().space().options().heightScale, 5.0);
+    EXPECT_EQ(window.view().options().heightScale, 1.0);
+    EXPECT_NE(window.view().camera().out(), second().space().camera().out());
+}
+
+TEST_F(SecondViewTest, TheDirectionOfTheSectionIsTyped) {
+    window.menus().secondView->trigger();
+    auto* direction = second().findChild<NumberBox*>("sectionDirection");
+    direction->setValue(45.0);
+    EXPECT_NEAR(second().section().azimuth(), std::numbers::pi / 4.0, 1e-12);
+    EXPECT_EQ(second().settings().azimuth, 45.0);
+}
+
+TEST_F(SecondViewTest, OneCrossHairIsInAllViews) {
+    window.menus().secondView->trigger();
+    window.view().showSnapshot(moments.deep);
+    second().showSnapshot(moments.deep);
+    Q_EMIT second().section().placeHovered(70.0_nm, 60.0_nm);
+    ASSERT_TRUE(window.view().crossHair());
+    EXPECT_EQ(*window.view().crossHair(), Vector2(70.0_nm, 60.0_nm));
+    OverviewMap& map = window.overview().map();
+    ASSERT_TRUE(map.crossHair());
+    EXPECT_EQ(map.crossHair()->x(), 70.0_nm);
+    Q_EMIT map.placeHovered(20.0_nm, 30.0_nm);
+    EXPECT_EQ(*window.view().crossHair(), Vector2(20.0_nm, 30.0_nm));
+    Q_EMIT window.view().placeLeft();
+    EXPECT_FALSE(window.view().crossHair());
+    EXPECT_FALSE(map.crossHair());
+}
+
+TEST_F(SecondViewTest, MovesTheTipAsTheLargeViewDoes) {
+    QSignalSpy dragged(&window.view(), &ZoomView::tipDragged);
+    Q_EMIT second().space().tipDragged(1e-9, 2e-9);
+    ASSERT_EQ(dragged.count(), 1);
+    EXPECT_EQ(dragged[0][1].toDouble(), 2e-9);
+}
+
+}  // namespace
+}  // namespace asperity::test

@@ -1,0 +1,380 @@
+#include "ui/view/ContactPlot.h"
+
+#include "core/SiFormat.h"
+#include "core/deformation/SurfaceField.h"
+#include "ui/Theme.h"
+#include "ui/view/ContactShape.h"
+#include "ui/view/ForceScale.h"
+#include "ui/view/ViewScale.h"
+#include "vtkplugins/pictures/Ticks.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+// Pixels.
+constexpr double kLeft = 58.0;
+constexpr double kRight = 12.0;
+constexpr double kTop = 26.0;
+constexpr double kBottom = 38.0;
+constexpr double kTick = 4.0;
+constexpr double kArrowHead = 7.0;
+constexpr int kTickRoom = 64;
+
+constexpr double kMinHalfWidth = 2.0;    // in contact radii, or kUsual tip radii without
+constexpr double kUsualHalfWidth = 2.0;  // in tip radii
+constexpr double kWheelStep = 1.2;
+constexpr double kNotch = 120.0;  // eighths of a degree
+constexpr double kFill = 0.75;    // of the plot's height, by what fits
+constexpr double kMaxFactor = 1000.0;
+constexpr double kMarkReach = 7.0;  // of the contact's marks [px]
+
+/// What the section shows of heights near the contact [m].
+ValueRange heightsOf(const ContactSection& section) {
+    ValueRange heights{section.contact.y(), section.contact.y()};
+    for (const auto* line : {&section.rest, &section.deformed}) {
+        for (const Vector2& point : *line) {
+            heights.low = std::min(heights.low, point.y());
+            heights.high = std::max(heights.high, point.y());
+        }
+    }
+    return heights;
+}
+
+QString angleText(double azimuth) {
+    return QStringLiteral("%1°").arg(azimuth * 180.0 / std::numbers::pi, 0, 'g', 3);
+}
+
+}  // namespace
+
+ContactPlot::ContactPlot(QWidget* parent) : QWidget(parent) {
+    setMouseTracking(true);
+    setMinimumSize(200, 120);
+    setToolTip(tr("Section through the tip: surface at rest (dashed) and deformed, outline of the "
+                  "tip, ends of the contact, force of the sample on the tip in this plane.\n"
+                  "Ctrl + wheel: zoom"));
+}
+
+void ContactPlot::setScene(const Scene* scene) {
+    scene_ = scene;
+    halfSpace_.reset();
+    section_.reset();
+    sample_.reset();
+    crossHair_.reset();
+    if (scene_ != nullptr) {
+        const ViewScale scale = viewScale(*scene_);
+        paraboloidReach_ = scale.paraboloidReach;
+        forceScale_ = scale.force;
+        plane_.halfWidth =
+            std::max(kUsualHalfWidth * scene_->belief.tipRadius(),
+                     kMinHalfWidth * unloadedContactRadius(scene_->belief.contact.pair()));
+    }
+    update();
+}
+
+void ContactPlot::setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer) {
+    halfSpace_ = std::move(answer);
+}
+
+void ContactPlot::showSnapshot(const Snapshot& snapshot) {
+    if (scene_ == nullptr) {
+        return;
+    }
+    sample_ = snapshot.sample;
+    cut();
+}
+
+/// Makes the section of the sample anew.
+void ContactPlot::cut() {
+    section_.reset();
+    if (sample_ && isDrawable(sample_->output.model)) {
+        const TipState& state = sample_->output.model;
+        plane_.tipHeight = 6.0 * plane_.halfWidth;
+        plane_.paraboloidReach = paraboloidReach_;
+        section_ = contactSection(
+            *scene_,
+            ContactDeformation(*scene_, state, scene_->model.deformation, halfSpace_.get()),
+            plane_);
+        fitScale();
+    }
+    update();
+}
+
+void ContactPlot::setAzimuth(double azimuth) {
+    plane_.azimuth = azimuth;
+    cut();
+}
+
+void ContactPlot::setHeightFactor(double factor) {
+    heightFactor_ = factor;
+    if (section_) {
+        fitScale();
+    }
+    update();
+}
+
+void ContactPlot::setHalfWidth(double halfWidth) {
+    if (scene_ != nullptr) {
+        const double largest = 0.5 * std::max(scene_->surface.sizeX(), scene_->surface.sizeY());
+        const double least = 0.02 * scene_->belief.tipRadius();
+        plane_.halfWidth = std::clamp(halfWidth, std::min(least, largest), largest);
+        cut();
+    }
+}
+
+QRectF ContactPlot::area() const { return QRectF(rect()).adjusted(kLeft, kTop, -kRight, -kBottom); }
+
+/// The tip's apex stays in the upper middle; heights fill the plot where they shall.
+void ContactPlot::fitScale() {
+    const QRectF inside = area();
+    metersPerPixel_ = 2.0 * plane_.halfWidth / std::max(inside.width(), 1.0);
+    const ValueRange heights = heightsOf(*section_);
+    drawnFactor_ = heightFactor_;
+    if (heightFactor_ <= 0.0) {
+        const double extent = std::max(heights.high - heights.low, 1e-12);
+        const double fits = kFill * inside.height() * metersPerPixel_ / extent;
+        drawnFactor_ = fits > 1.0 ? std::min(niceBelow(fits), kMaxFactor) : 1.0;
+    }
+    const double seen = inside.height() * metersPerPixel_ / drawnFactor_;
+    const double sampleMiddle = 0.5 * (heights.low + heights.high);
+    // What is higher than the plot is centered at the contact.
+    middleHeight_ = heights.high - heights.low > seen ? section_->contact.y() : sampleMiddle;
+}
+
+QPointF ContactPlot::toPixel(const Vector2& point) const {
+    const QRectF inside = area();
+    return {inside.center().x() + point.x() / metersPerPixel_,
+            inside.center().y() - (point.y() - middleHeight_) * drawnFactor_ / metersPerPixel_};
+}
+
+QPolygonF ContactPlot::drawn(const std::vector<Vector2>& points) const {
+    QPolygonF polygon;
+    for (const Vector2& point : points) {
+        polygon << toPixel(point);
+    }
+    return polygon;
+}
+
+void ContactPlot::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.fillRect(rect(), theme::colors().paper);
+    painter.setFont(theme::textFont(theme::kSmallSize));
+    if (!section_) {
+        painter.setPen(theme::colors().muted);
+        painter.drawText(rect(), Qt::AlignCenter, tr("No tip to cut through"));
+        return;
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.save();
+    painter.setClipRect(area());
+    drawBodies(painter);
+    drawContact(painter);
+    drawForce(painter);
+    painter.restore();
+    drawAxes(painter);
+    drawLegend(painter);
+    drawCrossHair(painter);
+}
+
+void ContactPlot::drawBodies(QPainter& painter) const {
+    const QRectF inside = area();
+    QPolygonF sample = drawn(section_->deformed);
+    if (!sample.isEmpty()) {
+        const QPointF first = sample.front();
+        const QPointF last = sample.back();
+        QPolygonF block = sample;
+        block << QPointF(last.x(), inside.bottom() + 2.0)
+              << QPointF(first.x(), inside.bottom() + 2.0);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme::colors().faint);
+        painter.drawPolygon(block);
+    }
+    const QPolygonF tip = drawn(section_->tip);
+    QColor body(theme::colors().tip);
+    body.setAlphaF(0.35);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(body);
+    painter.drawPolygon(tip);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme::colors().muted, 1.2, Qt::DashLine));
+    painter.drawPolyline(drawn(section_->rest));
+    painter.setPen(QPen(theme::colors().ink, 2.0));
+    painter.drawPolyline(sample);
+    painter.setPen(QPen(theme::colors().tip, 2.0));
+    painter.drawPolyline(tip);
+}
+
+/// The ends of the contact, and its axis.
+void ContactPlot::drawContact(QPainter& painter) const {
+    if (!section_->rim) {
+        return;
+    }
+    painter.setPen(QPen(theme::colors().accent, 2.0));
+    for (const Vector2& end : *section_->rim) {
+        const QPointF at = toPixel(end);
+        painter.drawLine(at - QPointF(0.0, kMarkReach), at + QPointF(0.0, kMarkReach));
+    }
+}
+
+/// As long as in the large view, in parts of the plot's height; its tail is at the contact.
+void ContactPlot::drawForce(QPainter& painter) const {
+    const ForceEstimate& estimate = sample_->output.estimate;
+    const Vector3 force = estimate.force;
+    const Vector2 inPlane(force.head<2>().dot(section_->direction), force.z());
+    const double size = inPlane.norm();
+    if (!(size > 0.0) || !std::isfinite(size)) {
+        return;
+    }
+    const double length = arrowLength(size, forceScale_, 0.45 * area().height());
+    if (length < kArrowHead) {
+        return;
+    }
+    const QPointF from = toPixel(section_->contact);
+    const QPointF way(inPlane.x() / size, -inPlane.y() / size);
+    const QPointF to = from + length * way;
+    const QPointF across(-way.y(), way.x());
+    painter.setPen(QPen(theme::colors().force, 2.5));
+    painter.drawLine(from, to - kArrowHead * way);
+    painter.setBrush(theme::colors().force);
+    painter.setPen(Qt::NoPen);
+    painter.drawPolygon(QPolygonF({to, to - 1.6 * kArrowHead * way + 0.6 * kArrowHead * across,
+                                   to - 1.6 * kArrowHead * way - 0.6 * kArrowHead * across}));
+    painter.setPen(theme::colors().force);
+    painter.setFont(theme::boldFont(theme::kTextSize));
+    painter.drawText(to + QPointF(8.0, 4.0), QString::fromStdString(formatSi(size, "N")));
+}
+
+void ContactPlot::drawAxes(QPainter& painter) const {
+    const QRectF inside = area();
+    painter.setFont(theme::textFont(theme::kSmallSize));
+    painter.setPen(theme::colors().muted);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(inside);
+    const double halfHeight = 0.5 * inside.height() * metersPerPixel_ / drawnFactor_;
+    const SiScale along = siScaleFor(plane_.halfWidth, "m");
+    const SiScale up = siScaleFor(
+        std::max(std::abs(middleHeight_ - halfHeight), std::abs(middleHeight_ + halfHeight)), "m");
+    const auto shown = [](std::vector<double> ticks, double factor) {
+        for (double& tick : ticks) {
+            tick *= factor;
+        }
+        return tickLabels(ticks);
+    };
+    const std::vector<double> x =
+        niceTicks(-plane_.halfWidth, plane_.halfWidth,
+                  std::max(2, static_cast<int>(inside.width()) / kTickRoom));
+    const std::vector<std::string> xLabels = shown(x, along.factor);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double at = toPixel({x[i], 0.0}).x();
+        painter.drawLine(QPointF(at, inside.bottom()), QPointF(at, inside.bottom() + kTick));
+        painter.drawText(QRectF(at - kTickRoom, inside.bottom() + kTick, 2.0 * kTickRoom, 15.0),
+                         Qt::AlignHCenter, QString::fromStdString(xLabels[i]));
+    }
+    const std::vector<double> z =
+        niceTicks(middleHeight_ - halfHeight, middleHeight_ + halfHeight,
+                  std::max(2, static_cast<int>(2.0 * inside.height()) / kTickRoom));
+    const std::vector<std::string> zLabels = shown(z, up.factor);
+    for (std::size_t i = 0; i < z.size(); ++i) {
+        const double at = toPixel({0.0, z[i]}).y();
+        painter.drawLine(QPointF(inside.left() - kTick, at), QPointF(inside.left(), at));
+        painter.drawText(QRectF(0.0, at - 8.0, inside.left() - kTick - 2.0, 16.0),
+                         Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(zLabels[i]));
+    }
+    painter.drawText(
+        QRectF(inside.left(), height() - 17.0, inside.width(), 16.0), Qt::AlignHCenter,
+        tr("along the plane, from the tip's axis [%1]").arg(QString::fromStdString(along.unit)));
+    painter.drawText(QRectF(2.0, 4.0, kLeft + 60.0, 16.0), Qt::AlignLeft,
+                     tr("z [%1]").arg(QString::fromStdString(up.unit)));
+}
+
+void ContactPlot::drawLegend(QPainter& painter) const {
+    QString text = drawnFactor_ == 1.0 ? tr("true to scale") : tr("heights ×%1").arg(drawnFactor_);
+    text += tr("   ·   direction %1").arg(angleText(plane_.azimuth));
+    const TipContact& contact = tipContact(*scene_, sample_->output.model);
+    text += contact.contactRadius > 0.0
+                ? tr("   ·   contact radius %1")
+                      .arg(QString::fromStdString(formatSi(contact.contactRadius, "m")))
+                : tr("   ·   no contact");
+    painter.setFont(theme::textFont(theme::kSmallSize));
+    painter.setPen(theme::colors().ink);
+    painter.drawText(QRectF(kLeft, 4.0, width() - kLeft - kRight, 16.0), Qt::AlignRight, text);
+}
+
+void ContactPlot::drawCrossHair(QPainter& painter) const {
+    if (!crossHair_) {
+        return;
+    }
+    const QRectF inside = area();
+    const double along = (*crossHair_ - section_->axis).dot(section_->direction);
+    const double at = toPixel({along, 0.0}).x();
+    if (at < inside.left() || at > inside.right()) {
+        return;
+    }
+    painter.setPen(QPen(theme::colors().marker, 1.0));
+    painter.drawLine(QPointF(at, inside.top()), QPointF(at, inside.bottom()));
+    if (!reading_) {
+        return;
+    }
+    const double level = toPixel({along, reading_->place.z()}).y();
+    const double off = std::abs((*crossHair_ - section_->placeAt(along)).norm());
+    if (off < metersPerPixel_ && level > inside.top() && level < inside.bottom()) {
+        painter.drawLine(QPointF(inside.left(), level), QPointF(inside.right(), level));
+    }
+    painter.setFont(theme::textFont(theme::kSmallSize));
+    const QString text = textOf(*reading_);
+    QRectF plate = QRectF(painter.fontMetrics().boundingRect(text)).adjusted(-4.0, -2.0, 4.0, 2.0);
+    plate.moveBottomRight(inside.bottomRight() - QPointF(4.0, 4.0));
+    QColor paper(theme::colors().paper);
+    paper.setAlphaF(0.88);
+    painter.fillRect(plate, paper);
+    painter.setPen(theme::colors().ink);
+    painter.drawText(plate, Qt::AlignCenter, text);
+}
+
+void ContactPlot::showCrossHair(const std::optional<Vector2>& place,
+                                const std::optional<SurfaceReading>& reading) {
+    crossHair_ = place;
+    reading_ = reading;
+    update();
+}
+
+void ContactPlot::mouseMoveEvent(QMouseEvent* event) {
+    const QRectF inside = area();
+    if (!section_ || !inside.contains(event->localPos())) {
+        Q_EMIT placeLeft();
+        return;
+    }
+    const double along = (event->localPos().x() - inside.center().x()) * metersPerPixel_;
+    const Vector2 place = section_->placeAt(along);
+    if (scene_->surface.contains(place.x(), place.y())) {
+        Q_EMIT placeHovered(place.x(), place.y());
+    } else {
+        Q_EMIT placeLeft();
+    }
+}
+
+void ContactPlot::leaveEvent(QEvent* event) {
+    Q_EMIT placeLeft();
+    QWidget::leaveEvent(event);
+}
+
+void ContactPlot::wheelEvent(QWheelEvent* event) {
+    if (event->modifiers().testFlag(Qt::ControlModifier)) {
+        setHalfWidth(plane_.halfWidth * std::pow(kWheelStep, -event->angleDelta().y() / kNotch));
+        event->accept();
+    } else {
+        event->ignore();
+    }
+}
+
+}  // namespace asperity

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "core/deformation/ContactSection.h"
+#include "core/haptics/Snapshot.h"
+#include "core/scene/Scene.h"
+#include "ui/view/SurfaceReading.h"
+
+#include <QPointF>
+#include <QRectF>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QPainter;
+
+namespace asperity {
+
+/// The section through the contact as a plot: the surface at rest and deformed, the tip's outline,
+/// the ends of the contact, the force, in a vertical plane through the tip. True to scale, or with
+/// heights larger by a stated factor.
+class ContactPlot : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ContactPlot(QWidget* parent = nullptr);
+
+    /// Null: nothing to show. The scene outlives its use here.
+    void setScene(const Scene* scene);
+    /// What is drawn from the next snapshot on where the scene asks for the half-space; or null.
+    void setHalfSpace(std::shared_ptr<const HalfSpaceAnswer> answer);
+    void showSnapshot(const Snapshot& snapshot);
+
+    /// Of the plane, from x, counterclockwise as seen from above [rad].
+    void setAzimuth(double azimuth);
+    [[nodiscard]] double azimuth() const { return plane_.azimuth; }
+    /// Heights over lengths along the plane, >= 1; 0: as large as they fit.
+    void setHeightFactor(double factor);
+    /// The factor that is drawn, >= 1.
+    [[nodiscard]] double drawnFactor() const { return drawnFactor_; }
+    /// Half the width that is seen [m].
+    void setHalfWidth(double halfWidth);
+    [[nodiscard]] double halfWidth() const { return plane_.halfWidth; }
+
+    /// Shows a place of the surface at rest, world x, y [m], where it lies along the plane.
+    void showCrossHair(const std::optional<Vector2>& place,
+                       const std::optional<SurfaceReading>& reading);
+    /// What is drawn now; none: nothing.
+    [[nodiscard]] const std::optional<ContactSection>& section() const { return section_; }
+    /// Where a point of the section is drawn [pixel].
+    [[nodiscard]] QPointF toPixel(const Vector2& point) const;
+
+Q_SIGNALS:
+    /// The pointer is over this place of the surface at rest, world x, y [m].
+    void placeHovered(double x, double y);
+    void placeLeft();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    void cut();
+    void fitScale();
+    [[nodiscard]] QRectF area() const;
+    [[nodiscard]] QPolygonF drawn(const std::vector<Vector2>& points) const;
+    void drawAxes(QPainter& painter) const;
+    void drawBodies(QPainter& painter) const;
+    void drawContact(QPainter& painter) const;
+    void drawForce(QPainter& painter) const;
+    void drawLegend(QPainter& painter) const;
+    void drawCrossHair(QPainter& painter) const;
+
+    const Scene* scene_ = nullptr;
+    std::shared_ptr<const HalfSpaceAnswer> halfSpace_;
+    SectionPlane plane_;
+    std::optional<ContactSection> section_;
+    std::optional<TickSample> sample_;
+    double heightFactor_ = 1.0;  ///< as asked for; 0: as large as it fits
+    double drawnFactor_ = 1.0;
+    double metersPerPixel_ = 1e-10;  ///< along the plane
+    double middleHeight_ = 0.0;      ///< world z in the middle of the plot [m]
+    double paraboloidReach_ = 0.0;   ///< see ViewScale [m]
+    double forceScale_ = 1e-9;       ///< usual force [N]
+    std::optional<Vector2> crossHair_;
+    std::optional<SurfaceReading> reading_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,54 @@
+#include "ui/view/ViewNotes.h"
+
+#include "core/SiFormat.h"
+#include "vtkplugins/pictures/Ticks.h"
+
+#include <QObject>
+
+namespace asperity {
+
+namespace {
+
+/// Pixels of a scan wider than this show less than the view seems to; parts of the tip's radius
+/// and of the view.
+constexpr double kWidePixel = 1.0 / 3.0;
+
+/// Words with values in place of %1, %2.
+std::string filled(QString words, const std::vector<std::string>& values) {
+    for (const std::string& value : values) {
+        words = words.arg(QString::fromStdString(value));
+    }
+    return words.toStdString();
+}
+
+}  // namespace
+
+std::vector<std::string> viewNotes(const ViewNoteFacts& facts) {
+    std::vector<std::string> notes;
+    if (facts.hasPerspective) {
+        notes.push_back(filled(QObject::tr("perspective: lengths not to scale"), {}));
+    }
+    if (facts.heightScale > 1.0) {
+        notes.push_back(filled(QObject::tr("heights ×%1"), tickLabels({facts.heightScale})));
+    }
+    if (facts.missesTrueTip) {
+        notes.push_back(filled(QObject::tr("true tip: the instrument does not know it"), {}));
+    }
+    if (facts.showsLever) {
+        notes.push_back(filled(QObject::tr("lever not to scale"), {}));
+    }
+    if (facts.pixel > kWidePixel * facts.tipRadius) {
+        notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for a tip radius of %2"),
+                               {formatSi(facts.pixel, "m"), formatSi(facts.tipRadius, "m")}));
+    } else if (facts.pixel > kWidePixel * facts.width) {
+        notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for this view"),
+                               {formatSi(facts.pixel, "m")}));
+    }
+    return notes;
+}
+
+std::string tipAboveNote(double gap) {
+    return filled(QObject::tr("tip %1 above the surface"), {formatSi(gap, "m")});
+}
+
+}  // namespace asperity

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+/// What a view's notes depend on.
+struct ViewNoteFacts {
+    double heightScale = 1.0;
+    bool hasPerspective = false;
+    bool missesTrueTip = false;  ///< its ghost is asked for, and the instrument does not know it
+    bool showsLever = false;
+    double tipRadius = 0.0;  ///< [m]
+    double pixel = 0.0;      ///< of the scan [m]
+    double width = 0.0;      ///< of the frame [m]
+};
+
+/// What a picture does not say by itself: a stretched height, coarse pixels.
+[[nodiscard]] std::vector<std::string> viewNotes(const ViewNoteFacts& facts);
+
+/// Of a tip above the view. @param gap to the surface [m]
+[[nodiscard]] std::string tipAboveNote(double gap);
+
+}  // namespace asperity
