@@ -18,7 +18,7 @@ find_package(
              FiltersSources InteractionStyle IOImage IOXML IOGeometry RenderingCore
              RenderingOpenGL2 RenderingFreeType RenderingAnnotation RenderingContextOpenGL2
              ChartsCore ViewsContext2D GUISupportQt)
-find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets)
+find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui PrintSupport Widgets)
 find_path(QWT_INCLUDE_DIR qwt_plot.h PATH_SUFFIXES qwt REQUIRED)
 find_library(QWT_LIBRARY NAMES qwt-qt5 qwt REQUIRED)
 pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/InputHelp.h"
+
 #include <QObject>
 #include <QSet>
 
@@ -24,11 +26,14 @@ public:
 
     [[nodiscard]] KeyDirection direction() const;
 
+    /// The keys that move the device, and what they do with modifiers.
+    [[nodiscard]] static InputHelps help();
+    /// Whether a shortcut of this key, with these modifiers, would take it from the device.
+    [[nodiscard]] static bool takes(int key, Qt::KeyboardModifiers modifiers);
+
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    [[nodiscard]] double pull(int positive, int negative) const;
-
     QSet<int> held_;
     Qt::KeyboardModifiers modifiers_ = Qt::NoModifier;
 };

@@ -32,7 +32,7 @@ void EntryControl::showThoseOfARun() {
     const QString noRun = unless(run != nullptr, QObject::tr("Open a scan or a scene first"));
     for (QAction* const entry :
          {menus.record, menus.saveScene, menus.saveLastSeconds, menus.startPause,
-          menus.followPathFile, menus.followRecording, menus.tipControl, menus.clutch}) {
+          menus.followPathFile, menus.followRecording, menus.tipControl, menus.clutch, menus.copyNumbers}) {
         menus.refuse(*entry, noRun);
     }
     const bool isFaulty =

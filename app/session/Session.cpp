@@ -34,6 +34,9 @@ Session::Session(MainWindow& window)
     , views_(window, runs_)
     , measuring_(window, runs_, edits_)
     , colors_(window, runs_)
+    , messages_(window, runs_)
+    , clipboard_(window, runs_, views_)
+    , help_(window)
     , entries_(window, runs_, devices_, edits_) {
     runs_.setSink([this](const TickSample& sample) {
         views_.take(sample);
@@ -83,6 +86,7 @@ void Session::advance() {
         engaging_.advance();
         runs_.fetch();
         recordings_.advance();
+        messages_.advance();
         views_.show(now);
         measuring_.show();
         haptics_.show();

@@ -1,13 +1,16 @@
 #pragma once
 
 #include "app/session/ColorControl.h"
+#include "app/session/ClipboardControl.h"
 #include "app/session/DeviceControl.h"
 #include "app/session/EngageControl.h"
 #include "app/session/EntryControl.h"
 #include "app/session/FidelityControl.h"
 #include "app/session/HapticControl.h"
+#include "app/session/HelpControl.h"
 #include "app/session/MaterialControl.h"
 #include "app/session/MeasureControl.h"
+#include "app/session/MessageControl.h"
 #include "app/session/PathControl.h"
 #include "app/session/ProbeControl.h"
 #include "app/session/RecordingControl.h"
@@ -68,6 +71,9 @@ private:
     ViewControl views_;
     MeasureControl measuring_;
     ColorControl colors_;
+    MessageControl messages_;
+    ClipboardControl clipboard_;
+    HelpControl help_;
     EntryControl entries_;
     QTimer frames_;
     double lastFrame_ = 0.0;  ///< [s]

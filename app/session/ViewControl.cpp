@@ -13,7 +13,6 @@
 #include <QEvent>
 #include <QFileInfo>
 #include <QImageWriter>
-#include <QPixmap>
 #include <QStringList>
 
 namespace asperity {
@@ -120,18 +119,22 @@ std::vector<ViewRate> ViewControl::rates() const {
     return rates;
 }
 
+QPixmap ViewControl::picture() {
+    if (runs_.run() != nullptr) {
+        runs_.fetch();
+        draw(runs_.run()->loop().snapshot(), true);
+    }
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // new texts get their room
+    return window_.grab();
+}
+
 void ViewControl::savePicture(const QString& chosen) {
     const QString file = withPictureType(chosen);
     if (const QString refusal = pictureRefusal(file); !refusal.isEmpty()) {
         window_.complain(refusal);
         return;
     }
-    if (runs_.run() != nullptr) {
-        runs_.fetch();
-        draw(runs_.run()->loop().snapshot(), true);
-    }
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // new texts get their room
-    if (window_.grab().save(file)) {
+    if (picture().save(file)) {
         window_.tell(tr("Saved as %1").arg(file));
     } else {
         window_.complain(tr("%1: the picture cannot be written").arg(file));

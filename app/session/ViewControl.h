@@ -4,6 +4,8 @@
 #include "app/session/RunControl.h"
 #include "ui/FrameCounter.h"
 
+#include <QPixmap>
+
 #include <vector>
 
 namespace asperity {
@@ -18,6 +20,9 @@ public:
     /// One frame: the same tick in all views that are drawn in it. There is a run.
     /// @param now monotonic time [s]
     void show(double now);
+
+    /// The whole window as it is now.
+    [[nodiscard]] QPixmap picture();
 
     /// Frames a second of each view since the first one.
     [[nodiscard]] std::vector<ViewRate> rates() const;

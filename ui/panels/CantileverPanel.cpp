@@ -3,6 +3,7 @@
 #include "core/scene/Scene.h"
 #include "ui/Theme.h"
 #include "ui/panels/CantileverSketch.h"
+#include "ui/panels/CopyablePlot.h"
 
 #include <QGridLayout>
 #include <QVBoxLayout>
@@ -50,6 +51,7 @@ CantileverPanel::CantileverPanel(QWidget* parent)
                            "by the estimated force, enlarged as stated; dashed: without force"));
     plot_->setToolTip(tr("Measured bending and torsion of the free end over the last 10 s"));
     buildNumbers();
+    new CopyablePlot(*sketch_);
     body().addWidget(sketch_, 4);
     body().addWidget(plot_, 5);
     clear();
@@ -124,16 +126,32 @@ void CantileverPanel::show(const Snapshot& snapshot) {
     bending_->setText(text(signals.bending, angle));
     torsion_->setText(text(signals.torsion, angle));
     if (cantilever_) {
-        const Vector3& force = snapshot.sample.output.estimate.force;
-        const Vector3 moved =
-            cantilever_->complianceInCantileverFrame() * (cantilever_->rotation() * force);
+        const Vector3 moved = tipDeflection(snapshot);
         const SiScale& length =
             lengthScale_.fit(std::max(std::abs(moved.y()), std::abs(moved.z())));
         deflection_->setText(text(moved.z(), length));
         lateral_->setText(text(moved.y(), length));
-        sketch_->showForce(force, largestShape());
+        sketch_->showForce(snapshot.sample.output.estimate.force, largestShape());
     }
     plot_->refresh();
+}
+
+Vector3 CantileverPanel::tipDeflection(const Snapshot& snapshot) const {
+    const Vector3& force = snapshot.sample.output.estimate.force;
+    return cantilever_->complianceInCantileverFrame() * (cantilever_->rotation() * force);
+}
+
+ShownNumbers CantileverPanel::numbers(const Snapshot& snapshot) const {
+    const LeverSignals& signals = snapshot.sample.input.measurement.signals;
+    const QString radian = QStringLiteral("rad");
+    ShownNumbers numbers{{tr("bending"), signals.bending, {}, radian},
+                         {tr("torsion"), signals.torsion, {}, radian}};
+    if (cantilever_) {
+        const Vector3 moved = tipDeflection(snapshot);
+        numbers.push_back({tr("deflection z"), moved.z(), {}, QStringLiteral("m")});
+        numbers.push_back({tr("deflection sideways"), moved.y(), {}, QStringLiteral("m")});
+    }
+    return numbers;
 }
 
 void CantileverPanel::clear() {

@@ -28,6 +28,7 @@ public:
     /// The numbers of the latest tick, the drawing and the curves.
     void show(const Snapshot& snapshot) override;
     using QWidget::show;
+    [[nodiscard]] ShownNumbers numbers(const Snapshot& snapshot) const override;
     [[nodiscard]] const char* slowName() const override { return "cantilever"; }
 
     [[nodiscard]] const CurvePlot& plot() const { return *plot_; }
@@ -36,6 +37,8 @@ public:
 private:
     void buildNumbers();
     [[nodiscard]] CantileverShape largestShape() const;
+    /// How far the estimated force moves the tip, in the lever's frame [m].
+    [[nodiscard]] Vector3 tipDeflection(const Snapshot& snapshot) const;
 
     std::optional<Cantilever> cantilever_;
     CurveHistory deflections_;  ///< of the free end [m]

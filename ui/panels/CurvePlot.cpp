@@ -1,6 +1,7 @@
 #include "ui/panels/CurvePlot.h"
 
 #include "ui/panels/AxisTicks.h"
+#include "ui/panels/CopyablePlot.h"
 #include "ui/panels/PlotCursor.h"
 #include "ui/panels/PlotNavigation.h"
 #include "ui/panels/QwtParts.h"
@@ -36,6 +37,14 @@ void dropEnds(std::vector<double>& ticks, const AxisRange& range) {
                                    return tick < range.low + room || tick > range.high - room;
                                }),
                 ticks.end());
+}
+
+QStringList headersOf(const CurvePlotSetup& setup) {
+    QStringList headers;
+    for (const CurvePlotSetup::Curve& curve : setup.curves) {
+        headers << QStringLiteral("%1 [%2]").arg(curve.name, setup.unit);
+    }
+    return headers;
 }
 
 QString legendText(const CurvePlotSetup& setup, const QString& unit) {
@@ -216,6 +225,7 @@ void CurvePlot::Canvas::showReset() { reset_->setVisible(navigation_->isZoomed()
 
 CurvePlot::CurvePlot(const CurvePlotSetup& setup, QWidget* parent)
     : QWidget(parent)
+    , headers_(headersOf(setup))
     , zero_(setup.zero)
     , histories_(setup.curves.size(), CurveHistory(kSpan, kIntervals))
     , range_(setup.smallest)
@@ -223,10 +233,27 @@ CurvePlot::CurvePlot(const CurvePlotSetup& setup, QWidget* parent)
     , canvas_(std::make_unique<Canvas>(setup, this)) {
     connect(&canvas_->navigation(), &PlotNavigation::windowChanged, this, &CurvePlot::refresh);
     connect(&canvas_->navigation(), &PlotNavigation::cursorMoved, this, &CurvePlot::refresh);
+    new CopyablePlot(*this, [this] { return table(); });
     refresh();
 }
 
 CurvePlot::~CurvePlot() = default;
+
+/// Each curve has times of its own: those of its peaks.
+PlotTable CurvePlot::table() const {
+    PlotTable table;
+    for (std::size_t curve = 0; curve < histories_.size(); ++curve) {
+        std::vector<double> times;
+        std::vector<double> values;
+        for (const CurvePoint& point : histories_[curve].points()) {
+            times.push_back(point.time);
+            values.push_back(point.value);
+        }
+        table.add(tr("time [s]"), times);
+        table.add(headers_.at(static_cast<int>(curve)), values);
+    }
+    return table;
+}
 
 void CurvePlot::take(double time, const Values& values) noexcept {
     for (std::size_t curve = 0; curve < histories_.size(); ++curve) {

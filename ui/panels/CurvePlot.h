@@ -4,6 +4,7 @@
 #include "ui/Steady.h"
 #include "ui/Theme.h"
 #include "ui/panels/CurveHistory.h"
+#include "ui/panels/PlotTable.h"
 
 #include <QString>
 #include <QWidget>
@@ -66,6 +67,8 @@ public:
     [[nodiscard]] const AxisRange& shownTimes() const { return shownTimes_; }
     [[nodiscard]] QWidget& canvas();
 
+    /// Time [s] and value of each curve, in the order of time.
+    [[nodiscard]] PlotTable table() const;
     [[nodiscard]] const CurveHistory& history(std::size_t curve) const { return histories_[curve]; }
     [[nodiscard]] const AxisRange& valueRange() const { return range_.range(); }  ///< [unit]
 
@@ -76,6 +79,7 @@ private:
     void fitRange();
     [[nodiscard]] const Histories& drawn() const { return paused_ ? *paused_ : histories_; }
 
+    QStringList headers_;  ///< of the curves' values, for table()
     ZeroLine zero_;
     Histories histories_;
     std::optional<Histories> paused_;  ///< as they were then

@@ -120,6 +120,24 @@ QString CycleTable::details(int row) const {
              asperity::text(cycle.maxIndentation, kNanometers));
 }
 
+ShownNumbers CycleTable::numbers() const {
+    ShownNumbers numbers;
+    for (const auto& [material, cycle] : rows_) {
+        const auto add = [&, &of = material](Column column, const std::optional<Reading>& reading,
+                                             const QString& unit) {
+            if (reading) {
+                numbers.push_back({QStringLiteral("%1: %2").arg(of, nameOf(column)), reading->value,
+                                   reading->sigma, unit});
+            }
+        };
+        add(PullOff, cycle.pullOff, QStringLiteral("N"));
+        add(Work, workOf(cycle), QStringLiteral("J"));
+        add(Hysteresis, hysteresisOf(cycle), QStringLiteral("J"));
+        add(Stiffness, cycle.stiffness, QStringLiteral("N/m"));
+    }
+    return numbers;
+}
+
 /// Of the largest: 1 aJ is 1 nN nm.
 SiScale CycleTable::energies() const {
     double largest = 0.0;

@@ -2,6 +2,7 @@
 
 #include "core/SiFormat.h"
 #include "core/haptics/cycle/ContactCycle.h"
+#include "ui/panels/ShownNumbers.h"
 
 #include <QString>
 #include <QWidget>
@@ -36,6 +37,9 @@ public:
     [[nodiscard]] QString text(int row, Column column) const;
     /// All of a cycle, with standard deviations.
     [[nodiscard]] QString details(int row) const;
+
+    /// All values of all rows, each with its material.
+    [[nodiscard]] ShownNumbers numbers() const;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;

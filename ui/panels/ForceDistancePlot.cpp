@@ -2,6 +2,7 @@
 
 #include "ui/Theme.h"
 #include "ui/panels/AxisTicks.h"
+#include "ui/panels/CopyablePlot.h"
 #include "ui/panels/PlotCursor.h"
 #include "ui/panels/PlotNavigation.h"
 #include "ui/panels/QwtParts.h"
@@ -257,6 +258,7 @@ ForceDistancePlot::ForceDistancePlot(QWidget* parent)
     , canvas_(std::make_unique<Canvas>(this)) {
     connect(&canvas_->navigation(), &PlotNavigation::windowChanged, this, &ForceDistancePlot::draw);
     connect(&canvas_->navigation(), &PlotNavigation::cursorMoved, this, &ForceDistancePlot::draw);
+    new CopyablePlot(*this, [this] { return table(); });
     setCycles({}, {});
 }
 
@@ -301,6 +303,29 @@ void ForceDistancePlot::draw() {
     canvas_->showAxes(window.y, force, window.x, distance);
     canvas_->showCursor(measured_.name, window.x, force, distance);
     canvas_->showCycles(cycles_, measured_, force, distance);
+}
+
+PlotTable ForceDistancePlot::table() const {
+    PlotTable table;
+    const auto add = [&table](const QString& branch, const QVector<QPointF>& points) {
+        std::vector<double> distances;
+        std::vector<double> forces;
+        for (const QPointF& point : points) {
+            distances.push_back(point.x());
+            forces.push_back(point.y());
+        }
+        table.add(tr("distance, %1 [m]").arg(branch), distances);
+        table.add(tr("force, %1 [N]").arg(branch), forces);
+    };
+    for (std::size_t age = 0; age < cycles_.size(); ++age) {
+        add(tr("approach %1").arg(age + 1), cycles_[age].approach);
+        add(tr("retract %1").arg(age + 1), cycles_[age].retract);
+    }
+    if (!measured_.name.isEmpty()) {
+        add(tr("approach of %1").arg(measured_.name), measured_.approach);
+        add(tr("retract of %1").arg(measured_.name), measured_.retract);
+    }
+    return table;
 }
 
 void ForceDistancePlot::forgetRange() {

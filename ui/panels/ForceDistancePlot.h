@@ -2,6 +2,7 @@
 
 // Compiled as C++17 too: Qwt's headers are not C++20.
 #include "ui/Steady.h"
+#include "ui/panels/PlotTable.h"
 
 #include <QColor>
 #include <QPointF>
@@ -56,6 +57,9 @@ public:
     /// @param distances   what the distance axis must hold [m]
     void setCycles(const std::vector<DrawnCycle>& newestFirst, const AxisRange& distances,
                    const DrawnMeasurement& measured = {});
+    /// Distance [m] and force [N] of both branches of each cycle, the newest first, and of the
+    /// measured curve.
+    [[nodiscard]] PlotTable table() const;
     /// Another quantity is on the distance axis: it ranges itself anew.
     void forgetRange();
     /// Where controls of the plot stand, beside its legend.
@@ -76,7 +80,7 @@ private:
     void fitRanges(const AxisRange& distances);
     void draw();
 
-    std::vector<DrawnCycle> cycles_;
+    std::vector<DrawnCycle> cycles_;  ///< the newest first
     DrawnMeasurement measured_;
     SteadyRange forces_;
     SteadyRange distances_;

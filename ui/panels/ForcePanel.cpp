@@ -4,6 +4,7 @@
 #include "core/scene/Scene.h"
 #include "ui/Theme.h"
 #include "ui/panels/CyclePanel.h"
+#include "ui/panels/CycleTable.h"
 #include "ui/panels/PlotNavigation.h"
 
 #include <QGridLayout>
@@ -273,6 +274,31 @@ void ForcePanel::showContact(const ContactState& contact) {
     distanceName_->setText(distance.name);
     distance_->setText(text(distance.value, distanceScale_.fit(distance.value)));
     contactRadius_->setText(text(contact.contactRadius, radiusScale_.fit(contact.contactRadius)));
+}
+
+ShownNumbers ForcePanel::numbers(const Snapshot& snapshot) const {
+    const TickOutput& output = snapshot.sample.output;
+    const Vector3 sigma = output.estimate.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const QString newton = QStringLiteral("N");
+    const QString meter = QStringLiteral("m");
+    ShownNumbers numbers;
+    for (int axis = 0; axis < 3; ++axis) {
+        numbers.push_back({QStringLiteral("F") + kAxes.at(static_cast<std::size_t>(axis)).toLower(),
+                           output.estimate.force[axis], sigma[axis], newton});
+    }
+    numbers.push_back({QStringLiteral("|F|"), output.estimate.force.norm(), {}, newton});
+    for (int axis = 0; axis < 3; ++axis) {
+        numbers.push_back({tr("tip %1").arg(kAxes.at(static_cast<std::size_t>(axis)).toLower()),
+                           output.tip[axis],
+                           {},
+                           meter});
+    }
+    const NamedDistance distance = distanceOf(output.model.contact);
+    numbers.push_back({distance.name, distance.value, {}, meter});
+    numbers.push_back({tr("contact radius"), output.model.contact.contactRadius, {}, meter});
+    const ShownNumbers ofCycles = cycles_->table().numbers();
+    numbers.insert(numbers.end(), ofCycles.begin(), ofCycles.end());
+    return numbers;
 }
 
 void ForcePanel::clear() {

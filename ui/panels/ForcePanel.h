@@ -28,6 +28,7 @@ public:
     /// The numbers of the latest tick, and the curves.
     void show(const Snapshot& snapshot) override;
     using QWidget::show;
+    [[nodiscard]] ShownNumbers numbers(const Snapshot& snapshot) const override;
     [[nodiscard]] const char* slowName() const override { return "forces"; }
 
     [[nodiscard]] const CyclePanel& cycles() const { return *cycles_; }

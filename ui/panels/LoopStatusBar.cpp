@@ -69,10 +69,12 @@ QLabel* LoopStatusBar::addItem(const char* objectName, const QString& meaning,
 void LoopStatusBar::begin(const Scene& scene) { setRateAsked(scene.description.tickRate); }
 
 void LoopStatusBar::setRateAsked(double rate) {
+    rateAsked_ = rate;
     rate_->setText(QLocale(QLocale::English).toString(rate, 'f', 0) + QStringLiteral(" Hz"));
 }
 
 void LoopStatusBar::setFramesPerSecond(double frames) {
+    framesPerSecond_ = frames;
     frames_->setText(QString::number(frames, 'f', 1));
 }
 
@@ -85,6 +87,20 @@ void LoopStatusBar::show(const Snapshot& snapshot) {
     overruns_->setText(countText(statistics.overruns));
     lost_->setText(countText(statistics.lostSamples));
     scheduling_->setText(schedulingText(statistics.policy));
+}
+
+ShownNumbers LoopStatusBar::numbers(const Snapshot& snapshot) const {
+    const LoopStatistics& statistics = snapshot.statistics;
+    const QString second = QStringLiteral("s");
+    const auto count = [](long number) { return static_cast<double>(number); };
+    return {{tr("loop rate"), rateAsked_, {}, QStringLiteral("Hz")},
+            {tr("tick time, median"), statistics.tickTime.median, {}, second},
+            {tr("tick time, 99th percentile"), statistics.tickTime.p99, {}, second},
+            {tr("lateness, 99th percentile"), statistics.lateness.p99, {}, second},
+            {tr("overruns"), count(statistics.overruns), {}, {}},
+            {tr("lost ticks"), count(statistics.lostSamples), {}, {}},
+            {tr("ticks"), count(statistics.ticks), {}, {}},
+            {tr("frames"), framesPerSecond_, {}, QStringLiteral("1/s")}};
 }
 
 void LoopStatusBar::clear() {

@@ -19,11 +19,14 @@ public:
     void begin(const Scene& scene) override;
     void show(const Snapshot& snapshot) override;
     using QWidget::show;
+    [[nodiscard]] ShownNumbers numbers(const Snapshot& snapshot) const override;
 
 private:
     QLabel* addItem(const char* objectName, const QString& meaning, const QString& caption,
                     const QString& widest);
 
+    double rateAsked_ = 0.0;        ///< [Hz]
+    double framesPerSecond_ = 0.0;  ///< [1/s]
     QLabel* rate_;
     QLabel* ticks_;
     QLabel* tickTime_;

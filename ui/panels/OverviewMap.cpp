@@ -36,6 +36,10 @@ OverviewMap::OverviewMap(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
 }
 
+InputHelps OverviewMap::help() {
+    return {{tr("Double click on the whole scan"), tr("moves the tip there")}};
+}
+
 void OverviewMap::setSurface(const BSplineSurface& surface) {
     relief_.setSurface(surface);
     size_ = {surface.sizeX(), surface.sizeY()};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/InputHelp.h"
 #include "ui/panels/ReliefImage.h"
 
 #include <QPixmap>
@@ -21,6 +22,9 @@ class OverviewMap : public QWidget {
 
 public:
     explicit OverviewMap(QWidget* parent = nullptr);
+
+    /// What the mouse does to it.
+    [[nodiscard]] static InputHelps help();
 
     /// Draws the relief once; forgets tip, frame and path.
     void setSurface(const BSplineSurface& surface);

@@ -6,6 +6,7 @@
 #include "ui/CoreWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/ColorBarWidget.h"
+#include "ui/panels/CopyablePlot.h"
 #include "ui/panels/MapMarks.h"
 #include "ui/panels/OverviewMap.h"
 
@@ -60,6 +61,8 @@ OverviewPanel::OverviewPanel(QWidget* parent)
     , colorBar_(new ColorBarWidget(this))
     , scanNote_(captionLabel(QString(), this))
     , filledLegend_(new QWidget(this)) {
+    map_->setObjectName(QStringLiteral("overviewMap"));
+    new CopyablePlot(*map_);
     auto* side = new QVBoxLayout;
     side->setSpacing(3);
     colorBar_->setFixedWidth(theme::scaled(kSideWidth));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/haptics/Snapshot.h"
+#include "ui/panels/ShownNumbers.h"
 
 namespace asperity {
 
@@ -19,6 +20,9 @@ public:
     virtual void take(const TickSample& /*sample*/) noexcept {}
     /// Shows the latest tick; once a frame.
     virtual void show(const Snapshot& snapshot) = 0;
+
+    /// The numbers that it shows of this tick; for the clipboard.
+    [[nodiscard]] virtual ShownNumbers numbers(const Snapshot& /*snapshot*/) const { return {}; }
 
     /// What reports call it where it is drawn in every second frame; null: it is drawn in every
     /// one, as the large view is.

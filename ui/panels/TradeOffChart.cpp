@@ -1,6 +1,7 @@
 #include "ui/panels/TradeOffChart.h"
 
 #include "ui/Theme.h"
+#include "ui/panels/CopyablePlot.h"
 #include "ui/panels/QwtParts.h"
 
 #include <QHelpEvent>
@@ -255,6 +256,7 @@ QPoint TradeOffChart::Plot::placeOf(int index) const {
 TradeOffChart::TradeOffChart(QWidget* parent)
     : QWidget(parent), plot_(std::make_unique<Plot>(this)) {
     plot_->canvas().installEventFilter(this);
+    new CopyablePlot(*this, [this] { return table(); });
     setPoints({}, {});
 }
 
@@ -264,6 +266,22 @@ void TradeOffChart::setPoints(const TradeOffPoints& points, const QString& hint)
     shown_ = points;
     plot_->show(shown_, hint);
     setCurrent(-1);
+}
+
+PlotTable TradeOffChart::table() const {
+    QStringList names;
+    std::vector<double> times;
+    std::vector<double> errors;
+    for (const TradeOffPoint& point : shown_.points) {
+        names << point.name;
+        times.push_back(point.time);
+        errors.push_back(point.error);
+    }
+    PlotTable table;
+    table.add(tr("configuration"), names);
+    table.add(tr("median of a tick [s]"), times);
+    table.add(tr("rms force error [N]"), errors);
+    return table;
 }
 
 void TradeOffChart::setCurrent(int index) {

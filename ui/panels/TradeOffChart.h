@@ -1,6 +1,8 @@
 #pragma once
 
 // Compiled as C++17 too: Qwt's headers are not C++20.
+#include "ui/panels/PlotTable.h"
+
 #include <QString>
 #include <QWidget>
 
@@ -42,6 +44,9 @@ public:
     void setCurrent(int index);
     /// The point that is ringed; -1: none.
     [[nodiscard]] int current() const { return current_; }
+
+    /// Name, time [s] and error [N] of each point.
+    [[nodiscard]] PlotTable table() const;
 
     /// Where the mouse picks.
     [[nodiscard]] QWidget& canvas() const;

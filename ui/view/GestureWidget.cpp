@@ -4,12 +4,33 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include <algorithm>
+#include <array>
+
 namespace asperity {
 
 namespace {
 
 constexpr double kFinely = 0.1;
 constexpr double kWheelNotch = 120.0;  // eighths of a degree
+
+/// A key that zooms, without modifiers.
+struct ZoomKey {
+    Qt::Key key;
+    double steps;
+};
+
+constexpr std::array<ZoomKey, 3> kZoomKeys{{
+    {Qt::Key_Plus, 1.0},
+    {Qt::Key_Equal, 1.0},  // the same key on many keyboards
+    {Qt::Key_Minus, -1.0},
+}};
+
+const ZoomKey* zoomKey(int key) {
+    const auto* const found = std::find_if(kZoomKeys.begin(), kZoomKeys.end(),
+                                           [key](const ZoomKey& zoom) { return zoom.key == key; });
+    return found == kZoomKeys.end() ? nullptr : found;
+}
 
 double fineness(Qt::KeyboardModifiers modifiers) {
     return modifiers.testFlag(Qt::ShiftModifier) ? kFinely : 1.0;
@@ -58,17 +79,24 @@ void GestureWidget::wheelEvent(QWheelEvent* event) {
 }
 
 void GestureWidget::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:  // the same key on many keyboards
-        Q_EMIT zoomed(1.0);
-        break;
-    case Qt::Key_Minus:
-        Q_EMIT zoomed(-1.0);
-        break;
-    default:
+    if (const ZoomKey* const zoom = zoomKey(event->key())) {
+        Q_EMIT zoomed(zoom->steps);
+    } else {
         event->ignore();
     }
+}
+
+InputHelps GestureWidget::help() {
+    return {{tr("Left drag"), tr("moves the tip along the sample")},
+            {tr("Wheel"), tr("moves the tip away from the sample and into it")},
+            {tr("Shift and left drag or wheel"), tr("a tenth of that")},
+            {tr("Right drag"), tr("turns the view")},
+            {tr("Ctrl + wheel, +, −"), tr("zoom")}};
+}
+
+bool GestureWidget::takes(int key, Qt::KeyboardModifiers modifiers) {
+    return zoomKey(key) != nullptr &&
+           (modifiers & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
 }
 
 }  // namespace asperity

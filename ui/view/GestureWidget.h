@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/InputHelp.h"
+
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <QPointF>
@@ -14,6 +16,11 @@ class GestureWidget : public QVTKOpenGLNativeWidget {
 
 public:
     explicit GestureWidget(QWidget* parent = nullptr);
+
+    /// What mouse and keys do to it.
+    [[nodiscard]] static InputHelps help();
+    /// Whether a shortcut of this key would take it from the view.
+    [[nodiscard]] static bool takes(int key, Qt::KeyboardModifiers modifiers);
 
     /// Whether the left button is held.
     [[nodiscard]] bool isDragging() const { return dragging_; }

@@ -1,44 +1,11 @@
 #include "ui/window/Dialogs.h"
 
-#include "core/Version.h"
-
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMessageBox>
 
 namespace asperity {
-
-namespace {
-
-QString controlsText() {
-    return QObject::tr(
-        "<table cellpadding='3'>"
-        "<tr><td><b>Left drag</b></td><td>move the tip along the sample</td></tr>"
-        "<tr><td><b>Wheel</b>, <b>Page Up</b>, <b>Page Down</b></td><td>away from the sample and "
-        "into it</td></tr>"
-        "<tr><td><b>Arrow keys</b></td><td>along the sample, as seen on the screen</td></tr>"
-        "<tr><td><b>Shift</b></td><td>one tenth of the step or speed</td></tr>"
-        "<tr><td><b>Ctrl + arrows</b></td><td>five times as fast</td></tr>"
-        "<tr><td><b>Right drag</b></td><td>turn the view</td></tr>"
-        "<tr><td><b>Ctrl + wheel</b>, <b>+</b>, <b>−</b></td><td>zoom</td></tr>"
-        "<tr><td><b>Double click</b> on the scan</td><td>move the tip there</td></tr>"
-        "<tr><td><b>Space</b></td><td>pause and continue</td></tr>"
-        "<tr><td><b>Esc</b></td><td>close a menu, a message or Fidelity, "
-        "otherwise stop loading; with a force-feedback device: switch off its forces"
-        "</td></tr></table>");
-}
-
-void openBox(QWidget* window, QMessageBox::Icon icon, const QString& title, const QString& text,
-             Qt::TextFormat format) {
-    const auto button = icon == QMessageBox::Warning ? QMessageBox::Ok : QMessageBox::Close;
-    auto* box = new QMessageBox(icon, title, text, button, window);
-    box->setTextFormat(format);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
-}
-
-}  // namespace
 
 QStringList scanFilters(const std::vector<ScanFileType>& types) {
     const QChar blank(' ');
@@ -115,21 +82,12 @@ QString askForSceneFile(QWidget* window, const QString& suggestion) {
 }
 
 void complainIn(QWidget* window, const QString& message) {
-    // Plain: a name of a file may look like markup.
-    openBox(window, QMessageBox::Warning, QObject::tr("Asperity"), message, Qt::PlainText);
-}
-
-void explainControls(QWidget* window) {
-    openBox(window, QMessageBox::NoIcon, QObject::tr("Mouse and keys"), controlsText(),
-            Qt::AutoText);
-}
-
-void explainProgram(QWidget* window) {
-    openBox(window, QMessageBox::NoIcon, QObject::tr("About Asperity"),
-            QObject::tr("<b>Asperity %1</b><br>An augmented-reality interface for an atomic force "
-                        "microscope.<br>BSD-3-Clause; uses VTK, Qt, Qwt, Eigen, hidapi, OpenEXR.")
-                .arg(QString::fromUtf8(kVersion)),
-            Qt::AutoText);
+    auto* box = new QMessageBox(QMessageBox::Warning, QObject::tr("Asperity"), message,
+                                QMessageBox::Ok, window);
+    // A name of a file may look like markup.
+    box->setTextFormat(Qt::PlainText);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
 }
 
 }  // namespace asperity

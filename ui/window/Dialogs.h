@@ -40,7 +40,5 @@ void askForName(QWidget* window, const QString& title, const QString& label, con
 
 /// What must be read; the window goes on meanwhile.
 void complainIn(QWidget* window, const QString& message);
-void explainControls(QWidget* window);
-void explainProgram(QWidget* window);
 
 }  // namespace asperity

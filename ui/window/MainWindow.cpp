@@ -1,5 +1,7 @@
 #include "ui/window/MainWindow.h"
 
+#include "ui/help/CheatSheet.h"
+#include "ui/help/WindowHelp.h"
 #include "ui/panels/CantileverPanel.h"
 #include "ui/panels/ColorBarWidget.h"
 #include "ui/panels/ControlBar.h"
@@ -9,6 +11,8 @@
 #include "ui/panels/HapticPanel.h"
 #include "ui/panels/LoadingBar.h"
 #include "ui/panels/LoopStatusBar.h"
+#include "ui/panels/MessageBadge.h"
+#include "ui/panels/MessagesPanel.h"
 #include "ui/panels/NumberBox.h"
 #include "ui/panels/OverviewMap.h"
 #include "ui/panels/OverviewPanel.h"
@@ -82,7 +86,8 @@ void showFrameOf(const ZoomView& view, OverviewPanel& overview) {
 }  // namespace
 
 MainWindow::MainWindow()
-    : menus_(new WindowMenus(*menuBar()))
+    : messages_(new MessageLog(this))
+    , menus_(new WindowMenus(*menuBar()))
     , controls_(new ControlBar(this))
     , banner_(new StateBanner(this))
     , engage_(new EngageBar(this))
@@ -95,7 +100,8 @@ MainWindow::MainWindow()
     , loopStatus_(new LoopStatusBar(this))
     , fidelity_(new FidelityPanel(this))
     , scenePanel_(new ScenePanel(this))
-    , hapticPanel_(new HapticPanel(this)) {
+    , hapticPanel_(new HapticPanel(this))
+    , cheatSheet_(new CheatSheet([this] { return windowHelp(*menuBar()); }, this)) {
     setAcceptDrops(true);
     placeAll();
     connectMenus();
@@ -104,6 +110,7 @@ MainWindow::MainWindow()
     connect(engage_, &EngageBar::setpointEntered, view_, [this] { view_->setFocus(); });
     tellRefusals();
     closeByEscape(*fidelity_);
+    closeByEscape(*cheatSheet_);
     showScene(nullptr, {});
     showLoading({});
     setEmergencyStop(false);
@@ -127,12 +134,21 @@ void MainWindow::placeAll() {
     addSidePage(hapticPanel_, tr("Haptics"));
     statusBar()->addWidget(loopStatus_, 1);  // a message takes the whole line for a while
     panels_.push_back(loopStatus_);
+    placeMessages();
     new PanelsMenu(*menus_->panels, *layout_);
     connect(&layout_->maximizer(), &Maximizer::changed, view_, [this](bool active) {
         if (!active) {
             view_->setFocus();
         }
     });
+}
+
+void MainWindow::placeMessages() {
+    auto* panel = new MessagesPanel(*messages_, this);
+    addTool(panel, tr("Messages"));
+    auto* badge = new MessageBadge(*messages_, this);
+    statusBar()->addPermanentWidget(badge);
+    connect(badge, &MessageBadge::clicked, this, [this, panel] { showTool(panel); });
 }
 
 const std::vector<Card*>& MainWindow::cards() const { return layout_->cards().cards(); }
@@ -185,10 +201,11 @@ void MainWindow::closeByEscape(QWidget& panel) {
 }
 
 void MainWindow::tellRefusals() {
-    connect(scenePanel_, &ScenePanel::refused, this, &MainWindow::tell);
+    const auto tellRefusal = [this](const QString& reason) { tell(reason, MessageKind::Warning); };
+    connect(scenePanel_, &ScenePanel::refused, this, tellRefusal);
     for (const NumberBox* box : findChildren<NumberBox*>()) {
         if (box->window() == this) {
-            connect(box, &NumberBox::refused, this, &MainWindow::tell);
+            connect(box, &NumberBox::refused, this, tellRefusal);
         }
     }
 }
@@ -217,6 +234,7 @@ void MainWindow::connectMenus() {
     on(menus_->followPathFile, askPath);
     connect(controls_, &ControlBar::pathFileRequested, this, askPath);
     on(menus_->followRecording, ask(askForRecording, &MainWindow::recordingChosen));
+    view_->addAction(menus_->copyView);  // so that its shortcut holds there
     on(menus_->quit, [this] { close(); });
     on(menus_->zoomIn, [this] { view_->setHalfWidth(view_->halfWidth() / 1.25); });
     on(menus_->zoomOut, [this] { view_->setHalfWidth(view_->halfWidth() * 1.25); });
@@ -228,8 +246,7 @@ void MainWindow::connectMenus() {
     connect(menus_->secondView, &QAction::toggled, second_, &QWidget::setVisible);
     on(menus_->fidelity, [this] { toggle(*fidelity_); });
     on(menus_->parameters, [this] { showSidePage(scenePanel_); });
-    on(menus_->controls, [this] { explainControls(this); });
-    on(menus_->about, [this] { explainProgram(this); });
+    on(menus_->controls, [this] { toggle(*cheatSheet_); });
 }
 
 void MainWindow::connectViews() {
@@ -269,7 +286,14 @@ void MainWindow::showScene(const Scene* scene, const QString& title) {
     setWindowTitle(title.isEmpty() ? tr("Asperity") : tr("%1 – Asperity").arg(title));
 }
 
-void MainWindow::tell(const QString& message) { statusBar()->showMessage(message, kMessageTime); }
+void MainWindow::tell(const QString& message) { tell(message, MessageKind::Note); }
+
+void MainWindow::tell(const QString& message, MessageKind kind) {
+    statusBar()->showMessage(message, kMessageTime);
+    if (!message.isEmpty()) {
+        messages_->add(kind, message);
+    }
+}
 
 void MainWindow::showLoading(const QString& name) {
     loading_->begin(name);
@@ -308,14 +332,17 @@ void MainWindow::lock() {
     }
 }
 
-void MainWindow::complain(const QString& message) { complainIn(this, message); }
+void MainWindow::complain(const QString& message) {
+    messages_->add(MessageKind::Error, message);
+    complainIn(this, message);
+}
 
 /// QStatusBar hides what a message covers only where that is on the screen already.
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     if (const QString message = statusBar()->currentMessage(); !message.isEmpty()) {
         statusBar()->clearMessage();
-        tell(message);
+        statusBar()->showMessage(message, kMessageTime);
     }
 }
 

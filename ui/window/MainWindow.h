@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/Scene.h"
+#include "ui/panels/MessageLog.h"
 #include "ui/window/Dialogs.h"
 
 #include <QMainWindow>
@@ -15,6 +16,7 @@ class QSplitter;
 namespace asperity {
 
 class Card;
+class CheatSheet;
 class ControlBar;
 class CrossHairLink;
 class EngageBar;
@@ -94,6 +96,9 @@ public:
     [[nodiscard]] LoadingBar& loading() { return *loading_; }
     /// A short message for a while.
     void tell(const QString& message);
+    void tell(const QString& message, MessageKind kind);
+    /// All that the window said; what it shows nowhere else is added here.
+    [[nodiscard]] MessageLog& messages() { return *messages_; }
     /// Whether Esc switches the forces of a device off, whatever window is active; else it closes
     /// what is open, no more.
     void setEmergencyStop(bool active);
@@ -117,6 +122,8 @@ protected:
 
 private:
     void placeAll();
+    /// The list of messages and what counts its errors.
+    void placeMessages();
     /// Shows a panel that is a window of its own, at first beside this one; or hides it.
     void toggle(QWidget& panel);
     /// Has Esc close it where that is no emergency stop; numbers half typed do not count then.
@@ -128,6 +135,7 @@ private:
 
     std::vector<ScanFileType> scanFiles_;
     QString sceneFile_;
+    MessageLog* messages_;
     WindowMenus* menus_;
     ControlBar* controls_;
     StateBanner* banner_;
@@ -142,6 +150,7 @@ private:
     FidelityPanel* fidelity_;
     ScenePanel* scenePanel_;
     HapticPanel* hapticPanel_;
+    CheatSheet* cheatSheet_;
     std::set<QWidget*> placed_;            ///< panels that have stood beside this window
     std::vector<QShortcut*> toolClosers_;  ///< Esc, where it is no emergency stop
     std::vector<RunPanel*> panels_;

@@ -59,6 +59,12 @@ void WindowMenus::explainAll() {
         {quit, tr("End the run and close the window")},
         {undo, tr("The scene as it was before its last change")},
         {redo, tr("The scene as it was before the last undo")},
+        {copyView, tr("Put the picture of the large view on the clipboard")},
+        {copyWindow, tr("Put the picture of the window on the clipboard")},
+        {copyPlot,
+         tr("Put the plot under the pointer on the clipboard, as picture and as numbers")},
+        {copyNumbers,
+         tr("Put all numbers shown on the clipboard: tab-separated, with standard deviations")},
         {startPause, tr("Start the run, or pause it")},
         {forcesOff, tr("Switch the forces on the device off")},
         {resetFault, tr("Reset the fault: forces act again")},
@@ -73,8 +79,8 @@ void WindowMenus::explainAll() {
             "direction and options of its own")},
         {fidelity, tr("Terms of the model with their errors and costs")},
         {parameters, tr("Every key of the scene: scan, material, tip, lever, physics")},
-        {controls, tr("What mouse and keys do")},
-        {about, tr("Version, purpose and license")}};
+        {controls, tr("All keys and all that the mouse does, to be searched and printed")},
+        {about, tr("Versions and licenses of the program and its libraries")}};
     for (const auto& [entry, tip] : tips) {
         explain(*entry, tip);
     }
@@ -92,7 +98,7 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     channels_->setObjectName(QStringLiteral("channels"));
     channels_->setToolTipsVisible(true);
     setChannels({}, {});
-    cancelLoading = menu->addAction(tr("&Cancel loading"));
+    cancelLoading = menu->addAction(tr("C&ancel loading"));
     saveScene = menu->addAction(tr("Save s&cene as…"));
     saveScene->setShortcut(tr("Ctrl+Shift+S"));
     savePicture = menu->addAction(tr("&Save picture of the window…"));
@@ -114,6 +120,14 @@ void WindowMenus::addEditMenu(QMenuBar& bar) {
     redo = menu->addAction(QString());
     redo->setObjectName(QStringLiteral("redo"));
     redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+    menu->addSeparator();
+    copyView = menu->addAction(tr("&Copy view"));
+    copyView->setShortcut(QKeySequence::Copy);
+    copyView->setShortcutContext(Qt::WidgetShortcut);  // number fields copy what they hold
+    copyWindow = menu->addAction(tr("Copy &window"));
+    copyPlot = menu->addAction(tr("Copy &plot"));
+    copyPlot->setShortcut(tr("Ctrl+Shift+C"));
+    copyNumbers = menu->addAction(tr("Copy r&eadings"));
 }
 
 void WindowMenus::setHistory(const QString& undoName, const QString& redoName) {
@@ -134,7 +148,7 @@ void WindowMenus::addRunMenu(QMenuBar& bar) {
     forcesOff = menu->addAction(tr("&Forces off"));
     resetFault = menu->addAction(tr("Reset fa&ult"));
     menu->addSeparator();
-    followPathFile = menu->addAction(tr("Follow a path from a &file…"));
+    followPathFile = menu->addAction(tr("Follow a path from a fi&le…"));
     followRecording = menu->addAction(tr("Replay a &recording…"));
     for (QAction* action : {startPause, forcesOff}) {
         action->setShortcutContext(Qt::ApplicationShortcut);
@@ -186,6 +200,7 @@ void WindowMenus::setChannels(const QStringList& names, const QString& present) 
     channelGroup_ = new QActionGroup(channels_);
     for (const QString& name : names) {
         QAction* entry = channelGroup_->addAction(QString(name).replace('&', QStringLiteral("&&")));
+        entry->setProperty("namedByData", true);
         entry->setCheckable(true);
         entry->setChecked(name == present);
         channels_->addAction(entry);
@@ -242,7 +257,7 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
 
 void WindowMenus::addHelpMenu(QMenuBar& bar) {
     QMenu* menu = addMenu(bar, tr("&Help"));
-    controls = menu->addAction(tr("&Mouse and keys"));
+    controls = menu->addAction(tr("&Keyboard and mouse"));
     controls->setShortcut(QKeySequence::HelpContents);
     about = menu->addAction(tr("&About Asperity"));
 }

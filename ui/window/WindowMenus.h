@@ -39,6 +39,10 @@ public:
 
     QAction* undo;
     QAction* redo;
+    QAction* copyView;
+    QAction* copyWindow;
+    QAction* copyPlot;
+    QAction* copyNumbers;
 
     QAction* startPause;
     QAction* forcesOff;

@@ -35,15 +35,5 @@ TEST(Dialogs, AllThatIsReadComesFirstThenEachTypeThenAnyFile) {
                            "Text matrix (*.txt *.tif)", "All files (*)"}));
 }
 
-TEST(Dialogs, WhatIsExplainedMayHaveMarkup) {
-    for (const auto explain : {explainControls, explainProgram}) {
-        QWidget window;
-        explain(&window);
-        const QMessageBox& box = boxIn(window);
-        EXPECT_NE(box.textFormat(), Qt::PlainText);
-        EXPECT_TRUE(box.text().contains("<b>"));
-    }
-}
-
 }  // namespace
 }  // namespace asperity::test

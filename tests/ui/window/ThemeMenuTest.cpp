@@ -109,13 +109,13 @@ TEST_F(ThemeMenuTest, TheLargeViewHasTheBackdropOfTheTheme) {
 TEST_F(ThemeMenuTest, TheMenuMarksTheThemeThatIsChosen) {
     const auto checked = [this] {
         Q_EMIT menu().aboutToShow();
-        QStringList checked;
+        QStringList names;
         for (const QAction* entry : menu().actions()) {
             if (entry->isChecked()) {
-                checked << entry->text();
+                names << entry->text();
             }
         }
-        return checked;
+        return names;
     };
     EXPECT_EQ(checked(), QStringList("&Light"));
     theme::choose(ThemeChoice::Dark);

@@ -60,11 +60,11 @@ TEST_F(WindowMemoryTest, KeepsWhatIsHiddenWhatIsOnTopAndHowTheRoomIsShared) {
     };
     const auto sizes = [](MainWindow& window) {
         QTest::qWait(50);
-        std::vector<QList<int>> sizes;
+        std::vector<QList<int>> found;
         for (const QSplitter* splitter : window.layout().splitters()) {
-            sizes.push_back(splitter->sizes());
+            found.push_back(splitter->sizes());
         }
-        return sizes;
+        return found;
     };
     std::vector<QList<int>> left;
     {

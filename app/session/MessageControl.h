@@ -1,0 +1,28 @@
+#pragma once
+
+#include "app/session/RunControl.h"
+
+namespace asperity {
+
+/// Lists in the window's messages what nobody is shown in a box: faults when they come and go, and
+/// what was noted about a scan while it was loaded.
+class MessageControl : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param window, runs outlive this
+    MessageControl(MainWindow& window, RunControl& runs);
+
+    /// Once a frame. There is a run.
+    void advance();
+
+private:
+    void listNotes();
+
+    MainWindow& window_;
+    RunControl& runs_;
+    Fault fault_ = Fault::None;  ///< listed last
+    QStringList notes_;          ///< listed last
+};
+
+}  // namespace asperity

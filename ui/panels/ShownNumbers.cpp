@@ -1,0 +1,29 @@
+#include "ui/panels/ShownNumbers.h"
+
+#include "ui/panels/PlotTable.h"
+
+#include <QObject>
+#include <QStringList>
+
+namespace asperity {
+
+QString tabSeparated(const ShownNumbers& numbers) {
+    QStringList names;
+    QStringList values;
+    QStringList sigmas;
+    QStringList units;
+    for (const ShownNumber& number : numbers) {
+        names << number.name;
+        values << numberCell(number.value);
+        sigmas << (number.sigma ? numberCell(*number.sigma) : QString());
+        units << number.unit;
+    }
+    PlotTable table;
+    table.add(QObject::tr("name"), names);
+    table.add(QObject::tr("value"), values);
+    table.add(QObject::tr("standard deviation"), sigmas);
+    table.add(QObject::tr("unit"), units);
+    return table.tabSeparated();
+}
+
+}  // namespace asperity
