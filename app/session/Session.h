@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/session/ColorControl.h"
 #include "app/session/ClipboardControl.h"
+#include "app/session/ColorControl.h"
 #include "app/session/DeviceControl.h"
 #include "app/session/EngageControl.h"
 #include "app/session/EntryControl.h"
