@@ -17,8 +17,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kHeight = 32;      ///< [px]
-constexpr int kMaxLetters = 60;  ///< of the whole line
+constexpr int kHeight = 32;          ///< [px]
+constexpr int kMaxLetters = 60;      ///< of the whole line
+constexpr double kStateSize = 9.75;  ///< of letters [pt]
 const QString kBetween = QStringLiteral(" · ");
 
 template <class Value>
@@ -39,7 +40,7 @@ StateBanner::StateBanner(QWidget* parent)
     setFixedHeight(theme::scaled(kHeight));
     state_->setObjectName(QStringLiteral("state"));
     state_->setTextFormat(Qt::PlainText);
-    state_->setFont(theme::boldFont(theme::kTextSize + 0.75));
+    state_->setFont(theme::boldFont(theme::kStateSize));
     flags_->setObjectName(QStringLiteral("flags"));
     flags_->setTextFormat(Qt::PlainText);
     flags_->setFont(theme::textFont());
