@@ -46,9 +46,9 @@ ViewOptionsMenu::ViewOptionsMenu(QMenu& menu) : QObject(&menu), menu_(menu) {
     addSwitch(menu, tr("&Grid"), &ViewOptions::grid, tr("Lines on the surface, along x and y"));
     addSwitch(menu, tr("S&ection through the tip"), &ViewOptions::section,
               tr("Cuts away what lies before the tip, so that the dent is seen from the side"));
-    addSwitch(menu, tr("Ghost: &commanded tip"), &ViewOptions::commandedTip,
+    addSwitch(menu, tr("Ghost: co&mmanded tip"), &ViewOptions::commandedTip,
               tr("Outline where the tip would be if no force bent the lever: the base position"));
-    addSwitch(menu, tr("Ghost: &true tip"), &ViewOptions::trueTip,
+    addSwitch(menu, tr("Ghost: tr&ue tip"), &ViewOptions::trueTip,
               tr("Outline where the simulated instrument really has its tip; model and estimator "
                  "do not know it"));
     setOptions(options_);

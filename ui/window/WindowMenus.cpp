@@ -239,7 +239,7 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
     resetView->setShortcut(tr("Home"));
     menu->addSeparator();
     directions_ = new DirectionMenu(*menu->addMenu(tr("&Direction")), DirectionMenu::Keys::Digits);
-    secondView = menu->addAction(tr("Seco&nd view"));
+    secondView = menu->addAction(tr("Second vie&w"));
     secondView->setCheckable(true);
     menu->addSeparator();
     colors_ = new ColorsMenu(*menu->addMenu(tr("&Colors")));
@@ -248,7 +248,7 @@ void WindowMenus::addViewMenu(QMenuBar& bar) {
     menu->addSeparator();
     fidelity = menu->addAction(tr("&Fidelity…"));
     fidelity->setShortcut(tr("F6"));
-    parameters = menu->addAction(tr("S&cene"));
+    parameters = menu->addAction(tr("Sce&ne"));
     parameters->setShortcut(tr("F7"));
     menu->addSeparator();
     panels = menu->addMenu(tr("&Panels"));
