@@ -78,7 +78,18 @@ void MarkerControl::change(const QString& name, const std::vector<Marker>& marke
     show();
 }
 
+void MarkerControl::addAtCrossHair() {
+    if (const std::optional<Vector2> place = window_.crossHair()) {
+        add({place->x(), place->y()});
+    } else {
+        window_.tell(tr("Move the pointer over a view: the marker is set there"));
+    }
+}
+
 void MarkerControl::add(const QPointF& place) {
+    if (edits_.wanted() == nullptr) {
+        return;
+    }
     std::vector<Marker> next = markers();
     next.push_back({freeName(next), place.x(), place.y()});
     change(tr("Marker %1").arg(QString::fromStdString(next.back().name)), next);

@@ -17,6 +17,8 @@ public:
     MarkerControl(MainWindow& window, RunControl& runs, SceneEdits& edits);
 
     [[nodiscard]] MarkersPage& page() { return *page_; }
+    /// Sets a marker at the cross-hair, where there is one.
+    void addAtCrossHair();
 
 private:
     void connectPage();

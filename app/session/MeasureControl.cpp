@@ -50,6 +50,7 @@ void MeasureControl::connectMenu() {
     });
     on(menu.roughness, [this] { window_.showTool(&roughness_.page()); });
     on(menu.markers, [this] { window_.showTool(&markers_.page()); });
+    on(menu.markerHere, [this] { markers_.addAtCrossHair(); });
     on(menu.touches, [this] { window_.showTool(&touches_.page()); });
     on(menu.curve, [this] { curves_.ask(); });
 }

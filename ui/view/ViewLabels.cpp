@@ -65,6 +65,7 @@ void ViewLabels::paint(Painter& painter) const {
         paintScaleBars(painter);
     }
     paintNotes(painter, width, height);
+    paintMarkers(painter, width, height);
     paintNames(painter, width, height);
     paintForce(painter, width, height);
     paintReading(painter, width, height);
@@ -115,6 +116,15 @@ void ViewLabels::paintNames(Painter& painter, double viewWidth, double viewHeigh
         painter.label({at.x + kNameGap, at.y}, name.text,
                       {.size = kTextSize, .bold = true, .color = name.color},
                       {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
+    }
+}
+
+void ViewLabels::paintMarkers(Painter& painter, double viewWidth, double viewHeight) const {
+    for (const LabelContent::Name& marker : content_.markers) {
+        const PixelPoint at = project(marker.place);
+        painter.label({at.x + kNameGap, at.y}, marker.text,
+                      {.size = kTextSize, .color = marker.color}, {0.0, 0.0, viewWidth, viewHeight},
+                      theme::palette().paper);
     }
 }
 

@@ -30,8 +30,9 @@ struct LabelContent {
         std::string text;
         Color color;
     };
-    std::vector<Name> names;  ///< of what is in the view
-    std::string reading;      ///< of the cross-hair; empty: none
+    std::vector<Name> names;    ///< of what is in the view
+    std::vector<Name> markers;  ///< of the scene, each where it is
+    std::string reading;        ///< of the cross-hair; empty: none
 };
 
 /// Scale bars, axes, notes and the force, painted over a view.
@@ -54,6 +55,7 @@ private:
     void paintNotes(Painter& painter, double viewWidth, double viewHeight) const;
     void paintForce(Painter& painter, double viewWidth, double viewHeight) const;
     void paintNames(Painter& painter, double viewWidth, double viewHeight) const;
+    void paintMarkers(Painter& painter, double viewWidth, double viewHeight) const;
     void paintReading(Painter& painter, double viewWidth, double viewHeight) const;
     [[nodiscard]] PixelPoint project(const Vector3& place) const;
 

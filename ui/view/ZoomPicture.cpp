@@ -64,6 +64,7 @@ ZoomPicture::ZoomPicture(vtkGenericOpenGLRenderWindow* window)
     , force_(through_)
     , guide_(through_)
     , cross_(live_)
+    , markers_(live_)
     , ghosts_(through_)
     , labels_(through_) {
     window->SetMultiSamples(0);
@@ -119,6 +120,7 @@ void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {
     }
     showGhosts(camera);
     showCrossHair();
+    showMarkers();
 }
 
 void ZoomPicture::showTerrain(const ViewCamera& camera, TerrainDetail detail) {
@@ -355,6 +357,15 @@ void ZoomPicture::showCrossHair() {
     cross_.show(scene_->surface, *crossHair_, terrain_.place().window, shape_.get(), space());
 }
 
+void ZoomPicture::showMarkers() {
+    if (frame_) {
+        markers_.show(scene_->description.markers, scene_->surface, terrain_.place().window,
+                      space());
+    } else {
+        markers_.hide();
+    }
+}
+
 std::optional<Vector2> ZoomPicture::placeAt(const Vector2& pixel) const {
     return frame_ ? seenPlace(scene_->surface, rayThrough(*still_, pixel, space()),
                               terrain_.place().window, shape_.get())
@@ -380,6 +391,7 @@ void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelR
                          .force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0,
                          .forceEnd = force_.end(),
                          .names = ghosts_.names(),
+                         .markers = markers_.names(),
                          .reading = crossHair_ ? reading_.toStdString() : std::string()};
     if (options_.axes) {
         content.axes = FrameAxes{.window = terrain_.place().window,

@@ -8,6 +8,7 @@
 #include "ui/view/ForceLayer.h"
 #include "ui/view/GuideLayer.h"
 #include "ui/view/LeverLayer.h"
+#include "ui/view/MarkerLayer.h"
 #include "ui/view/PatchColors.h"
 #include "ui/view/SectionLayer.h"
 #include "ui/view/StaticLayer.h"
@@ -126,6 +127,7 @@ private:
     void showSection(const ContactShape& shape, const ViewCamera& camera);
     void showGhosts(const ViewCamera& camera);
     void showCrossHair();
+    void showMarkers();
     [[nodiscard]] std::string tipAbove(int height, double pixelRatio) const;
 
     const Scene* scene_ = nullptr;
@@ -156,6 +158,7 @@ private:
     ForceLayer force_;
     GuideLayer guide_;
     CrossHairLayer cross_;
+    MarkerLayer markers_;
     TipGhosts ghosts_;
     ViewLabels labels_;
 };

@@ -157,6 +157,8 @@ bool MainWindow::isPanelEnlarged() const { return layout_->maximizer().isActive(
 
 QSplitter& MainWindow::views() { return viewSide_->views(); }
 
+std::optional<Vector2> MainWindow::crossHair() const { return crossHair_->place(); }
+
 void MainWindow::addTool(QWidget* page, const QString& title) {
     layout_->tools().addPage(page, title, false);
 }

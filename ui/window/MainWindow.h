@@ -7,6 +7,7 @@
 #include <QMainWindow>
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -71,6 +72,9 @@ public:
     [[nodiscard]] bool isPanelEnlarged() const;
     /// Of the views beside one another; the large view is the first of them.
     [[nodiscard]] QSplitter& views();
+
+    /// Where the pointer is over a view, world x, y [m]; none: over none of them.
+    [[nodiscard]] std::optional<Vector2> crossHair() const;
 
     /// Adds a page to the tabs below the view; it is hidden at first.
     void addTool(QWidget* page, const QString& title);

@@ -29,6 +29,10 @@ MeasureMenu::MeasureMenu(QMenu& menu)
           QT_TRANSLATE_NOOP("MeasureMenu", "Sa, Sq, Sz and Sdr of the scan or a rectangle")))
     , markers(newEntry(menu, QT_TRANSLATE_NOOP("MeasureMenu", "&Markers"), "Ctrl+M",
                        QT_TRANSLATE_NOOP("MeasureMenu", "Named places to travel to")))
+    , markerHere(newEntry(
+          menu, QT_TRANSLATE_NOOP("MeasureMenu", "Marker at the cross-&hair"), "Ctrl+Shift+M",
+          QT_TRANSLATE_NOOP("MeasureMenu", "By its key: sets a marker where the pointer is, in "
+                                           "any view")))
     , touches(newEntry(
           menu, QT_TRANSLATE_NOOP("MeasureMenu", "&Touches"), "Ctrl+T",
           QT_TRANSLATE_NOOP("MeasureMenu", "Table of all touches of the session, for export")))

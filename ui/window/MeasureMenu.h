@@ -13,6 +13,7 @@ struct MeasureMenu {
     QAction* profile;
     QAction* roughness;
     QAction* markers;
+    QAction* markerHere;  ///< at the cross-hair, which is where the pointer is
     QAction* touches;
     QAction* curve;  ///< draws a measured force-distance curve
 };

@@ -166,6 +166,18 @@ TEST_F(Measure, MarkersAreSetAtTheTipRenamedMovedAndDeleted) {
     EXPECT_EQ(map().activeTool(), nullptr);
 }
 
+TEST_F(Measure, AMarkerIsSetWhereThePointerIs) {
+    openGrating();
+    window.menus().measure().markerHere->trigger();
+    EXPECT_TRUE(markers().empty()) << "the pointer is over no view";
+    EXPECT_TRUE(told().starts_with("Move the pointer")) << told();
+    sendMouse(map(), QEvent::MouseMove, pixel(100, 30), Qt::NoButton);
+    window.menus().measure().markerHere->trigger();
+    ASSERT_EQ(markers().size(), 1U);
+    EXPECT_NEAR(markers()[0].x, 100e-9, 1e-9);
+    EXPECT_NEAR(markers()[0].y, 30e-9, 1e-9);
+}
+
 TEST_F(Measure, ATouchIsARowThatIsExported) {
     openGrating();
     window.menus().measure().touches->trigger();
