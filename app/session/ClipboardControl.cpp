@@ -37,7 +37,10 @@ ClipboardControl::ClipboardControl(MainWindow& window, RunControl& runs, ViewCon
 }
 
 void ClipboardControl::copyView() {
-    QApplication::clipboard()->setImage(window_.view().grab().toImage());
+    // Of the second view where that has the focus.
+    auto* const focused = qobject_cast<ZoomView*>(QApplication::focusWidget());
+    ZoomView& view = focused != nullptr ? *focused : window_.view();
+    QApplication::clipboard()->setImage(view.grab().toImage());
     window_.tell(tr("The view is on the clipboard"));
 }
 

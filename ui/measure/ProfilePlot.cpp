@@ -3,6 +3,7 @@
 #include "ui/Theme.h"
 #include "ui/measure/PlotHandles.h"
 #include "ui/panels/AxisTicks.h"
+#include "ui/panels/CopyablePlot.h"
 #include "ui/panels/PlotCursor.h"
 #include "ui/panels/PlotNavigation.h"
 #include "ui/panels/QwtParts.h"
@@ -195,6 +196,7 @@ ProfilePlot::ProfilePlot(QWidget* parent)
     connect(&canvas_->navigation(), &PlotNavigation::windowChanged, this, &ProfilePlot::draw);
     connect(&canvas_->navigation(), &PlotNavigation::cursorMoved, this, &ProfilePlot::draw);
     connect(&canvas_->handles(), &PlotHandles::dragged, this, &ProfilePlot::drag);
+    new CopyablePlot(*this, [this] { return table(); });
     draw();
 }
 
@@ -208,6 +210,19 @@ void ProfilePlot::setProfile(const QVector<QPointF>& points) {
         canvas_->navigation().reset();  // what was looked at is of another line
     }
     draw();
+}
+
+PlotTable ProfilePlot::table() const {
+    std::vector<double> distances;
+    std::vector<double> heights;
+    for (const QPointF& point : points_) {
+        distances.push_back(point.x());
+        heights.push_back(point.y());
+    }
+    PlotTable table;
+    table.add(tr("distance [m]"), distances);
+    table.add(tr("height [m]"), heights);
+    return table;
 }
 
 void ProfilePlot::setCursors(const Cursors& distances) {

@@ -1,6 +1,8 @@
 #pragma once
 
 // Compiled as C++17 too: Qwt's headers are not C++20.
+#include "ui/panels/PlotTable.h"
+
 #include <QPointF>
 #include <QVector>
 #include <QWidget>
@@ -38,6 +40,9 @@ public:
     void setCursors(const Cursors& distances);
     /// None: no step is measured.
     void setStretches(const std::optional<Stretches>& stretches);
+
+    /// Distance [m] and height [m] along the line.
+    [[nodiscard]] PlotTable table() const;
 
     [[nodiscard]] QWidget& canvas();
     /// Where a distance is on the canvas [px].

@@ -236,7 +236,9 @@ void MainWindow::connectMenus() {
     on(menus_->followPathFile, askPath);
     connect(controls_, &ControlBar::pathFileRequested, this, askPath);
     on(menus_->followRecording, ask(askForRecording, &MainWindow::recordingChosen));
-    view_->addAction(menus_->copyView);  // so that its shortcut holds there
+    for (ZoomView* const view : {view_, &second_->space()}) {
+        view->addAction(menus_->copyView);  // so that its shortcut holds there
+    }
     on(menus_->quit, [this] { close(); });
     on(menus_->zoomIn, [this] { view_->setHalfWidth(view_->halfWidth() / 1.25); });
     on(menus_->zoomOut, [this] { view_->setHalfWidth(view_->halfWidth() * 1.25); });

@@ -1,5 +1,6 @@
 #include "ui/window/SecondView.h"
 
+#include "ui/panels/CopyablePlot.h"
 #include "ui/panels/NumberBox.h"
 #include "ui/view/ContactPlot.h"
 #include "ui/view/ZoomView.h"
@@ -27,6 +28,27 @@ constexpr int kGap = 6;  // [px]
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kFitting = 0.0;  // see ContactPlot::setHeightFactor()
 
+/// What the section shows: place along the plane from the tip's axis, and world z.
+PlotTable tableOf(const std::optional<ContactSection>& section) {
+    PlotTable table;
+    const auto add = [&table](const QString& name, const std::vector<Vector2>& points) {
+        std::vector<double> along;
+        std::vector<double> heights;
+        for (const Vector2& point : points) {
+            along.push_back(point.x());
+            heights.push_back(point.y());
+        }
+        table.add(SecondView::tr("along, %1 [m]").arg(name), along);
+        table.add(SecondView::tr("z, %1 [m]").arg(name), heights);
+    };
+    if (section) {
+        add(SecondView::tr("surface at rest"), section->rest);
+        add(SecondView::tr("deformed surface"), section->deformed);
+        add(SecondView::tr("tip"), section->tip);
+    }
+    return table;
+}
+
 }  // namespace
 
 SecondView::SecondView(QWidget* parent)
@@ -41,6 +63,7 @@ SecondView::SecondView(QWidget* parent)
     , direction_(new NumberBox(this))
     , heights_(new QComboBox(this)) {
     setObjectName(QStringLiteral("secondView"));
+    new CopyablePlot(*section_, [this] { return tableOf(section_->section()); });
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(kGap);

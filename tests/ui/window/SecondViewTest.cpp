@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "tests/support/TestScenes.h"
 #include "tests/ui/view/ViewMoments.h"
+#include "ui/panels/CopyablePlot.h"
 #include "ui/panels/NumberBox.h"
 #include "ui/panels/OverviewMap.h"
 #include "ui/panels/OverviewPanel.h"
@@ -66,6 +67,18 @@ TEST_F(SecondViewTest, ShowsASectionOrA3DView) {
     EXPECT_TRUE(second().space().window());
     window.menus().secondView->trigger();
     EXPECT_FALSE(second().space().window());
+}
+
+TEST_F(SecondViewTest, TheSectionCopiesSurfaceAndTip) {
+    const CopyablePlot& plot = *CopyablePlot::of(&second().section());
+    EXPECT_EQ(plot.data(), QString());
+    window.menus().secondView->trigger();
+    second().showSnapshot(moments.deep);
+    const QStringList lines = plot.data().split('\n');
+    EXPECT_TRUE(lines[0].startsWith(QStringLiteral("along, surface at rest [m]\tz, surface at rest "
+                                                   "[m]\talong, deformed surface [m]\t")));
+    const ContactSection& section = *second().section().section();
+    EXPECT_EQ(lines[1].section('\t', 3, 3).toDouble(), section.deformed.front().y());
 }
 
 TEST_F(SecondViewTest, HasADirectionAndOptionsOfItsOwn) {
