@@ -16,7 +16,7 @@ for program in pngquant montage; do
     }
 done
 "$top/tools/build.sh" release asperity asperity_screenshots asperity_deformation_pictures asperity_fidelity_picture \
-    asperity_device_picture
+    asperity_device_picture asperity_open_picture
 moments=$(mktemp -d)
 trap 'rm -r "$moments"' EXIT
 unset DISPLAY  # the window's size must not depend on a window manager: it starts its own Xvfb
@@ -47,4 +47,6 @@ cp "$moments"/run/{deformation,overview,forces}.png "$out"
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/fidelity.png"
 "$top/build/release/bin/asperity_device_picture" "$input" 1280 800 "$out/device.png"
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/device.png"
+"$top/build/release/bin/asperity_open_picture" "$input" "$out/open_dialog.png" part
+pngquant --force --ext .png --speed 1 --quality 80-100 "$out/open_dialog.png"
 "$top/build/release/bin/asperity_deformation_pictures" "$out"

@@ -1,5 +1,6 @@
 #include "app/commands/ExploreCommand.h"
 
+#include "app/commands/CropOption.h"
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
@@ -278,6 +279,7 @@ void addExploreCommand(CLI::App& program) {
     addSetpointOption(*command, options->overrides.setpoint);
     command->add_option("--channel", options->overrides.channel, "channel of the height map");
     addScaleOptions(*command, options->overrides.scale);
+    addCropOption(*command, options->overrides.crop);
     addLevelingOptions(*command, options->overrides.leveling, options->overrides.levelPoints,
                        "default: as in the scene, or plane");
     command->callback([options] { explore(*options); });

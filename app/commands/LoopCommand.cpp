@@ -1,5 +1,6 @@
 #include "app/commands/LoopCommand.h"
 
+#include "app/commands/CropOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
@@ -34,6 +35,7 @@ constexpr double kOnePath = 10.0;  // approach, slide and retract [s]
 struct LoopOptions {
     std::string input;
     GivenScale scale;
+    std::optional<PixelRectangle> crop;
     double rate = 0.0;       // [Hz]; 0: the scene's own
     double duration = 10.0;  // [s]
     std::string record;      // folder; empty: nothing is recorded
@@ -49,7 +51,7 @@ LoadedScene loadForLoop(const LoopOptions& options) {
     if (input.empty()) {
         throw Error("the program's data folder is missing: name a scan or a scene");
     }
-    LoadedScene loaded = loadSceneOnTerminal(input, {.scale = options.scale});
+    LoadedScene loaded = loadSceneOnTerminal(input, {.scale = options.scale, .crop = options.crop});
     if (options.rate > 0.0) {
         loaded.scene.description.tickRate = options.rate;
     }
@@ -223,6 +225,7 @@ void addLoopCommand(CLI::App& program) {
     command->add_option("INPUT", options->input,
                         "height map or scene.toml; default: the scene that comes with the program");
     addScaleOptions(*command, options->scale);
+    addCropOption(*command, options->crop);
     command->add_option("--rate", options->rate, "tick rate [Hz]; default: as in the scene")
         ->check(CLI::Range(100.0, 20000.0))
         ->check(finiteNumber());

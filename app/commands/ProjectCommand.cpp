@@ -1,6 +1,7 @@
 #include "app/commands/ProjectCommand.h"
 
 #include "app/commands/CaseFiles.h"
+#include "app/commands/CropOption.h"
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
@@ -167,6 +168,7 @@ void addProjectCommand(CLI::App& program) {
     command->add_option("--channel", options->overrides.channel,
                         "channel of the file (default: its first height)");
     addScaleOptions(*command, options->overrides.scale);
+    addCropOption(*command, options->overrides.crop);
     addLevelingOptions(*command, options->overrides.leveling, options->overrides.levelPoints,
                        "default: as in the scene, or plane");
     command

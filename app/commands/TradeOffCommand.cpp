@@ -1,5 +1,6 @@
 #include "app/commands/TradeOffCommand.h"
 
+#include "app/commands/CropOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
@@ -22,6 +23,7 @@ namespace {
 struct TradeOffOptions {
     std::string scene;
     GivenScale scale;
+    std::optional<PixelRectangle> crop;
     std::string out;
     bool force = false;
 };
@@ -30,7 +32,7 @@ void tradeOff(const TradeOffOptions& options) {
     const VirtualDisplay display;  // before anything is written: the figure needs it at the end
     const std::filesystem::path scene =
         options.scene.empty() ? defaultSceneFile() : std::filesystem::path(options.scene);
-    LoadedScene loaded = loadSceneOnTerminal(scene, {.scale = options.scale});
+    LoadedScene loaded = loadSceneOnTerminal(scene, {.scale = options.scale, .crop = options.crop});
     OutputFolder out(options.out, {.own = tradeOffFileNames(), .guarded = {}}, options.force);
     ProgressLine line("measuring");
     ProgressPart running(&line, 0.0, 0.7);
@@ -56,6 +58,7 @@ void addTradeOffCommand(CLI::App& program) {
         program.add_subcommand("tradeoff", "Measure cost and error of every model option");
     const auto options = std::make_shared<TradeOffOptions>();
     addScaleOptions(*command, options->scale);
+    addCropOption(*command, options->crop);
     command->add_option("SCENE", options->scene,
                         "scene.toml or height map (default: the default scene)");
     addOutputFolder(*command, options->out, "folder for the table and the figure");

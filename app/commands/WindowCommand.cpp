@@ -1,5 +1,6 @@
 #include "app/commands/WindowCommand.h"
 
+#include "app/commands/CropOption.h"
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
@@ -9,7 +10,6 @@
 #include "app/session/LiveWindow.h"
 #include "app/session/ShippedScene.h"
 #include "core/Error.h"
-#include "core/io/heightmap/HeightMapFile.h"
 #include "vtkplugins/pictures/Display.h"
 
 #include <CLI/CLI.hpp>
@@ -92,18 +92,6 @@ int execWith(LiveWindow& live, const std::filesystem::path& input, const SceneOv
     return status;
 }
 
-std::vector<ScanFileType> scanFiles() {
-    std::vector<ScanFileType> types;
-    for (const ReadableFormat& format : readableFormats()) {
-        ScanFileType& type = types.emplace_back();
-        type.name = QString::fromStdString(format.name);
-        for (const std::string& extension : format.extensions) {
-            type.patterns << QStringLiteral("*") + QString::fromStdString(extension);
-        }
-    }
-    return types;
-}
-
 }  // namespace
 
 std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
@@ -115,6 +103,7 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
         ->check(noMistypedCommand());
     program.add_option("--channel", options->channel, "channel of the height map to open");
     addScaleOptions(program, options->scale);
+    addCropOption(program, options->crop);
     addLevelingOptions(program, options->leveling, options->levelPoints,
                        "default: as in the scene, or plane");
     program
@@ -129,7 +118,8 @@ int openWindow(const WindowOptions& options) {
     const SceneOverrides overrides{.channel = options.channel,
                                    .leveling = options.leveling,
                                    .levelPoints = options.levelPoints,
-                                   .scale = options.scale};
+                                   .scale = options.scale,
+                                   .crop = options.crop};
     if (!options.input.empty() && !haveDisplay()) {
         (void)loadSceneOnTerminal(options.input,
                                   overrides);  // what is wrong with the input comes first
@@ -139,7 +129,6 @@ int openWindow(const WindowOptions& options) {
     }
     LiveWindow live;
     live.remember(userSettings());
-    live.window().setScanFiles(scanFiles());
     live.session().recordings().recoverCutOff();
     if (!options.record.empty()) {
         recordFromTheStart(live.session(), {options.record, options.force});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/surface/GivenScale.h"
+#include "core/surface/PixelRectangle.h"
 #include "core/surface/leveling/LevelingStep.h"
 
 #include <memory>
@@ -20,6 +21,7 @@ struct WindowOptions {
     GivenScale scale;                       ///< of a file that does not say its own
     std::optional<LevelingSteps> leveling;  ///< none: as the scene says
     std::optional<LevelPoints> levelPoints;  ///< of the step three_point
+    std::optional<PixelRectangle> crop;      ///< the part of the map that is loaded
     std::string record;  ///< folder for a recording from the first tick on; empty: none
     bool force = false;  ///< an earlier run in that folder may go
 };

@@ -19,10 +19,11 @@ namespace {
 
 LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides& overrides) {
     if (!overrides.channel.empty() || overrides.leveling || overrides.levelPoints ||
-        overrides.smoothingPixels || overrides.scale.hasSize() || overrides.scale.hasHeight()) {
+        overrides.smoothingPixels || overrides.scale.hasSize() || overrides.scale.hasHeight() ||
+        overrides.crop) {
         throw Error(
-            "a scene with a shape has no height map whose channel, scale, leveling or smoothing to "
-            "choose");
+            "a scene with a shape has no height map whose channel, scale, crop, leveling or "
+            "smoothing to choose");
     }
     return {.scene = buildScene(description),
             .format = "shape",
@@ -32,31 +33,32 @@ LoadedScene shapeScene(const SceneDescription& description, const SceneOverrides
             .needs = {}};
 }
 
+/// All of a channel is no part of it.
+std::optional<PixelRectangle> properPart(const std::optional<PixelRectangle>& crop,
+                                         const ScanChannel& channel) {
+    const PixelRectangle all{0, 0, channel.map.columns, channel.map.rows};
+    return crop == all ? std::nullopt : crop;
+}
+
 LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrides,
                      Progress* progress) {
     SampleDescription& sample = description.sample;
-    if (!overrides.channel.empty()) {
-        sample.channel = overrides.channel;
-    }
-    sample.scale = merged(sample.scale, overrides.scale);
-    if (overrides.leveling) {
-        sample.leveling = *overrides.leveling;
-    }
-    if (overrides.levelPoints) {
-        sample.levelPoints = overrides.levelPoints;
-    }
-    if (overrides.smoothingPixels) {
-        sample.smoothingPixels = *overrides.smoothingPixels;
-        sample.smoothingLength = 0.0;
-    }
+    sample = withOverrides(std::move(sample), overrides);
     sample.file = std::filesystem::absolute(sample.file).lexically_normal().string();
     ProgressPart reading(progress, 0.0, 0.2);
     const ScanFile file(sample.file, sample.scale);
-    SceneScan scan = file.readSceneScan(sample.channel, &reading);
+    sample.crop =
+        properPart(sample.crop, heightChannel(file.contents(), sample.file, sample.channel));
+    SceneScan scan = file.readSceneScan(sample.channel, sample.crop, &reading);
     sample.channel = scan.channel;
     ProgressPart hashing(progress, 0.2, 0.4);
     std::string hash = file.sha256(&hashing);
     ProgressPart building(progress, 0.4, 1.0);
+    const std::size_t holes = std::visit(
+        [](const auto& map) {
+            return static_cast<std::size_t>(std::ranges::count(map.invalid, true));
+        },
+        scan.map);
     const auto build = [&](auto map) { return buildScene(description, std::move(map), &building); };
     return {.scene = std::visit(build, std::move(scan.map)),
             .format = std::move(scan.format),
@@ -65,7 +67,8 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
             .provenance = std::move(scan.provenance),
             .needs = {},
             .images = imagesBeside(file.contents(), scan.channel),
-            .channels = heightChannels(file.contents())};
+            .channels = heightChannels(file.contents()),
+            .filledPixels = holes};
 }
 
 /// @param name that an error says
@@ -85,6 +88,27 @@ LoadedScene loadNamed(const std::string& name, const SceneDescription& descripti
 }
 
 }  // namespace
+
+SampleDescription withOverrides(SampleDescription sample, const SceneOverrides& overrides) {
+    if (!overrides.channel.empty()) {
+        sample.channel = overrides.channel;
+    }
+    sample.scale = merged(sample.scale, overrides.scale);
+    if (overrides.crop) {
+        sample.crop = overrides.crop;
+    }
+    if (overrides.leveling) {
+        sample.leveling = *overrides.leveling;
+    }
+    if (overrides.levelPoints) {
+        sample.levelPoints = overrides.levelPoints;
+    }
+    if (overrides.smoothingPixels) {
+        sample.smoothingPixels = *overrides.smoothingPixels;
+        sample.smoothingLength = 0.0;
+    }
+    return sample;
+}
 
 LoadedScene loadScene(const std::filesystem::path& input, const SceneOverrides& overrides,
                       Progress* progress) {
@@ -110,7 +134,9 @@ LoadedScene withDescription(const LoadedScene& loaded, const SceneDescription& d
                         .notes = loaded.notes,
                         .provenance = loaded.provenance,
                         .needs = {},
-                        .channels = loaded.channels};
+                        .images = loaded.images,
+                        .channels = loaded.channels,
+                        .filledPixels = loaded.filledPixels};
     changed.needs = fitModel(changed.scene);
     return changed;
 }

@@ -6,6 +6,7 @@
 #include "core/probe/AfmController.h"
 #include "core/scene/Scene.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -22,7 +23,12 @@ struct SceneOverrides {
     std::optional<double> smoothingPixels;        ///< [pixel]
     std::optional<double> setpoint;               ///< of an approach [N]
     GivenScale scale = {};                        ///< of a file that does not say its own
+    std::optional<PixelRectangle> crop = {};      ///< the part of the map that is loaded
 };
+
+/// What a map is loaded by: as the scene says, but for the overrides.
+[[nodiscard]] SampleDescription withOverrides(SampleDescription sample,
+                                              const SceneOverrides& overrides);
 
 /// A scene with what is known of the file that it stands on.
 struct LoadedScene {
@@ -34,6 +40,7 @@ struct LoadedScene {
     SceneNeeds needs;                      ///< why the scene's model is what it is
     std::vector<std::string> images = {};  ///< of the file, others with the scan's pixels
     std::vector<std::string> channels = {};  ///< of the file, those that can be taken instead
+    std::size_t filledPixels = 0;            ///< of the map as loaded that held no data
 };
 
 /// All that was decided about a scene: its notes, and those on the force.

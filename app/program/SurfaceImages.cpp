@@ -33,7 +33,10 @@ PixelField imageBeside(const SampleDescription& sample, const BSplineSurface& su
     const ScanFile file(sample.file, sample.scale);
     const ScanChannel& channel = channelNamed(file.contents(), sample.file, name);
     const BSplineSurface::Grid& grid = surface.grid();
-    if (channel.map.columns != grid.columns || channel.map.rows != grid.rows) {
+    const PixelRectangle part =
+        sample.crop.value_or(PixelRectangle{0, 0, channel.map.columns, channel.map.rows});
+    if (!part.liesIn(channel.map.columns, channel.map.rows) || part.columns != grid.columns ||
+        part.rows != grid.rows) {
         throw InputError(sample.file, name, "the image has other pixels than the scan");
     }
     HeightMap values{.columns = grid.columns,
@@ -44,8 +47,11 @@ PixelField imageBeside(const SampleDescription& sample, const BSplineSurface& su
                      .invalid = {}};
     values.heights.reserve(values.index(values.rows, 0));
     file.forEachRow(channel, [&](int row, std::span<const double> line) {
-        values.heights.insert(values.heights.end(), line.begin(), line.end());
-        reportTo(progress, static_cast<double>(row) / grid.rows);
+        if (row >= part.row && row < part.row + part.rows) {
+            const auto first = line.begin() + part.column;
+            values.heights.insert(values.heights.end(), first, first + part.columns);
+        }
+        reportTo(progress, static_cast<double>(row) / channel.map.rows);
     });
     return {values, channel.unit};
 }
@@ -53,7 +59,8 @@ PixelField imageBeside(const SampleDescription& sample, const BSplineSurface& su
 PixelField residualImage(const SampleDescription& sample, const BSplineSurface& surface,
                          Progress* progress) {
     ProgressPart reading(progress, 0.0, 0.4);
-    SceneScan scan = ScanFile(sample.file, sample.scale).readSceneScan(sample.channel, &reading);
+    SceneScan scan =
+        ScanFile(sample.file, sample.scale).readSceneScan(sample.channel, sample.crop, &reading);
     ProgressPart leveling(progress, 0.4, 0.8);
     const auto residual = [&](auto map) {
         return PixelField(

@@ -76,8 +76,10 @@ std::optional<RecordedSample> sampleOf(const std::filesystem::path& folder) {
     }
     try {
         const SampleDescription sample = sceneFromInput(folder / run_files::kScene).sample;
-        return RecordedSample{
-            .sha256 = recordedHash(folder), .channel = sample.channel, .name = sampleName(sample)};
+        return RecordedSample{.sha256 = recordedHash(folder),
+                              .channel = sample.channel,
+                              .crop = sample.crop,
+                              .name = sampleName(sample)};
     } catch (const InputError&) {  // its tables may be all that is left of a run
         return std::nullopt;
     }

@@ -3,6 +3,7 @@
 #include "app/recording/RecordingManifest.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/io/tables/CsvTable.h"
+#include "core/surface/PixelRectangle.h"
 
 #include <filesystem>
 #include <optional>
@@ -39,9 +40,10 @@ struct RecordedRun {
 
 /// The sample that a run was made on.
 struct RecordedSample {
-    std::string sha256;   ///< of the scan's file; empty: a shape
-    std::string channel;  ///< of the scan
-    std::string name;     ///< for people
+    std::string sha256;                  ///< of the scan's file; empty: a shape
+    std::string channel;                 ///< of the scan
+    std::optional<PixelRectangle> crop;  ///< part of it
+    std::string name;                    ///< for people
 };
 
 /// @return nothing where the folder does not say

@@ -53,6 +53,8 @@ LiveWindow::LiveWindow()
     , session_((applyTheme(application_), window_)) {}
 
 void LiveWindow::remember(std::unique_ptr<QSettings> settings) {
+    session_.files().remember(
+        std::make_unique<QSettings>(settings->fileName(), settings->format()));
     memory_.emplace(window_, std::move(settings));
 }
 

@@ -56,7 +56,7 @@ QString bothSamples(const LoadedScene& here, const std::filesystem::path& record
     const std::string name = sampleName(sample);
     const auto isSame = [&] {
         return recorded->sha256 == here.sha256 && recorded->channel == sample.channel &&
-               (!here.sha256.empty() || recorded->name == name);
+               recorded->crop == sample.crop && (!here.sha256.empty() || recorded->name == name);
     };
     return !recorded || isSame()
                ? QString()

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -21,10 +22,17 @@ class ScaleControl : public QObject {
     Q_OBJECT
 
 public:
+    using Kind = std::tuple<std::string, int, int>;  ///< extension, columns, rows
+
     explicit ScaleControl(MainWindow& window) : window_(window) {}
 
     /// Opens the dialog; the window goes on meanwhile. One that is open closes.
     void ask(const std::filesystem::path& file, const ScaleGap& gap);
+    /// What was given for the last scan of this type and these pixels; none: there was none.
+    [[nodiscard]] std::optional<GivenScale> suggestion(const std::filesystem::path& file,
+                                                       const ScaleGap& gap) const;
+    /// To be suggested for the next one.
+    void learn(const std::filesystem::path& file, const ScaleGap& gap, const GivenScale& scale);
     /// Nothing comes of the dialog that is open.
     void withdraw();
 
@@ -33,8 +41,6 @@ Q_SIGNALS:
     void refused();
 
 private:
-    using Kind = std::tuple<std::string, int, int>;  ///< extension, columns, rows
-
     MainWindow& window_;
     QPointer<ScaleDialog> dialog_;
     std::map<Kind, GivenScale> known_;

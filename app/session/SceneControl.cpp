@@ -58,6 +58,7 @@ void SceneControl::open(const std::filesystem::path& input, const SceneOverrides
     edits_.open({.name = name,
                  .load = [input, overrides](
                              Progress& progress) { return loadScene(input, overrides, &progress); },
+                 .opened = [this, input] { Q_EMIT opened(input); },
                  .failed = [this](const std::exception_ptr& reason) { fail(reason); },
                  .canceled =
                      [this, name] {

@@ -19,6 +19,7 @@ public:
     /// does not hold its scale the user is asked for it first. Another one that is being loaded is
     /// given up.
     void open(const std::filesystem::path& input, const SceneOverrides& overrides = {});
+    [[nodiscard]] ScaleControl& scales() { return scales_; }
     /// Cancels what is being loaded; the scene stays as it is.
     void cancelOpen();
     /// Writes the scene as it is now, with its knobs, to a file that opens as the same.
@@ -27,6 +28,8 @@ public:
     [[nodiscard]] std::exception_ptr openError() const { return openError_; }
 
 Q_SIGNALS:
+    /// A file was opened, and is shown.
+    void opened(std::filesystem::path file);
     void openFailed(QString reason);
     void openCanceled();
     /// The user is asked for the scale of the file before it can be opened.

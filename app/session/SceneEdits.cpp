@@ -4,7 +4,6 @@
 #include "core/io/heightmap/MissingScale.h"
 #include "core/scene/BelievedModel.h"
 #include "core/scene/SceneTruth.h"
-#include "ui/panels/LoadingBar.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/MainWindow.h"
 
@@ -14,8 +13,6 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSlow = 300;  ///< a change that takes longer shows how far it is [ms]
-
 /// @throw Error where no scene can be made of the description
 void requireScene(const SceneDescription& scene) {
     checkScene(scene);
@@ -23,9 +20,16 @@ void requireScene(const SceneDescription& scene) {
     static_cast<void>(truthOf(scene));
 }
 
-/// Whether both lie in the same place, so that the tip can stay where it is.
-bool haveSameGround(const SampleDescription& a, const SampleDescription& b) {
-    return a.shape.has_value() == b.shape.has_value() && a.file == b.file;
+/// Where coordinates mean the same places, so that the tip can stay where it is: a scan or a part
+/// of it, or any shape.
+std::string groundOf(const SampleDescription& sample) {
+    std::string ground = sample.shape ? "shape" : sample.file;
+    if (const auto& crop = sample.crop) {
+        for (const int number : {crop->column, crop->row, crop->columns, crop->rows}) {
+            ground += ',' + std::to_string(number);
+        }
+    }
+    return ground;
 }
 
 }  // namespace
@@ -33,24 +37,15 @@ bool haveSameGround(const SampleDescription& a, const SampleDescription& b) {
 SceneEdits::SceneEdits(MainWindow& window, RunControl& runs)
     : window_(window)
     , runs_(runs)
-    , work_({.progressed = [&window](double share) { window.loading().setFraction(share); },
-             .finished = [this](LoadedScene& scene) { opening_ ? useOpened(scene) : use(scene); },
+    , work_(loadingLine(window),
+            {.finished = [this](LoadedScene& scene) { opening_ ? useOpened(scene) : use(scene); },
              .failed = [this](const std::exception_ptr& reason) { fail(reason); }}) {
     connect(&runs, &RunControl::begun, this, &SceneEdits::begun);
-    slow_.setSingleShot(true);
-    slow_.setInterval(kSlow);
-    connect(&slow_, &QTimer::timeout, this, [this] {
-        if (target_) {
-            window_.showChanging(target_->steps.empty() ? tr("Undo or redo")
-                                                        : target_->steps.back().name);
-        }
-    });
 }
 
 /// A scene that did not come from here has no history.
 void SceneEdits::begun() {
     if (!using_) {
-        work_.cancel();
         giveUp();
         history_.clear();
         stands_.clear();
@@ -122,15 +117,14 @@ void SceneEdits::goTo(const Target& target) {
 }
 
 void SceneEdits::startWork(const SceneDescription& next, SceneChange change) {
+    const QString words =
+        tr("%1 …").arg(target_->steps.empty() ? tr("Undo or redo") : target_->steps.back().name);
     if (change == SceneChange::Surface) {
-        work_.start([next](Progress& progress) { return loadScene(next, &progress); });
+        work_.start(words, [next](Progress& progress) { return loadScene(next, &progress); });
     } else {
-        work_.start([next, present = runs_.run()->shared()](Progress& /*progress*/) {
+        work_.start(words, [next, present = runs_.run()->shared()](Progress& /*progress*/) {
             return withDescription(*present, next);
         });
-    }
-    if (!slow_.isActive()) {
-        slow_.start();
     }
 }
 
@@ -139,7 +133,6 @@ void SceneEdits::adopt() {
     const Target made = target();
     const SceneDescription before = present();
     const SceneDescription after = goalOf(made);
-    work_.cancel();
     giveUp();
     runs_.run()->adopt(after);
     if (after.zoomHalfWidth != before.zoomHalfWidth && after.zoomHalfWidth > 0.0) {
@@ -167,10 +160,10 @@ void SceneEdits::use(LoadedScene& scene) {
 void SceneEdits::begin(LoadedScene& scene) {
     const Vector3 here = runs_.run()->basePosition();
     const SampleDescription after = scene.scene.description.sample;
-    const bool isHere =
-        haveSameGround(present().sample, after) && scene.scene.surface.contains(here.x(), here.y());
+    const bool isHere = groundOf(present().sample) == groundOf(after) &&
+                        scene.scene.surface.contains(here.x(), here.y());
     rememberPlace();
-    const auto known = stands_.find(after.file);
+    const auto known = stands_.find(groundOf(after));
     using_ = true;
     if (isHere) {
         runs_.replace(std::move(scene));
@@ -185,8 +178,8 @@ void SceneEdits::begin(LoadedScene& scene) {
 }
 
 void SceneEdits::rememberPlace() {
-    stands_[present().sample.file] = {.place = runs_.run()->basePosition().head<2>(),
-                                      .halfWidth = window_.view().halfWidth()};
+    stands_[groundOf(present().sample)] = {.place = runs_.run()->basePosition().head<2>(),
+                                           .halfWidth = window_.view().halfWidth()};
 }
 
 void SceneEdits::keep(const Target& target, SceneDescription before,
@@ -204,10 +197,8 @@ void SceneEdits::keep(const Target& target, SceneDescription before,
 
 void SceneEdits::open(Opening opening) {
     target_.reset();
-    slow_.stop();
     opening_ = std::move(opening);
-    window_.showLoading(opening_->name);
-    work_.start(opening_->load);
+    work_.start(tr("Loading %1 …").arg(opening_->name), opening_->load);
     Q_EMIT changed();
 }
 
@@ -226,6 +217,7 @@ void SceneEdits::useOpened(LoadedScene& scene) {
     if (before) {
         history_.add(tr("Open %1").arg(opening.name), {}, *before, after);
     }
+    opening.opened();
     Q_EMIT changed();
 }
 
@@ -258,8 +250,7 @@ void SceneEdits::explain(const Target& failed, const std::exception_ptr& reason)
 void SceneEdits::giveUp() {
     target_.reset();
     opening_.reset();
-    slow_.stop();
-    window_.showLoading({});
+    work_.cancel();
 }
 
 void SceneEdits::cancel() {
@@ -268,7 +259,6 @@ void SceneEdits::cancel() {
     if (!opening && !target) {
         return;
     }
-    work_.cancel();
     giveUp();
     if (opening) {
         opening->canceled();

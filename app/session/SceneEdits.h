@@ -1,12 +1,10 @@
 #pragma once
 
-#include "app/session/BackgroundWork.h"
+#include "app/session/LongWork.h"
 #include "app/session/RunControl.h"
 #include "app/session/SceneHistory.h"
 #include "core/scene/SceneChange.h"
 #include "core/surface/ScaleGap.h"
-
-#include <QTimer>
 
 #include <filesystem>
 #include <functional>
@@ -39,7 +37,8 @@ public:
     /// A scene that takes the place of the present one.
     struct Opening {
         QString name;  ///< of the file
-        BackgroundWork<LoadedScene>::Work load;
+        LongWork<LoadedScene>::Work load;
+        std::function<void()> opened;  ///< and it is shown
         std::function<void(const std::exception_ptr& reason)> failed;
         std::function<void()> canceled;
     };
@@ -107,9 +106,8 @@ private:
         Vector2 place = Vector2::Zero();  ///< world [m]
         double halfWidth = 0.0;           ///< of the large view [m]
     };
-    std::map<std::string, Stand> stands_;  ///< by the file of the scan
-    QTimer slow_;                          ///< until a change takes so long that the window says so
-    BackgroundWork<LoadedScene> work_;
+    std::map<std::string, Stand> stands_;  ///< by the scan, or part of one
+    LongWork<LoadedScene> work_;
 };
 
 }  // namespace asperity

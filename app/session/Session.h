@@ -11,10 +11,12 @@
 #include "app/session/MaterialControl.h"
 #include "app/session/MeasureControl.h"
 #include "app/session/MessageControl.h"
+#include "app/session/OpenControl.h"
 #include "app/session/PathControl.h"
 #include "app/session/ProbeControl.h"
 #include "app/session/RecordingControl.h"
 #include "app/session/RunControl.h"
+#include "app/session/ScanReportControl.h"
 #include "app/session/SceneControl.h"
 #include "app/session/SceneEdits.h"
 #include "app/session/ScenePanelControl.h"
@@ -42,6 +44,7 @@ public:
     /// Materials and probes of the user's own.
     [[nodiscard]] LibraryControl& materials() { return materials_; }
     [[nodiscard]] LibraryControl& probes() { return probes_; }
+    [[nodiscard]] OpenControl& files() { return files_; }
     [[nodiscard]] DeviceControl& devices() { return devices_; }
     [[nodiscard]] PathControl& paths() { return paths_; }
     [[nodiscard]] RecordingControl& recordings() { return recordings_; }
@@ -61,6 +64,8 @@ private:
     RecordingControl recordings_;
     DeviceControl devices_;
     SceneControl scenes_;
+    OpenControl files_;
+    ScanReportControl reports_;
     MaterialControl materials_;
     ProbeControl probes_;
     ScenePanelControl scenePanel_;

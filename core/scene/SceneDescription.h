@@ -11,6 +11,7 @@
 #include "core/scene/ModelChoices.h"
 #include "core/scene/Settings.h"
 #include "core/surface/GivenScale.h"
+#include "core/surface/PixelRectangle.h"
 #include "core/surface/leveling/LevelingStep.h"
 
 #include <cstdint>
@@ -57,6 +58,7 @@ struct SampleDescription {
     std::string file;                       ///< height map, as resolved against the scene file
     std::string channel;                    ///< empty: the file's default channel
     GivenScale scale;                       ///< of a file that does not say its own
+    std::optional<PixelRectangle> crop;     ///< the part of the map that is loaded; none: all of it
     LevelingSteps leveling{LevelingStep::Plane};
     std::optional<LevelPoints> levelPoints;  ///< places of the step three_point
     double smoothingPixels = 1.0;  ///< standard deviation of the Gaussian low-pass [pixel]; 0: none

@@ -1,5 +1,6 @@
 #include "core/words/SceneWords.h"
 
+#include "core/FormattedText.h"
 #include "core/PrintableText.h"
 #include "core/SiFormat.h"
 #include "core/words/ImagingTipWords.h"
@@ -10,10 +11,19 @@
 
 namespace asperity {
 
+namespace {
+
+std::string cropWords(const PixelRectangle& crop) {
+    return formatted("%d x %d pixels from column %d, row %d", crop.columns, crop.rows, crop.column,
+                     crop.row);
+}
+
+}  // namespace
+
 std::string sampleName(const SampleDescription& sample) {
     if (!sample.shape) {
         return printable(std::filesystem::path(sample.file).filename().string() + ", channel " +
-                         sample.channel);
+                         sample.channel + (sample.crop ? ", " + cropWords(*sample.crop) : ""));
     }
     switch (sample.shape->kind) {
     case ShapeKind::Sphere:
@@ -32,6 +42,11 @@ std::vector<std::string> surfaceNotes(const Scene& scene) {
     }
     std::vector<std::string> notes = levelingNotes(scene.removedBySteps);
     notes.push_back(imagingTipNote(scene));
+    if (const auto& crop = scene.description.sample.crop) {
+        notes.insert(notes.begin(), "crop: " + cropWords(*crop) +
+                                        " of the file are loaded; places count from their "
+                                        "lower-left corner");
+    }
     return notes;
 }
 

@@ -30,7 +30,7 @@ LoadingBar::LoadingBar(QWidget* parent)
     auto* cancel = new QPushButton(tr("Cancel"), this);
     cancel->setObjectName(QStringLiteral("cancelLoading"));
     cancel->setFocusPolicy(Qt::NoFocus);  // it comes and goes; the keys lead the device meanwhile
-    cancel->setToolTip(tr("Stop loading; the scene stays as it is"));
+    cancel->setToolTip(tr("Stop this; the scene stays as it is"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 0, 10, 0);
     layout->setSpacing(12);
@@ -40,13 +40,8 @@ LoadingBar::LoadingBar(QWidget* parent)
     connect(cancel, &QPushButton::clicked, this, &LoadingBar::cancelRequested);
 }
 
-void LoadingBar::begin(const QString& name) {
-    words_->setText(tr("Loading %1 …").arg(name));
-    setFraction(0.0);
-}
-
-void LoadingBar::beginChange(const QString& name) {
-    words_->setText(tr("%1 …").arg(name));
+void LoadingBar::begin(const QString& words) {
+    words_->setText(words);
     setFraction(0.0);
 }
 

@@ -8,17 +8,15 @@ class QProgressBar;
 
 namespace asperity {
 
-/// A thin line that shows what is being loaded and how far it is, with a button to stop it.
+/// A thin line that shows what is being done and how far it is, with a button to stop it.
 class LoadingBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit LoadingBar(QWidget* parent = nullptr);
 
-    /// Another file, at its beginning.
-    void begin(const QString& name);
-    /// A change of the scene, by its name in the history.
-    void beginChange(const QString& name);
+    /// Other work, at its beginning. @param words "Loading steps.gsf …"
+    void begin(const QString& words);
     /// @param fraction of the work that is done, 0..1
     void setFraction(double fraction);
 

@@ -1,9 +1,12 @@
 #include "ui/panels/MapMarks.h"
 
+#include "core/SiFormat.h"
 #include "ui/Theme.h"
+#include "vtkplugins/pictures/Ticks.h"
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QString>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +18,8 @@ namespace {
 constexpr double kRing = 5.0;    ///< radius of the tip's mark [px]
 constexpr double kArm = 9.5;     ///< how far its cross reaches [px]
 constexpr double kBorder = 1.0;  ///< of white around a line [px]
+
+constexpr double kScaleBarShare = 0.34;  ///< of the width of a map, at most
 
 constexpr double kMinFrame = 30.0;  ///< width that reaches beyond the tip's mark [px]
 constexpr double kBracket = 7.0;    ///< arm of a corner bracket [px]
@@ -86,6 +91,33 @@ void drawPathMark(QPainter& painter, const QPolygonF& path) {
     QPainterPath line;
     line.addPolygon(path);
     strokeOverWhite(painter, kLightPalette.path, 1.2, line);
+}
+
+ScaleBar scaleBarOf(const QPainter& painter, const QRectF& map, double width) {
+    const double length = niceBelow(kScaleBarShare * width);
+    const double pixels = length / width * map.width();
+    const QFontMetrics metrics = painter.fontMetrics();
+    const QString text = QString::fromStdString(formatSi(length, "m"));
+    const double plateWidth =
+        std::max(pixels, static_cast<double>(metrics.horizontalAdvance(text))) + 12.0;
+    return {.length = length,
+            .pixels = pixels,
+            .plate = QRectF(map.left() + 5.0, map.bottom() - metrics.height() - 13.0, plateWidth,
+                            metrics.height() + 8.0)};
+}
+
+void drawScaleBar(QPainter& painter, const ScaleBar& bar) {
+    QColor paper = theme::colors().paper;
+    paper.setAlphaF(0.82);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(paper);
+    painter.drawRoundedRect(bar.plate, 3.0, 3.0);
+    painter.setPen(theme::colors().ink);
+    painter.drawText(bar.plate.adjusted(0.0, 1.0, 0.0, -5.0), Qt::AlignCenter,
+                     QString::fromStdString(formatSi(bar.length, "m")));
+    painter.fillRect(QRectF(bar.plate.center().x() - (bar.pixels / 2.0), bar.plate.bottom() - 5.0,
+                            bar.pixels, 2.0),
+                     theme::colors().ink);
 }
 
 }  // namespace asperity

@@ -22,4 +22,14 @@ void drawTipMark(QPainter& painter, const QPointF& place);
 void drawFrameMark(QPainter& painter, const QRectF& frame);
 void drawPathMark(QPainter& painter, const QPolygonF& path);
 
+/// A length of the map's scale with its number, on a plate; see drawScaleBar().
+struct ScaleBar {
+    double length = 0.0;  ///< [m]
+    double pixels = 0.0;  ///< on the screen
+    QRectF plate;         ///< in the lower left corner of the map
+};
+/// @param map where it is drawn; @param width of what it shows [m]; @param painter with its font
+[[nodiscard]] ScaleBar scaleBarOf(const QPainter& painter, const QRectF& map, double width);
+void drawScaleBar(QPainter& painter, const ScaleBar& bar);
+
 }  // namespace asperity

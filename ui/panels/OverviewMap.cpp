@@ -5,7 +5,6 @@
 #include "ui/Theme.h"
 #include "ui/panels/MapMarks.h"
 #include "ui/panels/MapTool.h"
-#include "vtkplugins/pictures/Ticks.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
@@ -18,8 +17,6 @@
 namespace asperity {
 
 namespace {
-
-constexpr double kScaleBarShare = 0.34;  ///< of the map's width, at most
 
 /// In nanometers or larger units: what is smaller than a picometer is no height.
 QString lengthText(double meters) {
@@ -279,26 +276,12 @@ void OverviewMap::drawCrossHair(QPainter& painter, const QRectF& map) const {
 }
 
 void OverviewMap::drawScaleBar(QPainter& painter, const QRectF& map) const {
-    const double length = niceBelow(kScaleBarShare * size_.width());
-    const double pixels = length / size_.width() * map.width();
     painter.setFont(theme::textFont(theme::kSmallSize));
-    const QString text = QString::fromStdString(formatSi(length, "m"));
-    const int textWidth = painter.fontMetrics().horizontalAdvance(text);
-    const int textHeight = painter.fontMetrics().height();
-    const double width = std::max(pixels, static_cast<double>(textWidth)) + 12.0;
-    QRectF plate(map.left() + 5.0, map.bottom() - textHeight - 13.0, width, textHeight + 8.0);
-    if (tip_ && plate.adjusted(-12.0, -12.0, 12.0, 12.0).contains(toPixel(*tip_))) {
-        plate.moveRight(map.right() - 5.0);  // out of the tip's way
+    ScaleBar bar = scaleBarOf(painter, map, size_.width());
+    if (tip_ && bar.plate.adjusted(-12.0, -12.0, 12.0, 12.0).contains(toPixel(*tip_))) {
+        bar.plate.moveRight(map.right() - 5.0);  // out of the tip's way
     }
-    QColor paper(theme::colors().paper);
-    paper.setAlphaF(0.82);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(paper);
-    painter.drawRoundedRect(plate, 3.0, 3.0);
-    painter.setPen(theme::colors().ink);
-    painter.drawText(plate.adjusted(0.0, 1.0, 0.0, -5.0), Qt::AlignCenter, text);
-    painter.fillRect(QRectF(plate.center().x() - (pixels / 2.0), plate.bottom() - 5.0, pixels, 2.0),
-                     theme::colors().ink);
+    asperity::drawScaleBar(painter, bar);
 }
 
 void OverviewMap::drawFrame(QPainter& painter) const {

@@ -21,13 +21,6 @@ QStringList scanFilters(const std::vector<ScanFileType>& types) {
            << single << QObject::tr("All files (*)");
 }
 
-QString askForScan(QWidget* window, const std::vector<ScanFileType>& types) {
-    // The patterns of all types together are wider than a screen.
-    return QFileDialog::getOpenFileName(window, QObject::tr("Open a scan or a scene"), {},
-                                        scanFilters(types).join(QStringLiteral(";;")), nullptr,
-                                        QFileDialog::HideNameFilterDetails);
-}
-
 QString askForPath(QWidget* window) {
     return QFileDialog::getOpenFileName(window, QObject::tr("Follow a path"), {},
                                         QObject::tr("Paths: time_s, x_m, y_m, z_m (*.csv)"));

@@ -21,7 +21,6 @@ struct ScanFileType {
 [[nodiscard]] QStringList scanFilters(const std::vector<ScanFileType>& types);
 
 /// The file that a user chooses; empty: none.
-[[nodiscard]] QString askForScan(QWidget* window, const std::vector<ScanFileType>& types);
 [[nodiscard]] QString askForPath(QWidget* window);
 [[nodiscard]] QString askForRecording(QWidget* window);
 [[nodiscard]] QString askForPicture(QWidget* window);

@@ -225,8 +225,6 @@ void MainWindow::connectMenus() {
     const auto on = [this](const QAction* action, auto what) {
         connect(action, &QAction::triggered, this, what);
     };
-    const auto askScan = [this](QWidget* window) { return askForScan(window, scanFiles_); };
-    on(menus_->open, ask(askScan, &MainWindow::openRequested));
     const auto askSceneFile = [this](QWidget* window) {
         return askForSceneFile(window, sceneFile_);
     };
@@ -299,10 +297,10 @@ void MainWindow::tell(const QString& message, MessageKind kind) {
     }
 }
 
-void MainWindow::showLoading(const QString& name) {
-    loading_->begin(name);
-    viewSide_->setLoading(!name.isEmpty());
-    menus_->cancelLoading->setEnabled(!name.isEmpty());
+void MainWindow::showLoading(const QString& words) {
+    loading_->begin(words);
+    viewSide_->setLoading(!words.isEmpty());
+    menus_->cancelLoading->setEnabled(!words.isEmpty());
 }
 
 void MainWindow::setEmergencyStop(bool active) {
@@ -314,12 +312,6 @@ void MainWindow::setEmergencyStop(bool active) {
     const QString gestures = tr("Drag: move the tip   ·   Wheel: up and down   ·   "
                                 "Right drag: turn   ·   Ctrl + wheel: zoom");
     viewSide_->setHint(active ? tr("%1   ·   Esc: forces off").arg(gestures) : gestures);
-}
-
-void MainWindow::showChanging(const QString& name) {
-    loading_->beginChange(name);
-    viewSide_->setLoading(true);
-    menus_->cancelLoading->setEnabled(true);
 }
 
 void MainWindow::lock() {

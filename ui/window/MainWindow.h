@@ -2,7 +2,6 @@
 
 #include "core/scene/Scene.h"
 #include "ui/panels/MessageLog.h"
-#include "ui/window/Dialogs.h"
 
 #include <QMainWindow>
 
@@ -87,16 +86,12 @@ public:
 
     /// What the dialog that saves the scene begins with.
     void setSceneFile(const QString& path) { sceneFile_ = path; }
-    /// Which types of files the dialog that opens a scan shows, beside scenes.
-    void setScanFiles(const std::vector<ScanFileType>& types) { scanFiles_ = types; }
     /// How the surface is colored in all views. @param field what the look's quantity is on it
     void showLook(const SurfaceLook& look, const SurfaceField& field);
     /// Sets the scene of all panels; null: none. The scene outlives its use here.
     void showScene(const Scene* scene, const QString& title);
-    /// Shows in place of the hint that a file is being loaded; empty: nothing is.
-    void showLoading(const QString& name);
-    /// The same for a change of the scene that takes a while. @param name as in the history
-    void showChanging(const QString& name);
+    /// Shows in place of the hint what is being done, "Loading steps.gsf …"; empty: nothing is.
+    void showLoading(const QString& words);
     [[nodiscard]] LoadingBar& loading() { return *loading_; }
     /// A short message for a while.
     void tell(const QString& message);
@@ -112,7 +107,7 @@ public:
     void complain(const QString& message);
 
 Q_SIGNALS:
-    /// By menu or by drop.
+    /// By drop.
     void openRequested(QString file);
     void pathFileChosen(QString file);
     void recordingChosen(QString forceLog);
@@ -137,7 +132,6 @@ private:
     void connectMenus();
     void connectViews();
 
-    std::vector<ScanFileType> scanFiles_;
     QString sceneFile_;
     MessageLog* messages_;
     WindowMenus* menus_;

@@ -5,19 +5,14 @@
 
 #include <QDialog>
 
-class QCheckBox;
-class QComboBox;
-class QGridLayout;
-class QLabel;
-class QPushButton;
+class QDialogButtonBox;
 
 namespace asperity {
 
-class LengthBox;
+class ScaleForm;
 
-/// Asks for the scale that a file does not hold: size of the scan, height of a value of 1, or both.
-/// Nothing is assumed: its fields are empty until they are filled in. It closes with OK, which
-/// says what was given, or with Cancel.
+/// Asks for the scale that a file does not hold, see ScaleForm. It closes with OK, which says what
+/// was given, or with Cancel.
 class ScaleDialog : public QDialog {
     Q_OBJECT
 
@@ -35,24 +30,9 @@ Q_SIGNALS:
     void given(GivenScale scale);
 
 private:
-    void addSize(QGridLayout& grid);
-    void addHeight(QGridLayout& grid);
-    void addButtons(QGridLayout& grid);
-    void connectInputs();
-    [[nodiscard]] bool isComplete() const;
-    /// Makes the pixels square by the other side.
-    void follow(const LengthBox& entered);
-    void showState();
+    [[nodiscard]] QDialogButtonBox* newButtons();
 
-    ScaleGap gap_;
-    LengthBox* sizeX_;
-    LengthBox* sizeY_;
-    QComboBox* sizeUnit_;
-    QCheckBox* square_;
-    LengthBox* height_;
-    QComboBox* heightUnit_;
-    QLabel* pixel_;
-    QPushButton* ok_;
+    ScaleForm* form_;
 };
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include "ui/window/ColorsMenu.h"
 #include "ui/window/DirectionMenu.h"
+#include "ui/window/RecentMenu.h"
 #include "ui/window/ThemeMenu.h"
 #include "ui/window/ViewOptionsMenu.h"
 
@@ -51,6 +52,7 @@ WindowMenus::WindowMenus(QMenuBar& bar) : QObject(&bar) {
 void WindowMenus::explainAll() {
     const std::initializer_list<std::pair<QAction*, QString>> tips{
         {open, tr("Open a height-map file or a scene")},
+        {aboutScan, tr("Where the scan comes from, and what was done to it")},
         {cancelLoading, tr("Stop loading; the scene stays as it is")},
         {saveScene, tr("Write the scene as it is now to a file (.toml)")},
         {savePicture, tr("Save the whole window as a picture")},
@@ -94,10 +96,12 @@ void WindowMenus::addFileMenu(QMenuBar& bar) {
     QMenu* menu = addMenu(bar, tr("&File"));
     open = menu->addAction(tr("&Open scan or scene…"));
     open->setShortcut(QKeySequence::Open);
+    recent = new RecentMenu(*menu);
     channels_ = menu->addMenu(tr("C&hannel"));
     channels_->setObjectName(QStringLiteral("channels"));
     channels_->setToolTipsVisible(true);
     setChannels({}, {});
+    aboutScan = menu->addAction(tr("About &this scan…"));
     cancelLoading = menu->addAction(tr("C&ancel loading"));
     saveScene = menu->addAction(tr("Save s&cene as…"));
     saveScene->setShortcut(tr("Ctrl+Shift+S"));

@@ -20,6 +20,7 @@ namespace asperity {
 
 class ColorsMenu;
 class DirectionMenu;
+class RecentMenu;
 class ViewOptionsMenu;
 
 /// The menus of the window and what stands in them.
@@ -30,6 +31,8 @@ public:
     explicit WindowMenus(QMenuBar& bar);
 
     QAction* open;
+    RecentMenu* recent;
+    QAction* aboutScan;
     QAction* cancelLoading;
     QAction* saveScene;
     QAction* savePicture;

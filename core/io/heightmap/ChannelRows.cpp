@@ -167,8 +167,9 @@ void ChannelRows::requireNotLost() const {
 
 void ChannelRows::refusePixel(int row, int column, const std::string& what) const {
     throw InputError(bytes_.name(), "channel '" + stored_.channel.name + "'",
-                     "the pixel in column " + std::to_string(column) + ", row " +
-                         std::to_string(row) + " (from 0 at the upper left) " + what);
+                     "the pixel in column " + std::to_string(stored_.firstColumn + column) +
+                         ", row " + std::to_string(stored_.firstRow + row) +
+                         " (from 0 at the upper left) " + what);
 }
 
 }  // namespace asperity

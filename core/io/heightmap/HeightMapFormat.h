@@ -27,6 +27,8 @@ struct StoredChannel {
     /// Writes the stored numbers of a row, 0 at the top; what is not finite holds no data. Needs
     /// the source; any threads. @throw InputError when the bytes are not there any more
     std::function<void(int row, RowRoom& room, double* numbers)> readRow;
+    int firstColumn = 0;  ///< of the file's image, of which this may be a part
+    int firstRow = 0;     ///< likewise
 };
 
 struct StoredScan {

@@ -2,6 +2,7 @@
 
 #include "core/io/FileHash.h"
 #include "core/io/heightmap/ChannelRows.h"
+#include "core/io/heightmap/CroppedChannel.h"
 #include "core/io/heightmap/StoredRows.h"
 
 #include <memory>
@@ -31,13 +32,22 @@ HeightScan ScanFile::readHeightScan(const std::string& name, Progress* progress)
 }
 
 SceneScan ScanFile::readSceneScan(const std::string& name, Progress* progress) const {
+    return readSceneScan(name, std::nullopt, progress);
+}
+
+SceneScan ScanFile::readSceneScan(const std::string& name,
+                                  const std::optional<PixelRectangle>& part,
+                                  Progress* progress) const {
     using Map = std::variant<HeightMap, ScanMap>;
-    return readScan<Map>(name, [&](const StoredChannel& stored) -> Map {
+    const auto read = [&](const StoredChannel& stored) -> Map {
         const HeightMap& empty = stored.channel.map;
         if (empty.index(empty.rows, 0) > kLargeScan) {
             return readScanMap(stored, bytes_, progress);
         }
         return readHeightMap(stored, bytes_, progress);
+    };
+    return readScan<Map>(name, [&](const StoredChannel& whole) {
+        return part ? read(croppedChannel(whole, *part, bytes_.name())) : read(whole);
     });
 }
 

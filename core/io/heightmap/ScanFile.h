@@ -5,10 +5,12 @@
 #include "core/io/heightmap/Gwyddion.h"
 #include "core/io/heightmap/HeightMapFile.h"
 #include "core/io/heightmap/HeightMapFormat.h"
+#include "core/surface/PixelRectangle.h"
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -60,6 +62,11 @@ public:
                                             Progress* progress = nullptr) const;
     /// As readHeightScan(), in the precision that a scene of it is built in.
     [[nodiscard]] SceneScan readSceneScan(const std::string& name,
+                                          Progress* progress = nullptr) const;
+    /// The same of a part of the channel, or of all of it. The origin stays that of the whole.
+    /// @throw InputError when the part is not wholly in the image, too
+    [[nodiscard]] SceneScan readSceneScan(const std::string& name,
+                                          const std::optional<PixelRectangle>& part,
                                           Progress* progress = nullptr) const;
     /// As readHeightScan(), in double precision.
     [[nodiscard]] HeightChannel readHeightChannel(const std::string& name,

@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "core/PathText.h"
+#include "core/io/scene/CropKeys.h"
 #include "core/io/scene/HapticsKeys.h"
 #include "core/io/scene/LevelingKeys.h"
 #include "core/io/scene/MarkerKeys.h"
@@ -101,6 +102,7 @@ void readMapKeys(TomlSection& section, const SampleDescription& otherwise,
     }
     sample.channel = section.text("channel", otherwise.channel);
     readScale(section, otherwise.scale, sample.scale);
+    sample.crop = readCrop(section);
     readLeveling(section, sample);
     readSmoothing(section, sample);
     sample.imagingTipRadius = section.number("imaging_tip_radius_m", otherwise.imagingTipRadius);
@@ -250,6 +252,7 @@ toml::table sampleTable(const SampleDescription& sample) {
     if (sample.scale.hasHeight()) {
         table.insert("z_scale_m", sample.scale.heightPerValue);
     }
+    insertCrop(sample.crop, table);
     insertLeveling(sample, table);
     if (sample.smoothingLength != 0.0) {
         table.insert("smoothing_m", sample.smoothingLength);

@@ -156,6 +156,24 @@ std::vector<Vector2> TomlSection::places(const std::string& key) {
     return places;
 }
 
+std::vector<std::int64_t> TomlSection::integers(const std::string& key) {
+    const toml::node* node = find(key);
+    std::vector<std::int64_t> numbers;
+    if (node == nullptr) {
+        return numbers;
+    }
+    if (!node->is_array()) {
+        refuse(key, "whole numbers in brackets");
+    }
+    for (const toml::node& entry : *node->as_array()) {
+        if (!entry.is_integer()) {
+            refuse(key, "whole numbers in brackets");
+        }
+        numbers.push_back(*entry.value<std::int64_t>());
+    }
+    return numbers;
+}
+
 std::filesystem::path TomlSection::path(const std::string& key) {
     const std::optional<std::filesystem::path> given = pathFromText(text(key, ""));
     if (!given) {

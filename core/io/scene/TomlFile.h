@@ -36,6 +36,8 @@ public:
     [[nodiscard]] std::optional<std::vector<std::string>> texts(const std::string& key);
     /// Places [[x, y], ...]; empty where the key is absent.
     [[nodiscard]] std::vector<Vector2> places(const std::string& key);
+    /// Whole numbers, written [1, 2, 3]; empty where there are none.
+    [[nodiscard]] std::vector<std::int64_t> integers(const std::string& key);
     /// A path as pathText() writes it, resolved against the folder of the file.
     [[nodiscard]] std::filesystem::path path(const std::string& key);
 

@@ -105,6 +105,21 @@ TEST_F(SceneEditsTest, PlaceAndKnobsStayOverUndo) {
     EXPECT_LT((run().basePosition().head<2>() - place).norm(), 1e-15);
 }
 
+/// The same coordinates are another place on the sample there.
+TEST_F(SceneEditsTest, OnAnotherPartOfTheScanTheTipBeginsAnew) {
+    open(kSteps);
+    SceneDescription next = *edits.wanted();
+    next.sample.crop = PixelRectangle{.column = 0, .row = 0, .columns = 64, .rows = 48};
+    edits.change("Part", next);
+    ASSERT_TRUE(changeEnds());
+    EXPECT_EQ(run().scene().surface.grid().columns, 64);
+    const Vector3 start = startPlace(run().scene());
+    EXPECT_LT((run().basePosition().head<2>() - start.head<2>()).norm(), 1e-15);
+    edits.undo();
+    ASSERT_TRUE(changeEnds());
+    EXPECT_FALSE(shown().sample.crop);
+}
+
 TEST_F(SceneEditsTest, LevelingComesAnewFromTheFile) {
     open(kSteps);
     const double before = middleHeight();

@@ -14,13 +14,13 @@ namespace {
 TEST(LoadingBar, SaysWhatIsLoadedAndHowFarItIs) {
     LoadingBar bar;
     auto* line = bar.findChild<QProgressBar*>(QStringLiteral("loadingBar"));
-    bar.begin(QStringLiteral("wafer.gwy"));
+    bar.begin(QStringLiteral("Loading wafer.gwy …"));
     bar.setFraction(0.425);
     EXPECT_EQ(test::textOf(bar, "loadingWords"), QStringLiteral("Loading wafer.gwy …"));
     EXPECT_EQ(line->text(), QStringLiteral("42%"));
     bar.setFraction(0.999);
     EXPECT_EQ(line->text(), QStringLiteral("99%")) << "whole only at the end";
-    bar.begin(QStringLiteral("steps.gsf"));
+    bar.begin(QStringLiteral("Loading steps.gsf …"));
     EXPECT_EQ(line->text(), QStringLiteral("0%"));
 }
 

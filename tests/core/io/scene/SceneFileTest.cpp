@@ -69,6 +69,23 @@ TEST_F(SceneFile, SaysTheScaleOfAScanWhoseFileDoesNot) {
     EXPECT_EQ(height.heightPerValue, 1e-9);
 }
 
+TEST_F(SceneFile, TakesAPartOfTheMapInPixels) {
+    const std::string start = "[sample]\nfile = \"map.gsf\"\n";
+    EXPECT_FALSE(readScene(write("none.toml", start)).sample.crop);
+    const SceneDescription scene =
+        readScene(write("crop.toml", start + "crop_px = [20, 30, 100, 80]\n"));
+    EXPECT_EQ(scene.sample.crop,
+              (PixelRectangle{.column = 20, .row = 30, .columns = 100, .rows = 80}));
+    EXPECT_EQ(readScene(write("again.toml", sceneText(scene))).sample.crop, scene.sample.crop);
+    for (const char* wrong :
+         {"5", "[1, 2, 3]", "[1, 2, 3, 4, 5]", "[0, 0, 0, 4]", "[0, 0, 4, 0]", "[-1, 0, 4, 4]",
+          "[0, 0, 4.5, 4]", "[0, 0, \"4\", 4]", "[0, 0, 4, 3000000000]"}) {
+        EXPECT_NE(refusal(start + "crop_px = " + wrong + "\n").find("line 3, [sample] crop_px"),
+                  std::string::npos)
+            << wrong;
+    }
+}
+
 TEST_F(SceneFile, IsKnownByItsContentAlso) {
     const auto scene = write("scene.txt", "# a scene\n[sample]\nfile = \"map.gsf\"\n");
     EXPECT_EQ(sceneFromInput(scene).sample.file, (scratch.path() / "map.gsf").string());

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace asperity {
+
+/// The files that were opened last, the newest first, and the folder where files are looked for.
+/// Kept from one session to the next where there are settings to keep them in.
+class RecentFiles : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr int kMost = 10;
+
+    /// Reads from `settings` what they remember, and keeps there what changes from now on.
+    void remember(std::unique_ptr<QSettings> settings);
+
+    /// @param file as it was opened
+    void add(const std::filesystem::path& file);
+    void clear();
+    [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
+
+    /// Where the last file lies that was opened; empty: none was.
+    [[nodiscard]] const QString& folder() const { return folder_; }
+    void setFolder(const QString& folder);
+
+Q_SIGNALS:
+    /// files() are others.
+    void changed();
+
+private:
+    void write();
+
+    std::unique_ptr<QSettings> settings_;
+    std::vector<std::filesystem::path> files_;
+    QString folder_;
+};
+
+}  // namespace asperity

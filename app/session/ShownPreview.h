@@ -1,0 +1,11 @@
+#pragma once
+
+#include "app/program/ScanPreview.h"
+#include "ui/window/OpenPreview.h"
+
+namespace asperity {
+
+/// A preview in words and pictures. Any thread.
+[[nodiscard]] OpenPreview shownPreview(const ScanPreview& preview);
+
+}  // namespace asperity

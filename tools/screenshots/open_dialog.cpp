@@ -1,0 +1,76 @@
+/// Opens the dialog that opens a scan, chooses one and, where it is asked for, a part of it, and
+/// saves what the dialog shows.
+/// Usage: asperity_open_picture SCENE_OR_SCAN OUT.png [part]
+
+#include "app/commands/VirtualDisplay.h"
+#include "app/session/LiveWindow.h"
+#include "core/Error.h"
+#include "tools/screenshots/PictureTool.h"
+#include "ui/window/PreviewPane.h"
+
+#include <QFileInfo>
+#include <QLabel>
+#include <QSpinBox>
+#include <QTimer>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPoll = 100;       // [ms]
+constexpr int kLongest = 20000;  // [ms]
+
+/// The middle of the scan.
+void chooseAPart(OpenDialog& dialog) {
+    for (const char* axis : {"Column", "Row"}) {
+        auto* count = dialog.findChild<QSpinBox*>(QStringLiteral("crop%1s").arg(axis));
+        auto* first = dialog.findChild<QSpinBox*>(QStringLiteral("crop%1").arg(axis));
+        count->setValue(count->value() / 2);
+        first->setValue(count->value() / 2);
+    }
+}
+
+int run(char** argv) {
+    const VirtualDisplay display;
+    LiveWindow live;
+    OpenControl& files = live.session().files();
+    const bool hasPart = argv[3] != nullptr;
+    int looks = 0;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, [&] {
+        OpenDialog& dialog = *files.dialog();
+        const bool isKnown = dialog.preview().isComplete() ||
+                             !dialog.findChild<QLabel*>("openMessage")->text().isEmpty();
+        if (!isKnown) {
+            return;
+        }
+        ++looks;
+        if (looks == 1 && hasPart) {
+            chooseAPart(dialog);
+        } else if (looks == (hasPart ? 10 : 3)) {  // the part is looked at, too
+            dialog.grab().save(QString::fromUtf8(argv[2]));
+            live.window().close();
+        }
+    });
+    QTimer::singleShot(0, &live.window(), [&] {
+        files.ask();
+        files.dialog()->choose(QFileInfo(QString::fromUtf8(argv[1])).absoluteFilePath());
+        timer.start(kPoll);
+    });
+    QTimer::singleShot(kLongest, &live.window(), &QWidget::close);
+    const int status = live.exec();
+    if (looks == 0) {
+        throw Error("the file was not looked into");
+    }
+    return status;
+}
+
+}  // namespace
+
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+    return asperity::runPictureTool({argv, static_cast<std::size_t>(argc)}, argc == 4 ? 3 : 2,
+                                    "asperity_open_picture SCENE_OR_SCAN OUT.png [part]",
+                                    asperity::run);
+}

@@ -1,0 +1,108 @@
+#include "ui/panels/CropFields.h"
+
+#include "core/SiFormat.h"
+#include "ui/panels/Card.h"
+#include "ui/panels/WheelGuard.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kGap = 6;  // [px]
+
+QString lengthText(double meters) { return QString::fromStdString(formatSi(meters, "m")); }
+
+}  // namespace
+
+CropFields::CropFields(QWidget* parent) : QWidget(parent) {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(kGap);
+    column_ = addBox(*grid, 0, "cropColumn", tr("From column"),
+                     tr("First column of the part to load [pixel]; 0 is the left one"));
+    row_ = addBox(*grid, 1, "cropRow", tr("From row"),
+                  tr("First row of the part to load [pixel]; 0 is the top one"));
+    columns_ =
+        addBox(*grid, 2, "cropColumns", tr("Columns"), tr("How many columns to load [pixel]"));
+    rows_ = addBox(*grid, 3, "cropRows", tr("Rows"), tr("How many rows to load [pixel]"));
+    extent_ = captionLabel({}, this);
+    extent_->setObjectName(QStringLiteral("cropExtent"));
+    extent_->setToolTip(tr("Size of the part to load; positions count from its lower left corner"));
+    whole_ = new QPushButton(tr("Whole scan"), this);
+    whole_->setObjectName(QStringLiteral("cropWhole"));
+    whole_->setAutoDefault(false);
+    whole_->setToolTip(tr("Load all of the scan"));
+    grid->addWidget(extent_, 2, 0, 1, 3);
+    grid->addWidget(whole_, 2, 3);
+    connect(whole_, &QPushButton::clicked, this, [this] {
+        setCrop(std::nullopt);
+        Q_EMIT cropEntered(crop_);
+    });
+    showNumbers();
+}
+
+QSpinBox* CropFields::addBox(QGridLayout& grid, int column, const char* name,
+                             const QString& caption, const QString& tip) {
+    auto* box = new QSpinBox(this);
+    box->setObjectName(QString::fromUtf8(name));
+    box->setToolTip(tip);
+    box->setKeyboardTracking(false);
+    guardFromWheel(*box);
+    grid.addWidget(captionLabel(caption, this), 0, column);
+    grid.addWidget(box, 1, column);
+    connect(box, qOverload<int>(&QSpinBox::valueChanged), this, &CropFields::enter);
+    return box;
+}
+
+void CropFields::setScan(const QSize& pixels, const QSizeF& size) {
+    pixels_ = pixels.expandedTo({1, 1});
+    size_ = size;
+    showNumbers();
+}
+
+void CropFields::setCrop(const std::optional<PixelRectangle>& crop) {
+    crop_ = crop;
+    showNumbers();
+}
+
+/// Another beginning moves the part, and cuts what would lie beyond the scan.
+void CropFields::enter() {
+    const int column = std::min(column_->value(), pixels_.width() - 1);
+    const int row = std::min(row_->value(), pixels_.height() - 1);
+    const PixelRectangle part{column, row, std::min(columns_->value(), pixels_.width() - column),
+                              std::min(rows_->value(), pixels_.height() - row)};
+    const bool isAll = part == PixelRectangle{0, 0, pixels_.width(), pixels_.height()};
+    setCrop(isAll ? std::nullopt : std::optional(part));
+    Q_EMIT cropEntered(crop_);
+}
+
+void CropFields::showNumbers() {
+    const PixelRectangle part =
+        crop_.value_or(PixelRectangle{0, 0, pixels_.width(), pixels_.height()});
+    const auto put = [](QSpinBox& box, int least, int most, int value) {
+        const QSignalBlocker blocker(box);
+        box.setRange(least, most);
+        box.setValue(value);
+    };
+    put(*column_, 0, pixels_.width() - 1, part.column);
+    put(*row_, 0, pixels_.height() - 1, part.row);
+    put(*columns_, 1, pixels_.width(), part.columns);
+    put(*rows_, 1, pixels_.height(), part.rows);
+    whole_->setEnabled(crop_.has_value());
+    extent_->setText(
+        size_.isEmpty()
+            ? QString()
+            : tr("%1 × %2").arg(lengthText(size_.width() * part.columns / pixels_.width()),
+                                lengthText(size_.height() * part.rows / pixels_.height())));
+}
+
+}  // namespace asperity

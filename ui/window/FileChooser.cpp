@@ -1,0 +1,94 @@
+#include "ui/window/FileChooser.h"
+
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLayout>
+#include <QLineEdit>
+#include <QTreeView>
+#include <QUrl>
+
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+enum Column : int { Name, Size, Type, Date };
+
+/// Name and date alone: there is little room.
+void simplify(QTreeView& list) {
+    list.hideColumn(Type);
+    list.hideColumn(Size);
+    list.header()->setStretchLastSection(false);
+    list.header()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    list.header()->setSectionResizeMode(Date, QHeaderView::ResizeToContents);
+}
+
+}  // namespace
+
+FileChooser::FileChooser(const QStringList& filters, QWidget* parent) : QFileDialog(parent) {
+    setObjectName(QStringLiteral("fileChooser"));
+    // The patterns of all types together are wider than a screen.
+    setOptions(DontUseNativeDialog | HideNameFilterDetails | ReadOnly);
+    name_ = findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    setWindowFlags(Qt::Widget);
+    setSizeGripEnabled(false);
+    setFileMode(ExistingFile);
+    setNameFilters(filters);
+    setViewMode(Detail);
+    setLabelText(FileName, tr("File"));
+    setLabelText(FileType, tr("Type"));
+    layout()->setContentsMargins(0, 0, 0, 0);
+    if (auto* buttons = findChild<QDialogButtonBox*>()) {
+        buttons->hide();
+    }
+    // The program's own padding leaves their icons no room.
+    setStyleSheet(QStringLiteral("QToolButton { padding: 2px; }"));
+    if (auto* list = findChild<QTreeView*>(QStringLiteral("treeView"))) {
+        list->setToolTip(tr("Files of this folder; choose one to look into it"));
+        simplify(*list);
+    }
+    watchName();
+}
+
+/// Whatever chooses a file, its name is in this line.
+void FileChooser::watchName() {
+    name_->setToolTip(tr("Name or path of the file to open"));
+    connect(name_, &QLineEdit::textChanged, this, [this] {
+        if (const QString now = file(); now != file_) {
+            file_ = now;
+            Q_EMIT chosen(file_);
+        }
+    });
+}
+
+QString FileChooser::file() const {
+    const QStringList files = selectedFiles();
+    return files.size() == 1 && QFileInfo(files.front()).isFile() ? files.front() : QString();
+}
+
+void FileChooser::setPlaces(const QStringList& folders) {
+    QList<QUrl> urls;
+    for (const QString& folder : folders) {
+        urls << QUrl::fromLocalFile(folder);
+    }
+    setSidebarUrls(urls);
+}
+
+void FileChooser::choose(const QString& file) {
+    setDirectory(QFileInfo(file).absolutePath());
+    selectFile(file);
+    name_->setText(QFileInfo(file).fileName());  // Qt leaves a name that is being typed
+}
+
+/// A folder is entered.
+void FileChooser::accept() {
+    if (file().isEmpty()) {
+        QFileDialog::accept();
+    } else {
+        Q_EMIT activated();
+    }
+}
+
+}  // namespace asperity
