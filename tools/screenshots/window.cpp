@@ -1,0 +1,197 @@
+/// Opens the live window on a scan, brings it into one of the states of docs/window.md as a user
+/// does, and saves what the screen shows then.
+/// Usage: asperity_window_picture start|open|profile|roughness|touches|dark SCENE_OR_SCAN WIDTH
+///        HEIGHT OUT.png
+
+#include "app/commands/VirtualDisplay.h"
+#include "app/session/LiveWindow.h"
+#include "core/Error.h"
+#include "tools/screenshots/PictureTool.h"
+#include "ui/Theme.h"
+#include "ui/panels/EngageBar.h"
+#include "ui/panels/OverviewMap.h"
+#include "ui/panels/OverviewPanel.h"
+#include "ui/view/ZoomView.h"
+#include "ui/window/OpenDialog.h"
+#include "ui/window/PreviewPane.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QScreen>
+#include <QStatusBar>
+#include <QToolButton>
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPatience = 60000;  // [ms]
+constexpr int kMoment = 1500;     // in which curves and frame rate show something [ms]
+
+/// Lets the window live until something holds.
+void waitFor(const std::string& what, const std::function<bool()>& holds) {
+    QElapsedTimer time;
+    time.start();
+    while (!holds()) {
+        if (time.elapsed() > kPatience) {
+            throw Error("it was not seen within a minute: " + what);
+        }
+        QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+    }
+}
+
+void live(int milliseconds) {
+    QElapsedTimer time;
+    time.start();
+    waitFor("time", [&] { return time.elapsed() > milliseconds; });
+}
+
+/// A user at the window.
+class User {
+public:
+    explicit User(LiveWindow& live) : live_(live) {}
+
+    void engage() {
+        click("engage");
+        waitFor("contact", [this] { return region() == TipRegion::Contact; });
+        live(kMoment);
+    }
+    void withdraw() {
+        click("withdraw");
+        waitFor("the tip far from the sample", [this] { return region() == TipRegion::Far; });
+        live(kMoment);
+    }
+    void touch() {
+        engage();
+        withdraw();
+    }
+    /// Drags over the whole scan, by shares of its size.
+    void dragOnScan(const QPointF& from, const QPointF& to) {
+        OverviewMap& map = window().overview().map();
+        const auto pixel = [&map](const QPointF& share) {
+            const QRectF scan = map.mapRect();
+            return QPointF(scan.left() + share.x() * scan.width(),
+                           scan.top() + share.y() * scan.height());
+        };
+        const auto send = [&map](QEvent::Type type, const QPointF& place, Qt::MouseButton button) {
+            QMouseEvent event(type, place, map.mapToGlobal(place.toPoint()), button,
+                              type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton,
+                              Qt::NoModifier);
+            QApplication::sendEvent(&map, &event);
+        };
+        send(QEvent::MouseButtonPress, pixel(from), Qt::LeftButton);
+        send(QEvent::MouseMove, pixel(0.5 * (from + to)), Qt::NoButton);
+        send(QEvent::MouseMove, pixel(to), Qt::NoButton);
+        send(QEvent::MouseButtonRelease, pixel(to), Qt::LeftButton);
+    }
+    void click(const char* button) {
+        auto* found = window().findChild<QAbstractButton*>(QString::fromUtf8(button));
+        if (found == nullptr) {
+            throw Error(std::string("there is no button ") + button);
+        }
+        found->click();
+    }
+    [[nodiscard]] MainWindow& window() { return live_.window(); }
+    [[nodiscard]] Session& session() { return live_.session(); }
+
+private:
+    TipRegion region() { return session().run()->loop().snapshot().sample.output.region(); }
+
+    LiveWindow& live_;
+};
+
+void showOpenDialog(User& user, const QString& input) {
+    user.window().menus().open->trigger();
+    OpenDialog* dialog = nullptr;
+    waitFor("the dialog", [&] {
+        dialog = user.window().findChild<OpenDialog*>();
+        return dialog != nullptr && dialog->isVisible();
+    });
+    dialog->choose(input);
+    waitFor("the preview", [dialog] { return dialog->preview().isComplete(); });
+    live(kMoment);
+}
+
+void showProfile(User& user) {
+    user.window().menus().measure().profile->trigger();
+    live(200);
+    user.dragOnScan({0.15, 0.7}, {0.85, 0.35});
+    live(kMoment);
+}
+
+void showRoughness(User& user) {
+    user.window().menus().measure().roughness->trigger();
+    live(200);
+    user.click("drawRectangle");
+    user.dragOnScan({0.2, 0.2}, {0.7, 0.6});
+    live(kMoment);
+}
+
+void showTouches(User& user) {
+    user.window().menus().measure().touches->trigger();
+    user.touch();
+    user.touch();
+}
+
+void showDark(User& user) {
+    theme::choose(ThemeChoice::Dark);
+    user.window().menus().secondView->trigger();
+    user.engage();
+}
+
+/// All that is on the screen: a dialog is a window of its own.
+QPixmap screenOf(MainWindow& window) {
+    const QRect place = window.frameGeometry();
+    return window.screen()->grabWindow(0, place.x(), place.y(), place.width(), place.height());
+}
+
+int run(char** argv) {
+    const VirtualDisplay display;
+    LiveWindow live_;
+    User user(live_);
+    const std::string state = argv[1];
+    const QString input = QString::fromUtf8(argv[2]);
+    const std::map<std::string, std::function<void()>> states{
+        {"start", [] {}},
+        {"open", [&] { showOpenDialog(user, input); }},
+        {"profile", [&] { showProfile(user); }},
+        {"roughness", [&] { showRoughness(user); }},
+        {"touches", [&] { showTouches(user); }},
+        {"dark", [&] { showDark(user); }}};
+    const auto show = states.find(state);
+    if (show == states.end()) {
+        throw Error("no such state: " + state);
+    }
+    user.window().setGeometry(0, 0, std::stoi(argv[3]), std::stoi(argv[4]));
+    user.window().show();
+    user.session().runs().use(loadScene(argv[2], {}));
+    live(kMoment);
+    show->second();
+    user.window().statusBar()->clearMessage();
+    live(200);
+    const bool saved = (state == "open" ? screenOf(user.window()) : user.window().grab())
+                           .save(QString::fromUtf8(argv[5]));
+    if (!saved) {
+        throw Error(std::string(argv[5]) + ": the picture cannot be written");
+    }
+    return 0;
+}
+
+}  // namespace
+
+}  // namespace asperity
+
+int main(int argc, char** argv) {
+    return asperity::runPictureTool(
+        {argv, static_cast<std::size_t>(argc)}, 5,
+        "asperity_window_picture start|open|profile|roughness|touches|dark SCENE_OR_SCAN WIDTH "
+        "HEIGHT OUT.png",
+        asperity::run);
+}
