@@ -1,6 +1,6 @@
 /// Opens the live window on a scan, brings it into one of the states of docs/window.md as a user
 /// does, and saves what the screen shows then.
-/// Usage: asperity_window_picture start|open|profile|roughness|touches|dark SCENE_OR_SCAN WIDTH
+/// Usage: asperity_window_picture start|profile|roughness|touches|dark SCENE_OR_SCAN WIDTH
 ///        HEIGHT OUT.png
 
 #include "app/commands/VirtualDisplay.h"
@@ -12,17 +12,13 @@
 #include "ui/panels/OverviewMap.h"
 #include "ui/panels/OverviewPanel.h"
 #include "ui/view/ZoomView.h"
-#include "ui/window/OpenDialog.h"
-#include "ui/window/PreviewPane.h"
 #include "ui/window/WindowMenus.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QElapsedTimer>
 #include <QMouseEvent>
-#include <QPushButton>
-#include <QScreen>
 #include <QStatusBar>
-#include <QToolButton>
 
 #include <functional>
 #include <map>
@@ -107,18 +103,6 @@ private:
     LiveWindow& live_;
 };
 
-void showOpenDialog(User& user, const QString& input) {
-    user.window().menus().open->trigger();
-    OpenDialog* dialog = nullptr;
-    waitFor("the dialog", [&] {
-        dialog = user.window().findChild<OpenDialog*>();
-        return dialog != nullptr && dialog->isVisible();
-    });
-    dialog->choose(input);
-    waitFor("the preview", [dialog] { return dialog->preview().isComplete(); });
-    live(kMoment);
-}
-
 void showProfile(User& user) {
     user.window().menus().measure().profile->trigger();
     live(200);
@@ -146,21 +130,13 @@ void showDark(User& user) {
     user.engage();
 }
 
-/// All that is on the screen: a dialog is a window of its own.
-QPixmap screenOf(MainWindow& window) {
-    const QRect place = window.frameGeometry();
-    return window.screen()->grabWindow(0, place.x(), place.y(), place.width(), place.height());
-}
-
 int run(char** argv) {
     const VirtualDisplay display;
     LiveWindow live_;
     User user(live_);
     const std::string state = argv[1];
-    const QString input = QString::fromUtf8(argv[2]);
     const std::map<std::string, std::function<void()>> states{
         {"start", [] {}},
-        {"open", [&] { showOpenDialog(user, input); }},
         {"profile", [&] { showProfile(user); }},
         {"roughness", [&] { showRoughness(user); }},
         {"touches", [&] { showTouches(user); }},
@@ -176,8 +152,7 @@ int run(char** argv) {
     show->second();
     user.window().statusBar()->clearMessage();
     live(200);
-    const bool saved = (state == "open" ? screenOf(user.window()) : user.window().grab())
-                           .save(QString::fromUtf8(argv[5]));
+    const bool saved = user.window().grab().save(QString::fromUtf8(argv[5]));
     if (!saved) {
         throw Error(std::string(argv[5]) + ": the picture cannot be written");
     }
@@ -191,7 +166,7 @@ int run(char** argv) {
 int main(int argc, char** argv) {
     return asperity::runPictureTool(
         {argv, static_cast<std::size_t>(argc)}, 5,
-        "asperity_window_picture start|open|profile|roughness|touches|dark SCENE_OR_SCAN WIDTH "
+        "asperity_window_picture start|profile|roughness|touches|dark SCENE_OR_SCAN WIDTH "
         "HEIGHT OUT.png",
         asperity::run);
 }
