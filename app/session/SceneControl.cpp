@@ -126,9 +126,12 @@ void SceneControl::chooseChannel(const QString& name) {
     }
 }
 
-/// Beside the scan, under its name.
+/// The scene that was opened, else beside the scan, under its name.
 void SceneControl::suggestFile() {
     std::filesystem::path file = runs_.run()->scene().description.sample.file;
+    if (asked_.extension() == ".toml") {
+        file = asked_;
+    }
     window_.setSceneFile(QString::fromStdString(
         file.empty() ? "scene.toml" : file.replace_extension(".toml").string()));
 }

@@ -11,8 +11,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 4;     ///< [px]
-constexpr int kIndent = 6;  ///< of the rows [px]
+constexpr int kGap = 4;              ///< [px]
+constexpr int kIndent = 6;           ///< of the rows [px]
+constexpr const char* kTip = "tip";  ///< property: what a control says while it works
 
 }  // namespace
 
@@ -53,8 +54,17 @@ void Section::setFolded(bool folded) {
 void Section::addWide(QWidget* widget) { rows_->addWidget(widget, rows_->rowCount(), 0, 1, 3); }
 
 void Section::refuse(const QString& reason) {
+    if (reason == refusal_) {
+        return;
+    }
+    refusal_ = reason;
     content_->setEnabled(reason.isEmpty());
-    content_->setToolTip(reason);
+    for (QWidget* part : content_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!part->property(kTip).isValid()) {
+            part->setProperty(kTip, part->toolTip());
+        }
+        part->setToolTip(reason.isEmpty() ? part->property(kTip).toString() : reason);
+    }
 }
 
 }  // namespace asperity

@@ -21,11 +21,12 @@ public:
     [[nodiscard]] QGridLayout& rows() { return *rows_; }
     /// A widget over all columns, below the rows so far.
     void addWide(QWidget* widget);
-    /// Disables the rows. @param reason that all of them say; empty: they work
+    /// Disables the rows. @param reason that their tool tips say; empty: they work
     void refuse(const QString& reason);
 
 private:
     QString about_;
+    QString refusal_;  ///< as it is shown
     QToolButton* heading_;
     QWidget* content_;
     QGridLayout* rows_;
