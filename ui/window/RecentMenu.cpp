@@ -28,7 +28,8 @@ void RecentMenu::setFiles(const std::vector<RecentFile>& files) {
     menu_->addSeparator();
     QAction* clear = menu_->addAction(tr("&Clear list"));
     clear->setToolTip(tr("Forget the files that were opened last"));
-    connect(clear, &QAction::triggered, this, &RecentMenu::clearRequested);
+    // Later: the entry itself goes.
+    connect(clear, &QAction::triggered, this, &RecentMenu::clearRequested, Qt::QueuedConnection);
     menu_->menuAction()->setEnabled(!files.empty());
     menu_->menuAction()->setToolTip(files.empty() ? tr("No file was opened yet")
                                                   : tr("Files that were opened last"));
