@@ -1,5 +1,6 @@
 #include "app/session/MeasureControl.h"
 
+#include "core/io/TextValue.h"
 #include "core/words/SceneWords.h"
 #include "ui/measure/MarkersPage.h"
 #include "ui/measure/ProfilePage.h"
@@ -18,9 +19,10 @@ namespace {
 
 /// Two surfaces with the same key are the same piece of a sample, whatever was done to its heights.
 std::string scanKey(const Scene& scene) {
-    return sampleName(scene.description.sample) + " " + std::to_string(scene.surface.sizeX()) +
-           " " + std::to_string(scene.surface.grid().columns) + " " +
-           std::to_string(scene.surface.grid().rows);
+    const BSplineSurface::Grid& grid = scene.surface.grid();
+    return sampleName(scene.description.sample) + " " + exactText(grid.pitchX) + " " +
+           exactText(grid.pitchY) + " " + std::to_string(grid.columns) + " " +
+           std::to_string(grid.rows);
 }
 
 }  // namespace

@@ -233,19 +233,24 @@ void splitAtTurn(std::vector<CurveSegment>& segments) {
 
 /// The base grows towards the sample, where the force is largest.
 void turnBase(std::vector<CurveSegment>& segments) {
-    const auto main = std::max_element(segments.begin(), segments.end(),
-                                       [](const CurveSegment& a, const CurveSegment& b) {
-                                           return a.force[peakOf(a)] < b.force[peakOf(b)];
-                                       });
-    if (main->base.empty()) {
-        return;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    double force = -std::numeric_limits<double>::infinity();
+    double place = 0.0;  // of the largest force
+    for (const CurveSegment& segment : segments) {
+        for (std::size_t i = 0; i < segment.base.size(); ++i) {
+            low = std::min(low, segment.base[i]);
+            high = std::max(high, segment.base[i]);
+            if (segment.force[i] > force) {
+                force = segment.force[i];
+                place = segment.base[i];
+            }
+        }
     }
-    const std::size_t peak = peakOf(*main);
-    const auto [low, high] = std::minmax_element(main->base.begin(), main->base.end());
-    if (main->base[peak] < 0.5 * (*low + *high)) {
+    if (place - low < high - place) {
         for (CurveSegment& segment : segments) {
-            for (double& place : segment.base) {
-                place = -place;
+            for (double& base : segment.base) {
+                base = -base;
             }
         }
     }

@@ -27,7 +27,7 @@ TEST_F(LineToolTest, ADragDrawsTheLineAndShowsIt) {
     drag(20, 30, 100, 90);
     expectLine(20, 30, 100, 90);
     EXPECT_GE(drawn.count(), 1);
-    EXPECT_GT(test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.blue)), before + 150);
+    EXPECT_GT(test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.blue)), before + 80);
 }
 
 TEST_F(LineToolTest, AClickDrawsNothingAndKeepsTheLine) {

@@ -24,11 +24,11 @@ struct MarkerToolTest : test::MapFixture {
 TEST_F(MarkerToolTest, DrawsCrossAndNameAndTheSelectedOneStrongly) {
     const int ink = test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.ink));
     tool.setMarkers({});
-    EXPECT_GT(ink, test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.ink)) + 40);
+    EXPECT_GT(ink, test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.ink)) + 15);
     tool.setMarkers(twoMarkers());
     EXPECT_EQ(test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.force)), 0);
     tool.setSelected(1);
-    EXPECT_GT(test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.force)), 20);
+    EXPECT_GT(test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.force)), 10);
 }
 
 TEST_F(MarkerToolTest, ADoubleClickSetsOneAndDoesNotTravel) {

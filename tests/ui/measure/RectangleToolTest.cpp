@@ -25,7 +25,7 @@ TEST_F(RectangleToolTest, ADragInAnyDirectionDrawsIt) {
     drag(100, 90, 20, 30);
     expectRectangle(20, 30, 100, 90);
     EXPECT_GE(drawn.count(), 1);
-    EXPECT_GT(test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.green)), 300);
+    EXPECT_GT(test::pixelsLike(map.grab().toImage(), toQColor(kLightPalette.green)), 100);
 }
 
 TEST_F(RectangleToolTest, AClickKeepsIt) {
