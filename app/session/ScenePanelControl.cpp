@@ -15,6 +15,7 @@ ScenePanelControl::ScenePanelControl(MainWindow& window, RunControl& runs, Scene
     : window_(window), runs_(runs), edits_(edits) {
     ScenePanel& panel = window.scenePanel();
     connect(&panel, &ScenePanel::valueEntered, this, &ScenePanelControl::enter);
+    connect(&panel, &ScenePanel::levelingEntered, this, &ScenePanelControl::level);
     connect(&panel, &ScenePanel::openRequested, window.menus().open, &QAction::trigger);
     connect(&panel, &ScenePanel::fidelityRequested, window.menus().fidelity, &QAction::trigger);
     connect(&runs, &RunControl::begun, this, &ScenePanelControl::show);
@@ -37,12 +38,24 @@ void ScenePanelControl::enter(const SceneField& field, const SceneValue& value) 
     }
 }
 
+void ScenePanelControl::level(const LevelingSteps& steps,
+                              const std::optional<LevelPoints>& places) {
+    if (const SceneDescription* const now = edits_.wanted()) {
+        SceneDescription next = *now;
+        next.sample.leveling = steps;
+        next.sample.levelPoints = places;
+        edits_.change(tr("Leveling: %1").arg(QString::fromStdString(textOf(steps))), next);
+    }
+}
+
 void ScenePanelControl::show() {
     if (const SceneDescription* const scene = edits_.wanted()) {
         QStringList channels;
         for (const std::string& name : runs_.run()->loaded().channels) {
             channels << QString::fromStdString(name);
         }
+        const BSplineSurface& surface = runs_.run()->scene().surface;
+        window_.scenePanel().setScanSize({surface.sizeX(), surface.sizeY()});
         window_.scenePanel().setChannels(channels);
         window_.scenePanel().showScene(*scene, defaultsOf(*scene));
     }

@@ -4,6 +4,8 @@
 #include "app/session/SceneEdits.h"
 #include "core/scene/SceneFields.h"
 
+#include <optional>
+
 namespace asperity {
 
 /// The page that shows all keys of the scene and changes them.
@@ -15,6 +17,7 @@ public:
 
 private:
     void enter(const SceneField& field, const SceneValue& value);
+    void level(const LevelingSteps& steps, const std::optional<LevelPoints>& places);
     void show();
 
     MainWindow& window_;

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -43,6 +45,24 @@ void setSide(double& side, double& other, double value) {
     other = value == 0.0 || other == 0.0 ? value : other;
 }
 
+/// All numbers of a text, with anything between them.
+std::vector<double> numbersIn(std::string_view text) {
+    std::vector<double> numbers;
+    while (!text.empty()) {
+        double number = 0.0;
+        const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (problem == std::errc()) {
+            numbers.push_back(number);
+            text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        } else {
+            text.remove_prefix(1);
+        }
+    }
+    return numbers;
+}
+
+bool isBlank(const std::string& text) { return text.find_first_not_of(' ') == std::string::npos; }
+
 std::string placesText(const std::optional<LevelPoints>& points) {
     std::string text;
     if (points) {
@@ -54,24 +74,56 @@ std::string placesText(const std::optional<LevelPoints>& points) {
     return text;
 }
 
-/// Six numbers with anything between them; none where there are fewer or more.
-std::optional<LevelPoints> placesOf(std::string_view text) {
-    std::vector<double> numbers;
-    while (!text.empty()) {
-        double number = 0.0;
-        const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-        if (problem == std::errc()) {
-            numbers.push_back(number * kNano);
-            text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-        } else {
-            text.remove_prefix(1);
-        }
-    }
-    if (numbers.size() != 6) {
+/// None where there are fewer numbers than those of three places, or more.
+std::optional<LevelPoints> placesOf(const std::string& text) {
+    const std::vector<double> numbers = numbersIn(text);
+    LevelPoints places;
+    if (numbers.size() != 2 * places.size()) {
         return std::nullopt;
     }
-    return LevelPoints{Vector2(numbers[0], numbers[1]), Vector2(numbers[2], numbers[3]),
-                       Vector2(numbers[4], numbers[5])};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        places[i] = Vector2(fromUnit(numbers[2 * i], kNano), fromUnit(numbers[2 * i + 1], kNano));
+    }
+    return places;
+}
+
+std::string cropText(const std::optional<PixelRectangle>& crop) {
+    return crop ? formatted("%d, %d, %d, %d", crop->column, crop->row, crop->columns, crop->rows)
+                : std::string();
+}
+
+/// None where the text says no rectangle.
+std::optional<PixelRectangle> cropOf(const std::string& text) {
+    constexpr double kMost = 1e9;  // pixels along a side
+    const std::vector<double> numbers = numbersIn(text);
+    const bool arePixels = std::ranges::all_of(numbers, [](double number) {
+        return isWithin(number, 0.0, kMost) && number == std::floor(number);
+    });
+    if (numbers.size() != 4 || !arePixels || numbers[2] == 0.0 || numbers[3] == 0.0) {
+        return std::nullopt;
+    }
+    return PixelRectangle{.column = static_cast<int>(numbers[0]),
+                          .row = static_cast<int>(numbers[1]),
+                          .columns = static_cast<int>(numbers[2]),
+                          .rows = static_cast<int>(numbers[3])};
+}
+
+SceneField cropField() {
+    SceneField field = row(
+        "crop_px",
+        {"Part", "Of the scan that is loaded: left column, top row, columns, rows; empty: all",
+         "px"},
+        SceneInput::Text, {},
+        [](const SceneDescription& scene) -> SceneValue { return cropText(scene.sample.crop); },
+        [](SceneDescription& scene, const SceneValue& value) {
+            scene.sample.crop = cropOf(std::get<std::string>(value));
+        });
+    field.refusal = [](const std::string& text) {
+        return isBlank(text) || cropOf(text)
+                   ? std::string()
+                   : std::string("four whole numbers, column, row, columns, rows, or nothing");
+    };
+    return field;
 }
 
 std::vector<SceneField> scaleFields() {
@@ -127,6 +179,13 @@ std::vector<SceneField> levelingFields() {
                 scene.sample.levelPoints = placesOf(std::get<std::string>(value));
             }),
     };
+    fields[0].refusal = [](const std::string& text) {
+        return levelingSteps(text) ? std::string() : "steps of " + levelingKeys();
+    };
+    fields[1].refusal = [](const std::string& text) {
+        return isBlank(text) || placesOf(text) ? std::string() : std::string("x y of three places");
+    };
+    return fields;
 }
 
 std::vector<SceneField> filterFields() {
@@ -218,6 +277,7 @@ std::vector<SceneField> sampleFields() {
             [](auto& scene) -> auto& { return scene.sample.channel; })};
     fields[0].input = SceneInput::File;
     fields[1].input = SceneInput::Choice;  // of those that the file has
+    fields.push_back(cropField());
     for (std::vector<SceneField> part : {scaleFields(), levelingFields(), filterFields()}) {
         std::ranges::move(part, std::back_inserter(fields));
     }

@@ -48,9 +48,9 @@ enum class SceneInput : std::uint8_t {
     Switch,  ///< bool
     Choice,  ///< of a list
     Text,
-    File,   ///< a height map: opened, not typed
-    Steps,  ///< of leveling, in order: "plane, zero"
-    Places  ///< of leveling [nm]: "10 20, 30 40, 50 10"
+    File,    ///< a height map: opened, not typed
+    Steps,   ///< of leveling, in order: "plane, zero"
+    Places,  ///< of a leveling step [nm]: "10 20, 30 40, 50 10"; entered with the steps
 };
 
 /// One of the values that a key can have.
@@ -78,6 +78,8 @@ struct SceneField {
     SceneValue (*get)(const SceneDescription& scene) = nullptr;
     /// Nothing that follows from it goes along, see SceneFieldChange.h.
     void (*set)(SceneDescription& scene, const SceneValue& value) = nullptr;
+    /// Why a text is no value, after "it must be"; empty: it is one. Null: any text is.
+    std::string (*refusal)(const std::string& text) = nullptr;
 };
 
 /// The one list of the keys of scenes that a panel shows, in its order.

@@ -1,12 +1,12 @@
 #include "ui/panels/SceneFieldRow.h"
 
 #include "core/scene/SceneFieldChange.h"
-#include "core/surface/leveling/LevelingStep.h"
 #include "ui/CoreWords.h"
 #include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/ChoiceBox.h"
 #include "ui/panels/GainSpinBox.h"
+#include "ui/panels/LevelingEditor.h"
 #include "ui/panels/WheelGuard.h"
 
 #include <QCheckBox>
@@ -66,7 +66,7 @@ SceneFieldRow::SceneFieldRow(const SceneField& field, QGridLayout& grid, QWidget
     QSizePolicy stays = reset_->sizePolicy();
     stays.setRetainSizeWhenHidden(true);
     reset_->setSizePolicy(stays);
-    connect(reset_, &QToolButton::clicked, this, [this] { Q_EMIT entered(default_); });
+    connect(reset_, &QToolButton::clicked, this, &SceneFieldRow::reset);
     const int row = grid.rowCount();
     grid.addWidget(caption_, row, 0);
     grid.addWidget(control_, row, 1);
@@ -84,9 +84,10 @@ QWidget* SceneFieldRow::newControl(QWidget* parent) {
         return newSwitch(parent);
     case SceneInput::Choice:
         return newChoice(parent);
+    case SceneInput::Steps:
+        return newLeveling(parent);
     case SceneInput::Text:
     case SceneInput::File:
-    case SceneInput::Steps:
     case SceneInput::Places:
         break;
     }
@@ -99,9 +100,9 @@ QWidget* SceneFieldRow::newNumber(QWidget* parent) {
     guardFromWheel(*box);
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
             [this](double number) { Q_EMIT entered(fromUnit(number, field_.words.scale)); });
-    showValue_ = [this, box](const SceneValue& value) {
+    showValue_ = [this, box](const SceneDescription& scene) {
         const QSignalBlocker blocker(box);
-        const double number = std::get<double>(value) / field_.words.scale;
+        const double number = std::get<double>(field_.get(scene)) / field_.words.scale;
         box->setRange(std::min(box->minimum(), number), std::max(box->maximum(), number));
         box->setValue(number);
     };
@@ -111,7 +112,9 @@ QWidget* SceneFieldRow::newNumber(QWidget* parent) {
 QWidget* SceneFieldRow::newSwitch(QWidget* parent) {
     auto* box = new QCheckBox(parent);
     connect(box, &QCheckBox::clicked, this, [this](bool on) { Q_EMIT entered(on); });
-    showValue_ = [box](const SceneValue& value) { box->setChecked(std::get<bool>(value)); };
+    showValue_ = [this, box](const SceneDescription& scene) {
+        box->setChecked(std::get<bool>(field_.get(scene)));
+    };
     return box;
 }
 
@@ -121,11 +124,12 @@ QWidget* SceneFieldRow::newChoice(QWidget* parent) {
     connect(box, qOverload<int>(&QComboBox::activated), this, [this](int index) {
         Q_EMIT entered(choices_.at(static_cast<std::size_t>(index)).key);
     });
-    showValue_ = [this, box](const SceneValue& value) {
+    showValue_ = [this, box](const SceneDescription& scene) {
+        const auto value = std::get<std::string>(field_.get(scene));
         QStringList names;
         int present = -1;
         for (const SceneChoice& choice : choices_) {
-            present = choice.key == std::get<std::string>(value) ? names.size() : present;
+            present = choice.key == value ? names.size() : present;
             names << coreWords(choice.name);
         }
         box->setNames(names);
@@ -139,11 +143,39 @@ QWidget* SceneFieldRow::newText(QWidget* parent) {
     line->setReadOnly(field_.input == SceneInput::File);
     line->setMinimumWidth(theme::scaled(kBoxWidth));
     connect(line, &QLineEdit::editingFinished, this, [this, line] { enterText(*line); });
-    showValue_ = [this, line](const SceneValue& value) {
-        shownText_ = QString::fromStdString(std::get<std::string>(value));
+    showValue_ = [this, line](const SceneDescription& scene) {
+        shownText_ = QString::fromStdString(std::get<std::string>(field_.get(scene)));
         line->setText(shownText_);
     };
     return line;
+}
+
+QWidget* SceneFieldRow::newLeveling(QWidget* parent) {
+    auto* editor = new LevelingEditor(parent);
+    connect(editor, &LevelingEditor::edited, this, [this, editor] {
+        const LevelingSteps steps = editor->steps();
+        const std::optional<LevelPoints> places = editor->points();
+        Q_EMIT levelingEntered(steps, places);
+    });
+    showValue_ = [editor](const SceneDescription& scene) {
+        editor->setLeveling(scene.sample.leveling, scene.sample.levelPoints);
+    };
+    return editor;
+}
+
+void SceneFieldRow::setScanSize(const QSizeF& size) {
+    if (auto* const editor = qobject_cast<LevelingEditor*>(control_)) {
+        editor->setScanSize(size);
+    }
+}
+
+void SceneFieldRow::reset() {
+    if (field_.input == SceneInput::Steps) {
+        const SampleDescription sample = defaults_.sample;
+        Q_EMIT levelingEntered(sample.leveling, sample.levelPoints);
+    } else {
+        Q_EMIT entered(field_.get(defaults_));
+    }
 }
 
 void SceneFieldRow::enterText(QLineEdit& line) {
@@ -151,12 +183,11 @@ void SceneFieldRow::enterText(QLineEdit& line) {
         return;
     }
     const std::string text = line.text().toStdString();
-    const bool isSteps = field_.input == SceneInput::Steps;
-    if (isSteps && !levelingSteps(text)) {
+    const std::string refusal = field_.refusal == nullptr ? std::string() : field_.refusal(text);
+    if (!refusal.empty()) {
         line.setText(shownText_);
-        Q_EMIT refused(
-            tr("“%1” is not taken: %2")
-                .arg(QString::fromStdString(text), QString::fromStdString(levelingKeys())));
+        Q_EMIT refused(tr("“%1” is not taken: it must be %2")
+                           .arg(QString::fromStdString(text), coreWords(refusal)));
         return;
     }
     shownText_ = line.text();
@@ -166,8 +197,8 @@ void SceneFieldRow::enterText(QLineEdit& line) {
 void SceneFieldRow::setChoices(const std::vector<SceneChoice>& choices) { choices_ = choices; }
 
 void SceneFieldRow::show(const SceneDescription& scene, const SceneDescription& defaults) {
-    default_ = field_.get(defaults);
-    showValue_(field_.get(scene));
+    defaults_ = defaults;
+    showValue_(scene);
     const bool isDefault = isSame(field_, scene, defaults);
     reset_->setVisible(!isDefault);
     muted_ = isDefault;

@@ -3,8 +3,10 @@
 #include "core/scene/SceneFields.h"
 
 #include <QObject>
+#include <QSizeF>
 
 #include <functional>
+#include <optional>
 
 class QGridLayout;
 class QLabel;
@@ -29,6 +31,8 @@ public:
     [[nodiscard]] const SceneField& field() const { return field_; }
     /// Emits nothing. @param defaults the same scene with all keys at their defaults
     void show(const SceneDescription& scene, const SceneDescription& defaults);
+    /// Of the scan, where the places of leveling begin [m].
+    void setScanSize(const QSizeF& size);
     /// The values to choose from, where they are not the field's own.
     void setChoices(const std::vector<SceneChoice>& choices);
     /// Disables the row. @param reason that its tool tips say; empty: it works
@@ -36,6 +40,9 @@ public:
 
 Q_SIGNALS:
     void entered(const asperity::SceneValue& value);
+    /// In place of entered(): steps and their places are one change.
+    void levelingEntered(const asperity::LevelingSteps& steps,
+                         const std::optional<asperity::LevelPoints>& places);
     /// The text says no such value.
     void refused(const QString& reason);
 
@@ -45,17 +52,19 @@ private:
     [[nodiscard]] QWidget* newSwitch(QWidget* parent);
     [[nodiscard]] QWidget* newChoice(QWidget* parent);
     [[nodiscard]] QWidget* newText(QWidget* parent);
+    [[nodiscard]] QWidget* newLeveling(QWidget* parent);
+    void reset();
     void enterText(QLineEdit& line);
     void setMuted(bool muted);
 
     const SceneField& field_;
     std::vector<SceneChoice> choices_;
-    std::function<void(const SceneValue& value)> showValue_;
+    std::function<void(const SceneDescription& scene)> showValue_;
     QLabel* caption_;
     QWidget* control_;
     QToolButton* reset_;
     QString shownText_;  ///< of a text, as it was shown last
-    SceneValue default_;
+    SceneDescription defaults_;
     bool muted_ = false;
 };
 

@@ -83,11 +83,12 @@ void ScenePanel::addRows() {
     for (const SectionTraits& traits : kSections) {
         Section& section = newSection(traits.value);
         for (const SceneField& field : sceneFields()) {
-            if (field.group != traits.value) {
+            if (field.group != traits.value || field.input == SceneInput::Places) {
                 continue;
             }
             auto* row = new SceneFieldRow(field, section.rows(), &section);
             rows_.push_back(row);
+            connect(row, &SceneFieldRow::levelingEntered, this, &ScenePanel::levelingEntered);
             connect(row, &SceneFieldRow::refused, this, &ScenePanel::refused);
             connect(row, &SceneFieldRow::entered, this,
                     [this, &field](const SceneValue& value) { Q_EMIT valueEntered(field, value); });
@@ -134,6 +135,12 @@ void ScenePanel::addFidelityLink(Section& section) {
 
 LeverCalibration ScenePanel::calibration() const {
     return kEnumTable<LeverCalibration>.at(static_cast<std::size_t>(calibration_->currentIndex())).value;
+}
+
+void ScenePanel::setScanSize(const QSizeF& size) {
+    for (SceneFieldRow* row : rows_) {
+        row->setScanSize(size);
+    }
 }
 
 void ScenePanel::setChannels(const QStringList& names) {

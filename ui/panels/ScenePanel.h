@@ -2,10 +2,12 @@
 
 #include "core/scene/SceneFieldChange.h"
 
+#include <QSizeF>
 #include <QStringList>
 #include <QWidget>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 class QVBoxLayout;
@@ -27,6 +29,8 @@ public:
 
     /// @param defaults the same scene with all keys at their defaults
     void showScene(const SceneDescription& scene, const SceneDescription& defaults);
+    /// Of the scan, for the places of leveling [m].
+    void setScanSize(const QSizeF& size);
     /// The channels of the file that can be taken.
     void setChannels(const QStringList& names);
     [[nodiscard]] LibraryBar& materials() { return *materials_; }
@@ -36,6 +40,8 @@ public:
 
 Q_SIGNALS:
     void valueEntered(const asperity::SceneField& field, const asperity::SceneValue& value);
+    void levelingEntered(const asperity::LevelingSteps& steps,
+                         const std::optional<asperity::LevelPoints>& places);
     void refused(const QString& reason);  ///< a text says no value of its key
     void openRequested();                 ///< another scan
     void fidelityRequested();             ///< what the terms of the model cost

@@ -1,12 +1,14 @@
 #include "core/io/scene/SceneFile.h"
 #include "tests/app/window/WindowFixture.h"
+#include "ui/panels/LevelingEditor.h"
 #include "ui/panels/ScenePanel.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QComboBox>
-#include <QLineEdit>
+#include <QMenu>
+#include <QToolButton>
 #include <QtTest>
 
 #include <algorithm>
@@ -37,7 +39,7 @@ protected:
         QTest::keyClick(&window, Qt::Key_Y, Qt::ControlModifier);
         ASSERT_TRUE(changeEnds());
     }
-    /// Types a number or a text into the scene page.
+    /// Types a number into the scene page.
     void enter(const char* key, const char* text) {
         window.showSidePage(&window.scenePanel());
         auto* control = child<QWidget>(key);
@@ -60,14 +62,16 @@ protected:
 TEST_F(Undo, LevelUndoRedo) {
     openScan("steps.gsf");
     const double before = height();
-    enter("sample.level", "plane, zero");
+    window.showSidePage(&window.scenePanel());
+    auto* add = window.scenePanel().findChild<QToolButton*>("addLevelingStep");
+    add->menu()->actions().last()->trigger();
+    ASSERT_TRUE(changeEnds());
     EXPECT_EQ(undoText(), "&Undo Leveling: plane, zero");
     const double after = height();
     EXPECT_NE(after, before);
     pressUndo();
     EXPECT_EQ(height(), before);
-    EXPECT_EQ(child<QLineEdit>("sample.level")->text(), "plane");
-    EXPECT_EQ(window.menus().redo->text(), "&Redo");
+    EXPECT_EQ(child<LevelingEditor>("sample.level")->steps(), LevelingSteps{LevelingStep::Plane});
     live(60);
     EXPECT_EQ(window.menus().redo->text(), "&Redo Leveling: plane, zero");
     pressRedo();

@@ -54,6 +54,8 @@ TEST(SceneChange, EveryKeyOfAScanOrShapeMakesTheSurfaceAnew) {
             field.set(after, !*on);
         } else if (field.input == SceneInput::Places) {
             field.set(after, std::string("1 2, 3 4, 5 7"));
+        } else if (field.refusal != nullptr && field.input == SceneInput::Text) {
+            field.set(after, std::string("2, 3, 20, 10"));
         } else {
             field.set(after, std::string(field.input == SceneInput::Steps ? "zero" : "plane"));
         }

@@ -38,7 +38,7 @@ SceneValue anotherValue(const SceneField& field, const SceneValue& now) {
     case SceneInput::Places:
         return std::string("10 20, 30 40, 50 10");
     default:
-        return std::string("another");
+        return std::string(field.refusal == nullptr ? "another" : "2, 3, 20, 10");
     }
 }
 
@@ -93,6 +93,17 @@ TEST(SceneFields, BothSidesOfAScanAreGivenOrNone) {
     EXPECT_EQ(scene.sample.scale.sizeX, 2e-6);
     set("sample.size_y_m", 0.0);
     EXPECT_FALSE(scene.sample.scale.hasSize());
+}
+
+TEST(SceneFields, TextsThatAreNoValueAreRefused) {
+    for (const SceneField& field : sceneFields()) {
+        if (field.refusal != nullptr) {
+            EXPECT_NE(field.refusal("nonsense"), "") << nameOf(field);
+            EXPECT_NE(field.refusal("1, 2, 3"), "") << nameOf(field);
+            const SceneValue usual = field.get(defaultScene());
+            EXPECT_EQ(field.refusal(std::get<std::string>(usual)), "") << nameOf(field);
+        }
+    }
 }
 
 TEST(SceneFields, ANumberInAUnitIsRoundedOnce) {

@@ -156,6 +156,9 @@ TEST_F(CoreWords, KnobsAreTranslated) {
 TEST_F(CoreWords, KeysOfScenesAreTranslated) {
     const ScenePanel panel;
     for (const SceneField& field : sceneFields()) {
+        if (field.input == SceneInput::Places) {
+            continue;  // entered with the steps of leveling
+        }
         const auto* control =
             panel.findChild<QWidget*>(QString::fromStdString(asperity::nameOf(field)));
         ASSERT_NE(control, nullptr) << asperity::nameOf(field);

@@ -1,14 +1,17 @@
 #include "ui/panels/ScenePanel.h"
 
+#include "ui/panels/LevelingEditor.h"
 #include "ui/panels/LibraryBar.h"
 #include "ui/panels/NumberBox.h"
 #include "ui/panels/Section.h"
 
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -16,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +67,10 @@ protected:
 TEST_F(ScenePanelTest, EveryKeyHasAControlWithAToolTip) {
     show(defaultScene());
     for (const SceneField& field : sceneFields()) {
+        if (field.input == SceneInput::Places) {
+            EXPECT_NE(panel.findChild<QAbstractSpinBox*>("levelPlace2y"), nullptr);
+            continue;  // they are entered with the steps
+        }
         EXPECT_FALSE(control<QWidget>(nameOf(field)).toolTip().isEmpty()) << nameOf(field);
         EXPECT_FALSE(control<QWidget>(nameOf(field) + ".reset").toolTip().isEmpty());
     }
@@ -79,7 +87,7 @@ TEST_F(ScenePanelTest, ShowsASceneInTheUnitsOfALab) {
     EXPECT_EQ(number("probe.length_m"), "150");
     EXPECT_EQ(number("approach.setpoint_n"), "5");
     EXPECT_EQ(control<QComboBox>("physics.law").currentText(), "automatic");
-    EXPECT_EQ(control<QLineEdit>("sample.level").text(), "plane");
+    EXPECT_EQ(control<LevelingEditor>("sample.level").steps(), LevelingSteps{LevelingStep::Plane});
     EXPECT_FALSE(control<QCheckBox>("sample.erode").isChecked());
     EXPECT_TRUE(entered.empty());
 }
@@ -90,7 +98,7 @@ TEST_F(ScenePanelTest, GivesWhatIsEnteredInSiUnits) {
     show(scene);
     type("tip.radius_m", "30");
     type("sample.work_of_adhesion_j_m2", "0");
-    type("sample.level", "plane, zero");
+    type("sample.crop_px", "2, 3, 20, 10");
     control<QCheckBox>("sample.erode").click();
     auto& law = control<QComboBox>("physics.law");
     Q_EMIT law.activated(law.findText("JKR"));
@@ -98,7 +106,7 @@ TEST_F(ScenePanelTest, GivesWhatIsEnteredInSiUnits) {
     EXPECT_EQ(entered[0].name, "tip.radius_m");
     EXPECT_EQ(std::get<double>(entered[0].value), 30e-9);
     EXPECT_EQ(std::get<double>(entered[1].value), 0.0);
-    EXPECT_EQ(std::get<std::string>(entered[2].value), "plane, zero");
+    EXPECT_EQ(std::get<std::string>(entered[2].value), "2, 3, 20, 10");
     EXPECT_EQ(std::get<bool>(entered[3].value), true);
     EXPECT_EQ(std::get<std::string>(entered[4].value), "jkr");
 }
@@ -138,14 +146,31 @@ TEST_F(ScenePanelTest, ADefaultIsMutedAndWhatIsSetGoesBackToIt) {
 TEST_F(ScenePanelTest, WhatIsNoValueIsRefusedInWords) {
     show(defaultScene());
     const QSignalSpy refused(&panel, &ScenePanel::refused);
-    type("sample.level", "plain");
+    type("sample.crop_px", "half");
     ASSERT_EQ(refused.count(), 1);
-    EXPECT_TRUE(refused[0][0].toString().startsWith("“plain” is not taken"));
-    EXPECT_EQ(control<QLineEdit>("sample.level").text(), "plane");
+    EXPECT_TRUE(refused[0][0].toString().startsWith("“half” is not taken: it must be four"));
+    EXPECT_EQ(control<QLineEdit>("sample.crop_px").text(), "");
     auto& box = control<NumberBox>("tip.radius_m");
     const QSignalSpy numbers(&box, &NumberBox::refused);
     type("tip.radius_m", "-3");
     EXPECT_EQ(numbers.count(), 1);
+    EXPECT_TRUE(entered.empty());
+}
+
+TEST_F(ScenePanelTest, StepsOfLevelingAreAddedAndGoBackToTheDefault) {
+    show(defaultScene());
+    LevelingSteps steps;
+    QObject::connect(&panel, &ScenePanel::levelingEntered,
+                     [&](const LevelingSteps& now, const std::optional<LevelPoints>& /*places*/) {
+                         steps = now;
+                     });
+    control<QToolButton>("addLevelingStep").menu()->actions().last()->trigger();
+    EXPECT_EQ(steps, (LevelingSteps{LevelingStep::Plane, LevelingStep::Zero}));
+    SceneDescription scene = defaultScene();
+    scene.sample.leveling = steps;
+    show(scene);
+    control<QToolButton>("sample.level.reset").click();
+    EXPECT_EQ(steps, LevelingSteps{LevelingStep::Plane});
     EXPECT_TRUE(entered.empty());
 }
 
