@@ -198,6 +198,7 @@ TEST(CurvePlot, TakesTheColorsOfAnotherThemeWhileItIsShown) {
     for (int i = 0; i < 100; ++i) {
         plot.take(0.1 * i, {1e-9 * i, -1e-9 * i});
     }
+    (void)picture(plot);  // from now on the ticks suit the size
     const QImage light = picture(plot);
     theme::choose(ThemeChoice::Dark);
     const QImage dark = picture(plot);
