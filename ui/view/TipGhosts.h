@@ -19,6 +19,7 @@ public:
     /// @param commanded, trueTip apex, world [m]; none: not known
     void show(const ViewOptions& options, const std::optional<Vector3>& commanded,
               const std::optional<Vector3>& trueTip, GhostStyle style);
+    void hide() { show({}, {}, {}, {}); }
     /// Of those that are shown.
     [[nodiscard]] const std::vector<LabelContent::Name>& names() const { return names_; }
 

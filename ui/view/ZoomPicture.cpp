@@ -24,19 +24,13 @@ namespace {
 constexpr double kMaxPatchReach = 0.85;
 constexpr double kSlack = 0.35;        // how far the tip goes from the middle
 constexpr double kSlackInDrag = 0.85;  // the picture stays still under the pointer
-constexpr double kBlockDepth = 0.12;
-constexpr double kMinFloor = 0.05;  // of block below a dent
 constexpr double kGuideReach = 0.4;
 constexpr double kOverlap = 0.015;  // of patch and terrain
 
-constexpr double kDentStep = 1.5;    // a dent that needs more room gets so many times its depth
+constexpr double kDentStep = 1.5;    // a dent below the picture lowers it by so many times that
 constexpr double kDentMargin = 0.1;  // of the picture's height, below a dent
 
-// In sizes of tip and arrow.
-constexpr double kTipTop = 1.15;
-constexpr double kSmallGear = 0.6;  // of the frame: from here on outwards the lever is in the view
-constexpr double kLeverHalfWidth = 0.5;
-constexpr double kArrowRoom = 1.1;
+constexpr double kArrowRoom = 1.1;  // in sizes of tip and arrow
 
 constexpr double kStray = 0.25;  // of the tip from the middle of the patch, in its half widths
 
@@ -47,11 +41,6 @@ bool isNearMiddle(const ScanWindow& patch, const Vector2& tip, double distance) 
            std::abs(tip.y() - 0.5 * (patch.bottom + patch.top)) <= distance;
 }
 
-/// Size of tip and arrow as drawn: as the frame up close, less of it from afar [m].
-double gearSize(double halfWidth, double tipRadius) {
-    return std::min(halfWidth, 1.5 * tipRadius + 0.4 * halfWidth);
-}
-
 }  // namespace
 
 ZoomPicture::ZoomPicture(vtkGenericOpenGLRenderWindow* window)
@@ -59,7 +48,6 @@ ZoomPicture::ZoomPicture(vtkGenericOpenGLRenderWindow* window)
     , terrain_(still_)
     , contact_(live_, through_)
     , tip_(live_)
-    , lever_(live_)
     , section_({still_, live_}, live_)
     , force_(through_)
     , guide_(through_)
@@ -93,7 +81,7 @@ void ZoomPicture::setScene(const Scene* scene) {
     trueTip_.reset();
     halfSpace_.reset();
     frame_.reset();
-    forgetDents();
+    extent_.forget();
     shape_.reset();
     crossHair_.reset();
     terrain_.hide();
@@ -113,7 +101,6 @@ void ZoomPicture::showSample(const ViewCamera& camera, bool dragging) {
         shape_.reset();
         contact_.hide();
         tip_.hide();
-        lever_.hide();
         section_.hide();
         force_.hide();
         guide_.hide();
@@ -154,9 +141,9 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     const std::array<double, 2> heights = terrain_.heightRange();
     colors_.fitHeights(heights[0], heights[1]);
     const bool otherColors = fitColors();
-    terrain_.setBottom(drawnBottom() / options_.heightScale);
-    if (isExtentAsked_ || !isTouching()) {  // the scale stays while the tip is in contact
-        fitExtent();
+    terrain_.setBottom(extent_.bottom(framed()));
+    if (extent_.isFitWanted() || !isTouching()) {  // the scale stays while the tip is in contact
+        extent_.fit(framed(), gear().tipHeight());
     }
     Q_EMIT terrainPlaced();
     if (otherColors) {
@@ -185,63 +172,41 @@ void ZoomPicture::setLook(const SurfaceLook& look, const SurfaceField& field) {
     Q_EMIT scalesChanged();
 }
 
-/// Where the block of sample ends below, as drawn [m].
-double ZoomPicture::drawnBottom() const {
-    return options_.heightScale * (colors_.heightRange().low - dentDepth_) -
-           kBlockDepth * frame_->halfWidth();
+/// The heights are those of the colors, which seldom change, so that the picture seldom jumps.
+FramedSurface ZoomPicture::framed() const {
+    return {.heights = colors_.heightRange(),
+            .halfWidth = frame_->halfWidth(),
+            .heightScale = options_.heightScale};
 }
 
-/// Of the heights of the colors, which seldom change, so that the picture seldom jumps [m].
-double ZoomPicture::drawnMiddle() const {
-    const AxisRange& heights = colors_.heightRange();
-    return options_.heightScale * 0.5 * (heights.low + heights.high);
+GearScale ZoomPicture::gear() const {
+    return {.halfWidth = frame_->halfWidth(),
+            .tipRadius = scene_->belief.tipRadius(),
+            .paraboloidReach = scale_.paraboloidReach};
 }
 
 bool ZoomPicture::isTouching() const {
     return shape_ != nullptr && shape_->contact().contactRadius > 0.0;
 }
 
-/// From now on the picture holds what is in the frame at rest, and the tip above it.
-void ZoomPicture::fitExtent() {
-    const double above = options_.heightScale * colors_.heightRange().high - drawnMiddle();
-    extent_ = {.halfWidth = frame_->halfWidth(),
-               .below = drawnMiddle() - drawnBottom(),
-               .above = above,
-               .tipTop =
-                   above + kTipTop * gearSize(frame_->halfWidth(), scene_->belief.tipRadius())};
-    isExtentAsked_ = false;
-}
-
 Shading ZoomPicture::shading(const ViewCamera& camera) const {
     return {camera, space(), options_.light};
 }
 
-void ZoomPicture::forgetDents() {
-    dentDepth_ = 0.0;
-    lowered_ = 0.0;
-    isExtentAsked_ = true;
-}
-
-/// The block reaches below the deepest dent since the scene or the zoom changed. It does not shrink
-/// when the tip retracts: nothing but the tip shall move then. The picture keeps its scale and, as
-/// long as the dent is in it, its place.
 void ZoomPicture::makeRoomFor(const ContactShape& shape, const ViewCamera& camera) {
-    const double low = colors_.heightRange().low;
-    const double floor = kMinFloor * frame_->halfWidth() / options_.heightScale;
-    const double missing = terrain_.bottom() + floor - shape.lowest();
-    if (missing > 0.0) {
-        dentDepth_ = kDentStep * (low - shape.lowest());
-        terrain_.setBottom(drawnBottom() / options_.heightScale);
+    if (extent_.makeRoomFor(shape.lowest(), framed())) {
+        terrain_.setBottom(extent_.bottom(framed()));
         Q_EMIT terrainPlaced();
     }
     keepInPicture(shape.contactPoint(), camera);
 }
 
+/// The picture keeps its scale and, as long as the dent is in it, its place.
 void ZoomPicture::keepInPicture(const Vector3& place, const ViewCamera& camera) {
     const int height = still_->GetSize()[1];
     const double missing = kDentMargin * height - drawnPlace(place).y();
     if (missing > 0.0 && camera.heightSeen() > 0.0) {
-        lowered_ += kDentStep * missing * metersPerPixel(height) / camera.heightSeen();
+        extent_.lower(kDentStep * missing * metersPerPixel(height) / camera.heightSeen());
         Q_EMIT terrainPlaced();
     }
 }
@@ -267,12 +232,11 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
                    .window = window,
                    .bottom = terrain_.bottom(),
                    .isCut = options_.section});
-    showTip(shape, shading);
+    tip_.show(*scene_, shape, gear(), space(), shading);
     showSection(shape, camera);
     guide_.show(sample.input.settings.guide, kGuideReach * frame_->halfWidth(), space());
     force_.show(sample.output.estimate, space().point(shape.contactPoint()), sample.time,
-                scale_.force,
-                kArrowRoom * gearSize(frame_->halfWidth(), shape.contact().tipRadius));
+                scale_.force, kArrowRoom * gear().size());
 }
 
 /// @return whether the colors are others
@@ -287,31 +251,6 @@ bool ZoomPicture::fitLiveColors(const ContactShape& shape, const PatchColors& co
         Q_EMIT terrainPlaced();  // it is far from the tip
     }
     return others;
-}
-
-/// Farther out than the tip alone.
-bool ZoomPicture::showsLever() const {
-    const double halfWidth = frame_->halfWidth();
-    return gearSize(halfWidth, scene_->belief.tipRadius()) <= kSmallGear * halfWidth;
-}
-
-void ZoomPicture::showTip(const ContactShape& shape, const Shading& shading) {
-    const double gear = gearSize(frame_->halfWidth(), shape.contact().tipRadius);
-    const double height = kTipTop * gear;
-    tip_.show(shape, {.height = height,
-                      .paraboloidReach = scale_.paraboloidReach,
-                      .space = space(),
-                      .shading = shading});
-    if (!showsLever()) {
-        lever_.hide();
-        return;
-    }
-    const CantileverGeometry& lever = scene_->description.probe;
-    lever_.show({.shankTop = space().point(apexOf(shape.contact())) + height * Vector3::UnitZ(),
-                 .size = kLeverHalfWidth * gear,
-                 .azimuth = lever.azimuth,
-                 .tilt = lever.mountTilt},
-                shading);
 }
 
 void ZoomPicture::showSection(const ContactShape& shape, const ViewCamera& camera) {
@@ -331,13 +270,12 @@ void ZoomPicture::showSection(const ContactShape& shape, const ViewCamera& camer
 
 void ZoomPicture::showGhosts(const ViewCamera& camera) {
     if (!sample_ || !frame_) {
-        ghosts_.show({}, {}, {}, {});
+        ghosts_.hide();
         return;
     }
-    const double radius = scene_->belief.tipRadius();
     ghosts_.show(options_, sample_->output.base.position, trueTip_,
-                 {.radius = radius,
-                  .height = kTipTop * gearSize(frame_->halfWidth(), radius),
+                 {.radius = gear().tipRadius,
+                  .height = gear().tipHeight(),
                   .paraboloidReach = scale_.paraboloidReach,
                   .right = camera.right(),
                   .space = space(),
@@ -405,7 +343,7 @@ std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
     return viewNotes({.heightScale = options_.heightScale,
                       .hasPerspective = camera.hasPerspective(),
                       .missesTrueTip = options_.trueTip && sample_ && !trueTip_,
-                      .showsLever = showsLever(),
+                      .showsLever = gear().showsLever(),
                       .tipRadius = scene_->belief.tipRadius(),
                       .pixel = scale_.pixel,
                       .width = 2.0 * frame_->halfWidth()});
@@ -421,9 +359,7 @@ std::string ZoomPicture::tipAbove(int height, double pixelRatio) const {
 void ZoomPicture::aim(const ViewCamera& camera, double aspect) {
     cache_.invalidate();
     if (frame_) {
-        FrameBox box = extent_;
-        box.middle = {frame_->center().x(), frame_->center().y(), drawnMiddle() - lowered_};
-        camera.apply(still_->GetActiveCamera(), box, aspect);
+        camera.apply(still_->GetActiveCamera(), extent_.box(framed(), frame_->center()), aspect);
     }
 }
 
@@ -431,15 +367,15 @@ void ZoomPicture::setOptions(const ViewOptions& options) {
     options_ = options;
     cache_.invalidate();
     if (frame_) {
-        forgetDents();
-        fitExtent();
-        terrain_.setBottom(drawnBottom() / options_.heightScale);
+        extent_.forget();
+        extent_.fit(framed(), gear().tipHeight());
+        terrain_.setBottom(extent_.bottom(framed()));
         Q_EMIT terrainPlaced();
     }
 }
 
 void ZoomPicture::setHalfWidth(double halfWidth) {
-    forgetDents();
+    extent_.forget();
     frame_->setHalfWidth(std::max(halfWidth, scale_.least));
     if (!sample_ && !sameWindow(frame_->window(), terrain_.place().window)) {
         placeTerrain({.window = frame_->window(), .hole = {}, .patch = {}});

@@ -7,7 +7,6 @@
 #include "ui/view/CrossHairLayer.h"
 #include "ui/view/ForceLayer.h"
 #include "ui/view/GuideLayer.h"
-#include "ui/view/LeverLayer.h"
 #include "ui/view/MarkerLayer.h"
 #include "ui/view/PatchColors.h"
 #include "ui/view/SectionLayer.h"
@@ -15,9 +14,10 @@
 #include "ui/view/SurfaceColors.h"
 #include "ui/view/SurfaceReading.h"
 #include "ui/view/TerrainLayer.h"
+#include "ui/view/TipGear.h"
 #include "ui/view/TipGhosts.h"
-#include "ui/view/TipLayer.h"
 #include "ui/view/ViewCamera.h"
+#include "ui/view/ViewExtent.h"
 #include "ui/view/ViewFrame.h"
 #include "ui/view/ViewLabels.h"
 #include "ui/view/ViewOptions.h"
@@ -112,18 +112,14 @@ private:
     void placeTerrain(const TerrainPlace& place);
     bool fitColors();
     bool fitLiveColors(const ContactShape& shape, const PatchColors& colors);
-    [[nodiscard]] double drawnBottom() const;
-    [[nodiscard]] double drawnMiddle() const;
+    [[nodiscard]] FramedSurface framed() const;
+    [[nodiscard]] GearScale gear() const;
     [[nodiscard]] bool isTouching() const;
-    void fitExtent();
     [[nodiscard]] DrawnSpace space() const { return {options_.heightScale}; }
     [[nodiscard]] Shading shading(const ViewCamera& camera) const;
-    void forgetDents();
     void makeRoomFor(const ContactShape& shape, const ViewCamera& camera);
     void keepInPicture(const Vector3& place, const ViewCamera& camera);
     void showContact(const TickSample& sample, const ViewCamera& camera);
-    void showTip(const ContactShape& shape, const Shading& shading);
-    [[nodiscard]] bool showsLever() const;
     void showSection(const ContactShape& shape, const ViewCamera& camera);
     void showGhosts(const ViewCamera& camera);
     void showCrossHair();
@@ -138,10 +134,7 @@ private:
     std::optional<ViewFrame> frame_;
     SurfaceColors colors_;
     ViewOptions options_;
-    double dentDepth_ = 0.0;  ///< of the block below the frame's lowest place, for dents [m]
-    FrameBox extent_;         ///< what the camera makes room for; its middle goes with the frame
-    bool isExtentAsked_ = true;
-    double lowered_ = 0.0;  ///< camera below the middle of the frame, for a deep dent [m]
+    ViewExtent extent_;
     std::unique_ptr<const ContactShape> shape_;  ///< as it is shown; null: none is
     std::optional<Vector2> crossHair_;           ///< on the surface at rest [m]
     QString reading_;                            ///< of the cross-hair
@@ -152,14 +145,13 @@ private:
     StaticLayer cache_;
     TerrainLayer terrain_;
     ContactLayer contact_;
-    TipLayer tip_;
-    LeverLayer lever_;
+    TipGear tip_;
     SectionLayer section_;
     ForceLayer force_;
     GuideLayer guide_;
     CrossHairLayer cross_;
     MarkerLayer markers_;
-    TipGhosts ghosts_;
+    TipGhosts ghosts_;  ///< after what is seen through them
     ViewLabels labels_;
 };
 

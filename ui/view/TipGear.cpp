@@ -1,0 +1,46 @@
+#include "ui/view/TipGear.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+// In sizes of tip and arrow.
+constexpr double kTipTop = 1.15;
+constexpr double kSmallGear = 0.6;  // of the frame: from here on outwards the lever is in the view
+constexpr double kLeverHalfWidth = 0.5;
+
+}  // namespace
+
+double GearScale::size() const { return std::min(halfWidth, 1.5 * tipRadius + 0.4 * halfWidth); }
+
+double GearScale::tipHeight() const { return kTipTop * size(); }
+
+bool GearScale::showsLever() const { return size() <= kSmallGear * halfWidth; }
+
+void TipGear::hide() {
+    tip_.hide();
+    lever_.hide();
+}
+
+void TipGear::show(const Scene& scene, const ContactShape& shape, const GearScale& scale,
+                   const DrawnSpace& space, const Shading& shading) {
+    tip_.show(shape, {.height = scale.tipHeight(),
+                      .paraboloidReach = scale.paraboloidReach,
+                      .space = space,
+                      .shading = shading});
+    if (!scale.showsLever()) {
+        lever_.hide();
+        return;
+    }
+    const CantileverGeometry& lever = scene.description.probe;
+    lever_.show(
+        {.shankTop = space.point(apexOf(shape.contact())) + scale.tipHeight() * Vector3::UnitZ(),
+         .size = kLeverHalfWidth * scale.size(),
+         .azimuth = lever.azimuth,
+         .tilt = lever.mountTilt},
+        shading);
+}
+
+}  // namespace asperity
