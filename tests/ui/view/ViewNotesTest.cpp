@@ -1,0 +1,32 @@
+#include "ui/view/ViewNotes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(ViewNotes, SayWhatThePictureDoesNotShowAsItIs) {
+    const ViewNoteFacts plain{.tipRadius = 15e-9, .pixel = 1e-9, .width = 80e-9};
+    EXPECT_THAT(viewNotes(plain), IsEmpty());
+    ViewNoteFacts facts = plain;
+    facts.heightScale = 3.5;
+    facts.hasPerspective = true;
+    facts.missesTrueTip = true;
+    EXPECT_THAT(viewNotes(facts), ElementsAre("perspective: lengths not to scale", "heights ×3.5",
+                                              "true tip: the instrument does not know it"));
+    facts = plain;
+    facts.pixel = 24e-9;
+    EXPECT_THAT(viewNotes(facts),
+                ElementsAre("Scan pixel 24 nm: coarse for a tip radius of 15 nm"));
+    facts = plain;
+    facts.width = 2e-9;
+    EXPECT_THAT(viewNotes(facts), ElementsAre("Scan pixel 1 nm: coarse for this view"));
+    EXPECT_EQ(tipAboveNote(12e-9), "tip 12 nm above the surface");
+}
+
+}  // namespace
+}  // namespace asperity
