@@ -4,18 +4,45 @@
 #include "ui/ThemeChange.h"
 
 #include <QApplication>
+#include <QEvent>
 #include <QFontMetricsF>
 #include <QLabel>
 #include <QPalette>
 #include <QScreen>
 #include <QStyleFactory>
+#include <QWidget>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity {
 
 namespace {
+
+/// Style sheets give a widget back the palette that it had before them, each time that they are
+/// applied to it anew: when it is shown first, and when it gets another parent. What follows the
+/// theme is set again then.
+class PaletteKeeper : public QObject {
+public:
+    PaletteKeeper(QWidget* owner, std::function<void()> show)
+        : QObject(owner), show_(std::move(show)) {
+        owner->installEventFilter(this);
+    }
+
+    bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+        const bool isReset = event->type() == QEvent::StyleChange || event->type() == QEvent::Show;
+        if (isReset && !std::exchange(isShowing_, true)) {
+            show_();
+            isShowing_ = false;
+        }
+        return false;
+    }
+
+private:
+    std::function<void()> show_;
+    bool isShowing_ = false;
+};
 
 ThemeColors forQt(const Palette& colors) {
     return {.paper = toQColor(colors.paper),
@@ -139,6 +166,9 @@ void choose(ThemeChoice choice) {
 void follow(QObject* owner, const std::function<void()>& show) {
     show();
     QObject::connect(&theTheme().change, &ThemeChange::happened, owner, show);
+    if (auto* widget = qobject_cast<QWidget*>(owner)) {
+        new PaletteKeeper(widget, show);
+    }
 }
 
 void colorText(QLabel& label, QColor ThemeColors::*color) {

@@ -38,7 +38,8 @@ namespace theme {
 /// Repaints all windows in other colors.
 void choose(ThemeChoice choice);
 
-/// Calls `show` now, and each time that colors() have changed as long as `owner` lives.
+/// Calls `show` now, and each time that colors() have changed as long as `owner` lives; of a
+/// widget also when Qt has reset its palette.
 void follow(QObject* owner, const std::function<void()>& show);
 /// The letters of a label have this color of colors(), whatever the theme.
 void colorText(QLabel& label, QColor ThemeColors::*color);

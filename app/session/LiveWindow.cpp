@@ -35,6 +35,7 @@ LiveWindow::Display::Display() {
 LiveWindow::Application::Application(int& argumentCount, char** arguments)
     : QApplication(argumentCount, arguments) {
     keepDecimalPoint();
+    applyTheme(*this);  // before the first widget
 }
 
 bool LiveWindow::Application::notify(QObject* receiver, QEvent* event) {
@@ -50,7 +51,7 @@ bool LiveWindow::Application::notify(QObject* receiver, QEvent* event) {
 LiveWindow::LiveWindow()
     : arguments_{programName, nullptr}
     , application_(argumentCount_, arguments_)
-    , session_((applyTheme(application_), window_)) {}
+    , session_(window_) {}
 
 void LiveWindow::remember(std::unique_ptr<QSettings> settings) {
     session_.files().remember(
