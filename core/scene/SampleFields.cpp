@@ -154,7 +154,7 @@ std::vector<SceneField> scaleFields() {
 }
 
 std::vector<SceneField> levelingFields() {
-    return {
+    std::vector<SceneField> fields{
         row(
             "level", {"Leveling", "Steps in order, such as “plane, scars, zero”, or none"},
             SceneInput::Steps, {},
