@@ -122,12 +122,13 @@ QString CycleTable::details(int row) const {
 
 ShownNumbers CycleTable::numbers() const {
     ShownNumbers numbers;
-    for (const auto& [material, cycle] : rows_) {
-        const auto add = [&, &of = material](Column column, const std::optional<Reading>& reading,
-                                             const QString& unit) {
+    for (const CycleRow& row : rows_) {
+        const ContactCycle& cycle = row.cycle;
+        const auto add = [&](Column column, const std::optional<Reading>& reading,
+                             const QString& unit) {
             if (reading) {
-                numbers.push_back({QStringLiteral("%1: %2").arg(of, nameOf(column)), reading->value,
-                                   reading->sigma, unit});
+                numbers.push_back({QStringLiteral("%1: %2").arg(row.material, nameOf(column)),
+                                   reading->value, reading->sigma, unit});
             }
         };
         add(PullOff, cycle.pullOff, QStringLiteral("N"));

@@ -40,7 +40,7 @@ StateBanner::StateBanner(QWidget* parent)
     setFixedHeight(theme::scaled(kHeight));
     state_->setObjectName(QStringLiteral("state"));
     state_->setTextFormat(Qt::PlainText);
-    state_->setFont(theme::boldFont(theme::kStateSize));
+    state_->setFont(theme::boldFont(kStateSize));
     flags_->setObjectName(QStringLiteral("flags"));
     flags_->setTextFormat(Qt::PlainText);
     flags_->setFont(theme::textFont());
