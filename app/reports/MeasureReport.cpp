@@ -44,8 +44,8 @@ void printRoughness(std::ostream& out, const MeasuredMap& measured) {
     const Roughness& roughness = measured.roughness;
     const PixelRectangle& rectangle = measured.rectangle;
     out << "Roughness (ISO 25178-2) of " << roughness.pixels << " pixels with data, "
-        << rectangle.columns << " x " << rectangle.rows << " from column " << rectangle.left
-        << ", row " << rectangle.top << '\n';
+        << rectangle.columns << " x " << rectangle.rows << " from column " << rectangle.column
+        << ", row " << rectangle.row << '\n';
     printLine(out, "Sa", formatSi(roughness.sa, "m"), "arithmetical mean height");
     printLine(out, "Sq", formatSi(roughness.sq, "m"), "root mean square height");
     printLine(out, "Sz", formatSi(roughness.sz, "m"),
@@ -138,8 +138,8 @@ std::string measuresJson(const MeasuredMap& measured) {
              {"size_x_m", measured.sizeX},
              {"size_y_m", measured.sizeY},
              {"rectangle",
-              {{"left", rectangle.left},
-               {"top", rectangle.top},
+              {{"column", rectangle.column},
+               {"row", rectangle.row},
                {"columns", rectangle.columns},
                {"rows", rectangle.rows}}},
              {"pixels", roughness.pixels},

@@ -27,8 +27,8 @@ public:
             if (i % kStep == 0) {
                 reportTo(progress, static_cast<double>(i) / pixels_.rows);
             }
-            map_.readRow(pixels_.top + i, whole_.data());
-            std::copy_n(whole_.begin() + pixels_.left, pixels_.columns, row.begin());
+            map_.readRow(pixels_.row + i, whole_.data());
+            std::copy_n(whole_.begin() + pixels_.column, pixels_.columns, row.begin());
             visit(row, above);
             std::swap(row, above);
             row.resize(above.size());
@@ -129,8 +129,7 @@ private:
 };
 
 void requireInside(const HeightRows& map, const PixelRectangle& pixels) {
-    if (pixels.left < 0 || pixels.top < 0 || pixels.columns < 1 || pixels.rows < 1 ||
-        pixels.left > map.columns - pixels.columns || pixels.top > map.rows - pixels.rows) {
+    if (!pixels.liesIn(map.columns, map.rows)) {
         throw Error("the rectangle reaches out of the scan");
     }
 }
@@ -148,7 +147,7 @@ std::pair<int, int> centersBetween(double low, double high, int count) {
 }  // namespace
 
 PixelRectangle allPixels(const HeightRows& map) {
-    return {.left = 0, .top = 0, .columns = map.columns, .rows = map.rows};
+    return {.column = 0, .row = 0, .columns = map.columns, .rows = map.rows};
 }
 
 PixelRectangle pixelsBetween(const HeightRows& map, const Vector2& corner,
@@ -162,7 +161,7 @@ PixelRectangle pixelsBetween(const HeightRows& map, const Vector2& corner,
         centersBetween(low.x() / map.pitchX, high.x() / map.pitchX, map.columns);
     const auto [bottom, rows] =
         centersBetween(low.y() / map.pitchY, high.y() / map.pitchY, map.rows);
-    return {.left = left, .top = map.rows - bottom - rows, .columns = columns, .rows = rows};
+    return {.column = left, .row = map.rows - bottom - rows, .columns = columns, .rows = rows};
 }
 
 Roughness roughnessOf(const HeightRows& map, const PixelRectangle& pixels, Progress* progress) {

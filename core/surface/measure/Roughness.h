@@ -4,20 +4,11 @@
 #include "core/Vector.h"
 #include "core/surface/BSplineSurface.h"
 #include "core/surface/HeightRows.h"
+#include "core/surface/PixelRectangle.h"
 
 #include <cstddef>
 
 namespace asperity {
-
-/// Pixels of a map, row 0 at the top.
-struct PixelRectangle {
-    int left = 0;
-    int top = 0;
-    int columns = 0;
-    int rows = 0;
-
-    bool operator==(const PixelRectangle&) const = default;
-};
 
 /// Areal parameters of ISO 25178-2 over the pixels that hold data, each standing for its area. The
 /// reference is their mean height: form is removed before, by leveling.

@@ -65,7 +65,7 @@ TEST_F(Measure, LevelsByAPlaneUnlessToldOtherwise) {
 TEST_F(Measure, RectangleLimitsTheRoughness) {
     // On the first ridge alone there is nothing but the slope.
     const json ridge = measured("--level none --rectangle 0,0,179e-9,400e-9");
-    EXPECT_EQ(ridge["rectangle"], json({{"left", 0}, {"top", 0}, {"columns", 18}, {"rows", 20}}));
+    EXPECT_EQ(ridge["rectangle"], json({{"column", 0}, {"row", 0}, {"columns", 18}, {"rows", 20}}));
     EXPECT_NEAR(ridge["sz_m"].get<double>(), 0.01 * 380e-9, 1e-20);
     EXPECT_NEAR(ridge["sdr"].get<double>(), std::sqrt(1.0 + 0.01 * 0.01) - 1.0, 1e-15);
     const auto outside = run("--rectangle 5,5,6,6");

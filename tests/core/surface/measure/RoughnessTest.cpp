@@ -135,7 +135,7 @@ TEST(Roughness, OfARectangleIsThatOfItsPixelsAlone) {
     // Centers at 5, 15, ... nm along x and 10, 30, ... nm along y; any two opposite corners.
     const PixelRectangle pixels =
         pixelsBetween(rows, Vector2(36.0_nm, 29.0_nm), Vector2(14.0_nm, 71.0_nm));
-    EXPECT_EQ(pixels, (PixelRectangle{.left = 1, .top = 2, .columns = 3, .rows = 3}));
+    EXPECT_EQ(pixels, (PixelRectangle{.column = 1, .row = 2, .columns = 3, .rows = 3}));
     HeightMap part = flatMap({.columns = 3, .rows = 3, .sizeX = 30.0_nm, .sizeY = 60.0_nm});
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) {
@@ -158,7 +158,7 @@ TEST(Roughness, RefusesRectanglesWithoutPixels) {
     EXPECT_THROW((void)pixelsBetween(rows, Vector2(5.0, 0.0), Vector2(9.0, 4.0)), Error);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW((void)pixelsBetween(rows, Vector2(nan, 0.0), Vector2(9.0, 4.0)), Error);
-    EXPECT_THROW((void)roughnessOf(rows, {.left = 2, .top = 0, .columns = 3, .rows = 1}), Error);
+    EXPECT_THROW((void)roughnessOf(rows, {.column = 2, .row = 0, .columns = 3, .rows = 1}), Error);
     HeightMap holey = map;
     holey.invalid.assign(16, true);
     EXPECT_THROW((void)measured(holey), Error);
