@@ -69,14 +69,19 @@ std::string ColorControl::imageKey() const {
         << runs_.run()->loaded().sha256 << '\n'
         << scene.surface.sizeX() << '\n'
         << scene.surface.sizeY() << '\n';
+    if (sample.crop) {
+        key << sample.crop->column << ' ' << sample.crop->row << '\n';
+    }
     if (look_.quantity == SurfaceQuantity::Residual) {
         key << sample.channel << '\n'
             << sample.smoothingPixels << '\n'
             << sample.smoothingLength << '\n'
             << sample.erode << sample.imagingTipRadius << '\n'
             << textOf(sample.leveling);
-        for (const Vector2& point : sample.levelPoints.value_or(LevelPoints{})) {
-            key << '\n' << point.transpose();
+        if (sample.levelPoints) {
+            for (const Vector2& point : *sample.levelPoints) {
+                key << '\n' << point.transpose();
+            }
         }
     }
     return key.str();
