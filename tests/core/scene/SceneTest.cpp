@@ -50,6 +50,26 @@ TEST(Scene, LevelsTheMapAndKeepsWhatItRemoved) {
     EXPECT_NEAR(scene.surface.at(60.0_nm, 60.0_nm).dx, 0.0, 3.0 * rounding / map.pitchX);
 }
 
+/// What pictures hatch and the flag filled_pixel tells.
+TEST(Scene, ScarsThatLevelingRemovedHoldNoData) {
+    HeightMap map = test::slopedMap(0.0);
+    ASSERT_GE(map.columns, 16);
+    const int row = map.rows / 2;
+    for (int column = 0; column < map.columns; ++column) {
+        map.heights[map.index(row, column)] += 20.0_nm;
+    }
+    SceneDescription description = test::plainScene();
+    description.sample.leveling = {LevelingStep::Scars, LevelingStep::Zero};
+    const Scene scene = buildScene(description, map);
+    ASSERT_EQ(scene.removedBySteps.size(), 2U);
+    EXPECT_EQ(scene.removedBySteps[0].pixels, static_cast<std::size_t>(map.columns));
+    const double x = 0.5 * map.sizeX();
+    const double y = (map.rows - row - 0.5) * map.pitchY;
+    EXPECT_FALSE(scene.surface.isMeasured(x, y));
+    EXPECT_TRUE(scene.surface.isMeasured(x, y + map.pitchY));
+    EXPECT_NEAR(scene.surface.at(x, y).height, 0.0, 1e-15);
+}
+
 TEST(Scene, SmoothsByALengthAlongBothAxesWhateverThePixels) {
     HeightMap map = test::hillyMap();
     map.pitchY = 2.0 * map.pitchX;
