@@ -55,7 +55,10 @@ void SceneEdits::begun() {
 const SceneDescription& SceneEdits::present() const { return runs_.run()->scene().description; }
 
 const SceneDescription* SceneEdits::wanted() const {
-    return runs_.run() == nullptr ? nullptr : &goalOf(target());
+    if (runs_.run() == nullptr) {
+        return nullptr;
+    }
+    return target_ ? &goalOf(*target_) : &present();
 }
 
 SceneEdits::Target SceneEdits::target() const {

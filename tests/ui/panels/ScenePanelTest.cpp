@@ -199,6 +199,7 @@ TEST_F(ScenePanelTest, OffersTheChannelsOfTheFile) {
 }
 
 TEST_F(ScenePanelTest, SectionsFold) {
+    show(defaultScene());
     auto& tip = control<Section>("sectionTip");
     EXPECT_FALSE(tip.isFolded());
     auto& truth = control<Section>("sectionTruth");
