@@ -4,6 +4,7 @@
 #include "core/scene/SceneFieldChange.h"
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ControlBar.h"
+#include "ui/panels/ScenePanel.h"
 
 #include <QComboBox>
 #include <QInputDialog>
@@ -14,7 +15,10 @@ namespace {
 
 class MaterialControlTest : public ControlFixture {
 protected:
-    MaterialControlTest() { materials.setFolder(own); }
+    MaterialControlTest() {
+        materials.setFolder(own);
+        window.scenePanel().showScene(defaultScene(), defaultScene());
+    }
 
     /// Answers the dialog that asks for a name.
     void name(const char* text) {

@@ -14,7 +14,10 @@ namespace {
 
 class ProbeControlTest : public ControlFixture {
 protected:
-    ProbeControlTest() { probes.setFolder(folder.path() / "own"); }
+    ProbeControlTest() {
+        probes.setFolder(folder.path() / "own");
+        window.scenePanel().showScene(defaultScene(), defaultScene());
+    }
     QComboBox& list() { return *window.findChild<QComboBox*>("probeLibrary"); }
     const SceneDescription& scene() { return run().scene().description; }
 
