@@ -13,6 +13,7 @@ constexpr std::size_t kMinPoints = 20;
 constexpr double kFarShare = 1.0 / 3.0;  ///< of the approach's way: its baseline
 constexpr double kMinContact = 10.0;     ///< standard deviations that a contact must push
 constexpr double kPull = 5.0;            ///< standard deviations: it pulls
+constexpr double kRounding = 1e-12;      ///< of the largest force: below, it is that of the numbers
 
 /// A line force = offset + slope * base, with the scatter about it.
 struct Baseline {
@@ -30,28 +31,37 @@ double placeOf(const CurveSegment& segment, std::size_t i) {
 
 Baseline fitLine(const CurveSegment& segment, double farEnd, double nearEnd) {
     double n = 0.0;
-    double x = 0.0;
-    double y = 0.0;
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
+    double meanPlace = 0.0;
+    double meanForce = 0.0;
     for (std::size_t i = 0; i < segment.force.size(); ++i) {
-        const double place = placeOf(segment, i) - farEnd;
         if (placeOf(segment, i) <= nearEnd) {
             n += 1.0;
-            x += place;
-            y += segment.force[i];
-            xx += place * place;
-            xy += place * segment.force[i];
-            yy += segment.force[i] * segment.force[i];
+            meanPlace += placeOf(segment, i) - farEnd;
+            meanForce += segment.force[i];
         }
     }
-    const double spread = xx - x * x / n;
-    const double slope = spread > 0.0 ? (xy - x * y / n) / spread : 0.0;
-    const double scatter = yy - y * y / n - slope * slope * spread;
-    return {.offset = (y - slope * x) / n - slope * farEnd,
-            .slope = slope,
-            .sigma = std::sqrt(std::max(0.0, scatter) / std::max(1.0, n - 2.0))};
+    meanPlace = farEnd + meanPlace / n;
+    meanForce /= n;
+    double xx = 0.0;
+    double xy = 0.0;
+    for (std::size_t i = 0; i < segment.force.size(); ++i) {
+        const double place = placeOf(segment, i) - meanPlace;
+        if (placeOf(segment, i) <= nearEnd) {
+            xx += place * place;
+            xy += place * (segment.force[i] - meanForce);
+        }
+    }
+    Baseline line{.slope = xx > 0.0 ? xy / xx : 0.0};
+    line.offset = meanForce - line.slope * meanPlace;
+    double scatter = 0.0;
+    for (std::size_t i = 0; i < segment.force.size(); ++i) {
+        if (placeOf(segment, i) <= nearEnd) {
+            const double rest = segment.force[i] - line.at(placeOf(segment, i));
+            scatter += rest * rest;
+        }
+    }
+    line.sigma = std::sqrt(scatter / std::max(1.0, n - 2.0));
+    return line;
 }
 
 double maxForce(const CurveSegment& segment) {
@@ -106,14 +116,16 @@ double contactPlace(const CurveSegment& approach, const Baseline& baseline) {
         throw Error("the approach of this curve shows no contact: its force rises by less than ten "
                     "standard deviations of its noise");
     }
+    // Without noise the force on the baseline is zero only to the rounding of the fit.
+    const double zero = kRounding * above(peak);
     std::size_t last = peak;
-    while (last > 0 && above(last) > 0.0) {
+    while (last > 0 && above(last) > zero) {
         --last;
     }
-    if (!(above(last) <= 0.0)) {
+    if (!(above(last) <= zero)) {
         throw Error("this curve has no contact point: its force is repulsive from the start");
     }
-    const double share = -above(last) / (above(last + 1) - above(last));
+    const double share = std::max(0.0, -above(last)) / (above(last + 1) - above(last));
     return placeOf(approach, last) +
            share * (placeOf(approach, last + 1) - placeOf(approach, last));
 }
@@ -153,9 +165,14 @@ Baseline ownBaseline(const CurveSegment& retract, const Baseline& baseline, doub
 }
 
 double lastPullOf(const AlignedBranch& branch, double noise) {
+    double largest = 0.0;
+    for (const double force : branch.force) {
+        largest = std::max(largest, std::abs(force));
+    }
+    const double least = std::max(kPull * noise, kRounding * largest);
     double last = 0.0;
     for (std::size_t i = 0; i < branch.force.size(); ++i) {
-        if (branch.force[i] < -kPull * noise) {
+        if (branch.force[i] < -least) {
             last = std::max(last, branch.baseDistance[i]);
         }
     }

@@ -18,7 +18,7 @@ namespace {
 constexpr double kReach = 6.0;      ///< of the pointer to a side [px]
 constexpr double kMinDrag = 4.0;    ///< a shorter one is a click [px]
 constexpr double kHandle = 3.0;     ///< half a corner's square [px]
-constexpr double kLineWidth = 1.8;  ///< [px]
+constexpr double kLineWidth = 2.0;  ///< whole, for sharp sides [px]
 
 QRectF drawnOn(const OverviewMap& map, const QRectF& rectangle) {
     return QRectF(map.toPixel(rectangle.topLeft()), map.toPixel(rectangle.bottomRight()))
@@ -46,7 +46,7 @@ void RectangleTool::paint(QPainter& painter, const OverviewMap& map) const {
     if (rectangle_.isEmpty()) {
         return;
     }
-    const QRectF drawn = drawnOn(map, rectangle_);
+    const QRectF drawn = drawnOn(map, rectangle_).toRect();  // on whole pixels: sharp sides
     QPainterPath path;
     path.addRect(drawn);
     strokeOverWhite(painter, kLightPalette.green, kLineWidth, path);

@@ -18,10 +18,29 @@
 
 namespace asperity {
 
+namespace {
+
+/// Rows sorted by value; those without one come last, upwards and downwards.
+class RowsByValue : public QSortFilterProxyModel {
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+
+protected:
+    bool lessThan(const QModelIndex& left, const QModelIndex& right) const override {
+        const bool has = left.data(sortRole()).isValid();
+        if (has != right.data(sortRole()).isValid()) {
+            return has == (sortOrder() == Qt::AscendingOrder);
+        }
+        return QSortFilterProxyModel::lessThan(left, right);
+    }
+};
+
+}  // namespace
+
 TouchesPage::TouchesPage(QWidget* parent)
     : QWidget(parent)
     , model_(new TouchModel(this))
-    , sorted_(new QSortFilterProxyModel(this))
+    , sorted_(new RowsByValue(this))
     , table_(new QTableView(this))
     , count_(captionLabel(QString(), this))
     , export_(pageButton(tr("Export CSV…"), "exportTouches",

@@ -75,6 +75,10 @@ TEST_F(TouchesPageTest, SortsByNumbersNotByTexts) {
     EXPECT_EQ(cell(0, TouchModel::PullOff), QStringLiteral("12.3"));
     EXPECT_EQ(cell(1, TouchModel::PullOff), QStringLiteral("9.50"));
     EXPECT_EQ(cell(2, TouchModel::PullOff), QStringLiteral("–"));
+    table->sortByColumn(TouchModel::PullOff, Qt::AscendingOrder);
+    EXPECT_EQ(cell(0, TouchModel::PullOff), QStringLiteral("9.50"));
+    EXPECT_EQ(cell(1, TouchModel::PullOff), QStringLiteral("12.3"));
+    EXPECT_EQ(cell(2, TouchModel::PullOff), QStringLiteral("–")) << "without a value: last";
 }
 
 TEST_F(TouchesPageTest, TheLastTouchGoesOn) {
