@@ -13,9 +13,13 @@ namespace asperity {
 
 namespace {
 
+/// Before work begins for it. The table of a contact law, which takes long, is made with the scene.
 /// @throw Error where no scene can be made of the description
-void requireScene(const SceneDescription& scene) {
+void requireScene(SceneDescription scene) {
     checkScene(scene);
+    if (scene.choices.solver == SolverSetting::Table) {
+        scene.choices.solver = SolverSetting::Newton;
+    }
     static_cast<void>(believedSystem(scene, usualModel(scene)));
     static_cast<void>(truthOf(scene));
 }

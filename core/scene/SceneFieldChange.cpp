@@ -63,7 +63,8 @@ void carryTruth(const SceneDescription& before, SceneDescription& scene) {
     if (before.truth.material == before.sample.material) {
         scene.truth.material = scene.sample.material;
     }
-    if (isNear(before.truth.stiffness, Cantilever(before.probe).stiffness())) {
+    if (before.probe != scene.probe &&
+        isNear(before.truth.stiffness, Cantilever(before.probe).stiffness())) {
         scene.truth.stiffness = Cantilever(scene.probe).stiffness();
     }
     if (before.truth.signalNoise == before.signalSigma) {

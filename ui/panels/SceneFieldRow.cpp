@@ -68,9 +68,10 @@ SceneFieldRow::SceneFieldRow(const SceneField& field, QGridLayout& grid, QWidget
     reset_->setSizePolicy(stays);
     connect(reset_, &QToolButton::clicked, this, &SceneFieldRow::reset);
     const int row = grid.rowCount();
+    const bool isWide = field.input == SceneInput::Steps;  // a list with buttons, below its caption
     grid.addWidget(caption_, row, 0);
-    grid.addWidget(control_, row, 1);
     grid.addWidget(reset_, row, 2);
+    grid.addWidget(control_, isWide ? row + 1 : row, isWide ? 0 : 1, 1, isWide ? 3 : 1);
     refuse({});
     theme::follow(this, [this] { setMuted(muted_); });
 }

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kGap = 4;              ///< [px]
 constexpr int kIndent = 6;           ///< of the rows [px]
+constexpr int kCaptionWidth = 148;   ///< so that the controls of all sections line up [px]
 constexpr const char* kTip = "tip";  ///< property: what a control says while it works
 
 }  // namespace
@@ -33,6 +34,7 @@ Section::Section(const QString& title, const QString& about, QWidget* parent)
     rows_->setHorizontalSpacing(kGap);
     rows_->setVerticalSpacing(kGap);
     rows_->setColumnStretch(1, 1);
+    rows_->setColumnMinimumWidth(0, theme::scaled(kCaptionWidth));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGap);

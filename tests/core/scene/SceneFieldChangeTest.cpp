@@ -38,6 +38,17 @@ TEST(SceneFieldChange, TheTruthGoesAlongWhereItWasTheSame) {
     EXPECT_NO_THROW(checkScene(scene));
 }
 
+/// The truth's stiffness changed by rounding, so that a setpoint took another run.
+TEST(SceneFieldChange, ChangesNothingButTheKeyAndWhatFollows) {
+    const SceneDescription scene = test::plainScene();
+    SceneDescription expected = scene;
+    expected.setpoint = 3e-9;
+    EXPECT_EQ(changed(scene, "approach.setpoint_n", 3e-9), expected);
+    expected = scene;
+    expected.tip.radius = 2e-8;
+    EXPECT_EQ(changed(scene, "tip.radius_m", 2e-8), expected);
+}
+
 TEST(SceneFieldChange, LeavesATruthOfItsOwn) {
     SceneDescription scene = test::plainScene();
     scene = changed(scene, "truth.work_of_adhesion_j_m2", 0.05);
