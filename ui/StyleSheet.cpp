@@ -16,6 +16,7 @@ const char* const kSheet = R"(
     QPushButton:checked, QToolButton:checked {
         background: @wash; border-color: @accent; color: @accent; }
     QPushButton:focus, QToolButton:focus { border-color: @accent; }
+    QToolButton[compact="true"] { padding: 3px 4px; }
     QToolButton[heading="true"] {
         background: transparent; border: none; padding: 0; font-weight: bold; }
     QToolButton[heading="true"]:hover { color: @accent; }

@@ -16,8 +16,8 @@ void drawStart(QPainter& painter) {
     painter.drawPolygon(QPolygonF({{4.0, 2.5}, {13.5, 8.0}, {4.0, 13.5}}));
 }
 
-void drawPause(QPainter& painter) {
-    painter.setBrush(theme::colors().onAccent);
+void drawPause(QPainter& painter, const QColor& color) {
+    painter.setBrush(color);
     painter.drawRect(QRectF(4.0, 3.0, 3.0, 10.0));
     painter.drawRect(QRectF(9.0, 3.0, 3.0, 10.0));
 }
@@ -48,7 +48,10 @@ QIcon controlIcon(ControlIcon icon) {
         drawStart(painter);
         break;
     case ControlIcon::Pause:
-        drawPause(painter);
+        drawPause(painter, theme::colors().onAccent);
+        break;
+    case ControlIcon::PauseCurves:
+        drawPause(painter, theme::colors().ink);
         break;
     case ControlIcon::ForcesOn:
         drawForces(painter, theme::colors().force);

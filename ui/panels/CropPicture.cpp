@@ -90,8 +90,8 @@ std::optional<PixelRectangle> CropPicture::between(const QPoint& from, const QPo
     const auto row = [&](int y) {
         return pixelAt(y, picture.top(), picture.height(), pixels_.height());
     };
-    const auto [left, right] = std::minmax(column(from.x()), column(to.x()));
-    const auto [top, bottom] = std::minmax(row(from.y()), row(to.y()));
+    const auto [left, right] = std::minmax({column(from.x()), column(to.x())});
+    const auto [top, bottom] = std::minmax({row(from.y()), row(to.y())});
     const PixelRectangle part{left, top, right - left + 1, bottom - top + 1};
     const bool isAll = part.columns == pixels_.width() && part.rows == pixels_.height();
     return isAll ? std::nullopt : std::optional(part);

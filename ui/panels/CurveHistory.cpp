@@ -94,7 +94,8 @@ std::vector<CurvePoint> CurveHistory::points(double begin, double end, int piece
         return static_cast<std::int64_t>(std::clamp(place, low, high));
     };
     const Span asked{indexOf(begin), indexOf(end)};
-    const std::int64_t group = (asked.last - asked.first) / pieces + 1;
+    const std::int64_t group =
+        std::max<std::int64_t>(1, (asked.last - asked.first + pieces - 1) / pieces);
     return points(
         {std::max(all.first, asked.first - group), std::min(all.last, asked.last + group)}, group);
 }

@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +56,7 @@ void CyclePanel::buildHeading() {
                          "indented; or of the undeflected tip, which the base sets"));
     auto* load = new QToolButton(this);
     load->setObjectName(QStringLiteral("loadMeasured"));
-    load->setText(tr("Curve…"));
+    load->setText(tr("…"));
     load->setToolTip(tr("Draw a measured force–distance curve from a text file over these"));
     auto* clearAll = new QToolButton(this);
     clearAll->setObjectName(QStringLiteral("clearCycles"));
@@ -65,6 +66,7 @@ void CyclePanel::buildHeading() {
                                    static_cast<QWidget*>(clearAll)}) {
         control->setFont(theme::textFont(theme::kSmallSize));
         control->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
+        control->setProperty("compact", true);
         plot_->heading().addWidget(control);
     }
     connect(axis_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {

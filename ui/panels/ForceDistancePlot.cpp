@@ -34,7 +34,7 @@ constexpr int kMinHeight = 72;             ///< of the plot [px]
 constexpr int kMinTickHeight = 14;         ///< between ticks of the force axis [px]
 constexpr int kMinTickWidth = 52;          ///< between those of the distance axis [px]
 constexpr int kRingSize = 7;               ///< [px]
-constexpr double kMeasuredWidth = 1.1;     ///< of a measured curve [px]
+constexpr double kMeasuredWidth = 1.8;     ///< of a measured curve [px]
 /// Of the shown distances: a sample farther from the cursor is not read.
 constexpr double kReadReach = 0.03;
 /// Share of paper in the colors of the newest cycle and of the older ones.

@@ -3,6 +3,7 @@
 #include "core/Units.h"
 #include "core/scene/Scene.h"
 #include "ui/Theme.h"
+#include "ui/panels/ControlIcons.h"
 #include "ui/panels/CyclePanel.h"
 #include "ui/panels/CycleTable.h"
 #include "ui/panels/PlotNavigation.h"
@@ -12,6 +13,7 @@
 #include <QTabBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include <algorithm>
 #include <cmath>
@@ -141,6 +143,8 @@ void ForcePanel::buildCurves() {
     addToHeading(tabs_);
     pause_->setObjectName(QStringLiteral("pausePlots"));
     pause_->setText(tr("Pause"));
+    pause_->setProperty("compact", true);
+    theme::follow(pause_, [this] { pause_->setIcon(controlIcon(ControlIcon::PauseCurves)); });
     pause_->setCheckable(true);
     pause_->setFont(theme::textFont(theme::kSmallSize));
     pause_->setFocusPolicy(Qt::TabFocus);
@@ -165,8 +169,9 @@ void ForcePanel::buildForces(QGridLayout& grid) {
         auto* name = new QLabel(this);
         name->setFont(theme::boldFont());
         theme::follow(name, [name, axis, color = colors.at(axis)] {
-            name->setText(QStringLiteral("<span style='color:%1'>▌</span>F%2")
-                              .arg((theme::colors().*color).name(), kAxes.at(axis).toLower()));
+            name->setText(
+                QStringLiteral("<span style='background:%1'>&thinsp;&thinsp;</span>&thinsp;F%2")
+                    .arg((theme::colors().*color).name(), kAxes.at(axis).toLower()));
         });
         const QString objectName = QStringLiteral("force") + kAxes.at(axis);
         force_.at(axis) = valueLabel(objectName, QStringLiteral("-88.88 µN"), this);

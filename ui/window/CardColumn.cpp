@@ -21,7 +21,7 @@ CardColumn::CardColumn(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(splitter_);
+    column->addWidget(splitter_, 1);  // all the height while a card is open
     column->addStretch();
     settle();
 }

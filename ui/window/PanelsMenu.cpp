@@ -33,6 +33,9 @@ void PanelsMenu::fill() {
         connect(entry, &QAction::triggered, &layout_, [this, part](bool shown) {
             layout_.maximizer().restore();
             part.setShown(shown);
+            if (shown) {
+                part.toFront();
+            }
         });
     }
     menu_.addSeparator();

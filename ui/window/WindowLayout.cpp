@@ -43,11 +43,11 @@ PanelSwitch columnSwitch(const QString& key, const QString& title, bool shownAtF
 void addPageSwitches(std::vector<PanelSwitch>& switches, const QString& place, int group,
                      PageTabs& pages) {
     for (const PageTabs::Page& page : pages.pages()) {
-        switches.push_back({place + page.title, page.title, group, page.shownAtFirst,
-                            [&pages, panel = page.panel] { return pages.isShown(panel); },
-                            [&pages, panel = page.panel](bool shown) {
-                                shown ? pages.showPage(panel) : pages.setShown(panel, false);
-                            }});
+        switches.push_back(
+            {place + page.title, page.title, group, page.shownAtFirst,
+             [&pages, panel = page.panel] { return pages.isShown(panel); },
+             [&pages, panel = page.panel](bool shown) { pages.setShown(panel, shown); },
+             [&pages, panel = page.panel] { pages.showPage(panel); }});
     }
 }
 

@@ -25,6 +25,7 @@ struct PanelSwitch {
     bool shownAtFirst;
     std::function<bool()> isShown;
     std::function<void(bool)> setShown;
+    std::function<void()> toFront = [] {};  ///< of those that share a place
 };
 
 /// The middle of the window: controls on top; below them on the left the views over the tool pages,

@@ -87,8 +87,9 @@ void WindowMenus::explainAll() {
         explain(*entry, tip);
     }
     for (const auto& [kind, entry] : guides_) {
-        explain(*entry, kind == FixtureKind::None ? tr("No guide")
-                                                  : tr("Help the device to hold this place"));
+        explain(*entry, kind == FixtureKind::None
+                            ? tr("The device is free: nothing holds it at a place")
+                            : tr("Help the device to hold this place"));
     }
 }
 

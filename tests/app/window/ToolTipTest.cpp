@@ -38,9 +38,10 @@ bool isAny(const QWidget& widget) {
 bool isPart(const QWidget& widget) {
     const QWidget* parent = widget.parentWidget();
     return widget.objectName().startsWith(QStringLiteral("qt_")) ||
+           widget.testAttribute(Qt::WA_TransparentForMouseEvents) ||
            isAny<QScrollBar, QHeaderView>(widget) ||
            (parent != nullptr &&
-            (isAny<QAbstractSpinBox, QComboBox, QTabBar, QMenuBar>(*parent) ||
+            (isAny<QAbstractSpinBox, QComboBox, QTabBar, QMenuBar, QLineEdit>(*parent) ||
              parent->inherits("QComboBoxPrivateContainer") ||
              (isAny<QAbstractItemView>(*parent) && !isAny<QComboBox>(widget))));
 }

@@ -65,6 +65,7 @@ TEST_F(WindowLayoutTest, EveryPartIsInTheMenuAndToolsAreHiddenAtFirst) {
                                                 {"side/Scene", true},
                                                 {"side/Haptics", true},
                                                 {"side/Notes", true},
+                                                {"tool/Messages", false},
                                                 {"tool/Profile", false},
                                                 {"sides", true},
                                                 {"tools", false}}));

@@ -76,11 +76,11 @@ TEST_F(WindowMemoryTest, KeepsWhatIsHiddenWhatIsOnTopAndHowTheRoomIsShared) {
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
         WindowLayout& layout = window.layout();
         layout.cards().setShown(*window.cards().at(2), false);
-        window.showTool(layout.tools().pages().at(1).panel);
-        window.showSidePage(layout.sidePages().pages().at(2).panel);
+        window.showTool(layout.tools().pages().back().panel);
         layout.splitters().at(0)->setSizes({650, 540});
         layout.splitters().at(1)->setSizes({300, 250});
         left = sizes(window);
+        window.showSidePage(layout.sidePages().pages().at(2).panel);
         layout.maximizer().toggle(*window.cards().front());
     }
     MainWindow window;
@@ -88,12 +88,13 @@ TEST_F(WindowMemoryTest, KeepsWhatIsHiddenWhatIsOnTopAndHowTheRoomIsShared) {
     const WindowMemory memory(window, settings());
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    EXPECT_EQ(window.layout().sidePages().pageOnTop(), QStringLiteral("Haptics"));
+    window.layout().sidePages().putOnTop(QStringLiteral("Live"));
     EXPECT_EQ(sizes(window), left);
     EXPECT_TRUE(window.cards().at(2)->isHidden());
     EXPECT_FALSE(window.cards().at(1)->isHidden());
     EXPECT_EQ(window.layout().tools().pageOnTop(), QStringLiteral("Touches"));
     EXPECT_EQ(window.layout().tools().count(), 1);
-    EXPECT_EQ(window.layout().sidePages().pageOnTop(), QStringLiteral("Haptics"));
     EXPECT_FALSE(window.layout().maximizer().isActive());
 }
 
