@@ -170,7 +170,7 @@ void ForcePanel::buildForces(QGridLayout& grid) {
         name->setFont(theme::boldFont());
         theme::follow(name, [name, axis, color = colors.at(axis)] {
             name->setText(
-                QStringLiteral("<span style='background:%1'>&thinsp;&thinsp;</span>&thinsp;F%2")
+                QStringLiteral("<span style='background-color:%1'>&thinsp;&thinsp;</span>&thinsp;F%2")
                     .arg((theme::colors().*color).name(), kAxes.at(axis).toLower()));
         });
         const QString objectName = QStringLiteral("force") + kAxes.at(axis);
