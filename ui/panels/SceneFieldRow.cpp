@@ -14,6 +14,7 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <QVariant>
 
 #include <algorithm>
 
@@ -61,7 +62,7 @@ SceneFieldRow::SceneFieldRow(const SceneField& field, QGridLayout& grid, QWidget
     control_->setObjectName(name);
     reset_->setObjectName(name + QStringLiteral(".reset"));
     reset_->setText(QStringLiteral("↺"));
-    reset_->setAutoRaise(true);
+    reset_->setProperty("heading", true);  // the sign alone, without a frame
     reset_->setFixedWidth(theme::scaled(kResetWidth));
     QSizePolicy stays = reset_->sizePolicy();
     stays.setRetainSizeWhenHidden(true);
