@@ -169,9 +169,8 @@ void ForcePanel::buildForces(QGridLayout& grid) {
         auto* name = new QLabel(this);
         name->setFont(theme::boldFont());
         theme::follow(name, [name, axis, color = colors.at(axis)] {
-            name->setText(
-                QStringLiteral("<span style='background-color:%1'>&thinsp;&thinsp;</span>&thinsp;F%2")
-                    .arg((theme::colors().*color).name(), kAxes.at(axis).toLower()));
+            name->setText(QStringLiteral("<span style='color:%1'>▌</span>F%2")
+                              .arg((theme::colors().*color).name(), kAxes.at(axis).toLower()));
         });
         const QString objectName = QStringLiteral("force") + kAxes.at(axis);
         force_.at(axis) = valueLabel(objectName, QStringLiteral("-88.88 µN"), this);
