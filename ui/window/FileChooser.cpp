@@ -55,17 +55,21 @@ FileChooser::FileChooser(const QStringList& filters, QWidget* parent) : QFileDia
 /// Whatever chooses a file, its name is in this line.
 void FileChooser::watchName() {
     name_->setToolTip(tr("Name or path of the file to open"));
-    connect(name_, &QLineEdit::textChanged, this, [this] {
+    const auto look = [this] {
         if (const QString now = file(); now != file_) {
             file_ = now;
             Q_EMIT chosen(file_);
         }
-    });
+    };
+    connect(name_, &QLineEdit::textChanged, this, look);
+    connect(this, &QFileDialog::directoryEntered, this, look);
 }
 
+/// By the line: while a path is typed, Qt's own list of chosen files holds the folders on its way.
 QString FileChooser::file() const {
-    const QStringList files = selectedFiles();
-    return files.size() == 1 && QFileInfo(files.front()).isFile() ? files.front() : QString();
+    const QString name = name_->text();
+    const QFileInfo there(directory(), name);
+    return !name.isEmpty() && there.isFile() ? there.absoluteFilePath() : QString();
 }
 
 void FileChooser::setPlaces(const QStringList& folders) {

@@ -80,7 +80,8 @@ protected:
         ASSERT_TRUE(eventually([this] { return dialog().preview().isComplete(); }));
         QSignalSpy begun(&session.runs(), &RunControl::begun);
         for (QPushButton* button : dialog().findChildren<QPushButton*>()) {
-            if (QString(button->text()).remove('&') == QStringLiteral("Open")) {
+            if (button->isVisible() &&
+                QString(button->text()).remove('&') == QStringLiteral("Open")) {
                 user_.click(*button);
                 break;
             }
