@@ -2,6 +2,7 @@
 
 #include <QDialogButtonBox>
 #include <QFileInfo>
+#include <QFileSystemModel>
 #include <QHeaderView>
 #include <QLayout>
 #include <QLineEdit>
@@ -62,14 +63,21 @@ void FileChooser::watchName() {
         }
     };
     connect(name_, &QLineEdit::textChanged, this, look);
-    connect(this, &QFileDialog::directoryEntered, this, look);
+    connect(findChild<QFileSystemModel*>(), &QFileSystemModel::rootPathChanged, this, look,
+            Qt::QueuedConnection);
 }
 
-/// By the line: while a path is typed, Qt's own list of chosen files holds the folders on its way.
+/// While a path is typed, Qt's list of chosen files holds the folders on its way, too, and its line
+/// may show a name without them.
 QString FileChooser::file() const {
-    const QString name = name_->text();
-    const QFileInfo there(directory(), name);
-    return !name.isEmpty() && there.isFile() ? there.absoluteFilePath() : QString();
+    const QString name = QFileInfo(name_->text()).fileName();
+    for (const QString& path : selectedFiles()) {
+        const QFileInfo there(path);
+        if (!name.isEmpty() && there.fileName() == name && there.isFile()) {
+            return there.absoluteFilePath();
+        }
+    }
+    return {};
 }
 
 void FileChooser::setPlaces(const QStringList& folders) {
