@@ -9,7 +9,9 @@ MessageBadge::MessageBadge(const MessageLog& log, QWidget* parent) : QToolButton
     setObjectName(QStringLiteral("messageBadge"));
     setToolTip(tr("Errors that nobody has read yet; a click lists all messages"));
     setFocusPolicy(Qt::TabFocus);  // a click leaves the keys to the view
-    connect(&log, &MessageLog::unreadErrorsChanged, this, &MessageBadge::showCount);
+    // The panel in sight may have read them since this signal was sent.
+    connect(&log, &MessageLog::unreadErrorsChanged, this,
+            [this, &log] { showCount(log.unreadErrors()); });
     showCount(log.unreadErrors());
     theme::follow(this, [this] {
         QPalette colors = palette();

@@ -117,7 +117,6 @@ TEST_F(MessagesPanelTest, ErrorsAreUnreadUntilThePanelIsInSight) {
     show();
     EXPECT_TRUE(badge.isHidden());
     log.add(MessageKind::Error, QStringLiteral("three"));
-    QCoreApplication::processEvents();
     EXPECT_TRUE(badge.isHidden()) << "it is seen at once";
     panel.hide();
     log.add(MessageKind::Error, QStringLiteral("four"));
