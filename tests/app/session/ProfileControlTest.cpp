@@ -67,7 +67,7 @@ TEST_F(ProfileControlTest, ItsCursorsAndStretchesCanBeDragged) {
     dragMouse(plot.canvas(), {plot.pixelOf(0.0) + 1.0, 40.0}, {plot.pixelOf(0.25 * length), 40.0});
     EXPECT_NEAR(page().stops().front(), 0.25, 0.02);
     const QString distance = page().readings().text("cursorDistance");
-    EXPECT_NEAR(distance.section(' ', 0, 0).toDouble(), 60.0, 2.0) << distance.toStdString();
+    EXPECT_NEAR(distance.section(' ', 0, 0).toDouble(), 60.0, 1.6) << distance.toStdString();
     EXPECT_TRUE(distance.endsWith(QStringLiteral(" nm"))) << distance.toStdString();
     EXPECT_EQ(page().readings().text("stepReading"), QStringLiteral("–"));
     page().findChild<QCheckBox*>("stepHeight")->click();
