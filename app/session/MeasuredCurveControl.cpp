@@ -14,7 +14,7 @@ namespace asperity {
 namespace {
 
 /// Of the range of distances and forces: a point nearer to the last one is not drawn.
-constexpr double kStep = 1.0 / 800.0;
+constexpr double kStep = 1.0 / 400.0;
 constexpr double kFreeShare = 0.4;  ///< of a contact's width: how much of the way to it is shown
 
 struct Extent {
