@@ -1,12 +1,19 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 namespace asperity {
 
 /// The normal force with less noise: a straight line through about the last 20 ticks, which follows
 /// a ramp without lag and starts anew at a jump. Its standard deviation is at most 0.42 of that of
 /// one tick, for white noise. O(1), allocation-free.
+///
+/// A jump shows in one tick far off the line, or, where the force went straight before, in the mean
+/// of up to 8 ticks off the line through the last 100: across a jump that is small beside the noise
+/// of a tick, the short line alone would bend and overshoot.
 /// Source: expanding-memory polynomial filter of degree 1, Morrison, Introduction to Sequential
-/// Smoothing and Prediction (1969), with the memory held at 20 ticks.
+/// Smoothing and Prediction (1969), with the memory held at 20 and 100 ticks.
 class ForceTrend {
 public:
     /// @param force of a tick [N]
@@ -14,19 +21,46 @@ public:
     void take(double force, double sigma) noexcept;
     void clear() noexcept { *this = {}; }
 
-    [[nodiscard]] double force() const noexcept { return force_; }  ///< of the latest tick [N]
-    [[nodiscard]] double sigma() const noexcept { return sigma_; }  ///< of force() [N]
+    [[nodiscard]] double force() const noexcept { return line_.force; }  ///< of the latest tick [N]
+    [[nodiscard]] double sigma() const noexcept { return line_.sigma; }  ///< of force() [N]
     /// Whether the sample pushes: by so much that noise alone does it once in days.
-    [[nodiscard]] bool pushes() const noexcept { return force_ > kSure * sigma_; }
-    [[nodiscard]] bool pulls() const noexcept { return force_ < -kSure * sigma_; }
+    [[nodiscard]] bool pushes() const noexcept { return force() > kSure * sigma(); }
+    [[nodiscard]] bool pulls() const noexcept { return force() < -kSure * sigma(); }
 
 private:
-    static constexpr double kSure = 5.0;  ///< standard deviations
+    static constexpr double kSure = 5.0;       ///< standard deviations
+    static constexpr std::size_t kRecent = 8;  ///< ticks in which a jump shows
 
-    double force_ = 0.0;
-    double slope_ = 0.0;  ///< [N/tick]
-    double sigma_ = 0.0;
-    int ticks_ = 0;  ///< since the last start, at most kMemory
+    /// A least-squares line through the last ticks.
+    struct Line {
+        double force = 0.0;  ///< at the latest tick [N]
+        double slope = 0.0;  ///< [N/tick]
+        double sigma = 0.0;  ///< of `force` [N]
+        int ticks = 0;       ///< since the start, at most the memory
+
+        void take(double measured, double sigmaOfOne, int memory) noexcept;
+        /// Whether the other line is the same force and slope within the noise of this one.
+        [[nodiscard]] bool agreesWith(const Line& other) const noexcept;
+    };
+    struct Tick {
+        double force = 0.0;     ///< [N]
+        double sigma = 0.0;     ///< [N]
+        Line before;            ///< the long line, without this tick
+        bool straight = false;  ///< it went straight until then
+    };
+
+    void takeInLines(const Tick& tick) noexcept;
+    [[nodiscard]] bool isFarOff(const Tick& tick) const noexcept;
+    /// How many of the recent ticks come after a jump; 0: there was none.
+    [[nodiscard]] std::size_t ticksSinceJump() const noexcept;
+    /// How far the last ticks, so many, are off the line before them, in standard deviations.
+    [[nodiscard]] double jumpBefore(std::size_t ticks) const noexcept;
+
+    Line line_;
+    Line long_;
+    int agreed_ = 0;                    ///< ticks in a row after which both lines agreed
+    std::array<Tick, kRecent> recent_;  ///< the oldest first
+    std::size_t count_ = 0;             ///< of recent_, since the start
 };
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity {
@@ -27,6 +28,40 @@ TEST(ForceTrend, StartsAnewAtAJump) {
     trend.take(-0.2, kSigma);
     EXPECT_EQ(trend.force(), -0.2);
     EXPECT_EQ(trend.sigma(), kSigma);
+}
+
+/// The largest that the trend shows after a jump of this many standard deviations, over it.
+double overshootOf(double jump) {
+    ForceTrend trend;
+    for (int i = 0; i < 200; ++i) {
+        trend.take(0.0, kSigma);
+    }
+    double largest = 0.0;
+    for (int i = 0; i < 100; ++i) {
+        trend.take(jump * kSigma, kSigma);
+        largest = std::max(largest, trend.force());
+    }
+    return largest / (jump * kSigma) - 1.0;
+}
+
+TEST(ForceTrend, DoesNotOvershootAtAJumpOfAFewStandardDeviations) {
+    for (const double jump : {3.0, 3.4, 4.0, 5.0, 6.0, 7.0}) {
+        EXPECT_LT(overshootOf(jump), 1e-9) << jump;
+    }
+}
+
+/// The force of a hand that trembles bends all the time: noise is no less averaged than by a line.
+TEST(ForceTrend, ABendIsNoJump) {
+    Random random(11);
+    ForceTrend trend;
+    int anew = 0;
+    constexpr int kTicks = 20000;
+    for (int i = 0; i < kTicks; ++i) {
+        const double tremor = 3.0 * kSigma * std::sin(0.06 * i);  // 10 Hz at 1 kHz
+        trend.take(tremor + kSigma * random.normal(), kSigma);
+        anew += trend.sigma() > 0.43 * kSigma ? 1 : 0;
+    }
+    EXPECT_LT(anew, kTicks / 20);
 }
 
 TEST(ForceTrend, NoiseIsLessAndKnown) {
