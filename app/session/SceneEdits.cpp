@@ -13,15 +13,19 @@ namespace asperity {
 
 namespace {
 
-/// Before work begins for it. The table of a contact law, which takes long, is made with the scene.
-/// @throw Error where no scene can be made of the description
-void requireScene(SceneDescription scene) {
-    checkScene(scene);
+/// The same contact laws without their table, which takes long and is made with the scene.
+SceneDescription withoutTable(SceneDescription scene) {
     if (scene.choices.solver == SolverSetting::Table) {
         scene.choices.solver = SolverSetting::Newton;
     }
+    return scene;
+}
+
+/// Before work begins for it. @throw Error where no scene can be made of the description
+void requireScene(const SceneDescription& scene) {
+    checkScene(scene);
     static_cast<void>(believedSystem(scene, usualModel(scene)));
-    static_cast<void>(truthOf(scene));
+    static_cast<void>(trueSystem(scene));
 }
 
 /// Where coordinates mean the same places, so that the tip can stay where it is: a scan or a part
@@ -86,8 +90,9 @@ bool SceneEdits::isOpening() {
 
 bool SceneEdits::allows(const SceneDescription& scene) {
     try {
-        requireScene(scene);
-        runs_.run()->requireHolding(scene);
+        const SceneDescription quick = withoutTable(scene);
+        requireScene(quick);
+        runs_.run()->requireHolding(quick);
         return true;
     } catch (const Error& error) {
         window_.complain(QString::fromUtf8(error.what()));

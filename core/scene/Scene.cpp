@@ -95,7 +95,6 @@ Ground groundOf(const SampleDescription& sample, Map map, Progress* progress) {
 }
 
 Scene assemble(const SceneDescription& description, Ground ground) {
-    (void)truthOf(description);  // a truth that is none is refused here, not by who runs the scene
     const ForceModelOptions model = usualModel(description);
     return {.description = description,
             .removedBySteps = ground.removed,
@@ -105,6 +104,7 @@ Scene assemble(const SceneDescription& description, Ground ground) {
             .shape = std::move(ground.shape),
             .model = model,
             .belief = believedSystem(description, model),
+            .truth = trueSystem(description),
             .signalSigma = {.bending = description.signalSigma, .torsion = description.signalSigma},
             .settings = description.settings};
 }

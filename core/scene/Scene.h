@@ -29,6 +29,7 @@ struct Scene {
     std::optional<NurbsSurface> shape;          ///< what the tip touches in place of `surface`
     ForceModelOptions model;                    ///< with which the believed force is computed
     ProbeSystem belief;        ///< what the operator's side takes tip, lever and sample to be
+    ProbeSystem truth;         ///< what they are inside the simulated instrument
     LeverSignals signalSigma;  ///< noise of the signals as the estimator takes it [rad]
     Settings settings;         ///< that a run starts with
 

@@ -5,12 +5,12 @@
 
 namespace asperity {
 
+/// Tip, lever and sample as a description says that they truly are.
+/// @throw Error naming what the contact law or the lever refuses
+[[nodiscard]] ProbeSystem trueSystem(const SceneDescription& description);
+
 /// What the simulated instrument of a scene is: what its description says is true, whatever the
 /// model believes.
-/// @throw Error where no such instrument can be; buildScene() has looked
-[[nodiscard]] InstrumentTruth truthOf(const SceneDescription& description);
-[[nodiscard]] inline InstrumentTruth truthOf(const Scene& scene) {
-    return truthOf(scene.description);
-}
+[[nodiscard]] InstrumentTruth truthOf(const Scene& scene);
 
 }  // namespace asperity

@@ -68,7 +68,7 @@ std::shared_ptr<const MaugisTable> tableFor(ContactLaw law, const ContactPair& p
     }
     const double deepest =
         std::min(MaugisTableRange::kMaxIndentation, 2.0 * pair.tipRadius / units.indentation);
-    return std::make_shared<const MaugisTable>(MaugisTableRange{low, high, deepest});
+    return sharedMaugisTable({low, high, deepest});
 }
 
 }  // namespace

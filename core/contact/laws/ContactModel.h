@@ -17,8 +17,8 @@ class MaugisTable;
 struct AdhesionSplit;
 
 /// One contact law by name for one material pair, in SI units: constant after construction (about a
-/// microsecond; the first of a film some 40 ms, see sharedFilmTable()), no allocation, never throws
-/// after construction.
+/// microsecond; the first of a film some 40 ms, see sharedFilmTable(), of a table some 0.2 s, see
+/// sharedMaugisTable()), no allocation, never throws after construction.
 class ContactModel {
 public:
     /// @throw Error when a parameter is outside its range, see ContactStatus, or the film's law

@@ -4,8 +4,11 @@
 #include "core/contact/maugis/MaugisTableBuilder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <utility>
 
 namespace asperity {
 
@@ -89,6 +92,28 @@ std::optional<MaugisState> MaugisTable::stable(const MaugisDugdale& law, double 
         indentation += step;
     }
     return exact(law, MaugisControl::spring(compliance), value, coordinate);
+}
+
+std::shared_ptr<const MaugisTable> sharedMaugisTable(const MaugisTableRange& range) {
+    struct Kept {
+        MaugisTableRange range;
+        std::shared_ptr<const MaugisTable> table;
+    };
+    constexpr std::size_t kKept = 4;  // two laws, of truth and belief
+    static std::mutex mutex;
+    static std::array<Kept, kKept> kept;
+    static std::size_t next = 0;
+    {
+        const std::lock_guard lock(mutex);
+        const auto found = std::ranges::find(kept, range, &Kept::range);
+        if (found != kept.end() && found->table) {
+            return found->table;
+        }
+    }
+    auto table = std::make_shared<const MaugisTable>(range);  // nobody waits for it behind the lock
+    const std::lock_guard lock(mutex);
+    kept[std::exchange(next, (next + 1) % kKept)] = {range, table};
+    return table;
 }
 
 }  // namespace asperity

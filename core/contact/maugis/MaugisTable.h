@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 namespace asperity {
@@ -62,6 +63,11 @@ private:
 
     MaugisTableData data_;
 };
+
+/// A table of this range, which takes some 0.2 s to build: the last few ranges asked for are kept,
+/// since fitting a model goes back and forth between laws. For any thread.
+/// @throw Error as MaugisTable
+[[nodiscard]] std::shared_ptr<const MaugisTable> sharedMaugisTable(const MaugisTableRange& range);
 
 // In the header because a look-up is so short that a caller should pay only for what it uses.
 

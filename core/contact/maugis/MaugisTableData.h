@@ -20,6 +20,8 @@ struct MaugisTableRange {
     static constexpr double kMaxLambda = 1e4;
     static constexpr double kMaxSpan = 5.0;         ///< of lambda
     static constexpr double kMaxIndentation = 1e6;  ///< in the units of MaugisPoint
+
+    bool operator==(const MaugisTableRange&) const = default;
 };
 
 /// Force, contact radius, cohesive radius and stiffness (times the root where there is a fold), in

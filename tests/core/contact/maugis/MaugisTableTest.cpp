@@ -213,5 +213,13 @@ TEST(MaugisTable, RefusesARangeItCannotCover) {
     EXPECT_THROW(MaugisTable({1.0, 1.0, nan}), Error);
 }
 
+TEST(MaugisTable, OfARangeThatWasAskedForBeforeIsTheSame) {
+    const MaugisTableRange range{1.0, 1.0, 2.0};
+    const auto table = sharedMaugisTable(range);
+    EXPECT_NE(sharedMaugisTable({1.0, 1.0, 3.0}), table);
+    EXPECT_EQ(sharedMaugisTable(range), table);
+    EXPECT_THROW((void)sharedMaugisTable({1.0, 0.5, 1.0}), Error);
+}
+
 }  // namespace
 }  // namespace asperity
