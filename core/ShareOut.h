@@ -100,6 +100,7 @@ void shareOut(int count, Progress* progress, const Work& work) {
     }
     try {
         const CancelCheck check(progress, ended, &report);
+        check();  // the others may leave no piece for this thread
         run(check);
         for (std::future<void>& other : others) {
             waitFor(other, check);

@@ -75,9 +75,11 @@ LoadedScene mapScene(SceneDescription description, const SceneOverrides& overrid
 LoadedScene loadNamed(const std::string& name, const SceneDescription& description,
                       const SceneOverrides& overrides, Progress* progress) {
     try {
+        ProgressPart loading(progress, 0.0, 0.8);
         LoadedScene loaded = description.sample.shape ? shapeScene(description, overrides)
-                                                      : mapScene(description, overrides, progress);
-        loaded.needs = fitModel(loaded.scene);
+                                                      : mapScene(description, overrides, &loading);
+        ProgressPart fitting(progress, 0.8, 1.0);
+        loaded.needs = fitModel(loaded.scene, kLongestTick, &fitting);
         std::ranges::move(surfaceNotes(loaded.scene), std::back_inserter(loaded.notes));
         return loaded;
     } catch (const InputError&) {
@@ -127,7 +129,8 @@ std::vector<std::string> notesOn(const LoadedScene& loaded) {
     return notes;
 }
 
-LoadedScene withDescription(const LoadedScene& loaded, const SceneDescription& description) {
+LoadedScene withDescription(const LoadedScene& loaded, const SceneDescription& description,
+                            Progress* progress) {
     LoadedScene changed{.scene = withDescription(loaded.scene, description),
                         .format = loaded.format,
                         .sha256 = loaded.sha256,
@@ -137,7 +140,7 @@ LoadedScene withDescription(const LoadedScene& loaded, const SceneDescription& d
                         .images = loaded.images,
                         .channels = loaded.channels,
                         .filledPixels = loaded.filledPixels};
-    changed.needs = fitModel(changed.scene);
+    changed.needs = fitModel(changed.scene, kLongestTick, progress);
     return changed;
 }
 

@@ -56,9 +56,11 @@ struct LoadedScene {
                                     Progress* progress = nullptr);
 
 /// A copy of the same scan under another tip, lever, material or model, fitted anew. Reads nothing
-/// of the scene's description: that may change meanwhile. @throw Error as withDescription()
+/// of the scene's description: that may change meanwhile.
+/// @throw Error as withDescription(); Canceled
 [[nodiscard]] LoadedScene withDescription(const LoadedScene& loaded,
-                                          const SceneDescription& description);
+                                          const SceneDescription& description,
+                                          Progress* progress = nullptr);
 
 /// The instrument of a scene, which outlives it, in the window and in `explore`: a simulated AFM
 /// that answers at once, as the scene's [truth] says.

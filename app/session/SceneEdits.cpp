@@ -134,8 +134,8 @@ void SceneEdits::startWork(const SceneDescription& next, SceneChange change) {
     if (change == SceneChange::Surface) {
         work_.start(words, [next](Progress& progress) { return loadScene(next, &progress); });
     } else {
-        work_.start(words, [next, present = runs_.run()->shared()](Progress& /*progress*/) {
-            return withDescription(*present, next);
+        work_.start(words, [next, present = runs_.run()->shared()](Progress& progress) {
+            return withDescription(*present, next, &progress);
         });
     }
 }

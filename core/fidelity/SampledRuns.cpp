@@ -34,16 +34,17 @@ double forceShare(const ModelRun& run, const ModelRun& reference) {
                        : 0.0;
 }
 
-SampledRuns::SampledRuns(Scene& scene, double longestTick) : scene_(scene) {
+SampledRuns::SampledRuns(Scene& scene, double longestTick, const Progress* progress)
+    : scene_(scene), progress_(progress) {
     const ForceModelOptions reference = scene.model;
     setModel(scene, usualModel(scene.description));  // the runs are the same whatever the reference
     const double duration = kTicksAPath * scene.timeStep();
     const Vector2 size(scene.surface.sizeX(), scene.surface.sizeY());
     const auto record = [&](const DevicePath& path) {
-        runs_.push_back(recordRun(scene, path, duration));
+        runs_.push_back(recordRun(scene, path, duration, progress_));
     };
     record(slidePath(scene, {.duration = duration}));
-    last_ = runModel(scene, runs_);
+    last_ = runModel(scene, runs_, progress_);
     slow_ = tickTime() > longestTick;
     if (slow_) {
         return;
@@ -85,7 +86,7 @@ void SampledRuns::refer(const ForceModelOptions& model) {
 
 ModelRun SampledRuns::runWith(const ForceModelOptions& model) const {
     setModel(scene_, model);
-    return runModel(scene_, runs_);
+    return runModel(scene_, runs_, progress_);
 }
 
 }  // namespace asperity

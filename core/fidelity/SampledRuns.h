@@ -26,7 +26,9 @@ class SampledRuns {
 public:
     /// @param scene       must outlive this; its model is changed and left changed
     /// @param longestTick of which somebody would wait for more runs [s]
-    SampledRuns(Scene& scene, double longestTick);
+    /// @param progress    may be null, must outlive this; asked at every tick whether the work is
+    ///                    canceled. @throw Canceled, as all that runs a model
+    SampledRuns(Scene& scene, double longestTick, const Progress* progress = nullptr);
 
     /// Whether ticks take longer than that here; then there is one run only, of the usual model.
     [[nodiscard]] bool isSlow() const noexcept { return slow_; }
@@ -51,6 +53,7 @@ private:
     [[nodiscard]] ModelRun runWith(const ForceModelOptions& model) const;
 
     Scene& scene_;
+    const Progress* progress_;
     std::vector<RecordedRun> runs_;
     ForceModelOptions referred_;  ///< of the reference
     ModelRun reference_;

@@ -27,8 +27,8 @@ bool tipFitsEverywhere(const Scene& scene) {
 class ForceNeeds {
 public:
     /// @param scene has the full model
-    ForceNeeds(Scene& scene, SceneNeeds& needs, double longestTick)
-        : scene_(scene), needs_(needs), runs_(scene, longestTick) {}
+    ForceNeeds(Scene& scene, SceneNeeds& needs, double longestTick, Progress* progress)
+        : scene_(scene), needs_(needs), progress_(progress), runs_(scene, longestTick, progress) {}
 
     [[nodiscard]] bool isSlow() const { return runs_.isSlow(); }
     [[nodiscard]] double tickTime() const { return runs_.tickTime(); }
@@ -38,6 +38,8 @@ public:
         chooseLawOfAll();
         needs_.fullTick = runs_.tickTime();
         for (TermNeed& need : needs_.terms) {
+            const auto done = static_cast<double>(&need - needs_.terms.data());
+            reportTo(progress_, done / static_cast<double>(needs_.terms.size()));
             if (!isOfSurface(need.term)) {
                 weigh(need);
             }
@@ -168,6 +170,7 @@ private:
 
     Scene& scene_;
     SceneNeeds& needs_;
+    Progress* progress_;
     SampledRuns runs_;
     std::vector<ModelTerm> free_;  ///< to be left out
 };
@@ -197,17 +200,17 @@ void fillIn(const SurfaceNeeds& surface, SceneNeeds& needs) {
     }
 }
 
-void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs) {
+void decideAll(Scene& scene, ForceNeeds& force, SceneNeeds& needs, Progress* progress) {
     force.decide(tipFitsEverywhere(scene));
     setModel(scene, needs.full);
-    needs.surface = surfaceNeedsOf(scene, force.reference().states);
+    needs.surface = surfaceNeedsOf(scene, force.reference().states, progress);
     fillIn(needs.surface, needs);
     decideSurface(scene.description, needs);
 }
 
 }  // namespace
 
-SceneNeeds fitModel(Scene& scene, double longestTick) {
+SceneNeeds fitModel(Scene& scene, double longestTick, Progress* progress) {
     SceneNeeds needs{.terms = {}, .full = usualModel(scene.description)};
     needs.tolerance = scene.description.tolerance;
     for (const ModelTerm term : kModelTerms) {
@@ -217,11 +220,13 @@ SceneNeeds fitModel(Scene& scene, double longestTick) {
     }
     setModel(scene, needs.full);
     needs.model = needs.full;
-    ForceNeeds force(scene, needs, longestTick);
+    ProgressPart forcePart(progress, 0.0, 0.7);
+    ForceNeeds force(scene, needs, longestTick, &forcePart);
     if (force.isSlow()) {
         needs.fullTick = needs.modelTick = force.tickTime();
     } else {
-        decideAll(scene, force, needs);
+        ProgressPart surfacePart(progress, 0.7, 1.0);
+        decideAll(scene, force, needs, &surfacePart);
     }
     for (TermNeed& need : needs.terms) {
         need.on = has(needs.model, need.term);

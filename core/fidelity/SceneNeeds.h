@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/fidelity/SurfaceNeeds.h"
 #include "core/scene/ModelTerm.h"
 #include "core/scene/Scene.h"
@@ -50,6 +51,8 @@ struct SceneNeeds {
     [[nodiscard]] double totalError() const { return wholeError + lawError; }
 };
 
+inline constexpr double kLongestTick = 1e-3;  ///< of scenes whose model is fitted [s]
+
 /// Finds the terms that change forces or displacements by more than the scene's tolerance, and
 /// gives the scene the model of these alone.
 ///
@@ -61,7 +64,7 @@ struct SceneNeeds {
 /// leaves out least), and that of the whole by each term that its law has no room for, weighed by
 /// the same pairs of models as in TickStudy and added as squares. Decisions are reproducible, times
 /// are of this machine. Where a tick takes longer than `longestTick` [s] everything is left on.
-/// @throw Error as setModel()
-SceneNeeds fitModel(Scene& scene, double longestTick = 1e-3);
+/// @param progress may be null @throw Error as setModel(); Canceled: the scene's model is any then
+SceneNeeds fitModel(Scene& scene, double longestTick = kLongestTick, Progress* progress = nullptr);
 
 }  // namespace asperity

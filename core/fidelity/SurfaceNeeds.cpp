@@ -69,7 +69,8 @@ double rmsDistance(const SurfacePatch& a, const SurfacePatch& b) {
 
 }  // namespace
 
-SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states) {
+SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states,
+                            Progress* progress) {
     HalfSpaceModel halfSpace;
     SurfaceNeeds needs;
     std::vector<double> outside;
@@ -85,10 +86,13 @@ SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states
         const auto share = [depth](double distance) {
             return depth > 0.0 ? distance / depth : 0.0;
         };
+        const double done = static_cast<double>(outside.size()) / kMoments;
+        reportTo(progress, done);
         const auto [radius, radiusTime] = patch(DeformationModel::ContactRadius);
         const auto [closed, closedTime] = patch(DeformationModel::ClosedForm);
         outside.push_back(share(rmsDistance(radius, closed)));
         outsideTimes.push_back(closedTime - radiusTime);
+        reportTo(progress, done + 0.5 / kMoments);
         const auto [answer, solveTime] = timed(1, [&] { return halfSpace.solve(scene, *state); });
         if (!needs.touches) {
             needs.deepest = answer;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/deformation/HalfSpaceModel.h"
 #include "core/scene/Scene.h"
 
@@ -20,6 +21,8 @@ struct SurfaceNeeds {
 };
 
 /// Looks at the states with the largest forces.
-[[nodiscard]] SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states);
+/// @param progress may be null @throw Canceled
+[[nodiscard]] SurfaceNeeds surfaceNeedsOf(const Scene& scene, std::span<const TipState> states,
+                                          Progress* progress = nullptr);
 
 }  // namespace asperity

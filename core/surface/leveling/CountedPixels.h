@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/ShareOut.h"
 #include "core/surface/HeightMap.h"
 
 #include <algorithm>
@@ -15,16 +16,27 @@ template <class Heights>
 }
 
 /// Subtracts removed(row, column) [m] from all pixels, so that filled ones stay beside their
-/// neighbors; those without a height stay without one.
+/// neighbors; those without a height stay without one. @throw Canceled with some rows done
 template <class Heights, class Removed>
-void subtract(BasicHeightMap<Heights>& map, const Removed& removed) {
+void subtract(BasicHeightMap<Heights>& map, const Removed& removed, Progress* progress = nullptr) {
     using Height = typename Heights::value_type;
-    for (int row = 0; row < map.rows; ++row) {
+    shareOut(map.rows, progress, [&](int row, const CancelCheck& /*check*/) {
         for (int column = 0; column < map.columns; ++column) {
             Height& height = map.heights[map.index(row, column)];
             height = static_cast<Height>(height - removed(row, column));
         }
-    }
+    });
+}
+
+/// What makeRow(row) makes of each row, on all cores; in the rows' order, so that sums of it are
+/// the same to the last bit on any number of cores. @throw Canceled
+template <class MakeRow>
+[[nodiscard]] auto ofEachRow(int rows, Progress* progress, const MakeRow& makeRow) {
+    std::vector<decltype(makeRow(0))> made(static_cast<std::size_t>(rows));
+    shareOut(rows, progress, [&](int row, const CancelCheck& /*check*/) {
+        made[static_cast<std::size_t>(row)] = makeRow(row);
+    });
+    return made;
 }
 
 /// The mean of the two middle values when their number is even, as in statistics. Reorders them;

@@ -44,12 +44,9 @@ public:
         if (count < 1 || map_.columns < 2) {
             return {};
         }
-        std::vector<SlopeSums> ofRows(static_cast<std::size_t>(count));
-        shareOut(count, progress, [&](int i, const CancelCheck& /*check*/) {
-            ofRows[static_cast<std::size_t>(i)] = rowSum(i * stride_, add);
-        });
         SlopeSums all;
-        for (const SlopeSums& one : ofRows) {
+        for (const SlopeSums& one :
+             ofEachRow(count, progress, [&](int i) { return rowSum(i * stride_, add); })) {
             all.weight += one.weight;
             all.slope += one.slope;
             all.square += one.square;
@@ -103,14 +100,16 @@ struct Spread {
 };
 
 template <class Heights>
-Spread spreadOf(const Facets<Heights>& facets) {
+Spread spreadOf(const Facets<Heights>& facets, Progress* progress) {
+    ProgressPart ofMean(progress, 0.0, 0.5);
     const SlopeSums all =
-        facets.sum(nullptr, [](SlopeSums& sums, const Vector2& slope) { sums.add(1.0, slope); });
+        facets.sum(&ofMean, [](SlopeSums& sums, const Vector2& slope) { sums.add(1.0, slope); });
     if (all.weight == 0.0) {
         return {};
     }
     const Vector2 mean = all.mean();
-    const SlopeSums square = facets.sum(nullptr, [&](SlopeSums& sums, const Vector2& slope) {
+    ProgressPart ofSquare(progress, 0.5, 1.0);
+    const SlopeSums square = facets.sum(&ofSquare, [&](SlopeSums& sums, const Vector2& slope) {
         sums.weight += (slope - mean).squaredNorm();
     });
     return {.mean = mean, .square = square.weight / all.weight};
@@ -147,15 +146,20 @@ Vector2 stepFrom(const SlopeSums& near, double widthSquare) {
 template <class Heights>
 Vector2 prevailingSlope(const Facets<Heights>& facets, Vector2 slope, Progress* progress) {
     constexpr int kMaxPasses = 100;
-    constexpr double kSettled = 1e-6;  // of the width of the weights
-    const Spread spread = spreadOf(facets);
+    constexpr double kSettled = 1e-6;     // of the width of the weights
+    constexpr double kShareOfPass = 0.2;  // of the progress that is left: a few passes do
+    ProgressPart spreading(progress, 0.0, kShareOfPass);
+    const Spread spread = spreadOf(facets, &spreading);
+    double done = kShareOfPass;
     for (int pass = 0; pass < kMaxPasses; ++pass) {
         const double widthSquare = spread.widthSquareAt(slope);
         if (!(widthSquare > 0.0)) {
             break;  // all squares have this slope
         }
-        reportTo(progress, static_cast<double>(pass) / kMaxPasses);
-        const SlopeSums near = weightedAround(facets, slope, widthSquare, nullptr);
+        const double next = done + kShareOfPass * (1.0 - done);
+        ProgressPart part(progress, done, next);
+        done = next;
+        const SlopeSums near = weightedAround(facets, slope, widthSquare, &part);
         if (near.weight == 0.0) {
             break;
         }
@@ -186,8 +190,10 @@ Vector2 prevailingSlope(const BasicHeightMap<Heights>& map, Progress* progress) 
 
 template <class Heights>
 PlaneFit facetPlane(const BasicHeightMap<Heights>& map, Progress* progress) {
-    PlaneFit plane = planeOf(map);
-    const Vector2 slope = prevailingSlope(map, progress);
+    ProgressPart ofMean(progress, 0.0, 0.1);
+    PlaneFit plane = planeOf(map, &ofMean);
+    ProgressPart ofSlope(progress, 0.1, 1.0);
+    const Vector2 slope = prevailingSlope(map, &ofSlope);
     plane.slopeX = slope.x();
     plane.slopeY = slope.y();
     return plane;

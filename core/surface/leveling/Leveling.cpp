@@ -15,37 +15,54 @@ namespace asperity {
 
 namespace {
 
+/// The two halves of a step: what it measures, and what it takes from the heights.
+struct StepProgress {
+    explicit StepProgress(Progress* progress)
+        : measuring(progress, 0.0, 0.8), subtracting(progress, 0.8, 1.0) {}
+
+    ProgressPart measuring;
+    ProgressPart subtracting;
+};
+
 template <class Heights>
-void subtractHeight(BasicHeightMap<Heights>& map, double height) {
-    subtract(map, [height](int, int) { return height; });
+void subtractHeight(BasicHeightMap<Heights>& map, double height, Progress* progress) {
+    subtract(
+        map, [height](int, int) { return height; }, progress);
 }
 
 template <class Heights>
-void removePlane(BasicHeightMap<Heights>& map, const PlaneFit& plane, RemovedByStep& removed) {
-    subtractPlane(map, plane);
+void removePlane(BasicHeightMap<Heights>& map, const PlaneFit& plane, RemovedByStep& removed,
+                 StepProgress& progress) {
+    subtractPlane(map, plane, &progress.subtracting);
     removed.plane = plane;
 }
 
 template <class Heights>
-void removeRowMedians(BasicHeightMap<Heights>& map, RemovedByStep& removed) {
-    const RowShifts medians = rowMedians(map);
-    subtractRows(map, medians);
+void removeRowMedians(BasicHeightMap<Heights>& map, RemovedByStep& removed, Progress* progress) {
+    ProgressPart measuring(progress, 0.0, 0.6);
+    const RowShifts medians = rowMedians(map, &measuring);
+    ProgressPart subtracting(progress, 0.6, 0.7);
+    subtractRows(map, medians, &subtracting);
     removed.shiftSpread = spreadOf(medians, map);
-    removed.plane.mean = planeOf(map).mean;
-    subtractHeight(map, removed.plane.mean);
+    ProgressPart leveling(progress, 0.7, 0.9);
+    removed.plane.mean = planeOf(map, &leveling).mean;
+    ProgressPart lowering(progress, 0.9, 1.0);
+    subtractHeight(map, removed.plane.mean, &lowering);
 }
 
 template <class Heights>
-void removeDifferenceShifts(BasicHeightMap<Heights>& map, RemovedByStep& removed) {
-    const RowShifts shifts = detrendedDifferenceShifts(map);
-    subtractRows(map, shifts);
+void removeDifferenceShifts(BasicHeightMap<Heights>& map, RemovedByStep& removed,
+                            StepProgress& progress) {
+    const RowShifts shifts = detrendedDifferenceShifts(map, &progress.measuring);
+    subtractRows(map, shifts, &progress.subtracting);
     removed.shiftSpread = spreadOf(shifts, map);
 }
 
 template <class Heights>
-void removeQuadratic(BasicHeightMap<Heights>& map, RemovedByStep& removed) {
-    const QuadraticFit fit(map);
-    subtract(map, [&fit](int row, int column) { return fit.at(row, column); });
+void removeQuadratic(BasicHeightMap<Heights>& map, RemovedByStep& removed, StepProgress& progress) {
+    const QuadraticFit fit(map, &progress.measuring);
+    subtract(
+        map, [&fit](int row, int column) { return fit.at(row, column); }, &progress.subtracting);
     removed.plane = {.slopeX = fit.slopeX(),
                      .slopeY = fit.slopeY(),
                      .mean = fit.height(),
@@ -60,34 +77,35 @@ template <class Heights>
 RemovedByStep doStep(BasicHeightMap<Heights>& map, LevelingStep step,
                      const std::optional<LevelPoints>& points, Progress* progress) {
     RemovedByStep removed{.step = step};
+    StepProgress parts(progress);
     switch (step) {
     case LevelingStep::Plane:
-        removePlane(map, planeOf(map), removed);
+        removePlane(map, planeOf(map, &parts.measuring), removed, parts);
         break;
     case LevelingStep::Rows:
-        removeRowMedians(map, removed);
+        removeRowMedians(map, removed, progress);
         break;
     case LevelingStep::ThreePoint:
         if (!points) {
             throw Error("three_point needs three places, level_points_m or --level-points");
         }
-        removePlane(map, threePointPlane(map, *points), removed);
+        removePlane(map, threePointPlane(map, *points), removed, parts);
         break;
     case LevelingStep::Facet:
-        removePlane(map, facetPlane(map, progress), removed);
+        removePlane(map, facetPlane(map, &parts.measuring), removed, parts);
         break;
     case LevelingStep::Quadratic:
-        removeQuadratic(map, removed);
+        removeQuadratic(map, removed, parts);
         break;
     case LevelingStep::MedianOfDifferences:
-        removeDifferenceShifts(map, removed);
+        removeDifferenceShifts(map, removed, parts);
         break;
     case LevelingStep::Scars:
-        removed.pixels = removeScars(map);
+        removed.pixels = removeScars(map, {}, progress);
         break;
     case LevelingStep::Zero:
-        removed.plane.mean = lowestHeight(map);
-        subtractHeight(map, removed.plane.mean);
+        removed.plane.mean = lowestHeight(map, &parts.measuring);
+        subtractHeight(map, removed.plane.mean, &parts.subtracting);
         break;
     }
     return removed;

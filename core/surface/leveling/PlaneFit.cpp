@@ -56,10 +56,11 @@ Moments rowMoments(const BasicHeightMap<Heights>& map, int row, double origin) {
 }
 
 template <class Heights>
-Moments mapMoments(const BasicHeightMap<Heights>& map, double origin) {
+Moments mapMoments(const BasicHeightMap<Heights>& map, double origin, Progress* progress) {
     Moments sum;
-    for (int row = 0; row < map.rows; ++row) {
-        sum += rowMoments(map, row, origin);
+    for (const Moments& one :
+         ofEachRow(map.rows, progress, [&](int row) { return rowMoments(map, row, origin); })) {
+        sum += one;
     }
     return sum;
 }
@@ -79,10 +80,10 @@ double firstHeight(const BasicHeightMap<Heights>& map) {
 }
 
 template <class Heights>
-PlaneFit planeOf(const BasicHeightMap<Heights>& map) {
+PlaneFit planeOf(const BasicHeightMap<Heights>& map, Progress* progress) {
     requireUsable(map);
     const double origin = firstHeight(map);
-    const Moments sums = mapMoments(map, origin);
+    const Moments sums = mapMoments(map, origin, progress);
     const Vector2 center = sums.place / sums.count;
     const Eigen::Matrix2d spread = sums.square - sums.place * center.transpose();
     // The smallest solution: level across a line, should the pixels form one.
@@ -96,10 +97,13 @@ PlaneFit planeOf(const BasicHeightMap<Heights>& map) {
 }
 
 template <class Heights>
-void subtractPlane(BasicHeightMap<Heights>& map, const PlaneFit& plane) {
-    subtract(map, [&](int row, int column) {
-        return plane.at((column + 0.5) * map.pitchX, (map.rows - row - 0.5) * map.pitchY);
-    });
+void subtractPlane(BasicHeightMap<Heights>& map, const PlaneFit& plane, Progress* progress) {
+    subtract(
+        map,
+        [&](int row, int column) {
+            return plane.at((column + 0.5) * map.pitchX, (map.rows - row - 0.5) * map.pitchY);
+        },
+        progress);
 }
 
 PlaneFit fitPlane(const HeightMap& map) { return planeOf(map); }
@@ -112,9 +116,9 @@ PlaneFit fitPlane(const ScanMap& map) {
 
 template double firstHeight(const BasicHeightMap<std::vector<double>>&);
 template double firstHeight(const BasicHeightMap<PixelVector<float>>&);
-template PlaneFit planeOf(const BasicHeightMap<std::vector<double>>&);
-template PlaneFit planeOf(const BasicHeightMap<PixelVector<float>>&);
-template void subtractPlane(BasicHeightMap<std::vector<double>>&, const PlaneFit&);
-template void subtractPlane(BasicHeightMap<PixelVector<float>>&, const PlaneFit&);
+template PlaneFit planeOf(const BasicHeightMap<std::vector<double>>&, Progress*);
+template PlaneFit planeOf(const BasicHeightMap<PixelVector<float>>&, Progress*);
+template void subtractPlane(BasicHeightMap<std::vector<double>>&, const PlaneFit&, Progress*);
+template void subtractPlane(BasicHeightMap<PixelVector<float>>&, const PlaneFit&, Progress*);
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/surface/HeightMap.h"
 
 namespace asperity {
@@ -25,13 +26,14 @@ struct PlaneFit {
 [[nodiscard]] PlaneFit fitPlane(const HeightMap& map);
 [[nodiscard]] PlaneFit fitPlane(const ScanMap& map);
 
-/// The same of heights relative to a map's datum.
+/// The same of heights relative to a map's datum. @throw Canceled, too
 template <class Heights>
-[[nodiscard]] PlaneFit planeOf(const BasicHeightMap<Heights>& map);
+[[nodiscard]] PlaneFit planeOf(const BasicHeightMap<Heights>& map, Progress* progress = nullptr);
 
-/// Subtracts a plane from heights relative to the same datum.
+/// Subtracts a plane from heights relative to the same datum. @throw Canceled with some rows done
 template <class Heights>
-void subtractPlane(BasicHeightMap<Heights>& map, const PlaneFit& plane);
+void subtractPlane(BasicHeightMap<Heights>& map, const PlaneFit& plane,
+                   Progress* progress = nullptr);
 
 /// Height of the first valid pixel, relative to the map's datum: sums that start from it lose no
 /// digits to an offset [m]. @throw Error when there is none

@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 
 #include <utility>
+#include <vector>
 
 namespace asperity {
 
@@ -65,7 +66,7 @@ void addRow(const RowSums& sums, double v, Matrix6& normal, Vector6& right) {
 }  // namespace
 
 template <class Heights>
-QuadraticFit::QuadraticFit(const BasicHeightMap<Heights>& map)
+QuadraticFit::QuadraticFit(const BasicHeightMap<Heights>& map, Progress* progress)
     : middleColumn_(0.5 * (map.columns - 1))
     , middleRow_(0.5 * (map.rows - 1))
     , halfColumns_(0.5 * map.columns)
@@ -77,16 +78,18 @@ QuadraticFit::QuadraticFit(const BasicHeightMap<Heights>& map)
     origin_ = firstHeight(map);
     Matrix6 normal = Matrix6::Zero();
     Vector6 right = Vector6::Zero();
+    const std::vector<RowSums> rows = ofEachRow(map.rows, progress, [&](int row) {
+        return rowSums(map, row, origin_,
+                       [&](int column) { return (column - middleColumn_) / halfColumns_; });
+    });
     for (int row = 0; row < map.rows; ++row) {
-        const RowSums sums = rowSums(
-            map, row, origin_, [&](int column) { return (column - middleColumn_) / halfColumns_; });
-        addRow(sums, (middleRow_ - row) / halfRows_, normal, right);
+        addRow(rows[static_cast<std::size_t>(row)], (middleRow_ - row) / halfRows_, normal, right);
     }
     Vector6::Map(terms_.data()) =
         Eigen::CompleteOrthogonalDecomposition<Matrix6>(normal).solve(right);
 }
 
-template QuadraticFit::QuadraticFit(const BasicHeightMap<std::vector<double>>&);
-template QuadraticFit::QuadraticFit(const BasicHeightMap<PixelVector<float>>&);
+template QuadraticFit::QuadraticFit(const BasicHeightMap<std::vector<double>>&, Progress*);
+template QuadraticFit::QuadraticFit(const BasicHeightMap<PixelVector<float>>&, Progress*);
 
 }  // namespace asperity

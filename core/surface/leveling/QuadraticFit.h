@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/surface/HeightMap.h"
 
 #include <array>
@@ -10,9 +11,9 @@ namespace asperity {
 class QuadraticFit {
 public:
     /// The least-squares one of the valid pixels; where they do not determine it, the smallest.
-    /// @throw Error when the map is unusable or no pixel is valid
+    /// @throw Error when the map is unusable or no pixel is valid; Canceled
     template <class Heights>
-    explicit QuadraticFit(const BasicHeightMap<Heights>& map);
+    explicit QuadraticFit(const BasicHeightMap<Heights>& map, Progress* progress = nullptr);
 
     /// Height at the center of the pixel (row, column), row 0 at the top [m].
     [[nodiscard]] double at(int row, int column) const {

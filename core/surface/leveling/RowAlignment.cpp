@@ -78,25 +78,22 @@ void removeLine(RowShifts& shifts, const std::vector<int>& rows) {
 }  // namespace
 
 template <class Heights>
-RowShifts rowMedians(const BasicHeightMap<Heights>& map) {
-    RowShifts medians(static_cast<std::size_t>(map.rows), 0.0);
-    shareOut(map.rows, nullptr, [&](int row, const CancelCheck& /*check*/) {
-        medians[static_cast<std::size_t>(row)] =
-            medianAlong(map.columns, [&](int column) -> std::optional<double> {
-                return counts(map, row, column) ? std::optional(map.at(row, column)) : std::nullopt;
-            });
+RowShifts rowMedians(const BasicHeightMap<Heights>& map, Progress* progress) {
+    return ofEachRow(map.rows, progress, [&](int row) {
+        return medianAlong(map.columns, [&](int column) -> std::optional<double> {
+            return counts(map, row, column) ? std::optional(map.at(row, column)) : std::nullopt;
+        });
     });
-    return medians;
 }
 
 template <class Heights>
-RowShifts differenceShifts(const BasicHeightMap<Heights>& map) {
+RowShifts differenceShifts(const BasicHeightMap<Heights>& map, Progress* progress) {
     RowShifts shifts(static_cast<std::size_t>(map.rows), 0.0);
     const std::vector<int> rows = rowsWithData(map);
     if (rows.size() < 2) {
         return shifts;
     }
-    shareOut(static_cast<int>(rows.size()) - 1, nullptr, [&](int i, const CancelCheck& /*check*/) {
+    shareOut(static_cast<int>(rows.size()) - 1, progress, [&](int i, const CancelCheck& /*check*/) {
         const int above = rows[static_cast<std::size_t>(i)];
         const int row = rows[static_cast<std::size_t>(i) + 1];
         shifts[static_cast<std::size_t>(row)] =
@@ -113,15 +110,16 @@ RowShifts differenceShifts(const BasicHeightMap<Heights>& map) {
 }
 
 template <class Heights>
-RowShifts detrendedDifferenceShifts(const BasicHeightMap<Heights>& map) {
-    RowShifts shifts = differenceShifts(map);
+RowShifts detrendedDifferenceShifts(const BasicHeightMap<Heights>& map, Progress* progress) {
+    RowShifts shifts = differenceShifts(map, progress);
     removeLine(shifts, rowsWithData(map));
     return shifts;
 }
 
 template <class Heights>
-void subtractRows(BasicHeightMap<Heights>& map, const RowShifts& shifts) {
-    subtract(map, [&](int row, int) { return shifts[static_cast<std::size_t>(row)]; });
+void subtractRows(BasicHeightMap<Heights>& map, const RowShifts& shifts, Progress* progress) {
+    subtract(
+        map, [&](int row, int) { return shifts[static_cast<std::size_t>(row)]; }, progress);
 }
 
 template <class Heights>
@@ -137,10 +135,10 @@ double spreadOf(const RowShifts& shifts, const BasicHeightMap<Heights>& map) {
 }
 
 #define ASPERITY_ROW_ALIGNMENT(Heights)                                                            \
-    template RowShifts rowMedians(const BasicHeightMap<Heights>&);                                 \
-    template RowShifts differenceShifts(const BasicHeightMap<Heights>&);                           \
-    template RowShifts detrendedDifferenceShifts(const BasicHeightMap<Heights>&);                  \
-    template void subtractRows(BasicHeightMap<Heights>&, const RowShifts&);                        \
+    template RowShifts rowMedians(const BasicHeightMap<Heights>&, Progress*);                      \
+    template RowShifts differenceShifts(const BasicHeightMap<Heights>&, Progress*);                \
+    template RowShifts detrendedDifferenceShifts(const BasicHeightMap<Heights>&, Progress*);       \
+    template void subtractRows(BasicHeightMap<Heights>&, const RowShifts&, Progress*);             \
     template double spreadOf(const RowShifts&, const BasicHeightMap<Heights>&);
 ASPERITY_ROW_ALIGNMENT(std::vector<double>)
 ASPERITY_ROW_ALIGNMENT(PixelVector<float>)

@@ -4,31 +4,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace asperity {
 
 namespace {
 
-/// Root mean square of the differences between pixels above each other [m].
-template <class Heights>
-double verticalRms(const BasicHeightMap<Heights>& map) {
-    double square = 0.0;
+/// Over the pixels of a row with data.
+struct StepSums {
+    double square = 0.0;  ///< of the steps to the row below [m^2]
     double pixels = 0.0;
-    for (int row = 0; row < map.rows; ++row) {
-        for (int column = 0; column < map.columns; ++column) {
-            if (!counts(map, row, column)) {
-                continue;
-            }
-            pixels += 1.0;
-            if (row + 1 < map.rows && counts(map, row + 1, column)) {
-                const double step = map.at(row + 1, column) - map.at(row, column);
-                square += step * step;
-            }
+};
+
+template <class Heights>
+StepSums stepsBelow(const BasicHeightMap<Heights>& map, int row) {
+    StepSums sums;
+    for (int column = 0; column < map.columns; ++column) {
+        if (!counts(map, row, column)) {
+            continue;
+        }
+        sums.pixels += 1.0;
+        if (row + 1 < map.rows && counts(map, row + 1, column)) {
+            const double step = map.at(row + 1, column) - map.at(row, column);
+            sums.square += step * step;
         }
     }
-    return pixels > 0.0 ? std::sqrt(square / pixels) : 0.0;
+    return sums;
 }
+
+/// Root mean square of the differences between pixels above each other [m].
+template <class Heights>
+double verticalRms(const BasicHeightMap<Heights>& map, Progress* progress) {
+    StepSums all;
+    for (const StepSums& one :
+         ofEachRow(map.rows, progress, [&](int row) { return stepsBelow(map, row); })) {
+        all.square += one.square;
+        all.pixels += one.pixels;
+    }
+    return all.pixels > 0.0 ? std::sqrt(all.square / all.pixels) : 0.0;
+}
+
+/// Pixels of a row, from `begin` to before `end`: indices in the map.
+struct Segment {
+    std::ptrdiff_t begin = 0;
+    std::ptrdiff_t end = 0;
+};
 
 /// Finds scars of one sign, row by row.
 template <class Heights>
@@ -45,14 +68,17 @@ public:
         , strengths_(static_cast<std::size_t>(limits.maxWidth) + 1,
                      std::vector<double>(static_cast<std::size_t>(map.columns), 0.0)) {}
 
-    /// Adds the scars to the mask.
-    void run(PixelMask& scars) {
-        for (int row = 0; row + 2 < map_.rows; ++row) {
+    /// Adds the scars in the rows from `first` to before `last`; once for each object.
+    void run(int first, int last, std::vector<Segment>& scars) {
+        for (int row = std::max(0, first - limits_.maxWidth);
+             row + 1 < std::min(last, map_.rows - 1); ++row) {
             for (int column = 0; column < map_.columns; ++column) {
                 searchBelow(row, column);
             }
             std::vector<double>& below = strengthOf(row + 1);  // no later row adds to it
-            addSegments(below, row + 1, scars);
+            if (row + 1 >= first) {
+                addSegments(below, row + 1, scars);
+            }
             std::ranges::fill(below, 0.0);
         }
     }
@@ -97,7 +123,7 @@ private:
 
     /// Segments begin where a pixel stands out by the hard threshold and spread over neighbors that
     /// stand out by the soft one.
-    void addSegments(std::vector<double>& strengths, int row, PixelMask& scars) const {
+    void addSegments(std::vector<double>& strengths, int row, std::vector<Segment>& scars) const {
         for (std::size_t i = 1; i < strengths.size(); ++i) {
             spread(strengths[i - 1], strengths[i]);
         }
@@ -111,8 +137,8 @@ private:
             }
             if (i - begin >= static_cast<std::size_t>(limits_.minLength)) {
                 const auto start = static_cast<std::ptrdiff_t>(map_.index(row, 0));
-                std::fill(scars.begin() + start + static_cast<std::ptrdiff_t>(begin),
-                          scars.begin() + start + static_cast<std::ptrdiff_t>(i), true);
+                scars.push_back({start + static_cast<std::ptrdiff_t>(begin),
+                                 start + static_cast<std::ptrdiff_t>(i)});
             }
             begin = i + 1;
         }
@@ -131,6 +157,23 @@ private:
     /// Of the rows that the search still reaches, by row number: how far each pixel stands out.
     std::vector<std::vector<double>> strengths_;
 };
+
+/// Bands of rows are searched on all cores; each searches the few rows before it again.
+template <class Heights>
+std::vector<std::vector<Segment>> scarSegments(const BasicHeightMap<Heights>& map,
+                                               const ScarLimits& limits, double rms,
+                                               Progress* progress) {
+    constexpr int kRows = 64;  // of a band
+    const int bands = (map.rows + kRows - 1) / kRows;
+    return ofEachRow(bands, progress, [&](int band) {
+        std::vector<Segment> found;
+        for (const double sign : {1.0, -1.0}) {
+            ScarSearch<Heights>(map, limits, sign, rms)
+                .run(band * kRows, (band + 1) * kRows, found);
+        }
+        return found;
+    });
+}
 
 /// The nearest pixel from `row` on in this direction that holds data and is no scar; -1: none.
 template <class Heights>
@@ -162,45 +205,57 @@ double interpolated(const BasicHeightMap<Heights>& map, const PixelMask& scars, 
 }  // namespace
 
 template <class Heights>
-PixelMask scarsOf(const BasicHeightMap<Heights>& map, const ScarLimits& limits) {
+PixelMask scarsOf(const BasicHeightMap<Heights>& map, const ScarLimits& limits,
+                  Progress* progress) {
     requireUsable(map);
-    const double rms = verticalRms(map);
+    ProgressPart measuring(progress, 0.0, 0.2);
+    const double rms = verticalRms(map, &measuring);
     if (!(rms > 0.0)) {
         return {};
     }
-    PixelMask scars(map.heights.size(), false);
-    for (const double sign : {1.0, -1.0}) {
-        ScarSearch<Heights>(map, limits, sign, rms).run(scars);
+    ProgressPart searching(progress, 0.2, 1.0);
+    PixelMask scars;
+    for (const std::vector<Segment>& band : scarSegments(map, limits, rms, &searching)) {
+        for (const Segment& segment : band) {
+            scars.resize(map.heights.size(), false);
+            std::fill(scars.begin() + segment.begin, scars.begin() + segment.end, true);
+        }
     }
-    return std::ranges::find(scars, true) == scars.end() ? PixelMask() : scars;
+    return scars;
 }
 
 template <class Heights>
-std::size_t removeScars(BasicHeightMap<Heights>& map, const ScarLimits& limits) {
-    const PixelMask scars = scarsOf(map, limits);
+std::size_t removeScars(BasicHeightMap<Heights>& map, const ScarLimits& limits,
+                        Progress* progress) {
+    using Height = typename Heights::value_type;
+    ProgressPart searching(progress, 0.0, 0.9);
+    PixelMask scars = scarsOf(map, limits, &searching);
     if (scars.empty()) {
         return 0;
     }
-    std::size_t removed = 0;
-    PixelMask invalid = map.invalid.empty() ? PixelMask(scars.size(), false) : map.invalid;
-    for (int row = 0; row < map.rows; ++row) {
+    ProgressPart filling(progress, 0.9, 1.0);
+    shareOut(map.rows, &filling, [&](int row, const CancelCheck& /*check*/) {
         for (int column = 0; column < map.columns; ++column) {
             const std::size_t pixel = map.index(row, column);
             if (scars[pixel]) {
-                using Height = typename Heights::value_type;
                 map.heights[pixel] = static_cast<Height>(interpolated(map, scars, row, column));
-                invalid[pixel] = true;
-                ++removed;
             }
         }
+    });
+    const auto removed = static_cast<std::size_t>(std::ranges::count(scars, true));
+    if (!map.invalid.empty()) {
+        std::transform(scars.begin(), scars.end(), map.invalid.begin(), scars.begin(),
+                       std::logical_or());
     }
-    map.invalid = std::move(invalid);
+    map.invalid = std::move(scars);
     return removed;
 }
 
-template PixelMask scarsOf(const BasicHeightMap<std::vector<double>>&, const ScarLimits&);
-template PixelMask scarsOf(const BasicHeightMap<PixelVector<float>>&, const ScarLimits&);
-template std::size_t removeScars(BasicHeightMap<std::vector<double>>&, const ScarLimits&);
-template std::size_t removeScars(BasicHeightMap<PixelVector<float>>&, const ScarLimits&);
+#define ASPERITY_SCAR_REMOVAL(Heights)                                                             \
+    template PixelMask scarsOf(const BasicHeightMap<Heights>&, const ScarLimits&, Progress*);      \
+    template std::size_t removeScars(BasicHeightMap<Heights>&, const ScarLimits&, Progress*);
+ASPERITY_SCAR_REMOVAL(std::vector<double>)
+ASPERITY_SCAR_REMOVAL(PixelVector<float>)
+#undef ASPERITY_SCAR_REMOVAL
 
 }  // namespace asperity

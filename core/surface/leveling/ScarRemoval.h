@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Progress.h"
 #include "core/surface/HeightMap.h"
 
 #include <cstddef>
@@ -18,14 +19,16 @@ struct ScarLimits {
 /// The scars of a map: pixels of at most `maxWidth` rows that all stand out, up or down, from the
 /// rows on both sides, in segments of at least `minLength`. Pixels without data take part in none.
 /// Empty where there is none.
-/// @throw Error when the map is unusable
+/// @throw Error when the map is unusable; Canceled
 template <class Heights>
-[[nodiscard]] PixelMask scarsOf(const BasicHeightMap<Heights>& map, const ScarLimits& limits = {});
+[[nodiscard]] PixelMask scarsOf(const BasicHeightMap<Heights>& map, const ScarLimits& limits = {},
+                                Progress* progress = nullptr);
 
 /// Interpolates the scars linearly between the nearest good pixels above and below, and marks them
 /// as holding no data: pictures hatch them, contact there is flagged.
-/// @return how many pixels
+/// @return how many pixels @throw as scarsOf(); Canceled with some of them done
 template <class Heights>
-std::size_t removeScars(BasicHeightMap<Heights>& map, const ScarLimits& limits = {});
+std::size_t removeScars(BasicHeightMap<Heights>& map, const ScarLimits& limits = {},
+                        Progress* progress = nullptr);
 
 }  // namespace asperity

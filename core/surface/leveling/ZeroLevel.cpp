@@ -8,20 +8,21 @@
 namespace asperity {
 
 template <class Heights>
-double lowestHeight(const BasicHeightMap<Heights>& map) {
+double lowestHeight(const BasicHeightMap<Heights>& map, Progress* progress) {
     requireUsable(map);
-    double lowest = firstHeight(map);
-    for (int row = 0; row < map.rows; ++row) {
+    const double first = firstHeight(map);
+    return std::ranges::min(ofEachRow(map.rows, progress, [&](int row) {
+        double lowest = first;
         for (int column = 0; column < map.columns; ++column) {
             if (counts(map, row, column)) {
                 lowest = std::min(lowest, map.at(row, column));
             }
         }
-    }
-    return lowest;
+        return lowest;
+    }));
 }
 
-template double lowestHeight(const BasicHeightMap<std::vector<double>>&);
-template double lowestHeight(const BasicHeightMap<PixelVector<float>>&);
+template double lowestHeight(const BasicHeightMap<std::vector<double>>&, Progress*);
+template double lowestHeight(const BasicHeightMap<PixelVector<float>>&, Progress*);
 
 }  // namespace asperity

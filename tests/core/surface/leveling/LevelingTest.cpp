@@ -187,5 +187,30 @@ TEST(Leveling, ReportsProgressAndCanBeCanceled) {
                  Canceled);
 }
 
+/// Canceled as soon as a step is on its way.
+class CanceledWithin : public Progress {
+public:
+    void report(double fraction) override {
+        isWithin_ = isWithin_ || (fraction > 0.0 && fraction < 1.0);
+    }
+    [[nodiscard]] bool isCanceled() const override { return isWithin_; }
+
+private:
+    bool isWithin_ = false;
+};
+
+/// Not only between steps: one may take seconds on a large scan.
+TEST(Leveling, EachStepReportsWithinAndCanBeCanceledThere) {
+    const HeightMap map =
+        flatMap({.columns = 40, .rows = 400, .sizeX = 40.0_nm, .sizeY = 400.0_nm});
+    const HeightMap steps = withPlane(map, 0.0, 0.02, 0.5);
+    const LevelPoints points{Vector2(1.0_nm, 1.0_nm), Vector2(30.0_nm, 2.0_nm),
+                             Vector2(2.0_nm, 300.0_nm)};
+    for (const auto& step : kEnumTable<LevelingStep>) {
+        CanceledWithin progress;
+        EXPECT_THROW((void)leveled(steps, {step.value}, points, &progress), Canceled) << step.name;
+    }
+}
+
 }  // namespace
 }  // namespace asperity
