@@ -56,23 +56,23 @@ ProfileControl::ProfileControl(MainWindow& window, RunControl& runs)
     window.addTool(page_, tr("Profile"));
     bindTool(window.overview().map(), line_, *page_, &ProfilePage::drawingChosen,
              &ProfilePage::setDrawing);
-    connect(&line_, &LineTool::lineDrawn, this, &ProfileControl::refresh);
+    connect(&line_, &LineTool::drawn, this, &ProfileControl::refresh);
     connect(page_, &ProfilePage::widthChosen, this, &ProfileControl::refresh);
     connect(page_, &ProfilePage::removeChosen, this, &ProfileControl::forget);
     connect(page_, &ProfilePage::stopsChanged, &line_, [this] { line_.setStops(page_->stops()); });
 }
 
 void ProfileControl::forget() {
-    line_.setLine(std::nullopt);
+    line_.clear();
     refresh();
 }
 
 /// Some milliseconds at most: a line has a few thousand samples.
 void ProfileControl::refresh() {
-    const bool has = line_.line() && runs_.run() != nullptr;
-    page_->setProfile(has ? std::optional(meanProfile(runs_.run()->scene().surface, *line_.line(),
-                                                      page_->width()))
-                          : std::nullopt);
+    const bool has = !line_.isEmpty() && runs_.run() != nullptr;
+    page_->setProfile(
+        has ? std::optional(meanProfile(runs_.run()->scene().surface, line_.line(), page_->width()))
+            : std::nullopt);
 }
 
 }  // namespace asperity

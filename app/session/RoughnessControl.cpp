@@ -35,7 +35,7 @@ RoughnessControl::RoughnessControl(MainWindow& window, RunControl& runs)
     window.addTool(page_, tr("Roughness"));
     bindTool(window.overview().map(), rectangle_, *page_, &RoughnessPage::drawingChosen,
              &RoughnessPage::setDrawing);
-    connect(&rectangle_, &RectangleTool::rectangleDrawn, this, &RoughnessControl::refresh);
+    connect(&rectangle_, &RectangleTool::drawn, this, &RoughnessControl::refresh);
     connect(page_, &RoughnessPage::wholeChosen, this, &RoughnessControl::forget);
     connect(page_, &RoughnessPage::shown, this, [this] {
         if (due_) {
@@ -45,7 +45,7 @@ RoughnessControl::RoughnessControl(MainWindow& window, RunControl& runs)
 }
 
 void RoughnessControl::forget() {
-    rectangle_.setRectangle({});
+    rectangle_.clear();
     refresh();
 }
 
@@ -68,7 +68,7 @@ RoughnessControl::Result RoughnessControl::compute(const Scene& scene, const QRe
 }
 
 void RoughnessControl::refresh() {
-    page_->setRectangle(!rectangle_.rectangle().isEmpty());
+    page_->setRectangle(!rectangle_.isEmpty());
     work_.cancel();
     due_ = !page_->isVisible();
     if (runs_.run() == nullptr) {

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kReach = 8.0;      ///< of the pointer to an end [px]
 constexpr double kNear = 5.0;       ///< of the pointer to the line [px]
-constexpr double kMinDrag = 4.0;    ///< a shorter one is a click [px]
 constexpr double kHandle = 4.0;     ///< radius of an end [px]
 constexpr double kStop = 5.0;       ///< half a cursor's bar [px]
 constexpr double kLineWidth = 1.8;  ///< [px]
@@ -31,33 +30,7 @@ double distanceTo(const QLineF& line, const QPointF& point) {
     return QLineF(line.pointAt(share), point).length();
 }
 
-/// Beside or above the other end, whichever is nearer.
-QPointF straightened(const QPointF& moving, const QPointF& fixed) {
-    const QPointF way = moving - fixed;
-    return std::abs(way.x()) >= std::abs(way.y()) ? QPointF(moving.x(), fixed.y())
-                                                  : QPointF(fixed.x(), moving.y());
-}
-
-QPointF endPlace(const MapPointer& pointer, const QPointF& fixed, const OverviewMap& map) {
-    const QPointF place = map.onScan(pointer.place);
-    return pointer.modifiers.testFlag(Qt::ShiftModifier) ? straightened(place, fixed) : place;
-}
-
-/// Moved as far as both ends stay on the scan.
-QLineF moved(const QLineF& line, const QPointF& way, const QSizeF& scan) {
-    const auto room = [](double one, double other, double size, double wish) {
-        return std::clamp(wish, -std::min(one, other), size - std::max(one, other));
-    };
-    return line.translated(room(line.x1(), line.x2(), scan.width(), way.x()),
-                           room(line.y1(), line.y2(), scan.height(), way.y()));
-}
-
 }  // namespace
-
-void LineTool::setLine(const std::optional<QLineF>& line) {
-    line_ = line;
-    Q_EMIT marksChanged();
-}
 
 void LineTool::setStops(const QVector<double>& shares) {
     stops_ = shares;
@@ -65,10 +38,10 @@ void LineTool::setStops(const QVector<double>& shares) {
 }
 
 void LineTool::paint(QPainter& painter, const OverviewMap& map) const {
-    if (!line_) {
+    if (isEmpty()) {
         return;
     }
-    const QLineF drawn(map.toPixel(line_->p1()), map.toPixel(line_->p2()));
+    const QLineF drawn = pixels(map);
     QPainterPath path;
     path.moveTo(drawn.p1());
     path.lineTo(drawn.p2());
@@ -88,69 +61,27 @@ void LineTool::paint(QPainter& painter, const OverviewMap& map) const {
     painter.drawEllipse(drawn.p2(), kHandle, kHandle);
 }
 
-LineTool::Grip LineTool::gripAt(const MapPointer& pointer, const OverviewMap& map) const {
-    if (!line_) {
-        return Grip::New;
-    }
-    const QLineF drawn(map.toPixel(line_->p1()), map.toPixel(line_->p2()));
-    const double toFirst = QLineF(drawn.p1(), pointer.pixel).length();
-    const double toSecond = QLineF(drawn.p2(), pointer.pixel).length();
+bool LineTool::isEmptyShape(const QLineF& points) const { return !(points.length() > 0.0); }
+
+LineTool::Grip LineTool::gripAt(const QPointF& pixel, const OverviewMap& map) const {
+    const QLineF drawn = pixels(map);
+    const double toFirst = QLineF(drawn.p1(), pixel).length();
+    const double toSecond = QLineF(drawn.p2(), pixel).length();
     if (std::min(toFirst, toSecond) <= kReach) {
-        return toFirst < toSecond ? Grip::First : Grip::Second;
+        return toFirst < toSecond ? Grip{-1, -1} : Grip{1, 1};
     }
-    return distanceTo(drawn, pointer.pixel) <= kNear ? Grip::Whole : Grip::New;
+    return distanceTo(drawn, pixel) <= kNear ? kWhole : kAnew;
 }
 
-void LineTool::press(const MapPointer& pointer, const OverviewMap& map) {
-    grip_ = gripAt(pointer, map);
-    pressedPixel_ = pointer.pixel;
-    pressed_ = map.onScan(pointer.place);
-    before_ = line_.value_or(QLineF());
+/// Beside or above the other end, whichever is nearer.
+QPointF LineTool::held(const QPointF& moving, const QPointF& fixed) const {
+    const QPointF way = moving - fixed;
+    return std::abs(way.x()) >= std::abs(way.y()) ? QPointF(moving.x(), fixed.y())
+                                                  : QPointF(fixed.x(), moving.y());
 }
 
-void LineTool::drag(const MapPointer& pointer, const OverviewMap& map) {
-    switch (grip_) {
-    case Grip::Nothing:
-        return;
-    case Grip::New:
-        if (QLineF(pressedPixel_, pointer.pixel).length() >= kMinDrag) {
-            show({pressed_, endPlace(pointer, pressed_, map)});
-        }
-        return;
-    case Grip::First:
-        show({endPlace(pointer, before_.p2(), map), before_.p2()});
-        return;
-    case Grip::Second:
-        show({before_.p1(), endPlace(pointer, before_.p1(), map)});
-        return;
-    case Grip::Whole:
-        show(moved(before_, pointer.place - pressed_, map.scanSize()));
-        return;
-    }
-}
-
-void LineTool::release(const MapPointer& pointer, const OverviewMap& map) {
-    drag(pointer, map);
-    grip_ = Grip::Nothing;
-}
-
-void LineTool::show(const QLineF& line) {
-    if (line.length() > 0.0 && (!line_ || *line_ != line)) {
-        setLine(line);
-        Q_EMIT lineDrawn(line);
-    }
-}
-
-Qt::CursorShape LineTool::cursor(const MapPointer& pointer, const OverviewMap& map) const {
-    switch (gripAt(pointer, map)) {
-    case Grip::First:
-    case Grip::Second:
-        return Qt::PointingHandCursor;
-    case Grip::Whole:
-        return Qt::SizeAllCursor;
-    default:
-        return Qt::CrossCursor;
-    }
+Qt::CursorShape LineTool::handleCursor(const Grip& /*grip*/) const {
+    return Qt::PointingHandCursor;
 }
 
 QString LineTool::hint() const {

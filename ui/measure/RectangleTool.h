@@ -1,56 +1,29 @@
 #pragma once
 
-#include "ui/panels/MapTool.h"
+#include "ui/measure/ShapeTool.h"
 
 #include <QRectF>
 
 namespace asperity {
 
-/// A rectangle on the whole scan, drawn by dragging; its corners and sides can be dragged, and its
-/// inside moves it whole. Shift makes it a square. It stays on the scan. As world x, y [m] its
-/// top() is the smallest y.
-class RectangleTool : public MapTool {
+/// A rectangle on the whole scan; its handles are its corners and sides. Shift makes it a square.
+class RectangleTool : public ShapeTool {
     Q_OBJECT
 
 public:
-    using MapTool::MapTool;
+    using ShapeTool::ShapeTool;
 
-    /// Empty: nothing is drawn.
-    void setRectangle(const QRectF& rectangle);
-    [[nodiscard]] const QRectF& rectangle() const { return rectangle_; }
+    /// World x, y [m]: its top() is the smallest y. Empty: nothing is drawn.
+    [[nodiscard]] QRectF rectangle() const;
 
     void paint(QPainter& painter, const OverviewMap& map) const override;
-    void press(const MapPointer& pointer, const OverviewMap& map) override;
-    void drag(const MapPointer& pointer, const OverviewMap& map) override;
-    void release(const MapPointer& pointer, const OverviewMap& map) override;
-    [[nodiscard]] Qt::CursorShape cursor(const MapPointer& pointer,
-                                         const OverviewMap& map) const override;
     [[nodiscard]] QString hint() const override;
 
-Q_SIGNALS:
-    /// The user draws or moves it [m].
-    void rectangleDrawn(QRectF rectangle);
-
 private:
-    /// Which sides a drag moves; -1 and 1: the lower and the upper one, 2: both, 0: none.
-    struct Grip {
-        int x = 0;
-        int y = 0;
-        bool anew = false;
-
-        [[nodiscard]] bool moves() const { return x == 2 && y == 2; }
-    };
-
-    [[nodiscard]] Grip gripAt(const MapPointer& pointer, const OverviewMap& map) const;
-    [[nodiscard]] QRectF moved(const QPointF& way, const QSizeF& scan) const;
-    [[nodiscard]] QRectF resized(const MapPointer& pointer, const OverviewMap& map) const;
-
-    QRectF rectangle_;
-    Grip grip_;
-    bool pressedDown_ = false;
-    QPointF pressedPixel_;
-    QPointF pressed_;  ///< place [m]
-    QRectF before_;    ///< the rectangle when the button went down
+    [[nodiscard]] bool isEmptyShape(const QLineF& points) const override;
+    [[nodiscard]] Grip gripAt(const QPointF& pixel, const OverviewMap& map) const override;
+    [[nodiscard]] QPointF held(const QPointF& moving, const QPointF& fixed) const override;
+    [[nodiscard]] Qt::CursorShape handleCursor(const Grip& grip) const override;
 };
 
 }  // namespace asperity

@@ -42,4 +42,32 @@ struct MapFixture : ::testing::Test {
     OverviewMap map;
 };
 
+/// With a shape that is drawn there.
+template <class Tool>
+struct ShapeFixture : MapFixture {
+    ShapeFixture() { use(tool); }
+
+    /// @param from,to of the shape [m]; the rest in nm
+    static void expectPoints(const QPointF& from, const QPointF& to, double x1, double y1,
+                             double x2, double y2) {
+        EXPECT_NEAR(from.x(), 1e-9 * x1, kNear);
+        EXPECT_NEAR(from.y(), 1e-9 * y1, kNear);
+        EXPECT_NEAR(to.x(), 1e-9 * x2, kNear);
+        EXPECT_NEAR(to.y(), 1e-9 * y2, kNear);
+    }
+    void expectAClickKeepsIt() {
+        QSignalSpy drawn(&tool, &Tool::drawn);
+        drag(50, 50, 50, 50);
+        EXPECT_TRUE(tool.isEmpty());
+        drag(20, 30, 100, 90);
+        EXPECT_FALSE(tool.isEmpty());
+        const auto before = drawn.count();
+        EXPECT_GE(before, 1);
+        drag(110, 20, 110, 20);
+        EXPECT_EQ(drawn.count(), before);
+    }
+
+    Tool tool;
+};
+
 }  // namespace asperity::test

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "ui/panels/MapTool.h"
+
+#include <QLineF>
+#include <QSizeF>
+
+namespace asperity {
+
+/// A shape between two points of the whole scan, drawn by dragging; its handles can be dragged, and
+/// the rest of it moves it whole. It stays on the scan.
+class ShapeTool : public MapTool {
+    Q_OBJECT
+
+public:
+    using MapTool::MapTool;
+
+    /// Nothing is drawn.
+    void clear();
+    [[nodiscard]] bool isEmpty() const { return isEmptyShape(points_); }
+
+    void press(const MapPointer& pointer, const OverviewMap& map) override;
+    void drag(const MapPointer& pointer, const OverviewMap& map) override;
+    void release(const MapPointer& pointer, const OverviewMap& map) override;
+    [[nodiscard]] Qt::CursorShape cursor(const MapPointer& pointer,
+                                         const OverviewMap& map) const override;
+
+Q_SIGNALS:
+    /// The user draws or moves it.
+    void drawn();
+
+protected:
+    /// Which coordinates a drag moves; -1 and 1: the first and the second point's, 2: both, 0:
+    /// none.
+    struct Grip {
+        int x = 0;
+        int y = 0;
+        bool anew = false;
+
+        [[nodiscard]] bool moves() const { return x == 2 && y == 2; }
+        [[nodiscard]] bool isCorner() const { return x != 0 && y != 0; }
+    };
+    static constexpr Grip kWhole{2, 2, false};
+    static constexpr Grip kAnew{1, 1, true};
+
+    /// World [m], in the order in which they were drawn.
+    [[nodiscard]] const QLineF& points() const { return points_; }
+    [[nodiscard]] QLineF pixels(const OverviewMap& map) const;
+
+    [[nodiscard]] virtual bool isEmptyShape(const QLineF& points) const = 0;
+    /// Of a shape that is not empty.
+    [[nodiscard]] virtual Grip gripAt(const QPointF& pixel, const OverviewMap& map) const = 0;
+    /// Where Shift holds a point that moves.
+    [[nodiscard]] virtual QPointF held(const QPointF& moving, const QPointF& fixed) const = 0;
+    /// Over a handle.
+    [[nodiscard]] virtual Qt::CursorShape handleCursor(const Grip& grip) const = 0;
+
+private:
+    [[nodiscard]] Grip gripOf(const MapPointer& pointer, const OverviewMap& map) const;
+    [[nodiscard]] QLineF moved(const QPointF& way, const QSizeF& scan) const;
+    [[nodiscard]] QLineF resized(const MapPointer& pointer, const OverviewMap& map) const;
+    void setPoints(const QLineF& points);
+
+    QLineF points_;
+    Grip grip_;
+    bool pressedDown_ = false;
+    QPointF pressedPixel_;
+    QPointF pressed_;  ///< place [m]
+    QLineF before_;    ///< the points when the button went down
+};
+
+}  // namespace asperity
