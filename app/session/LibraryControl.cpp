@@ -32,14 +32,14 @@ QString withoutEdited(QString name) {
 }  // namespace
 
 LibraryControl::LibraryControl(MainWindow& window, RunControl& runs, SceneEdits& edits,
-                               LibraryBar& bar, const std::string& folder, QString noun)
+                               LibraryBar& bar, LibraryKind kind)
     : window_(window)
     , runs_(runs)
     , edits_(edits)
     , bar_(bar)
-    , library_(folder)
-    , noun_(std::move(noun)) {
-    library_.setFolder(ownFolder(folder));
+    , kind_(std::move(kind))
+    , library_(kind_.folder) {
+    library_.setFolder(ownFolder(kind_.folder));
     connect(&bar, &LibraryBar::chosen, this, &LibraryControl::choose);
     connect(&bar, &LibraryBar::saveRequested, this, &LibraryControl::save);
     connect(&bar, &LibraryBar::renameRequested, this, &LibraryControl::rename);
@@ -63,9 +63,9 @@ void LibraryControl::readAll() {
 
 void LibraryControl::add(const UserLibrary::Entry& entry) {
     try {
-        const SceneDescription scene = read(entry.file);
+        const SceneDescription scene = kind_.read(entry.file);
         checkScene(scene);
-        const QString name = nameOf(scene, entry.file);
+        const QString name = kind_.nameOf(scene, entry.file);
         items_.push_back(
             {.entry = entry,
              .scene = scene,
@@ -79,7 +79,8 @@ void LibraryControl::add(const UserLibrary::Entry& entry) {
 void LibraryControl::choose(int index) {
     if (const SceneDescription* const now = edits_.wanted()) {
         const Item& item = items_.at(static_cast<std::size_t>(index));
-        edits_.change(QStringLiteral("%1: %2").arg(noun_, item.name), with(*now, item.scene));
+        edits_.change(QStringLiteral("%1: %2").arg(kind_.noun, item.name),
+                      kind_.with(*now, item.scene));
     }
 }
 
@@ -87,14 +88,14 @@ std::optional<std::size_t> LibraryControl::present() const {
     const SceneDescription* const scene = edits_.wanted();
     const auto found =
         scene == nullptr ? items_.end() : std::ranges::find_if(items_, [&](const Item& item) {
-            return isSame(item.scene, *scene);
+            return kind_.isSame(item.scene, *scene);
         });
     return found == items_.end() ? std::nullopt
                                  : std::optional(static_cast<std::size_t>(found - items_.begin()));
 }
 
 void LibraryControl::listUnsaved(const SceneDescription& scene) {
-    const QString name = nameOf(scene, {});
+    const QString name = kind_.nameOf(scene, {});
     std::erase_if(items_,
                   [&](const Item& item) { return item.entry.file.empty() && item.name == name; });
     items_.push_back({.entry = {}, .scene = scene, .name = name, .notes = {}});
@@ -118,19 +119,20 @@ void LibraryControl::show() {
     bar_.setEntries(names, notes);
     bar_.setCurrent(static_cast<int>(index));
     bar_.setOwn(items_[index].entry.own);
-    listed(names, static_cast<int>(index));
+    Q_EMIT listed(names, static_cast<int>(index));
 }
 
 /// Those of the file that the scene has it from, as far as the name tells.
 std::string LibraryControl::notesOf(const SceneDescription& scene) const {
-    const QString name = withoutEdited(nameOf(scene, {}));
-    const auto origin = std::ranges::find_if(
-        items_, [&](const Item& item) { return isSame(item.scene, scene) || item.name == name; });
+    const QString name = withoutEdited(kind_.nameOf(scene, {}));
+    const auto origin = std::ranges::find_if(items_, [&](const Item& item) {
+        return kind_.isSame(item.scene, scene) || item.name == name;
+    });
     if (origin == items_.end() || origin->notes.isEmpty()) {
         return {};
     }
     const std::string notes = origin->notes.toStdString();
-    return isSame(origin->scene, scene)
+    return kind_.isSame(origin->scene, scene)
                ? notes
                : "Changed from " + origin->name.toStdString() + ": " + notes;
 }
@@ -140,22 +142,24 @@ bool LibraryControl::saveAs(const QString& name) {
     if (now == nullptr) {
         return false;
     }
-    const SceneDescription saved = renamed(*now, name.trimmed().toStdString());
+    const SceneDescription saved = kind_.renamed(*now, name.trimmed().toStdString());
     try {
-        library_.save(name.trimmed().toStdString(), textOf(saved, notesOf(*now)));
+        library_.save(name.trimmed().toStdString(), kind_.textOf(saved, notesOf(*now)));
     } catch (const Error& error) {
         window_.complain(QString::fromUtf8(error.what()));
         return false;
     }
-    edits_.change(QStringLiteral("%1: %2").arg(noun_, name.trimmed()), with(*now, saved));
+    edits_.change(QStringLiteral("%1: %2").arg(kind_.noun, name.trimmed()),
+                  kind_.with(*now, saved));
     readAll();
     return true;
 }
 
 void LibraryControl::save() {
     if (const SceneDescription* const now = edits_.wanted()) {
-        askForName(&window_, tr("%1 of your own").arg(noun_), tr("Name, as lists are to show it:"),
-                   withoutEdited(nameOf(*now, {})), [this](const QString& name) {
+        askForName(&window_, tr("%1 of your own").arg(kind_.noun),
+                   tr("Name, as lists are to show it:"), withoutEdited(kind_.nameOf(*now, {})),
+                   [this](const QString& name) {
                        if (saveAs(name)) {
                            window_.tell(tr("Saved: %1").arg(name));
                        }
@@ -169,8 +173,8 @@ void LibraryControl::rename() {
         return;
     }
     const Item item = items_[*index];
-    askForName(&window_, tr("Rename"), tr("Another name:"), nameOf(item.scene, item.entry.file),
-               [this, item](const QString& name) {
+    askForName(&window_, tr("Rename"), tr("Another name:"),
+               kind_.nameOf(item.scene, item.entry.file), [this, item](const QString& name) {
                    const bool isOther =
                        fileNameFor(name.trimmed().toStdString()) != item.entry.file.stem();
                    if (saveAs(name) && isOther) {

@@ -4,6 +4,7 @@
 #include "app/session/RunControl.h"
 #include "app/session/SceneEdits.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +13,25 @@ namespace asperity {
 
 class LibraryBar;
 
-/// What scenes take from files of a library: materials, probes. Chooses, saves, renames and deletes
-/// them as a bar of the window asks for it.
+/// What scenes take from the files of a library.
+struct LibraryKind {
+    std::string folder;  ///< "materials"; of the program's data and of the user's
+    QString noun;        ///< "Material"
+    /// Puts what a file says into a scene of defaults. @throw InputError
+    std::function<SceneDescription(const std::filesystem::path& file)> read;
+    std::function<QString(const SceneDescription& scene, const std::filesystem::path& file)> nameOf;
+    std::function<bool(const SceneDescription& a, const SceneDescription& b)> isSame;
+    /// `scene` with what the list calls `item`.
+    std::function<SceneDescription(const SceneDescription& scene, const SceneDescription& item)>
+        with;
+    /// What a scene has, under another name.
+    std::function<SceneDescription(const SceneDescription& scene, const std::string& name)> renamed;
+    /// The text of a file.
+    std::function<std::string(const SceneDescription& scene, const std::string& notes)> textOf;
+};
+
+/// Materials or probes. Chooses, saves, renames and deletes them as a bar of the window asks for
+/// it.
 class LibraryControl : public QObject {
     Q_OBJECT
 
@@ -21,10 +39,13 @@ public:
     /// Where a user's own are, in place of the platform's folder.
     void setFolder(const std::filesystem::path& folder);
 
+Q_SIGNALS:
+    /// The list is another, or another one of it is the scene's.
+    void listed(QStringList names, int present);
+
 protected:
-    /// @param folder "materials"; of the program's data and of the user's @param noun "Material"
     LibraryControl(MainWindow& window, RunControl& runs, SceneEdits& edits, LibraryBar& bar,
-                   const std::string& folder, QString noun);
+                   LibraryKind kind);
 
     /// One of the list, in a scene of defaults.
     struct Item {
@@ -33,24 +54,6 @@ protected:
         QString name;  ///< for people
         QString notes;
     };
-
-    /// Puts what a file says into a scene. @throw InputError
-    [[nodiscard]] virtual SceneDescription read(const std::filesystem::path& file) const = 0;
-    [[nodiscard]] virtual QString nameOf(const SceneDescription& scene,
-                                         const std::filesystem::path& file) const = 0;
-    [[nodiscard]] virtual bool isSame(const SceneDescription& a,
-                                      const SceneDescription& b) const = 0;
-    /// `scene` with what the list calls `item`.
-    [[nodiscard]] virtual SceneDescription with(const SceneDescription& scene,
-                                                const SceneDescription& item) const = 0;
-    /// What a scene has, under another name.
-    [[nodiscard]] virtual SceneDescription renamed(SceneDescription scene,
-                                                   const std::string& name) const = 0;
-    /// The text of a file.
-    [[nodiscard]] virtual std::string textOf(const SceneDescription& scene,
-                                             const std::string& notes) const = 0;
-    /// The list is another, or another one of it is the scene's.
-    virtual void listed(const QStringList& /*names*/, int /*present*/) {}
 
     void readAll();
     void choose(int index);
@@ -74,8 +77,8 @@ private:
     RunControl& runs_;
     SceneEdits& edits_;
     LibraryBar& bar_;
+    LibraryKind kind_;
     UserLibrary library_;
-    QString noun_;
     std::vector<Item> items_;
 };
 

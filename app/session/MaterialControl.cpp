@@ -7,45 +7,46 @@
 
 namespace asperity {
 
+namespace {
+
+LibraryKind materialKind() {
+    using Scene = SceneDescription;
+    return {
+        .folder = "materials",
+        .noun = LibraryControl::tr("Material"),
+        .read =
+            [](const auto& file) { return withMaterial(defaultScene(), readMaterialFile(file)); },
+        .nameOf =
+            [](const Scene& scene, const auto& /*file*/) {
+                return QString::fromStdString(scene.sample.material.name).replace('_', ' ');
+            },
+        .isSame = [](const Scene& a,
+                     const Scene& b) { return a.sample.material == b.sample.material; },
+        .with = [](const Scene& scene,
+                   const Scene& item) { return withMaterial(scene, item.sample.material); },
+        .renamed =
+            [](const Scene& scene, const std::string& name) {
+                SampleMaterial material = scene.sample.material;
+                material.name = name;
+                return withMaterial(scene, material);
+            },
+        .textOf =
+            [](const Scene& scene, const std::string& notes) {
+                return materialText(scene.sample.material, notes);
+            }};
+}
+
+}  // namespace
+
 MaterialControl::MaterialControl(MainWindow& window, RunControl& runs, SceneEdits& edits)
-    : LibraryControl(window, runs, edits, window.scenePanel().materials(), "materials",
-                     tr("Material"))
-    , shown_(window) {
-    connect(&window.controls(), &ControlBar::materialChosen, this, &MaterialControl::choose);
+    : LibraryControl(window, runs, edits, window.scenePanel().materials(), materialKind()) {
+    ControlBar& bar = window.controls();
+    connect(&bar, &ControlBar::materialChosen, this, &MaterialControl::choose);
+    connect(this, &MaterialControl::listed, &bar, [&bar](const QStringList& names, int present) {
+        bar.setMaterials(names);
+        bar.setMaterial(present);
+    });
     readAll();
-}
-
-SceneDescription MaterialControl::read(const std::filesystem::path& file) const {
-    return withMaterial(defaultScene(), readMaterialFile(file));
-}
-
-QString MaterialControl::nameOf(const SceneDescription& scene,
-                                const std::filesystem::path& /*file*/) const {
-    return QString::fromStdString(scene.sample.material.name).replace('_', ' ');
-}
-
-bool MaterialControl::isSame(const SceneDescription& a, const SceneDescription& b) const {
-    return a.sample.material == b.sample.material;
-}
-
-SceneDescription MaterialControl::with(const SceneDescription& scene,
-                                       const SceneDescription& item) const {
-    return withMaterial(scene, item.sample.material);
-}
-
-SceneDescription MaterialControl::renamed(SceneDescription scene, const std::string& name) const {
-    SampleMaterial material = scene.sample.material;
-    material.name = name;
-    return withMaterial(std::move(scene), material);
-}
-
-std::string MaterialControl::textOf(const SceneDescription& scene, const std::string& notes) const {
-    return materialText(scene.sample.material, notes);
-}
-
-void MaterialControl::listed(const QStringList& names, int present) {
-    shown_.controls().setMaterials(names);
-    shown_.controls().setMaterial(present);
 }
 
 }  // namespace asperity

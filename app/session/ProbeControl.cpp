@@ -17,39 +17,36 @@ SceneDescription withProbe(SceneDescription scene, const ProbeDescription& probe
     return scene;
 }
 
+/// A probe says no name.
+LibraryKind probeKind() {
+    using Scene = SceneDescription;
+    return {.folder = "probes",
+            .noun = LibraryControl::tr("Probe"),
+            .read = [](const auto& file) { return withProbe(defaultScene(), readProbe(file)); },
+            .nameOf =
+                [](const Scene& /*scene*/, const auto& file) {
+                    return file.empty()
+                               ? LibraryControl::tr("of this scene")
+                               : QString::fromStdString(file.stem().string()).replace('_', ' ');
+                },
+            .isSame = [](const Scene& a,
+                         const Scene& b) { return a.probe == b.probe && a.detector == b.detector; },
+            .with =
+                [](const Scene& scene, const Scene& item) {
+                    return withProbe(scene, {item.probe, item.detector});
+                },
+            .renamed = [](const Scene& scene, const std::string& /*name*/) { return scene; },
+            .textOf =
+                [](const Scene& scene, const std::string& notes) {
+                    return probeText({scene.probe, scene.detector}, notes);
+                }};
+}
+
 }  // namespace
 
 ProbeControl::ProbeControl(MainWindow& window, RunControl& runs, SceneEdits& edits)
-    : LibraryControl(window, runs, edits, window.scenePanel().probes(), "probes", tr("Probe")) {
+    : LibraryControl(window, runs, edits, window.scenePanel().probes(), probeKind()) {
     readAll();
-}
-
-SceneDescription ProbeControl::read(const std::filesystem::path& file) const {
-    return withProbe(defaultScene(), readProbe(file));
-}
-
-/// A probe says no name.
-QString ProbeControl::nameOf(const SceneDescription& /*scene*/,
-                             const std::filesystem::path& file) const {
-    return file.empty() ? tr("of this scene")
-                        : QString::fromStdString(file.stem().string()).replace('_', ' ');
-}
-
-bool ProbeControl::isSame(const SceneDescription& a, const SceneDescription& b) const {
-    return a.probe == b.probe && a.detector == b.detector;
-}
-
-SceneDescription ProbeControl::with(const SceneDescription& scene,
-                                    const SceneDescription& item) const {
-    return withProbe(scene, {item.probe, item.detector});
-}
-
-SceneDescription ProbeControl::renamed(SceneDescription scene, const std::string& /*name*/) const {
-    return scene;
-}
-
-std::string ProbeControl::textOf(const SceneDescription& scene, const std::string& notes) const {
-    return probeText({scene.probe, scene.detector}, notes);
 }
 
 }  // namespace asperity
