@@ -1,0 +1,100 @@
+#include "tools/screenshots/CycleWindow.h"
+
+#include "core/Error.h"
+
+#include <QStatusBar>
+
+#include <array>
+#include <utility>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kDuration = 12.0;  // of the approach and the way back [s]
+constexpr int kWatch = 30;          // [ms]
+
+/// A moment of an approach and a retract that is worth a picture.
+struct Moment {
+    const char* name;
+    bool (*hasCome)(CycleWindow&);
+    bool isLast = false;  ///< its last frame is wanted, not its first
+};
+
+bool isIn(CycleWindow& cycle, ApproachPhase phase) {
+    const ApproachDevice* const approach = cycle.session().devices().approaching();
+    return approach != nullptr && approach->phase() == phase;
+}
+
+bool isBonded(CycleWindow& cycle) {
+    return cycle.newest().model.contact.branch == ContactBranch::Bonded;
+}
+
+bool isPulled(CycleWindow& cycle) {
+    return isBonded(cycle) && cycle.newest().model.contact.force < 0.0 &&
+           isIn(cycle, ApproachPhase::Retract);
+}
+
+/// In their order.
+constexpr std::array kMoments{
+    Moment{"far",
+           [](CycleWindow& cycle) {
+               return cycle.session().run()->loop().snapshot().sample.time > 1.0;
+           }},
+    Moment{"snapped_in", isBonded},
+    Moment{"indenting", [](CycleWindow& cycle) { return isIn(cycle, ApproachPhase::Dwell); }},
+    Moment{.name = "retracting", .hasCome = isPulled, .isLast = true},
+    Moment{"off", [](CycleWindow& cycle) { return !isBonded(cycle); }}};
+
+}  // namespace
+
+CycleWindow::CycleWindow(char** arguments) : prefix_(arguments[4]) {
+    window().resize(std::stoi(arguments[2]), std::stoi(arguments[3]));
+    session().runs().use(loadScene(arguments[1], {}));
+    const Scene& scene = session().run()->scene();
+    session().devices().approach(planApproach(
+        scene, {.duration = kDuration, .place = Vector2(startPlace(scene).head<2>())}));
+    QObject::connect(&timer_, &QTimer::timeout, [this] { look(); });
+}
+
+const TickOutput& CycleWindow::newest() { return session().run()->loop().snapshot().sample.output; }
+
+void CycleWindow::save(const std::string& name) {
+    window().statusBar()->clearMessage();  // it names the file of the picture before
+    Q_EMIT window().pictureFileChosen(QString::fromStdString(prefix_ + name + ".png"));
+}
+
+void CycleWindow::pause() {
+    timer_.stop();
+    session().runs().pause();
+}
+
+void CycleWindow::resume() {
+    session().runs().start();
+    timer_.start(kWatch);
+}
+
+void CycleWindow::look() {
+    if (kMoments[next_].hasCome(*this)) {
+        seen_(kMoments[next_++].name);
+    } else if (next_ > 0 && kMoments[next_ - 1].isLast && kMoments[next_ - 1].hasCome(*this)) {
+        seen_(kMoments[next_ - 1].name);
+    }
+    if (next_ == kMoments.size()) {
+        timer_.stop();
+        window().close();
+    }
+}
+
+int CycleWindow::run(int milliseconds, std::function<void(const std::string&)> seen) {
+    seen_ = std::move(seen);
+    timer_.start(kWatch);
+    QTimer::singleShot(milliseconds, &window(), &QWidget::close);
+    const int status = live_.exec();
+    if (next_ < kMoments.size()) {
+        throw Error(std::string("the tip was not seen ") + kMoments[next_].name);
+    }
+    return status;
+}
+
+}  // namespace asperity
