@@ -1,5 +1,6 @@
 #include "ui/panels/ColorBarWidget.h"
 
+#include "tests/ui/panels/PanelSamples.h"
 #include "ui/Theme.h"
 
 #include <gtest/gtest.h>
@@ -82,6 +83,37 @@ TEST(ColorBarWidget, ShowsAnglesInDegreesAndAnotherChannelInItsOwnUnit) {
     scale.unit = QStringLiteral("1");
     bar.setScale(scale);
     EXPECT_EQ(bar.heading(), QStringLiteral("Phase"));
+}
+
+TEST(ColorBarWidget, NamesTheQuantityWithItsPrefix) {
+    ColorBarWidget bar;
+    EXPECT_TRUE(bar.heading().isEmpty());
+    bar.setScale({.quantity = QStringLiteral("displacement"),
+                  .unit = QStringLiteral("m"),
+                  .low = -400e-12,
+                  .high = 0.0,
+                  .colors = {Qt::red, Qt::white}});
+    EXPECT_EQ(bar.heading(), QStringLiteral("displacement [pm]"));
+}
+
+TEST(ColorBarWidget, RunsFromTheFirstColorToTheLast) {
+    ColorBarWidget bar;
+    bar.resize(200, bar.sizeHint().height());
+    EXPECT_EQ(test::pixelsLike(bar.grab().toImage(), Qt::red), 0) << "nothing to show yet";
+    bar.setScale({.quantity = QStringLiteral("height"),
+                  .unit = QStringLiteral("m"),
+                  .low = 0.0,
+                  .high = 1e-9,
+                  .colors = {Qt::red, Qt::blue}});
+    const QImage image = bar.grab().toImage();
+    int reds = 0;
+    int blues = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        reds += test::pixelsLike(image.copy(15, y, 1, 1), Qt::red);
+        blues += test::pixelsLike(image.copy(184, y, 1, 1), Qt::blue);
+    }
+    EXPECT_GE(reds, 8);
+    EXPECT_GE(blues, 8);
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+#include "ui/panels/AxisTicks.h"
+
+#include <gtest/gtest.h>
+
+namespace asperity {
+namespace {
+
+TEST(AxisTicks, AreNeverOnlyOne) {
+    EXPECT_EQ(axisTicks(0.0, 10.0, 5), (std::vector<double>{0.0, 2.0, 4.0, 6.0, 8.0, 10.0}));
+    EXPECT_GE(axisTicks(-8.0, 8.0, 2).size(), 2U);
+    EXPECT_GE(axisTicks(1.1, 13.9, 1).size(), 2U);
+}
+
+}  // namespace
+}  // namespace asperity
