@@ -37,6 +37,7 @@ void NumberBox::colorText() {
     QPalette colors = lineEdit()->palette();
     colors.setColor(QPalette::Text,
                     lineEdit()->hasAcceptableInput() ? usual : theme::colors().fault);
+    colors.setColor(QPalette::Disabled, QPalette::Text, theme::colors().muted);
     lineEdit()->setPalette(colors);
 }
 

@@ -3,6 +3,7 @@
 #include "tests/ui/panels/PanelSamples.h"
 #include "ui/Theme.h"
 #include "ui/panels/GainSpinBox.h"
+#include "ui/panels/LengthBox.h"
 
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -10,6 +11,8 @@
 #include <QToolTip>
 
 #include <gtest/gtest.h>
+
+#include <initializer_list>
 
 namespace asperity {
 namespace {
@@ -129,6 +132,55 @@ TEST_P(NumberBoxTest, WhatIsTypedCanBeDiscarded) {
     box.hide();
     EXPECT_EQ(changed.count(), 0);
 }
+
+class DisabledBoxTest : public ::testing::TestWithParam<ThemeChoice> {
+protected:
+    void SetUp() override { theme::choose(GetParam()); }
+    void TearDown() override { theme::choose(ThemeChoice::Light); }
+
+    static void expectMutedWhileDisabled(QDoubleSpinBox& box) {
+        box.resize(200, box.sizeHint().height());
+        box.setValue(8.888);
+        box.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&box));
+        box.clearFocus();
+        // A color is that of letters where some of their pixels have it.
+        const auto letters = [&box](const QColor& color) {
+            QLineEdit& line = *box.findChild<QLineEdit*>();
+            return test::pixelsLike(line.grab().toImage(), color);
+        };
+        const QColor ink = theme::colors().ink;
+        EXPECT_GT(letters(ink), 3);
+        for (int times = 0; times < 2; ++times) {
+            box.setEnabled(false);
+            EXPECT_EQ(letters(ink), 0);
+            EXPECT_GT(letters(theme::colors().muted), 3);
+            box.setValue(8.889);  // colors the text anew
+            EXPECT_EQ(letters(ink), 0);
+            box.setEnabled(true);
+            EXPECT_GT(letters(ink), 3);
+            theme::choose(theme::isDark() ? ThemeChoice::Light : ThemeChoice::Dark);
+            theme::choose(GetParam());
+        }
+        box.hide();
+    }
+};
+
+TEST_P(DisabledBoxTest, IsMuted) {
+    NumberBox number;
+    GainSpinBox gain(1e-3, 1e3);
+    LengthBox length;
+    QDoubleSpinBox plain;
+    plain.setDecimals(3);
+    number.setDecimals(3);
+    for (QDoubleSpinBox* box :
+         std::initializer_list<QDoubleSpinBox*>{&number, &gain, &length, &plain}) {
+        expectMutedWhileDisabled(*box);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Themes, DisabledBoxTest,
+                         ::testing::Values(ThemeChoice::Light, ThemeChoice::Dark));
 
 INSTANTIATE_TEST_SUITE_P(Languages, NumberBoxTest,
                          ::testing::Values(QLocale::C, QLocale::English, QLocale::German));
