@@ -10,7 +10,9 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <ranges>
+#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -18,35 +20,58 @@ namespace asperity {
 namespace {
 
 constexpr int kFacets = 32;
-constexpr int kOutlinePoints = 48;  // of each side
 constexpr double kOpacity = 0.16;
 constexpr double kLineWidth = 2.0;
 
-/// The silhouette of a tip as seen across the view: widest distance from its axis at each height.
-std::vector<Vector3> outlineOf(vtkPolyData* body, const Vector3& apex, const Vector3& right,
-                               double height) {
-    std::vector<double> widths(kOutlinePoints + 1, 0.0);
-    for (vtkIdType id = 0; id < body->GetNumberOfPoints(); ++id) {
-        const Vector3 arm = Vector3(body->GetPoint(id)) - apex;
-        const auto level = static_cast<std::size_t>(
-            std::lround(kOutlinePoints * std::sqrt(std::clamp(arm.z() / height, 0.0, 1.0))));
-        widths[level] = std::max(widths[level], arm.head<2>().norm());
-    }
-    std::vector<Vector3> outline;
-    const auto add = [&](std::size_t level, double side) {
-        const double part = static_cast<double>(level) / kOutlinePoints;
-        if (level == 0 || widths[level] > 0.0) {
-            outline.emplace_back(apex + side * widths[level] * right +
-                                 part * part * height * Vector3::UnitZ());
+/// A point of the body as it is seen.
+struct SeenPoint {
+    Vector2 seen;  ///< rightwards, upwards
+    Vector3 place;
+};
+
+/// Whether the way from `a` over `b` to `c` turns right or goes straight on.
+bool isNoLeftTurn(const SeenPoint& a, const SeenPoint& b, const SeenPoint& c) {
+    const Vector2 first = b.seen - a.seen;
+    const Vector2 second = c.seen - a.seen;
+    return first.x() * second.y() - first.y() * second.x() <= 0.0;
+}
+
+/// Half of the convex hull of points in their order, its ends included.
+template <class Points>
+std::vector<SeenPoint> hullChain(const Points& points) {
+    std::vector<SeenPoint> chain;
+    for (const SeenPoint& point : points) {
+        while (chain.size() > 1 && isNoLeftTurn(chain.end()[-2], chain.back(), point)) {
+            chain.pop_back();
         }
-    };
-    for (std::size_t level = kOutlinePoints; level > 0; --level) {
-        add(level, -1.0);
+        chain.push_back(point);
     }
-    for (std::size_t level = 0; level <= kOutlinePoints; ++level) {
-        add(level, 1.0);
+    return chain;
+}
+
+/// The outline of a tip as it is seen, closed: tips are convex. It begins at the left end, goes
+/// below to the right one, and back above. Andrew (1979), Another efficient algorithm for convex
+/// hulls in two dimensions.
+struct Outline {
+    std::vector<Vector3> places;
+    Vector3 rightEnd;
+};
+
+Outline outlineOf(vtkPolyData* body, const GhostStyle& style) {
+    std::vector<SeenPoint> points;
+    for (vtkIdType id = 0; id < body->GetNumberOfPoints(); ++id) {
+        const Vector3 place(body->GetPoint(id));
+        const Vector3 drawn = style.space.point(place);
+        points.push_back({{style.right.dot(drawn), style.up.dot(drawn)}, place});
     }
-    return outline;
+    std::ranges::sort(points, {}, [](const SeenPoint& point) {
+        return std::pair(point.seen.x(), point.seen.y());
+    });
+    std::vector<Vector3> places;
+    for (const auto& chain : {hullChain(points), hullChain(points | std::views::reverse)}) {
+        std::ranges::transform(chain, std::back_inserter(places), &SeenPoint::place);
+    }
+    return {places, points.back().place};
 }
 
 }  // namespace
@@ -72,21 +97,20 @@ void GhostLayer::hide() {
 }
 
 void GhostLayer::show(const Vector3& apex, const GhostStyle& style) {
-    const double height = style.height / style.space.heightScale;
     source_->SetRadius(style.radius);
     source_->SetCenter(apex.x(), apex.y(), apex.z() + style.radius);
     source_->SetParaboloidReach(style.paraboloidReach);
-    source_->SetHeight(height);
+    source_->SetHeight(style.height / style.space.heightScale);
     source_->Update();
     body_->ShallowCopy(source_->GetOutput());
-    const std::vector<Vector3> outline = outlineOf(body_, apex, style.right, height);
-    vtkPolyDataMapper::SafeDownCast(outline_->GetMapper())->SetInputData(polyline(outline));
+    const Outline outline = outlineOf(body_, style);
+    vtkPolyDataMapper::SafeDownCast(outline_->GetMapper())->SetInputData(polyline(outline.places));
     for (vtkActor* actor : {solid_, outline_}) {
         style.space.apply(actor);
         actor->GetProperty()->SetColor(style.color.fractions().data());
         actor->VisibilityOn();
     }
-    labelPlace_ = style.space.point(outline.back());
+    labelPlace_ = style.space.point(outline.rightEnd);
 }
 
 }  // namespace asperity

@@ -19,6 +19,7 @@ struct GhostStyle {
     double height = 0.0;               ///< of the part that is drawn, as drawn [m]
     double paraboloidReach = 0.0;      ///< see vtkAspTipSource [m]
     Vector3 right = Vector3::UnitX();  ///< rightwards in the view, unit
+    Vector3 up = Vector3::UnitZ();     ///< upwards in the view, unit
     DrawnSpace space;
     Color color;
 };
@@ -35,7 +36,7 @@ public:
     /// @param apex world [m]
     void show(const Vector3& apex, const GhostStyle& style);
     void hide();
-    /// Where its name belongs: the upper end of its outline, as drawn [m].
+    /// Where its name belongs: the right end of its outline, as drawn [m].
     [[nodiscard]] const Vector3& labelPlace() const { return labelPlace_; }
 
 private:

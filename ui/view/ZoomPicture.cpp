@@ -278,6 +278,7 @@ void ZoomPicture::showGhosts(const ViewCamera& camera) {
                   .height = gear().tipHeight(),
                   .paraboloidReach = scale_.paraboloidReach,
                   .right = camera.right(),
+                  .up = camera.up(),
                   .space = space(),
                   .color = {}});
 }
