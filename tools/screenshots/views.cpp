@@ -102,6 +102,11 @@ private:
                               window().view().resetCamera();
                               window().view().setPerspective(true);
                           }});
+        shots_.push_back({"bottom", [this] {
+                              window().menus().secondView->setChecked(false);
+                              window().view().setPerspective(false);
+                              window().view().lookFrom(ViewDirection::Bottom);
+                          }});
     }
 
     void chooseChannel() {
@@ -117,7 +122,7 @@ private:
     /// Sets a picture up, and saves it once it has come to rest.
     void shoot(std::size_t index) {
         if (index == shots_.size()) {
-            window().view().setPerspective(false);
+            window().view().resetCamera();
             showSecond({});
             cycle_.resume();
             return;

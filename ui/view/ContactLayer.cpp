@@ -131,7 +131,7 @@ void ContactLayer::showSurface(const ContactShape& shape, const ContactStyle& st
             const auto id = static_cast<vtkIdType>(i);
             points_->SetPoint(id, patch.points[i].data());
             const Vector3 normal = deformedNormal(shape, row, column);
-            rgb_->SetTypedTuple(id, style.shading.lit(style.colors.of(i), normal).data());
+            rgb_->SetTypedTuple(id, style.shading.litSurface(style.colors.of(i), normal).data());
         }
     }
     points_->Modified();

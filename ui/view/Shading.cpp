@@ -1,5 +1,7 @@
 #include "ui/view/Shading.h"
 
+#include "ui/Theme.h"
+
 #include <vtkActor.h>
 #include <vtkDataArray.h>
 #include <vtkMapper.h>
@@ -22,11 +24,24 @@ Shading::Shading(const ViewCamera& camera, const DrawnSpace& space, const Light&
 
 std::array<unsigned char, 3> Shading::lit(const Color& color, const Vector3& normal,
                                           const Matt& matt) const {
-    const double light = brightness(toView_ * space_.normal(normal), toLight_, matt);
+    const Vector3 seen = toView_ * space_.normal(normal);
+    const double light = brightness(isUnderside(seen) ? Vector3(-seen) : seen, toLight_, matt);
     const auto shade = [light](std::uint8_t part) {
         return static_cast<unsigned char>(std::min(255.0, light * part + 0.5));
     };
     return {shade(color.red), shade(color.green), shade(color.blue)};
+}
+
+std::array<unsigned char, 3> Shading::litSurface(const Color& color, const Vector3& normal) const {
+    return isUnderside(toView_ * space_.normal(normal))
+               ? lit(theme::palette().side, normal, kWallMatt)
+               : lit(color, normal);
+}
+
+/// Seen from above, the surface hides its own back faces.
+bool Shading::isUnderside(const Vector3& seenNormal) const {
+    const bool isFromBelow = toView_(2, 2) < 0.0;
+    return isFromBelow && seenNormal.z() < 0.0;
 }
 
 void paint(vtkPolyData* data, const Color& color, const Shading& shading, const Matt& matt) {

@@ -21,11 +21,19 @@ class Shading {
 public:
     Shading(const ViewCamera& camera, const DrawnSpace& space, const Light& light);
 
-    /// `color` as it looks where the surface has this unit normal, world frame.
+    /// `color` as it looks where a face has this unit normal, world frame. From below the sample,
+    /// a face is lit on the side that is seen: the block of sample is open there.
     [[nodiscard]] std::array<unsigned char, 3> lit(const Color& color, const Vector3& normal,
                                                    const Matt& matt = kPlainMatt) const;
 
+    /// The same of the sample's surface. Its underside has the color of the block's walls: colors
+    /// stand for what the tip sees.
+    [[nodiscard]] std::array<unsigned char, 3> litSurface(const Color& color,
+                                                          const Vector3& normal) const;
+
 private:
+    [[nodiscard]] bool isUnderside(const Vector3& seenNormal) const;
+
     DrawnSpace space_;
     Matrix3 toView_;  ///< rightwards, upwards, to the eye
     Vector3 toLight_;

@@ -156,7 +156,8 @@ struct TerrainLayer::Mesh {
             const double value = values[static_cast<std::size_t>(id)];
             const Color color =
                 style.colors.isLive() ? style.colors.ofLive(value) : style.colors.ofRest(value);
-            rgb->SetTypedTuple(id, style.shading.lit(color, Vector3(normals->GetTuple(id))).data());
+            rgb->SetTypedTuple(
+                id, style.shading.litSurface(color, Vector3(normals->GetTuple(id))).data());
         }
         rgb->Modified();
         paintWalls(style.shading);

@@ -28,6 +28,9 @@ std::vector<std::string> viewNotes(const ViewNoteFacts& facts) {
     if (facts.hasPerspective) {
         notes.push_back(filled(QObject::tr("perspective: lengths not to scale"), {}));
     }
+    if (facts.isFromBelow) {
+        notes.push_back(filled(QObject::tr("from below: hills are hollows"), {}));
+    }
     if (facts.heightScale > 1.0) {
         notes.push_back(filled(QObject::tr("heights ×%1"), tickLabels({facts.heightScale})));
     }

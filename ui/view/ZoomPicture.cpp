@@ -343,6 +343,7 @@ void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelR
 std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
     return viewNotes({.heightScale = options_.heightScale,
                       .hasPerspective = camera.hasPerspective(),
+                      .isFromBelow = camera.out().z() < 0.0,
                       .missesTrueTip = options_.trueTip && sample_ && !trueTip_,
                       .showsLever = gear().showsLever(),
                       .tipRadius = scene_->belief.tipRadius(),

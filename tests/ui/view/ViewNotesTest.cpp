@@ -19,6 +19,9 @@ TEST(ViewNotes, SayWhatThePictureDoesNotShowAsItIs) {
     EXPECT_THAT(viewNotes(facts), ElementsAre("perspective: lengths not to scale", "heights ×3.5",
                                               "true tip: the instrument does not know it"));
     facts = plain;
+    facts.isFromBelow = true;
+    EXPECT_THAT(viewNotes(facts), ElementsAre("from below: hills are hollows"));
+    facts = plain;
     facts.pixel = 24e-9;
     EXPECT_THAT(viewNotes(facts),
                 ElementsAre("Scan pixel 24 nm: coarse for a tip radius of 15 nm"));
