@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -37,8 +36,7 @@ bool isNoLeftTurn(const SeenPoint& a, const SeenPoint& b, const SeenPoint& c) {
 }
 
 /// Half of the convex hull of points in their order, its ends included.
-template <class Points>
-std::vector<SeenPoint> hullChain(const Points& points) {
+std::vector<SeenPoint> hullChain(const std::vector<SeenPoint>& points) {
     std::vector<SeenPoint> chain;
     for (const SeenPoint& point : points) {
         while (chain.size() > 1 && isNoLeftTurn(chain.end()[-2], chain.back(), point)) {
@@ -68,10 +66,12 @@ Outline outlineOf(vtkPolyData* body, const GhostStyle& style) {
         return std::pair(point.seen.x(), point.seen.y());
     });
     std::vector<Vector3> places;
-    for (const auto& chain : {hullChain(points), hullChain(points | std::views::reverse)}) {
-        std::ranges::transform(chain, std::back_inserter(places), &SeenPoint::place);
+    const Vector3 rightEnd = points.back().place;
+    for (int half = 0; half < 2; ++half) {
+        std::ranges::transform(hullChain(points), std::back_inserter(places), &SeenPoint::place);
+        std::ranges::reverse(points);
     }
-    return {places, points.back().place};
+    return {places, rightEnd};
 }
 
 }  // namespace
