@@ -1,17 +1,22 @@
 /// Opens the dialog that opens a scan, chooses one and, where it is asked for, a part of it, and
-/// saves what the dialog shows.
-/// Usage: asperity_open_picture SCENE_OR_SCAN OUT.png [part]
+/// saves what the dialog shows, in the dark where that is asked for.
+/// Usage: asperity_open_picture SCENE_OR_SCAN OUT.png [part] [dark]
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/session/LiveWindow.h"
 #include "core/Error.h"
 #include "tools/screenshots/PictureTool.h"
+#include "ui/Theme.h"
+#include "ui/panels/ScaleForm.h"
 #include "ui/window/PreviewPane.h"
 
 #include <QFileInfo>
 #include <QLabel>
 #include <QSpinBox>
 #include <QTimer>
+
+#include <algorithm>
+#include <string>
 
 namespace asperity {
 
@@ -34,12 +39,19 @@ int run(char** argv) {
     const VirtualDisplay display;
     LiveWindow live;
     OpenControl& files = live.session().files();
-    const bool hasPart = argv[3] != nullptr;
+    bool hasPart = false;
+    for (char** choice = argv + 3; *choice != nullptr; ++choice) {
+        hasPart = hasPart || std::string(*choice) == "part";
+        if (std::string(*choice) == "dark") {
+            theme::choose(ThemeChoice::Dark);
+        }
+    }
     int looks = 0;
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, [&] {
         OpenDialog& dialog = *files.dialog();
-        const bool isKnown = dialog.preview().isComplete() ||
+        const bool isKnown = dialog.findChild<ScaleForm*>()->isVisible() ||
+                             dialog.preview().isComplete() ||
                              !dialog.findChild<QLabel*>("openMessage")->text().isEmpty();
         if (!isKnown) {
             return;
@@ -70,7 +82,8 @@ int run(char** argv) {
 }  // namespace asperity
 
 int main(int argc, char** argv) {
-    return asperity::runPictureTool({argv, static_cast<std::size_t>(argc)}, argc == 4 ? 3 : 2,
-                                    "asperity_open_picture SCENE_OR_SCAN OUT.png [part]",
+    return asperity::runPictureTool({argv, static_cast<std::size_t>(argc)},
+                                    static_cast<std::size_t>(std::clamp(argc - 1, 2, 4)),
+                                    "asperity_open_picture SCENE_OR_SCAN OUT.png [part] [dark]",
                                     asperity::run);
 }

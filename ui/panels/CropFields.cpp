@@ -27,13 +27,13 @@ CropFields::CropFields(QWidget* parent) : QWidget(parent) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(kGap);
-    column_ = addBox(*grid, 0, "cropColumn", tr("From column"),
+    column_ = addBox(*grid, {0, 0}, "cropColumn", tr("From column"),
                      tr("First column of the part to load [pixel]; 0 is the left one"));
-    row_ = addBox(*grid, 1, "cropRow", tr("From row"),
-                  tr("First row of the part to load [pixel]; 0 is the top one"));
     columns_ =
-        addBox(*grid, 2, "cropColumns", tr("Columns"), tr("How many columns to load [pixel]"));
-    rows_ = addBox(*grid, 3, "cropRows", tr("Rows"), tr("How many rows to load [pixel]"));
+        addBox(*grid, {1, 0}, "cropColumns", tr("Columns"), tr("How many columns to load [pixel]"));
+    row_ = addBox(*grid, {0, 1}, "cropRow", tr("From row"),
+                  tr("First row of the part to load [pixel]; 0 is the top one"));
+    rows_ = addBox(*grid, {1, 1}, "cropRows", tr("Rows"), tr("How many rows to load [pixel]"));
     extent_ = captionLabel({}, this);
     extent_->setObjectName(QStringLiteral("cropExtent"));
     extent_->setToolTip(tr("Size of the part to load; positions count from its lower left corner"));
@@ -41,8 +41,8 @@ CropFields::CropFields(QWidget* parent) : QWidget(parent) {
     whole_->setObjectName(QStringLiteral("cropWhole"));
     whole_->setAutoDefault(false);
     whole_->setToolTip(tr("Load all of the scan"));
-    grid->addWidget(extent_, 2, 0, 1, 3);
-    grid->addWidget(whole_, 2, 3);
+    grid->addWidget(extent_, 4, 0);
+    grid->addWidget(whole_, 4, 1);
     connect(whole_, &QPushButton::clicked, this, [this] {
         setCrop(std::nullopt);
         Q_EMIT cropEntered(crop_);
@@ -50,15 +50,15 @@ CropFields::CropFields(QWidget* parent) : QWidget(parent) {
     showNumbers();
 }
 
-QSpinBox* CropFields::addBox(QGridLayout& grid, int column, const char* name,
+QSpinBox* CropFields::addBox(QGridLayout& grid, const QPoint& place, const char* name,
                              const QString& caption, const QString& tip) {
     auto* box = new QSpinBox(this);
     box->setObjectName(QString::fromUtf8(name));
     box->setToolTip(tip);
     box->setKeyboardTracking(false);
     guardFromWheel(*box);
-    grid.addWidget(captionLabel(caption, this), 0, column);
-    grid.addWidget(box, 1, column);
+    grid.addWidget(captionLabel(caption, this), 2 * place.y(), place.x());
+    grid.addWidget(box, 2 * place.y() + 1, place.x());
     connect(box, qOverload<int>(&QSpinBox::valueChanged), this, &CropFields::enter);
     return box;
 }

@@ -34,7 +34,7 @@ Q_SIGNALS:
     void cropEntered(std::optional<asperity::PixelRectangle> crop);
 
 private:
-    [[nodiscard]] QSpinBox* addBox(QGridLayout& grid, int column, const char* name,
+    [[nodiscard]] QSpinBox* addBox(QGridLayout& grid, const QPoint& place, const char* name,
                                    const QString& caption, const QString& tip);
     void enter();
     void showNumbers();

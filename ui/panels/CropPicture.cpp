@@ -27,7 +27,7 @@ int pixelAt(double place, double begin, double length, int count) {
 }  // namespace
 
 CropPicture::CropPicture(QWidget* parent) : QWidget(parent) {
-    setMinimumSize(160, 140);
+    setMinimumSize(160, 100);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 

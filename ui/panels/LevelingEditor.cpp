@@ -22,7 +22,8 @@ namespace asperity {
 namespace {
 
 constexpr int kGap = 6;         // [px]
-constexpr int kShownSteps = 4;  // without scrolling
+constexpr int kShownSteps = 4;  // without scrolling, where there is room
+constexpr int kMinSteps = 2;    // likewise, where there is none
 constexpr double kMicrometer = 1e-6;
 constexpr double kInset = 0.1;     // of new places from the edges, of the scan's size
 constexpr double kFarthest = 1e6;  // [µm]
@@ -67,7 +68,9 @@ bool hasThreePoint(const LevelingSteps& steps) {
 LevelingEditor::LevelingEditor(QWidget* parent) : QWidget(parent), list_(new QListWidget(this)) {
     list_->setObjectName(QStringLiteral("levelingSteps"));
     list_->setToolTip(tr("What levels the heights of the scan, done from the top down"));
-    list_->setFixedHeight((kShownSteps * (list_->fontMetrics().lineSpacing() + 2)) + kGap);
+    const int line = list_->fontMetrics().lineSpacing() + 2;
+    list_->setMinimumHeight(kMinSteps * line + kGap);
+    list_->setMaximumHeight(kShownSteps * line + kGap);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(kGap);

@@ -90,7 +90,7 @@ QGridLayout* newFields(QWidget& part) {
 
 }  // namespace
 
-ScaleForm::ScaleForm(QWidget* parent)
+ScaleForm::ScaleForm(Qt::Orientation orientation, QWidget* parent)
     : QWidget(parent)
     , missing_(new QLabel(this))
     , size_(new QWidget(this))
@@ -111,8 +111,12 @@ ScaleForm::ScaleForm(QWidget* parent)
     column->addWidget(missing_);
     addSize(*newFields(*size_));
     addHeight(*newFields(*height_));
-    column->addWidget(size_);
-    column->addWidget(height_);
+    auto* fields = new QBoxLayout(orientation == Qt::Vertical ? QBoxLayout::TopToBottom
+                                                              : QBoxLayout::LeftToRight);
+    fields->setSpacing(kGap);
+    fields->addWidget(size_, 0, Qt::AlignTop);
+    fields->addWidget(height_, 0, Qt::AlignTop);
+    column->addLayout(fields);
     column->addWidget(new RefusalLine(this));
     connectInputs();
     setGap({});

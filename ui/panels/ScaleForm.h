@@ -20,7 +20,8 @@ class ScaleForm : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ScaleForm(QWidget* parent = nullptr);
+    /// @param orientation of size and height: one below the other, or side by side
+    explicit ScaleForm(Qt::Orientation orientation, QWidget* parent = nullptr);
 
     /// What is asked for: nothing else can be filled in. Another gap than the present one empties
     /// the fields.

@@ -1,11 +1,15 @@
 #include "ui/window/FileChooser.h"
 
+#include "ui/Theme.h"
+
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QFileInfo>
 #include <QFileSystemModel>
 #include <QHeaderView>
 #include <QLayout>
 #include <QLineEdit>
+#include <QToolButton>
 #include <QTreeView>
 #include <QUrl>
 
@@ -16,6 +20,9 @@ namespace asperity {
 namespace {
 
 enum Column : int { Name, Size, Type, Date };
+
+/// A narrower list has room for names alone [px, as theme::scaled() takes them].
+constexpr int kDatedWidth = 270;
 
 /// Name and date alone: there is little room.
 void simplify(QTreeView& list) {
@@ -49,6 +56,12 @@ FileChooser::FileChooser(const QStringList& filters, QWidget* parent) : QFileDia
     if (auto* list = findChild<QTreeView*>(QStringLiteral("treeView"))) {
         list->setToolTip(tr("Files of this folder; choose one to look into it"));
         simplify(*list);
+        list->installEventFilter(this);
+    }
+    for (const char* name : {"newFolderButton", "listModeButton", "detailModeButton"}) {
+        if (auto* button = findChild<QToolButton*>(QString::fromUtf8(name))) {
+            button->hide();  // the name of the folder has their room
+        }
     }
     watchName();
 }
@@ -92,6 +105,14 @@ void FileChooser::choose(const QString& file) {
     setDirectory(QFileInfo(file).absolutePath());
     selectFile(file);
     name_->setText(QFileInfo(file).fileName());  // Qt leaves a name that is being typed
+}
+
+bool FileChooser::eventFilter(QObject* watched, QEvent* event) {
+    auto* list = qobject_cast<QTreeView*>(watched);
+    if (list != nullptr && event->type() == QEvent::Resize) {
+        list->setColumnHidden(Date, list->width() < theme::scaled(kDatedWidth));
+    }
+    return QFileDialog::eventFilter(watched, event);
 }
 
 /// A folder is entered.

@@ -24,6 +24,7 @@ public:
     void accept() override;
     void reject() override { Q_EMIT canceled(); }
     void done(int /*result*/) override {}  // it stays where it is
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
     /// file() is another one.

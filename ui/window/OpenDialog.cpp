@@ -54,10 +54,11 @@ OpenDialog::OpenDialog(const QStringList& filters, QWidget* window) : QDialog(wi
     rows->addWidget(sides, 1);
     rows->addWidget(newButtons());
     sides->setSizes({theme::scaled(kLeftWidth), theme::scaled(kWidth - kLeftWidth)});
-    setGeometry(openingPlace({theme::scaled(kWidth), theme::scaled(kHeight)},
-                             screen()->availableGeometry()));
+    setGeometry(openingPlace(OpenDialog::sizeHint(), screen()->availableGeometry()));
     select({});
 }
+
+QSize OpenDialog::sizeHint() const { return {theme::scaled(kWidth), theme::scaled(kHeight)}; }
 
 QWidget* OpenDialog::newLeft(const QStringList& filters) {
     auto* side = new QWidget(this);

@@ -33,6 +33,9 @@ public:
     /// Chooses a file as a user does.
     void choose(const QString& file);
 
+    /// Of a large screen.
+    [[nodiscard]] QSize sizeHint() const override;
+
     /// What the file holds that was selected last.
     void showPreview(const OpenPreview& preview);
     /// Why it cannot be looked into, a sentence.

@@ -24,8 +24,11 @@ namespace asperity {
 namespace {
 
 constexpr int kGap = 8;            // [px]
-constexpr int kShownChannels = 4;  // without scrolling
-constexpr int kNotesLines = 4;     // likewise
+constexpr int kShownChannels = 4;  // without scrolling, where there is room
+constexpr int kMinChannels = 2;    // likewise, where there is none
+constexpr int kNotesLines = 4;     // where there is room
+constexpr int kMinNotesLines = 2;  // where there is none
+constexpr int kFactsWidth = 200;   // their values seldom wrap [px, as theme::scaled() takes them]
 constexpr int kWhole = 100;        // of the bar [%]
 
 enum Column : int { Name, Unit, Direction, Pixels, ColumnCount };
@@ -61,13 +64,20 @@ PreviewPane::PreviewPane(QWidget* parent) : QWidget(parent) {
     column->addWidget(newChannels());
     column->addWidget(newPictures(), 1);
     column->addWidget(newInputs());
+    scale_ = new ScaleForm(Qt::Horizontal, this);
+    scale_->setObjectName(QStringLiteral("previewScale"));
+    column->addWidget(scale_);
     notes_ = new QPlainTextEdit(this);
     notes_->setObjectName(QStringLiteral("previewNotes"));
     notes_->setReadOnly(true);
     notes_->setFont(theme::textFont(theme::kSmallSize));
     notes_->setToolTip(tr("What the reader had to decide about the file, and where its numbers "
                           "come from"));
-    notes_->setFixedHeight(kNotesLines * notes_->fontMetrics().lineSpacing() + 2 * kGap);
+    const auto notesHeight = [this](int lines) {
+        return lines * notes_->fontMetrics().lineSpacing() + 2 * kGap;
+    };
+    notes_->setMinimumHeight(notesHeight(kMinNotesLines));
+    notes_->setMaximumHeight(notesHeight(kNotesLines));
     column->addWidget(notes_);
     connectInputs();
     clear({});
@@ -85,7 +95,8 @@ QWidget* PreviewPane::newChannels() {
     channels_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     channels_->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
     const int line = channels_->fontMetrics().lineSpacing() + kGap / 2;
-    channels_->setFixedHeight((kShownChannels + 1) * line + kGap);
+    channels_->setMinimumHeight((kMinChannels + 1) * line + kGap);
+    channels_->setMaximumHeight((kShownChannels + 1) * line + kGap);
     return channels_;
 }
 
@@ -120,6 +131,7 @@ QWidget* PreviewPane::newPictures() {
 
 QWidget* PreviewPane::newFacts() {
     auto* part = new QWidget(this);
+    part->setMinimumWidth(theme::scaled(kFactsWidth));
     facts_ = new QGridLayout(part);
     facts_->setContentsMargins(0, 0, 0, 0);
     facts_->setHorizontalSpacing(kGap);
@@ -133,23 +145,20 @@ QWidget* PreviewPane::newInputs() {
     auto* row = new QHBoxLayout(part);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(2 * kGap);
-    row->addWidget(newFacts(), 4, Qt::AlignTop);
+    row->addWidget(newFacts(), 1, Qt::AlignTop);
     auto* steps = new QWidget(part);
     QVBoxLayout* stepsColumn = newColumn(*steps);
     leveling_ = new LevelingEditor(steps);
     stepsColumn->addWidget(heading(tr("Leveling"), steps));
     stepsColumn->addWidget(leveling_, 1);
-    row->addWidget(steps, 3);
+    row->addWidget(steps);
     auto* rest = new QWidget(part);
     QVBoxLayout* restColumn = newColumn(*rest);
     crop_ = new CropFields(rest);
-    scale_ = new ScaleForm(rest);
-    scale_->setObjectName(QStringLiteral("previewScale"));
     restColumn->addWidget(heading(tr("Part to load"), rest));
     restColumn->addWidget(crop_);
-    restColumn->addWidget(scale_);
     restColumn->addStretch();
-    row->addWidget(rest, 4);
+    row->addWidget(rest);
     return part;
 }
 

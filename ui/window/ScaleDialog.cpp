@@ -43,7 +43,7 @@ QLabel* channelLabel(const ScaleGap& gap, QWidget* parent) {
 }  // namespace
 
 ScaleDialog::ScaleDialog(const QString& file, const ScaleGap& gap, QWidget* window)
-    : QDialog(window), form_(new ScaleForm(this)) {
+    : QDialog(window), form_(new ScaleForm(Qt::Vertical, this)) {
     setWindowTitle(tr("Scale of the scan"));
     setObjectName(QStringLiteral("scaleDialog"));
     form_->setMinimumWidth(theme::scaled(kTextWidth));

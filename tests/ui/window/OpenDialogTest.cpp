@@ -1,9 +1,11 @@
 #include "ui/window/OpenDialog.h"
 
 #include "tests/support/ScratchFolder.h"
+#include "ui/Theme.h"
 #include "ui/panels/CropPicture.h"
 #include "ui/panels/LengthBox.h"
 #include "ui/panels/LevelingEditor.h"
+#include "ui/panels/NumberBox.h"
 #include "ui/panels/ScaleForm.h"
 #include "ui/window/FileChooser.h"
 #include "ui/window/PreviewPane.h"
@@ -85,6 +87,54 @@ TEST_F(OpenDialogTest, BeginsWithoutAFileAndFitsTheScreen) {
     QTest::keyClick(&dialog, Qt::Key_Return);
     EXPECT_TRUE(opened.isEmpty());
     EXPECT_TRUE(dialog.isVisible());
+}
+
+/// What a screen of 1024 x 700 leaves a dialog.
+TEST_F(OpenDialogTest, FitsASmallScreenWhateverTheFileAsksFor) {
+    const auto expectFits = [this](const char* what) {
+        QTest::qWait(50);
+        EXPECT_LE(dialog.minimumSizeHint().width(), 1000) << what;
+        EXPECT_LE(dialog.minimumSizeHint().height(), 680) << what;
+    };
+    expectFits("no file");
+    choose(file);
+    OpenPreview preview = twoChannels();
+    dialog.showPreview(preview);
+    expectFits("a scan");
+    preview.gap = ScaleGap{.size = true, .height = true};
+    preview.leveling = {LevelingStep::ThreePoint};
+    preview.levelPoints = {Vector2(1e-6, 1e-6), Vector2(5e-6, 1e-6), Vector2(1e-6, 4e-6)};
+    dialog.showPreview(preview);
+    ASSERT_TRUE(child<NumberBox>("levelPlace0x").isVisible());
+    ASSERT_TRUE(child<ScaleForm>("previewScale").isVisible());
+    expectFits("no scale, and a plane through three points");
+}
+
+/// Letters of values, names of files and folders, and buttons.
+TEST_F(OpenDialogTest, CutsNothingOnASmallScreen) {
+    choose(file);
+    OpenPreview preview = twoChannels();
+    preview.facts = {{"previewRange", "Heights", "-11.5 nm to 16.2 nm", "Lowest and highest"},
+                     {"previewRms", "Rms", "4.37 nm before leveling, 4.21 nm after", "About"}};
+    dialog.showPreview(preview);
+    dialog.resize(1000, 658);
+    QTest::qWait(100);
+    ASSERT_EQ(dialog.size(), QSize(1000, 658));
+    for (const char* fact : {"previewRange", "previewRms"}) {
+        const auto& value = child<QLabel>(fact);
+        EXPECT_GE(value.height(), value.heightForWidth(value.width())) << fact;
+        EXPECT_GE(value.width(), theme::scaled(120)) << fact;
+    }
+    const auto& list = child<QTreeView>("treeView");
+    EXPECT_TRUE(list.isColumnHidden(3)) << "no dates";
+    EXPECT_GE(list.columnWidth(0), theme::scaled(150));
+    dialog.resize(dialog.sizeHint());
+    QTest::qWait(50);
+    EXPECT_FALSE(list.isColumnHidden(3)) << "there is room for dates";
+}
+
+TEST_F(OpenDialogTest, WantsWhatALargeScreenHas) {
+    EXPECT_EQ(dialog.sizeHint(), QSize(theme::scaled(1220), theme::scaled(760)));
 }
 
 TEST_F(OpenDialogTest, AsksForAPreviewOfEachFileThatIsChosen) {
