@@ -102,12 +102,13 @@ function(asperity_test_runs name program macro)
   endif()
 endfunction()
 
-# asperity_test(NAME [LONG] LABEL core|io|vtk|... SOURCES ... DEPENDS ... [GATES asan|tsan ...]): one
+# asperity_test(NAME [LONG] [ALONE] LABEL core|io|vtk|... SOURCES ... DEPENDS ... [GATES asan|tsan ...]): one
 # GoogleTest program. LONG: its suites named ...Long have the label "long" in place of the other,
-# and run by `ctest --preset long` only. GATES: where it is built and run, too
+# and run by `ctest --preset long` only. ALONE: its suites named ...Alone run while no other test
+# does: they read the clock, or use what a display has once (clipboard, pointer). GATES: where it is built and run, too
 # (ASPERITY_GATE; docs/testing.md).
 function(asperity_test name)
-  cmake_parse_arguments(ARG "LONG" "LABEL" "SOURCES;DEPENDS;GATES" ${ARGN})
+  cmake_parse_arguments(ARG "LONG;ALONE" "LABEL" "SOURCES;DEPENDS;GATES" ${ARGN})
   if(ASPERITY_GATE)
     if(NOT ASPERITY_GATE IN_LIST ARG_GATES)
       return()
@@ -121,8 +122,15 @@ function(asperity_test name)
   asperity_compile_options(${name})
   asperity_optimize_as_test(${name})
   asperity_precompile(${name} asperity_test_support)
+  set(others "-*Long.*")
+  if(ARG_ALONE)
+    string(APPEND others ":*Alone.*")
+    gtest_discover_tests(
+      ${name} ${prefix} TEST_FILTER "*Alone.*" TEST_LIST ${name}_ALONE_TESTS
+      PROPERTIES LABELS ${ARG_LABEL} RUN_SERIAL TRUE DISCOVERY_TIMEOUT 60)
+  endif()
   gtest_discover_tests(
-    ${name} ${prefix} TEST_FILTER "-*Long.*" PROPERTIES LABELS ${ARG_LABEL} DISCOVERY_TIMEOUT 60)
+    ${name} ${prefix} TEST_FILTER "${others}" PROPERTIES LABELS ${ARG_LABEL} DISCOVERY_TIMEOUT 60)
   if(ARG_LONG)
     gtest_discover_tests(
       ${name} ${prefix} TEST_FILTER "*Long.*" TEST_LIST ${name}_LONG_TESTS PROPERTIES LABELS long

@@ -1,48 +1,22 @@
 #include "ui/Theme.h"
 
-#include "ui/StyleSheet.h"
+#include "ui/LabStyle.h"
 #include "ui/ThemeChange.h"
 
 #include <QApplication>
-#include <QEvent>
 #include <QFontMetricsF>
 #include <QLabel>
 #include <QPalette>
 #include <QScreen>
-#include <QStyleFactory>
+#include <QToolTip>
 #include <QWidget>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace asperity {
 
 namespace {
-
-/// Style sheets give a widget back the palette that it had before them, each time that they are
-/// applied to it anew: when it is shown first, and when it gets another parent. What follows the
-/// theme is set again then.
-class PaletteKeeper : public QObject {
-public:
-    PaletteKeeper(QWidget* owner, std::function<void()> show)
-        : QObject(owner), show_(std::move(show)) {
-        owner->installEventFilter(this);
-    }
-
-    bool eventFilter(QObject* /*watched*/, QEvent* event) override {
-        const bool isReset = event->type() == QEvent::StyleChange || event->type() == QEvent::Show;
-        if (isReset && !std::exchange(isShowing_, true)) {
-            show_();
-            isShowing_ = false;
-        }
-        return false;
-    }
-
-private:
-    std::function<void()> show_;
-    bool isShowing_ = false;
-};
 
 ThemeColors forQt(const Palette& colors) {
     return {.paper = toQColor(colors.paper),
@@ -132,12 +106,22 @@ bool isDarkChosen(const Theme& theme) {
            (theme.choice == ThemeChoice::Desktop && theme.desktopIsDark);
 }
 
-void show(QApplication& application) {
+/// A menu is a card, and what is chosen in it has a soft color.
+QPalette menuPalette(const ThemeColors& colors) {
+    QPalette palette = qtPalette(colors);
+    palette.setColor(QPalette::Window, colors.paper);
+    palette.setColor(QPalette::Highlight, colors.wash);
+    palette.setColor(QPalette::HighlightedText, colors.ink);
+    return palette;
+}
+
+void show() {
     Theme& theme = theTheme();
     theme.isDark = isDarkChosen(theme);
     theme.colors = forQt(theme::palette());
     QApplication::setPalette(qtPalette(theme.colors));
-    application.setStyleSheet(styleSheet(theme.colors));
+    QApplication::setPalette(menuPalette(theme.colors), "QMenu");
+    QToolTip::setPalette(QApplication::palette());
     Q_EMIT theme.change.happened();
 }
 
@@ -159,16 +143,13 @@ void choose(ThemeChoice choice) {
     Theme& theme = theTheme();
     theme.choice = choice;
     if (theme.isDark != isDarkChosen(theme)) {
-        show(*qApp);
+        show();
     }
 }
 
 void follow(QObject* owner, const std::function<void()>& show) {
     show();
     QObject::connect(&theTheme().change, &ThemeChange::happened, owner, show);
-    if (auto* widget = qobject_cast<QWidget*>(owner)) {
-        new PaletteKeeper(widget, show);
-    }
 }
 
 void colorText(QLabel& label, QColor ThemeColors::*color) {
@@ -199,13 +180,13 @@ int scaled(int pixels) {
 
 }  // namespace theme
 
-void applyTheme(QApplication& application) {
+void applyTheme() {
     const QPalette desktop = QApplication::palette();
     theTheme().desktopIsDark = desktop.color(QPalette::Window).lightness() <
                                desktop.color(QPalette::WindowText).lightness();
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new LabStyle);
     QApplication::setFont(theme::textFont());
-    show(application);
+    show();
 }
 
 }  // namespace asperity

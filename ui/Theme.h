@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <functional>
 
-class QApplication;
 class QLabel;
 class QObject;
 
@@ -38,8 +37,7 @@ namespace theme {
 /// Repaints all windows in other colors.
 void choose(ThemeChoice choice);
 
-/// Calls `show` now, and each time that colors() have changed as long as `owner` lives; of a
-/// widget also when Qt has reset its palette.
+/// Calls `show` now, and each time that colors() have changed as long as `owner` lives.
 void follow(QObject* owner, const std::function<void()>& show);
 /// The letters of a label have this color of colors(), whatever the theme.
 void colorText(QLabel& label, QColor ThemeColors::*color);
@@ -57,7 +55,8 @@ inline constexpr double kTickSize = 7.5;   ///< numbers at axes [pt]
 
 }  // namespace theme
 
-/// Sets the whole program's palette, font and style sheet; call once, before the first window.
-void applyTheme(QApplication& application);
+/// Sets the whole program's palette, font and style; call once, when there is a QApplication and
+/// before the first window.
+void applyTheme();
 
 }  // namespace asperity

@@ -35,7 +35,7 @@ LiveWindow::Display::Display() {
 LiveWindow::Application::Application(int& argumentCount, char** arguments)
     : QApplication(argumentCount, arguments) {
     keepDecimalPoint();
-    applyTheme(*this);  // before the first widget
+    applyTheme();  // before the first widget
 }
 
 bool LiveWindow::Application::notify(QObject* receiver, QEvent* event) {

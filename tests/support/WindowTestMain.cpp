@@ -21,7 +21,7 @@ public:
         if (asperity::haveDisplay()) {
             application_ = std::make_unique<QApplication>(argc_, argv_);
             asperity::keepDecimalPoint();
-            asperity::applyTheme(*application_);
+            asperity::applyTheme();
             return;
         }
         const char* ci = std::getenv("CI");  // NOLINT(concurrency-mt-unsafe): no threads yet

@@ -1,7 +1,5 @@
 #include "ui/Theme.h"
 
-#include "ui/StyleSheet.h"
-
 #include <QApplication>
 #include <QLabel>
 #include <QPalette>
@@ -140,7 +138,6 @@ TEST_F(ThemeSwitch, ChangesTheColorsOfAllWhileTheProgramRuns) {
     EXPECT_EQ(&theme::palette(), &kDarkPalette);
     EXPECT_EQ(QApplication::palette().color(QPalette::Text), toQColor(kDarkPalette.ink));
     EXPECT_EQ(label.palette().color(QPalette::WindowText), toQColor(kDarkPalette.caution));
-    EXPECT_TRUE(qApp->styleSheet().contains(theme::colors().wash.name()));
     theme::choose(ThemeChoice::Light);
     EXPECT_EQ(label.palette().color(QPalette::WindowText), toQColor(kLightPalette.caution));
 }
@@ -158,12 +155,6 @@ TEST_F(ThemeSwitch, WhoeverFollowsIsAskedAtOnceAndAtEachChangeUntilItsEnd) {
     owner.reset();
     theme::choose(ThemeChoice::Light);
     EXPECT_EQ(asked, 2);
-}
-
-TEST(Theme, TheStyleSheetHasAColorForEachName) {
-    const QString sheet = styleSheet(theme::colors());
-    EXPECT_FALSE(sheet.contains(QLatin1Char('@'))) << sheet.toStdString();
-    EXPECT_TRUE(sheet.contains(theme::colors().accent.name()));
 }
 
 TEST(Theme, EveryColorOfBothPalettesReachesQt) {

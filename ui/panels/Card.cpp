@@ -5,9 +5,9 @@
 
 #include <QHBoxLayout>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QResizeEvent>
 #include <QVBoxLayout>
-#include <QVariant>
 
 #include <algorithm>
 
@@ -15,7 +15,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMargin = 8;  ///< [px]
+constexpr int kMargin = 8;       ///< [px]
+constexpr int kFrame = 1;        ///< [px]
+constexpr double kRadius = 6.0;  ///< of the frame's corners [px]
 
 }  // namespace
 
@@ -26,7 +28,8 @@ Card::Card(const QString& title, QWidget* parent)
     , note_(captionLabel(QString(), this))
     , content_(new QWidget(this))
     , body_(new QVBoxLayout(content_)) {
-    setProperty("card", true);
+    setContentsMargins(kFrame, kFrame, kFrame, kFrame);
+    theme::follow(this, [this] { update(); });
     note_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     top_->addWidget(heading_);
@@ -84,6 +87,14 @@ void Card::resizeEvent(QResizeEvent* event) {
     if (layout()->hasHeightForWidth() && event->size().width() != event->oldSize().width()) {
         updateGeometry();
     }
+}
+
+void Card::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme::colors().faint, kFrame));
+    painter.setBrush(theme::colors().paper);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
 }
 
 void Card::addToHeading(QWidget* control) { top_->addWidget(control); }

@@ -42,6 +42,7 @@ protected:
     void addToHeading(QWidget* control);
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
 private:
     CardHeading* heading_;

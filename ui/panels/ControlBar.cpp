@@ -70,6 +70,8 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new FlowLayout(t
     row_->setSpacing(8);
     startPause_ = addButton("startPause", tr("Pause"));
     startPause_->setToolTip(tr("Start or pause the run"));
+    startPause_->setProperty("primary", true);
+    startPause_->setFont(theme::boldFont());
     forces_ = addButton("forces", tr("Forces are off"));
     forces_->setCheckable(true);
     forces_->setToolTip(tr("Switch the forces on the device on or off"));

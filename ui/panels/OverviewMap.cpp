@@ -260,9 +260,12 @@ void OverviewMap::drawCrossHair(QPainter& painter, const QRectF& map) const {
     painter.drawLine(QPointF(map.left(), pixel.y()), QPointF(map.right(), pixel.y()));
     painter.drawLine(QPointF(pixel.x(), map.top()), QPointF(pixel.x(), map.bottom()));
     painter.setFont(theme::textFont(theme::kSmallSize));
-    const QRect text = painter.fontMetrics().boundingRect(
-        map.toRect(), Qt::AlignLeft | Qt::TextWordWrap, reading_);
     constexpr int kInset = 4;
+    QString reading = reading_;
+    if (painter.fontMetrics().horizontalAdvance(reading) > map.width() - 4 * kInset) {
+        reading.replace(QLatin1String("   "), QLatin1String("\n"));  // a number a line
+    }
+    const QRect text = painter.fontMetrics().boundingRect(map.toRect(), Qt::AlignLeft, reading);
     QRect plate(map.topLeft().toPoint() + QPoint(kInset, kInset),
                 text.size() + QSize(2 * kInset, kInset));
     if (plate.adjusted(-kInset, -kInset, kInset, kInset).contains(pixel.toPoint())) {
@@ -272,7 +275,7 @@ void OverviewMap::drawCrossHair(QPainter& painter, const QRectF& map) const {
     paper.setAlphaF(0.88);
     painter.fillRect(plate, paper);
     painter.setPen(theme::colors().ink);
-    painter.drawText(plate, Qt::AlignCenter | Qt::TextWordWrap, reading_);
+    painter.drawText(plate.adjusted(kInset, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, reading);
 }
 
 void OverviewMap::drawScaleBar(QPainter& painter, const QRectF& map) const {

@@ -8,6 +8,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
 #include <QPushButton>
 #include <QToolTip>
 
@@ -18,6 +20,9 @@ namespace asperity {
 namespace {
 
 constexpr int kHeight = 32;          ///< [px]
+constexpr int kEdge = 5;             ///< in the state's full color, at the left [px]
+constexpr double kRadius = 4.0;      ///< of the corners [px]
+constexpr double kWash = 0.12;       ///< of the state's color behind the words
 constexpr int kMaxLetters = 60;      ///< of the whole line
 constexpr double kStateSize = 9.75;  ///< of letters [pt]
 const QString kBetween = QStringLiteral(" · ");
@@ -198,16 +203,23 @@ QColor StateBanner::stateColor() const {
 }
 
 void StateBanner::showColor() {
-    const QColor color = stateColor();
-    if (color == shownColor_) {
-        return;  // style sheets are slow to set
+    if (const QColor color = stateColor(); color != shownColor_) {
+        shownColor_ = color;
+        update();
     }
-    shownColor_ = color;
-    QColor wash = color;
-    wash.setAlphaF(0.12);
-    setStyleSheet(QStringLiteral("#stateBanner { background: %1; border: none; border-left: 5px "
-                                 "solid %2; border-radius: 4px; }")
-                      .arg(wash.name(QColor::HexArgb), color.name()));
+}
+
+void StateBanner::paintEvent(QPaintEvent* /*event*/) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    QPainterPath shape;
+    shape.addRoundedRect(rect(), kRadius, kRadius);
+    painter.setClipPath(shape);
+    QColor wash = shownColor_;
+    wash.setAlphaF(kWash);
+    painter.fillRect(rect(), wash);
+    painter.fillRect(0, 0, kEdge, height(), shownColor_);
 }
 
 void StateBanner::resizeEvent(QResizeEvent* /*event*/) { showLine(); }

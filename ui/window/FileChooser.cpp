@@ -51,8 +51,6 @@ FileChooser::FileChooser(const QStringList& filters, QWidget* parent) : QFileDia
     if (auto* buttons = findChild<QDialogButtonBox*>()) {
         buttons->hide();
     }
-    // The program's own padding leaves their icons no room.
-    setStyleSheet(QStringLiteral("QToolButton { padding: 2px; }"));
     if (auto* list = findChild<QTreeView*>(QStringLiteral("treeView"))) {
         list->setToolTip(tr("Files of this folder; choose one to look into it"));
         simplify(*list);

@@ -17,8 +17,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kFirstViewShare = 3;  // of the width of both views
-constexpr int kSecondViewShare = 2;
+constexpr int kHalf = 1000;  // of the width, for each view once both are shown
 
 }  // namespace
 
@@ -34,8 +33,9 @@ ViewSide::ViewSide(const Parts& parts, QWidget* parent)
     column_->addWidget(parts.engage);
     views_->addWidget(parts.view);
     views_->addWidget(parts.second);
-    views_->setStretchFactor(0, kFirstViewShare);
-    views_->setStretchFactor(1, kSecondViewShare);
+    views_->setStretchFactor(0, 1);
+    views_->setStretchFactor(1, 1);
+    views_->setSizes({kHalf, kHalf});
     parts.second->hide();
     column_->addWidget(views_, 1);
     column_->addWidget(bars_);

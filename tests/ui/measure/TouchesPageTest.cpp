@@ -88,7 +88,10 @@ TEST_F(TouchesPageTest, TheLastTouchGoesOn) {
     EXPECT_EQ(table->model()->rowCount(), 3);
 }
 
-TEST_F(TouchesPageTest, CopiesTheSelectedRowsInTheirOrder) {
+/// The display has one clipboard.
+class TouchesPageAlone : public TouchesPageTest {};
+
+TEST_F(TouchesPageAlone, CopiesTheSelectedRowsInTheirOrder) {
     table->sortByColumn(TouchModel::PullOff, Qt::DescendingOrder);
     QSignalSpy changed(&page, &TouchesPage::selectionChanged);
     table->selectRow(0);

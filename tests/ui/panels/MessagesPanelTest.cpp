@@ -84,7 +84,10 @@ TEST_F(MessagesPanelTest, ListsFromASeverityOn) {
     EXPECT_TRUE(panel.text().endsWith(QStringLiteral("three"))) << panel.text().toStdString();
 }
 
-TEST_F(MessagesPanelTest, CopiesWhatIsSelectedOrAll) {
+/// The display has one clipboard.
+class MessagesPanelAlone : public MessagesPanelTest {};
+
+TEST_F(MessagesPanelAlone, CopiesWhatIsSelectedOrAll) {
     show();
     log.add(MessageKind::Note, QStringLiteral("one"));
     log.add(MessageKind::Note, QStringLiteral("two"));

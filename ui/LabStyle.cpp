@@ -1,0 +1,185 @@
+#include "ui/LabStyle.h"
+
+#include "ui/Theme.h"
+
+#include <QAbstractButton>
+#include <QPainter>
+#include <QSplitterHandle>
+#include <QStyleOption>
+#include <QVariant>
+
+namespace asperity {
+
+namespace {
+
+constexpr double kRadius = 4.0;  // of a button's corners [px]
+constexpr int kFrame = 1;        // [px]
+constexpr int kBeside = 9;       // left and right of a button's words [px]
+constexpr int kAbove = 3;        // and below them [px]
+constexpr int kBesideSign = 4;   // of a compact button, and of a sign without words [px]
+constexpr int kDarker = 115;     // the accent under the mouse [%]
+
+bool is(const QWidget* widget, const char* property) {
+    return widget != nullptr && widget->property(property).toBool();
+}
+
+/// In a tool bar and in Qt's own dialogs a button has a frame under the mouse only.
+bool isFlat(const QStyleOption& option) {
+    return option.state.testFlag(QStyle::State_AutoRaise) &&
+           !(option.state & (QStyle::State_MouseOver | QStyle::State_On | QStyle::State_Sunken));
+}
+
+QColor faceOf(const QStyleOption& option, const QWidget* widget) {
+    const ThemeColors& colors = theme::colors();
+    const bool isUnderMouse = option.state.testFlag(QStyle::State_MouseOver);
+    const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
+    if (is(widget, "primary") && isEnabled) {
+        return isUnderMouse ? colors.accent.darker(kDarker) : colors.accent;
+    }
+    if (option.state.testFlag(QStyle::State_On)) {
+        return colors.wash;
+    }
+    return option.state.testFlag(QStyle::State_Sunken) ? colors.window : colors.paper;
+}
+
+QColor frameOf(const QStyleOption& option, const QWidget* widget) {
+    const bool stands =
+        (option.state & (QStyle::State_MouseOver | QStyle::State_On | QStyle::State_HasFocus)) !=
+            0 ||
+        is(widget, "primary");
+    return stands && option.state.testFlag(QStyle::State_Enabled) ? theme::colors().accent
+                                                                  : theme::colors().faint;
+}
+
+void paintButton(const QStyleOption& option, QPainter& painter, const QWidget* widget) {
+    if (is(widget, "heading") || isFlat(option)) {
+        return;
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(frameOf(option, widget), kFrame));
+    painter.setBrush(faceOf(option, widget));
+    painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
+    painter.restore();
+}
+
+/// What closes a tab.
+void paintCross(const QStyleOption& option, QPainter& painter) {
+    constexpr double kHalf = 3.5;  // [px]
+    const ThemeColors& colors = theme::colors();
+    const bool isUnderMouse = option.state.testFlag(QStyle::State_MouseOver);
+    const QPointF middle = QRectF(option.rect).center();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(isUnderMouse ? colors.accent : colors.muted, 1.4));
+    painter.drawLine(middle + QPointF(-kHalf, -kHalf), middle + QPointF(kHalf, kHalf));
+    painter.drawLine(middle + QPointF(-kHalf, kHalf), middle + QPointF(kHalf, -kHalf));
+    painter.restore();
+}
+
+/// The color of a button's words, invalid: the palette's.
+QColor wordsOf(const QStyleOption& option, const QWidget* widget) {
+    if (!option.state.testFlag(QStyle::State_Enabled)) {
+        return {};
+    }
+    if (is(widget, "primary")) {
+        return theme::colors().onAccent;
+    }
+    const bool isHeading = is(widget, "heading");
+    const bool stands =
+        option.state.testFlag(isHeading ? QStyle::State_MouseOver : QStyle::State_On);
+    return stands ? theme::colors().accent : QColor();
+}
+
+/// A copy of an option whose words have a color of their own.
+template <class Option>
+Option colored(const Option& option, const QColor& color) {
+    Option copy = option;
+    if (color.isValid()) {
+        copy.palette.setColor(QPalette::ButtonText, color);
+        copy.palette.setColor(QPalette::WindowText, color);
+    }
+    return copy;
+}
+
+QSize framed(const QSize& contents, const QStyleOption* option, const QWidget* widget) {
+    if (is(widget, "heading")) {
+        return contents;
+    }
+    const auto* tool = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+    const bool isSign = tool != nullptr &&
+                        (tool->text.isEmpty() || tool->toolButtonStyle == Qt::ToolButtonIconOnly);
+    const int beside = (is(widget, "compact") || isSign ? kBesideSign : kBeside) + kFrame;
+    return contents + QSize(2 * beside, 2 * (kAbove + kFrame));
+}
+
+}  // namespace
+
+LabStyle::LabStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+// A splitter's handle and a tool button show the mouse over them.
+void LabStyle::polish(QWidget* widget) {
+    QProxyStyle::polish(widget);
+    if (qobject_cast<QSplitterHandle*>(widget) != nullptr ||
+        qobject_cast<QAbstractButton*>(widget) != nullptr) {
+        widget->setAttribute(Qt::WA_Hover);
+    }
+}
+
+void LabStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
+                             QPainter* painter, const QWidget* widget) const {
+    switch (element) {
+    case PE_PanelButtonCommand:
+    case PE_PanelButtonTool:
+        paintButton(*option, *painter, widget);
+        return;
+    case PE_IndicatorTabClose:
+        paintCross(*option, *painter);
+        return;
+    case PE_FrameFocusRect:
+        if (qobject_cast<const QAbstractButton*>(widget) != nullptr &&
+            (widget->inherits("QPushButton") || widget->inherits("QToolButton"))) {
+            return;  // their frame has the accent
+        }
+        break;
+    default:
+        break;
+    }
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+}
+
+void LabStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                           const QWidget* widget) const {
+    if (element == CE_Splitter) {
+        const bool isUnderMouse = option->state.testFlag(State_MouseOver);
+        painter->fillRect(option->rect,
+                          isUnderMouse ? theme::colors().faint : theme::colors().window);
+        return;
+    }
+    const auto* push = qstyleoption_cast<const QStyleOptionButton*>(option);
+    if (element == CE_PushButtonLabel && push != nullptr) {
+        const QStyleOptionButton words = colored(*push, wordsOf(*option, widget));
+        QProxyStyle::drawControl(element, &words, painter, widget);
+        return;
+    }
+    const auto* tool = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+    if (element == CE_ToolButtonLabel && tool != nullptr) {
+        const QStyleOptionToolButton words = colored(*tool, wordsOf(*option, widget));
+        QProxyStyle::drawControl(element, &words, painter, widget);
+        return;
+    }
+    QProxyStyle::drawControl(element, option, painter, widget);
+}
+
+QSize LabStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
+                                 const QSize& contents, const QWidget* widget) const {
+    switch (type) {
+    case CT_PushButton:
+    case CT_ToolButton:
+        return framed(contents, option, widget);
+    default:
+        return QProxyStyle::sizeFromContents(type, option, contents, widget);
+    }
+}
+
+}  // namespace asperity
