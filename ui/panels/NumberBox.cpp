@@ -35,8 +35,9 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
 void NumberBox::colorText() {
     const QColor usual = muted_ ? theme::colors().muted : theme::colors().ink;
     QPalette colors = lineEdit()->palette();
-    colors.setColor(QPalette::Text,
-                    lineEdit()->hasAcceptableInput() ? usual : theme::colors().fault);
+    // What the program sets is right, also while limits and text follow one another.
+    const bool isWrong = lineEdit()->isModified() && !lineEdit()->hasAcceptableInput();
+    colors.setColor(QPalette::Text, isWrong ? theme::colors().fault : usual);
     colors.setColor(QPalette::Disabled, QPalette::Text, theme::colors().muted);
     lineEdit()->setPalette(colors);
 }

@@ -1,6 +1,7 @@
 #include "ui/window/SecondView.h"
 
 #include "ui/panels/CopyablePlot.h"
+#include "ui/panels/FlowLayout.h"
 #include "ui/panels/NumberBox.h"
 #include "ui/view/ContactPlot.h"
 #include "ui/view/ZoomView.h"
@@ -67,12 +68,12 @@ SecondView::SecondView(QWidget* parent)
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(kGap);
-    auto* controls = new QHBoxLayout;
+    auto* controls = new FlowLayout;  // two lines where the view is narrow
     controls->setSpacing(kGap);
-    addContents(*controls);
+    addContents();
+    controls->addWidget(contents_);
     controls->addWidget(spaceControls_);
     controls->addWidget(sectionControls_);
-    controls->addStretch(1);
     auto* spaceRow = new QHBoxLayout(spaceControls_);
     auto* sectionRow = new QHBoxLayout(sectionControls_);
     for (QHBoxLayout* row : {spaceRow, sectionRow}) {
@@ -95,13 +96,12 @@ SecondView::SecondView(QWidget* parent)
     setSettings({});
 }
 
-void SecondView::addContents(QHBoxLayout& row) {
+void SecondView::addContents() {
     contents_->setObjectName(QStringLiteral("secondContent"));
     contents_->setToolTip(tr("What the second view shows"));
     for (const SecondContent content : kValues<SecondContent>) {
         contents_->addItem(tr(nameOf(content)));
     }
-    row.addWidget(contents_);
     connect(contents_, qOverload<int>(&QComboBox::activated), this, &SecondView::showContent);
 }
 

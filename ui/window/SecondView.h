@@ -77,7 +77,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    void addContents(QHBoxLayout& row);
+    void addContents();
     void addSpaceControls(QHBoxLayout& row);
     void addSectionControls(QHBoxLayout& row);
     [[nodiscard]] SecondContent content() const;

@@ -49,6 +49,13 @@ TEST_F(SecondViewTest, IsHiddenAtFirstAndDoesNothingThen) {
     EXPECT_EQ(frames.count(), 0);
 }
 
+TEST_F(SecondViewTest, BothViewsAreEquallyWideAtFirst) {
+    window.menus().secondView->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return second().isVisible(); }));
+    QTest::qWait(20);
+    EXPECT_NEAR(window.view().width(), second().width(), 2.0);
+}
+
 TEST_F(SecondViewTest, ShowsASectionOrA3DView) {
     window.menus().secondView->trigger();
     ASSERT_TRUE(second().isVisible());

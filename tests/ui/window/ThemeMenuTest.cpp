@@ -88,8 +88,8 @@ TEST_F(ThemeMenuTest, RepaintsAllWindowsWhileTheProgramRunsAndBackToTheSamePixel
     }
 }
 
-/// A color that was taken once and never again is that of the light theme. Qt's style sheets give
-/// widgets back an old palette when they are first shown, or get another parent.
+/// A color that was taken once and never again is that of the light theme. Some
+/// labels are first shown later, or get another parent.
 TEST_F(ThemeMenuTest, NoLabelKeepsAColorOfTheThemeBefore) {
     const auto expectDark = [this](const char* when) {
         QTest::qWait(50);
