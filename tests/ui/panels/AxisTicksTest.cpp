@@ -11,5 +11,10 @@ TEST(AxisTicks, AreNeverOnlyOne) {
     EXPECT_GE(axisTicks(1.1, 13.9, 1).size(), 2U);
 }
 
+TEST(AxisTicks, AreTheOutermostWhereMoreHaveNoRoom) {
+    EXPECT_EQ(axisTicks(-2.5, 4.5, 1), (std::vector<double>{-2.0, 4.0}));
+    EXPECT_EQ(axisTicks(-0.6, 0.6, 1), (std::vector<double>{-0.5, 0.5}));
+}
+
 }  // namespace
 }  // namespace asperity
