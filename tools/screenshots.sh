@@ -50,13 +50,14 @@ pngquant --force --ext .png --speed 1 --quality 80-100 "$out/device.png"
 "$top/build/release/bin/asperity_open_picture" "$input" "$out/open_dialog.png" part
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/open_dialog.png"
 # What a user comes by: the first window, measuring, in the dark, on a large screen of small pixels.
-state() {  # STATE WIDTH HEIGHT SCALE NAME
+state() {  # STATE WIDTH HEIGHT SCALE NAME [dark]
     xvfb-run -a -s "-screen 0 $(($2 * $4))x$(($3 * $4))x24 -noreset" env "QT_SCALE_FACTOR=$4" \
-        "$top/build/release/bin/asperity_window_picture" "$1" "$top/data/samples/granular_film.gsf" "$2" "$3" "$out/$5.png"
+        "$top/build/release/bin/asperity_window_picture" "$1" "$top/data/samples/granular_film.gsf" "$2" "$3" "$out/$5.png" "${@:6}"
     pngquant --force --ext .png --speed 1 --quality 70-95 "$out/$5.png"
 }
-for name in start profile roughness touches dark; do
+for name in start profile roughness touches scene haptics; do
     state "$name" 1280 800 1 "window_$name"
 done
-state dark 1920 1080 2 window_4k
+state section 1280 800 1 window_dark dark
+state section 1920 1080 2 window_4k dark
 "$top/build/release/bin/asperity_deformation_pictures" "$out"

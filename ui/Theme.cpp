@@ -88,6 +88,7 @@ QPalette qtPalette(const ThemeColors& colors) {
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
         palette.setColor(QPalette::Disabled, role, colors.muted);
     }
+    palette.setColor(QPalette::Disabled, QPalette::Base, colors.window);
     return palette;
 }
 

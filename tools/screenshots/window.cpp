@@ -1,7 +1,7 @@
 /// Opens the live window on a scan, brings it into one of the states of docs/window.md as a user
 /// does, and saves what the screen shows then.
-/// Usage: asperity_window_picture start|profile|roughness|touches|dark SCENE_OR_SCAN WIDTH
-///        HEIGHT OUT.png
+/// Usage: asperity_window_picture start|profile|roughness|touches|section|scene|haptics
+///        SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/session/LiveWindow.h"
@@ -19,6 +19,7 @@
 #include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QStatusBar>
+#include <QTabWidget>
 
 #include <functional>
 #include <map>
@@ -94,6 +95,11 @@ public:
         }
         found->click();
     }
+    /// A page of the column on the right.
+    void showPage(int index) {
+        window().findChild<QTabWidget*>(QStringLiteral("sidePages"))->setCurrentIndex(index);
+        live(kMoment);
+    }
     [[nodiscard]] MainWindow& window() { return live_.window(); }
     [[nodiscard]] Session& session() { return live_.session(); }
 
@@ -124,8 +130,7 @@ void showTouches(User& user) {
     user.touch();
 }
 
-void showDark(User& user) {
-    theme::choose(ThemeChoice::Dark);
+void showSection(User& user) {
     user.window().menus().secondView->trigger();
     user.engage();
 }
@@ -140,10 +145,15 @@ int run(char** argv) {
         {"profile", [&] { showProfile(user); }},
         {"roughness", [&] { showRoughness(user); }},
         {"touches", [&] { showTouches(user); }},
-        {"dark", [&] { showDark(user); }}};
+        {"section", [&] { showSection(user); }},
+        {"scene", [&] { user.showPage(1); }},
+        {"haptics", [&] { user.showPage(2); }}};
     const auto show = states.find(state);
     if (show == states.end()) {
         throw Error("no such state: " + state);
+    }
+    if (argv[6] != nullptr) {
+        theme::choose(ThemeChoice::Dark);
     }
     user.window().setGeometry(0, 0, std::stoi(argv[3]), std::stoi(argv[4]));
     user.window().show();
@@ -165,8 +175,8 @@ int run(char** argv) {
 
 int main(int argc, char** argv) {
     return asperity::runPictureTool(
-        {argv, static_cast<std::size_t>(argc)}, 5,
-        "asperity_window_picture start|profile|roughness|touches|dark SCENE_OR_SCAN WIDTH "
-        "HEIGHT OUT.png",
+        {argv, static_cast<std::size_t>(argc)}, argc == 7 ? 6 : 5,
+        "asperity_window_picture start|profile|roughness|touches|section|scene|haptics "
+        "SCENE_OR_SCAN WIDTH HEIGHT OUT.png [dark]",
         asperity::run);
 }

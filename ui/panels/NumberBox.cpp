@@ -113,6 +113,7 @@ bool NumberBox::event(QEvent* event) {
 void NumberBox::mark(bool refused) const {
     QPalette colors = lineEdit()->palette();
     colors.setColor(QPalette::Base, refused ? theme::colors().refused : theme::colors().paper);
+    colors.setColor(QPalette::Disabled, QPalette::Base, theme::colors().window);
     lineEdit()->setPalette(colors);
     refused_ = refused;
 }

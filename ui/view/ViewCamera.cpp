@@ -69,7 +69,7 @@ double ViewCamera::heightSeen() const {
     return seen > kEdgeOn ? seen : 0.0;
 }
 
-void ViewCamera::apply(vtkCamera* camera, const FrameBox& box, double aspect) const {
+void ViewCamera::apply(vtkCamera* camera, const FrameBox& box, double aspect, double words) const {
     // The frame's corners come anywhere on a circle as the eye goes round.
     const double corner = std::numbers::sqrt2 * box.halfWidth;
     const double sine = std::abs(std::sin(elevation_));
@@ -77,8 +77,12 @@ void ViewCamera::apply(vtkCamera* camera, const FrameBox& box, double aspect) co
     const double below = corner * sine + box.below * cosine;
     const double above = std::max(corner * sine + box.above * cosine,
                                   kTipsPlace * corner * sine + box.tipTop * cosine);
-    const double halfHeight = kMargin * std::max(corner / aspect, 0.5 * (below + above));
-    const Vector3 focus = box.middle + 0.5 * (above - below) * up();
+    const double halfHeight =
+        kMargin * std::max(corner / aspect, 0.5 * (below + above) / (1.0 - words));
+    const double free =
+        halfHeight - 0.5 * kMargin * (below + above);  // under the frame, if centered
+    const double raised = std::max(0.0, 2.0 * words * halfHeight - free);
+    const Vector3 focus = box.middle + (0.5 * (above - below) - raised) * up();
     const double depth = kDepth * (box.halfWidth + box.below + box.above);
     camera->SetParallelProjection(perspective_ ? 0 : 1);
     camera->SetViewAngle(kViewAngle);

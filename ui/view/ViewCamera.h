@@ -42,7 +42,8 @@ public:
 
     /// Points VTK's camera at a frame so that all of it is seen, on any side.
     /// @param aspect width over height of the view
-    void apply(vtkCamera* camera, const FrameBox& box, double aspect) const;
+    /// @param words what the words under the frame need, of the view's height
+    void apply(vtkCamera* camera, const FrameBox& box, double aspect, double words = 0.0) const;
 
     /// The move within a horizontal plane that looks like this move across the view, rightwards
     /// and upwards [m]; nothing of an upward move where the plane is seen from its edge.

@@ -79,8 +79,10 @@ public:
     /// Takes the colors around the sample from the theme; terrain, contact and labels have to be
     /// shown anew.
     void showTheme();
-    /// The picture is seen so from now on. @param aspect width over height of the view
-    void aim(const ViewCamera& camera, double aspect);
+    /// The picture is seen so from now on.
+    /// @param aspect width over height of the view
+    /// @param words  what the axes' words need under the frame, of the view's height
+    void aim(const ViewCamera& camera, double aspect, double words = 0.0);
 
     /// What is shown of the scan; none without a scene.
     [[nodiscard]] const std::optional<ViewFrame>& frame() const { return frame_; }

@@ -195,15 +195,22 @@ void ZoomView::setCacheEnabled(bool enabled) {
 
 void ZoomView::resizeEvent(QResizeEvent* event) {
     GestureWidget::resizeEvent(event);
-    picture_.aim(camera_, static_cast<double>(width()) / height());
+    aim();
     renderSoon();
+}
+
+void ZoomView::aim() {
+    constexpr int kWords = 18;         // [px]
+    constexpr double kMostly = 0.125;  // a view hardly higher than its words
+    picture_.aim(camera_, static_cast<double>(width()) / height(),
+                 std::min(kMostly, static_cast<double>(theme::scaled(kWords)) / height()));
 }
 
 /// Something of the still layer moves: for a while it is drawn coarsely.
 void ZoomView::disturb() {
     settling_.start();
     terrainDue_ = true;
-    picture_.aim(camera_, static_cast<double>(width()) / height());
+    aim();
 }
 
 /// A frame within a few milliseconds, unless another one is drawn before.

@@ -90,6 +90,7 @@ protected:
 
 private:
     void connectGestures();
+    void aim();
     void disturb();
     void read();
     void renderSoon();

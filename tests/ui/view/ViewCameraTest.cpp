@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -49,6 +50,28 @@ TEST(ViewCamera, SeesTheWholeFrameFromEverySide) {
                 }
             }
             EXPECT_LE(seenAt(view, kBox.middle + Vector3(0.0, 0.0, 45.0_nm)).y(), 1.0);
+        }
+    }
+}
+
+TEST(ViewCamera, LeavesRoomForWordsUnderTheFrameOfAWideAndOfANarrowView) {
+    const ViewCamera view;
+    for (const double aspect : {0.5, 1.0, 3.0}) {
+        for (const double words : {0.02, 0.1}) {
+            vtkNew<vtkCamera> camera;
+            view.apply(camera, kBox, aspect, words);
+            const double halfHeight = camera->GetParallelScale();
+            double lowest = 1.0;
+            for (const double x : {-40.0_nm, 40.0_nm}) {
+                for (const double y : {-40.0_nm, 40.0_nm}) {
+                    const Vector3 arm =
+                        kBox.middle + Vector3(x, y, -12.0_nm) - Vector3(camera->GetFocalPoint());
+                    lowest = std::min(lowest, arm.dot(view.up()) / halfHeight);
+                }
+            }
+            EXPECT_GE(lowest, -1.0 + 2.0 * words) << aspect;
+            const Vector3 top = kBox.middle + Vector3(0.0, 0.0, 45.0_nm);
+            EXPECT_LE((top - Vector3(camera->GetFocalPoint())).dot(view.up()), halfHeight);
         }
     }
 }
