@@ -150,7 +150,8 @@ protected:
         std::cout << tableOf(longest);
         for (const BlockedStretch& stretch : longest) {
             if (!kSanitized) {  // that asks for several times as long
-                EXPECT_LT(std::max(stretch.own, stretch.processor), kLongest) << stretch.step;
+                // What else a stretch waited for may be another program's load.
+                EXPECT_LT(stretch.processor, kLongest) << stretch.step;
             }
         }
     }
