@@ -9,6 +9,7 @@
 #include "ui/panels/OverviewPanel.h"
 
 #include <QCheckBox>
+#include <QCoreApplication>
 #include <QSpinBox>
 #include <QToolButton>
 
@@ -61,7 +62,8 @@ TEST_F(ProfileControlTest, TheSwitchShowsWhetherItsToolIsActive) {
 TEST_F(ProfileControlTest, ItsCursorsAndStretchesCanBeDragged) {
     draw(20, 30, 100, 30);
     page().resize(700, 260);
-    page().grab();  // lays out
+    page().grab();                      // lays out
+    QCoreApplication::processEvents();  // the plot places its axes anew once it has its size
     ProfilePlot& plot = page().plot();
     const double length = 80e-9;
     dragMouse(plot.canvas(), {plot.pixelOf(0.0) + 1.0, 40.0}, {plot.pixelOf(0.25 * length), 40.0});
