@@ -2,6 +2,7 @@
 
 #include "core/Units.h"
 #include "core/words/ModelWords.h"
+#include "tests/support/CanceledAfter.h"
 #include "tests/support/TestScenes.h"
 
 #include <gtest/gtest.h>
@@ -167,29 +168,12 @@ TEST(SceneNeeds, WhatTheSceneOverrulesIsAnErrorToo) {
     EXPECT_GT(hertz, jkr);
 }
 
-/// Cancels after so many reports; asks come at every tick.
-class Countdown : public Progress {
-public:
-    explicit Countdown(int reports) : left_(reports) {}
-    void report(double fraction) override {
-        EXPECT_GE(fraction, last_);
-        EXPECT_LE(fraction, 1.0);
-        last_ = fraction;
-        --left_;
-    }
-    [[nodiscard]] bool isCanceled() const override { return left_ <= 0; }
-
-private:
-    int left_;
-    double last_ = 0.0;
-};
-
 TEST(SceneNeeds, AFitReportsProgressAndCanBeCanceled) {
     Scene scene = buildScene(test::plainScene(), test::hillyMap());
-    Countdown whole(1000000);
+    test::CanceledAfter whole(1000000);
     EXPECT_TRUE(fitModel(scene, kLongestTick, &whole).measured);
     for (const int reports : {0, 1, 5, 10, 13}) {
-        Countdown early(reports);
+        test::CanceledAfter early(reports);
         EXPECT_THROW((void)fitModel(scene, kLongestTick, &early), Canceled) << reports;
     }
 }

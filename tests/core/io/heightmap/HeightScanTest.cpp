@@ -4,6 +4,7 @@
 #include "core/io/heightmap/ScanFile.h"
 #include "tests/core/io/heightmap/BumpyMap.h"
 #include "tests/core/io/heightmap/SyntheticScans.h"
+#include "tests/support/CanceledAfter.h"
 #include "tests/support/ScratchFolder.h"
 
 #include <gtest/gtest.h>
@@ -76,23 +77,6 @@ HeightMap largeMap() {
     remove(map.index(499, 699));
     return map;
 }
-
-class CanceledAfter : public Progress {
-public:
-    explicit CanceledAfter(int reports) : left_(reports) {}
-
-    void report(double fraction) override {
-        EXPECT_GE(fraction, last_);
-        EXPECT_LE(fraction, 1.0);
-        last_ = fraction;
-        --left_;
-    }
-    [[nodiscard]] bool isCanceled() const override { return left_ <= 0; }
-
-private:
-    int left_;
-    double last_ = 0.0;
-};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "core/surface/synthetic/SyntheticSurface.h"
+#include "tests/support/CanceledAfter.h"
 #include "tests/support/ScanMaps.h"
 
 #include <gtest/gtest.h>
@@ -163,26 +164,11 @@ TEST(Leveling, WhatIsRemovedFromAScanMapHoldsItsDatum) {
     EXPECT_EQ(shifted.map.datum, 0.0);
 }
 
-class Countdown : public Progress {
-public:
-    explicit Countdown(int reports) : left_(reports) {}
-    void report(double fraction) override {
-        EXPECT_GE(fraction, last_);
-        last_ = fraction;
-        --left_;
-    }
-    [[nodiscard]] bool isCanceled() const override { return left_ <= 0; }
-
-private:
-    int left_;
-    double last_ = 0.0;
-};
-
 TEST(Leveling, ReportsProgressAndCanBeCanceled) {
-    Countdown whole(1000000);
+    test::CanceledAfter whole(1000000);
     (void)leveled(hills(), {LevelingStep::Plane, LevelingStep::Facet, LevelingStep::Zero}, {},
                   &whole);
-    Countdown early(2);
+    test::CanceledAfter early(2);
     EXPECT_THROW((void)leveled(hills(), {LevelingStep::Plane, LevelingStep::Facet}, {}, &early),
                  Canceled);
 }

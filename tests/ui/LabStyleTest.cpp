@@ -1,0 +1,79 @@
+#include "ui/LabStyle.h"
+
+#include "tests/ui/panels/PanelSamples.h"
+#include "ui/Theme.h"
+
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVariant>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace asperity::test {
+namespace {
+
+/// Of a button's face, beside its words.
+QColor faceOf(QWidget& button) {
+    button.resize(120, 40);
+    return button.grab().toImage().pixelColor(60, 5);
+}
+
+class LabStyleTest : public ::testing::TestWithParam<ThemeChoice> {
+protected:
+    void SetUp() override { theme::choose(GetParam()); }
+    void TearDown() override { theme::choose(ThemeChoice::Desktop); }
+
+    QPushButton button;
+};
+
+TEST_P(LabStyleTest, AButtonHasTheColorOfItsState) {
+    EXPECT_EQ(faceOf(button), theme::colors().paper);
+    button.setCheckable(true);
+    button.setChecked(true);
+    EXPECT_EQ(faceOf(button), theme::colors().wash);
+    button.setDown(true);
+    button.setChecked(false);
+    EXPECT_EQ(faceOf(button), theme::colors().window);
+}
+
+TEST_P(LabStyleTest, APrimaryButtonIsFilledWithTheAccentWhileItIsEnabled) {
+    button.setProperty("primary", true);
+    EXPECT_EQ(faceOf(button), theme::colors().accent);
+    button.setEnabled(false);
+    EXPECT_EQ(faceOf(button), theme::colors().paper);
+}
+
+TEST_P(LabStyleTest, AHeadingIsWordsAlone) {
+    QToolButton heading;
+    heading.setText(QStringLiteral("Sample"));
+    const QSize framed = heading.sizeHint();
+    const int faint = pixelsLike(heading.grab().toImage(), theme::colors().faint);
+    EXPECT_GT(faint, 20) << "a frame";
+    heading.setProperty("heading", true);
+    heading.setText(QStringLiteral("Sample "));  // measures itself anew
+    heading.setText(QStringLiteral("Sample"));
+    EXPECT_LT(heading.sizeHint().width(), framed.width());
+    EXPECT_LT(pixelsLike(heading.grab().toImage(), theme::colors().faint), faint / 4);
+}
+
+TEST_P(LabStyleTest, ButtonsAndMenusFollowAnotherTheme) {
+    faceOf(button);
+    QMenu menu;
+    menu.addAction(QStringLiteral("Open"));
+    menu.grab();
+    theme::choose(GetParam() == ThemeChoice::Dark ? ThemeChoice::Light : ThemeChoice::Dark);
+    EXPECT_EQ(faceOf(button), theme::colors().paper);
+    EXPECT_EQ(menu.palette().color(QPalette::Highlight), theme::colors().wash);
+    EXPECT_GT(pixelsLike(menu.grab().toImage(), theme::colors().paper), 200);
+}
+
+INSTANTIATE_TEST_SUITE_P(, LabStyleTest, ::testing::Values(ThemeChoice::Light, ThemeChoice::Dark),
+                         [](const auto& theme) {
+                             return theme.param == ThemeChoice::Dark ? "Dark" : "Light";
+                         });
+
+}  // namespace
+}  // namespace asperity::test
