@@ -1,6 +1,6 @@
 #include "ui/LabStyle.h"
 
-#include "tests/ui/panels/PanelSamples.h"
+#include "tests/support/PixelCount.h"
 #include "ui/Theme.h"
 
 #include <QMenu>
