@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/Sanitized.h"
+
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -8,6 +10,9 @@
 #include <vector>
 
 namespace asperity::test {
+
+/// What a window may compute in one go [s]; a sanitizer's own code takes two to three times as long.
+inline constexpr double kLongestBlock = kSanitized ? 0.3 : 0.1;
 
 /// How long an event loop did not answer in one step of a test.
 struct BlockedStretch {

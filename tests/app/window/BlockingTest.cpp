@@ -1,6 +1,5 @@
 #include "tests/app/window/WindowFixture.h"
 #include "tests/support/EventLoopWatchdog.h"
-#include "tests/support/Sanitized.h"
 #include "ui/Theme.h"
 #include "ui/view/ZoomView.h"
 #include "ui/window/OpenDialog.h"
@@ -18,8 +17,7 @@
 namespace asperity::test {
 namespace {
 
-constexpr double kLongest = 0.1;                    // without an answer [s]
-constexpr double kSlower = kSanitized ? 3.0 : 1.0;  // what a sanitizer's own code takes
+constexpr double kLongest = 0.1;  // without an answer [s]
 
 void stayBusy(double seconds) {
     const double end = processorSeconds() + seconds;
@@ -151,7 +149,7 @@ protected:
         std::cout << tableOf(longest);
         for (const BlockedStretch& stretch : longest) {
             // Processor time: what else a stretch waited for may be another program's load.
-            EXPECT_LT(stretch.processor, kSlower * kLongest) << stretch.step;
+            EXPECT_LT(stretch.processor, kLongestBlock) << stretch.step;
         }
     }
 
