@@ -11,7 +11,8 @@
 
 namespace asperity::test {
 
-/// What a window may compute in one go [s]; a sanitizer's own code takes two to three times as long.
+/// What a window may compute in one go [s]; a sanitizer's own code takes two to three times as
+/// long.
 inline constexpr double kLongestBlock = kSanitized ? 0.3 : 0.1;
 
 /// How long an event loop did not answer in one step of a test.
