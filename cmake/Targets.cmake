@@ -105,8 +105,9 @@ endfunction()
 # asperity_test(NAME [LONG] [ALONE] LABEL core|io|vtk|... SOURCES ... DEPENDS ... [GATES asan|tsan ...]): one
 # GoogleTest program. LONG: its suites named ...Long have the label "long" in place of the other,
 # and run by `ctest --preset long` only. ALONE: its suites named ...Alone run while no other test
-# does: they read the clock, or use what a display has once (clipboard, pointer). GATES: where it is built and run, too
-# (ASPERITY_GATE; docs/testing.md).
+# does: they read the clock. GATES: where it is built and run, too (ASPERITY_GATE; docs/testing.md).
+# Tests with windows run one at a time: a display has one focus, one pointer and one clipboard, and a
+# window of another program that takes the focus closes an open menu.
 function(asperity_test name)
   cmake_parse_arguments(ARG "LONG;ALONE" "LABEL" "SOURCES;DEPENDS;GATES" ${ARGN})
   if(ASPERITY_GATE)
@@ -121,8 +122,10 @@ function(asperity_test name)
                                         GTest::gtest_main)
   asperity_compile_options(${name})
   asperity_optimize_as_test(${name})
+  set(properties DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${ARG_LABEL})
   if(asperity_window_test_main IN_LIST ARG_DEPENDS)
     asperity_precompile(${name} asperity_test_clicks)
+    list(APPEND properties RESOURCE_LOCK display)
   else()
     asperity_precompile(${name} asperity_test_support)
   endif()
@@ -131,10 +134,9 @@ function(asperity_test name)
     string(APPEND others ":*Alone.*")
     gtest_discover_tests(
       ${name} ${prefix} TEST_FILTER "*Alone.*" TEST_LIST ${name}_ALONE_TESTS
-      PROPERTIES LABELS ${ARG_LABEL} RUN_SERIAL TRUE DISCOVERY_TIMEOUT 60)
+      ${properties} RUN_SERIAL TRUE)
   endif()
-  gtest_discover_tests(
-    ${name} ${prefix} TEST_FILTER "${others}" PROPERTIES LABELS ${ARG_LABEL} DISCOVERY_TIMEOUT 60)
+  gtest_discover_tests(${name} ${prefix} TEST_FILTER "${others}" ${properties})
   if(ARG_LONG)
     gtest_discover_tests(
       ${name} ${prefix} TEST_FILTER "*Long.*" TEST_LIST ${name}_LONG_TESTS PROPERTIES LABELS long

@@ -4,6 +4,8 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QTimer>
+#include <QToolButton>
 #include <QtTest>
 
 #include <gtest/gtest.h>
@@ -55,10 +57,42 @@ void UserClicks::choose(const QMainWindow& window, const QStringList& path) {
     }
 }
 
+void UserClicks::choose(QToolButton& button, const QString& text) {
+    QMenu* const menu = button.menu();
+    QAction* const action = entryOf(menu->actions(), text);
+    ASSERT_NE(action, nullptr) << text.toStdString();
+    onceReady([menu] { return menu->isVisible(); },
+              [&, menu] { click(*menu, menu->actionGeometry(action).center()); });
+    click(button);  // runs the menu's event loop
+}
+
 void UserClicks::type(QWidget& widget, const QString& text) {
     ASSERT_TRUE(widget.isVisible() && widget.isEnabled()) << widget.objectName().toStdString();
     ++typed_;
     QTest::keyClicks(&widget, text);
+}
+
+namespace {
+
+constexpr int kPoll = 10;             // [ms]
+constexpr int kLongestWait = 10'000;  // [ms]
+
+void waitOn(std::function<bool()> ready, std::function<void()> todo, int waited) {
+    QTimer::singleShot(kPoll, qApp, [ready = std::move(ready), todo = std::move(todo), waited] {
+        if (ready()) {
+            todo();
+        } else if (waited < kLongestWait) {
+            waitOn(ready, todo, waited + kPoll);
+        } else {
+            ADD_FAILURE() << "what should have opened did not";
+        }
+    });
+}
+
+}  // namespace
+
+void onceReady(std::function<bool()> ready, std::function<void()> todo) {
+    waitOn(std::move(ready), std::move(todo), 0);
 }
 
 }  // namespace asperity::test

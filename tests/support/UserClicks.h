@@ -3,7 +3,10 @@
 #include <QPoint>
 #include <QStringList>
 
+#include <functional>
+
 class QMainWindow;
+class QToolButton;
 class QWidget;
 
 namespace asperity::test {
@@ -17,6 +20,8 @@ public:
     void doubleClick(QWidget& widget, const QPoint& place);
     /// Opens a menu and chooses an entry by the beginnings of their texts: {"File", "Open"}.
     void choose(const QMainWindow& window, const QStringList& path);
+    /// Opens the menu of a button and chooses an entry by the beginning of its text.
+    void choose(QToolButton& button, const QString& text);
     /// Types into what has the focus; one count for all of it.
     void type(QWidget& widget, const QString& text);
 
@@ -27,5 +32,9 @@ private:
     int clicks_ = 0;
     int typed_ = 0;
 };
+
+/// Does something as soon as it can be done, also within the event loop of a menu or a dialog.
+/// Fails the test where that takes more than 10 s.
+void onceReady(std::function<bool()> ready, std::function<void()> todo);
 
 }  // namespace asperity::test

@@ -140,7 +140,8 @@ TEST(Loop, SaysWhatItsDurationCovers) {
 void expectRecords(const std::string& loop) {
     const test::ScratchFolder folder;
     const std::string recording = folder.file("run").string();
-    const auto run = test::runProgram(loop + " --duration 2.5 --json --record " + recording);
+    const auto run =
+        test::runProgram(loop + " --duration 2.5 --json --record " + recording, "DISPLAY=");
     ASSERT_EQ(run.exitCode, 0) << run.output;
     const auto report = nlohmann::json::parse(run.output.substr(run.output.find('{')));
     const double fetching = report["black_box"]["time_per_tick_s"];

@@ -18,7 +18,7 @@
 namespace asperity::test {
 namespace {
 
-class ClipboardControlAlone : public ControlFixture {
+class ClipboardControlTest : public ControlFixture {
 protected:
     void SetUp() override {
         runs.setSink([this](const TickSample& sample) { views.take(sample); });
@@ -37,7 +37,7 @@ protected:
     ClipboardControl clipboard{window, runs, views};
 };
 
-TEST_F(ClipboardControlAlone, CtrlCCopiesTheViewWhereItHasTheFocus) {
+TEST_F(ClipboardControlTest, CtrlCCopiesTheViewWhereItHasTheFocus) {
     useFlatScene();
     showWindow();
     window.view().setFocus();
@@ -46,7 +46,7 @@ TEST_F(ClipboardControlAlone, CtrlCCopiesTheViewWhereItHasTheFocus) {
     EXPECT_EQ(told(), "The view is on the clipboard");
 }
 
-TEST_F(ClipboardControlAlone, NumberFieldsKeepTheirOwnCtrlC) {
+TEST_F(ClipboardControlTest, NumberFieldsKeepTheirOwnCtrlC) {
     useFlatScene();
     showWindow();
     auto* box = window.findChild<QAbstractSpinBox*>(QStringLiteral("setpoint"));
@@ -58,13 +58,13 @@ TEST_F(ClipboardControlAlone, NumberFieldsKeepTheirOwnCtrlC) {
     EXPECT_TRUE(picture().isNull());
 }
 
-TEST_F(ClipboardControlAlone, CopiesTheWindow) {
+TEST_F(ClipboardControlTest, CopiesTheWindow) {
     showWindow();
     window.menus().copyWindow->trigger();
     EXPECT_EQ(picture().size(), window.size());
 }
 
-TEST_F(ClipboardControlAlone, CopiesThePlotUnderThePointer) {
+TEST_F(ClipboardControlTest, CopiesThePlotUnderThePointer) {
     useFlatScene();
     showWindow();
     QWidget& map = *window.findChild<QWidget*>(QStringLiteral("overviewMap"));
@@ -78,7 +78,7 @@ TEST_F(ClipboardControlAlone, CopiesThePlotUnderThePointer) {
 }
 
 /// Each number that a panel shows is among them, with all its digits.
-TEST_F(ClipboardControlAlone, CopiesAllNumbersShown) {
+TEST_F(ClipboardControlTest, CopiesAllNumbersShown) {
     useFlatScene();
     runs.pause();
     runs.fetch();

@@ -6,7 +6,6 @@
 #include <QFileDialog>
 #include <QImage>
 #include <QPushButton>
-#include <QTimer>
 
 #include <filesystem>
 
@@ -28,17 +27,19 @@ protected:
 
     /// The file dialog runs an event loop of its own.
     void savePicture() {
-        QTimer::singleShot(400, &window, [this] {
-            auto* chooser = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-            ASSERT_NE(chooser, nullptr);
-            chooser->selectFile(QString::fromStdString(picture_.string()));
-            for (QPushButton* button : chooser->findChildren<QPushButton*>()) {
-                if (QString(button->text()).remove('&') == QStringLiteral("Save")) {
-                    user.click(*button);
-                    return;
-                }
-            }
-        });
+        const auto chooser = [] {
+            return qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        };
+        onceReady([=] { return chooser() != nullptr; },
+                  [this, chooser] {
+                      chooser()->selectFile(QString::fromStdString(picture_.string()));
+                      for (QPushButton* button : chooser()->findChildren<QPushButton*>()) {
+                          if (QString(button->text()).remove('&') == QStringLiteral("Save")) {
+                              user.click(*button);
+                              return;
+                          }
+                      }
+                  });
         user.choose(window, {"File", "Save picture"});
         ASSERT_TRUE(eventually([this] { return fs::exists(picture_); }));
     }

@@ -6,10 +6,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
-#include <QAction>
 #include <QDialogButtonBox>
-#include <QLabel>
-#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -56,20 +53,8 @@ void ScanWalk::clickFile() {
 }
 
 void ScanWalk::levelAndOpen() {
-    auto& add = *dialog().findChild<QToolButton*>(QStringLiteral("addLevelingStep"));
-    // Its menu runs an event loop of its own until something is chosen.
-    QTimer::singleShot(200, &add, [&] {
-        QMenu& menu = *add.menu();
-        for (QAction* action : menu.actions()) {
-            if (action->text().contains(QStringLiteral("median of differences"))) {
-                user.click(menu, menu.actionGeometry(action).center());
-                return;
-            }
-        }
-        ADD_FAILURE() << "no step by medians";
-        menu.close();
-    });
-    user.click(add);
+    user.choose(*dialog().findChild<QToolButton*>(QStringLiteral("addLevelingStep")),
+                QStringLiteral("median of differences"));
     ASSERT_TRUE(eventually([this] { return dialog().preview().isComplete(); }));
     QSignalSpy begun(&session.runs(), &RunControl::begun);
     user.click(*dialog().findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open));

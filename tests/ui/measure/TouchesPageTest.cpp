@@ -88,10 +88,7 @@ TEST_F(TouchesPageTest, TheLastTouchGoesOn) {
     EXPECT_EQ(table->model()->rowCount(), 3);
 }
 
-/// The display has one clipboard.
-class TouchesPageAlone : public TouchesPageTest {};
-
-TEST_F(TouchesPageAlone, CopiesTheSelectedRowsInTheirOrder) {
+TEST_F(TouchesPageTest, CopiesTheSelectedRowsInTheirOrder) {
     table->sortByColumn(TouchModel::PullOff, Qt::DescendingOrder);
     QSignalSpy changed(&page, &TouchesPage::selectionChanged);
     table->selectRow(0);

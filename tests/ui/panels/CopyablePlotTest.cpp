@@ -27,7 +27,7 @@ void trigger(QWidget& plot, const char* action) {
     found->trigger();
 }
 
-TEST(CopyablePlotAlone, CurvesCopyTheirTimesAndValuesInSiUnits) {
+TEST(CopyablePlot, CurvesCopyTheirTimesAndValuesInSiUnits) {
     CurvePlot plot({.title = QStringLiteral("Force"),
                     .unit = QStringLiteral("N"),
                     .smallest = 1e-9,
@@ -41,7 +41,7 @@ TEST(CopyablePlotAlone, CurvesCopyTheirTimesAndValuesInSiUnits) {
     EXPECT_FALSE(clipboard().hasImage());
 }
 
-TEST(CopyablePlotAlone, ThePictureIsThatOnTheScreen) {
+TEST(CopyablePlot, ThePictureIsThatOnTheScreen) {
     CurvePlot plot({.title = QStringLiteral("Force"),
                     .unit = QStringLiteral("N"),
                     .curves = {{QStringLiteral("Fz"), 0}}});
@@ -55,7 +55,7 @@ TEST(CopyablePlotAlone, ThePictureIsThatOnTheScreen) {
     EXPECT_FALSE(clipboard().hasText());
 }
 
-TEST(CopyablePlotAlone, CopyOffersBothAndEachPartOfAPlotFindsIt) {
+TEST(CopyablePlot, CopyOffersBothAndEachPartOfAPlotFindsIt) {
     CurvePlot plot({.title = QStringLiteral("Force"),
                     .unit = QStringLiteral("N"),
                     .curves = {{QStringLiteral("Fz"), 0}}});
@@ -73,7 +73,7 @@ TEST(CopyablePlotAlone, CopyOffersBothAndEachPartOfAPlotFindsIt) {
     EXPECT_EQ(clipboard().text(), QStringLiteral("time [s]\tFz [N]\n0.5\t1e-09\n"));
 }
 
-TEST(CopyablePlotAlone, ForceDistanceCurvesCopyBothBranchesOfEachCycle) {
+TEST(CopyablePlot, ForceDistanceCurvesCopyBothBranchesOfEachCycle) {
     ForceDistancePlot plot;
     plot.setCycles({{.approach = {{4e-9, 0.0}, {1e-9, -1e-9}}, .retract = {{2e-9, -3e-9}}}},
                    {-1e-9, 5e-9});
@@ -84,7 +84,7 @@ TEST(CopyablePlotAlone, ForceDistanceCurvesCopyBothBranchesOfEachCycle) {
                              "1e-09\t-1e-09\t\t\n"));
 }
 
-TEST(CopyablePlotAlone, TheTradeOffChartCopiesNamesTimesAndErrors) {
+TEST(CopyablePlot, TheTradeOffChartCopiesNamesTimesAndErrors) {
     TradeOffChart chart;
     chart.setPoints({{{.time = 2e-6, .error = 1e-12, .name = QStringLiteral("jkr")}}, 1e-9}, {});
     EXPECT_EQ(CopyablePlot::of(&chart)->data(),
@@ -110,7 +110,7 @@ bool opensMenu(QWidget& plot, int moved) {
     return opened;
 }
 
-TEST(CopyablePlotAlone, ARightClickOpensItsMenuAndARightDragDoesNot) {
+TEST(CopyablePlot, ARightClickOpensItsMenuAndARightDragDoesNot) {
     QWidget drawing;
     const CopyablePlot plot(drawing);
     drawing.resize(200, 100);
@@ -123,7 +123,7 @@ TEST(CopyablePlotAlone, ARightClickOpensItsMenuAndARightDragDoesNot) {
     EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
 }
 
-TEST(CopyablePlotAlone, APlotWithoutNumbersOffersItsPictureOnly) {
+TEST(CopyablePlot, APlotWithoutNumbersOffersItsPictureOnly) {
     QWidget drawing;
     const CopyablePlot plot(drawing);
     EXPECT_EQ(drawing.actions().size(), 1);

@@ -84,10 +84,7 @@ TEST_F(MessagesPanelTest, ListsFromASeverityOn) {
     EXPECT_TRUE(panel.text().endsWith(QStringLiteral("three"))) << panel.text().toStdString();
 }
 
-/// The display has one clipboard.
-class MessagesPanelAlone : public MessagesPanelTest {};
-
-TEST_F(MessagesPanelAlone, CopiesWhatIsSelectedOrAll) {
+TEST_F(MessagesPanelTest, CopiesWhatIsSelectedOrAll) {
     show();
     log.add(MessageKind::Note, QStringLiteral("one"));
     log.add(MessageKind::Note, QStringLiteral("two"));

@@ -111,10 +111,7 @@ TEST_F(ZoomViewTest, TheCrossHairCostsNoFrameWhileSnapshotsCome) {
     EXPECT_EQ(frames.count(), 2);
 }
 
-/// The display has one pointer.
-class PointerAlone : public ZoomViewTest {};
-
-TEST_F(PointerAlone, SaysWhereThePointerIs) {
+TEST_F(ZoomViewTest, SaysWhereThePointerIs) {
     pictureOf(moments.away);
     QSignalSpy hovered(view.get(), &ZoomView::placeHovered);
     QSignalSpy left(view.get(), &ZoomView::placeLeft);
