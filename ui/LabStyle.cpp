@@ -77,6 +77,24 @@ void paintCross(const QStyleOption& option, QPainter& painter) {
     painter.restore();
 }
 
+/// A tab: the chosen one is of paper, below a line in the accent's color.
+void paintTab(const QStyleOptionTab& tab, QPainter& painter) {
+    constexpr int kLine = 2;  // [px]
+    const ThemeColors& colors = theme::colors();
+    const bool isChosen = tab.state.testFlag(QStyle::State_Selected);
+    const bool isUnderMouse = tab.state.testFlag(QStyle::State_MouseOver);
+    const bool isReached = tab.state.testFlag(QStyle::State_HasFocus);
+    painter.save();
+    painter.setPen(QPen(colors.faint, kFrame));
+    painter.setBrush(isChosen || isUnderMouse ? colors.paper : colors.window);
+    painter.drawRect(tab.rect.adjusted(0, 0, -kFrame, -kFrame));
+    if (isChosen) {
+        const int line = isReached ? 2 * kLine : kLine;
+        painter.fillRect(QRect(tab.rect.topLeft(), QSize(tab.rect.width(), line)), colors.accent);
+    }
+    painter.restore();
+}
+
 /// The color of a button's words, invalid: the palette's.
 QColor wordsOf(const QStyleOption& option, const QWidget* widget) {
     if (!option.state.testFlag(QStyle::State_Enabled)) {
@@ -154,6 +172,11 @@ void LabStyle::drawControl(ControlElement element, const QStyleOption* option, Q
         const bool isUnderMouse = option->state.testFlag(State_MouseOver);
         painter->fillRect(option->rect,
                           isUnderMouse ? theme::colors().faint : theme::colors().window);
+        return;
+    }
+    const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+    if (element == CE_TabBarTabShape && tab != nullptr) {
+        paintTab(*tab, *painter);
         return;
     }
     const auto* push = qstyleoption_cast<const QStyleOptionButton*>(option);

@@ -16,6 +16,12 @@
 #include "core/Error.h"
 #include "core/haptics/ScriptedDevice.h"
 #include "hardware/piloted/PilotedDrivers.h"
+#include "ui/window/MainWindow.h"
+#include "ui/window/MeasureMenu.h"
+#include "ui/window/SecondView.h"
+#include "ui/window/WindowMenus.h"
+
+#include <QAction>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -182,11 +188,25 @@ void runBare(const LoopOptions& options) {
     print(options, run, {blocks, elapsed, writingTime, {}});
 }
 
+/// The second view in 3-D, which costs most, and the pages of all tools.
+void openEverything(MainWindow& window) {
+    SecondViewSettings settings = window.second().settings();
+    settings.content = SecondContent::Space;
+    window.second().setSettings(settings);
+    const WindowMenus& menus = window.menus();
+    const MeasureMenu& measure = menus.measure();
+    for (QAction* const entry :
+         {menus.secondView, measure.markers, measure.touches, measure.roughness, measure.profile}) {
+        entry->trigger();
+    }
+}
+
 void runInWindow(const LoopOptions& options) {
     requireFreeFolder(options);
     const VirtualDisplay display;
     LiveWindow live;
     Session& session = live.session();
+    openEverything(live.window());
     RecordingControl& recordings = session.recordings();
     session.runs().use(loadForLoop(options));
     LiveRun& run = *session.run();
@@ -245,7 +265,8 @@ void addLoopCommand(CLI::App& program) {
     command->add_flag("--simulated-device", options->simulatedDevice,
                       "drive the tip with a simulated force-feedback device, not a script: with "
                       "coupling, governor and workspace edge");
-    command->add_flag("--window", options->window, "open the window and draw every view meanwhile");
+    command->add_flag("--window", options->window,
+                      "open the window with all views and tools, and draw them meanwhile");
     command->add_flag("--json", options->json, "print JSON");
     command->callback([options] { options->window ? runInWindow(*options) : runBare(*options); });
 }

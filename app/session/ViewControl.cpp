@@ -116,6 +116,9 @@ std::vector<ViewRate> ViewControl::rates() const {
             rates.push_back({panel->slowName(), panels_.overallRate()});
         }
     }
+    if (!window_.second().isHidden()) {
+        rates.push_back({"second", panels_.overallRate()});
+    }
     return rates;
 }
 

@@ -5,6 +5,7 @@
 
 #include <QMenu>
 #include <QPushButton>
+#include <QTabBar>
 #include <QToolButton>
 #include <QVariant>
 
@@ -57,6 +58,24 @@ TEST_P(LabStyleTest, AHeadingIsWordsAlone) {
     heading.setText(QStringLiteral("Sample"));
     EXPECT_LT(heading.sizeHint().width(), framed.width());
     EXPECT_LT(pixelsLike(heading.grab().toImage(), theme::colors().faint), faint / 4);
+}
+
+/// In both themes the chosen tab is told from the others at a glance.
+TEST_P(LabStyleTest, TheChosenTabHasALineInTheAccentsColor) {
+    QTabBar tabs;
+    tabs.addTab(QStringLiteral("vs. distance"));
+    tabs.addTab(QStringLiteral("vs. time"));
+    tabs.resize(tabs.sizeHint());
+    tabs.grab();  // lays them out
+    const auto lineOf = [&tabs](int tab) {
+        const QImage drawn = tabs.grab().toImage();
+        return pixelsLike(drawn.copy(tabs.tabRect(tab)), theme::colors().accent);
+    };
+    EXPECT_GE(lineOf(0), tabs.tabRect(0).width());
+    EXPECT_EQ(lineOf(1), 0);
+    tabs.setCurrentIndex(1);
+    EXPECT_EQ(lineOf(0), 0);
+    EXPECT_GE(lineOf(1), tabs.tabRect(1).width());
 }
 
 TEST_P(LabStyleTest, ButtonsAndMenusFollowAnotherTheme) {

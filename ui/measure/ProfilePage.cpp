@@ -35,13 +35,17 @@ QString angleText(double radians) {
     return QStringLiteral("%1°").arg(radians * 180.0 / std::numbers::pi, 0, 'f', 2);
 }
 
-/// Both in the prefix of the value.
+/// Both in the prefix of the value; below a hundredth a deviation is not told from none.
 QString withDeviation(const StepHeight& step) {
+    constexpr double kLastDigit = 0.01;
     const SiScale scale = siScaleFor(std::max(std::abs(step.height), 1e-12), "m");
+    const double deviation = scale.factor * step.deviation;
+    const QString shown = deviation > 0.0 && deviation < kLastDigit
+                              ? QStringLiteral("< %1").arg(kLastDigit)
+                              : QString::number(deviation, 'g', 2);
     return QStringLiteral("%1 ± %2 %3")
         .arg(scale.factor * step.height, 0, 'g', 4)
-        .arg(scale.factor * step.deviation, 0, 'g', 2)
-        .arg(QString::fromStdString(scale.unit));
+        .arg(shown, QString::fromStdString(scale.unit));
 }
 
 Interval intervalOf(const PlotStretch& stretch) { return {stretch.from, stretch.to}; }
@@ -85,6 +89,7 @@ QWidget* ProfilePage::buildBar() {
     width_->setObjectName(QStringLiteral("profileWidth"));
     width_->setRange(1, kMaxWidth);
     width_->setSuffix(tr(" px wide"));
+    width_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     width_->setToolTip(tr("Each height is the mean over this many lines side by side, a pixel "
                           "apart"));
     step_->setObjectName(QStringLiteral("stepHeight"));

@@ -98,7 +98,6 @@ ProfilePlot::Canvas::Canvas(ProfilePlot* owner)
     for (QwtPlotMarker*& cursor : cursors_) {
         cursor = new QwtPlotMarker;
         cursor->setLineStyle(QwtPlotMarker::VLine);
-        cursor->setLabelAlignment(Qt::AlignTop | Qt::AlignRight);
         cursor->attach(plot_);
     }
     reading_ = std::make_unique<PlotCursor>(*plot_);
@@ -161,6 +160,12 @@ void ProfilePlot::Canvas::showProfile(const QVector<QPointF>& points, const SiSc
 void ProfilePlot::Canvas::showCursors(const Cursors& cursors, double factor, bool visible) {
     for (std::size_t i = 0; i < 2; ++i) {
         cursors_[i]->setXValue(factor * cursors[i]);
+        // On the side with more room: at an end of the line the other side is outside.
+        const QwtInterval shown = plot_->axisInterval(QwtPlot::xBottom);
+        const bool isOnTheRight =
+            cursors_[i]->xValue() > 0.5 * (shown.minValue() + shown.maxValue());
+        cursors_[i]->setLabelAlignment(Qt::AlignTop |
+                                       (isOnTheRight ? Qt::AlignLeft : Qt::AlignRight));
         cursors_[i]->setVisible(visible);
     }
 }

@@ -51,6 +51,13 @@ QString text(double value, const SiScale& scale) {
     return QString::fromStdString(threeDigitText(value, scale));
 }
 
+/// A standard deviation beside its value, whose unit it has; never "0" where it is not.
+QString sigmaText(double sigma, const SiScale& scale) {
+    const QString digits = text(sigma, {scale.factor, ""}).trimmed();
+    const bool isBelowDigits = sigma > 0.0 && digits == QStringLiteral("0");
+    return isBelowDigits ? QStringLiteral("< 0.01") : QStringLiteral("± ") + digits;
+}
+
 QString placeText(double value, const SiScale& scale, int decimals) {
     return QString::fromStdString(scaledText(value, scale, decimals));
 }
@@ -256,9 +263,7 @@ void ForcePanel::showForces(const ForceEstimate& estimate) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto index = static_cast<std::size_t>(axis);
         force_.at(index)->setText(text(estimate.force[axis], scale));
-        // Same prefix as the force: the unit need not stand twice.
-        sigma_.at(index)->setText(QStringLiteral("± ") +
-                                  text(sigma[axis], {scale.factor, ""}).trimmed());
+        sigma_.at(index)->setText(sigmaText(sigma[axis], scale));
     }
     magnitude_->setText(text(estimate.force.norm(), scale));
 }

@@ -69,7 +69,8 @@ double ViewCamera::heightSeen() const {
     return seen > kEdgeOn ? seen : 0.0;
 }
 
-void ViewCamera::apply(vtkCamera* camera, const FrameBox& box, double aspect, double words) const {
+void ViewCamera::apply(vtkCamera* camera, const FrameBox& box, double aspect,
+                       const WordRoom& words) const {
     // The frame's corners come anywhere on a circle as the eye goes round.
     const double corner = std::numbers::sqrt2 * box.halfWidth;
     const double sine = std::abs(std::sin(elevation_));
@@ -77,11 +78,11 @@ void ViewCamera::apply(vtkCamera* camera, const FrameBox& box, double aspect, do
     const double below = corner * sine + box.below * cosine;
     const double above = std::max(corner * sine + box.above * cosine,
                                   kTipsPlace * corner * sine + box.tipTop * cosine);
-    const double halfHeight =
-        kMargin * std::max(corner / aspect, 0.5 * (below + above) / (1.0 - words));
+    const double halfHeight = kMargin * std::max(corner / (aspect * (1.0 - 2.0 * words.beside)),
+                                                 0.5 * (below + above) / (1.0 - words.under));
     const double free =
         halfHeight - 0.5 * kMargin * (below + above);  // under the frame, if centered
-    const double raised = std::max(0.0, 2.0 * words * halfHeight - free);
+    const double raised = std::max(0.0, 2.0 * words.under * halfHeight - free);
     const Vector3 focus = box.middle + (0.5 * (above - below) - raised) * up();
     const double depth = kDepth * (box.halfWidth + box.below + box.above);
     camera->SetParallelProjection(perspective_ ? 0 : 1);

@@ -17,6 +17,12 @@ struct FrameBox {
     double tipTop = 0.0;               ///< of the tip above the middle [m]
 };
 
+/// Parts of a view that are kept free for words beside the frame.
+struct WordRoom {
+    double under = 0.0;   ///< the frame, of the view's height
+    double beside = 0.0;  ///< on the left and on the right, each of the view's width
+};
+
 /// Directions to look from, named after where the eye is.
 enum class ViewDirection : std::uint8_t { Front, Back, Right, Left, Top, Bottom };
 
@@ -42,8 +48,8 @@ public:
 
     /// Points VTK's camera at a frame so that all of it is seen, on any side.
     /// @param aspect width over height of the view
-    /// @param words what the words under the frame need, of the view's height
-    void apply(vtkCamera* camera, const FrameBox& box, double aspect, double words = 0.0) const;
+    void apply(vtkCamera* camera, const FrameBox& box, double aspect,
+               const WordRoom& words = {}) const;
 
     /// The move within a horizontal plane that looks like this move across the view, rightwards
     /// and upwards [m]; nothing of an upward move where the plane is seen from its edge.

@@ -358,7 +358,7 @@ std::string ZoomPicture::tipAbove(int height, double pixelRatio) const {
     return tipAboveNote(-shape_->contact().indentation);
 }
 
-void ZoomPicture::aim(const ViewCamera& camera, double aspect, double words) {
+void ZoomPicture::aim(const ViewCamera& camera, double aspect, const WordRoom& words) {
     cache_.invalidate();
     if (frame_) {
         camera.apply(still_->GetActiveCamera(), extent_.box(framed(), frame_->center()), aspect,

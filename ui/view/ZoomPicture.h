@@ -81,8 +81,7 @@ public:
     void showTheme();
     /// The picture is seen so from now on.
     /// @param aspect width over height of the view
-    /// @param words  what the axes' words need under the frame, of the view's height
-    void aim(const ViewCamera& camera, double aspect, double words = 0.0);
+    void aim(const ViewCamera& camera, double aspect, const WordRoom& words = {});
 
     /// What is shown of the scan; none without a scene.
     [[nodiscard]] const std::optional<ViewFrame>& frame() const { return frame_; }

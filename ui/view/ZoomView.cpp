@@ -200,10 +200,13 @@ void ZoomView::resizeEvent(QResizeEvent* event) {
 }
 
 void ZoomView::aim() {
-    constexpr int kWords = 18;         // [px]
-    constexpr double kMostly = 0.125;  // a view hardly higher than its words
-    picture_.aim(camera_, static_cast<double>(width()) / height(),
-                 std::min(kMostly, static_cast<double>(theme::scaled(kWords)) / height()));
+    constexpr int kLine = 18;          // under the frame [px]
+    constexpr int kWord = 45;          // beside it, "y (nm)" [px]
+    constexpr double kMostly = 0.125;  // a view hardly larger than its words
+    picture_.aim(
+        camera_, static_cast<double>(width()) / height(),
+        {.under = std::min(kMostly, static_cast<double>(theme::scaled(kLine)) / height()),
+         .beside = std::min(kMostly, static_cast<double>(theme::scaled(kWord)) / width())});
 }
 
 /// Something of the still layer moves: for a while it is drawn coarsely.

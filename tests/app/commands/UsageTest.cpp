@@ -162,7 +162,7 @@ TEST(Loop, DrawsEveryViewMeanwhile) {
     const auto run = test::runProgram("loop --duration 2.5 --window --json", "DISPLAY=");
     ASSERT_EQ(run.exitCode, 0) << run.output;
     const auto report = nlohmann::json::parse(run.output.substr(run.output.find('{')));
-    for (const std::string view : {"zoom", "forces", "cantilever", "overview"}) {
+    for (const std::string view : {"zoom", "second", "forces", "cantilever", "overview"}) {
         EXPECT_GT(report["frames_per_second"][view], 0.0) << view;
     }
 }

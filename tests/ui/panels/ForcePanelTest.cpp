@@ -95,6 +95,16 @@ TEST(ForcePanel, NoiseFarFromTheSampleReadsAsZero) {
     EXPECT_EQ(test::textOf(panel, "forceXSigma"), QStringLiteral("± 0"));
 }
 
+TEST(ForcePanel, AStandardDeviationBelowTheDigitsIsNotNone) {
+    ForcePanel panel;
+    TickSample sample = test::tickWithForce(0.0, Vector3(0.0, 0.0, -1.2e-9));
+    sample.output.estimate.covariance = Vector3(1e-24, 0.0, 1e-20).asDiagonal();
+    panel.show(test::snapshotOf(sample));
+    EXPECT_EQ(test::textOf(panel, "forceXSigma"), QStringLiteral("< 0.01"));
+    EXPECT_EQ(test::textOf(panel, "forceYSigma"), QStringLiteral("± 0"));
+    EXPECT_EQ(test::textOf(panel, "forceZSigma"), QStringLiteral("± 0.10"));
+}
+
 TEST(ForcePanel, NothingMovesWhenTheNumbersChange) {
     ForcePanel panel;
     panel.resize(370, 270);

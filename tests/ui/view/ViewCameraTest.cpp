@@ -54,24 +54,31 @@ TEST(ViewCamera, SeesTheWholeFrameFromEverySide) {
     }
 }
 
-TEST(ViewCamera, LeavesRoomForWordsUnderTheFrameOfAWideAndOfANarrowView) {
-    const ViewCamera view;
+TEST(ViewCamera, LeavesRoomForWordsAroundTheFrameOfAWideAndOfANarrowView) {
     for (const double aspect : {0.5, 1.0, 3.0}) {
         for (const double words : {0.02, 0.1}) {
-            vtkNew<vtkCamera> camera;
-            view.apply(camera, kBox, aspect, words);
-            const double halfHeight = camera->GetParallelScale();
-            double lowest = 1.0;
-            for (const double x : {-40.0_nm, 40.0_nm}) {
-                for (const double y : {-40.0_nm, 40.0_nm}) {
-                    const Vector3 arm =
-                        kBox.middle + Vector3(x, y, -12.0_nm) - Vector3(camera->GetFocalPoint());
-                    lowest = std::min(lowest, arm.dot(view.up()) / halfHeight);
+            for (int step = 0; step < 16; ++step) {
+                ViewCamera view;
+                view.turn(0.4 * step, 0.0);
+                vtkNew<vtkCamera> camera;
+                view.apply(camera, kBox, aspect, {.under = words, .beside = words});
+                const double halfHeight = camera->GetParallelScale();
+                double lowest = 1.0;
+                double widest = 0.0;
+                for (const double x : {-40.0_nm, 40.0_nm}) {
+                    for (const double y : {-40.0_nm, 40.0_nm}) {
+                        const Vector3 arm = kBox.middle + Vector3(x, y, -12.0_nm) -
+                                            Vector3(camera->GetFocalPoint());
+                        lowest = std::min(lowest, arm.dot(view.up()) / halfHeight);
+                        widest = std::max(widest,
+                                          std::abs(arm.dot(view.right())) / (halfHeight * aspect));
+                    }
                 }
+                EXPECT_GE(lowest, -1.0 + 2.0 * words) << aspect;
+                EXPECT_LE(widest, 1.0 - 2.0 * words) << aspect;
+                const Vector3 top = kBox.middle + Vector3(0.0, 0.0, 45.0_nm);
+                EXPECT_LE((top - Vector3(camera->GetFocalPoint())).dot(view.up()), halfHeight);
             }
-            EXPECT_GE(lowest, -1.0 + 2.0 * words) << aspect;
-            const Vector3 top = kBox.middle + Vector3(0.0, 0.0, 45.0_nm);
-            EXPECT_LE((top - Vector3(camera->GetFocalPoint())).dot(view.up()), halfHeight);
         }
     }
 }
