@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes pictures in docs/pictures anew: of the live window, from the scene that comes with the
 # program, or from the scan named, in both window sizes of docs/window.md, of its fidelity panel and
-# with the simulated device;
+# with the simulated device; of the first window, measuring, dark, and on a large screen; of cycles;
 # and of deformed surfaces, docs/deformation.md, on samples made up for them.
 # Usage: tools/screenshots.sh [FILE or SCENE.toml [OUT_FOLDER]]
 set -euo pipefail
@@ -47,17 +47,20 @@ cp "$moments"/run/{deformation,overview,forces}.png "$out"
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/fidelity.png"
 "$top/build/release/bin/asperity_device_picture" "$input" 1280 800 "$out/device.png"
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/device.png"
-"$top/build/release/bin/asperity_open_picture" "$input" "$out/open_dialog.png" part
+mkdir "$moments/home"
+cp -r "$top/data/scenes" "$top/data/samples" "$moments/home"  # the dialog shows its folders
+HOME=$moments/home "$top/build/release/bin/asperity_open_picture" "$moments/home/scenes/granular_film.toml" "$out/open_dialog.png" part
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/open_dialog.png"
 # What a user comes by: the first window, measuring, in the dark, on a large screen of small pixels.
-state() {  # STATE WIDTH HEIGHT SCALE NAME [dark]
-    xvfb-run -a -s "-screen 0 $(($2 * $4))x$(($3 * $4))x24 -noreset" env "QT_SCALE_FACTOR=$4" \
-        "$top/build/release/bin/asperity_window_picture" "$1" "$top/data/samples/granular_film.gsf" "$2" "$3" "$out/$5.png" "${@:6}"
-    pngquant --force --ext .png --speed 1 --quality 70-95 "$out/$5.png"
+state() {  # STATE SAMPLE WIDTH HEIGHT SCALE NAME [dark]
+    xvfb-run -a -s "-screen 0 $(($3 * $5))x$(($4 * $5))x24 -noreset" env "QT_SCALE_FACTOR=$5" \
+        "$top/build/release/bin/asperity_window_picture" "$1" "$top/data/samples/$2.gsf" "$3" "$4" "$out/$6.png" "${@:7}"
+    pngquant --force --ext .png --speed 1 --quality 70-95 "$out/$6.png"
 }
-for name in start profile roughness touches scene haptics; do
-    state "$name" 1280 800 1 "window_$name"
+state profile grating 1280 800 1 window_profile
+for name in start roughness touches scene haptics; do
+    state "$name" granular_film 1280 800 1 "window_$name"
 done
-state section 1280 800 1 window_dark dark
-state section 1920 1080 2 window_4k dark
+state section granular_film 1280 800 1 window_dark dark
+state section granular_film 1920 1080 2 window_4k dark
 "$top/build/release/bin/asperity_deformation_pictures" "$out"

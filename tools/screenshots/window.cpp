@@ -112,7 +112,7 @@ private:
 void showProfile(User& user) {
     user.window().menus().measure().profile->trigger();
     live(200);
-    user.dragOnScan({0.15, 0.7}, {0.85, 0.35});
+    user.dragOnScan({0.1, 0.5}, {0.9, 0.5});
     live(kMoment);
 }
 
