@@ -39,7 +39,7 @@ set(gcc_string_warnings -Wno-array-bounds -Wno-stringop-overflow)
 # a build from nothing. A source must still include all that it uses: builds without it hold it to that.
 function(asperity_precompile target owner)
   set(owners_tests asperity_test_support asperity_test_clicks)
-  set(owners_all ${owners_tests} asperity_base asperity_ui_base asperity_app)
+  set(owners_all ${owners_tests} asperity_base asperity_ui_base asperity_session)
   if(NOT owner IN_LIST owners_${ASPERITY_PRECOMPILE})
     return()
   endif()

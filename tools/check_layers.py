@@ -107,11 +107,12 @@ RULES = {
     "ui/view": WINDOW,
     "ui/measure": f"{WINDOW} ui/panels",
     "ui/window": f"{WINDOW} ui/help ui/panels ui/view",
-    "app/program": BELOW_APP,
-    "app/reports": f"{BELOW_APP} app/program",
-    "app/recording": f"{BELOW_APP} app/program app/reports",
-    "app/session": f"{BELOW_APP} app/program app/reports app/recording",
-    "app/commands": f"{BELOW_APP} app/program app/reports app/recording app/session",
+    "app/program": "core/",
+    "app/runs": "core/ app/program",
+    "app/recording": "core/ app/program app/runs",
+    "app/reports": f"{BELOW_APP} app/program app/runs",
+    "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording",
+    "app/commands": f"{BELOW_APP} app/program app/runs app/reports app/recording app/session",
     "app": PRODUCT,  # main
 }
 RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
@@ -134,7 +135,7 @@ RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
 # headers of others that belong to some places only
 FOREIGN = {
     r"(vtk|QVTK)": "vtkplugins/ ui/ bench/ tests/ tools/",
-    r"Q[A-Z]": "ui/ app/ bench/ tests/ tools/",
+    r"Q[A-Z]": "ui/ app/session app/commands bench/ tests/ tools/",
     r"hidapi": "hardware/ tests/",
     r"(Imf|OpenEXR)": "core/io/heightmap/ core/io/fields bench/ tests/",
     r"(tiff|png)": "core/io/heightmap/ app/ tests/",

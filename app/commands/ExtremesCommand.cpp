@@ -8,7 +8,7 @@
 #include "app/reports/CouplingReport.h"
 #include "app/reports/ExtremesMap.h"
 #include "app/reports/ExtremesReport.h"
-#include "app/reports/OutputFolder.h"
+#include "app/runs/OutputFolder.h"
 #include "core/Error.h"
 #include "core/studies/extremes/ExtremesStudy.h"
 

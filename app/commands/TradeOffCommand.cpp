@@ -7,9 +7,9 @@
 #include "app/commands/VirtualDisplay.h"
 #include "app/program/DataFolder.h"
 #include "app/program/LoadedScene.h"
-#include "app/reports/OutputFolder.h"
 #include "app/reports/TradeOffFiles.h"
 #include "app/reports/TradeOffReport.h"
+#include "app/runs/OutputFolder.h"
 #include "core/studies/DeformationStudy.h"
 #include "core/studies/TradeOffStudy.h"
 

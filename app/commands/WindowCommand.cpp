@@ -6,7 +6,7 @@
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
 #include "app/program/DataFolder.h"
-#include "app/reports/BeginningRun.h"
+#include "app/runs/BeginningRun.h"
 #include "app/session/LiveWindow.h"
 #include "app/session/ShippedScene.h"
 #include "core/Error.h"

@@ -1,6 +1,6 @@
 #include "app/recording/RecordedRun.h"
 
-#include "app/reports/RunFolder.h"
+#include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/GrowingFile.h"
 #include "core/io/recording/TickLog.h"

@@ -1,7 +1,7 @@
 #include "app/recording/Recording.h"
 
 #include "app/recording/RecordingManifest.h"
-#include "app/reports/RunSummary.h"
+#include "app/runs/RunSummary.h"
 #include "core/GrowingFile.h"
 #include "core/io/recording/TickMemoryFile.h"
 #include "core/io/scene/SceneFile.h"

@@ -2,8 +2,8 @@
 
 #include "app/program/LoadedScene.h"
 #include "app/recording/EnergyLog.h"
-#include "app/reports/BeginningRun.h"
-#include "app/reports/RunFolder.h"
+#include "app/runs/BeginningRun.h"
+#include "app/runs/RunFolder.h"
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/RunEvents.h"
 

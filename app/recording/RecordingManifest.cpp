@@ -1,6 +1,6 @@
 #include "app/recording/RecordingManifest.h"
 
-#include "app/reports/RunFolder.h"
+#include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
 #include "core/Version.h"

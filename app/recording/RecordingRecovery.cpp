@@ -1,7 +1,7 @@
 #include "app/recording/RecordingRecovery.h"
 
 #include "app/recording/RecordingManifest.h"
-#include "app/reports/RunFolder.h"
+#include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/FileDescriptor.h"
 #include "core/io/TextValue.h"

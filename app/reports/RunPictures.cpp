@@ -1,7 +1,7 @@
 #include "app/reports/RunPictures.h"
 
 #include "app/reports/ContactView.h"
-#include "app/reports/RunFolder.h"
+#include "app/runs/RunFolder.h"
 #include "core/FormattedText.h"
 #include "core/io/fields/PatchExr.h"
 #include "core/surface/fit/CoarserSurface.h"

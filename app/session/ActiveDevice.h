@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/LiveRun.h"
+#include "app/runs/LiveRun.h"
 #include "core/haptics/ApproachDevice.h"
 #include "core/haptics/DevicePilot.h"
 #include "hardware/driver/DeviceDriver.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/session/LiveRun.h"
+#include "app/runs/LiveRun.h"
 
 #include <QObject>
 

@@ -23,8 +23,4 @@ ProgramRun runProgram(const std::string& arguments, const std::string& environme
     return run;
 }
 
-std::filesystem::path shippedScene(const std::string& name) {
-    return std::filesystem::path(ASPERITY_DATA_DIR) / "scenes" / (name + ".toml");
-}
-
 }  // namespace asperity::test

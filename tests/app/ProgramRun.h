@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 namespace asperity::test {
@@ -15,8 +14,5 @@ struct ProgramRun {
 /// @param environment variables to set, as in "DISPLAY= CI=true"
 [[nodiscard]] ProgramRun runProgram(const std::string& arguments,
                                     const std::string& environment = {});
-
-/// A scene that ships with the program, e.g. "polystyrene".
-[[nodiscard]] std::filesystem::path shippedScene(const std::string& name);
 
 }  // namespace asperity::test

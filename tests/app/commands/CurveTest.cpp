@@ -2,6 +2,7 @@
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "tests/support/ReferenceTable.h"
 #include "tests/support/Sanitized.h"
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
 

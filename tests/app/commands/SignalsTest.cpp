@@ -1,6 +1,6 @@
 #include "tests/app/ChildProgram.h"
-#include "tests/app/ProgramRun.h"
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
 

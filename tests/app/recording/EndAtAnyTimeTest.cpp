@@ -3,11 +3,12 @@
 
 #include "app/commands/VirtualDisplay.h"
 #include "app/recording/RecordedRun.h"
-#include "app/reports/RunFolder.h"
+#include "app/runs/RunFolder.h"
 #include "core/GrowingFile.h"
 #include "tests/app/ChildProgram.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "tests/app/ProgramRun.h"
 #include "tests/core/haptics/governor/GuardedBench.h"
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "core/Error.h"
 #include "tests/app/ProgramRun.h"
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 
 #include "app/recording/RecordedRun.h"
 #include "core/Error.h"
-#include "tests/app/ProgramRun.h"
 #include "tests/support/FileSizeLimit.h"
 #include "tests/support/ScratchFolder.h"
+#include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
 

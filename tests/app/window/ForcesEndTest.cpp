@@ -1,4 +1,4 @@
-#include "app/session/LiveRun.h"
+#include "app/runs/LiveRun.h"
 #include "app/session/QuitOnSignal.h"
 #include "core/Units.h"
 #include "tests/support/TestScenes.h"

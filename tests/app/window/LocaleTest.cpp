@@ -1,5 +1,6 @@
 #include "tests/app/ProgramRun.h"
 #include "tests/support/GermanLocale.h"
+#include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
 

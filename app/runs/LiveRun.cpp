@@ -1,4 +1,4 @@
-#include "app/session/LiveRun.h"
+#include "app/runs/LiveRun.h"
 
 #include "core/haptics/device/PointerDevice.h"
 #include "core/scene/BelievedModel.h"

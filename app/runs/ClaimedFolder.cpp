@@ -1,4 +1,4 @@
-#include "app/reports/ClaimedFolder.h"
+#include "app/runs/ClaimedFolder.h"
 
 #include "core/Error.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/reports/ClaimedFolder.h"
+#include "app/runs/ClaimedFolder.h"
 #include "core/FileDescriptor.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "app/reports/RunFolder.h"
+#include "app/runs/RunFolder.h"
 
 #include "core/TemporaryFile.h"
 

@@ -1,4 +1,4 @@
-#include "app/reports/RunSummary.h"
+#include "app/runs/RunSummary.h"
 
 #include "app/program/JsonText.h"
 #include "app/program/ProvenanceJson.h"

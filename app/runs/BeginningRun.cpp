@@ -1,6 +1,6 @@
-#include "app/reports/BeginningRun.h"
+#include "app/runs/BeginningRun.h"
 
-#include "app/reports/RunFolder.h"
+#include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/GrowingFile.h"
 

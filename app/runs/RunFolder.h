@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/reports/OutputFolder.h"
+#include "app/runs/OutputFolder.h"
 #include "core/haptics/VirtualRun.h"
 #include "core/io/recording/TickLog.h"
 

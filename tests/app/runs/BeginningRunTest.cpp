@@ -1,7 +1,7 @@
-#include "app/reports/BeginningRun.h"
+#include "app/runs/BeginningRun.h"
 
-#include "app/reports/OutputFolder.h"
-#include "app/reports/RunFolder.h"
+#include "app/runs/OutputFolder.h"
+#include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "tests/support/ScratchFolder.h"
 

@@ -1,6 +1,6 @@
-#include "app/reports/OutputFolder.h"
+#include "app/runs/OutputFolder.h"
 
-#include "app/reports/RunFolder.h"
+#include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/GrowingFile.h"
 #include "core/Leftover.h"

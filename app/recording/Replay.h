@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/recording/RecordedRun.h"
+#include "core/scene/Scene.h"
+
+#include <filesystem>
+
+namespace asperity {
+
+/// Runs the recorded inputs through the tick again and writes its logs.
+/// @param out an empty folder
+/// @return the force log
+/// @throw Error where the scene's settings are not those that the run began with, naming the key
+[[nodiscard]] CsvTable replay(const Scene& scene, const RecordedRun& run,
+                              const std::filesystem::path& out);
+
+/// Compares two force logs cell by cell, as text: the numbers are written to the last bit. Columns
+/// that came after the recording was made are not in it.
+/// @throw Error naming the first tick that differs
+void requireSameLog(const RecordedRun& run, const CsvTable& replayed);
+
+}  // namespace asperity
