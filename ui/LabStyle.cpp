@@ -63,6 +63,34 @@ void paintButton(const QStyleOption& option, QPainter& painter, const QWidget* w
     painter.restore();
 }
 
+/// A check box's square: in the dark, too, its frame can be seen, and a tick stands out.
+void paintCheck(const QStyleOption& option, QPainter& painter) {
+    constexpr double kCheckRadius = 2.5;  // [px]
+    const ThemeColors& colors = theme::colors();
+    const bool isEnabled = option.state.testFlag(QStyle::State_Enabled);
+    const bool isOn = option.state.testFlag(QStyle::State_On);
+    const bool isPartly = option.state.testFlag(QStyle::State_NoChange);
+    const bool stands =
+        (option.state & (QStyle::State_MouseOver | QStyle::State_HasFocus)) != 0 || isOn;
+    const QColor accent = isEnabled ? colors.accent : colors.muted;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(stands ? accent : colors.muted, kFrame));
+    painter.setBrush(isOn ? accent : isEnabled ? colors.paper : colors.window);
+    const QRectF box = QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5);
+    painter.drawRoundedRect(box, kCheckRadius, kCheckRadius);
+    painter.setPen(QPen(isOn ? colors.onAccent : accent, 1.8));
+    const auto at = [&box](double x, double y) {
+        return QPointF(box.left() + x * box.width(), box.top() + y * box.height());
+    };
+    if (isOn) {
+        painter.drawPolyline(QPolygonF{{at(0.22, 0.52), at(0.43, 0.73), at(0.78, 0.3)}});
+    } else if (isPartly) {
+        painter.drawLine(at(0.25, 0.5), at(0.75, 0.5));
+    }
+    painter.restore();
+}
+
 /// What closes a tab.
 void paintCross(const QStyleOption& option, QPainter& painter) {
     constexpr double kHalf = 3.5;  // [px]
@@ -150,6 +178,9 @@ void LabStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* optio
     case PE_PanelButtonCommand:
     case PE_PanelButtonTool:
         paintButton(*option, *painter, widget);
+        return;
+    case PE_IndicatorCheckBox:
+        paintCheck(*option, *painter);
         return;
     case PE_IndicatorTabClose:
         paintCross(*option, *painter);

@@ -51,6 +51,11 @@ std::vector<UserLibrary::Entry> UserLibrary::entries() const {
     return entries;
 }
 
+std::filesystem::path UserLibrary::replacedBy(const std::string& name) const {
+    const std::filesystem::path file = folder_ / (fileNameFor(name) + kExtension);
+    return !folder_.empty() && std::filesystem::exists(file) ? file : std::filesystem::path();
+}
+
 std::filesystem::path UserLibrary::save(const std::string& name, const std::string& text) const {
     const std::string stem = fileNameFor(name);
     if (stem.empty()) {

@@ -23,6 +23,8 @@ public:
     /// Those of the program by name, then the user's own.
     [[nodiscard]] std::vector<Entry> entries() const;
 
+    /// The file of the user's own that one of this name would replace; empty: none.
+    [[nodiscard]] std::filesystem::path replacedBy(const std::string& name) const;
     /// Writes a file of the user's own; one of the same name is replaced. Complete or not at all.
     /// @param name for people; the file's comes from it
     /// @throw Error where that is no name, or one that comes with the program has it

@@ -142,17 +142,32 @@ bool LibraryControl::saveAs(const QString& name) {
     if (now == nullptr) {
         return false;
     }
-    const SceneDescription saved = kind_.renamed(*now, name.trimmed().toStdString());
+    const SceneDescription saved = kind_.renamed(*now, name.toStdString());
     try {
-        library_.save(name.trimmed().toStdString(), kind_.textOf(saved, notesOf(*now)));
+        library_.save(name.toStdString(), kind_.textOf(saved, notesOf(*now)));
     } catch (const Error& error) {
         window_.complain(QString::fromUtf8(error.what()));
         return false;
     }
-    edits_.change(QStringLiteral("%1: %2").arg(kind_.noun, name.trimmed()),
-                  kind_.with(*now, saved));
+    edits_.change(QStringLiteral("%1: %2").arg(kind_.noun, name), kind_.with(*now, saved));
     readAll();
     return true;
+}
+
+void LibraryControl::withName(const QString& name, const std::filesystem::path& own,
+                              const std::function<void()>& act) {
+    const std::filesystem::path replaced = library_.replacedBy(name.toStdString());
+    if (replaced.empty() || replaced == own) {
+        act();
+        return;
+    }
+    const auto item = std::ranges::find_if(
+        items_, [&](const Item& listed) { return listed.entry.file == replaced; });
+    askWhether(&window_,
+               tr("“%1” is in the same file, %2. Replace it?")
+                   .arg(item == items_.end() ? name : item->name,
+                        QString::fromStdString(printable(replaced.filename().string()))),
+               tr("Replace"), act);
 }
 
 void LibraryControl::save() {
@@ -160,9 +175,11 @@ void LibraryControl::save() {
         askForName(&window_, tr("%1 of your own").arg(kind_.noun),
                    tr("Name, as lists are to show it:"), withoutEdited(kind_.nameOf(*now, {})),
                    [this](const QString& name) {
-                       if (saveAs(name)) {
-                           window_.tell(tr("Saved: %1").arg(name));
-                       }
+                       withName(name, {}, [this, name] {
+                           if (saveAs(name)) {
+                               window_.tell(tr("Saved: %1").arg(name));
+                           }
+                       });
                    });
     }
 }
@@ -175,17 +192,22 @@ void LibraryControl::rename() {
     const Item item = items_[*index];
     askForName(&window_, tr("Rename"), tr("Another name:"),
                kind_.nameOf(item.scene, item.entry.file), [this, item](const QString& name) {
-                   const bool isOther =
-                       fileNameFor(name.trimmed().toStdString()) != item.entry.file.stem();
-                   if (saveAs(name) && isOther) {
-                       remove(item.entry);
-                   }
+                   withName(name, item.entry.file, [this, item, name] {
+                       const bool isOther =
+                           fileNameFor(name.toStdString()) != item.entry.file.stem();
+                       if (saveAs(name) && isOther) {
+                           remove(item.entry);
+                       }
+                   });
                });
 }
 
 void LibraryControl::removePresent() {
     if (const std::optional<std::size_t> index = present()) {
-        remove(items_[*index].entry);
+        const Item item = items_[*index];
+        askWhether(&window_,
+                   tr("Delete “%1” from your library? This cannot be undone.").arg(item.name),
+                   tr("Delete"), [this, item] { remove(item.entry); });
     }
 }
 

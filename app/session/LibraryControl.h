@@ -67,6 +67,10 @@ private:
     void remove(const UserLibrary::Entry& entry);
     /// Saves what the scene has. @return whether it could
     bool saveAs(const QString& name);
+    /// Does something under a name; asks first where another file of the user's has it.
+    /// @param own the file that may have it
+    void withName(const QString& name, const std::filesystem::path& own,
+                  const std::function<void()>& act);
     /// Which of the list the scene has.
     [[nodiscard]] std::optional<std::size_t> present() const;
     [[nodiscard]] std::string notesOf(const SceneDescription& scene) const;

@@ -52,7 +52,7 @@ RunControl::RunControl(MainWindow& window) : window_(window) {
 void RunControl::use(LoadedScene scene) {
     const Vector3 place = startPlace(scene.scene);
     Settings settings = scene.scene.settings;
-    settings.forcesOn = !run_ || forcesMayAct();
+    settings.forcesOn = run_ ? forcesMayAct() : window_.controls().forcesOn();
     end();
     begin(std::move(scene), place, settings);
     start();

@@ -14,6 +14,8 @@ namespace asperity::test {
 /// What a window may compute in one go [s]; a sanitizer's own code takes two to three times as
 /// long.
 inline constexpr double kLongestBlock = kSanitized ? 0.3 : 0.1;
+/// What it may take in one go with what it waits for: part of that may be another program's load.
+inline constexpr double kLongestWait = 5.0 * kLongestBlock;
 
 /// How long an event loop did not answer in one step of a test.
 struct BlockedStretch {

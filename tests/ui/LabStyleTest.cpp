@@ -3,6 +3,7 @@
 #include "tests/support/PixelCount.h"
 #include "ui/Theme.h"
 
+#include <QCheckBox>
 #include <QMenu>
 #include <QPushButton>
 #include <QTabBar>
@@ -76,6 +77,20 @@ TEST_P(LabStyleTest, TheChosenTabHasALineInTheAccentsColor) {
     tabs.setCurrentIndex(1);
     EXPECT_EQ(lineOf(0), 0);
     EXPECT_GE(lineOf(1), tabs.tabRect(1).width());
+}
+
+TEST_P(LabStyleTest, ACheckBoxHasAFrameAndATickThatStandOut) {
+    QCheckBox box;
+    const auto has = [&box](const QColor& color) {
+        return pixelsLike(box.grab().toImage(), color);
+    };
+    EXPECT_GT(has(theme::colors().muted), 20) << "a frame";
+    EXPECT_EQ(has(theme::colors().accent), 0);
+    box.setChecked(true);
+    EXPECT_GT(has(theme::colors().accent), 60);
+    EXPECT_GT(has(theme::colors().onAccent), 3) << "a tick";
+    box.setEnabled(false);
+    EXPECT_EQ(has(theme::colors().accent), 0);
 }
 
 TEST_P(LabStyleTest, ButtonsAndMenusFollowAnotherTheme) {

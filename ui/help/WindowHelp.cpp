@@ -20,8 +20,9 @@ void append(InputHelps& all, const InputHelps& some) {
 /// The one key whose effect is that of whatever is open.
 InputHelps escapeHelp() {
     return {{QObject::tr("Esc"),
-             QObject::tr("closes a menu, a message or a window beside this one, otherwise stops "
-                         "loading; with a force-feedback device: switches off its forces")}};
+             QObject::tr("closes a menu, a message, an enlarged panel or a window beside this one, "
+                         "else ends the measuring tool on the whole scan, else stops loading; with "
+                         "a force-feedback device: switches off its forces")}};
 }
 
 }  // namespace

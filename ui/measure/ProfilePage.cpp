@@ -32,13 +32,14 @@ QString lengthText(double meters) {
 }
 
 QString angleText(double radians) {
-    return QStringLiteral("%1°").arg(radians * 180.0 / std::numbers::pi, 0, 'f', 2);
+    const double hundredths = std::round(radians * 18000.0 / std::numbers::pi);
+    return QStringLiteral("%1°").arg(0.01 * (hundredths + 0.0), 0, 'f', 2);  // never "-0.00"
 }
 
-/// Both in the prefix of the value; below a hundredth a deviation is not told from none.
+/// Both in the prefix of the larger one; below a hundredth a deviation is not told from none.
 QString withDeviation(const StepHeight& step) {
     constexpr double kLastDigit = 0.01;
-    const SiScale scale = siScaleFor(std::max(std::abs(step.height), 1e-12), "m");
+    const SiScale scale = siScaleFor(std::max({std::abs(step.height), step.deviation, 1e-12}), "m");
     const double deviation = scale.factor * step.deviation;
     const QString shown = deviation > 0.0 && deviation < kLastDigit
                               ? QStringLiteral("< %1").arg(kLastDigit)

@@ -83,6 +83,7 @@ ControlBar::ControlBar(QWidget* parent) : QWidget(parent), row_(new FlowLayout(t
     path_ = addCombo("path", tr("Path"));
     path_->setToolTip(tr("What the device Scripted path does"));
     addKnobs();
+    setKnobs({});
     row_->addStretch();
     record_ = addButton("record", tr("Recording"));
     record_->setCheckable(true);
@@ -199,6 +200,8 @@ void ControlBar::setForcesOn(bool on) {
     forces_->setIcon(controlIcon(on ? ControlIcon::ForcesOn : ControlIcon::ForcesOff));
     forces_->setText(on ? tr("Forces are on") : tr("Forces are off"));
 }
+
+bool ControlBar::forcesOn() const { return forces_->isChecked(); }
 
 void ControlBar::setKnobs(const Settings& settings) {
     listSettings(settings, [this](const SettingField& field, const auto& value) {

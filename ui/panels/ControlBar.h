@@ -35,6 +35,7 @@ public:
     void setPath(int index);
     void setRunning(bool running);
     void setForcesOn(bool on);
+    [[nodiscard]] bool forcesOn() const;
     void setKnobs(const Settings& settings);
     /// Disables a knob that cannot be turned now. @param column of its setting
     /// @param reason that its tool tip says; empty: it can

@@ -6,6 +6,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -18,6 +19,11 @@ namespace asperity {
 namespace {
 
 constexpr int kGap = 6;  // [px]
+
+/// Whether a number is being typed, which does not count yet.
+bool isTyped(const QSpinBox& box) {
+    return box.hasFocus() && box.findChild<QLineEdit*>()->isModified();
+}
 
 QString lengthText(double meters) { return QString::fromStdString(formatSi(meters, "m")); }
 
@@ -47,7 +53,7 @@ CropFields::CropFields(QWidget* parent) : QWidget(parent) {
         setCrop(std::nullopt);
         Q_EMIT cropEntered(crop_);
     });
-    showNumbers();
+    showNumbers(Typed::Goes);
 }
 
 QSpinBox* CropFields::addBox(QGridLayout& grid, const QPoint& place, const char* name,
@@ -66,12 +72,12 @@ QSpinBox* CropFields::addBox(QGridLayout& grid, const QPoint& place, const char*
 void CropFields::setScan(const QSize& pixels, const QSizeF& size) {
     pixels_ = pixels.expandedTo({1, 1});
     size_ = size;
-    showNumbers();
+    showNumbers(Typed::Stays);
 }
 
 void CropFields::setCrop(const std::optional<PixelRectangle>& crop) {
     crop_ = crop;
-    showNumbers();
+    showNumbers(Typed::Stays);
 }
 
 /// Another beginning moves the part, and cuts what would lie beyond the scan.
@@ -81,14 +87,18 @@ void CropFields::enter() {
     const PixelRectangle part{column, row, std::min(columns_->value(), pixels_.width() - column),
                               std::min(rows_->value(), pixels_.height() - row)};
     const bool isAll = part == PixelRectangle{0, 0, pixels_.width(), pixels_.height()};
-    setCrop(isAll ? std::nullopt : std::optional(part));
+    crop_ = isAll ? std::nullopt : std::optional(part);
+    showNumbers(Typed::Goes);
     Q_EMIT cropEntered(crop_);
 }
 
-void CropFields::showNumbers() {
+void CropFields::showNumbers(Typed typed) {
     const PixelRectangle part =
         crop_.value_or(PixelRectangle{0, 0, pixels_.width(), pixels_.height()});
-    const auto put = [](QSpinBox& box, int least, int most, int value) {
+    const auto put = [typed](QSpinBox& box, int least, int most, int value) {
+        if (typed == Typed::Stays && isTyped(box)) {
+            return;
+        }
         const QSignalBlocker blocker(box);
         box.setRange(least, most);
         box.setValue(value);

@@ -37,7 +37,9 @@ private:
     [[nodiscard]] QSpinBox* addBox(QGridLayout& grid, const QPoint& place, const char* name,
                                    const QString& caption, const QString& tip);
     void enter();
-    void showNumbers();
+    /// What becomes of a number that is being typed when others are shown.
+    enum class Typed { Stays, Goes };
+    void showNumbers(Typed typed);
 
     QSize pixels_{1, 1};
     QSizeF size_;

@@ -1,6 +1,7 @@
 #include "ui/panels/LevelingEditor.h"
 
 #include "ui/CoreWords.h"
+#include "ui/Theme.h"
 #include "ui/panels/Card.h"
 #include "ui/panels/NumberBox.h"
 #include "ui/panels/WheelGuard.h"
@@ -21,9 +22,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kGap = 6;         // [px]
-constexpr int kShownSteps = 4;  // without scrolling, where there is room
-constexpr int kMinSteps = 2;    // likewise, where there is none
+constexpr int kPlaceWidth = 104;  // "0.464844 µm" [px]
+constexpr int kGap = 6;           // [px]
+constexpr int kShownSteps = 4;    // without scrolling, where there is room
+constexpr int kMinSteps = 2;      // likewise, where there is none
 constexpr double kMicrometer = 1e-6;
 constexpr double kInset = 0.1;     // of new places from the edges, of the scan's size
 constexpr double kFarthest = 1e6;  // [µm]
@@ -133,6 +135,7 @@ QWidget* LevelingEditor::newPlaces() {
         box->setRange(-kFarthest, kFarthest);
         box->setObjectName(QStringLiteral("levelPlace%1%2").arg(place).arg(isX ? 'x' : 'y'));
         box->setSuffix(QStringLiteral(" µm"));
+        box->setMinimumWidth(theme::scaled(kPlaceWidth));
         box->setToolTip(tr("%1 of place %2 of the plane through three points [µm], from the lower "
                            "left corner of the scan")
                             .arg(isX ? QStringLiteral("x") : QStringLiteral("y"))

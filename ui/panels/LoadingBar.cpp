@@ -13,8 +13,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kBarHeight = 14;  ///< [px]
-constexpr int kWhole = 100;     ///< of the bar [%]
+constexpr int kBarHeight = 14;    ///< [px]
+constexpr int kWhole = 100;       ///< of the bar [%]
+constexpr int kWordsWidth = 320;  ///< at most: a file's name may be long [px]
 
 }  // namespace
 
@@ -41,7 +42,9 @@ LoadingBar::LoadingBar(QWidget* parent)
 }
 
 void LoadingBar::begin(const QString& words) {
-    words_->setText(words);
+    words_->setToolTip(words);
+    words_->setText(
+        words_->fontMetrics().elidedText(words, Qt::ElideMiddle, theme::scaled(kWordsWidth)));
     setFraction(0.0);
 }
 

@@ -2,6 +2,7 @@
 
 #include "ui/NumberText.h"
 #include "ui/Theme.h"
+#include "ui/panels/LineHistory.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -101,8 +102,7 @@ void NumberBox::discardTyped() {
 bool NumberBox::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         auto& key = static_cast<QKeyEvent&>(*event);
-        if ((key.matches(QKeySequence::Undo) && !lineEdit()->isUndoAvailable()) ||
-            (key.matches(QKeySequence::Redo) && !lineEdit()->isRedoAvailable())) {
+        if (isForWindowHistory(key, *lineEdit())) {
             key.ignore();
             return false;
         }

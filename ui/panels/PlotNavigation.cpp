@@ -55,8 +55,8 @@ PlotNavigation::PlotNavigation(QWidget& canvas, const std::optional<AxisRange>& 
 }
 
 QString PlotNavigation::help() {
-    return tr("Wheel: zoom (Ctrl: only along, Shift: only up and down)\n"
-              "Drag: zoom into a rectangle; right drag: move; double click: all");
+    return tr("Wheel: zoom (Ctrl: only along, Shift: only up and down);\n"
+              "drag: zoom into a rectangle; right drag: move; double click: all");
 }
 
 const PlotWindow& PlotNavigation::fit(const PlotWindow& whole) {

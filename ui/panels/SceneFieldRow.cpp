@@ -7,6 +7,7 @@
 #include "ui/panels/ChoiceBox.h"
 #include "ui/panels/GainSpinBox.h"
 #include "ui/panels/LevelingEditor.h"
+#include "ui/panels/TextBox.h"
 #include "ui/panels/WheelGuard.h"
 
 #include <QCheckBox>
@@ -141,7 +142,7 @@ QWidget* SceneFieldRow::newChoice(QWidget* parent) {
 }
 
 QWidget* SceneFieldRow::newText(QWidget* parent) {
-    auto* line = new QLineEdit(parent);
+    auto* line = new TextBox(parent);
     line->setReadOnly(field_.input == SceneInput::File);
     line->setMinimumWidth(theme::scaled(kBoxWidth));
     connect(line, &QLineEdit::editingFinished, this, [this, line] { enterText(*line); });

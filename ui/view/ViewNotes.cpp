@@ -40,6 +40,10 @@ std::vector<std::string> viewNotes(const ViewNoteFacts& facts) {
     if (facts.showsLever) {
         notes.push_back(filled(QObject::tr("lever not to scale"), {}));
     }
+    if (facts.tipRadius > facts.width) {
+        notes.push_back(filled(QObject::tr("tip radius %1: the tip hides this view"),
+                               {formatSi(facts.tipRadius, "m")}));
+    }
     if (facts.pixel > kWidePixel * facts.tipRadius) {
         notes.push_back(filled(QObject::tr("Scan pixel %1: coarse for a tip radius of %2"),
                                {formatSi(facts.pixel, "m"), formatSi(facts.tipRadius, "m")}));

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMessageBox>
+#include <QPushButton>
 
 namespace asperity {
 
@@ -67,6 +68,19 @@ void askForName(QWidget* window, const QString& title, const QString& label, con
                          }
                      });
     dialog->open();
+}
+
+void askWhether(QWidget* window, const QString& question, const QString& action,
+                const std::function<void()>& act) {
+    auto* box = new QMessageBox(QMessageBox::Question, QObject::tr("Asperity"), question,
+                                QMessageBox::Cancel, window);
+    box->setObjectName(QStringLiteral("askWhether"));
+    box->setTextFormat(Qt::PlainText);  // a name may look like markup
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    const QPushButton* agree = box->addButton(action, QMessageBox::AcceptRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    QObject::connect(agree, &QPushButton::clicked, window, act);
+    box->open();
 }
 
 QString askForSceneFile(QWidget* window, const QString& suggestion) {

@@ -34,6 +34,12 @@ struct ScanFileType {
 void askForName(QWidget* window, const QString& title, const QString& label, const QString& name,
                 const std::function<void(const QString&)>& take);
 
+/// Asks before something of a user's is lost; the window goes on meanwhile.
+/// @param action what the button that does it says
+/// @param act is called where the user agrees
+void askWhether(QWidget* window, const QString& question, const QString& action,
+                const std::function<void()>& act);
+
 /// The file to write a scene to. @param suggestion its path
 [[nodiscard]] QString askForSceneFile(QWidget* window, const QString& suggestion);
 

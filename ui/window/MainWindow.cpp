@@ -112,6 +112,8 @@ MainWindow::MainWindow()
     closeByEscape(*fidelity_);
     closeByEscape(*cheatSheet_);
     showScene(nullptr, {});
+    controls_->setEnabled(false);  // until there is something to control
+    engage_->setEnabled(false);
     showLoading({});
     setEmergencyStop(false);
     setGeometry(openingPlace(kUsualSize, screen()->availableGeometry()));
@@ -166,6 +168,7 @@ void MainWindow::addTool(QWidget* page, const QString& title) {
 void MainWindow::showTool(QWidget* page) {
     layout_->maximizer().restore();
     layout_->tools().showPage(page);
+    layout_->showCards();
 }
 
 void MainWindow::addSidePage(QWidget* page, const QString& title) {
@@ -282,6 +285,11 @@ void MainWindow::showScene(const Scene* scene, const QString& title) {
         if (scene != nullptr) {
             panel->begin(*scene);
         }
+    }
+    if (scene != nullptr && !hasShownScene_) {
+        hasShownScene_ = true;
+        controls_->setEnabled(true);
+        engage_->setEnabled(true);
     }
     view_->setScene(scene);
     second_->setScene(scene);

@@ -77,7 +77,7 @@ public:
 
     /// Adds a page to the tabs below the view; it is hidden at first.
     void addTool(QWidget* page, const QString& title);
-    /// Shows such a page and puts it on top.
+    /// Shows such a page and puts it on top, and the whole scan, where its mark is drawn.
     void showTool(QWidget* page);
     /// Adds a page to the tabs right of the view.
     void addSidePage(QWidget* page, const QString& title);
@@ -133,6 +133,7 @@ private:
     void connectViews();
 
     QString sceneFile_;
+    bool hasShownScene_ = false;
     MessageLog* messages_;
     WindowMenus* menus_;
     ControlBar* controls_;

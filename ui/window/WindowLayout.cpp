@@ -88,6 +88,8 @@ WindowLayout::WindowLayout(QWidget* controls, ViewSide* viewSide, QWidget* paren
     }
 }
 
+void WindowLayout::showCards() { sidePages_->showPage(live_); }
+
 void WindowLayout::addCard(Card* card, int share) {
     cards_->add(card, share);
     connect(card, &Card::enlargeRequested, this, [this, card] { maximizer_->toggle(*card); });

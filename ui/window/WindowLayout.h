@@ -43,6 +43,8 @@ public:
     [[nodiscard]] PageTabs& tools() { return *tools_; }
     /// Right of the views.
     [[nodiscard]] PageTabs& sidePages() { return *sidePages_; }
+    /// Puts the page Live, the column of cards, on top.
+    void showCards();
     [[nodiscard]] Maximizer& maximizer() { return *maximizer_; }
 
     [[nodiscard]] std::vector<PanelSwitch> switches();

@@ -6,8 +6,10 @@
 #include "ui/panels/ControlBar.h"
 #include "ui/panels/ScenePanel.h"
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QInputDialog>
+#include <QMessageBox>
 #include <QToolButton>
 
 namespace asperity::test {
@@ -27,6 +29,22 @@ protected:
         dialog->setTextValue(text);
         dialog->accept();
         delete dialog;
+    }
+    /// Answers a question. @return what was asked
+    std::string answer(const char* button) {
+        auto* box = window.findChild<QMessageBox*>("askWhether");
+        if (box == nullptr) {
+            ADD_FAILURE() << "nothing is asked";
+            return {};
+        }
+        for (QAbstractButton* offered : box->buttons()) {
+            if (QString(offered->text()).remove('&') == QString::fromUtf8(button)) {
+                offered->click();
+            }
+        }
+        const std::string question = box->text().toStdString();
+        delete box;
+        return question;
     }
     void press(const char* button) { window.findChild<QToolButton*>(button)->click(); }
     const SampleMaterial& material() { return run().scene().description.sample.material; }
@@ -83,6 +101,32 @@ TEST_F(MaterialControlTest, AnEditedOneIsSavedAsTheUsersOwn) {
     EXPECT_EQ(list().currentText(), "My foam (own)") << "in a later session, too";
 }
 
+/// “My glass” and “my_glass” have one file.
+TEST_F(MaterialControlTest, AnotherOwnOneIsReplacedOnlyWhereTheUserAgrees) {
+    useFlatScene();
+    soften();
+    press("saveMaterial");
+    name("My Glass");
+    ASSERT_TRUE(changeEnds());
+    const SampleMaterial first = readMaterialFile(own / "my_glass.toml");
+    soften();
+    press("saveMaterial");
+    name("my_glass");
+    EXPECT_NE(answer("Cancel").find("My Glass"), std::string::npos);
+    EXPECT_EQ(readMaterialFile(own / "my_glass.toml"), first);
+    press("saveMaterial");
+    name("my_glass");
+    answer("Replace");
+    ASSERT_TRUE(changeEnds());
+    EXPECT_EQ(readMaterialFile(own / "my_glass.toml"), material());
+    EXPECT_NE(material(), first);
+    press("renameMaterial");
+    name("MY GLASS");  // the same file: nothing else is lost
+    EXPECT_EQ(window.findChild<QMessageBox*>("askWhether"), nullptr);
+    ASSERT_TRUE(changeEnds());
+    EXPECT_EQ(material().name, "MY GLASS");
+}
+
 TEST_F(MaterialControlTest, OneOfTheProgramIsNeitherReplacedNorDeleted) {
     useFlatScene();
     soften();
@@ -106,6 +150,10 @@ TEST_F(MaterialControlTest, OwnOnesAreRenamedAndDeleted) {
     EXPECT_FALSE(std::filesystem::exists(own / "foam.toml"));
     EXPECT_TRUE(std::filesystem::exists(own / "foam_2.toml"));
     press("deleteMaterial");
+    EXPECT_NE(answer("Cancel").find("foam 2"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(own / "foam_2.toml"));
+    press("deleteMaterial");
+    answer("Delete");
     EXPECT_FALSE(std::filesystem::exists(own / "foam_2.toml"));
     EXPECT_EQ(list().currentText(), "foam 2") << "the scene still has it";
     EXPECT_EQ(complaint(), "");

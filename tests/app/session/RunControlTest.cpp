@@ -2,6 +2,7 @@
 
 #include "tests/app/session/ControlFixture.h"
 #include "ui/panels/ControlBar.h"
+#include "ui/panels/EngageBar.h"
 
 #include <QDoubleSpinBox>
 #include <QPushButton>
@@ -59,6 +60,22 @@ TEST_F(RunControlTest, ShowsTheKnobsThatItTurns) {
     EXPECT_EQ(window.findChild<QDoubleSpinBox*>("forceGain")->value(), 250.0);
     runs.setForces(false);
     EXPECT_FALSE(window.findChild<QPushButton*>("forces")->isChecked());
+}
+
+TEST_F(RunControlTest, ForcesSwitchedOffWhileTheFirstSceneLoadsStayOff) {
+    runs.setForces(false);
+    useFlatScene();
+    EXPECT_FALSE(run().settings().forcesOn);
+    EXPECT_FALSE(window.controls().forcesOn());
+}
+
+TEST_F(RunControlTest, NothingCanBePressedBeforeThereIsAScene) {
+    EXPECT_FALSE(window.controls().isEnabled());
+    EXPECT_FALSE(window.engage().isEnabled());
+    EXPECT_EQ(window.findChild<QDoubleSpinBox*>("positionGain")->value(), 1.0);
+    useFlatScene();
+    EXPECT_TRUE(window.controls().isEnabled());
+    EXPECT_TRUE(window.engage().isEnabled());
 }
 
 TEST_F(RunControlTest, ForcesThatAreOffStayOffOverAnotherScene) {

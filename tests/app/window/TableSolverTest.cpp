@@ -68,6 +68,7 @@ TEST_F(TableSolverAlone, NoTableIsMadeOnTheEventLoop) {
     std::cout << tableOf(longest);
     for (const BlockedStretch& stretch : longest) {
         EXPECT_LT(stretch.processor, kLongestBlock) << stretch.step;
+        EXPECT_LT(stretch.own, kLongestWait) << stretch.step;
     }
 }
 

@@ -1,10 +1,5 @@
 #include "ui/panels/CropPicture.h"
 
-#include "ui/panels/CropFields.h"
-
-#include <QLabel>
-#include <QPushButton>
-#include <QSpinBox>
 #include <QtTest>
 
 #include <gtest/gtest.h>
@@ -105,48 +100,6 @@ TEST_F(CropPictureTest, WhatIsLeftOutIsPale) {
     const QImage image = picture.grab().toImage();
     EXPECT_EQ(image.pixelColor(300, 120), QColor(Qt::blue));
     EXPECT_GT(image.pixelColor(100, 120).red(), 100);
-}
-
-class CropFieldsTest : public ::testing::Test {
-protected:
-    CropFieldsTest() {
-        fields.setScan({400, 200}, {4e-6, 2e-6});
-        QObject::connect(&fields, &CropFields::cropEntered,
-                         [this](const auto& crop) { entered.push_back(crop); });
-    }
-    QSpinBox& box(const char* name) { return *fields.findChild<QSpinBox*>(name); }
-    QPushButton& whole() { return *fields.findChild<QPushButton*>("cropWhole"); }
-    QString extent() { return fields.findChild<QLabel*>("cropExtent")->text(); }
-
-    CropFields fields;
-    std::vector<std::optional<PixelRectangle>> entered;
-};
-
-TEST_F(CropFieldsTest, ShowAllOfTheScanWhereThereIsNoPart) {
-    EXPECT_EQ(box("cropColumn").value(), 0);
-    EXPECT_EQ(box("cropColumns").value(), 400);
-    EXPECT_EQ(box("cropRows").value(), 200);
-    EXPECT_EQ(extent(), "4 µm × 2 µm");
-    EXPECT_FALSE(whole().isEnabled());
-    EXPECT_TRUE(entered.empty());
-}
-
-TEST_F(CropFieldsTest, ANumberIsAPart) {
-    box("cropColumns").setValue(100);
-    ASSERT_EQ(entered.size(), 1U);
-    EXPECT_EQ(entered[0], (PixelRectangle{0, 0, 100, 200}));
-    EXPECT_EQ(extent(), "1 µm × 2 µm");
-    box("cropColumn").setValue(350);
-    EXPECT_EQ(entered[1], (PixelRectangle{350, 0, 50, 200})) << "cut at the edge of the scan";
-    EXPECT_EQ(box("cropColumns").value(), 50);
-    QTest::mouseClick(&whole(), Qt::LeftButton);
-    EXPECT_EQ(entered.back(), std::nullopt);
-    EXPECT_EQ(box("cropColumns").value(), 400);
-}
-
-TEST_F(CropFieldsTest, WithoutASizeThereIsNoExtent) {
-    fields.setScan({400, 200}, {});
-    EXPECT_EQ(extent(), "");
 }
 
 }  // namespace

@@ -24,6 +24,13 @@ TEST(LoadingBar, SaysWhatIsLoadedAndHowFarItIs) {
     EXPECT_EQ(line->text(), QStringLiteral("0%"));
 }
 
+TEST(LoadingBar, ALongNameDoesNotWidenTheWindow) {
+    LoadingBar bar;
+    bar.begin(QStringLiteral("Loading %1.gsf …").arg(QString(200, 'w')));
+    EXPECT_LT(bar.minimumSizeHint().width(), 600);
+    EXPECT_TRUE(test::textOf(bar, "loadingWords").startsWith(QStringLiteral("Loading ww")));
+}
+
 TEST(LoadingBar, AsksForTheEnd) {
     LoadingBar bar;
     QSignalSpy asked(&bar, &LoadingBar::cancelRequested);
