@@ -48,7 +48,7 @@ pngquant --force --ext .png --speed 1 --quality 80-100 "$out/fidelity.png"
 "$top/build/release/bin/asperity_device_picture" "$input" 1280 800 "$out/device.png"
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/device.png"
 mkdir "$moments/home"
-cp -r "$top/data/scenes" "$top/data/samples" "$moments/home"  # the dialog shows its folders
+cp -r "$top/data/." "$moments/home"  # the dialog shows its folders
 HOME=$moments/home "$top/build/release/bin/asperity_open_picture" "$moments/home/scenes/granular_film.toml" "$out/open_dialog.png" part
 pngquant --force --ext .png --speed 1 --quality 80-100 "$out/open_dialog.png"
 # What a user comes by: the first window, measuring, in the dark, on a large screen of small pixels.
