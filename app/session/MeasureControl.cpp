@@ -9,6 +9,7 @@
 #include "ui/panels/OverviewPanel.h"
 #include "ui/window/MainWindow.h"
 #include "ui/window/MeasureMenu.h"
+#include "ui/window/WindowLayout.h"
 #include "ui/window/WindowMenus.h"
 
 #include <QAction>
@@ -46,14 +47,18 @@ void MeasureControl::connectMenu() {
         connect(action, &QAction::triggered, this, what);
     };
     const MeasureMenu& menu = window_.menus().measure();
-    on(menu.profile, [this] {
-        window_.showTool(&profile_.page());
+    const auto open = [this](QWidget& page) {
+        window_.showTool(&page);
+        window_.layout().showCards();  // the whole scan is there, where tools mark and are drawn
+    };
+    on(menu.profile, [this, open] {
+        open(profile_.page());
         profile_.page().setDrawing(true);
     });
-    on(menu.roughness, [this] { window_.showTool(&roughness_.page()); });
-    on(menu.markers, [this] { window_.showTool(&markers_.page()); });
+    on(menu.roughness, [this, open] { open(roughness_.page()); });
+    on(menu.markers, [this, open] { open(markers_.page()); });
     on(menu.markerHere, [this] { markers_.addAtCrossHair(); });
-    on(menu.touches, [this] { window_.showTool(&touches_.page()); });
+    on(menu.touches, [this, open] { open(touches_.page()); });
     on(menu.curve, [this] { curves_.ask(); });
 }
 

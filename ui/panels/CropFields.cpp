@@ -69,15 +69,17 @@ QSpinBox* CropFields::addBox(QGridLayout& grid, const QPoint& place, const char*
     return box;
 }
 
-void CropFields::setScan(const QSize& pixels, const QSizeF& size) {
+void CropFields::showScan(const QSize& pixels, const QSizeF& size,
+                          const std::optional<PixelRectangle>& crop) {
     pixels_ = pixels.expandedTo({1, 1});
     size_ = size;
+    crop_ = crop;
     showNumbers(Typed::Stays);
 }
 
 void CropFields::setCrop(const std::optional<PixelRectangle>& crop) {
     crop_ = crop;
-    showNumbers(Typed::Stays);
+    showNumbers(Typed::Goes);
 }
 
 /// Another beginning moves the part, and cuts what would lie beyond the scan.
@@ -87,8 +89,7 @@ void CropFields::enter() {
     const PixelRectangle part{column, row, std::min(columns_->value(), pixels_.width() - column),
                               std::min(rows_->value(), pixels_.height() - row)};
     const bool isAll = part == PixelRectangle{0, 0, pixels_.width(), pixels_.height()};
-    crop_ = isAll ? std::nullopt : std::optional(part);
-    showNumbers(Typed::Goes);
+    setCrop(isAll ? std::nullopt : std::optional(part));
     Q_EMIT cropEntered(crop_);
 }
 

@@ -23,9 +23,12 @@ class CropFields : public QWidget {
 public:
     explicit CropFields(QWidget* parent = nullptr);
 
+    /// Shows a scan that comes meanwhile: a number that is being typed stays.
     /// @param pixels of the scan
     /// @param size   of the scan [m]; empty: not known
-    void setScan(const QSize& pixels, const QSizeF& size);
+    void showScan(const QSize& pixels, const QSizeF& size,
+                  const std::optional<PixelRectangle>& crop);
+    /// What a user chose elsewhere: it counts, not what is being typed.
     void setCrop(const std::optional<PixelRectangle>& crop);
     [[nodiscard]] const std::optional<PixelRectangle>& crop() const { return crop_; }
 

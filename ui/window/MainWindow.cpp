@@ -168,7 +168,6 @@ void MainWindow::addTool(QWidget* page, const QString& title) {
 void MainWindow::showTool(QWidget* page) {
     layout_->maximizer().restore();
     layout_->tools().showPage(page);
-    layout_->showCards();
 }
 
 void MainWindow::addSidePage(QWidget* page, const QString& title) {

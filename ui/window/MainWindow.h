@@ -77,7 +77,7 @@ public:
 
     /// Adds a page to the tabs below the view; it is hidden at first.
     void addTool(QWidget* page, const QString& title);
-    /// Shows such a page and puts it on top, and the whole scan, where its mark is drawn.
+    /// Shows such a page and puts it on top.
     void showTool(QWidget* page);
     /// Adds a page to the tabs right of the view.
     void addSidePage(QWidget* page, const QString& title);

@@ -211,8 +211,7 @@ void PreviewPane::showPreview(const OpenPreview& preview) {
     showFacts();
     leveling_->setScanSize(size);
     leveling_->setLeveling(preview.leveling, preview.levelPoints);
-    crop_->setScan(preview.pixels, preview.size);
-    crop_->setCrop(preview.crop);
+    crop_->showScan(preview.pixels, preview.size, preview.crop);
     for (QWidget* const input : {static_cast<QWidget*>(leveling_), static_cast<QWidget*>(crop_)}) {
         input->setEnabled(preview.isMap && !preview.before.isNull());
     }

@@ -89,6 +89,14 @@ TEST_F(Measure, AProfileReadsTheStepOfAGrating) {
     EXPECT_FALSE(child<QToolButton>("drawProfile")->isChecked());
 }
 
+TEST_F(Measure, AToolBringsTheWholeScanToSight) {
+    openGrating();
+    window.menus().parameters->trigger();
+    ASSERT_FALSE(map().isVisible()) << "the page Scene is on top";
+    window.menus().measure().profile->trigger();
+    EXPECT_TRUE(map().isVisible());
+}
+
 TEST_F(Measure, EscEndsAToolBeforeItCancelsLoading) {
     openGrating();
     window.menus().measure().profile->trigger();

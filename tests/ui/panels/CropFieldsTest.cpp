@@ -18,7 +18,7 @@ namespace {
 class CropFieldsTest : public ::testing::Test {
 protected:
     CropFieldsTest() {
-        fields.setScan({400, 200}, {4e-6, 2e-6});
+        fields.showScan({400, 200}, {4e-6, 2e-6}, {});
         QObject::connect(&fields, &CropFields::cropEntered,
                          [this](const auto& crop) { entered.push_back(crop); });
     }
@@ -59,7 +59,7 @@ TEST_F(CropFieldsTest, ANumberIsAPart) {
 }
 
 TEST_F(CropFieldsTest, WithoutASizeThereIsNoExtent) {
-    fields.setScan({400, 200}, {});
+    fields.showScan({400, 200}, {}, {});
     EXPECT_EQ(extent(), "");
 }
 
@@ -67,14 +67,22 @@ TEST_F(CropFieldsTest, WithoutASizeThereIsNoExtent) {
 TEST_F(CropFieldsTest, WhatIsBeingTypedStaysWhenAPreviewComes) {
     beginToType();
     QTest::keyClicks(&box("cropColumns"), "1");
-    fields.setScan({400, 200}, {4e-6, 2e-6});
-    fields.setCrop(PixelRectangle{.column = 50, .row = 0, .columns = 350, .rows = 200});
+    fields.showScan({400, 200}, {4e-6, 2e-6},
+                    PixelRectangle{.column = 50, .row = 0, .columns = 350, .rows = 200});
     EXPECT_EQ(box("cropColumn").value(), 50);
     EXPECT_TRUE(entered.empty());
     QTest::keyClicks(&box("cropColumns"), "00");
     QTest::keyClick(&box("cropColumns"), Qt::Key_Return);
     ASSERT_EQ(entered.size(), 1U);
     EXPECT_EQ(entered[0], (PixelRectangle{50, 0, 100, 200}));
+}
+
+TEST_F(CropFieldsTest, APartDrawnElsewhereCountsNotWhatIsBeingTyped) {
+    beginToType();
+    QTest::keyClicks(&box("cropColumns"), "1");
+    fields.setCrop(PixelRectangle{.column = 50, .row = 0, .columns = 70, .rows = 200});
+    EXPECT_EQ(box("cropColumns").value(), 70);
+    EXPECT_EQ(box("cropColumns").text(), "70");
 }
 
 TEST_F(CropFieldsTest, WhatReachesBeyondTheScanIsCutOnceItIsEntered) {
