@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kSize = 16;  ///< [px]
 
-void drawStart(QPainter& painter) {
-    painter.setBrush(theme::colors().onAccent);
+void drawStart(QPainter& painter, const QColor& color) {
+    painter.setBrush(color);
     painter.drawPolygon(QPolygonF({{4.0, 2.5}, {13.5, 8.0}, {4.0, 13.5}}));
 }
 
@@ -35,9 +35,8 @@ void drawRecord(QPainter& painter) {
     painter.drawEllipse(QPointF(8.0, 8.0), 4.5, 4.5);
 }
 
-}  // namespace
-
-QIcon controlIcon(ControlIcon icon) {
+/// @param onAccent the color of what lies upon the accent
+QPixmap drawn(ControlIcon icon, const QColor& onAccent) {
     QPixmap pixmap(kSize, kSize);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
@@ -45,10 +44,10 @@ QIcon controlIcon(ControlIcon icon) {
     painter.setPen(Qt::NoPen);
     switch (icon) {
     case ControlIcon::Start:
-        drawStart(painter);
+        drawStart(painter, onAccent);
         break;
     case ControlIcon::Pause:
-        drawPause(painter, theme::colors().onAccent);
+        drawPause(painter, onAccent);
         break;
     case ControlIcon::PauseCurves:
         drawPause(painter, theme::colors().ink);
@@ -64,6 +63,17 @@ QIcon controlIcon(ControlIcon icon) {
         break;
     }
     return pixmap;
+}
+
+}  // namespace
+
+QIcon controlIcon(ControlIcon icon) {
+    QIcon both(drawn(icon, theme::colors().onAccent));
+    if (icon == ControlIcon::Start || icon == ControlIcon::Pause) {
+        // Their button has no accent then: what is drawn for it cannot be seen upon paper.
+        both.addPixmap(drawn(icon, theme::colors().muted), QIcon::Disabled);
+    }
+    return both;
 }
 
 }  // namespace asperity

@@ -41,7 +41,7 @@ std::vector<std::string> viewNotes(const ViewNoteFacts& facts) {
         notes.push_back(filled(QObject::tr("lever not to scale"), {}));
     }
     if (facts.tipRadius > facts.width) {
-        notes.push_back(filled(QObject::tr("tip radius %1: the tip hides this view"),
+        notes.push_back(filled(QObject::tr("tip radius %1: larger than this view"),
                                {formatSi(facts.tipRadius, "m")}));
     }
     if (facts.pixel > kWidePixel * facts.tipRadius) {
