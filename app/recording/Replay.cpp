@@ -39,16 +39,20 @@ void requireSameSettings(const Scene& scene, const std::vector<TickSample>& samp
 
 }  // namespace
 
-CsvTable replay(const Scene& scene, const RecordedRun& run, const std::filesystem::path& out) {
+void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink) {
     if (!run.samples.empty()) {
         requireSameSettings(scene, run.samples);
     }
-    RunRecorder recorder(out);
     TickMemory memory = run.memory;
     for (TickSample sample : run.samples) {
         sample.output = tick(scene, sample.input, memory);
-        recorder.take(sample);
+        sink(sample);
     }
+}
+
+CsvTable replay(const Scene& scene, const RecordedRun& run, const std::filesystem::path& out) {
+    RunRecorder recorder(out);
+    replayTicks(scene, run, [&recorder](const TickSample& sample) { recorder.take(sample); });
     recorder.close();
     return readCsv(out / run_files::kLog);
 }

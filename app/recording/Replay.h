@@ -7,10 +7,14 @@
 
 namespace asperity {
 
-/// Runs the recorded inputs through the tick again and writes its logs.
+/// Runs the recorded inputs through the tick again: `sink` gets each sample with its output.
+/// @throw Error where the scene's settings are not those that the run began with, naming the key
+void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink);
+
+/// The same, and writes its logs.
 /// @param out an empty folder
 /// @return the force log
-/// @throw Error where the scene's settings are not those that the run began with, naming the key
+/// @throw Error as replayTicks()
 [[nodiscard]] CsvTable replay(const Scene& scene, const RecordedRun& run,
                               const std::filesystem::path& out);
 
