@@ -10,6 +10,7 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(TIFF REQUIRED)
 find_package(PNG REQUIRED)
 pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
+pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial)  # one without MPI
 find_package(pugixml 1.13 REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(

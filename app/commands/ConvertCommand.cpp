@@ -2,7 +2,9 @@
 
 #include "app/commands/ConvertMany.h"
 #include "app/commands/ConvertMap.h"
+#include "app/commands/ConvertRun.h"
 #include "app/commands/ConvertTargets.h"
+#include "app/commands/FormatOption.h"
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ScaleOption.h"
@@ -38,11 +40,28 @@ void convert(const ConvertOptions& options) {
         throw CLI::ValidationError("OUT", "one output file is expected; for many inputs name a "
                                           "folder with --out-dir and a format with --to");
     }
+    if (options.runFormat) {
+        convertRun(options.input, options.others.front(), *options.runFormat, options.force);
+        return;
+    }
     convertOne(options);
 }
 
+/// A run has none of what the options for maps are about.
+void addRunFormat(CLI::App& command, std::optional<RunFormat>& format) {
+    const std::vector<CLI::Option*> ofMaps = command.get_options([](const CLI::Option* option) {
+        return !option->get_lnames().empty() && !option->check_lname("force") &&
+               !option->check_lname("help");
+    });
+    CLI::Option* const added = addFormatOption(
+        command, format, "IN is the folder of a run, OUT another one, its tables are written as");
+    for (CLI::Option* const option : ofMaps) {
+        added->excludes(option);
+    }
+}
+
 void addFiles(CLI::App& command, ConvertOptions& options) {
-    command.add_option("IN", options.input, "height-map file")->required();
+    command.add_option("IN", options.input, "height-map file, or the folder of a run")->required();
     command.add_option("OUT", options.others,
                        "file to write; its extension names the format (with --out-dir: more files "
                        "to read)");
@@ -111,7 +130,8 @@ CLI::Option* addErosion(CLI::App& command, ConvertOptions& options) {
 void addConvertCommand(CLI::App& program) {
     auto options = std::make_shared<ConvertOptions>();
     CLI::App* command = program.add_subcommand(
-        "convert", "Write height maps of files in another format: " + targetExtensions());
+        "convert", "Write height maps of files in another format: " + targetExtensions() +
+                       "; or the tables of a run");
     addFiles(*command, *options);
     addScaleOptions(*command, options->scale);
     command->add_option("--channel", options->channel,
@@ -125,6 +145,7 @@ void addConvertCommand(CLI::App& program) {
          {"--channel", "--bits", "--level", "--level-points", "--residual", "--erode"}) {
         command->get_option("--all")->excludes(command->get_option(other));
     }
+    addRunFormat(*command, options->runFormat);
     command->callback([options] { convert(*options); });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/runs/RunFormat.h"
 #include "core/surface/GivenScale.h"
 #include "core/surface/leveling/LevelingStep.h"
 
@@ -23,11 +24,12 @@ struct ConvertOptions {
     LevelingSteps leveling;
     std::optional<LevelPoints> levelPoints;  ///< of the step three_point
     bool residual = false;
-    double smoothingPixels = 1.0;  ///< of the residual's surface
-    double smoothingLength = 0.0;  ///< above 0: in place of smoothingPixels [m]
-    double tipRadius = 0.0;        ///< of the tip whose shape is taken out [m]; 0: none is
-    std::string certainty;         ///< file for the certainty map; empty: none
-    bool force = false;            ///< files that are there may go
+    double smoothingPixels = 1.0;        ///< of the residual's surface
+    double smoothingLength = 0.0;        ///< above 0: in place of smoothingPixels [m]
+    double tipRadius = 0.0;              ///< of the tip whose shape is taken out [m]; 0: none is
+    std::string certainty;               ///< file for the certainty map; empty: none
+    std::optional<RunFormat> runFormat;  ///< the input is a run, and its tables are converted
+    bool force = false;                  ///< files that are there may go
 };
 
 /// What one conversion reads, and what it writes.

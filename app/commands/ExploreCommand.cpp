@@ -1,6 +1,7 @@
 #include "app/commands/ExploreCommand.h"
 
 #include "app/commands/CropOption.h"
+#include "app/commands/FormatOption.h"
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
@@ -9,6 +10,7 @@
 #include "app/commands/VirtualDisplay.h"
 #include "app/program/CancelOnSignal.h"
 #include "app/program/LoadedScene.h"
+#include "app/recording/RunPacking.h"
 #include "app/reports/RunCurves.h"
 #include "app/reports/RunPictures.h"
 #include "app/runs/OutputFolder.h"
@@ -48,6 +50,7 @@ struct ExploreOptions {
     std::string out;
     std::string path = kApproach;
     double duration = 0.0;  // [s]; 0: the path's own
+    RunFormat format = RunFormat::Csv;
     bool force = false;
     SceneOverrides overrides;
 };
@@ -243,6 +246,9 @@ void explore(const ExploreOptions& options) {
     std::optional<FinishedRun> run;
     out.collect(
         [&](const std::filesystem::path& folder) { run.emplace(finishedRun(*prepared, folder)); });
+    if (options.format == RunFormat::Hdf5) {
+        out.collect(packRun);
+    }
     prepared.reset();  // drawing takes as much memory as a large scan
     try {
         out.collect([&](const std::filesystem::path& folder) { draw(*run, folder); });
@@ -265,6 +271,7 @@ void addExploreCommand(CLI::App& program) {
     const auto options = std::make_shared<ExploreOptions>();
     command->add_option("INPUT", options->input, "height map or scene.toml")->required();
     addOutputFolder(*command, options->out, "folder for the results");
+    addFormatOption(*command, options->format, "how the tables of the run are kept");
     addForce(*command, options->force);
     command
         ->add_option("--path", options->path,

@@ -46,8 +46,9 @@ void reportDefects(const ExtremesFindings& findings) {
 void extremes(const ExtremesOptions& options) {
     const CancelOnSignal cancel;   // between one piece of work and the next, too
     const VirtualDisplay display;  // before anything is written: the map needs it at the end
-    const FolderContent content{
-        .own = {"extremes.csv", "coupling.csv", "extremes.png", "coupling.png"}, .guarded = {}};
+    const FolderContent content{.marks = {"extremes.csv"},
+                                .own = {"coupling.csv", "extremes.png", "coupling.png"},
+                                .guarded = {}};
     requireOutputFolder(options.out, content, options.force);
     const auto start = std::chrono::steady_clock::now();
     const ExtremesFindings findings = findingsOf(options.states);

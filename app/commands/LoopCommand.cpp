@@ -1,6 +1,7 @@
 #include "app/commands/LoopCommand.h"
 
 #include "app/commands/CropOption.h"
+#include "app/commands/FormatOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
 #include "app/commands/ScaleOption.h"
@@ -42,10 +43,11 @@ struct LoopOptions {
     std::string input;
     GivenScale scale;
     std::optional<PixelRectangle> crop;
-    double rate = 0.0;       // [Hz]; 0: the scene's own
-    double duration = 10.0;  // [s]
-    std::string record;      // folder; empty: nothing is recorded
-    bool force = false;      // an earlier run in that folder may go
+    double rate = 0.0;                  // [Hz]; 0: the scene's own
+    double duration = 10.0;             // [s]
+    std::string record;                 // folder; empty: nothing is recorded
+    RunFormat format = RunFormat::Csv;  // of the recording
+    bool force = false;                 // an earlier run in that folder may go
     bool simulatedDevice = false;
     bool window = false;
     bool json = false;
@@ -122,9 +124,9 @@ std::unique_ptr<RecordingThread> startRecording(const LoopOptions& options, Live
         return nullptr;
     }
     run.fetch([](const TickSample&) {});  // what a device begins with is not of the recording
-    return std::make_unique<RecordingThread>(RecordingPlace{options.record, options.force},
-                                             run.loaded(), run.loop().memory(),
-                                             run.device().delay());
+    return std::make_unique<RecordingThread>(
+        RecordingPlace{options.record, options.force, options.format}, run.loaded(),
+        run.loop().memory(), run.device().delay());
 }
 
 [[noreturn]] void failRecording(const std::string& folder, const std::string& reason) {
@@ -214,7 +216,7 @@ void runInWindow(const LoopOptions& options) {
     const DevicePath path = repeatedApproach(run.scene(), options.duration);
     options.simulatedDevice ? session.devices().pilotDevice(path) : session.paths().follow(path);
     if (!options.record.empty()) {
-        recordings.start({options.record, options.force});
+        recordings.start({options.record, options.force, options.format});
     }
     AlternatingBlocks blocks(run.loop(), run.scene().description.tickRate);
     const double begin = monotonicSeconds();
@@ -261,6 +263,8 @@ void addLoopCommand(CLI::App& program) {
         ->add_option("--record", options->record,
                      "folder: record every tick meanwhile, and report the cost")
         ->check(notEmpty());
+    addFormatOption(*command, options->format, "how the tables of the recording are kept")
+        ->needs("--record");
     addForce(*command, options->force);
     command->add_flag("--simulated-device", options->simulatedDevice,
                       "drive the tip with a simulated force-feedback device, not a script: with "

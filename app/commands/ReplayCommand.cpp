@@ -4,6 +4,7 @@
 #include "app/commands/ProgressLine.h"
 #include "app/program/LoadedScene.h"
 #include "app/recording/Replay.h"
+#include "app/recording/RunInput.h"
 #include "app/runs/OutputFolder.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
@@ -35,17 +36,15 @@ void tellOutcome(const RecordedRun& run) {
 }
 
 void runReplay(const ReplayOptions& options) {
-    const std::filesystem::path folder = options.run;
+    const RunInput input(options.run);
+    const std::filesystem::path& folder = input.folder();
     const std::filesystem::path target = options.out;
     if (std::filesystem::exists(target) && std::filesystem::equivalent(folder, target)) {
         throw Error("--out must be another folder than the run: its logs would be overwritten");
     }
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    if (loaded.sha256 != run.sha256) {
-        throw InputError(loaded.scene.description.sample.file, "",
-                         "the scan has changed since the run was recorded (its hash differs)");
-    }
+    requireSameScan(run, loaded.scene.description.sample, loaded.sha256);
     OutputFolder out(target, replayedLogs(), options.force);
     std::optional<CsvTable> replayed;
     out.collect([&](const std::filesystem::path& collected) {
@@ -62,7 +61,9 @@ void addReplayCommand(CLI::App& program) {
     CLI::App* command = program.add_subcommand(
         "replay", "Replay a recorded run; check that every tick is bit-identical");
     const auto options = std::make_shared<ReplayOptions>();
-    command->add_option("RUN", options->run, "folder that explore or a recording wrote")
+    command
+        ->add_option("RUN", options->run,
+                     "folder that explore or a recording wrote, or a bundle (.zip)")
         ->required();
     addOutputFolder(*command, options->out, "folder for the replayed logs");
     addForce(*command, options->force);

@@ -1,6 +1,7 @@
 #include "app/commands/WindowCommand.h"
 
 #include "app/commands/CropOption.h"
+#include "app/commands/FormatOption.h"
 #include "app/commands/LevelingOption.h"
 #include "app/commands/OptionChecks.h"
 #include "app/commands/ProgressLine.h"
@@ -110,6 +111,8 @@ std::shared_ptr<WindowOptions> addWindowOptions(CLI::App& program) {
         .add_option("--record", options->record,
                     "folder: record every tick of the scene from the first one on")
         ->check(notEmpty());
+    addFormatOption(program, options->format, "how the tables of the recording are kept")
+        ->needs("--record");
     addForce(program, options->force);
     return options;
 }
@@ -131,7 +134,7 @@ int openWindow(const WindowOptions& options) {
     live.remember(userSettings());
     live.session().recordings().recoverCutOff();
     if (!options.record.empty()) {
-        recordFromTheStart(live.session(), {options.record, options.force});
+        recordFromTheStart(live.session(), {options.record, options.force, options.format});
     }
     const std::filesystem::path input =
         options.input.empty() ? defaultSceneFile() : std::filesystem::path(options.input);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/runs/RunFormat.h"
 #include "core/surface/GivenScale.h"
 #include "core/surface/PixelRectangle.h"
 #include "core/surface/leveling/LevelingStep.h"
@@ -23,7 +24,8 @@ struct WindowOptions {
     std::optional<LevelPoints> levelPoints;  ///< of the step three_point
     std::optional<PixelRectangle> crop;      ///< the part of the map that is loaded
     std::string record;  ///< folder for a recording from the first tick on; empty: none
-    bool force = false;  ///< an earlier run in that folder may go
+    RunFormat format = RunFormat::Csv;  ///< of the recording
+    bool force = false;                 ///< an earlier run in that folder may go
 };
 
 /// Adds the options of the program itself, without a subcommand.

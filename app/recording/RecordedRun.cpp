@@ -3,6 +3,7 @@
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/GrowingFile.h"
+#include "core/io/recording/PackedTables.h"
 #include "core/io/recording/TickLog.h"
 #include "core/io/recording/TickMemoryFile.h"
 #include "core/io/scene/SceneFile.h"
@@ -33,11 +34,6 @@ std::string summarizedHash(const std::filesystem::path& folder) {
     return summary[pointer].get<std::string>();
 }
 
-std::string recordedHash(const std::filesystem::path& folder) {
-    const std::optional<RecordingManifest> manifest = readManifest(folder);
-    return manifest ? manifest->sha256 : summarizedHash(folder);
-}
-
 /// What the first tick starts from: a recording may begin in the middle of a run.
 TickMemory startMemory(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / run_files::kMemory;
@@ -45,6 +41,11 @@ TickMemory startMemory(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+std::string readRunHash(const std::filesystem::path& folder) {
+    const std::optional<RecordingManifest> manifest = readManifest(folder);
+    return manifest ? manifest->sha256 : summarizedHash(folder);
+}
 
 RunState stateOf(const std::filesystem::path& folder) {
     if (isGrowing(folder / run_files::kInput)) {
@@ -76,7 +77,7 @@ std::optional<RecordedSample> sampleOf(const std::filesystem::path& folder) {
     }
     try {
         const SampleDescription sample = sceneFromInput(folder / run_files::kScene).sample;
-        return RecordedSample{.sha256 = recordedHash(folder),
+        return RecordedSample{.sha256 = readRunHash(folder),
                               .channel = sample.channel,
                               .crop = sample.crop,
                               .name = sampleName(sample)};
@@ -85,14 +86,35 @@ std::optional<RecordedSample> sampleOf(const std::filesystem::path& folder) {
     }
 }
 
-CsvTable readRunTable(const std::filesystem::path& file) {
+CsvTable readRunLog(const std::filesystem::path& file) {
+    if (file.filename() == run_files::kTables) {
+        return readPackedLog(file).rows;
+    }
     return stateOf(file.parent_path()) == RunState::Complete ? readCsv(file)
                                                              : readUnfinishedCsv(file);
 }
 
+namespace {
+
+RecordedRun readPackedRun(const std::filesystem::path& folder, RunState state) {
+    const std::filesystem::path file = folder / run_files::kTables;
+    PackedLog log = readPackedLog(file);
+    return {.state = state,
+            .sha256 = readRunHash(folder),
+            .memory = startMemory(folder),
+            .samples = readTickInputs(readPackedInput(file)),
+            .log = std::move(log.rows),
+            .logChecks = std::move(log.checks)};
+}
+
+}  // namespace
+
 // The log is flushed before the input: where both are cut off, the input is mostly the shorter one.
 RecordedRun readRun(const std::filesystem::path& folder) {
     const RunState state = stateOf(folder);
+    if (!isThere(folder / run_files::kInput) && isThere(folder / run_files::kTables)) {
+        return readPackedRun(folder, state);
+    }
     const auto table = [&](const char* name) {
         const std::filesystem::path file = folder / name;
         if (state != RunState::Complete && std::filesystem::is_empty(file)) {
@@ -101,7 +123,7 @@ RecordedRun readRun(const std::filesystem::path& folder) {
         return state == RunState::Complete ? readCsv(file) : readUnfinishedCsv(file);
     };
     RecordedRun run{.state = state,
-                    .sha256 = recordedHash(folder),
+                    .sha256 = readRunHash(folder),
                     .memory = startMemory(folder),
                     .samples = readTickInputs(table(run_files::kInput)),
                     .log = table(run_files::kLog)};

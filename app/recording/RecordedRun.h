@@ -5,6 +5,7 @@
 #include "core/io/tables/CsvTable.h"
 #include "core/surface/PixelRectangle.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -33,10 +34,14 @@ struct RecordedRun {
     TickMemory memory;                ///< what its first tick starts from
     std::vector<TickSample> samples;  ///< its inputs
     CsvTable log;                     ///< what it did; may be longer, where it is not complete
+    std::vector<std::uint32_t> logChecks = {};  ///< of a log with fewer digits: RowChecks
 };
 
 /// @throw InputError
 [[nodiscard]] RecordedRun readRun(const std::filesystem::path& folder);
+
+/// Of the file of the scan that a run was made on; empty: a shape. @throw InputError
+[[nodiscard]] std::string readRunHash(const std::filesystem::path& folder);
 
 /// The sample that a run was made on.
 struct RecordedSample {
@@ -49,7 +54,8 @@ struct RecordedSample {
 /// @return nothing where the folder does not say
 [[nodiscard]] std::optional<RecordedSample> sampleOf(const std::filesystem::path& folder);
 
-/// One of its tables, up to the last whole line where the run is not complete. @throw InputError
-[[nodiscard]] CsvTable readRunTable(const std::filesystem::path& file);
+/// The log of a run, up to the last whole line where it is not complete.
+/// @param file that it stands in: force_log.csv or recording.h5 @throw InputError
+[[nodiscard]] CsvTable readRunLog(const std::filesystem::path& file);
 
 }  // namespace asperity

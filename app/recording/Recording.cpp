@@ -1,6 +1,7 @@
 #include "app/recording/Recording.h"
 
 #include "app/recording/RecordingManifest.h"
+#include "app/recording/RunPacking.h"
 #include "app/runs/RunSummary.h"
 #include "core/GrowingFile.h"
 #include "core/io/recording/TickMemoryFile.h"
@@ -16,6 +17,7 @@ Recording::Recording(const RecordingPlace& place, const LoadedScene& loaded,
                      const TickMemory& memory, double delay)
     : begin_(place.folder, place.replace)
     , loaded_(loaded)
+    , format_(place.format)
     , recorder_(folder())
     , energy_(folder() / run_files::kEnergy, loaded.scene.timeStep(), delay) {
     writeTickMemory(folder() / run_files::kMemory, memory);
@@ -74,6 +76,9 @@ void Recording::finish() {
     syncToDisk(folder() / run_files::kSummary);
     sync();
     writeManifest(folder(), {.sha256 = loaded_.sha256, .complete = true});
+    if (format_ == RunFormat::Hdf5 && ticks() > 0) {
+        packRun(folder());
+    }
 }
 
 }  // namespace asperity

@@ -4,6 +4,7 @@
 #include "app/recording/EnergyLog.h"
 #include "app/runs/BeginningRun.h"
 #include "app/runs/RunFolder.h"
+#include "app/runs/RunFormat.h"
 #include "core/haptics/HapticTick.h"
 #include "core/haptics/RunEvents.h"
 
@@ -15,6 +16,7 @@ namespace asperity {
 struct RecordingPlace {
     std::filesystem::path folder;
     bool replace = false;  ///< an earlier run in it may go, once the recording has begun
+    RunFormat format = RunFormat::Csv;  ///< from its end on: until then it grows as text
 };
 
 /// A stretch of a live run written to a folder that `asperity replay` takes: memory, scene and
@@ -47,6 +49,7 @@ private:
 
     BeginningRun begin_;
     const LoadedScene& loaded_;
+    RunFormat format_;
     RunRecorder recorder_;
     RunEventRecorder events_;
     EnergyLog energy_;

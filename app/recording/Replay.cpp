@@ -3,8 +3,12 @@
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
 #include "core/io/TextValue.h"
+#include "core/io/recording/RowChecks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -37,7 +41,43 @@ void requireSameSettings(const Scene& scene, const std::vector<TickSample>& samp
             first.settings.correctionBandwidth);
 }
 
+/// Whether two numbers are the same in single precision.
+bool isSameSingle(const std::string& before, const std::string& now) {
+    const std::optional<double> one = parseNumber(before);
+    const std::optional<double> other = parseNumber(now);
+    return one && other &&
+           (static_cast<float>(*one) == static_cast<float>(*other) ||
+            (std::isnan(*one) && std::isnan(*other)));
+}
+
+/// What single precision does not tell. @throw Error naming the ticks
+void requireSameChecks(const RecordedRun& run, const CsvTable& replayed) {
+    RowChecks checks;
+    for (std::size_t row = 0; row < run.log.rows(); ++row) {
+        for (const std::string& column : run.log.columns()) {
+            checks.add(replayed.text(row, column));
+        }
+        checks.endRow();
+    }
+    const std::vector<std::uint32_t> now = checks.checks();
+    const auto differing = std::ranges::mismatch(run.logChecks, now).in1;
+    if (differing != run.logChecks.end()) {
+        const auto first = static_cast<std::size_t>(differing - run.logChecks.begin());
+        throw Error("first differing tick: one of " + std::to_string(RowChecks::kRows) + " from " +
+                    std::to_string(first * RowChecks::kRows) +
+                    " on: a number of the log differs in digits beyond single precision");
+    }
+}
+
 }  // namespace
+
+void requireSameScan(const RecordedRun& run, const SampleDescription& sample,
+                     const std::string& sha256) {
+    if (sha256 != run.sha256) {
+        throw InputError(sample.file, "",
+                         "the scan has changed since the run was recorded (its hash differs)");
+    }
+}
 
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink) {
     if (!run.samples.empty()) {
@@ -59,12 +99,13 @@ CsvTable replay(const Scene& scene, const RecordedRun& run, const std::filesyste
 
 void requireSameLog(const RecordedRun& run, const CsvTable& replayed) {
     const CsvTable& recorded = run.log;
+    const bool isExact = run.logChecks.empty();
     const std::size_t common = std::min(recorded.rows(), replayed.rows());
     for (std::size_t row = 0; row < common; ++row) {
         for (const std::string& column : recorded.columns()) {
             const std::string& before = recorded.text(row, column);
             const std::string& now = replayed.text(row, column);
-            if (before != now) {
+            if (before != now && (isExact || !isSameSingle(before, now))) {
                 std::ostringstream difference;
                 difference << "first differing tick: " << row << " (time "
                            << replayed.text(row, "time_s") << " s): " << column << " was " << before
@@ -77,6 +118,9 @@ void requireSameLog(const RecordedRun& run, const CsvTable& replayed) {
         throw Error("first differing tick: " + std::to_string(common) + ": the recorded log has " +
                     std::to_string(recorded.rows()) + " ticks, the recorded input " +
                     std::to_string(replayed.rows()));
+    }
+    if (!isExact) {
+        requireSameChecks(run, replayed);
     }
 }
 

@@ -7,6 +7,11 @@
 
 namespace asperity {
 
+/// @param sha256 of the sample's file as it is now @throw InputError where it is not the one that
+/// the run was made on
+void requireSameScan(const RecordedRun& run, const SampleDescription& sample,
+                     const std::string& sha256);
+
 /// Runs the recorded inputs through the tick again: `sink` gets each sample with its output.
 /// @throw Error where the scene's settings are not those that the run began with, naming the key
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink);
@@ -18,8 +23,9 @@ void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sin
 [[nodiscard]] CsvTable replay(const Scene& scene, const RecordedRun& run,
                               const std::filesystem::path& out);
 
-/// Compares two force logs cell by cell, as text: the numbers are written to the last bit. Columns
-/// that came after the recording was made are not in it.
+/// Compares two force logs cell by cell, as text: the numbers are written to the last bit. Of a log
+/// with fewer digits, those and the checks of all. Columns that came after the recording was made
+/// are not in it.
 /// @throw Error naming the first tick that differs
 void requireSameLog(const RecordedRun& run, const CsvTable& replayed);
 

@@ -6,6 +6,7 @@
 #include "core/Leftover.h"
 #include "core/PrintableText.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <system_error>
@@ -27,18 +28,22 @@ OutputFolder::~OutputFolder() {
     std::filesystem::remove_all(staging_, ignored);
 }
 
+void OutputFolder::requireNoFolder(const std::string& name) const {
+    std::error_code unknown;
+    if (std::filesystem::is_directory(folder_ / name, unknown)) {
+        throw FileError((folder_ / name).string(), "cannot be written: it is there and a folder");
+    }
+}
+
 void OutputFolder::requireAllowed() const {
-    for (const std::string& name : content_.own) {
-        std::error_code unknown;
-        if (std::filesystem::is_directory(folder_ / name, unknown)) {
-            throw FileError((folder_ / name).string(),
-                            "cannot be written: it is there and a folder");
-        }
+    for (const auto* names : {&content_.marks, &content_.own}) {
+        std::ranges::for_each(*names, [this](const std::string& name) { requireNoFolder(name); });
     }
     if (isGrowing(folder_ / run_files::kInput)) {
         throw Error(folder_.string() + ": it is being recorded there");
     }
-    const bool isOurs = isThere(folder_ / content_.own.front());
+    const bool isOurs = std::ranges::any_of(
+        content_.marks, [this](const std::string& name) { return isThere(folder_ / name); });
     for (const std::string& name : content_.own) {
         if (!force_ && !isOurs && isThere(folder_ / name)) {
             throw Error((folder_ / name).string() +
@@ -107,8 +112,7 @@ void OutputFolder::collect(
 
 void OutputFolder::commit() {
     requireAllowed();
-    const std::string& whole = content_.own.front();
-    remove(whole);
+    std::ranges::for_each(content_.marks, [this](const std::string& name) { remove(name); });
     for (const auto* names : {&content_.own, &content_.guarded}) {
         for (const std::string& name : *names) {
             if (!isThere(staging_ / name)) {
@@ -117,11 +121,16 @@ void OutputFolder::commit() {
         }
     }
     for (const auto& file : std::filesystem::directory_iterator(staging_)) {
-        if (file.path().filename() != whole) {
-            moveOut(file.path().filename());
+        const std::filesystem::path name = file.path().filename();
+        if (std::ranges::find(content_.marks, name.string()) == content_.marks.end()) {
+            moveOut(name);
         }
     }
-    moveOut(whole);
+    for (const std::string& name : content_.marks) {
+        if (isThere(staging_ / name)) {
+            moveOut(name);
+        }
+    }
     claim_.keep();
 }
 

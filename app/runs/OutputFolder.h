@@ -12,16 +12,17 @@ namespace asperity {
 
 /// What a command leaves in a folder.
 struct FolderContent {
-    /// Its files. The first stands for the whole and has a name that nobody else gives: without it,
-    /// files with the names of the rest are taken for somebody's.
-    std::vector<std::string> own;
+    /// Those of its files that stand for the whole, one of them in each result, and have names that
+    /// nobody else gives: without one, files with the names of the rest are taken for somebody's.
+    std::vector<std::string> marks;
+    std::vector<std::string> own;      ///< the rest of its files
     std::vector<std::string> guarded;  ///< files of others that it must not write over unasked
 };
 
 /// The folder that a command writes its files into. They are collected in a hidden folder within it
 /// and come out together, by renaming, when all are complete: until then an earlier result stays as
-/// it is. Then all of its files go, and those that are no files of the command stay. The first of
-/// the own files goes first and comes last, so that a mixture is never taken for a result. Staying
+/// it is. Then all of its files go, and those that are no files of the command stay. What stands
+/// for the whole goes first and comes last, so that a mixture is never taken for a result. Staying
 /// within the folder works where it is a mount point or a link, or its parent cannot be written.
 class OutputFolder {
 public:
@@ -41,6 +42,7 @@ public:
     void commit();
 
 private:
+    void requireNoFolder(const std::string& name) const;
     void requireAllowed() const;
     void makeStaging();
     void remove(const std::filesystem::path& name) const;

@@ -2,28 +2,45 @@
 
 #include "core/TemporaryFile.h"
 
+#include <algorithm>
 #include <system_error>
 
 namespace asperity {
 
+namespace {
+
+std::vector<std::string> without(std::vector<std::string> names,
+                                 const std::vector<std::string>& others) {
+    std::erase_if(names, [&](const std::string& name) {
+        return std::ranges::find(others, name) != others.end();
+    });
+    return names;
+}
+
+}  // namespace
+
 const std::vector<std::string>& runFileNames() {
     static const std::vector<std::string> kNames{
-        run_files::kInput,    run_files::kScene,       run_files::kManifest,
-        run_files::kMemory,   run_files::kLog,         run_files::kEnergy,
-        run_files::kSummary,  run_files::kDeformation, run_files::kDeformationFields,
-        run_files::kOverview, run_files::kForces};
+        run_files::kInput,       run_files::kTables,
+        run_files::kScene,       run_files::kManifest,
+        run_files::kMemory,      run_files::kLog,
+        run_files::kEnergy,      run_files::kSummary,
+        run_files::kDeformation, run_files::kDeformationFields,
+        run_files::kOverview,    run_files::kForces};
     return kNames;
 }
 
 FolderContent exploredRun() {
-    return {.own = runFileNames(), .guarded = {run_files::kManifest, run_files::kMemory}};
+    const std::vector<std::string> marks{run_files::kInput, run_files::kTables};
+    return {.marks = marks,
+            .own = without(runFileNames(), marks),
+            .guarded = {run_files::kManifest, run_files::kMemory}};
 }
 
 FolderContent replayedLogs() {
-    FolderContent content{.own = {run_files::kInput, run_files::kLog}, .guarded = runFileNames()};
-    std::erase(content.guarded, run_files::kLog);
-    std::erase(content.guarded, run_files::kInput);
-    return content;
+    const std::vector<std::string> logs{run_files::kInput, run_files::kLog};
+    return {
+        .marks = {logs.front()}, .own = {logs.back()}, .guarded = without(runFileNames(), logs)};
 }
 
 RunRecorder::RunRecorder(const std::filesystem::path& folder)

@@ -14,6 +14,7 @@ namespace asperity {
 namespace run_files {
 inline constexpr const char* kScene = "scene.toml";
 inline constexpr const char* kInput = "tick_input.csv";
+inline constexpr const char* kTables = "recording.h5";     ///< all tables of a compact run
 inline constexpr const char* kMemory = "tick_memory.csv";  ///< absent: the run began afresh
 inline constexpr const char* kLog = "force_log.csv";
 inline constexpr const char* kEnergy = "energy_log.csv";    ///< of a force-feedback device
@@ -25,8 +26,7 @@ inline constexpr const char* kOverview = "overview.png";
 inline constexpr const char* kForces = "forces.png";
 }  // namespace run_files
 
-/// All of them: none of a new run stands beside one of an earlier run. The first has a name that
-/// nobody else gives.
+/// All of them: none of a new run stands beside one of an earlier run.
 [[nodiscard]] const std::vector<std::string>& runFileNames();
 /// What `asperity explore` leaves: it replaces another such run, and no recording unasked.
 [[nodiscard]] FolderContent exploredRun();

@@ -138,7 +138,7 @@ void PathControl::replayRecording(const std::filesystem::path& forceLog) {
         return;
     }
     const auto read = [](const std::filesystem::path& file) {
-        return readRecordedPath(readRunTable(file));
+        return readRecordedPath(readRunLog(file));
     };
     const std::filesystem::path folder = forceLog.parent_path();
     const QString both = bothSamples(runs_.run()->loaded(), folder);

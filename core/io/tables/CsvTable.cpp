@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "core/io/FileBytes.h"
 #include "core/io/TextValue.h"
+#include "core/io/tables/CsvRows.h"
 
 #include <utility>
 
@@ -32,7 +33,10 @@ void CsvTable::addLine(std::string_view line, std::size_t number) {
     if (line.empty() || line.starts_with('#')) {
         return;
     }
-    std::vector<std::string> cells = split(line, number);
+    std::vector<std::string> cells = csvCells(line);
+    if (cells.empty()) {
+        fail(number, "a quoted cell is not closed");
+    }
     if (names_.empty()) {
         setHeader(std::move(cells), number);
         return;
@@ -57,30 +61,6 @@ void CsvTable::setHeader(std::vector<std::string> names, std::size_t number) {
         }
     }
     names_ = std::move(names);
-}
-
-std::vector<std::string> CsvTable::split(std::string_view line, std::size_t number) const {
-    std::vector<std::string> cells;
-    std::string cell;
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const bool doubled = quoted && line[i] == '"' && line.substr(i + 1).starts_with('"');
-        if (doubled) {
-            cell += line[++i];
-        } else if (line[i] == '"') {
-            quoted = !quoted;
-        } else if (line[i] == ',' && !quoted) {
-            cells.emplace_back(trimmed(cell));
-            cell.clear();
-        } else {
-            cell += line[i];
-        }
-    }
-    if (quoted) {
-        fail(number, "a quoted cell is not closed");
-    }
-    cells.emplace_back(trimmed(cell));
-    return cells;
 }
 
 std::size_t CsvTable::columnIndex(const std::string& name) const {

@@ -9,8 +9,7 @@
 namespace asperity {
 
 /// A CSV table with named columns of numbers or text. Lines that start with `#` and empty lines are
-/// skipped; the first other line names the columns. A cell in double quotes may hold commas, and a
-/// doubled quote stands for one.
+/// skipped; the first other line names the columns; the cells are csvCells().
 class CsvTable {
 public:
     /// @param file for messages
@@ -40,7 +39,6 @@ private:
     void setHeader(std::vector<std::string> names, std::size_t number);
     [[nodiscard]] std::size_t columnIndex(const std::string& name) const;
     [[nodiscard]] double numberAt(std::size_t row, std::size_t column) const;
-    [[nodiscard]] std::vector<std::string> split(std::string_view line, std::size_t number) const;
     [[noreturn]] void fail(std::size_t line, const std::string& what) const;
 
     std::string file_;

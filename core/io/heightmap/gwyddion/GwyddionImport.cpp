@@ -1,4 +1,5 @@
 #include "core/Error.h"
+#include "core/PrivateFolder.h"
 #include "core/io/FileBytes.h"
 #include "core/io/TextValue.h"
 #include "core/io/heightmap/GwyddionScan.h"
@@ -6,7 +7,6 @@
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/UnreadFormats.h"
 #include "core/io/heightmap/gwyddion/Identification.h"
-#include "core/io/heightmap/gwyddion/PrivateFolder.h"
 #include "core/io/heightmap/gwyddion/ProgramRun.h"
 
 #include <algorithm>

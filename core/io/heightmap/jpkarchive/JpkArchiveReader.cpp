@@ -2,8 +2,8 @@
 #include "core/io/heightmap/HeightMapFormat.h"
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/jpk/JpkImage.h"
-#include "core/io/heightmap/zip/ZipArchive.h"
-#include "core/io/heightmap/zip/ZipDirectory.h"
+#include "core/io/zip/ZipArchive.h"
+#include "core/io/zip/ZipDirectory.h"
 
 #include <algorithm>
 #include <memory>

@@ -6,8 +6,8 @@
 #include "core/io/heightmap/SampleRows.h"
 #include "core/io/heightmap/ScanImage.h"
 #include "core/io/heightmap/x3p/X3pDescription.h"
-#include "core/io/heightmap/zip/ZipArchive.h"
-#include "core/io/heightmap/zip/ZipDirectory.h"
+#include "core/io/zip/ZipArchive.h"
+#include "core/io/zip/ZipDirectory.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/io/heightmap/zip/ZipArchive.h"
+#include "core/io/zip/ZipArchive.h"
 
 #include "core/Error.h"
 

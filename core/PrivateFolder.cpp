@@ -1,4 +1,4 @@
-#include "core/io/heightmap/gwyddion/PrivateFolder.h"
+#include "core/PrivateFolder.h"
 
 #include "core/Error.h"
 

@@ -1,7 +1,7 @@
-#include "core/io/heightmap/zip/ZipArchive.h"
+#include "core/io/zip/ZipArchive.h"
 
 #include "core/Error.h"
-#include "core/io/heightmap/zip/ZipDirectory.h"
+#include "core/io/zip/ZipDirectory.h"
 #include "tests/core/io/heightmap/ZipFiles.h"
 #include "tests/support/Refusal.h"
 

@@ -1,4 +1,4 @@
-#include "core/io/heightmap/zip/ZipDirectory.h"
+#include "core/io/zip/ZipDirectory.h"
 
 #include "core/io/ByteReader.h"
 

@@ -1,0 +1,219 @@
+#include "app/recording/Bundle.h"
+
+#include "app/program/JsonText.h"
+#include "app/recording/RecordedRun.h"
+#include "app/runs/RunFolder.h"
+#include "core/Error.h"
+#include "core/PrivateFolder.h"
+#include "core/TemporaryFile.h"
+#include "core/Utf8.h"
+#include "core/Version.h"
+#include "core/io/FileBytes.h"
+#include "core/io/FileHash.h"
+#include "core/io/scene/SceneFile.h"
+#include "core/io/zip/ZipArchive.h"
+#include "core/io/zip/ZipWriter.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+constexpr const char* kDirectory = "bundle.json";
+constexpr const char* kFormat = "asperity bundle";
+constexpr int kFormatVersion = 1;
+constexpr const char* kPicture = "picture.png";
+constexpr std::string_view kScanFolder = "scan/";
+constexpr std::uint64_t kMostDirectory = 1U << 20U;           // [byte]
+constexpr std::uint64_t kMostFile = std::uint64_t{1} << 36U;  // [byte]
+constexpr std::size_t kPiece = std::size_t{1} << 20U;         // copied at once [byte]
+
+struct BundledFile {
+    std::string name;            ///< in the bundle
+    std::filesystem::path file;  ///< on the disk
+};
+
+/// The scan's own name, where an archive can hold it.
+std::string scanEntry(const std::filesystem::path& scan) {
+    const std::string name = scan.filename().string();
+    return std::string(kScanFolder) + (isUtf8(name) ? name : "scan" + scan.extension().string());
+}
+
+/// The files of a bundle, but for its directory. The scene, which names another place of the scan,
+/// is written into `folder`.
+std::vector<BundledFile> filesOf(const std::filesystem::path& run,
+                                 const std::filesystem::path& picture,
+                                 const std::filesystem::path& folder) {
+    std::vector<BundledFile> files;
+    for (const std::string& name : runFileNames()) {
+        if (name != run_files::kScene && isThere(run / name)) {
+            files.push_back({name, run / name});
+        }
+    }
+    SceneDescription scene = sceneFromInput(run / run_files::kScene);
+    if (!scene.sample.shape) {
+        const std::filesystem::path scan = scene.sample.file;
+        scene.sample.file = scanEntry(scan);
+        files.push_back({scene.sample.file, scan});
+    }
+    writeTextFile(folder / run_files::kScene, sceneText(scene));
+    files.push_back({run_files::kScene, folder / run_files::kScene});
+    if (!picture.empty()) {
+        files.push_back({kPicture, picture});
+    }
+    return files;
+}
+
+nlohmann::ordered_json directoryOf(const std::vector<BundledFile>& files, Progress* progress) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const double share = 1.0 / static_cast<double>(files.size());
+        ProgressPart part(progress, static_cast<double>(i) * share,
+                          static_cast<double>(i + 1) * share);
+        const FileBytes bytes(files[i].file);
+        list.push_back(
+            {{"name", files[i].name}, {"bytes", bytes.size()}, {"sha256", sha256Of(bytes, &part)}});
+    }
+    return {{"format", kFormat},
+            {"format_version", kFormatVersion},
+            {"versions", {{"asperity", kVersion}, {"compiler", __VERSION__}}},
+            {"files", list}};
+}
+
+/// @throw InputError where the scan in a bundle is not the one that the run was made on
+void requireOwnScan(const std::filesystem::path& run, const nlohmann::ordered_json& directory,
+                    const std::vector<BundledFile>& files) {
+    const std::string recorded = readRunHash(run);
+    for (const auto& entry : directory.at("files")) {
+        const std::string name = entry.at("name");
+        if (name.starts_with(kScanFolder) && entry.at("sha256") != recorded) {
+            const auto scan = std::ranges::find(files, name, &BundledFile::name);
+            throw InputError(scan->file.string(), "",
+                             "the scan has changed since the run was recorded (its hash differs)");
+        }
+    }
+}
+
+/// A name that a bundle of ours gives a file: none leads out of its folder.
+bool isKnown(const std::string& name) {
+    if (name.starts_with(kScanFolder)) {
+        const std::string scan = name.substr(kScanFolder.size());
+        return !scan.empty() && scan != "." && scan != ".." &&
+               scan.find_first_of(std::string_view("/\\\0", 3)) == std::string::npos;
+    }
+    const std::vector<std::string>& names = runFileNames();
+    return name == kPicture || std::ranges::find(names, name) != names.end();
+}
+
+/// What a bundle says of one of its files.
+struct ListedFile {
+    std::string name;
+    std::string sha256;
+};
+
+std::vector<ListedFile> listed(const ZipArchive& archive, const std::string& file) {
+    const ZipEntry* const entry = archive.find(kDirectory);
+    if (entry == nullptr) {
+        throw InputError(file, "", "expected a bundle: there is no bundle.json in it");
+    }
+    const auto json =
+        nlohmann::json::parse(archive.decoded(*entry, kMostDirectory), nullptr, false);
+    std::vector<ListedFile> files;
+    try {
+        if (json.at("format") != kFormat || json.at("format_version") != kFormatVersion) {
+            throw InputError(file, kDirectory, "expected a bundle, format version 1");
+        }
+        for (const auto& one : json.at("files")) {
+            files.push_back({one.at("name"), one.at("sha256")});
+        }
+    } catch (const nlohmann::json::exception&) {
+        throw InputError(file, kDirectory, "expected format, format_version and files of a bundle");
+    }
+    for (const ListedFile& one : files) {
+        if (!isKnown(one.name)) {
+            throw InputError(file, kDirectory, "'" + one.name + "' is no file of a run");
+        }
+    }
+    return files;
+}
+
+void copy(const ByteSource& source, const std::filesystem::path& target) {
+    OutputFile file(target);
+    std::vector<char> piece(kPiece);
+    for (std::uint64_t place = 0; place < source.size(); place += piece.size()) {
+        piece.resize(std::min<std::uint64_t>(kPiece, source.size() - place));
+        source.read(place, piece);
+        file.stream().write(piece.data(), static_cast<std::streamsize>(piece.size()));
+    }
+    file.commit();
+}
+
+}  // namespace
+
+void writeBundle(const std::filesystem::path& run, const std::filesystem::path& picture,
+                 const std::filesystem::path& bundle, Progress* progress) {
+    const PrivateFolder folder;
+    std::vector<BundledFile> files = filesOf(run, picture, folder.path());
+    ProgressPart hashing(progress, 0.0, 0.4);
+    const nlohmann::ordered_json directory = directoryOf(files, &hashing);
+    requireOwnScan(run, directory, files);
+    writeTextFile(folder.path() / kDirectory, jsonText(directory) + "\n");
+    files.insert(files.begin(), {kDirectory, folder.path() / kDirectory});
+    ZipWriter zip(bundle);
+    for (const BundledFile& file : files) {
+        zip.addFile(file.name, file.file);
+    }
+    ProgressPart packing(progress, 0.4, 1.0);
+    zip.close(&packing);
+}
+
+bool isBundle(const std::filesystem::path& file) {
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(file, unknown)) {
+        return false;
+    }
+    try {
+        const FileBytes bytes(file);
+        constexpr std::array<char, 4> kZip{'P', 'K', 3, 4};
+        std::array<char, 4> start{};
+        if (bytes.size() < start.size()) {
+            return false;
+        }
+        bytes.read(0, start);
+        return start == kZip && ZipArchive(bytes).find(kDirectory) != nullptr;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+void unpackBundle(const std::filesystem::path& bundle, const std::filesystem::path& folder,
+                  Progress* progress) {
+    const FileBytes bytes(bundle);
+    const ZipArchive archive(bytes);
+    const std::vector<ListedFile> files = listed(archive, bundle.string());
+    double done = 0.0;
+    for (const ListedFile& file : files) {
+        reportTo(progress, done / static_cast<double>(files.size()));
+        done += 1.0;
+        const ZipEntry* const entry = archive.find(file.name);
+        if (entry == nullptr) {
+            throw InputError(bundle.string(), file.name, "this file is missing in the bundle");
+        }
+        const auto source = archive.source(*entry, kMostFile);
+        if (sha256Of(*source) != file.sha256) {
+            throw InputError(bundle.string(), file.name,
+                             "this file is damaged (its hash is not that in bundle.json)");
+        }
+        const std::filesystem::path target = folder / file.name;
+        std::filesystem::create_directories(target.parent_path());
+        copy(*source, target);
+    }
+    reportTo(progress, 1.0);
+}
+
+}  // namespace asperity

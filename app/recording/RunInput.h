@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/PrivateFolder.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace asperity {
+
+/// A run as a user names it: its folder, or a bundle, which is unpacked for as long as this lives.
+class RunInput {
+public:
+    /// @throw InputError where it is neither; Error
+    explicit RunInput(const std::filesystem::path& input);
+
+    /// That a run's files are in.
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+private:
+    std::optional<PrivateFolder> unpacked_;
+    std::filesystem::path folder_;
+};
+
+}  // namespace asperity

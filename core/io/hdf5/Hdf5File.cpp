@@ -1,0 +1,157 @@
+#include "core/io/hdf5/Hdf5File.h"
+
+#include "core/Error.h"
+#include "core/io/FileBytes.h"
+
+#include <algorithm>
+
+namespace asperity {
+
+namespace {
+
+/// No byte of a compressed chunk makes more bytes.
+constexpr std::uint64_t kMaxExpansion = 1032;
+constexpr std::size_t kMaxText = std::size_t{1} << 16U;  // of an attribute [byte]
+
+/// The library says of itself what went wrong, on the terminal, for each thread that does not ask
+/// it to be silent.
+void beSilent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+/// How files are opened: the lock of a TemporaryFile is ours, and some file systems have none.
+Hdf5Object access() {
+    beSilent();
+    Hdf5Object properties(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_file_locking(properties.id(), 0, 1);
+    return properties;
+}
+
+/// As HDF5 1.10 has it: before, an empty column took two kilobytes.
+Hdf5Object created(const std::filesystem::path& path) {
+    const Hdf5Object properties = access();
+    H5Pset_libver_bounds(properties.id(), H5F_LIBVER_V110, H5F_LIBVER_V110);
+    const Hdf5Object creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+    H5Pset_obj_track_times(creation.id(), 0);  // the same run, the same bytes
+    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), properties.id()), H5Fclose};
+}
+
+Hdf5Object opened(const std::filesystem::path& path) {
+    const Hdf5Object properties = access();
+    return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, properties.id()), H5Fclose};
+}
+
+Hdf5Object newAttribute(hid_t object, const char* attribute, const Hdf5Object& type) {
+    const Hdf5Object space(H5Screate(H5S_SCALAR), H5Sclose);
+    return {H5Acreate2(object, attribute, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+            H5Aclose};
+}
+
+}  // namespace
+
+Hdf5Object textType(std::size_t bytes) {
+    Hdf5Object type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type.id(), std::max<std::size_t>(bytes, 1));
+    H5Tset_cset(type.id(), H5T_CSET_UTF8);
+    H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
+    return type;
+}
+
+bool setText(hid_t object, const char* attribute, const std::string& text) {
+    const Hdf5Object type = textType(text.size());
+    const Hdf5Object made = newAttribute(object, attribute, type);
+    return made.isOpen() && H5Awrite(made.id(), type.id(), text.c_str()) >= 0;
+}
+
+bool setWord(hid_t object, const char* attribute, const std::string& word) {
+    const Hdf5Object type = textType(H5T_VARIABLE);
+    const Hdf5Object made = newAttribute(object, attribute, type);
+    const char* const text = word.c_str();
+    return made.isOpen() && H5Awrite(made.id(), type.id(), &text) >= 0;
+}
+
+std::string textOf(hid_t object, const char* attribute) {
+    const bool isThere = H5Aexists(object, attribute) > 0;
+    const Hdf5Object found(isThere ? H5Aopen(object, attribute, H5P_DEFAULT) : -1, H5Aclose);
+    const Hdf5Object type(found.isOpen() ? H5Aget_type(found.id()) : -1, H5Tclose);
+    const Hdf5Object space(found.isOpen() ? H5Aget_space(found.id()) : -1, H5Sclose);
+    const bool isText = type.isOpen() && space.isOpen() && H5Tget_class(type.id()) == H5T_STRING &&
+                        H5Tis_variable_str(type.id()) == 0 &&
+                        H5Sget_simple_extent_npoints(space.id()) == 1;
+    const std::size_t size = isText ? H5Tget_size(type.id()) : 0;
+    std::string text(size <= kMaxText ? size : 0, '\0');
+    if (text.empty() || H5Aread(found.id(), textType(size).id(), text.data()) < 0) {
+        return {};
+    }
+    text.resize(std::min(text.find('\0'), size));
+    return text;
+}
+
+Hdf5Output::Hdf5Output(const std::filesystem::path& path)
+    : name_(path.string()), file_(created(path)) {
+    if (!file_.isOpen()) {
+        throw Error(name_ + ": cannot be written");
+    }
+}
+
+void Hdf5Output::setAttribute(const char* attribute, const std::string& text) {
+    if (!setText(id(), attribute, text)) {
+        throw Error(name_ + ": not all of it could be written");
+    }
+}
+
+void Hdf5Output::addList(const char* list, std::span<const std::uint32_t> numbers) {
+    const hsize_t size = numbers.size();
+    const Hdf5Object space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Hdf5Object properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(properties.id(), 0);
+    const Hdf5Object made(H5Dcreate2(id(), list, H5T_STD_U32LE, space.id(), H5P_DEFAULT,
+                                     properties.id(), H5P_DEFAULT),
+                          H5Dclose);
+    if (!made.isOpen() ||
+        H5Dwrite(made.id(), H5T_NATIVE_UINT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0) {
+        throw Error(name_ + ": not all of it could be written");
+    }
+}
+
+void Hdf5Output::close() {
+    const bool isWritten = H5Fflush(id(), H5F_SCOPE_LOCAL) >= 0;
+    file_ = Hdf5Object(-1, H5Fclose);
+    if (!isWritten) {
+        throw Error(name_ + ": not all of it could be written");
+    }
+}
+
+Hdf5Input::Hdf5Input(const std::filesystem::path& path)
+    : name_(path.string())
+    , mostCells_(FileBytes(path).size() * kMaxExpansion / sizeof(float))
+    , file_(opened(path)) {
+    if (!file_.isOpen()) {
+        throw InputError(name_, "", "expected a file in the HDF5 format");
+    }
+}
+
+bool Hdf5Input::has(const std::string& what) const {
+    return H5Lexists(id(), what.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::string Hdf5Input::attribute(const char* attribute) const { return textOf(id(), attribute); }
+
+std::vector<std::uint32_t> Hdf5Input::list(const char* list) const {
+    const Hdf5Object found(has(list) ? H5Dopen2(id(), list, H5P_DEFAULT) : -1, H5Dclose);
+    const Hdf5Object space(found.isOpen() ? H5Dget_space(found.id()) : -1, H5Sclose);
+    hsize_t size = 0;
+    if (!space.isOpen() || H5Sget_simple_extent_ndims(space.id()) != 1 ||
+        H5Sget_simple_extent_dims(space.id(), &size, nullptr) < 0 || size > mostCells_) {
+        fail(list, "expected a list of numbers");
+    }
+    std::vector<std::uint32_t> numbers(size);
+    if (H5Dread(found.id(), H5T_NATIVE_UINT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0) {
+        fail(list, "its numbers cannot be read");
+    }
+    return numbers;
+}
+
+void Hdf5Input::fail(const std::string& place, const std::string& what) const {
+    throw InputError(name_, place, what);
+}
+
+}  // namespace asperity

@@ -1,0 +1,126 @@
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ScratchFolder.h"
+#include "tests/support/ShippedScene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// A run in the compact format, and the same run as text.
+class CompactRun : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        scratch = std::make_unique<test::ScratchFolder>();
+        for (const auto& [format, folder] :
+             {std::pair("h5", "compact"), std::pair("csv", "text")}) {
+            const auto made = test::runProgram(
+                "explore " + test::shippedScene("polystyrene").string() +
+                " --duration 3 --format " + format + " --out " + scratch->file(folder).string());
+            ASSERT_EQ(made.exitCode, 0) << made.output;
+        }
+    }
+    static void TearDownTestSuite() { scratch.reset(); }
+
+    static test::ProgramRun run(const std::string& arguments) {
+        return test::runProgram(arguments);
+    }
+    static std::string in(const char* name) { return scratch->file(name).string(); }
+
+    static std::unique_ptr<test::ScratchFolder> scratch;
+};
+
+std::unique_ptr<test::ScratchFolder> CompactRun::scratch;
+
+TEST_F(CompactRun, IsATenthOfTheText) {
+    EXPECT_FALSE(fs::exists(scratch->file("compact") / "force_log.csv"));
+    EXPECT_FALSE(fs::exists(scratch->file("compact") / "tick_input.csv"));
+    const auto text = fs::file_size(scratch->file("text") / "force_log.csv") +
+                      fs::file_size(scratch->file("text") / "tick_input.csv");
+    EXPECT_LT(10 * fs::file_size(scratch->file("compact") / "recording.h5"), text);
+}
+
+TEST_F(CompactRun, ReplaysBitIdentically) {
+    const auto again = run("replay " + in("compact") + " --out " + in("again"));
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_THAT(again.output, HasSubstr("bit-identical: 3001 ticks"));
+    EXPECT_EQ(test::contentOf(scratch->file("again") / "force_log.csv"),
+              test::contentOf(scratch->file("text") / "force_log.csv"));
+}
+
+TEST_F(CompactRun, IsConvertedToTextAndBackToTheSameBytes) {
+    const auto text = run("convert " + in("compact") + " " + in("back") + " --format csv");
+    EXPECT_EQ(text.exitCode, 0) << text.output;
+    for (const char* name : {"force_log.csv", "tick_input.csv", "summary.json", "scene.toml"}) {
+        EXPECT_EQ(test::contentOf(scratch->file("back") / name),
+                  test::contentOf(scratch->file("text") / name))
+            << name;
+    }
+    const auto packed = run("convert " + in("back") + " " + in("packed") + " --format h5");
+    EXPECT_EQ(packed.exitCode, 0) << packed.output;
+    EXPECT_EQ(test::contentOf(scratch->file("packed") / "recording.h5"),
+              test::contentOf(scratch->file("compact") / "recording.h5"));
+}
+
+TEST_F(CompactRun, IsNotConvertedInVain) {
+    const auto same = run("convert " + in("compact") + " " + in("same") + " --format h5");
+    EXPECT_EQ(same.exitCode, 1);
+    EXPECT_THAT(same.output, HasSubstr("has this format already"));
+    const auto itself = run("convert " + in("compact") + " " + in("compact") + " --format csv");
+    EXPECT_EQ(itself.exitCode, 1);
+    const auto noRun = run("convert " + scratch->path().string() + " " + in("x") + " --format csv");
+    EXPECT_EQ(noRun.exitCode, 3);
+    const auto map =
+        run("convert " + in("compact") + " " + in("x") + " --format csv --level plane");
+    EXPECT_EQ(map.exitCode, 2);
+    EXPECT_FALSE(fs::exists(scratch->file("same")));
+    EXPECT_FALSE(fs::exists(scratch->file("x")));
+}
+
+TEST_F(CompactRun, ReplacesAnotherRunAndIsReplaced) {
+    const std::string explore = "explore " + test::shippedScene("polystyrene").string() +
+                                " --duration 0.1 --out " + in("replaced");
+    ASSERT_EQ(run(explore).exitCode, 0);
+    ASSERT_EQ(run(explore + " --format h5").exitCode, 0);
+    EXPECT_FALSE(fs::exists(scratch->file("replaced") / "tick_input.csv"));
+    ASSERT_EQ(run(explore).exitCode, 0);
+    EXPECT_FALSE(fs::exists(scratch->file("replaced") / "recording.h5"));
+    EXPECT_TRUE(fs::exists(scratch->file("replaced") / "tick_input.csv"));
+}
+
+TEST_F(CompactRun, NamesWhereAReplayDiffers) {
+    fs::copy(scratch->file("compact"), scratch->file("altered"));
+    std::string scene = test::contentOf(scratch->file("altered") / "scene.toml");
+    const std::string key = "work_of_adhesion_j_m2 = ";
+    ASSERT_NE(scene.find(key), std::string::npos);
+    const std::size_t digits = scene.find(key) + key.size();
+    scene.replace(digits, scene.find('\n', digits) - digits, "0.0660001");
+    std::ofstream(scratch->file("altered") / "scene.toml") << scene;
+    const auto again = run("replay " + in("altered") + " --out " + in("other"));
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_THAT(again.output, HasSubstr("first differing tick: "));
+}
+
+TEST_F(CompactRun, IsWhatALoopRecordsAtItsEnd) {
+    const auto loop = run("loop " + test::shippedScene("polystyrene").string() +
+                          " --duration 2 --format h5 --record " + in("loop"));
+    ASSERT_EQ(loop.exitCode, 0) << loop.output;
+    EXPECT_TRUE(fs::exists(scratch->file("loop") / "recording.h5"));
+    EXPECT_FALSE(fs::exists(scratch->file("loop") / "force_log.csv"));
+    const auto again = run("replay " + in("loop") + " --out " + in("loop_again"));
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_THAT(again.output, HasSubstr("bit-identical: "));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,43 @@
+#include "core/io/tables/CsvRows.h"
+
+#include "tests/support/Refusal.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace asperity::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(CsvRows, ComeOneAfterTheOther) {
+    const ScratchFolder scratch;
+    CsvRows rows(scratch.write("a.csv", "# first\n#second\na,b\n1, \"x, \"\"y\"\"\"\n\n# no "
+                                        "comment of the table\n-2e-9,\r\n"));
+    EXPECT_THAT(rows.comments(), ElementsAre("first", "second"));
+    EXPECT_THAT(rows.columns(), ElementsAre("a", "b"));
+    ASSERT_TRUE(rows.next());
+    EXPECT_THAT(rows.cells(), ElementsAre("1", "x, \"y\""));
+    ASSERT_TRUE(rows.next());
+    EXPECT_THAT(rows.cells(), ElementsAre("-2e-9", ""));
+    EXPECT_FALSE(rows.next());
+}
+
+TEST(CsvRows, AreRefusedWithTheirLine) {
+    const ScratchFolder scratch;
+    const auto refusal = [&scratch](const char* content) {
+        return refusalOf([&] {
+            CsvRows rows(scratch.write("a.csv", content));
+            while (rows.next()) {
+            }
+        });
+    };
+    EXPECT_THAT(refusal("# only\n"), HasSubstr("expected a line that names the columns"));
+    EXPECT_THAT(refusal("a,b\n1,2\n3\n"), HasSubstr("line 3"));
+    EXPECT_THAT(refusal("a,b\n1,\"2\n"), HasSubstr("a quoted cell is not closed"));
+}
+
+}  // namespace
+}  // namespace asperity::test
