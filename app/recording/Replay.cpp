@@ -11,12 +11,11 @@
 
 namespace asperity {
 
-namespace {
-
-/// A run starts with its scene's settings and keeps its rate, but for whole periods that a live one
-/// skips now and then: where the recorded input says otherwise, one of the two files was altered.
-/// @throw Error naming the key
-void requireSameSettings(const Scene& scene, const std::vector<TickSample>& samples) {
+void requireSameSettings(const Scene& scene, const RecordedRun& run) {
+    const std::vector<TickSample>& samples = run.samples;
+    if (samples.empty()) {
+        return;
+    }
     const auto require = [](const std::string& key, double ofScene, double ofInput) {
         if (ofScene != ofInput) {
             throw Error("first differing tick: 0: " + key + " is " + exactText(ofScene) +
@@ -37,12 +36,8 @@ void requireSameSettings(const Scene& scene, const std::vector<TickSample>& samp
             first.settings.correctionBandwidth);
 }
 
-}  // namespace
-
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink) {
-    if (!run.samples.empty()) {
-        requireSameSettings(scene, run.samples);
-    }
+    requireSameSettings(scene, run);
     TickMemory memory = run.memory;
     for (TickSample sample : run.samples) {
         sample.output = tick(scene, sample.input, memory);

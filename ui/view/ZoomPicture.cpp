@@ -7,7 +7,7 @@
 #include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkCamera.h>
-#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <QObject>
@@ -43,7 +43,7 @@ bool isNearMiddle(const ScanWindow& patch, const Vector2& tip, double distance) 
 
 }  // namespace
 
-ZoomPicture::ZoomPicture(vtkGenericOpenGLRenderWindow* window)
+ZoomPicture::ZoomPicture(vtkOpenGLRenderWindow* window)
     : cache_(window, still_)
     , terrain_(still_)
     , contact_(live_, through_)
@@ -73,6 +73,11 @@ ZoomPicture::~ZoomPicture() = default;
 void ZoomPicture::showTheme() {
     still_->SetBackground(theme::palette().backdrop.fractions().data());
     cache_.invalidate();
+}
+
+void ZoomPicture::setTransparent() {
+    still_->SetBackground(0.0, 0.0, 0.0);
+    still_->SetBackgroundAlpha(0.0);
 }
 
 void ZoomPicture::setScene(const Scene* scene) {
@@ -315,7 +320,7 @@ SurfaceReading ZoomPicture::reading(const Vector2& place) const {
     return readingAt(*scene_, colors_.field(), shape_.get(), place);
 }
 
-void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelRatio) {
+void ZoomPicture::showLabels(const ViewCamera& camera, double height, double pixelRatio) {
     if (!frame_) {
         labels_.hide();
         return;
@@ -324,14 +329,17 @@ void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelR
     LabelContent content{.scaleBars = options_.scaleBars && !camera.hasPerspective(),
                          .metersPerPixel = metersPerPixel(height),
                          .heightPerPixel =
-                             metersPerPixel(height) / (options_.heightScale * camera.heightSeen()),
-                         .notes = notes(camera),
-                         .tipAbove = tipAbove(height, pixelRatio),
-                         .force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0,
-                         .forceEnd = force_.end(),
-                         .names = ghosts_.names(),
-                         .markers = markers_.names(),
-                         .reading = crossHair_ ? reading_.toStdString() : std::string()};
+                             metersPerPixel(height) / (options_.heightScale * camera.heightSeen())};
+    if (options_.labels) {
+        content.notes = notes(camera);
+        content.tipAbove = tipAbove(height, pixelRatio);
+        content.force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0;
+        content.forceEnd = force_.end();
+        content.names = ghosts_.names();
+        content.markers = markers_.names();
+        content.reading = crossHair_ ? reading_.toStdString() : std::string();
+        content.caption = caption_;
+    }
     if (options_.axes) {
         content.axes = FrameAxes{.window = terrain_.place().window,
                                  .bottom = options_.heightScale * terrain_.bottom(),
@@ -351,7 +359,7 @@ std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
                       .width = 2.0 * frame_->halfWidth()});
 }
 
-std::string ZoomPicture::tipAbove(int height, double pixelRatio) const {
+std::string ZoomPicture::tipAbove(double height, double pixelRatio) const {
     if (shape_ == nullptr || drawnPlace(apexOf(shape_->contact())).y() < pixelRatio * height) {
         return {};
     }
@@ -393,7 +401,7 @@ Vector2 ZoomPicture::drawnPlace(const Vector3& place) const {
     return {display[0], display[1]};
 }
 
-double ZoomPicture::metersPerPixel(int height) const {
+double ZoomPicture::metersPerPixel(double height) const {
     return 2.0 * still_->GetActiveCamera()->GetParallelScale() / height;
 }
 

@@ -29,9 +29,10 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
-class vtkGenericOpenGLRenderWindow;
+class vtkOpenGLRenderWindow;
 class vtkRenderer;
 
 namespace asperity {
@@ -44,7 +45,7 @@ class ZoomPicture : public QObject {
 
 public:
     /// @param window outlives this object
-    explicit ZoomPicture(vtkGenericOpenGLRenderWindow* window);
+    explicit ZoomPicture(vtkOpenGLRenderWindow* window);
     ~ZoomPicture() override;
     ZoomPicture(const ZoomPicture&) = delete;
     ZoomPicture& operator=(const ZoomPicture&) = delete;
@@ -75,7 +76,7 @@ public:
     [[nodiscard]] SurfaceReading reading(const Vector2& place) const;
     /// @param height     of the view [pixels of the screen's coordinates]
     /// @param pixelRatio drawn pixels per such a pixel
-    void showLabels(const ViewCamera& camera, int height, double pixelRatio);
+    void showLabels(const ViewCamera& camera, double height, double pixelRatio);
     /// Takes the colors around the sample from the theme; terrain, contact and labels have to be
     /// shown anew.
     void showTheme();
@@ -96,12 +97,17 @@ public:
     /// What the picture does not say by itself: a stretched height, coarse pixels.
     [[nodiscard]] std::vector<std::string> notes(const ViewCamera& camera) const;
     [[nodiscard]] const SurfaceColors& colors() const { return colors_; }
-    /// What keeps the surface at rest from one frame to the next.
+    /// Nothing is behind what is drawn: black and clear, see drawnImage().
+    void setTransparent();
+    /// What is written in a corner of the picture; empty: nothing.
+    void setCaption(std::string caption) { caption_ = std::move(caption); }
+    /// What keeps the surface at rest from one frame to the next. It copies with Qt's OpenGL: a
+    /// window of VTK's own has to switch it off.
     [[nodiscard]] StaticLayer& cache() { return cache_; }
     /// Where a world place [m] is drawn, in drawn pixels from the lower left corner.
     [[nodiscard]] Vector2 drawnPlace(const Vector3& place) const;
     /// Of the screen's coordinates in a view of this height.
-    [[nodiscard]] double metersPerPixel(int height) const;
+    [[nodiscard]] double metersPerPixel(double height) const;
 
 Q_SIGNALS:
     void terrainPlaced();  ///< it has to be shown anew, and the camera to be aimed
@@ -125,7 +131,7 @@ private:
     void showGhosts(const ViewCamera& camera);
     void showCrossHair();
     void showMarkers();
-    [[nodiscard]] std::string tipAbove(int height, double pixelRatio) const;
+    [[nodiscard]] std::string tipAbove(double height, double pixelRatio) const;
 
     const Scene* scene_ = nullptr;
     ViewScale scale_;
@@ -139,6 +145,7 @@ private:
     std::unique_ptr<const ContactShape> shape_;  ///< as it is shown; null: none is
     std::optional<Vector2> crossHair_;           ///< on the surface at rest [m]
     QString reading_;                            ///< of the cross-hair
+    std::string caption_;
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest
     vtkNew<vtkRenderer> live_;     ///< what changes from frame to frame
