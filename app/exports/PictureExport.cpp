@@ -23,14 +23,11 @@ constexpr int kOverviewPixels = 1024;  // twice as many as the overview draws
 
 std::string timeText(double time) { return formatted("t = %.3f s", time); }
 
-/// Letters shrink where the panel around a scene would leave no room for it.
+/// Of a picture with a panel around its scene.
 PictureLook panelLook(const PictureSpec& spec) {
     constexpr double kLeastWidth = 640.0;  // in pixels of letters
     constexpr double kLeastHeight = 480.0;
-    PictureLook look = spec.look();
-    look.pixelRatio =
-        std::min({look.pixelRatio, spec.size.width / kLeastWidth, spec.size.height / kLeastHeight});
-    return look;
+    return spec.look(kLeastWidth, kLeastHeight);
 }
 
 std::string titleOf(const PictureRequest& request, const TickSample& sample) {

@@ -13,8 +13,8 @@ namespace asperity {
 namespace {
 
 // Of a page whose letters have their usual size.
-constexpr double kUsualWidth = 300.0;  // of a chart
-constexpr double kUsualHeight = 200.0;
+constexpr double kUsualWidth = 400.0;  // of a chart
+constexpr double kUsualHeight = 260.0;
 constexpr double kMinScale = 0.5;  // of letters: 6 of 12 pixels
 constexpr double kMaxScale = 1.5;
 constexpr double kWideChart = 1.5;  // width over height that a chart has best
@@ -255,6 +255,12 @@ private:
         });
     }
 
+    /// Of an axis, which its name does not exceed by much.
+    [[nodiscard]] double nameSize(const std::string& name, double length) const {
+        constexpr double kMost = 1.15;
+        return kName * std::min(1.0, kMost * length / estimatedWidth(name, scale_ * kName));
+    }
+
     void drawNumbers() {
         const double bottom = plot_.top + plot_.height;
         for (std::size_t i = 0; i < x_.ticks().size(); ++i) {
@@ -270,9 +276,9 @@ private:
         }
         text({plot_.left + 0.5 * plot_.width,
               bottom + scale_ * (kTickLength + kLine * kTick + 0.6 * kName)},
-             x_.title(), kName, Align::Center);
+             x_.title(), nameSize(x_.title(), plot_.width), Align::Center);
         text({area_.left + scale_ * (0.5 * kEdge + 0.5 * kName), plot_.top + 0.5 * plot_.height},
-             y_.title(), kName, Align::Center, false, true);
+             y_.title(), nameSize(y_.title(), plot_.height), Align::Center, false, true);
     }
 
     PlotPage& page_;
@@ -307,6 +313,13 @@ Grid gridFor(std::size_t charts, double width, double height) {
     return best;
 }
 
+/// Letters shrink less than a small chart does.
+double letterScale(double width, double height) {
+    constexpr double kShrink = 0.6;
+    const double size = std::min(width / kUsualWidth, height / kUsualHeight);
+    return size < 1.0 ? std::pow(size, kShrink) : std::min(size, kMaxScale);
+}
+
 }  // namespace
 
 PlotPage plotPage(std::span<const Chart> charts, const PictureSpec& spec) {
@@ -319,7 +332,7 @@ PlotPage plotPage(std::span<const Chart> charts, const PictureSpec& spec) {
     const Grid grid = gridFor(charts.size(), page.width, page.height);
     const double width = page.width / static_cast<double>(grid.columns);
     const double height = page.height / static_cast<double>(grid.rows);
-    const double scale = std::min({width / kUsualWidth, height / kUsualHeight, kMaxScale});
+    const double scale = letterScale(width, height);
     if (scale < kMinScale) {
         throw Error(formatted("a page of %.0f x %.0f mm is too small for %zu charts whose letters "
                               "can be read: give more pixels (--size) or fewer per inch (--dpi)",

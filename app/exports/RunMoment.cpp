@@ -16,7 +16,8 @@ std::string rangeOf(const RunPlayback& run) {
 }
 
 std::size_t tickAtTime(const RunPlayback& run, double time) {
-    if (!(time >= run.firstTime() && time <= run.lastTime())) {
+    if (!(time >= run.firstTime() - RunPlayback::kTimeRounding &&
+          time <= run.lastTime() + RunPlayback::kTimeRounding)) {
         throw Error(formatted("%.6g s", time) + " is not in the run: it goes from " + rangeOf(run));
     }
     return run.tickAt(time);

@@ -4,6 +4,10 @@ namespace asperity {
 
 namespace {
 
+// In pixels of letters.
+constexpr double kLeastWidth = 480.0;
+constexpr double kLeastHeight = 360.0;
+
 std::optional<ViewDirection> sideOf(ExportView view) {
     switch (view) {
     case ExportView::Front:
@@ -27,7 +31,7 @@ std::optional<ViewDirection> sideOf(ExportView view) {
 
 OffscreenZoomLook spatialLook(ExportView view, const PictureSpec& spec) {
     return {.size = spec.size,
-            .look = spec.look(),
+            .look = spec.look(kLeastWidth, kLeastHeight),
             .parts = spec.parts,
             .side = sideOf(view),
             .section = view == ExportView::Section,

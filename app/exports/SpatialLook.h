@@ -3,6 +3,7 @@
 #include "app/exports/ExportView.h"
 #include "ui/view/OffscreenZoom.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace asperity {
@@ -18,8 +19,11 @@ struct PictureSpec {
 
     /// Pixels per pixel of letters and lines.
     [[nodiscard]] double pixelRatio() const { return dpi / 96.0; }
-    [[nodiscard]] PictureLook look() const {
-        return {.pixelRatio = pixelRatio(), .transparent = transparent};
+    /// Letters shrink in a picture that has fewer pixels of letters than what is drawn needs.
+    [[nodiscard]] PictureLook look(double leastWidth, double leastHeight) const {
+        return {.pixelRatio =
+                    std::min({pixelRatio(), size.width / leastWidth, size.height / leastHeight}),
+                .transparent = transparent};
     }
 };
 

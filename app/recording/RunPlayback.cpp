@@ -29,7 +29,7 @@ RunPlayback::RunPlayback(const Scene& scene, const RecordedRun& run)
 }
 
 std::size_t RunPlayback::tickAt(double time) const {
-    const auto after = std::ranges::upper_bound(inputs_, time, {}, &Input::time);
+    const auto after = std::ranges::upper_bound(inputs_, time + kTimeRounding, {}, &Input::time);
     return after == inputs_.begin() ? 0 : static_cast<std::size_t>(after - inputs_.begin()) - 1;
 }
 

@@ -17,6 +17,8 @@ namespace asperity {
 class RunPlayback {
 public:
     static constexpr std::size_t kCheckpointTicks = 500;
+    /// A tick that is due at 3.3 s may have 3.3000000000000003 s [s].
+    static constexpr double kTimeRounding = 1e-9;
 
     /// @param scene outlives this object
     /// @throw Error where the run holds no tick, or the scene's settings are not those that it

@@ -23,7 +23,7 @@ namespace {
 constexpr int kOversampling = 2;
 
 // In pixels of the letters.
-constexpr double kBarHeight = 58.0;
+constexpr double kBarHeight = 54.0;
 constexpr double kBarEdge = 18.0;
 constexpr double kBarTop = 8.0;
 constexpr double kWideEnough = 640.0;  // for two bars side by side
