@@ -43,6 +43,7 @@ void drawFrames(ExportInput& input, const FilmRequest& request,
         zoom.foresee(run.at(ticks[i]));
         caption.take(run.at(ticks[i]));
     }
+    zoom.keepScales();
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         reportTo(progress, kForeseen + (1.0 - kForeseen) * static_cast<double>(i) / count);
         const TickSample& sample = run.at(ticks[i]);

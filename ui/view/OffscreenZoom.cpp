@@ -146,6 +146,11 @@ void OffscreenZoom::foresee(const TickSample& sample) {
     show(sample);
 }
 
+void OffscreenZoom::keepScales() {
+    const theme::LightColors light;
+    picture_->keepScales();
+}
+
 RasterImage OffscreenZoom::draw(const TickSample& sample, const std::string& caption) {
     const theme::LightColors light;
     show(sample);

@@ -37,8 +37,10 @@ public:
     OffscreenZoom(const OffscreenZoom&) = delete;
     OffscreenZoom& operator=(const OffscreenZoom&) = delete;
 
-    /// Makes room for a sample that will be drawn, so that nothing is rescaled then.
+    /// Looks at a sample that will be drawn.
     void foresee(const TickSample& sample);
+    /// From now on size and colors have room for all samples so far, and stay so.
+    void keepScales();
     /// @param caption written in a corner; empty: nothing
     /// @throw Error when drawing fails
     [[nodiscard]] RasterImage draw(const TickSample& sample, const std::string& caption);

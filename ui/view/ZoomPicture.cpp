@@ -3,7 +3,6 @@
 #include "ui/Theme.h"
 #include "ui/view/DrapedGrid.h"
 #include "ui/view/SurfacePick.h"
-#include "ui/view/ViewNotes.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkCamera.h>
@@ -87,6 +86,7 @@ void ZoomPicture::setScene(const Scene* scene) {
     halfSpace_.reset();
     frame_.reset();
     extent_.forget();
+    shown_ = {};
     shape_.reset();
     crossHair_.reset();
     terrain_.hide();
@@ -143,11 +143,11 @@ void ZoomPicture::follow(const Vector2& tip, double slack) {
 void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     const bool otherWindow = !sameWindow(place.window, terrain_.place().window);
     terrain_.setPlace(scene_->surface, place);
-    const std::array<double, 2> heights = terrain_.heightRange();
-    colors_.fitHeights(heights[0], heights[1]);
+    fitHeights();
     const bool otherColors = fitColors();
     terrain_.setBottom(extent_.bottom(framed()));
-    if (extent_.isFitWanted() || !isTouching()) {  // the scale stays while the tip is in contact
+    // The scale stays while the tip is in contact.
+    if (extent_.isFitWanted() || !(isTouching() || shown_.isKept())) {
         extent_.fit(framed(), gear().tipHeight());
     }
     Q_EMIT terrainPlaced();
@@ -159,12 +159,27 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     }
 }
 
+void ZoomPicture::fitHeights() {
+    const std::array<double, 2> heights = shown_.heights(terrain_.heightRange());
+    colors_.fitHeights(heights[0], heights[1]);
+}
+
+void ZoomPicture::keepScales() {
+    shown_.keep();
+    fitHeights();
+    fitColors();
+    extent_.fit(framed(), gear().tipHeight());
+    terrain_.setBottom(extent_.bottom(framed()));
+    Q_EMIT terrainPlaced();
+    Q_EMIT scalesChanged();
+}
+
 /// @return whether the colors are others
 bool ZoomPicture::fitColors() {
     if (colors_.isLive()) {
         return false;
     }
-    return colors_.needsEnds() ? colors_.fitRest(terrain_.heightRange())
+    return colors_.needsEnds() ? colors_.fitRest(shown_.heights(terrain_.heightRange()))
                                : colors_.fitRest(terrain_.valuesOf(colors_.field()));
 }
 
@@ -246,7 +261,8 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
 
 /// @return whether the colors are others
 bool ZoomPicture::fitLiveColors(const ContactShape& shape, const PatchColors& colors) {
-    const bool otherDisplacements = colors_.fitDisplacement(shape.largestDisplacement());
+    const bool otherDisplacements =
+        colors_.fitDisplacement(shown_.displacement(shape.largestDisplacement()));
     if (!colors_.isLive()) {
         return otherDisplacements && colors_.field().quantity() == SurfaceQuantity::Height;
     }
@@ -318,52 +334,6 @@ std::optional<Vector2> ZoomPicture::placeAt(const Vector2& pixel) const {
 
 SurfaceReading ZoomPicture::reading(const Vector2& place) const {
     return readingAt(*scene_, colors_.field(), shape_.get(), place);
-}
-
-void ZoomPicture::showLabels(const ViewCamera& camera, double height, double pixelRatio) {
-    if (!frame_) {
-        labels_.hide();
-        return;
-    }
-    labels_.setPixelRatio(pixelRatio);
-    LabelContent content{.scaleBars = options_.scaleBars && !camera.hasPerspective(),
-                         .metersPerPixel = metersPerPixel(height),
-                         .heightPerPixel =
-                             metersPerPixel(height) / (options_.heightScale * camera.heightSeen())};
-    if (options_.labels) {
-        content.notes = notes(camera);
-        content.tipAbove = tipAbove(height, pixelRatio);
-        content.force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0;
-        content.forceEnd = force_.end();
-        content.names = ghosts_.names();
-        content.markers = markers_.names();
-        content.reading = crossHair_ ? reading_.toStdString() : std::string();
-        content.caption = caption_;
-    }
-    if (options_.axes) {
-        content.axes = FrameAxes{.window = terrain_.place().window,
-                                 .bottom = options_.heightScale * terrain_.bottom(),
-                                 .toEye = camera.out()};
-    }
-    labels_.show(content);
-}
-
-std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
-    return viewNotes({.heightScale = options_.heightScale,
-                      .hasPerspective = camera.hasPerspective(),
-                      .isFromBelow = camera.out().z() < 0.0,
-                      .missesTrueTip = options_.trueTip && sample_ && !trueTip_,
-                      .showsLever = gear().showsLever(),
-                      .tipRadius = scene_->belief.tipRadius(),
-                      .pixel = scale_.pixel,
-                      .width = 2.0 * frame_->halfWidth()});
-}
-
-std::string ZoomPicture::tipAbove(double height, double pixelRatio) const {
-    if (shape_ == nullptr || drawnPlace(apexOf(shape_->contact())).y() < pixelRatio * height) {
-        return {};
-    }
-    return tipAboveNote(-shape_->contact().indentation);
 }
 
 void ZoomPicture::aim(const ViewCamera& camera, double aspect, const WordRoom& words) {

@@ -10,6 +10,7 @@
 #include "ui/view/MarkerLayer.h"
 #include "ui/view/PatchColors.h"
 #include "ui/view/SectionLayer.h"
+#include "ui/view/ShownRanges.h"
 #include "ui/view/StaticLayer.h"
 #include "ui/view/SurfaceColors.h"
 #include "ui/view/SurfaceReading.h"
@@ -101,6 +102,8 @@ public:
     void setTransparent();
     /// What is written in a corner of the picture; empty: nothing.
     void setCaption(std::string caption) { caption_ = std::move(caption); }
+    /// Size and colors have room for all that was shown of the scene, and stay so. There is a scene.
+    void keepScales();
     /// What keeps the surface at rest from one frame to the next. It copies with Qt's OpenGL: a
     /// window of VTK's own has to switch it off.
     [[nodiscard]] StaticLayer& cache() { return cache_; }
@@ -118,6 +121,7 @@ private:
     void follow(const Vector2& tip, double slack);
     void placeTerrain(const TerrainPlace& place);
     bool fitColors();
+    void fitHeights();
     bool fitLiveColors(const ContactShape& shape, const PatchColors& colors);
     [[nodiscard]] FramedSurface framed() const;
     [[nodiscard]] GearScale gear() const;
@@ -142,6 +146,7 @@ private:
     SurfaceColors colors_;
     ViewOptions options_;
     ViewExtent extent_;
+    ShownRanges shown_;
     std::unique_ptr<const ContactShape> shape_;  ///< as it is shown; null: none is
     std::optional<Vector2> crossHair_;           ///< on the surface at rest [m]
     QString reading_;                            ///< of the cross-hair

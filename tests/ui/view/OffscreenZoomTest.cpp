@@ -127,10 +127,16 @@ TEST(OffscreenZoomFilm, HasOneScaleThrough) {
     for (const TickSample& frame : frames) {
         zoom.foresee(frame);
     }
+    zoom.keepScales();
     std::vector<double> scales;
+    std::vector<std::uint8_t> bars;
     for (const TickSample& frame : frames) {
-        (void)zoom.draw(frame, {});
+        const RasterImage image = zoom.draw(frame, {});
         scales.push_back(zoom.metersPerPixel());
+        const std::vector<std::uint8_t> below(image.row(image.height - 60),
+                                              image.row(image.height - 1));
+        EXPECT_TRUE(bars.empty() || below == bars);
+        bars = below;
     }
     EXPECT_EQ(*std::ranges::min_element(scales), *std::ranges::max_element(scales));
 }
