@@ -102,7 +102,8 @@ public:
     void setTransparent();
     /// What is written in a corner of the picture; empty: nothing.
     void setCaption(std::string caption) { caption_ = std::move(caption); }
-    /// Size and colors have room for all that was shown of the scene, and stay so. There is a scene.
+    /// Size and colors have room for all that was shown of the scene, and stay so. There is a
+    /// scene.
     void keepScales();
     /// What keeps the surface at rest from one frame to the next. It copies with Qt's OpenGL: a
     /// window of VTK's own has to switch it off.
