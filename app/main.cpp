@@ -1,3 +1,4 @@
+#include "app/commands/BundleCommand.h"
 #include "app/commands/ContactCommand.h"
 #include "app/commands/ConvertCommand.h"
 #include "app/commands/CurveCommand.h"
@@ -5,10 +6,12 @@
 #include "app/commands/DevicesCommand.h"
 #include "app/commands/ExploreCommand.h"
 #include "app/commands/ExtremesCommand.h"
+#include "app/commands/FilmCommand.h"
 #include "app/commands/InfoCommand.h"
 #include "app/commands/LoopCommand.h"
 #include "app/commands/MeasureCommand.h"
 #include "app/commands/ProjectCommand.h"
+#include "app/commands/RenderCommand.h"
 #include "app/commands/ReplayCommand.h"
 #include "app/commands/TradeOffCommand.h"
 #include "app/commands/WindowCommand.h"
@@ -47,6 +50,9 @@ int run(int argc, char** argv) {
     asperity::addTradeOffCommand(program);
     asperity::addExtremesCommand(program);
     asperity::addReplayCommand(program);
+    asperity::addRenderCommand(program);
+    asperity::addFilmCommand(program);
+    asperity::addBundleCommand(program);
     asperity::addLoopCommand(program);
     asperity::addDevicesCommand(program);
     try {

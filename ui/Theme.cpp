@@ -148,6 +148,20 @@ void choose(ThemeChoice choice) {
     }
 }
 
+LightColors::LightColors() : wasDark_(isDark()) {
+    if (wasDark_) {
+        theTheme().isDark = false;
+        theTheme().colors = forQt(kLightPalette);
+    }
+}
+
+LightColors::~LightColors() {
+    if (wasDark_) {
+        theTheme().isDark = true;
+        theTheme().colors = forQt(kDarkPalette);
+    }
+}
+
 void follow(QObject* owner, const std::function<void()>& show) {
     show();
     QObject::connect(&theTheme().change, &ThemeChange::happened, owner, show);

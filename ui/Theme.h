@@ -37,6 +37,19 @@ namespace theme {
 /// Repaints all windows in other colors.
 void choose(ThemeChoice choice);
 
+/// Everything has the light colors while it lives, whatever the window has: exported pictures.
+/// Nothing is repainted; no event may be handled meanwhile.
+class LightColors {
+public:
+    LightColors();
+    ~LightColors();
+    LightColors(const LightColors&) = delete;
+    LightColors& operator=(const LightColors&) = delete;
+
+private:
+    bool wasDark_;
+};
+
 /// Calls `show` now, and each time that colors() have changed as long as `owner` lives.
 void follow(QObject* owner, const std::function<void()>& show);
 /// The letters of a label have this color of colors(), whatever the theme.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/Error.h"
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -20,6 +22,20 @@ inline CLI::Validator finiteNumber() {
 inline CLI::Validator notEmpty() {
     return {[](const std::string& text) {
                 return text.empty() ? std::string("expected a path") : std::string();
+            },
+            ""};
+}
+
+/// What a function throws no Error for.
+template <class Parse>
+CLI::Validator acceptedBy(Parse parse) {
+    return {[parse](const std::string& text) {
+                try {
+                    (void)parse(text);
+                } catch (const Error& error) {
+                    return std::string(error.what());
+                }
+                return std::string();
             },
             ""};
 }

@@ -17,30 +17,6 @@ namespace asperity {
 
 namespace {
 
-/// A run starts with its scene's settings and keeps its rate, but for whole periods that a live one
-/// skips now and then: where the recorded input says otherwise, one of the two files was altered.
-/// @throw Error naming the key
-void requireSameSettings(const Scene& scene, const std::vector<TickSample>& samples) {
-    const auto require = [](const std::string& key, double ofScene, double ofInput) {
-        if (ofScene != ofInput) {
-            throw Error("first differing tick: 0: " + key + " is " + exactText(ofScene) +
-                        " in scene.toml, " + exactText(ofInput) + " in tick_input.csv");
-        }
-    };
-    const auto shortest = std::min_element(samples.begin(), samples.end(),
-                                           [](const TickSample& one, const TickSample& other) {
-                                               return one.input.timeStep < other.input.timeStep;
-                                           });
-    require("time step (1 / rate_hz)", scene.timeStep(), shortest->input.timeStep);
-    const TickInput& first = samples.front().input;
-    require("position_gain", scene.settings.positionGain, first.settings.positionGain);
-    require("force_gain", scene.settings.forceGain, first.settings.forceGain);
-    require("position_control", static_cast<double>(scene.settings.positionControl),
-            static_cast<double>(first.settings.positionControl));
-    require("correction_hz", scene.settings.correctionBandwidth,
-            first.settings.correctionBandwidth);
-}
-
 /// Whether two numbers are the same in single precision.
 bool isSameSingle(const std::string& before, const std::string& now) {
     const std::optional<double> one = parseNumber(before);
@@ -71,6 +47,31 @@ void requireSameChecks(const RecordedRun& run, const CsvTable& replayed) {
 
 }  // namespace
 
+void requireSameSettings(const Scene& scene, const RecordedRun& run) {
+    const std::vector<TickSample>& samples = run.samples;
+    if (samples.empty()) {
+        return;
+    }
+    const auto require = [](const std::string& key, double ofScene, double ofInput) {
+        if (ofScene != ofInput) {
+            throw Error("first differing tick: 0: " + key + " is " + exactText(ofScene) +
+                        " in scene.toml, " + exactText(ofInput) + " in tick_input.csv");
+        }
+    };
+    const auto shortest = std::min_element(samples.begin(), samples.end(),
+                                           [](const TickSample& one, const TickSample& other) {
+                                               return one.input.timeStep < other.input.timeStep;
+                                           });
+    require("time step (1 / rate_hz)", scene.timeStep(), shortest->input.timeStep);
+    const TickInput& first = samples.front().input;
+    require("position_gain", scene.settings.positionGain, first.settings.positionGain);
+    require("force_gain", scene.settings.forceGain, first.settings.forceGain);
+    require("position_control", static_cast<double>(scene.settings.positionControl),
+            static_cast<double>(first.settings.positionControl));
+    require("correction_hz", scene.settings.correctionBandwidth,
+            first.settings.correctionBandwidth);
+}
+
 void requireSameScan(const RecordedRun& run, const SampleDescription& sample,
                      const std::string& sha256) {
     if (sha256 != run.sha256) {
@@ -80,9 +81,7 @@ void requireSameScan(const RecordedRun& run, const SampleDescription& sample,
 }
 
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink) {
-    if (!run.samples.empty()) {
-        requireSameSettings(scene, run.samples);
-    }
+    requireSameSettings(scene, run);
     TickMemory memory = run.memory;
     for (TickSample sample : run.samples) {
         sample.output = tick(scene, sample.input, memory);

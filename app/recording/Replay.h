@@ -12,6 +12,11 @@ namespace asperity {
 void requireSameScan(const RecordedRun& run, const SampleDescription& sample,
                      const std::string& sha256);
 
+/// A run starts with its scene's settings and keeps its rate, but for whole periods that a live one
+/// skips now and then: where the recorded input says otherwise, one of the two files was altered.
+/// @throw Error naming the key
+void requireSameSettings(const Scene& scene, const RecordedRun& run);
+
 /// Runs the recorded inputs through the tick again: `sink` gets each sample with its output.
 /// @throw Error where the scene's settings are not those that the run began with, naming the key
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink);

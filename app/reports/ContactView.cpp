@@ -88,16 +88,25 @@ PatchGrid zoomGrid(const Scene& scene, const TickSample& sample) {
 }
 
 SurfacePatch zoomPatch(const Scene& scene, const TickSample& sample) {
-    return drawnPatch(scene, drawnContact(scene, sample).deformation, zoomGrid(scene, sample));
+    return zoomPatch(scene, sample, zoomGrid(scene, sample));
+}
+
+SurfacePatch zoomPatch(const Scene& scene, const TickSample& sample, const PatchGrid& grid) {
+    return drawnPatch(scene, drawnContact(scene, sample).deformation, grid);
 }
 
 DeformationView contactView(const Scene& scene, const TickSample& sample,
                             const std::string& title) {
+    return contactView(scene, sample, title, zoomGrid(scene, sample));
+}
+
+DeformationView contactView(const Scene& scene, const TickSample& sample, const std::string& title,
+                            const PatchGrid& grid) {
     const TickOutput& out = sample.output;
     const auto [deformation, remark] = drawnContact(scene, sample);
     return {.title = title,
             .caption = captionOf(scene, sample) + remark,
-            .patch = drawnPatch(scene, deformation, zoomGrid(scene, sample)),
+            .patch = drawnPatch(scene, deformation, grid),
             .tipCenter = out.model.tip + Vector3(0.0, 0.0, scene.belief.tipRadius()),
             .tipRadius = scene.belief.tipRadius(),
             .paraboloidReach = viewScale(scene).paraboloidReach,

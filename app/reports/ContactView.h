@@ -15,8 +15,15 @@ namespace asperity {
 /// The deformed surface that these pictures show; files hold the same.
 [[nodiscard]] SurfacePatch zoomPatch(const Scene& scene, const TickSample& sample);
 
+/// The same of another patch.
+[[nodiscard]] SurfacePatch zoomPatch(const Scene& scene, const TickSample& sample,
+                                     const PatchGrid& grid);
+
 /// A moment of a run as the deformation picture shows it, deformed as the scene says.
 [[nodiscard]] DeformationView contactView(const Scene& scene, const TickSample& sample,
                                           const std::string& title);
+/// The same of another patch.
+[[nodiscard]] DeformationView contactView(const Scene& scene, const TickSample& sample,
+                                          const std::string& title, const PatchGrid& grid);
 
 }  // namespace asperity

@@ -1,8 +1,5 @@
 #include "app/reports/RunCurves.h"
 
-#include "vtkplugins/pictures/Charts.h"
-
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -51,43 +48,45 @@ void RunCurves::takeLegs(const TickSample& sample) {
     leg.force.push_back(out.estimate.force.z());
 }
 
+std::vector<Chart> RunCurves::charts() const {
+    return {Chart{.title = "Force on the tip, estimated from the two signals",
+                  .xLabel = "time",
+                  .yLabel = "force",
+                  .curves = {{.label = "Fx", .x = time_, .y = component(estimate_, 0)},
+                             {.label = "Fy", .x = time_, .y = component(estimate_, 1)},
+                             {.label = "Fz", .x = time_, .y = component(estimate_, 2)},
+                             {.label = "Fz, contact model",
+                              .x = time_,
+                              .y = component(model_, 2),
+                              .dashed = true}},
+                  .xUnit = "s",
+                  .yUnit = "N"},
+            Chart{.title = "Approach and retract",
+                  .xLabel = "height of the base above first touch",
+                  .yLabel = "force along z",
+                  .curves = {{.label = "approach", .x = approach_.height, .y = approach_.force},
+                             {.label = "retract", .x = retract_.height, .y = retract_.force}},
+                  .xUnit = "m",
+                  .yUnit = "N"},
+            Chart{.title = "Contact",
+                  .xLabel = "time",
+                  .yLabel = "length",
+                  .curves = {{.label = "indentation", .x = time_, .y = indentation_},
+                             {.label = "contact radius", .x = time_, .y = contactRadius_}},
+                  .xUnit = "s",
+                  .yUnit = "m"},
+            Chart{.title = "Signals of the optical lever",
+                  .xLabel = "time",
+                  .yLabel = "angle",
+                  .curves = {{.label = "bending", .x = time_, .y = bending_},
+                             {.label = "torsion", .x = time_, .y = torsion_}},
+                  .xUnit = "s",
+                  .yUnit = "rad"}};
+}
+
 void RunCurves::write(const std::filesystem::path& path) const {
-    const std::array<Chart, 4> charts{
-        Chart{.title = "Force on the tip, estimated from the two signals",
-              .xLabel = "time",
-              .yLabel = "force",
-              .curves = {{.label = "Fx", .x = time_, .y = component(estimate_, 0)},
-                         {.label = "Fy", .x = time_, .y = component(estimate_, 1)},
-                         {.label = "Fz", .x = time_, .y = component(estimate_, 2)},
-                         {.label = "Fz, contact model",
-                          .x = time_,
-                          .y = component(model_, 2),
-                          .dashed = true}},
-              .xUnit = "s",
-              .yUnit = "N"},
-        Chart{.title = "Approach and retract",
-              .xLabel = "height of the base above first touch",
-              .yLabel = "force along z",
-              .curves = {{.label = "approach", .x = approach_.height, .y = approach_.force},
-                         {.label = "retract", .x = retract_.height, .y = retract_.force}},
-              .xUnit = "m",
-              .yUnit = "N"},
-        Chart{.title = "Contact",
-              .xLabel = "time",
-              .yLabel = "length",
-              .curves = {{.label = "indentation", .x = time_, .y = indentation_},
-                         {.label = "contact radius", .x = time_, .y = contactRadius_}},
-              .xUnit = "s",
-              .yUnit = "m"},
-        Chart{.title = "Signals of the optical lever",
-              .xLabel = "time",
-              .yLabel = "angle",
-              .curves = {{.label = "bending", .x = time_, .y = bending_},
-                         {.label = "torsion", .x = time_, .y = torsion_}},
-              .xUnit = "s",
-              .yUnit = "rad"}};
     constexpr int kColumns = 2;
-    writeCharts(path, charts, kColumns);
+    writeCharts(path, charts(), kColumns);
 }
 
 }  // namespace asperity

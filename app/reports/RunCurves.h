@@ -2,6 +2,7 @@
 
 #include "core/Vector.h"
 #include "core/haptics/VirtualRun.h"
+#include "vtkplugins/pictures/Charts.h"
 
 #include <filesystem>
 #include <vector>
@@ -13,7 +14,9 @@ class RunCurves {
 public:
     void take(const TickSample& sample);
 
-    /// Draws forces.png. @throw Error
+    /// Forces, approach and retract, contact, and signals.
+    [[nodiscard]] std::vector<Chart> charts() const;
+    /// Draws them as forces.png. @throw Error
     void write(const std::filesystem::path& path) const;
 
     /// Where the tip's apex went [m].

@@ -21,6 +21,9 @@ constexpr double kTickLength = 6.0;
 constexpr double kLabelDistance = 12.0;
 constexpr double kTitleDistance = 10.0;  // from the labels
 
+constexpr double kSeenLength = 1.0;  // of a direction that is seen
+constexpr double kSeenEdge = 40.0;   // of an edge that has room for its positions
+
 constexpr double kTextSize = 12.0;
 constexpr double kSideways = 0.4;  // share of a direction from which on it leads to a side
 
@@ -35,14 +38,19 @@ struct Edge {
     Vector3 outwards;  ///< from the frame, level
 };
 
-/// The pixel at a distance from another one, towards where a direction of the world points.
+double distanceOf(const PixelPoint& one, const PixelPoint& other) {
+    return std::hypot(other.x - one.x, other.y - one.y);
+}
+
+/// The pixel at a distance from another one, towards where a direction of the world points;
+/// downwards where that points to the eye or away from it.
 PixelPoint beside(const Project& project, const Vector3& place, const Vector3& direction,
                   double pixels) {
     const PixelPoint from = project(place);
     const PixelPoint to = project(place + direction);
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
-    if (!(length > 0.0)) {
-        return from;
+    const double length = distanceOf(from, to);
+    if (!(length > kSeenLength)) {
+        return {from.x, from.y - pixels};
     }
     return {from.x + pixels * (to.x - from.x) / length, from.y + pixels * (to.y - from.y) / length};
 }
@@ -57,10 +65,16 @@ TextStyle textBeside(const Project& project, const Edge& edge) {
     return {.size = kTextSize, .color = theme::palette().ink, .align = align};
 }
 
+/// Nothing of an edge that is seen from its end.
 void paintEdge(Painter& painter, const Edge& edge, const Project& project) {
+    const PixelPoint start = project(edge.at(edge.low));
+    const PixelPoint end = project(edge.at(edge.high));
+    if (distanceOf(start, end) < kSeenEdge) {
+        return;
+    }
     const LineStyle line{.color = theme::palette().ink, .width = 1.0};
     const TextStyle text = textBeside(project, edge);
-    painter.line({project(edge.at(edge.low)), project(edge.at(edge.high))}, line);
+    painter.line({start, end}, line);
     const std::vector<double> ticks = niceTicks(edge.low, edge.high, kTicks);
     const SiScale scale = siScaleFor(std::max(std::abs(edge.low), std::abs(edge.high)), "m");
     std::vector<double> shown;
@@ -75,10 +89,18 @@ void paintEdge(Painter& painter, const Edge& edge, const Project& project) {
         painter.line({project(place), beside(project, place, edge.outwards, kTickLength)}, line);
         painter.text(beside(project, place, edge.outwards, kLabelDistance), labels[i], text);
     }
+    const std::string title = std::string(edge.name) + " [" + scale.unit + "]";
     const Vector3 middle = edge.at(0.5 * (edge.low + edge.high));
-    const double distance = kLabelDistance + room + kTitleDistance;
-    painter.text(beside(project, middle, edge.outwards, distance),
-                 std::string(edge.name) + " [" + scale.unit + "]", text);
+    if (distanceOf(project(middle), project(middle + edge.outwards)) > kSeenLength) {
+        painter.text(beside(project, middle, edge.outwards, kLabelDistance + room + kTitleDistance),
+                     title, text);
+    } else {  // the ground is seen edge-on, and the picture ends below it
+        const bool toRight = end.x > start.x;
+        painter.text({end.x + (toRight ? kTitleDistance : -kTitleDistance), end.y}, title,
+                     {.size = kTextSize,
+                      .color = theme::palette().ink,
+                      .align = toRight ? Align::Left : Align::Right});
+    }
 }
 
 }  // namespace

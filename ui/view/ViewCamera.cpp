@@ -26,6 +26,13 @@ constexpr double kDepth = 8.0;       // seen before and behind the middle, in si
 
 }  // namespace
 
+WordRoom wordRoom(double width, double height) {
+    constexpr double kLine = 18.0;     // under the frame [px]
+    constexpr double kWord = 45.0;     // beside it, "y (nm)" [px]
+    constexpr double kMostly = 0.125;  // a view hardly larger than its words
+    return {.under = std::min(kMostly, kLine / height), .beside = std::min(kMostly, kWord / width)};
+}
+
 void ViewCamera::turn(double azimuth, double elevation) {
     azimuth_ = std::remainder(azimuth_ + azimuth, 2.0 * std::numbers::pi);
     // A view from the front or straight from above turns on from there.

@@ -23,6 +23,9 @@ struct WordRoom {
     double beside = 0.0;  ///< on the left and on the right, each of the view's width
 };
 
+/// Room for the words of axes in a view of this size, in pixels of letters for 96 dots an inch.
+[[nodiscard]] WordRoom wordRoom(double width, double height);
+
 /// Directions to look from, named after where the eye is.
 enum class ViewDirection : std::uint8_t { Front, Back, Right, Left, Top, Bottom };
 

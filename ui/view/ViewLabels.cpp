@@ -21,9 +21,12 @@ namespace {
 constexpr double kMargin = 18.0;
 constexpr double kTextSize = 14.0;
 constexpr double kForceTextSize = 17.0;
-constexpr double kLineHeight = 1.4;  // in text sizes
+constexpr double kLineHeight = 1.4;     // in text sizes
+constexpr double kCaptionHeight = 1.8;  // likewise
 constexpr double kMaxBarLength = 170.0;
 constexpr double kMaxBarHeight = 110.0;
+constexpr double kBarShare = 0.25;  // of a small view: of its width and of its height
+constexpr double kHeightShare = 0.16;
 constexpr double kBarEnd = 4.0;
 constexpr double kNameGap = 8.0;
 
@@ -62,7 +65,7 @@ void ViewLabels::paint(Painter& painter) const {
         paintAxes(painter, *content_.axes, [this](const Vector3& place) { return project(place); });
     }
     if (content_.scaleBars) {
-        paintScaleBars(painter);
+        paintScaleBars(painter, width, height);
     }
     paintNotes(painter, width, height);
     paintMarkers(painter, width, height);
@@ -72,10 +75,12 @@ void ViewLabels::paint(Painter& painter) const {
 }
 
 /// One along the screen, one for heights, from one corner.
-void ViewLabels::paintScaleBars(Painter& painter) const {
+void ViewLabels::paintScaleBars(Painter& painter, double viewWidth, double viewHeight) const {
+    const double longest = std::min(kMaxBarLength, kBarShare * viewWidth);
+    const double highest = std::min(kMaxBarHeight, kHeightShare * viewHeight);
     const LineStyle style{theme::palette().ink, 2.0};
     const TextStyle text{.size = kTextSize, .color = theme::palette().ink};
-    const double across = niceBelow(kMaxBarLength * content_.metersPerPixel);
+    const double across = niceBelow(longest * content_.metersPerPixel);
     const double right = kMargin + across / content_.metersPerPixel;
     painter.line({{kMargin, kMargin}, {right, kMargin}}, style);
     painter.line({{right, kMargin - kBarEnd}, {right, kMargin + kBarEnd}}, style);
@@ -83,7 +88,7 @@ void ViewLabels::paintScaleBars(Painter& painter) const {
     if (!std::isfinite(content_.heightPerPixel)) {  // seen from above, heights have no length
         return;
     }
-    const double upwards = niceBelow(kMaxBarHeight * content_.heightPerPixel);
+    const double upwards = niceBelow(highest * content_.heightPerPixel);
     const double top = kMargin + upwards / content_.heightPerPixel;
     painter.line({{kMargin, top}, {kMargin, kMargin}}, style);
     painter.line({{kMargin - kBarEnd, top}, {kMargin + kBarEnd, top}}, style);
@@ -93,6 +98,10 @@ void ViewLabels::paintScaleBars(Painter& painter) const {
 
 void ViewLabels::paintNotes(Painter& painter, double viewWidth, double viewHeight) const {
     double y = viewHeight - kMargin - 0.5 * kTextSize;
+    if (!content_.caption.empty()) {
+        paintCaption(painter, y, viewWidth, viewHeight);
+        y -= kCaptionHeight * kTextSize;
+    }
     for (const std::string& note : content_.notes) {
         painter.text({kMargin, y}, note, {.size = kTextSize, .color = theme::palette().ink});
         y -= kLineHeight * kTextSize;
@@ -136,6 +145,16 @@ void ViewLabels::paintReading(Painter& painter, double viewWidth, double viewHei
     const double left = viewWidth - kMargin - painter.textWidth(content_.reading, style);
     painter.label({left, kMargin}, content_.reading, style, {0.0, 0.0, viewWidth, viewHeight},
                   theme::palette().paper);
+}
+
+/// In one line, however narrow the view.
+void ViewLabels::paintCaption(Painter& painter, double y, double viewWidth,
+                              double viewHeight) const {
+    TextStyle style{.size = kTextSize, .color = theme::palette().ink};
+    const double room = viewWidth - 2.0 * kMargin;
+    style.size *= std::min(1.0, room / painter.textWidth(content_.caption, style));
+    painter.label({kMargin - 0.5 * style.size, y}, content_.caption, style,
+                  {0.0, 0.0, viewWidth, viewHeight}, theme::palette().paper);
 }
 
 void ViewLabels::paintForce(Painter& painter, double viewWidth, double viewHeight) const {

@@ -33,6 +33,7 @@ struct LabelContent {
     std::vector<Name> names;    ///< of what is in the view
     std::vector<Name> markers;  ///< of the scene, each where it is
     std::string reading;        ///< of the cross-hair; empty: none
+    std::string caption;        ///< of the picture; empty: none
 };
 
 /// Scale bars, axes, notes and the force, painted over a view.
@@ -51,12 +52,13 @@ public:
 
 private:
     void paint(Painter& painter) const;
-    void paintScaleBars(Painter& painter) const;
+    void paintScaleBars(Painter& painter, double viewWidth, double viewHeight) const;
     void paintNotes(Painter& painter, double viewWidth, double viewHeight) const;
     void paintForce(Painter& painter, double viewWidth, double viewHeight) const;
     void paintNames(Painter& painter, double viewWidth, double viewHeight) const;
     void paintMarkers(Painter& painter, double viewWidth, double viewHeight) const;
     void paintReading(Painter& painter, double viewWidth, double viewHeight) const;
+    void paintCaption(Painter& painter, double y, double viewWidth, double viewHeight) const;
     [[nodiscard]] PixelPoint project(const Vector3& place) const;
 
     vtkRenderer* renderer_;

@@ -3,11 +3,10 @@
 #include "ui/Theme.h"
 #include "ui/view/DrapedGrid.h"
 #include "ui/view/SurfacePick.h"
-#include "ui/view/ViewNotes.h"
 #include "vtkplugins/pictures/SceneParts.h"
 
 #include <vtkCamera.h>
-#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <QObject>
@@ -43,7 +42,7 @@ bool isNearMiddle(const ScanWindow& patch, const Vector2& tip, double distance) 
 
 }  // namespace
 
-ZoomPicture::ZoomPicture(vtkGenericOpenGLRenderWindow* window)
+ZoomPicture::ZoomPicture(vtkOpenGLRenderWindow* window)
     : cache_(window, still_)
     , terrain_(still_)
     , contact_(live_, through_)
@@ -75,6 +74,11 @@ void ZoomPicture::showTheme() {
     cache_.invalidate();
 }
 
+void ZoomPicture::setTransparent() {
+    still_->SetBackground(0.0, 0.0, 0.0);
+    still_->SetBackgroundAlpha(0.0);
+}
+
 void ZoomPicture::setScene(const Scene* scene) {
     scene_ = scene;
     sample_.reset();
@@ -82,6 +86,7 @@ void ZoomPicture::setScene(const Scene* scene) {
     halfSpace_.reset();
     frame_.reset();
     extent_.forget();
+    shown_ = {};
     shape_.reset();
     crossHair_.reset();
     terrain_.hide();
@@ -138,11 +143,11 @@ void ZoomPicture::follow(const Vector2& tip, double slack) {
 void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     const bool otherWindow = !sameWindow(place.window, terrain_.place().window);
     terrain_.setPlace(scene_->surface, place);
-    const std::array<double, 2> heights = terrain_.heightRange();
-    colors_.fitHeights(heights[0], heights[1]);
+    fitHeights();
     const bool otherColors = fitColors();
     terrain_.setBottom(extent_.bottom(framed()));
-    if (extent_.isFitWanted() || !isTouching()) {  // the scale stays while the tip is in contact
+    // The scale stays while the tip is in contact.
+    if (extent_.isFitWanted() || !(isTouching() || shown_.isKept())) {
         extent_.fit(framed(), gear().tipHeight());
     }
     Q_EMIT terrainPlaced();
@@ -154,12 +159,27 @@ void ZoomPicture::placeTerrain(const TerrainPlace& place) {
     }
 }
 
+void ZoomPicture::fitHeights() {
+    const std::array<double, 2> heights = shown_.heights(terrain_.heightRange());
+    colors_.fitHeights(heights[0], heights[1]);
+}
+
+void ZoomPicture::keepScales() {
+    shown_.keep();
+    fitHeights();
+    fitColors();
+    extent_.fit(framed(), gear().tipHeight());
+    terrain_.setBottom(extent_.bottom(framed()));
+    Q_EMIT terrainPlaced();
+    Q_EMIT scalesChanged();
+}
+
 /// @return whether the colors are others
 bool ZoomPicture::fitColors() {
     if (colors_.isLive()) {
         return false;
     }
-    return colors_.needsEnds() ? colors_.fitRest(terrain_.heightRange())
+    return colors_.needsEnds() ? colors_.fitRest(shown_.heights(terrain_.heightRange()))
                                : colors_.fitRest(terrain_.valuesOf(colors_.field()));
 }
 
@@ -241,7 +261,8 @@ void ZoomPicture::showContact(const TickSample& sample, const ViewCamera& camera
 
 /// @return whether the colors are others
 bool ZoomPicture::fitLiveColors(const ContactShape& shape, const PatchColors& colors) {
-    const bool otherDisplacements = colors_.fitDisplacement(shape.largestDisplacement());
+    const bool otherDisplacements =
+        colors_.fitDisplacement(shown_.displacement(shape.largestDisplacement()));
     if (!colors_.isLive()) {
         return otherDisplacements && colors_.field().quantity() == SurfaceQuantity::Height;
     }
@@ -315,49 +336,6 @@ SurfaceReading ZoomPicture::reading(const Vector2& place) const {
     return readingAt(*scene_, colors_.field(), shape_.get(), place);
 }
 
-void ZoomPicture::showLabels(const ViewCamera& camera, int height, double pixelRatio) {
-    if (!frame_) {
-        labels_.hide();
-        return;
-    }
-    labels_.setPixelRatio(pixelRatio);
-    LabelContent content{.scaleBars = options_.scaleBars && !camera.hasPerspective(),
-                         .metersPerPixel = metersPerPixel(height),
-                         .heightPerPixel =
-                             metersPerPixel(height) / (options_.heightScale * camera.heightSeen()),
-                         .notes = notes(camera),
-                         .tipAbove = tipAbove(height, pixelRatio),
-                         .force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0,
-                         .forceEnd = force_.end(),
-                         .names = ghosts_.names(),
-                         .markers = markers_.names(),
-                         .reading = crossHair_ ? reading_.toStdString() : std::string()};
-    if (options_.axes) {
-        content.axes = FrameAxes{.window = terrain_.place().window,
-                                 .bottom = options_.heightScale * terrain_.bottom(),
-                                 .toEye = camera.out()};
-    }
-    labels_.show(content);
-}
-
-std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
-    return viewNotes({.heightScale = options_.heightScale,
-                      .hasPerspective = camera.hasPerspective(),
-                      .isFromBelow = camera.out().z() < 0.0,
-                      .missesTrueTip = options_.trueTip && sample_ && !trueTip_,
-                      .showsLever = gear().showsLever(),
-                      .tipRadius = scene_->belief.tipRadius(),
-                      .pixel = scale_.pixel,
-                      .width = 2.0 * frame_->halfWidth()});
-}
-
-std::string ZoomPicture::tipAbove(int height, double pixelRatio) const {
-    if (shape_ == nullptr || drawnPlace(apexOf(shape_->contact())).y() < pixelRatio * height) {
-        return {};
-    }
-    return tipAboveNote(-shape_->contact().indentation);
-}
-
 void ZoomPicture::aim(const ViewCamera& camera, double aspect, const WordRoom& words) {
     cache_.invalidate();
     if (frame_) {
@@ -393,7 +371,7 @@ Vector2 ZoomPicture::drawnPlace(const Vector3& place) const {
     return {display[0], display[1]};
 }
 
-double ZoomPicture::metersPerPixel(int height) const {
+double ZoomPicture::metersPerPixel(double height) const {
     return 2.0 * still_->GetActiveCamera()->GetParallelScale() / height;
 }
 

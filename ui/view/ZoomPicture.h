@@ -10,6 +10,7 @@
 #include "ui/view/MarkerLayer.h"
 #include "ui/view/PatchColors.h"
 #include "ui/view/SectionLayer.h"
+#include "ui/view/ShownRanges.h"
 #include "ui/view/StaticLayer.h"
 #include "ui/view/SurfaceColors.h"
 #include "ui/view/SurfaceReading.h"
@@ -29,9 +30,10 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
-class vtkGenericOpenGLRenderWindow;
+class vtkOpenGLRenderWindow;
 class vtkRenderer;
 
 namespace asperity {
@@ -44,7 +46,7 @@ class ZoomPicture : public QObject {
 
 public:
     /// @param window outlives this object
-    explicit ZoomPicture(vtkGenericOpenGLRenderWindow* window);
+    explicit ZoomPicture(vtkOpenGLRenderWindow* window);
     ~ZoomPicture() override;
     ZoomPicture(const ZoomPicture&) = delete;
     ZoomPicture& operator=(const ZoomPicture&) = delete;
@@ -75,7 +77,7 @@ public:
     [[nodiscard]] SurfaceReading reading(const Vector2& place) const;
     /// @param height     of the view [pixels of the screen's coordinates]
     /// @param pixelRatio drawn pixels per such a pixel
-    void showLabels(const ViewCamera& camera, int height, double pixelRatio);
+    void showLabels(const ViewCamera& camera, double height, double pixelRatio);
     /// Takes the colors around the sample from the theme; terrain, contact and labels have to be
     /// shown anew.
     void showTheme();
@@ -96,12 +98,20 @@ public:
     /// What the picture does not say by itself: a stretched height, coarse pixels.
     [[nodiscard]] std::vector<std::string> notes(const ViewCamera& camera) const;
     [[nodiscard]] const SurfaceColors& colors() const { return colors_; }
-    /// What keeps the surface at rest from one frame to the next.
+    /// Nothing is behind what is drawn: black and clear, see drawnImage().
+    void setTransparent();
+    /// What is written in a corner of the picture; empty: nothing.
+    void setCaption(std::string caption) { caption_ = std::move(caption); }
+    /// Size and colors have room for all that was shown of the scene, and stay so. There is a
+    /// scene.
+    void keepScales();
+    /// What keeps the surface at rest from one frame to the next. It copies with Qt's OpenGL: a
+    /// window of VTK's own has to switch it off.
     [[nodiscard]] StaticLayer& cache() { return cache_; }
     /// Where a world place [m] is drawn, in drawn pixels from the lower left corner.
     [[nodiscard]] Vector2 drawnPlace(const Vector3& place) const;
     /// Of the screen's coordinates in a view of this height.
-    [[nodiscard]] double metersPerPixel(int height) const;
+    [[nodiscard]] double metersPerPixel(double height) const;
 
 Q_SIGNALS:
     void terrainPlaced();  ///< it has to be shown anew, and the camera to be aimed
@@ -112,6 +122,7 @@ private:
     void follow(const Vector2& tip, double slack);
     void placeTerrain(const TerrainPlace& place);
     bool fitColors();
+    void fitHeights();
     bool fitLiveColors(const ContactShape& shape, const PatchColors& colors);
     [[nodiscard]] FramedSurface framed() const;
     [[nodiscard]] GearScale gear() const;
@@ -125,7 +136,7 @@ private:
     void showGhosts(const ViewCamera& camera);
     void showCrossHair();
     void showMarkers();
-    [[nodiscard]] std::string tipAbove(int height, double pixelRatio) const;
+    [[nodiscard]] std::string tipAbove(double height, double pixelRatio) const;
 
     const Scene* scene_ = nullptr;
     ViewScale scale_;
@@ -136,9 +147,11 @@ private:
     SurfaceColors colors_;
     ViewOptions options_;
     ViewExtent extent_;
+    ShownRanges shown_;
     std::unique_ptr<const ContactShape> shape_;  ///< as it is shown; null: none is
     std::optional<Vector2> crossHair_;           ///< on the surface at rest [m]
     QString reading_;                            ///< of the cross-hair
+    std::string caption_;
 
     vtkNew<vtkRenderer> still_;    ///< the surface at rest
     vtkNew<vtkRenderer> live_;     ///< what changes from frame to frame

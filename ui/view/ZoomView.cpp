@@ -17,6 +17,8 @@ namespace {
 constexpr double kZoomStep = 1.2;
 constexpr double kTurnPerPixel = 0.006;  // [rad]
 
+constexpr int kLetters = 100;  // any size: how much larger letters are than for 96 dots an inch
+
 constexpr int kSettlingTime = 200;  // [ms]
 constexpr int kFrameTime = 15;      // [ms]
 constexpr int kReadingTime = 100;   // between two readings: faster than numbers are read [ms]
@@ -200,13 +202,9 @@ void ZoomView::resizeEvent(QResizeEvent* event) {
 }
 
 void ZoomView::aim() {
-    constexpr int kLine = 18;          // under the frame [px]
-    constexpr int kWord = 45;          // beside it, "y (nm)" [px]
-    constexpr double kMostly = 0.125;  // a view hardly larger than its words
-    picture_.aim(
-        camera_, static_cast<double>(width()) / height(),
-        {.under = std::min(kMostly, static_cast<double>(theme::scaled(kLine)) / height()),
-         .beside = std::min(kMostly, static_cast<double>(theme::scaled(kWord)) / width())});
+    const double letters = theme::scaled(kLetters) / static_cast<double>(kLetters);
+    picture_.aim(camera_, static_cast<double>(width()) / height(),
+                 wordRoom(width() / letters, height() / letters));
 }
 
 /// Something of the still layer moves: for a while it is drawn coarsely.

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kThickness = 18.0;
 constexpr double kTickDistance = 90.0;
+constexpr int kLeastTicks = 4;  // also of a short bar
 
 Color colorOf(vtkLookupTable* table, double value) {
     std::array<unsigned char, 3> rgb{};
@@ -41,8 +42,9 @@ void drawColorBar(Painter& painter, const ColorBar& bar, const PixelRect& area) 
         painter.fill({colors.left + slice, colors.bottom, 1.0, kThickness},
                      colorOf(bar.table, value));
     }
-    const std::vector<double> ticks = niceTicks(bar.low * scale.factor, bar.high * scale.factor,
-                                                static_cast<int>(colors.width / kTickDistance));
+    const std::vector<double> ticks =
+        niceTicks(bar.low * scale.factor, bar.high * scale.factor,
+                  std::max(kLeastTicks, static_cast<int>(colors.width / kTickDistance)));
     const std::vector<std::string> labels = tickLabels(ticks);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         const double part = (ticks[i] / scale.factor - bar.low) / (bar.high - bar.low);

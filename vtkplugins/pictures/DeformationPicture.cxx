@@ -62,29 +62,29 @@ std::string scaleNote(double heightScale) {
 
 /// The i-th of `count` panels: side by side, from four on in rows of two. From the picture's lower
 /// left.
-PixelRect panelArea(std::size_t i, std::size_t count, PictureSize size) {
+PixelRect panelArea(std::size_t i, std::size_t count, const PixelRect& picture) {
     const std::size_t columns = count < 4 ? count : 2;
     const std::size_t rows = (count + columns - 1) / columns;
-    const double width = static_cast<double>(size.width) / static_cast<double>(columns);
-    const double height = static_cast<double>(size.height) / static_cast<double>(rows);
+    const double width = picture.width / static_cast<double>(columns);
+    const double height = picture.height / static_cast<double>(rows);
     return {static_cast<double>(i % columns) * width,
             static_cast<double>(rows - 1 - i / columns) * height, width, height};
 }
 
 }  // namespace
 
-void writeDeformationPicture(const std::filesystem::path& path,
-                             std::span<const DeformationView> views, PictureSize size) {
+void drawDeformation(OffscreenPicture& picture, std::span<const DeformationView> views,
+                     const PictureParts& parts) {
     if (views.empty()) {
         throw Error("The deformation picture needs at least one view.");
     }
     for (const DeformationView& view : views) {
         check(view);
     }
-    OffscreenPicture picture(size);
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const ScenePanel panel(panelArea(i, views.size(), size));
-        const auto scene = std::make_shared<DeformationScene>(picture, views[i], panel.scene());
+        const ScenePanel panel(panelArea(i, views.size(), picture.area()), parts);
+        const auto scene =
+            std::make_shared<DeformationScene>(picture, views[i], panel.scene(), parts);
         const PanelText text{views[i].title, legendOf(views[i]), scene->colorBar(),
                              views[i].caption + "\n" + scaleNote(scene->heightScale())};
         picture.paint([scene, panel, text](Painter& painter) {
@@ -92,6 +92,12 @@ void writeDeformationPicture(const std::filesystem::path& path,
             scene->paintLabels(painter);
         });
     }
+}
+
+void writeDeformationPicture(const std::filesystem::path& path,
+                             std::span<const DeformationView> views, PictureSize size) {
+    OffscreenPicture picture(size);
+    drawDeformation(picture, views);
     picture.writePng(path);
 }
 

@@ -2,9 +2,11 @@
 
 #include "core/Vector.h"
 #include "core/surface/deformation/SurfaceDeformation.h"
+#include "vtkplugins/pictures/PictureParts.h"
 #include "vtkplugins/pictures/PictureSize.h"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -25,7 +27,16 @@ struct DeformationView {
     Vector3 contactPoint = Vector3::Zero();  ///< middle of the contact, on the surface [m]
     Vector3 force = Vector3::Zero();         ///< of the sample on the tip [N]
     double contactRadius = 0.0;              ///< 0: no contact circle is drawn [m]
+    std::optional<double> heightScale = {};  ///< factor of all heights; none: one that suits
 };
+
+class OffscreenPicture;
+
+/// Puts the deformed surface of each view into a picture, as writeDeformationPicture() does. The
+/// views live until the picture is drawn.
+/// @throw Error when a patch is not whole or a value not finite
+void drawDeformation(OffscreenPicture& picture, std::span<const DeformationView> views,
+                     const PictureParts& parts = {});
 
 /// Draws the deformed surface of each view in 3-D, side by side, four and more in rows of two:
 /// colored by displacement, with the edge of the contact, the tip and the force. True to scale;

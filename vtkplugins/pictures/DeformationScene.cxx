@@ -107,9 +107,11 @@ Vector3 contactOn(const SurfacePatch& patch, const Vector3& point, const Vector3
 }  // namespace
 
 DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationView& view,
-                                   const PixelRect& area)
-    : data_(view)
+                                   const PixelRect& area, const PictureParts& parts)
+    : picture_(picture)
+    , data_(view)
     , area_(area)
+    , parts_(parts)
     , solid_(picture.addView(area, 1))
     , through_(picture.addView(area, 2))
     , width_((view.patch.rest.back() - view.patch.rest.front()).head<2>().maxCoeff()) {
@@ -122,7 +124,7 @@ DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationV
     low_ = std::min(range[0], 0.0);
     high_ = limit > 0.0 ? std::max(range[1], 0.0) : 1e-12;
     colors_ = divergingTable(limit > 0.0 ? limit : high_);
-    stretch_ = Stretch(heightScaleFor(limit, width_));
+    stretch_ = Stretch(view.heightScale.value_or(heightScaleFor(limit, width_)));
     const Vector3 toCenter = view.tipCenter - view.contactPoint;
     outward_ = toCenter.isZero(0.0) ? Vector3::UnitZ() : toCenter.stableNormalized();
 
@@ -132,7 +134,9 @@ DeformationScene::DeformationScene(OffscreenPicture& picture, const DeformationV
     addTip();
     addContactCircle();
     addForce();
-    addScaleBars();
+    if (parts.bars) {
+        addScaleBars();
+    }
     addLights(solid_);
     addLights(through_);
     const std::array<vtkRenderer*, 2> views{solid_, through_};
@@ -145,6 +149,9 @@ void DeformationScene::addSample(vtkPolyData* surface) {
     bottom_ = shown->GetBounds()[4] - kBlockDepth * width_;
     solid_->AddActor(coloredSurface(shown, colors_));
     solid_->AddActor(blockWalls(shown, size, bottom_));
+    if (!parts_.grid) {
+        return;
+    }
     const vtkSmartPointer<vtkActor> grid =
         lines(drapedGrid(shown, size, kGridLines), kLightPalette.ink, 0.7);
     grid->GetProperty()->SetOpacity(0.35);
@@ -257,15 +264,17 @@ void DeformationScene::addScaleBars() {
 
 void DeformationScene::paintLabels(Painter& painter) const {
     const auto place = [this](const Vector3& point, double right, double up) {
-        const PixelPoint at = OffscreenPicture::project(solid_, point);
+        const PixelPoint at = picture_.project(solid_, point);
         return PixelPoint{at.x + right, at.y + up};
     };
-    painter.text(place(horizontalBarAt_, 0.0, -26.0), formatSi(horizontalBar_, "m"),
-                 {.align = Align::Center});
-    painter.text(place(verticalBarAt_, 0.0, 16.0), formatSi(verticalBar_, "m"),
-                 {.align = Align::Center});
+    if (parts_.bars) {
+        painter.text(place(horizontalBarAt_, 0.0, -26.0), formatSi(horizontalBar_, "m"),
+                     {.align = Align::Center});
+        painter.text(place(verticalBarAt_, 0.0, 16.0), formatSi(verticalBar_, "m"),
+                     {.align = Align::Center});
+    }
     const double magnitude = data_.force.stableNorm();
-    if (magnitude > 0.0) {
+    if (parts_.labels && magnitude > 0.0) {
         painter.label(place(forceEnd_, 16.0, 0.0), formatSi(magnitude, "N"),
                       {.size = 20.0, .bold = true, .color = kLightPalette.force}, area_);
     }

@@ -3,6 +3,7 @@
 #include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/DeformationPicture.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
+#include "vtkplugins/pictures/PictureParts.h"
 #include "vtkplugins/pictures/Stretch.h"
 
 #include <vtkSmartPointer.h>
@@ -15,7 +16,9 @@ namespace asperity {
 class DeformationScene {
 public:
     /// @param area         where the scene lies in the picture
-    DeformationScene(OffscreenPicture& picture, const DeformationView& view, const PixelRect& area);
+    /// @param picture, view live as long as this
+    DeformationScene(OffscreenPicture& picture, const DeformationView& view, const PixelRect& area,
+                     const PictureParts& parts);
 
     /// Labels of the scale bars and of the force.
     void paintLabels(Painter& painter) const;
@@ -31,8 +34,10 @@ private:
     void addForce();
     void addScaleBars();
 
+    const OffscreenPicture& picture_;
     const DeformationView& data_;
     PixelRect area_;
+    PictureParts parts_;
     vtkRenderer* solid_;    ///< surface and tip
     vtkRenderer* through_;  ///< contact circle and force, seen through the surface
     vtkSmartPointer<vtkLookupTable> colors_;

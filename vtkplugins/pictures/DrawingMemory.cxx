@@ -3,6 +3,8 @@
 #include "core/Error.h"
 
 #include <algorithm>
+#include <fstream>
+#include <limits>
 #include <string>
 #include <sys/mman.h>
 #include <thread>
@@ -43,6 +45,18 @@ bool isGranted(std::size_t bytes) {
     return true;
 }
 
+/// What there is without swapping, as Linux estimates it; all, where it does not say.
+std::size_t availableMemory() {
+    std::ifstream file("/proc/meminfo");
+    for (std::string word; file >> word;) {
+        std::size_t kibibytes = 0;
+        if (word == "MemAvailable:" && file >> kibibytes) {
+            return 1024 * kibibytes;
+        }
+    }
+    return std::numeric_limits<std::size_t>::max();
+}
+
 }  // namespace
 
 void requireDrawingMemory(PictureSize drawn) {
@@ -52,6 +66,12 @@ void requireDrawingMemory(PictureSize drawn) {
         throw Error("Not enough memory to draw: OpenGL needs " +
                     std::to_string(needed / kMebibyte) +
                     " MiB more than the system grants (ulimit -v).");
+    }
+    if (const std::size_t available = availableMemory(); pictureMemory(drawn) > available) {
+        throw Error("Not enough memory to draw: OpenGL needs " +
+                    std::to_string(pictureMemory(drawn) / kMebibyte) + " MiB, and " +
+                    std::to_string(available / kMebibyte) +
+                    " MiB are available; draw fewer pixels.");
     }
     driverHasItsOwn = true;
 }

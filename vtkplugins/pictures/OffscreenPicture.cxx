@@ -2,8 +2,6 @@
 
 #include "core/Error.h"
 #include "core/TemporaryFile.h"
-#include "vtkplugins/pictures/Display.h"
-#include "vtkplugins/pictures/DrawingMemory.h"
 #include "vtkplugins/pictures/PainterItem.h"
 
 #include <vtkContextActor.h>
@@ -24,37 +22,22 @@ namespace asperity {
 namespace {
 
 constexpr int kLayers = 4;  // paper, solid things, things that show through, painting
-constexpr int kMinSide = 64;
-constexpr int kMaxSide = 4096;
-
-void checkSize(PictureSize size) {
-    const auto good = [](int side) { return side >= kMinSide && side <= kMaxSide; };
-    if (!good(size.width) || !good(size.height)) {
-        throw Error("A picture of " + std::to_string(size.width) + " x " +
-                    std::to_string(size.height) + " pixels cannot be drawn: each side must be " +
-                    std::to_string(kMinSide) + " to " + std::to_string(kMaxSide) + ".");
-    }
-}
-
 }  // namespace
 
-OffscreenPicture::OffscreenPicture(PictureSize size) : size_(size) {
-    checkSize(size);
-    if (!haveDisplay()) {
-        throw Error("Pictures need an X display and none answers: start the program in a desktop "
-                    "session or under xvfb-run.");
-    }
-    const PictureSize drawn{.width = size.width * kOversampling,
-                            .height = size.height * kOversampling};
-    requireDrawingMemory(drawn);
-    window_->SetOffScreenRendering(1);
-    window_->SetMultiSamples(0);
-    window_->SetSize(drawn.width, drawn.height);
+OffscreenPicture::OffscreenPicture(PictureSize size, const PictureLook& look)
+    : size_(size), look_(look) {
+    prepareOffscreen(window_, size, kOversampling);
     window_->SetNumberOfLayers(kLayers);
 
-    vtkRenderer* paper = addView({0.0, 0.0, double(size.width), double(size.height)}, 0);
-    paper->SetBackground(kLightPalette.paper.fractions().data());
-    flat_ = addView({0.0, 0.0, double(size.width), double(size.height)}, kLayers - 1);
+    vtkRenderer* paper = addView(area(), 0);
+    if (look.transparent) {
+        paper->SetBackground(0.0, 0.0, 0.0);
+        paper->SetBackgroundAlpha(0.0);
+    } else {
+        paper->SetBackground(kLightPalette.paper.fractions().data());
+        paper->SetBackgroundAlpha(1.0);
+    }
+    flat_ = addView(area(), kLayers - 1);
     flatActor_ = vtkSmartPointer<vtkContextActor>::New();
     flatActor_->GetScene()->SetRenderer(flat_);
     flat_->AddActor(flatActor_);
@@ -62,11 +45,16 @@ OffscreenPicture::OffscreenPicture(PictureSize size) : size_(size) {
 
 OffscreenPicture::~OffscreenPicture() = default;
 
+PixelRect OffscreenPicture::area() const {
+    return {0.0, 0.0, size_.width / look_.pixelRatio, size_.height / look_.pixelRatio};
+}
+
 vtkRenderer* OffscreenPicture::addView(const PixelRect& area, int layer) {
     vtkNew<vtkRenderer> renderer;
     renderer->SetLayer(layer);
-    renderer->SetViewport(area.left / size_.width, area.bottom / size_.height,
-                          area.right() / size_.width, area.top() / size_.height);
+    const PixelRect all = this->area();
+    renderer->SetViewport(area.left / all.width, area.bottom / all.height, area.right() / all.width,
+                          area.top() / all.height);
     window_->AddRenderer(renderer);
     return renderer;
 }
@@ -77,15 +65,20 @@ void OffscreenPicture::addItem(vtkAbstractContextItem* item) {
 
 void OffscreenPicture::paint(std::function<void(Painter&)> draw) {
     vtkNew<PainterItem> item;
-    item->setDraw(std::move(draw), kOversampling);
+    item->setDraw(std::move(draw), kOversampling * look_.pixelRatio);
     addItem(item);
 }
 
-PixelPoint OffscreenPicture::project(vtkRenderer* view, const Vector3& point) {
+PixelPoint OffscreenPicture::project(vtkRenderer* view, const Vector3& point) const {
     view->SetWorldPoint(point.x(), point.y(), point.z(), 1.0);
     view->WorldToDisplay();
     const double* display = view->GetDisplayPoint();
-    return {display[0] / kOversampling, display[1] / kOversampling};
+    const double drawn = kOversampling * look_.pixelRatio;
+    return {display[0] / drawn, display[1] / drawn};
+}
+
+RasterImage OffscreenPicture::image() {
+    return drawnImage(window_, kOversampling, look_.transparent, look_.pixelRatio);
 }
 
 void OffscreenPicture::writePng(const std::filesystem::path& path) {

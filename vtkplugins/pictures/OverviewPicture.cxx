@@ -5,6 +5,7 @@
 #include "vtkplugins/pictures/Panel.h"
 #include "vtkplugins/pictures/Ticks.h"
 
+#include <memory>
 #include <vector>
 
 namespace asperity {
@@ -41,18 +42,21 @@ std::string scaleNote(const BSplineSurface& surface, double magnification) {
 
 }  // namespace
 
+void drawOverview(OffscreenPicture& picture, const OverviewView& view, const PictureParts& parts) {
+    const ScenePanel panel(picture.area(), parts);
+    const auto scene = std::make_shared<const OverviewScene>(picture, view, panel.scene(), parts);
+    const PanelText text{view.title, legendOf(view, scene->hasFilled()), scene->colorBar(),
+                         view.caption + "\n" + scaleNote(view.surface, scene->magnification())};
+    picture.paint([scene, panel, text](Painter& painter) {
+        panel.paint(painter, text);
+        scene->paintLabels(painter);
+    });
+}
+
 void writeOverviewPicture(const std::filesystem::path& path, const OverviewView& view,
                           PictureSize size) {
     OffscreenPicture picture(size);
-    const ScenePanel panel(
-        {0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)});
-    const OverviewScene scene(picture, view, panel.scene());
-    const PanelText text{view.title, legendOf(view, scene.hasFilled()), scene.colorBar(),
-                         view.caption + "\n" + scaleNote(view.surface, scene.magnification())};
-    picture.paint([&scene, &panel, &text](Painter& painter) {
-        panel.paint(painter, text);
-        scene.paintLabels(painter);
-    });
+    drawOverview(picture, view);
     picture.writePng(path);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/Vector.h"
 #include "core/surface/BSplineSurface.h"
+#include "vtkplugins/pictures/PictureParts.h"
 #include "vtkplugins/pictures/PictureSize.h"
 
 #include <filesystem>
@@ -22,12 +23,20 @@ struct ScanWindow {
 /// The whole scan and where the tip is. World frame, SI units.
 struct OverviewView {
     std::string title;
-    std::string caption;             ///< below the picture; wrapped
-    const BSplineSurface& surface;   ///< lives until the picture is written
-    std::optional<Vector3> tip;      ///< marked by a pin [m]
-    std::optional<ScanWindow> zoom;  ///< framed on the surface
-    std::vector<Vector3> path;       ///< where the tip's apex went [m]
+    std::string caption;                     ///< below the picture; wrapped
+    const BSplineSurface& surface;           ///< lives until the picture is written
+    std::optional<Vector3> tip;              ///< marked by a pin [m]
+    std::optional<ScanWindow> zoom;          ///< framed on the surface
+    std::vector<Vector3> path;               ///< where the tip's apex went [m]
+    std::optional<double> heightScale = {};  ///< factor of all heights; none: one that suits
 };
+
+class OffscreenPicture;
+
+/// Puts the scan into a picture, as writeOverviewPicture() does. The view lives until the picture
+/// is drawn.
+void drawOverview(OffscreenPicture& picture, const OverviewView& view,
+                  const PictureParts& parts = {});
 
 /// Draws the scan in 3-D, colored by height, with the tip's place, its path and the zoom's frame.
 /// Heights are drawn larger when they are small, and the picture says by how much. Parts of the

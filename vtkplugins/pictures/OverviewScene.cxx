@@ -40,8 +40,10 @@ constexpr double kPathCeiling = 0.22;
 }  // namespace
 
 OverviewScene::OverviewScene(OffscreenPicture& picture, const OverviewView& view,
-                             const PixelRect& area)
-    : data_(view)
+                             const PixelRect& area, const PictureParts& parts)
+    : picture_(picture)
+    , data_(view)
+    , parts_(parts)
     , solid_(picture.addView(area, 1))
     , through_(picture.addView(area, 2))
     , side_(std::max(view.surface.sizeX(), view.surface.sizeY())) {
@@ -49,7 +51,9 @@ OverviewScene::OverviewScene(OffscreenPicture& picture, const OverviewView& view
     addZoomFrame();
     addPath();
     addPin();
-    addScaleBar();
+    if (parts.bars) {
+        addScaleBar();
+    }
     addLights(solid_);
     addLights(through_);
     const std::array<vtkRenderer*, 2> views{solid_, through_};
@@ -70,7 +74,7 @@ void OverviewScene::addSurface() {
     low_ = range[0];
     high_ = range[1] > range[0] ? range[1] : range[0] + 1e-12;
     const double wanted = range[1] > range[0] ? kShownRelief * side_ / (high_ - low_) : 1.0;
-    magnification_ = wanted >= 2.0 ? niceBelow(wanted) : 1.0;
+    magnification_ = data_.heightScale.value_or(wanted >= 2.0 ? niceBelow(wanted) : 1.0);
     bottom_ = magnification_ * low_ - kBlockDepth * side_;
     colors_ = heightTable(low_, high_);
     markFilled(source->GetOutput());
@@ -180,8 +184,10 @@ void OverviewScene::addScaleBar() {
 }
 
 void OverviewScene::paintLabels(Painter& painter) const {
-    const PixelPoint at = OffscreenPicture::project(solid_, scaleBarAt_);
-    painter.text({at.x, at.y - 20.0}, formatSi(scaleBar_, "m"), {.align = Align::Center});
+    if (parts_.bars) {
+        const PixelPoint at = picture_.project(solid_, scaleBarAt_);
+        painter.text({at.x, at.y - 20.0}, formatSi(scaleBar_, "m"), {.align = Align::Center});
+    }
 }
 
 ColorBar OverviewScene::colorBar() const { return {"height", "m", low_, high_, colors_}; }

@@ -3,6 +3,7 @@
 #include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/OffscreenPicture.h"
 #include "vtkplugins/pictures/OverviewPicture.h"
+#include "vtkplugins/pictures/PictureParts.h"
 
 #include <vtkSmartPointer.h>
 
@@ -15,7 +16,9 @@ namespace asperity {
 /// The 3-D part of the overview picture, and what its labels need to know.
 class OverviewScene {
 public:
-    OverviewScene(OffscreenPicture& picture, const OverviewView& view, const PixelRect& area);
+    /// @param picture, view live as long as this
+    OverviewScene(OffscreenPicture& picture, const OverviewView& view, const PixelRect& area,
+                  const PictureParts& parts);
 
     /// Label of the scale bar.
     void paintLabels(Painter& painter) const;
@@ -39,7 +42,9 @@ private:
     [[nodiscard]] std::vector<Vector3> draped(double fromX, double fromY, double toX,
                                               double toY) const;
 
+    const OffscreenPicture& picture_;
     const OverviewView& data_;
+    PictureParts parts_;
     vtkRenderer* solid_;    ///< the surface and what it may hide
     vtkRenderer* through_;  ///< pin and zoom, which nothing hides
     vtkSmartPointer<vtkLookupTable> colors_;

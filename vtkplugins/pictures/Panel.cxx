@@ -11,6 +11,7 @@ constexpr double kLegend = 34.0;
 constexpr double kUnderScene = 42.0;  // room for the scale bar's label
 constexpr double kBar = 64.0;
 constexpr double kCaption = 106.0;
+constexpr double kCaptionedHeight = 560.0;  // of a panel: in a lower one the scene takes its room
 constexpr double kBelow = 12.0;
 
 constexpr double kLegendRow = 24.0;
@@ -68,18 +69,30 @@ PixelRect ScenePanel::band(double fromTop, double height) const {
             height};
 }
 
+ScenePanel::ScenePanel(const PixelRect& panel, const PictureParts& parts)
+    : panel_(panel)
+    , parts_(parts)
+    , above_(kTop + (parts.labels ? kTitle + kLegend : 0.0))
+    , bar_(parts.bars ? kUnderScene + kBar : 0.0)
+    , caption_(parts.labels && panel.height >= kCaptionedHeight ? kCaption : 0.0) {}
+
 PixelRect ScenePanel::scene() const {
-    const double above = kTop + kTitle + kLegend;
-    return band(above, panel_.height - above - kUnderScene - kBar - kCaption - kBelow);
+    return band(above_, panel_.height - above_ - bar_ - caption_ - kBelow);
 }
 
 void ScenePanel::paint(Painter& painter, const PanelText& text) const {
-    const double barTop = panel_.height - kBar - kCaption - kBelow;
-    painter.paragraph(band(kTop, kTitle), text.title, {.size = 26.0, .bold = true});
-    paintLegend(painter, text.legend, band(kTop + kTitle, kLegend));
-    drawColorBar(painter, text.bar, band(barTop, kBar));
-    painter.paragraph(band(barTop + kBar, kCaption), text.caption,
-                      {.size = 17.0, .color = kLightPalette.muted});
+    const double captionTop = panel_.height - caption_ - kBelow;
+    if (parts_.labels) {
+        painter.paragraph(band(kTop, kTitle), text.title, {.size = 26.0, .bold = true});
+        paintLegend(painter, text.legend, band(kTop + kTitle, kLegend));
+    }
+    if (parts_.bars) {
+        drawColorBar(painter, text.bar, band(captionTop - kBar, kBar));
+    }
+    if (caption_ > 0.0) {
+        painter.paragraph(band(captionTop, kCaption), text.caption,
+                          {.size = 17.0, .color = kLightPalette.muted});
+    }
 }
 
 }  // namespace asperity

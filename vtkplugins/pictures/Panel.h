@@ -2,6 +2,7 @@
 
 #include "vtkplugins/pictures/ColorBar.h"
 #include "vtkplugins/pictures/Painter.h"
+#include "vtkplugins/pictures/PictureParts.h"
 
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ struct PanelText {
 /// Where the parts of a panel with a 3-D scene lie.
 class ScenePanel {
 public:
-    explicit ScenePanel(const PixelRect& panel) : panel_(panel) {}
+    explicit ScenePanel(const PixelRect& panel, const PictureParts& parts = {});
 
     /// The place of the 3-D scene.
     [[nodiscard]] PixelRect scene() const;
@@ -44,6 +45,10 @@ private:
     [[nodiscard]] PixelRect band(double fromTop, double height) const;
 
     PixelRect panel_;
+    PictureParts parts_;
+    double above_;    ///< the scene: title and legend
+    double bar_;      ///< height of the color bar with its scene's label above it
+    double caption_;  ///< its height
 };
 
 }  // namespace asperity

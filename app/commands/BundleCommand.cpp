@@ -1,0 +1,99 @@
+#include "app/commands/BundleCommand.h"
+
+#include "app/commands/OptionChecks.h"
+#include "app/commands/ProgressLine.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/exports/PictureExport.h"
+#include "app/program/CancelOnSignal.h"
+#include "app/recording/Bundle.h"
+#include "app/recording/Replay.h"
+#include "app/recording/RunInput.h"
+#include "app/recording/RunSlice.h"
+#include "app/runs/RunFolder.h"
+#include "core/Error.h"
+#include "core/PrintableText.h"
+#include "core/PrivateFolder.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <limits>
+#include <memory>
+
+namespace asperity {
+
+namespace {
+
+struct BundleOptions {
+    std::string run;
+    std::string out;
+    RunSpan span{.from = -std::numeric_limits<double>::infinity(),
+                 .to = std::numeric_limits<double>::infinity()};
+    bool isPart = false;
+    bool force = false;
+};
+
+void requireFree(const std::filesystem::path& target, bool force) {
+    if (!force && isThere(target)) {
+        throw Error(target.string() + ": is there already; replace it with --force");
+    }
+}
+
+/// Ends where the run does not replay: a bundle that nobody can use is none.
+void writePart(const std::filesystem::path& folder, const RunSpan& span,
+               const std::filesystem::path& target) {
+    const RecordedRun run = readRun(folder);
+    const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
+    requireSameScan(run, loaded.scene.description.sample, loaded.sha256);
+    writeSlice(folder, loaded, run, span, target);
+}
+
+void draw(const std::filesystem::path& run, const std::filesystem::path& picture) {
+    ProgressLine line("drawing");
+    ExportInput input(run, &line);
+    writeExport(input, {}, picture, ExportFormat::Png, &line);
+}
+
+void bundle(const BundleOptions& options) {
+    const CancelOnSignal cancel;   // between one piece of work and the next, too
+    const VirtualDisplay display;  // before long work: the picture needs it
+    requireFree(options.out, options.force);
+    const RunInput input(options.run);
+    const PrivateFolder scratch;
+    std::filesystem::path run = input.folder();
+    if (options.isPart || stateOf(run) != RunState::Complete) {
+        run = scratch.path() / "run";
+        writePart(input.folder(), options.span, run);
+    }
+    const std::filesystem::path picture = scratch.path() / "picture.png";
+    draw(run, picture);
+    ProgressLine line("packing");
+    writeBundle(run, picture, options.out, &line);
+    std::cout << printable(options.out) << ": " << std::filesystem::file_size(options.out)
+              << " bytes; it opens and replays on any machine\n";
+}
+
+}  // namespace
+
+void addBundleCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "bundle", "Put a run, or a part of it, with its scan and a picture into one file");
+    const auto options = std::make_shared<BundleOptions>();
+    command->add_option("RUN", options->run, "folder that explore or a recording wrote")
+        ->required();
+    command->add_option("OUT", options->out, "file to write, a zip archive")
+        ->required()
+        ->check(notEmpty());
+    CLI::Option* const from =
+        command->add_option("--from", options->span.from, "first moment of a part [s]")
+            ->check(finiteNumber());
+    CLI::Option* const to =
+        command->add_option("--to", options->span.to, "last moment of a part [s]")
+            ->check(finiteNumber());
+    command->add_flag("--force", options->force, "replace a file of that name");
+    command->callback([options, from, to] {
+        options->isPart = from->count() + to->count() > 0;
+        bundle(*options);
+    });
+}
+
+}  // namespace asperity

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+
+class QGuiApplication;
+
+namespace asperity {
+
+/// What Qt needs to draw letters, without a display: the only one, as long as this object lives.
+class OffscreenApplication {
+public:
+    OffscreenApplication();
+    ~OffscreenApplication();
+    OffscreenApplication(const OffscreenApplication&) = delete;
+    OffscreenApplication& operator=(const OffscreenApplication&) = delete;
+
+private:
+    int argumentCount_;
+    char* arguments_[4];
+    std::unique_ptr<QGuiApplication> application_;
+};
+
+}  // namespace asperity

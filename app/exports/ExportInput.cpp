@@ -1,0 +1,40 @@
+#include "app/exports/ExportInput.h"
+
+#include "app/recording/Bundle.h"
+#include "app/recording/Replay.h"
+#include "app/recording/RunInput.h"
+#include "app/runs/LiveRun.h"
+#include "app/runs/RunFolder.h"
+
+namespace asperity {
+
+std::string exportName(const std::filesystem::path& input) {
+    const std::filesystem::path whole = std::filesystem::absolute(input).lexically_normal();
+    const std::filesystem::path last =
+        whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+    return std::filesystem::is_directory(input) ? last.string() : last.stem().string();
+}
+
+ExportInput::ExportInput(const std::filesystem::path& input, Progress* progress) {
+    if (!std::filesystem::is_directory(input) && !isBundle(input)) {
+        loaded_ = std::make_unique<const LoadedScene>(loadScene(input, {}, progress));
+        return;
+    }
+    const RunInput place(input);
+    const RecordedRun run = readRun(place.folder());
+    loaded_ = std::make_unique<const LoadedScene>(
+        loadScene(place.folder() / run_files::kScene, {}, progress));
+    requireSameScan(run, loaded_->scene.description.sample, loaded_->sha256);
+    note_ = sentenceOf(run.state);
+    run_.emplace(loaded_->scene, run);
+}
+
+TickSample ExportInput::restingSample() const {
+    const Vector3 start = startPlace(scene());
+    TickSample first;
+    runVirtually(scene(), DevicePath({{0.0, start}}), *instrumentOf(scene()), 1,
+                 [&first](const TickSample& sample) { first = sample; });
+    return first;
+}
+
+}  // namespace asperity

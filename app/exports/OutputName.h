@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace asperity {
+
+/// What names of files are made of.
+struct OutputNameParts {
+    std::string file;  ///< of the input
+    std::string view;
+};
+
+/// The file that --out stands for. A folder, or a text that ends in '/': a new file of the name
+/// {file}_{view}_{n}.png in it. Of a text with {file}, {view} or {n} these are filled in; n counts
+/// from 1 to the first name that is free.
+/// @throw Error for another placeholder, and where the file is there and nothing may replace it
+/// @param force a file of the name may be replaced
+[[nodiscard]] std::filesystem::path outputPath(const std::string& out, const OutputNameParts& parts,
+                                               bool force);
+
+}  // namespace asperity

@@ -1,0 +1,142 @@
+#include "tests/app/ProgramRun.h"
+#include "tests/support/ScratchFolder.h"
+#include "tests/support/ShippedScene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <zip.h>
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+/// A run on a scan that only it knows, and a bundle of it.
+class Bundle : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        scratch = std::make_unique<test::ScratchFolder>();
+        fs::copy(test::shippedScene("polystyrene").parent_path().parent_path(),
+                 scratch->file("data"), fs::copy_options::recursive);
+        const auto made = run("explore " + in("data/scenes/polystyrene.toml") +
+                              " --duration 1 --out " + in("run"));
+        ASSERT_EQ(made.exitCode, 0) << made.output;
+        const auto bundled = run("bundle " + in("run") + " " + in("run.zip"));
+        ASSERT_EQ(bundled.exitCode, 0) << bundled.output;
+    }
+    static void TearDownTestSuite() { scratch.reset(); }
+
+    static test::ProgramRun run(const std::string& arguments) {
+        return test::runProgram(arguments);
+    }
+    static std::string in(const std::string& name) { return scratch->file(name).string(); }
+
+    /// Replaces a file of a copy of the bundle, or adds one.
+    static std::string altered(const char* entry, const std::string& content) {
+        const std::string copy = in("altered.zip");
+        fs::copy_file(in("run.zip"), copy, fs::copy_options::overwrite_existing);
+        zip_t* const archive = zip_open(copy.c_str(), 0, nullptr);
+        zip_source_t* const source = zip_source_buffer(archive, content.data(), content.size(), 0);
+        EXPECT_GE(zip_file_add(archive, entry, source, ZIP_FL_OVERWRITE), 0);
+        EXPECT_EQ(zip_close(archive), 0);
+        return copy;
+    }
+
+    static std::unique_ptr<test::ScratchFolder> scratch;
+};
+
+std::unique_ptr<test::ScratchFolder> Bundle::scratch;
+
+TEST_F(Bundle, ReplaysWithoutTheScanThatItWasMadeOn) {
+    fs::rename(scratch->file("data"), scratch->file("gone"));
+    const auto again = run("replay " + in("run.zip") + " --out " + in("again"));
+    fs::rename(scratch->file("gone"), scratch->file("data"));
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_THAT(again.output, HasSubstr("bit-identical: 1001 ticks"));
+    EXPECT_EQ(test::contentOf(scratch->file("again") / "force_log.csv"),
+              test::contentOf(scratch->file("run") / "force_log.csv"));
+}
+
+TEST_F(Bundle, IsAFolderOfARunWhenAnotherProgramUnpacksIt) {
+    ASSERT_EQ(std::system(
+                  ("cd " + scratch->path().string() + " && python3 -m zipfile -e run.zip unpacked")
+                      .c_str()),
+              0);
+    for (const char* name : {"bundle.json", "picture.png", "scene.toml", "scan/particles.gsf",
+                             "force_log.csv", "tick_input.csv", "summary.json"}) {
+        EXPECT_TRUE(fs::exists(scratch->file("unpacked") / name)) << name;
+    }
+    EXPECT_THAT(test::contentOf(scratch->file("unpacked") / "scene.toml"),
+                HasSubstr("file = 'scan/particles.gsf'"));
+    const auto again = run("replay " + in("unpacked") + " --out " + in("again_unpacked"));
+    EXPECT_THAT(again.output, HasSubstr("bit-identical: 1001 ticks"));
+    const auto json =
+        nlohmann::json::parse(test::contentOf(scratch->file("unpacked") / "bundle.json"));
+    EXPECT_EQ(json["format"], "asperity bundle");
+    EXPECT_EQ(json["files"].size(), 10U);
+    for (const auto& file : json["files"]) {
+        EXPECT_EQ(file["bytes"],
+                  fs::file_size(scratch->file("unpacked") / file["name"].get<std::string>()));
+        EXPECT_EQ(file["sha256"].get<std::string>().size(), 64U);
+    }
+}
+
+TEST_F(Bundle, HoldsAPartThatReplays) {
+    const auto part = run("bundle " + in("run") + " " + in("part.zip") + " --from 0.3 --to 0.6");
+    ASSERT_EQ(part.exitCode, 0) << part.output;
+    const auto again = run("replay " + in("part.zip") + " --out " + in("again_part"));
+    EXPECT_EQ(again.exitCode, 0) << again.output;
+    EXPECT_THAT(again.output, HasSubstr("bit-identical: 301 ticks"));
+    const auto none = run("bundle " + in("run") + " " + in("none.zip") + " --from 5");
+    EXPECT_EQ(none.exitCode, 1);
+    EXPECT_THAT(none.output, HasSubstr("it goes from 0 s to 1 s"));
+    EXPECT_FALSE(fs::exists(in("none.zip")));
+}
+
+TEST_F(Bundle, ReplacesNothingUnasked) {
+    const auto again = run("bundle " + in("run") + " " + in("run.zip"));
+    EXPECT_EQ(again.exitCode, 1);
+    EXPECT_THAT(again.output, HasSubstr("is there already"));
+}
+
+TEST_F(Bundle, IsRefusedWhereTheScanIsAnother) {
+    const fs::path scan = scratch->file("data") / "samples/particles.gsf";
+    const std::string content = test::contentOf(scan);
+    std::ofstream(scan, std::ios::app) << " ";
+    const auto changed = run("bundle " + in("run") + " " + in("changed.zip"));
+    std::ofstream(scan) << content;
+    EXPECT_EQ(changed.exitCode, 3);
+    EXPECT_THAT(changed.output, HasSubstr("particles.gsf"));
+    EXPECT_FALSE(fs::exists(in("changed.zip")));
+}
+
+TEST_F(Bundle, SaysWhichFileIsDamaged) {
+    const std::string replay = " --out " + in("damaged");
+    const auto table = run("replay " + altered("force_log.csv", "time_s\n") + replay);
+    EXPECT_EQ(table.exitCode, 3);
+    EXPECT_THAT(table.output, HasSubstr("altered.zip: force_log.csv: this file is damaged"));
+    const auto directory = run("replay " + altered("bundle.json", "{}") + replay);
+    EXPECT_EQ(directory.exitCode, 3);
+    EXPECT_THAT(directory.output, HasSubstr("altered.zip: bundle.json: expected"));
+    const auto outside = run(
+        "replay " +
+        altered("bundle.json", R"({"format": "asperity bundle", "format_version": 1, "files": [)"
+                               R"({"name": "scan/../../x", "sha256": ""}]})") +
+        replay);
+    EXPECT_EQ(outside.exitCode, 3);
+    EXPECT_THAT(outside.output, HasSubstr("is no file of a run"));
+    const auto noBundle = run("replay " + in("run/scene.toml") + replay);
+    EXPECT_EQ(noBundle.exitCode, 3);
+    EXPECT_THAT(noBundle.output, Not(HasSubstr("bit-identical")));
+}
+
+}  // namespace
+}  // namespace asperity

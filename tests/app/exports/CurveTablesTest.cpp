@@ -1,0 +1,78 @@
+#include "app/exports/CurveTables.h"
+
+#include "app/program/LoadedScene.h"
+#include "app/reports/ContactView.h"
+#include "core/haptics/ApproachDevice.h"
+#include "core/io/tables/CsvTable.h"
+#include "tests/support/ScratchFolder.h"
+#include "tests/support/ShippedScene.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+class CurveTables : public ::testing::Test {
+protected:
+    CurveTables() {
+        const Scene& scene = loaded.scene;
+        ApproachDevice device(planApproach(scene, {.duration = 1.0}), scene.settings.positionGain);
+        RecordedRun recorded{.memory = {}, .samples = {}, .log = CsvTable("a\n", "log")};
+        runVirtually(scene, device, *instrumentOf(scene), 1001, [&](const TickSample& sample) {
+            expected.push_back(sample);
+            recorded.samples.push_back({sample.time, sample.input, {}});
+        });
+        run.emplace(scene, recorded);
+    }
+
+    const LoadedScene loaded = loadScene(test::shippedScene("polystyrene"), {});
+    std::vector<TickSample> expected;
+    std::optional<RunPlayback> run;
+    test::ScratchFolder folder;
+};
+
+TEST_F(CurveTables, HoldForcesToTheBit) {
+    writeForcesTable(folder.path() / "forces.csv", *run, nullptr);
+    const CsvTable table = readCsv(folder.path() / "forces.csv");
+    ASSERT_EQ(table.rows(), expected.size());
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const TickOutput& out = expected[row].output;
+        ASSERT_EQ(table.number(row, "time_s"), expected[row].time);
+        ASSERT_EQ(table.number(row, "force_z_n"), out.estimate.force.z());
+        ASSERT_EQ(table.number(row, "model_force_x_n"), out.model.force.x());
+        ASSERT_EQ(table.number(row, "indentation_m"), out.model.contact.indentation);
+        ASSERT_EQ(table.number(row, "torsion_rad"),
+                  expected[row].input.measurement.signals.torsion);
+    }
+}
+
+TEST_F(CurveTables, HoldACycleToTheBit) {
+    const std::vector<CyclePoint> cycle = cycleAround(*run, 500, nullptr);
+    writeCycleTable(folder.path() / "cycle.csv", cycle);
+    const CsvTable table = readCsv(folder.path() / "cycle.csv");
+    ASSERT_EQ(table.rows(), cycle.size());
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        ASSERT_EQ(table.number(row, "separation_m"), cycle[row].point.separation);
+        ASSERT_EQ(table.number(row, "force_n"), cycle[row].point.force);
+        ASSERT_EQ(table.text(row, "branch"), keyOf(cycle[row].branch));
+    }
+}
+
+TEST_F(CurveTables, HoldAPatchToTheBit) {
+    const SurfacePatch patch = zoomPatch(loaded.scene, expected[500]);
+    writePatchTable(folder.path() / "patch.csv", patch);
+    const CsvTable table = readCsv(folder.path() / "patch.csv");
+    ASSERT_EQ(table.rows(), patch.points.size());
+    for (std::size_t row = 0; row < table.rows(); row += 97) {
+        ASSERT_EQ(table.number(row, "rest_x_m"), patch.rest[row].x());
+        ASSERT_EQ(table.number(row, "displacement_z_m"),
+                  patch.points[row].z() - patch.rest[row].z());
+        ASSERT_EQ(table.number(row, "normal_z"), patch.normals[row].z());
+    }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,50 @@
+#include "app/exports/OutputName.h"
+
+#include "core/Error.h"
+#include "tests/support/ScratchFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace asperity {
+namespace {
+
+const OutputNameParts kParts{.file = "silicon", .view = "3d"};
+
+TEST(OutputName, FillsPlaceholdersAndCountsToAFreeName) {
+    const test::ScratchFolder folder;
+    const std::string text = (folder.path() / "{view}-{file}-{n}.tif").string();
+    EXPECT_EQ(outputPath(text, kParts, false), folder.path() / "3d-silicon-1.tif");
+    (void)folder.write("3d-silicon-1.tif", "x");
+    (void)folder.write("3d-silicon-2.tif", "x");
+    EXPECT_EQ(outputPath(text, kParts, false), folder.path() / "3d-silicon-3.tif");
+    EXPECT_EQ(outputPath(text, kParts, true), folder.path() / "3d-silicon-3.tif");
+}
+
+TEST(OutputName, OfAFolderIsANewFileInIt) {
+    const test::ScratchFolder folder;
+    EXPECT_EQ(outputPath(folder.path().string(), kParts, false),
+              folder.path() / "silicon_3d_1.png");
+    EXPECT_EQ(outputPath((folder.path() / "new/").string(), kParts, false),
+              folder.path() / "new/silicon_3d_1.png");
+}
+
+TEST(OutputName, ReplacesNothingUnasked) {
+    const test::ScratchFolder folder;
+    const std::string file = folder.write("there.png", "x").string();
+    EXPECT_THROW((void)outputPath(file, kParts, false), Error);
+    EXPECT_EQ(outputPath(file, kParts, true), file);
+    const std::string named = (folder.path() / "{file}.png").string();
+    (void)folder.write("silicon.png", "x");
+    EXPECT_THROW((void)outputPath(named, kParts, false), Error);
+}
+
+TEST(OutputName, RefusesOtherPlaceholders) {
+    EXPECT_THROW((void)outputPath("{time}.png", kParts, false), Error);
+    EXPECT_THROW((void)outputPath("{file", kParts, false), Error);
+    EXPECT_THROW((void)outputPath("{}.png", kParts, false), Error);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,106 @@
+#include "app/recording/RunPlayback.h"
+
+#include "app/program/LoadedScene.h"
+#include "app/recording/Replay.h"
+#include "app/runs/RunFolder.h"
+#include "core/Error.h"
+#include "core/haptics/ApproachDevice.h"
+#include "tests/support/CanceledAfter.h"
+#include "tests/support/ShippedScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace asperity {
+namespace {
+
+/// A recorded approach of 2.3 s, and what its ticks gave.
+class RunPlaybackTest : public ::testing::Test {
+protected:
+    RunPlaybackTest() {
+        const Scene& scene = loaded.scene;
+        const PlannedApproach plan = planApproach(scene, {.duration = 2.0});
+        ApproachDevice device(plan, scene.settings.positionGain);
+        runVirtually(scene, device, *instrumentOf(scene), 2301, [this](const TickSample& sample) {
+            expected.push_back(sample);
+            run.samples.push_back({sample.time, sample.input, {}});
+        });
+    }
+
+    const LoadedScene loaded = loadScene(test::shippedScene("polystyrene"), {});
+    RecordedRun run{.memory = {}, .samples = {}, .log = CsvTable("a\n", "log")};
+    std::vector<TickSample> expected;
+};
+
+void expectSameBits(const TickSample& one, const TickSample& other) {
+    EXPECT_EQ(one.time, other.time);
+    EXPECT_EQ(one.output.model.tip, other.output.model.tip);
+    EXPECT_EQ(one.output.estimate.force, other.output.estimate.force);
+    EXPECT_EQ(one.output.estimate.covariance, other.output.estimate.covariance);
+    EXPECT_EQ(one.output.model.contact.branch, other.output.model.contact.branch);
+    EXPECT_EQ(one.output.flags.bits(), other.output.flags.bits());
+    EXPECT_EQ(one.input.settings, other.input.settings);
+}
+
+TEST_F(RunPlaybackTest, GivesEachTickInAnyOrderToTheBit) {
+    RunPlayback playback(loaded.scene, run);
+    ASSERT_EQ(playback.size(), expected.size());
+    for (const std::size_t tick :
+         {2300U, 0U, 1U, 2U, 499U, 500U, 501U, 500U, 1999U, 1000U, 999U, 2300U, 1250U, 1250U, 0U}) {
+        expectSameBits(playback.at(tick), expected[tick]);
+    }
+}
+
+TEST_F(RunPlaybackTest, GoesOnWithTheSettingsOfEachTick) {
+    for (std::size_t tick = 700; tick < run.samples.size(); ++tick) {
+        run.samples[tick].input.settings.forceGain *= 0.5;
+    }
+    RunPlayback playback(loaded.scene, run);
+    std::vector<Vector3> forces;
+    replayTicks(loaded.scene, run, [&forces](const TickSample& sample) {
+        forces.push_back(sample.output.deviceForce);
+    });
+    for (const std::size_t tick : {2000U, 699U, 700U, 701U}) {
+        EXPECT_EQ(playback.at(tick).output.deviceForce, forces[tick]) << tick;
+        EXPECT_EQ(playback.at(tick).input.settings, run.samples[tick].input.settings) << tick;
+    }
+}
+
+TEST_F(RunPlaybackTest, FindsTheTickOfATime) {
+    const RunPlayback playback(loaded.scene, run);
+    EXPECT_EQ(playback.tickAt(-1.0), 0U);
+    EXPECT_EQ(playback.tickAt(0.0), 0U);
+    EXPECT_EQ(playback.tickAt(playback.time(7)), 7U);
+    EXPECT_EQ(playback.tickAt(std::nextafter(playback.time(7), 0.0)), 7U);
+    EXPECT_EQ(playback.tickAt(playback.time(7) - 1e-6), 6U);
+    EXPECT_EQ(playback.tickAt(100.0), 2300U);
+}
+
+TEST_F(RunPlaybackTest, PlaysUntilItIsStoppedOrCanceled) {
+    RunPlayback playback(loaded.scene, run);
+    std::size_t ticks = 0;
+    playback.play(2000, [&ticks](const TickSample&) { return ++ticks < 10; });
+    EXPECT_EQ(ticks, 10U);
+    test::CanceledAfter progress(1);
+    EXPECT_THROW(playback.play(
+                     0, [](const TickSample&) { return true; }, &progress),
+                 Canceled);
+}
+
+TEST_F(RunPlaybackTest, RefusesARunWithoutTicksAndOneOfAnotherScene) {
+    RecordedRun none = run;
+    none.samples.clear();
+    EXPECT_THROW(RunPlayback(loaded.scene, none), Error);
+    RecordedRun other = run;
+    other.samples.front().input.settings.positionGain *= 2.0;
+    EXPECT_THROW(RunPlayback(loaded.scene, other), Error);
+}
+
+}  // namespace
+}  // namespace asperity

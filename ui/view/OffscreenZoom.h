@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/haptics/VirtualRun.h"
+#include "core/scene/Scene.h"
+#include "ui/view/ZoomPicture.h"
+#include "vtkplugins/pictures/DrawnWindow.h"
+#include "vtkplugins/pictures/PictureParts.h"
+
+#include <vtkNew.h>
+
+#include <optional>
+#include <string>
+
+class vtkRenderWindow;
+
+namespace asperity {
+
+/// How the large view is drawn into a file.
+struct OffscreenZoomLook {
+    PictureSize size;
+    PictureLook look;
+    PictureParts parts;
+    std::optional<ViewDirection> side = {};  ///< none: as a scene starts in the window
+    bool section = false;                    ///< the half before the tip is cut away
+    std::optional<double> width = {};        ///< of the frame; none: as a scene starts [m]
+    double heightScale = 1.0;                ///< see ViewOptions
+};
+
+/// The large view in a window that nobody sees, in light colors, with its color bars below it. It
+/// goes on from one sample to the next as the live view does: one frame, one scale of colors.
+class OffscreenZoom {
+public:
+    /// @param scene outlives this object
+    /// @throw Error when the size or the width of the frame cannot be drawn, or there is no display
+    OffscreenZoom(const Scene& scene, const OffscreenZoomLook& look);
+    ~OffscreenZoom();
+    OffscreenZoom(const OffscreenZoom&) = delete;
+    OffscreenZoom& operator=(const OffscreenZoom&) = delete;
+
+    /// Looks at a sample that will be drawn.
+    void foresee(const TickSample& sample);
+    /// From now on size and colors have room for all samples so far, and stay so.
+    void keepScales();
+    /// @param caption written in a corner; empty: nothing
+    /// @throw Error when drawing fails
+    [[nodiscard]] RasterImage draw(const TickSample& sample, const std::string& caption);
+    /// Of the screen's coordinates, across the view [m].
+    [[nodiscard]] double metersPerPixel() const;
+
+private:
+    void setUp(const Scene& scene);
+    void setWidth(double width);
+    void show(const TickSample& sample);
+    void aim();
+    [[nodiscard]] RasterImage barsImage() const;
+
+    const Scene& scene_;
+    OffscreenZoomLook look_;
+    PictureSize bars_;  ///< the lower part of the picture; no height: there are none
+    PictureSize view_;  ///< the upper part
+    vtkNew<vtkRenderWindow> window_;
+    std::optional<ZoomPicture> picture_;
+    ViewCamera camera_;
+    std::optional<RasterImage> drawnBars_;
+    bool moved_ = true;  ///< the surface at rest is to be shown anew
+};
+
+}  // namespace asperity

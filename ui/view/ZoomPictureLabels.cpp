@@ -1,0 +1,53 @@
+// What is written over the large view.
+#include "ui/view/ViewNotes.h"
+#include "ui/view/ZoomPicture.h"
+
+namespace asperity {
+
+void ZoomPicture::showLabels(const ViewCamera& camera, double height, double pixelRatio) {
+    if (!frame_) {
+        labels_.hide();
+        return;
+    }
+    labels_.setPixelRatio(pixelRatio);
+    LabelContent content{.scaleBars = options_.scaleBars && !camera.hasPerspective(),
+                         .metersPerPixel = metersPerPixel(height),
+                         .heightPerPixel =
+                             metersPerPixel(height) / (options_.heightScale * camera.heightSeen())};
+    if (options_.labels) {
+        content.notes = notes(camera);
+        content.tipAbove = tipAbove(height, pixelRatio);
+        content.force = sample_ ? sample_->output.estimate.force.stableNorm() : 0.0;
+        content.forceEnd = force_.end();
+        content.names = ghosts_.names();
+        content.markers = markers_.names();
+        content.reading = crossHair_ ? reading_.toStdString() : std::string();
+        content.caption = caption_;
+    }
+    if (options_.axes) {
+        content.axes = FrameAxes{.window = terrain_.place().window,
+                                 .bottom = options_.heightScale * terrain_.bottom(),
+                                 .toEye = camera.out()};
+    }
+    labels_.show(content);
+}
+
+std::vector<std::string> ZoomPicture::notes(const ViewCamera& camera) const {
+    return viewNotes({.heightScale = options_.heightScale,
+                      .hasPerspective = camera.hasPerspective(),
+                      .isFromBelow = camera.out().z() < 0.0,
+                      .missesTrueTip = options_.trueTip && sample_ && !trueTip_,
+                      .showsLever = gear().showsLever(),
+                      .tipRadius = scene_->belief.tipRadius(),
+                      .pixel = scale_.pixel,
+                      .width = 2.0 * frame_->halfWidth()});
+}
+
+std::string ZoomPicture::tipAbove(double height, double pixelRatio) const {
+    if (shape_ == nullptr || drawnPlace(apexOf(shape_->contact())).y() < pixelRatio * height) {
+        return {};
+    }
+    return tipAboveNote(-shape_->contact().indentation);
+}
+
+}  // namespace asperity
