@@ -10,6 +10,7 @@
 #include "app/commands/MeasureCommand.h"
 #include "app/commands/ProjectCommand.h"
 #include "app/commands/ReplayCommand.h"
+#include "app/commands/ReportCommand.h"
 #include "app/commands/TradeOffCommand.h"
 #include "app/commands/WindowCommand.h"
 #include "app/program/StandardStreams.h"
@@ -47,6 +48,7 @@ int run(int argc, char** argv) {
     asperity::addTradeOffCommand(program);
     asperity::addExtremesCommand(program);
     asperity::addReplayCommand(program);
+    asperity::addReportCommand(program);
     asperity::addLoopCommand(program);
     asperity::addDevicesCommand(program);
     try {

@@ -42,10 +42,7 @@ void runReplay(const ReplayOptions& options) {
     }
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    if (loaded.sha256 != run.sha256) {
-        throw InputError(loaded.scene.description.sample.file, "",
-                         "the scan has changed since the run was recorded (its hash differs)");
-    }
+    requireSameScan(loaded, run);
     OutputFolder out(target, replayedLogs(), options.force);
     std::optional<CsvTable> replayed;
     out.collect([&](const std::filesystem::path& collected) {

@@ -39,6 +39,13 @@ void requireSameSettings(const Scene& scene, const std::vector<TickSample>& samp
 
 }  // namespace
 
+void requireSameScan(const LoadedScene& loaded, const RecordedRun& run) {
+    if (loaded.sha256 != run.sha256) {
+        throw InputError(loaded.scene.description.sample.file, "",
+                         "the scan has changed since the run was recorded (its hash differs)");
+    }
+}
+
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink) {
     if (!run.samples.empty()) {
         requireSameSettings(scene, run.samples);
@@ -50,9 +57,15 @@ void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sin
     }
 }
 
-CsvTable replay(const Scene& scene, const RecordedRun& run, const std::filesystem::path& out) {
+CsvTable replay(const Scene& scene, const RecordedRun& run, const std::filesystem::path& out,
+                const TickSink& sink) {
     RunRecorder recorder(out);
-    replayTicks(scene, run, [&recorder](const TickSample& sample) { recorder.take(sample); });
+    replayTicks(scene, run, [&](const TickSample& sample) {
+        recorder.take(sample);
+        if (sink) {
+            sink(sample);
+        }
+    });
     recorder.close();
     return readCsv(out / run_files::kLog);
 }

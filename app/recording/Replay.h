@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/program/LoadedScene.h"
 #include "app/recording/RecordedRun.h"
 #include "core/scene/Scene.h"
 
@@ -7,16 +8,20 @@
 
 namespace asperity {
 
+/// @throw InputError where the scene's scan is not the one that the run was made on
+void requireSameScan(const LoadedScene& loaded, const RecordedRun& run);
+
 /// Runs the recorded inputs through the tick again: `sink` gets each sample with its output.
 /// @throw Error where the scene's settings are not those that the run began with, naming the key
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink);
 
 /// The same, and writes its logs.
 /// @param out an empty folder
+/// @param sink gets each sample, too
 /// @return the force log
 /// @throw Error as replayTicks()
 [[nodiscard]] CsvTable replay(const Scene& scene, const RecordedRun& run,
-                              const std::filesystem::path& out);
+                              const std::filesystem::path& out, const TickSink& sink = {});
 
 /// Compares two force logs cell by cell, as text: the numbers are written to the last bit. Columns
 /// that came after the recording was made are not in it.
