@@ -25,6 +25,7 @@
 #include <array>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,18 +41,31 @@ struct ReportOptions {
 
 constexpr PictureSize kPicture{1100, 760};  // its texts can be read on paper
 
-/// Qt without a window: PDF needs its fonts.
+/// Qt without a window: PDF needs its fonts. Without a desktop it would warn of folders that it
+/// does not find, which pages do not need.
 class QtWithoutWindow {
 public:
-    QtWithoutWindow() : application_(count_, arguments_.data()) { keepDecimalPoint(); }
+    QtWithoutWindow() : before_(qInstallMessageHandler(showIfFatal)) {
+        application_.emplace(count_, arguments_.data());
+        qInstallMessageHandler(before_);
+        keepDecimalPoint();
+    }
 
 private:
+    static void showIfFatal(QtMsgType type, const QMessageLogContext& /*context*/,
+                            const QString& message) {
+        if (type == QtFatalMsg) {
+            std::cerr << message.toStdString() << '\n';
+        }
+    }
+
     std::array<char, 9> name_{"asperity"};
     std::array<char, 10> option_{"-platform"};
     std::array<char, 10> platform_{"offscreen"};
     int count_ = 3;
     std::array<char*, 4> arguments_{name_.data(), option_.data(), platform_.data(), nullptr};
-    QGuiApplication application_;
+    QtMessageHandler before_;
+    std::optional<QGuiApplication> application_;
 };
 
 /// A run on its way to its page.
@@ -148,6 +162,7 @@ Written writeRun(const Task& task, const std::filesystem::path& folder, Progress
                     .folder = task.folder,
                     .loaded = loaded,
                     .history = {},
+                    .program = programOf(task.folder),
                     .summary = readSummary(task.folder),
                     .state = sentenceOf(recorded.state),
                     .difference = {},

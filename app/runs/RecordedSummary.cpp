@@ -22,9 +22,6 @@ RecordedTerm termFrom(const Json& term) {
 
 RecordedSummary summaryFrom(const Json& summary) {
     RecordedSummary recorded;
-    const Json versions = summary.value("versions", Json::object());
-    recorded.version = versions.value("asperity", "");
-    recorded.compiler = versions.value("compiler", "");
     const Json input = summary.value("input", Json::object());
     recorded.notes = input.value("notes", std::vector<std::string>());
     const Json model = summary.value("model", Json::object());
@@ -35,6 +32,19 @@ RecordedSummary summaryFrom(const Json& summary) {
 }
 
 }  // namespace
+
+std::optional<RecordedProgram> programOf(const std::filesystem::path& folder) {
+    for (const char* const name : {run_files::kSummary, run_files::kManifest}) {
+        std::ifstream file(folder / name);
+        const Json json = Json::parse(file, nullptr, false);
+        const Json::json_pointer version("/versions/asperity");
+        const Json::json_pointer compiler("/versions/compiler");
+        if (json.is_object() && json.contains(version) && json[version].is_string()) {
+            return RecordedProgram{json[version].get<std::string>(), json.value(compiler, "")};
+        }
+    }
+    return std::nullopt;
+}
 
 std::optional<RecordedSummary> readSummary(const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / run_files::kSummary;

@@ -16,11 +16,18 @@ struct RecordedTerm {
     std::string why;
 };
 
+/// The program that made a run.
+struct RecordedProgram {
+    std::string version;
+    std::string compiler;
+};
+
+/// @return nothing where the folder does not say
+[[nodiscard]] std::optional<RecordedProgram> programOf(const std::filesystem::path& folder);
+
 /// What summary.json says that is not found in the run itself again, as its scene has all that was
-/// decided settled: by which program, and why.
+/// decided settled: why.
 struct RecordedSummary {
-    std::string version;   ///< of the program that made the run
-    std::string compiler;  ///< of that program
     std::vector<std::string> notes;
     std::vector<RecordedTerm> terms;
 };

@@ -185,7 +185,7 @@ private:
         double right = kLeft;
         double baseline = 10.0;
         for (const PlotCurve& curve : plot_.curves) {
-            if (curve.name.empty()) {
+            if (curve.name.empty() || curve.points.empty()) {
                 continue;
             }
             const double room =

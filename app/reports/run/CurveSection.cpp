@@ -59,17 +59,32 @@ Way wayOf(const std::vector<TouchCurve>& curves) {
     return {way.low - 0.1 * free, way.high + free};
 }
 
-void addCurve(Plot& plot, const CycleTrace& trace, const std::string& name, PlotInk approach,
-              PlotInk retract) {
+/// How a touch is drawn.
+struct TouchStyle {
+    std::string approachName;  ///< in the legend; empty: not there
+    std::string retractName;
+    PlotInk approach = PlotInk::Blue;
+    PlotInk retract = PlotInk::Orange;
+};
+
+/// One touch has two colors, of several each has its own.
+TouchStyle styleOf(std::size_t touch, std::size_t touches) {
+    if (touches <= 1) {
+        return {.approachName = "approach", .retractName = "retract"};
+    }
+    const PlotInk ink = curveInk(touch);
+    return {.approachName = "",
+            .retractName = "touch " + std::to_string(touch + 1),
+            .approach = ink,
+            .retract = ink};
+}
+
+void addCurve(Plot& plot, const CycleTrace& trace, const TouchStyle& style) {
     Branches branches = branchesOf(trace);
-    const auto add = [&](std::vector<PlotPoint>&& points, const char* branch, PlotInk ink,
-                         double width) {
-        if (!points.empty()) {
-            plot.curves.push_back({name + branch, std::move(points), ink, width});
-        }
-    };
-    add(std::move(branches.approach), "approach", approach, kApproachWidth);
-    add(std::move(branches.retract), "retract", retract, kRetractWidth);
+    plot.curves.push_back(
+        {style.approachName, std::move(branches.approach), style.approach, kApproachWidth});
+    plot.curves.push_back(
+        {style.retractName, std::move(branches.retract), style.retract, kRetractWidth});
 }
 
 Plot plotOf(const RunHistory& history) {
@@ -78,16 +93,15 @@ Plot plotOf(const RunHistory& history) {
               .y = {"force along the normal", "N"}};
     const std::vector<TouchCurve>& curves = history.curves();
     if (curves.empty()) {
-        addCurve(plot, history.present(), "", PlotInk::Blue, PlotInk::Orange);
+        addCurve(plot, history.present(), styleOf(0, 1));
         return plot;
     }
-    const bool isOne = curves.size() == 1;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        const PlotInk retract = isOne ? PlotInk::Orange : curveInk(i);
-        addCurve(plot, curves[i].trace, isOne ? "" : std::to_string(i + 1) + " ",
-                 isOne ? PlotInk::Blue : retract, retract);
+        const TouchStyle style = styleOf(i, curves.size());
+        addCurve(plot, curves[i].trace, style);
         if (const ContactCycle& cycle = curves[i].cycle; cycle.pullOff) {
-            plot.marks.push_back({{cycle.pullOffBaseDistance, -cycle.pullOff->value}, retract});
+            plot.marks.push_back(
+                {{cycle.pullOffBaseDistance, -cycle.pullOff->value}, style.retract});
         }
     }
     const Way way = wayOf(curves);

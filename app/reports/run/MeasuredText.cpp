@@ -15,8 +15,14 @@ SiScale scaleOf(double largest, const std::string& unit) {
 }
 
 std::string numberText(double value, const SiScale& scale) {
-    const double shown = value == 0.0 ? 0.0 : value * scale.factor;  // never "-0"
-    return formatted("%.4g", shown);
+    if (value == 0.0) {
+        return "0";  // never "-0"
+    }
+    std::string text = formatted("%#.4g", value * scale.factor);  // with zeros at the end
+    if (text.ends_with('.')) {
+        text.pop_back();
+    }
+    return text;
 }
 
 std::string measuredText(const Reading& reading, const SiScale& scale) {
@@ -41,10 +47,10 @@ std::string measuredText(const Reading& reading, const std::string& unit) {
 
 std::string shareText(long part, long whole) {
     if (part == 0 || whole == 0) {
-        return "0 %";
+        return "0\u00A0%";
     }
     const double percent = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-    return percent < 0.1 ? "< 0.1 %" : formatted("%.1f %%", percent);
+    return percent < 0.1 ? "<\u00A00.1\u00A0%" : formatted("%.1f\u00A0%%", percent);
 }
 
 }  // namespace asperity

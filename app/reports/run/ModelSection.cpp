@@ -26,7 +26,7 @@ std::vector<RecordedTerm> settledTerms(const SceneNeeds& needs) {
 
 std::string effectText(double effect) {
     const double percent = 100.0 * effect;
-    return formatted(percent < 99.5 ? "%.2g %%" : "%.0f %%", percent);
+    return formatted(percent < 99.5 ? "%.2g\u00A0%%" : "%.0f\u00A0%%", percent);
 }
 
 PageTable termTable(const std::vector<RecordedTerm>& terms) {

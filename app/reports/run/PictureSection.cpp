@@ -20,10 +20,15 @@ struct Moment {
     const std::optional<TickSample>& sample;
 };
 
+bool isContact(const std::optional<TickSample>& sample) {
+    return sample && sample->output.region() == TipRegion::Contact;
+}
+
 std::vector<Moment> momentsOf(const RunEvents& events) {
     return {{"last tick before snap-in", events.beforeSnapIn},
             {"first tick after snap-in", events.snapIn},
-            {"maximum indentation", events.deepest},
+            {isContact(events.deepest) ? "maximum indentation" : "nearest to the sample",
+             events.deepest},
             {"strongest attraction", events.strongestPull},
             {"before pull-off, signals and model both hold the tip", events.lastHold},
             {"last tick of the model's contact", events.beforePullOff}};
@@ -48,7 +53,8 @@ MomentScales scalesOf(const std::vector<Moment>& moments) {
             const TipState& state = moment.sample->output.model;
             length = std::max(
                 {length, std::abs(state.contact.indentation), state.contact.contactRadius});
-            force = std::max(force, std::abs(state.normalForce));
+            const Reading estimate = estimateOf(moment.sample->output);
+            force = std::max({force, std::abs(state.normalForce), std::abs(estimate.value)});
         }
     }
     return {scaleOf(length, "m"), scaleOf(force, "N")};

@@ -23,6 +23,7 @@ struct ReportedRun {
     std::filesystem::path folder;  ///< as the user gave it
     const LoadedScene& loaded;     ///< lives until its page is made
     RunHistory history;
+    std::optional<RecordedProgram> program;  ///< that made it; none: its folder does not say
     std::optional<RecordedSummary> summary;  ///< none: the run was cut off
     std::string state;       ///< that it was cut off, a sentence; empty: it is complete
     std::string difference;  ///< first tick that the replay has otherwise; empty: none

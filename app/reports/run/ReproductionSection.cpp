@@ -12,18 +12,15 @@ namespace asperity {
 
 namespace {
 
-std::string programOf(const std::optional<RecordedSummary>& summary) {
-    if (!summary || summary->version.empty()) {
-        return "not recorded: the run has no summary";
-    }
-    return "asperity " + summary->version +
-           (summary->compiler.empty() ? "" : ", compiler " + summary->compiler);
+std::string nameOf(const std::optional<RecordedProgram>& program) {
+    return program ? "asperity " + program->version + ", compiler " + program->compiler
+                   : "the folder of the run does not say";
 }
 
 PageTable factTable(const ReportedRun& run) {
     const RunEvents& events = run.history.events();
     return {.columns = {{"quantity"}, {"value"}},
-            .rows = {{{"Made by"}, {programOf(run.summary)}},
+            .rows = {{{"Made by"}, {nameOf(run.program)}},
                      {{"Replayed for this page by"},
                       {"asperity " + versionWithCommit() + ", " + compilerName()}},
                      {{"Length"},

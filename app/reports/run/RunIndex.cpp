@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 namespace asperity {
@@ -34,6 +35,12 @@ IndexScales scalesOf(const std::vector<IndexedRun>& runs) {
     return {scaleOf(force, "N"), scaleOf(energy, "J"), scaleOf(length, "m")};
 }
 
+/// Its page has the channel, too.
+std::string shortNameOf(const SampleDescription& sample) {
+    return sample.shape ? sampleName(sample)
+                        : std::filesystem::path(sample.file).filename().string();
+}
+
 std::string meanText(const std::optional<TouchMean>& mean, const SiScale& scale) {
     return mean ? measuredText(mean->reading, scale) : kNone;
 }
@@ -57,7 +64,7 @@ IndexedRun indexed(const ReportedRun& run) {
     const SceneDescription& scene = run.loaded.scene.description;
     const std::vector<ContactCycle>& cycles = run.history.events().cycles;
     return {.name = run.name,
-            .sample = sampleName(scene.sample),
+            .sample = shortNameOf(scene.sample),
             .material = scene.sample.material.name,
             .tipRadius = scene.tip.radius,
             .touches = static_cast<long>(cycles.size()),

@@ -2,6 +2,7 @@
 
 #include "core/FormattedText.h"
 #include "core/SiFormat.h"
+#include "core/words/ImagingTipWords.h"
 #include "core/words/LevelingWords.h"
 #include "core/words/SceneWords.h"
 
@@ -72,6 +73,10 @@ void addScan(PageTable& facts, const LoadedScene& loaded) {
             std::to_string(grid.columns) + " × " + std::to_string(grid.rows) + ", each " +
                 pair(grid.pitchX, grid.pitchY) + "; " + std::to_string(loaded.filledPixels) +
                 " without data, filled in");
+    if (const auto& crop = sample.crop) {
+        addFact(facts, "Part of the scan",
+                formatted("from column %d, row %d", crop->column, crop->row));
+    }
     addFact(facts, "Leveling", levelingText(loaded.scene));
     addFact(facts, "Smoothing", smoothingText(sample));
 }
@@ -99,11 +104,13 @@ PageTable provenanceTable(const std::vector<Provenance>& provenance) {
 void addSample(PageContent& page, const ReportedRun& run) {
     const SampleDescription& sample = run.loaded.scene.description.sample;
     PageTable facts = factTable();
-    addFact(facts, "Sample", sampleName(sample));
-    addFact(facts, "Material", sample.material.name);
-    if (!sample.shape) {
+    if (sample.shape) {
+        addFact(facts, "Shape", sampleName(sample));
+    } else {
         addScan(facts, run.loaded);
     }
+    addFact(facts, "Imaging tip", imagingTipWords(run.loaded.scene));
+    addFact(facts, "Material", sample.material.name);
     addPlaces(facts, run.history.events());
     page.addHeading("Sample");
     page.addTable(std::move(facts));

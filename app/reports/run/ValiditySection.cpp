@@ -82,11 +82,7 @@ void addMoment(std::vector<std::string>& list, const char* when,
     list.push_back(std::string(when) + ": " + (words.empty() ? "no flag" : words) + ".");
 }
 
-void addWidth(std::vector<std::string>& list, const RunEvents& events) {
-    if (!events.deepest || !(events.deepest->output.model.contact.contactRadius > 0.0)) {
-        return;
-    }
-    const TipState& state = events.deepest->output.model;
+void addWidth(std::vector<std::string>& list, const TipState& state) {
     list.push_back(
         "Contact radius at the maximum indentation: " + formatSi(state.contact.contactRadius, "m") +
         formatted(", %.2g effective radii of tip and sample there; half-space theory "
@@ -119,10 +115,13 @@ void addValidity(PageContent& page, const RunHistory& history) {
     } else {
         page.addTable(std::move(flags));
     }
+    const bool isContact = events.deepest && events.deepest->output.region() == TipRegion::Contact;
     std::vector<std::string> list;
-    addMoment(list, "Maximum indentation", events.deepest);
+    if (isContact) {
+        addMoment(list, "Maximum indentation", events.deepest);
+        addWidth(list, events.deepest->output.model);
+    }
     addMoment(list, "Just before pull-off", events.lastHold);
-    addWidth(list, events);
     if (!events.snapIn) {
         list.emplace_back("The contact model never snapped into contact.");
     }

@@ -31,6 +31,10 @@ Verdict verdictOn(const RunHistory& history) {
                 "Forces were off after a fault " + inTicks(events.faults, events.ticks) + ": " +
                     namesOf(history.faults()) + ". What follows the fault is no measurement."};
     }
+    if (events.cycles.empty() && !events.snapIn) {
+        return {PageTone::Plain, "no contact",
+                "The tip never touched the sample: there is no contact to judge."};
+    }
     if (const long invalid = ticks(Severity::Invalid); invalid > 0) {
         return {PageTone::Fault, "no result in " + shareText(invalid, events.ticks),
                 "There is no result to rely on " + inTicks(invalid, events.ticks) +
