@@ -12,6 +12,14 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Empty where there is no text.
+std::string textAt(const Json& json, const char* place) {
+    const Json::json_pointer pointer(place);
+    return json.is_object() && json.contains(pointer) && json[pointer].is_string()
+               ? json[pointer].get<std::string>()
+               : std::string();
+}
+
 RecordedTerm termFrom(const Json& term) {
     return {.name = term.value("term", ""),
             .on = term.value("on", false),
@@ -37,10 +45,9 @@ std::optional<RecordedProgram> programOf(const std::filesystem::path& folder) {
     for (const char* const name : {run_files::kSummary, run_files::kManifest}) {
         std::ifstream file(folder / name);
         const Json json = Json::parse(file, nullptr, false);
-        const Json::json_pointer version("/versions/asperity");
-        const Json::json_pointer compiler("/versions/compiler");
-        if (json.is_object() && json.contains(version) && json[version].is_string()) {
-            return RecordedProgram{json[version].get<std::string>(), json.value(compiler, "")};
+        const std::string version = textAt(json, "/versions/asperity");
+        if (!version.empty()) {
+            return RecordedProgram{version, textAt(json, "/versions/compiler")};
         }
     }
     return std::nullopt;

@@ -19,12 +19,27 @@ constexpr double kMostWords = 0.35;  // of the width, that a single word may cla
 
 /// Column by column.
 struct ColumnWidths {
-    std::vector<double> line;  ///< in one line
-    std::vector<double> word;  ///< of the longest word
+    std::vector<double> title;  ///< in one line
+    std::vector<double> line;   ///< of the cells, in one line each; titles may take several
+    std::vector<double> word;   ///< of the longest word
 
-    void take(std::size_t column, const PdfTextWidth& width) {
+    explicit ColumnWidths(std::size_t columns) : title(columns), line(columns), word(columns) {}
+
+    void takeTitle(std::size_t column, const PdfTextWidth& width) {
+        title[column] = width.line;
+        takeCell(column, {width.word, width.word});
+    }
+    void takeCell(std::size_t column, const PdfTextWidth& width) {
         line[column] = std::max(line[column], width.line);
         word[column] = std::max(word[column], width.word);
+    }
+    /// All in one line.
+    [[nodiscard]] std::vector<double> whole() const {
+        std::vector<double> widths = line;
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            widths[i] = std::max(widths[i], title[i]);
+        }
+        return widths;
     }
 };
 
@@ -35,8 +50,10 @@ double sum(const std::vector<double>& values) {
 /// Widths that fill no more than there is: each column has room for its longest word, if there is
 /// room for all of these, and a share of what is left by what it could use.
 std::vector<double> fitted(const ColumnWidths& wanted, double room) {
-    if (sum(wanted.line) <= room) {
-        return wanted.line;
+    for (const std::vector<double>& widths : {wanted.whole(), wanted.line}) {
+        if (sum(widths) <= room) {
+            return widths;
+        }
     }
     std::vector<double> widths = wanted.word;
     for (double& width : widths) {
@@ -60,11 +77,11 @@ class TablePieces {
 public:
     TablePieces(const PageTable& table, const PdfStyle& style) : table_(table), style_(style) {
         const std::size_t columns = table.columns.size();
-        ColumnWidths wanted{std::vector<double>(columns), std::vector<double>(columns)};
+        ColumnWidths wanted(columns);
         for (std::size_t i = 0; i < columns; ++i) {
-            wanted.take(i, widthIn(table.columns[i].title, titleFont()));
+            wanted.takeTitle(i, widthIn(titleOf(i), titleFont()));
             for (const auto& row : table.rows) {
-                wanted.take(i, widthIn(row[i].text, fontOf(i)));
+                wanted.takeCell(i, widthIn(row[i].text, fontOf(i)));
             }
         }
         const double gaps = style.points(kGap) * static_cast<double>(columns - 1);
@@ -91,6 +108,9 @@ public:
     }
 
 private:
+    [[nodiscard]] std::string titleOf(std::size_t column) const {
+        return table_.hasTitles ? table_.columns[column].title : std::string();
+    }
     [[nodiscard]] static QFont titleFont() { return PdfStyle::text(kTextSize, true); }
     [[nodiscard]] QFont fontOf(std::size_t column) const {
         return !table_.hasTitles && column == 0 ? titleFont() : PdfStyle::text(kTextSize);

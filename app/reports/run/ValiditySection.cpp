@@ -85,7 +85,7 @@ void addMoment(std::vector<std::string>& list, const char* when,
 void addWidth(std::vector<std::string>& list, const TipState& state) {
     list.push_back(
         "Contact radius at the maximum indentation: " + formatSi(state.contact.contactRadius, "m") +
-        formatted(", %.2g effective radii of tip and sample there; half-space theory "
+        formatted(", %.3g effective radii of tip and sample there; half-space theory "
                   "holds up to 0.3.",
                   state.contactRatio));
 }
