@@ -15,7 +15,7 @@ namespace asperity {
 namespace {
 
 constexpr int kResolution = 1200;       // [1/inch]: of places, pictures keep their own
-constexpr double kMargin = 18.0;        // [mm]
+constexpr double kMargin = 15.0;        // [mm]
 constexpr double kFooterSize = 7.5;     // [pt]
 constexpr double kFooterHeight = 16.0;  // with the room above it [pt]
 

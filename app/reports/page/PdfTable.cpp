@@ -5,17 +5,18 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace asperity {
 
 namespace {
 
-constexpr double kTextSize = 7.5;    // [pt]
-constexpr double kGap = 7.0;         // between columns [pt]
-constexpr double kPadding = 2.0;     // above and below a row's text [pt]
-constexpr double kLine = 0.5;        // [pt]
-constexpr double kMostWords = 0.35;  // of the width, that a single word may claim
+constexpr std::array kTextSizes{7.5, 7.0, 6.5};  // the first that leaves all words whole [pt]
+constexpr double kGap = 6.0;                     // between columns [pt]
+constexpr double kPadding = 2.0;                 // above and below a row's text [pt]
+constexpr double kLine = 0.5;                    // [pt]
+constexpr double kMostWords = 0.35;              // of the width, that a single word may claim
 
 /// Column by column.
 struct ColumnWidths {
@@ -76,16 +77,16 @@ std::vector<double> fitted(const ColumnWidths& wanted, double room) {
 class TablePieces {
 public:
     TablePieces(const PageTable& table, const PdfStyle& style) : table_(table), style_(style) {
-        const std::size_t columns = table.columns.size();
-        ColumnWidths wanted(columns);
-        for (std::size_t i = 0; i < columns; ++i) {
-            wanted.takeTitle(i, widthIn(titleOf(i), titleFont()));
-            for (const auto& row : table.rows) {
-                wanted.takeCell(i, widthIn(row[i].text, fontOf(i)));
+        const double gaps = style.points(kGap) * static_cast<double>(table.columns.size() - 1);
+        const double room = style.width() - gaps;
+        for (const double size : kTextSizes) {
+            size_ = size;
+            const ColumnWidths wanted = widthsWanted();
+            widths_ = fitted(wanted, room);
+            if (sum(wanted.word) <= room) {
+                break;
             }
         }
-        const double gaps = style.points(kGap) * static_cast<double>(columns - 1);
-        widths_ = fitted(wanted, style.width() - gaps);
     }
 
     std::vector<PdfPiece> pieces() const {
@@ -108,12 +109,22 @@ public:
     }
 
 private:
+    [[nodiscard]] ColumnWidths widthsWanted() const {
+        ColumnWidths wanted(table_.columns.size());
+        for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+            wanted.takeTitle(i, widthIn(titleOf(i), titleFont()));
+            for (const auto& row : table_.rows) {
+                wanted.takeCell(i, widthIn(row[i].text, fontOf(i)));
+            }
+        }
+        return wanted;
+    }
     [[nodiscard]] std::string titleOf(std::size_t column) const {
         return table_.hasTitles ? table_.columns[column].title : std::string();
     }
-    [[nodiscard]] static QFont titleFont() { return PdfStyle::text(kTextSize, true); }
+    [[nodiscard]] QFont titleFont() const { return PdfStyle::text(size_, true); }
     [[nodiscard]] QFont fontOf(std::size_t column) const {
-        return !table_.hasTitles && column == 0 ? titleFont() : PdfStyle::text(kTextSize);
+        return !table_.hasTitles && column == 0 ? titleFont() : PdfStyle::text(size_);
     }
     [[nodiscard]] PdfTextWidth widthIn(const std::string& text, const QFont& font) const {
         return widthOf(text, font, style_.device());
@@ -177,6 +188,7 @@ private:
 
     const PageTable& table_;
     const PdfStyle& style_;
+    double size_ = 0.0;  ///< of the text [pt]
     std::vector<double> widths_;
 };
 

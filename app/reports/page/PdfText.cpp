@@ -2,7 +2,6 @@
 
 #include "core/PrintableText.h"
 
-#include <QFontMetricsF>
 #include <QStringList>
 #include <QTextOption>
 
@@ -14,6 +13,18 @@ namespace asperity {
 namespace {
 
 QString shown(const std::string& text) { return QString::fromStdString(printable(text)); }
+
+/// As it is laid out: that is not to the last bit what font metrics say.
+double widthInLine(const QString& text, const QFont& font, QPaintDevice& device) {
+    QTextLayout layout(text, font, &device);
+    layout.beginLayout();
+    QTextLine line = layout.createLine();
+    if (line.isValid()) {  // there is a text
+        line.setNumColumns(text.size());
+    }
+    layout.endLayout();
+    return line.isValid() ? std::ceil(line.naturalTextWidth()) + 1.0 : 0.0;
+}
 
 }  // namespace
 
@@ -43,12 +54,11 @@ PdfText::PdfText(const std::string& text, const PdfTextStyle& style, double widt
 }
 
 PdfTextWidth widthOf(const std::string& text, const QFont& font, QPaintDevice& device) {
-    const QFontMetricsF metrics(font, &device);
     const QString all = shown(text);
     PdfTextWidth width;
-    width.line = std::ceil(metrics.horizontalAdvance(all)) + 1.0;
+    width.line = widthInLine(all, font, device);
     for (const QString& word : all.split(QLatin1Char(' '))) {
-        width.word = std::max(width.word, std::ceil(metrics.horizontalAdvance(word)) + 1.0);
+        width.word = std::max(width.word, widthInLine(word, font, device));
     }
     return width;
 }

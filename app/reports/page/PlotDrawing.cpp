@@ -140,7 +140,7 @@ public:
             }
         }
         for (const PlotMark& mark : plot_.marks) {
-            if (isFinite(mark.place) && x_.holds(mark.place.x) && y_.holds(mark.place.y)) {
+            if (isFinite(mark.place) && x_.holds(mark.place.x)) {
                 drawing_.rings.push_back({placed(mark.place), mark.ink});
             }
         }
@@ -156,6 +156,11 @@ private:
                 for (const PlotPoint& point : piece) {
                     range.hold(point.y);
                 }
+            }
+        }
+        for (const PlotMark& mark : plot_.marks) {
+            if (isFinite(mark.place) && x_.holds(mark.place.x)) {
+                range.hold(mark.place.y);
             }
         }
         const double room = range.size() > 0.0 ? kPadding * range.size() : 1.0;

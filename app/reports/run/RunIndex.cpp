@@ -71,8 +71,7 @@ IndexedRun indexed(const ReportedRun& run) {
             .pullOff = pullOffOf(cycles),
             .adhesionWork = adhesionWorkOf(cycles),
             .maxIndentation = maxIndentationOf(cycles),
-            .validity = run.difference.empty() ? verdictOn(run.history).brief
-                                               : "replay differs from the recorded log"};
+            .validity = run.difference.empty() ? verdictOn(run.history).brief : "replay differs"};
 }
 
 ReportPage indexPage(const std::string& name, const std::vector<IndexedRun>& runs) {
@@ -85,7 +84,7 @@ ReportPage indexPage(const std::string& name, const std::vector<IndexedRun>& run
                                 {"Pull-off force [" + scales.force.unit + "]", true},
                                 {"Work of adhesion [" + scales.energy.unit + "]", true},
                                 {"Max. indentation [" + scales.length.unit + "]", true},
-                                {"Contact model"}},
+                                {"Validity"}},
                     .rows = {}};
     for (const IndexedRun& run : runs) {
         table.rows.push_back(rowOf(run, scales));
@@ -99,7 +98,8 @@ ReportPage indexPage(const std::string& name, const std::vector<IndexedRun>& run
     page.content.addParagraph(
         "Pull-off force and work of adhesion: of one touch with the standard deviation from the "
         "noise of the signals, of several touches their mean with the standard deviation of one "
-        "touch. Contact model: whether it holds, by the share of ticks; –: no such value.");
+        "touch. Validity: whether the contact model holds, by the share of ticks; –: no such "
+        "value.");
     return page;
 }
 

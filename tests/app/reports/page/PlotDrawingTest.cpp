@@ -65,6 +65,14 @@ TEST(PlotDrawing, IsCutAtItsRange) {
     }
 }
 
+TEST(PlotDrawing, HasItsMarksInSight) {
+    Plot plot = plotOf({{0.0, 0.0}, {2.0, 1.0}});
+    plot.marks = {{{1.0, -5.0}}, {{3.0, 0.0}}};
+    const PlotDrawing drawing = layOut(plot);
+    ASSERT_EQ(drawing.rings.size(), 1U) << "the other lies beside the range";
+    EXPECT_LT(drawing.rings[0].place.y, drawing.height - 40.0);
+}
+
 TEST(PlotDrawing, IsPartedWhereAValueIsNotFinite) {
     EXPECT_EQ(curveOf(layOut(plotOf({{0, 0}, {1, 1}, {0, kNan}, {1, 2}, {2, 3}}))).size(), 2U);
 }
