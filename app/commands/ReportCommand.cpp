@@ -181,6 +181,7 @@ Written writeRun(const Task& task, const std::filesystem::path& folder, Progress
 std::vector<Task> tasksOf(const std::vector<std::string>& runs) {
     PageNames names(kReportIndex);
     std::vector<Task> tasks;
+    tasks.reserve(runs.size());
     for (const std::string& run : runs) {
         tasks.push_back({run, names.nameFor(run), runs.size() > 1 ? kReportIndex : ""});
     }

@@ -89,7 +89,7 @@ public:
         }
     }
 
-    std::vector<PdfPiece> pieces() const {
+    [[nodiscard]] std::vector<PdfPiece> pieces() const {
         std::vector<PdfPiece> pieces;
         std::shared_ptr<const PdfPiece> head;
         if (table_.hasTitles) {

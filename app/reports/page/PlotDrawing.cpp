@@ -179,10 +179,9 @@ private:
     }
 
     void curve(const std::vector<PlotPoint>& piece, const PlotCurve& style) {
-        std::vector<PlotPoint> points;
-        for (const PlotPoint& point : piece) {
-            points.push_back(placed(point));
-        }
+        std::vector<PlotPoint> points(piece.size());
+        std::ranges::transform(piece, points.begin(),
+                               [this](const PlotPoint& point) { return placed(point); });
         line(std::move(points), style.ink, style.width);
     }
 

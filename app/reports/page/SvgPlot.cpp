@@ -29,10 +29,10 @@ const char* anchorOf(TextAnchor anchor) {
 }
 
 std::string textOf(const DrawnText& text) {
-    const std::string turn =
-        text.upward ? formatted(" transform=\"rotate(-90 %.2f %.2f)\"", text.place.x, text.place.y)
-                    : "";
-    return formatted("<text class=\"%s\" x=\"%.2f\" y=\"%.2f\" text-anchor=\"%s\"", keyOf(text.ink),
+    const std::string turn = text.upward ? formatted(R"x( transform="rotate(-90 %.2f %.2f)")x",
+                                                     text.place.x, text.place.y)
+                                         : "";
+    return formatted(R"(<text class="%s" x="%.2f" y="%.2f" text-anchor="%s")", keyOf(text.ink),
                      text.place.x, text.place.y, anchorOf(text.anchor)) +
            turn + ">" + escaped(text.text) + "</text>\n";
 }
@@ -40,14 +40,14 @@ std::string textOf(const DrawnText& text) {
 }  // namespace
 
 std::string svgPlot(const PlotDrawing& drawing, const std::string& description) {
-    std::string svg = formatted("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" "
-                                "viewBox=\"0 0 %.0f %.0f\" font-size=\"%.1f\" aria-label=\"",
+    std::string svg = formatted(R"(<svg xmlns="http://www.w3.org/2000/svg" role="img" )"
+                                R"(viewBox="0 0 %.0f %.0f" font-size="%.1f" aria-label=")",
                                 drawing.width, drawing.height, PlotDrawing::kTextSize) +
                       escaped(description) + "\">\n";
     for (const DrawnLine& line : drawing.lines) {
-        svg += formatted("<path class=\"%s\" stroke-width=\"%.2f\" d=\"", keyOf(line.ink),
-                         line.width) +
-               pathOf(line) + "\"/>\n";
+        svg +=
+            formatted(R"(<path class="%s" stroke-width="%.2f" d=")", keyOf(line.ink), line.width) +
+            pathOf(line) + "\"/>\n";
     }
     for (const DrawnRing& ring : drawing.rings) {
         svg += formatted("<circle class=\"%s\" stroke-width=\"%.2f\" cx=\"%.2f\" cy=\"%.2f\" "
@@ -65,8 +65,9 @@ std::string svgStyle(const Palette& colors) {
     std::string style;
     for (const PlotInkRow& row : kEnumTable<PlotInk>) {
         const std::string color = styleColor(colors.*row.color);
-        style += std::string("svg path.") + row.key + ",svg circle." + row.key +
-                 "{fill:none;stroke:" + color + "}\nsvg text." + row.key + "{fill:" + color + "}\n";
+        style += formatted("svg path.%s,svg circle.%s{fill:none;stroke:%s}\n", row.key, row.key,
+                           color.c_str());
+        style += formatted("svg text.%s{fill:%s}\n", row.key, color.c_str());
     }
     return style;
 }
