@@ -13,6 +13,7 @@
 #include "app/commands/ProjectCommand.h"
 #include "app/commands/RenderCommand.h"
 #include "app/commands/ReplayCommand.h"
+#include "app/commands/ReportCommand.h"
 #include "app/commands/TradeOffCommand.h"
 #include "app/commands/WindowCommand.h"
 #include "app/program/StandardStreams.h"
@@ -53,6 +54,7 @@ int run(int argc, char** argv) {
     asperity::addRenderCommand(program);
     asperity::addFilmCommand(program);
     asperity::addBundleCommand(program);
+    asperity::addReportCommand(program);
     asperity::addLoopCommand(program);
     asperity::addDevicesCommand(program);
     try {

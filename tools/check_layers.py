@@ -111,11 +111,13 @@ RULES = {
     "app/program": "core/",
     "app/runs": "core/ app/program",
     "app/recording": "core/ app/program app/runs",
+    "app/reports/page": "core/ vtkplugins/pictures",
     "app/reports": f"{BELOW_APP} app/program app/runs",
     "app/exports": f"{BELOW_APP} app/program app/runs app/reports app/recording",
     "app/session": f"{BELOW_APP} app/program app/runs app/reports app/recording app/exports",
-    "app/commands": f"{BELOW_APP} app/program app/runs app/reports app/recording app/exports"
+    "app/commands": f"{BELOW_APP} app/program app/runs app/reports/ app/recording app/exports"
                     " app/session",
+    "app/reports/run": f"{BELOW_APP} app/program app/runs app/reports app/reports/page",
     "app": PRODUCT,  # main
 }
 RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
@@ -138,7 +140,7 @@ RULES |= {f"tests/{folder}": TESTS for folder in RULES} | {
 # headers of others that belong to some places only
 FOREIGN = {
     r"(vtk|QVTK)": "vtkplugins/ ui/ bench/ tests/ tools/",
-    r"Q[A-Z]": "ui/ app/exports app/session app/commands bench/ tests/ tools/",
+    r"Q[A-Z]": "ui/ app/exports app/session app/commands app/reports/page bench/ tests/ tools/",
     r"hidapi": "hardware/ tests/",
     r"(Imf|OpenEXR)": "core/io/heightmap/ core/io/fields bench/ tests/",
     r"(tiff|png)": "core/io/heightmap/ app/ tests/",

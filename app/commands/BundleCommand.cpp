@@ -43,7 +43,7 @@ void writePart(const std::filesystem::path& folder, const RunSpan& span,
                const std::filesystem::path& target) {
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    requireSameScan(run, loaded.scene.description.sample, loaded.sha256);
+    requireSameScan(loaded, run);
     writeSlice(folder, loaded, run, span, target);
 }
 

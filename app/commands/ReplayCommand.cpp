@@ -44,7 +44,7 @@ void runReplay(const ReplayOptions& options) {
     }
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    requireSameScan(run, loaded.scene.description.sample, loaded.sha256);
+    requireSameScan(loaded, run);
     OutputFolder out(target, replayedLogs(), options.force);
     std::optional<CsvTable> replayed;
     out.collect([&](const std::filesystem::path& collected) {

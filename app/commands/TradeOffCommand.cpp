@@ -33,7 +33,7 @@ void tradeOff(const TradeOffOptions& options) {
     const std::filesystem::path scene =
         options.scene.empty() ? defaultSceneFile() : std::filesystem::path(options.scene);
     LoadedScene loaded = loadSceneOnTerminal(scene, {.scale = options.scale, .crop = options.crop});
-    OutputFolder out(options.out, {.own = tradeOffFileNames(), .guarded = {}}, options.force);
+    OutputFolder out(options.out, tradeOffFiles(), options.force);
     ProgressLine line("measuring");
     ProgressPart running(&line, 0.0, 0.7);
     const TradeOff study = studyTradeOff(loaded.scene, {}, &running);

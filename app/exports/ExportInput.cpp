@@ -24,7 +24,7 @@ ExportInput::ExportInput(const std::filesystem::path& input, Progress* progress)
     const RecordedRun run = readRun(place.folder());
     loaded_ = std::make_unique<const LoadedScene>(
         loadScene(place.folder() / run_files::kScene, {}, progress));
-    requireSameScan(run, loaded_->scene.description.sample, loaded_->sha256);
+    requireSameScan(*loaded_, run);
     note_ = sentenceOf(run.state);
     run_.emplace(loaded_->scene, run);
 }

@@ -59,7 +59,7 @@ bool isFrameName(const std::string& name) {
 
 /// What a film leaves, and all that an earlier one may have left.
 FolderContent filmFiles(const std::filesystem::path& folder, std::size_t frames) {
-    FolderContent content{.own = {kFrameTable}, .guarded = {}};
+    FolderContent content{.marks = {kFrameTable}, .own = {}, .guarded = {}};
     for (std::size_t i = 0; i < frames; ++i) {
         content.own.push_back(frameName(i));
     }
@@ -74,10 +74,12 @@ FolderContent filmFiles(const std::filesystem::path& folder, std::size_t frames)
 }
 
 void requireFree(const std::filesystem::path& folder, const FolderContent& content, bool force) {
-    for (const std::string& name : content.own) {
-        if (!force && isThere(folder / name)) {
-            throw Error((folder / name).string() + ": there is a film in that folder; name "
-                                                   "another one, or replace it with --force");
+    for (const auto* names : {&content.marks, &content.own}) {
+        for (const std::string& name : *names) {
+            if (!force && isThere(folder / name)) {
+                throw Error((folder / name).string() + ": there is a film in that folder; name "
+                                                       "another one, or replace it with --force");
+            }
         }
     }
 }

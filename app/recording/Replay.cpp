@@ -72,10 +72,9 @@ void requireSameSettings(const Scene& scene, const RecordedRun& run) {
             first.settings.correctionBandwidth);
 }
 
-void requireSameScan(const RecordedRun& run, const SampleDescription& sample,
-                     const std::string& sha256) {
-    if (sha256 != run.sha256) {
-        throw InputError(sample.file, "",
+void requireSameScan(const LoadedScene& loaded, const RecordedRun& run) {
+    if (loaded.sha256 != run.sha256) {
+        throw InputError(loaded.scene.description.sample.file, "",
                          "the scan has changed since the run was recorded (its hash differs)");
     }
 }
@@ -89,9 +88,15 @@ void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sin
     }
 }
 
-CsvTable replay(const Scene& scene, const RecordedRun& run, const std::filesystem::path& out) {
+CsvTable replay(const Scene& scene, const RecordedRun& run, const std::filesystem::path& out,
+                const TickSink& sink) {
     RunRecorder recorder(out);
-    replayTicks(scene, run, [&recorder](const TickSample& sample) { recorder.take(sample); });
+    replayTicks(scene, run, [&](const TickSample& sample) {
+        recorder.take(sample);
+        if (sink) {
+            sink(sample);
+        }
+    });
     recorder.close();
     return readCsv(out / run_files::kLog);
 }

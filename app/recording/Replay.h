@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/program/LoadedScene.h"
 #include "app/recording/RecordedRun.h"
 #include "core/scene/Scene.h"
 
@@ -7,15 +8,13 @@
 
 namespace asperity {
 
-/// @param sha256 of the sample's file as it is now @throw InputError where it is not the one that
-/// the run was made on
-void requireSameScan(const RecordedRun& run, const SampleDescription& sample,
-                     const std::string& sha256);
-
 /// A run starts with its scene's settings and keeps its rate, but for whole periods that a live one
 /// skips now and then: where the recorded input says otherwise, one of the two files was altered.
 /// @throw Error naming the key
 void requireSameSettings(const Scene& scene, const RecordedRun& run);
+
+/// @throw InputError where the scene's scan is not the one that the run was made on
+void requireSameScan(const LoadedScene& loaded, const RecordedRun& run);
 
 /// Runs the recorded inputs through the tick again: `sink` gets each sample with its output.
 /// @throw Error where the scene's settings are not those that the run began with, naming the key
@@ -23,10 +22,11 @@ void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sin
 
 /// The same, and writes its logs.
 /// @param out an empty folder
+/// @param sink gets each sample, too
 /// @return the force log
 /// @throw Error as replayTicks()
 [[nodiscard]] CsvTable replay(const Scene& scene, const RecordedRun& run,
-                              const std::filesystem::path& out);
+                              const std::filesystem::path& out, const TickSink& sink = {});
 
 /// Compares two force logs cell by cell, as text: the numbers are written to the last bit. Of a log
 /// with fewer digits, those and the checks of all. Columns that came after the recording was made

@@ -48,21 +48,31 @@ RunPictures::RunPictures(const Scene& scene, const RunEvents& events)
 void RunPictures::write(const std::filesystem::path& folder, const RunCurves& curves,
                         Progress* progress) const {
     reportTo(progress, 0.0);
-    writeDeformationPicture(folder / run_files::kDeformation, deformation_);
+    writeDeformation(folder / run_files::kDeformation);
     reportTo(progress, 0.4);
     writePatchExr(folder / run_files::kDeformationFields, deepestPatch_);
     reportTo(progress, 0.5);
+    writeOverview(folder / run_files::kOverview, curves.tipPath());
+    reportTo(progress, 0.8);
+    curves.write(folder / run_files::kForces);
+    reportTo(progress, 1.0);
+}
+
+void RunPictures::writeDeformation(const std::filesystem::path& path, PictureSize size) const {
+    writeDeformationPicture(path, deformation_, size);
+}
+
+void RunPictures::writeOverview(const std::filesystem::path& path,
+                                const std::vector<Vector3>& tipPath, PictureSize size) const {
     writeOverviewPicture(
-        folder / run_files::kOverview,
+        path,
         {.title = name_,
          .caption = "The tip at the maximum indentation, " + timeText(deepest_.time) + ".",
          .surface = surface_,
          .tip = deepest_.output.model.tip,
          .zoom = zoom_,
-         .path = curves.tipPath()});
-    reportTo(progress, 0.8);
-    curves.write(folder / run_files::kForces);
-    reportTo(progress, 1.0);
+         .path = tipPath},
+        size);
 }
 
 }  // namespace asperity

@@ -25,6 +25,13 @@ public:
     void write(const std::filesystem::path& folder, const RunCurves& curves,
                Progress* progress) const;
 
+    /// Draws the deformation at the largest indentation, and the adhesion neck where there was one.
+    /// @throw Error
+    void writeDeformation(const std::filesystem::path& path, PictureSize size = {}) const;
+    /// Draws the whole scan. @param tipPath where the tip's apex went [m] @throw Error
+    void writeOverview(const std::filesystem::path& path, const std::vector<Vector3>& tipPath,
+                       PictureSize size = {}) const;
+
 private:
     std::string name_;  ///< of the sample
     TickSample deepest_;

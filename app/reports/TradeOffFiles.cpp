@@ -154,9 +154,11 @@ void drawFigure(const std::filesystem::path& path, const TradeOff& study) {
 
 }  // namespace
 
-std::vector<std::string> tradeOffFileNames() {
-    return {"tradeoff.csv", "frames.csv", "rates.csv",      "compositions.csv",
-            "tradeoff.png", "needs.csv",  "deformation.csv"};
+FolderContent tradeOffFiles() {
+    return {.marks = {"tradeoff.csv"},
+            .own = {"frames.csv", "rates.csv", "compositions.csv", "tradeoff.png", "needs.csv",
+                    "deformation.csv"},
+            .guarded = {}};
 }
 
 void writeTradeOff(const std::filesystem::path& folder, const TradeOff& study) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/runs/OutputFolder.h"
 #include "core/fidelity/SceneNeeds.h"
 #include "core/studies/DeformationStudy.h"
 #include "core/studies/TradeOffStudy.h"
@@ -11,7 +12,7 @@
 namespace asperity {
 
 /// All files that `asperity tradeoff` leaves, the main table first.
-[[nodiscard]] std::vector<std::string> tradeOffFileNames();
+[[nodiscard]] FolderContent tradeOffFiles();
 
 /// Writes tradeoff.csv, frames.csv, rates.csv, compositions.csv and the figure tradeoff.png into a
 /// folder.

@@ -53,12 +53,15 @@ std::string valueText(const SceneField& field, const SceneValue& value) {
 
 }  // namespace
 
+std::string valueText(const SceneField& field, const SceneDescription& scene) {
+    return valueText(field, field.get(scene));
+}
+
 std::string changeText(const SceneField& field, const SceneDescription& scene) {
     const std::string owner = ownerOf(field.group);
     const std::string caption = field.words.caption;
     const bool isAlone = owner.empty() || owner == caption;
-    return (isAlone ? caption : owner + " " + within(caption)) + ": " +
-           valueText(field, field.get(scene));
+    return (isAlone ? caption : owner + " " + within(caption)) + ": " + valueText(field, scene);
 }
 
 }  // namespace asperity

@@ -78,6 +78,22 @@ TEST_F(Signals, EndExploreWhileItDrawsAndAnEarlierRunIsLeftWhole) {
     }
 }
 
+TEST_F(Signals, EndReportAndAnEarlierPageIsLeftWhole) {
+    const std::filesystem::path run = scratch.file("run");
+    test::ChildProgram explorer({"explore", test::shippedScene("polystyrene").string(), "--out",
+                                 run.string(), "--duration", "0.5"});
+    ASSERT_EQ(explorer.wait().exitCode, 0);
+    std::ofstream(folder / "asperity_report.json") << R"({"files": ["run.html"]})";
+    std::ofstream(folder / "run.html") << "earlier";
+    test::ChildProgram child({"report", run.string(), run.string(), "--out", folder.string()});
+    waitFor(child,
+            [this] { return std::distance(std::filesystem::directory_iterator(folder), {}) > 2; });
+    child.send(SIGINT);
+    EXPECT_EQ(child.wait().exitCode, 1);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
+    EXPECT_EQ(test::contentOf(folder / "run.html"), "earlier");
+}
+
 /// A folder without a result stood there while it worked, and stayed when it was killed.
 TEST_F(Signals, ThatEndExtremesLeaveNoFolder) {
     const std::filesystem::path out = scratch.file("none");

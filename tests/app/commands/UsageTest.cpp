@@ -19,8 +19,9 @@ namespace {
 TEST(Usage, EverySubcommandHasHelp) {
     const auto overview = test::runProgram("--help");
     EXPECT_EQ(overview.exitCode, 0);
-    for (const std::string command : {"explore", "info", "convert", "contact", "curve", "decouple",
-                                      "tradeoff", "extremes", "replay", "loop", "devices"}) {
+    for (const std::string command :
+         {"explore", "info", "convert", "contact", "curve", "decouple", "tradeoff", "extremes",
+          "replay", "report", "loop", "devices"}) {
         EXPECT_NE(overview.output.find("\n  " + command + " "), std::string::npos) << command;
         const auto run = test::runProgram(command + " --help");
         EXPECT_EQ(run.exitCode, 0);
@@ -40,6 +41,9 @@ TEST(Usage, WrongCallsExitWith2) {
                                    "explore a --out b --duration nan",
                                    "explore a --out ''",
                                    "replay a --out ''",
+                                   "report",
+                                   "report a",
+                                   "report a --out ''",
                                    "explore a --out b --level flat",
                                    "a.gsf --level flat",
                                    "measure",

@@ -1,0 +1,256 @@
+#include "app/commands/ReportCommand.h"
+
+#include "app/commands/OffscreenApplication.h"
+#include "app/commands/OptionChecks.h"
+#include "app/commands/ProgressLine.h"
+#include "app/commands/VirtualDisplay.h"
+#include "app/program/CancelOnSignal.h"
+#include "app/recording/Bundle.h"
+#include "app/recording/Replay.h"
+#include "app/recording/RunInput.h"
+#include "app/reports/RunPictures.h"
+#include "app/reports/page/HtmlPage.h"
+#include "app/reports/page/PageNames.h"
+#include "app/reports/page/PdfPage.h"
+#include "app/reports/run/ReportFolder.h"
+#include "app/reports/run/RunIndex.h"
+#include "app/reports/run/RunPage.h"
+#include "app/runs/RunFolder.h"
+#include "core/Error.h"
+#include "core/PrintableText.h"
+#include "core/io/FileBytes.h"
+#include "core/io/FileHash.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+struct ReportOptions {
+    std::vector<std::string> runs;
+    std::string out;
+    bool force = false;
+};
+
+constexpr PictureSize kPicture{1100, 760};  // its texts can be read on paper
+
+/// A run on its way to its page.
+struct Task {
+    std::filesystem::path folder;  ///< as the user gave it
+    std::string page;              ///< name of its files
+    std::string parent;            ///< name of the page that lists it; empty: none
+};
+
+/// What is left of a page when it is written.
+struct Written {
+    IndexedRun run;
+    std::string note;  ///< what is wrong with the run, a clause; empty: nothing
+};
+
+void writePage(const std::filesystem::path& folder, const ReportPage& page) {
+    writeTextFile(folder / (page.name + ".html"), htmlPage(page));
+    writePdfPage(folder / (page.name + ".pdf"), page);
+}
+
+RecordedRun readSomeTicks(const std::filesystem::path& folder) {
+    RecordedRun recorded = readRun(folder);
+    if (recorded.samples.empty()) {
+        throw InputError(folder.string(), "",
+                         "holds no tick: the recording ended before its first one was written");
+    }
+    return recorded;
+}
+
+/// Runs the ticks again. @param scratch a folder for what is needed meanwhile
+/// @return the first tick that differs from the recorded log, a clause; empty: none
+/// @throw Canceled
+std::string replayInto(RunHistory& history, const Scene& scene, const RecordedRun& recorded,
+                       const std::filesystem::path& scratch, Progress* progress) {
+    const auto ticks = static_cast<long>(recorded.samples.size());
+    constexpr long kReports = 50;
+    std::filesystem::create_directory(scratch);
+    const CsvTable log = replay(scene, recorded, scratch, [&](const TickSample& sample) {
+        if (history.events().ticks % (ticks / kReports + 1) == 0) {
+            reportTo(progress,
+                     static_cast<double>(history.events().ticks) / static_cast<double>(ticks));
+        }
+        history.take(sample);
+    });
+    std::filesystem::remove_all(scratch);
+    try {
+        requireSameLog(recorded, log);
+    } catch (const Error& difference) {
+        return difference.what();
+    }
+    return {};
+}
+
+/// @throw Canceled
+void draw(ReportedRun& run, const std::filesystem::path& scratch, Progress* progress) {
+    const RunEvents& events = run.history.events();
+    const RunPictures pictures(run.loaded.scene, events);
+    reportTo(progress, 0.2);
+    pictures.writeOverview(scratch, run.history.tipPath(), kPicture);
+    run.overview = readFileBytes(scratch);
+    reportTo(progress, 0.6);
+    if (events.deepest->output.region() == TipRegion::Contact) {
+        pictures.writeDeformation(scratch, kPicture);
+        run.deformation = readFileBytes(scratch);
+    }
+    std::filesystem::remove(scratch);
+    reportTo(progress, 1.0);
+}
+
+std::vector<HashedFile> hashesOf(const std::filesystem::path& folder, const LoadedScene& loaded) {
+    std::vector<HashedFile> hashes;
+    for (const char* name :
+         {run_files::kScene, run_files::kInput, run_files::kLog, run_files::kTables}) {
+        const std::filesystem::path file = folder / name;
+        if (isThere(file)) {
+            hashes.push_back({sha256Of(FileBytes(file)), file.string()});
+        }
+    }
+    if (!loaded.sha256.empty()) {
+        hashes.push_back({loaded.sha256, loaded.scene.description.sample.file});
+    }
+    return hashes;
+}
+
+std::string noteOn(const ReportedRun& run) {
+    return run.difference.empty() ? run.state
+                                  : "the replay differs from the recorded log: " + run.difference;
+}
+
+/// Reads, replays and draws a run, and writes its page.
+Written writeRun(const Task& task, const std::filesystem::path& folder, Progress* progress) {
+    const RunInput input(task.folder);
+    const RecordedRun recorded = readSomeTicks(input.folder());
+    ProgressPart loading(progress, 0.0, 0.4);
+    const LoadedScene loaded = loadScene(input.folder() / run_files::kScene, {}, &loading);
+    requireSameScan(loaded, recorded);
+    ReportedRun run{.name = task.page,
+                    .folder = task.folder,
+                    .loaded = loaded,
+                    .history = {},
+                    .program = programOf(input.folder()),
+                    .summary = readSummary(input.folder()),
+                    .state = sentenceOf(recorded.state),
+                    .difference = {},
+                    .hashes = hashesOf(input.folder(), loaded),
+                    .overview = {},
+                    .deformation = {}};
+    ProgressPart replaying(progress, 0.4, 0.6);
+    run.difference = replayInto(run.history, loaded.scene, recorded, folder / "replay", &replaying);
+    ProgressPart drawing(progress, 0.6, 0.95);
+    draw(run, folder / "picture.png", &drawing);
+    writePage(folder, runPage(run, task.parent));
+    reportTo(progress, 1.0);
+    return {indexed(run), noteOn(run)};
+}
+
+std::vector<Task> tasksOf(const std::vector<std::string>& runs) {
+    PageNames names(kReportIndex);
+    std::vector<Task> tasks;
+    tasks.reserve(runs.size());
+    for (const std::string& run : runs) {
+        tasks.push_back({run, names.nameFor(run), runs.size() > 1 ? kReportIndex : ""});
+    }
+    return tasks;
+}
+
+std::vector<std::string> pagesOf(const std::vector<Task>& tasks) {
+    std::vector<std::string> pages;
+    if (tasks.size() > 1) {
+        pages.emplace_back(kReportIndex);
+    }
+    for (const Task& task : tasks) {
+        pages.push_back(task.page);
+    }
+    return pages;
+}
+
+/// Before hours of work: what is no run at all is found at once. @throw InputError
+void requireRuns(const std::vector<Task>& tasks) {
+    for (const Task& task : tasks) {
+        if (isBundle(task.folder)) {
+            continue;
+        }
+        const bool isPacked = isThere(task.folder / run_files::kTables);
+        for (const char* name : {run_files::kScene, run_files::kInput, run_files::kLog}) {
+            if (!isThere(task.folder / name) && !(isPacked && name != run_files::kScene)) {
+                throw InputError(task.folder.string(), "",
+                                 std::string("holds no run: there is no ") + name);
+            }
+        }
+    }
+}
+
+/// @throw Canceled
+std::vector<Written> writeAll(const std::vector<Task>& tasks, const std::filesystem::path& folder) {
+    ProgressLine line("reporting");
+    std::vector<Written> written;
+    std::vector<IndexedRun> runs;
+    const auto count = static_cast<double>(tasks.size());
+    for (const Task& task : tasks) {
+        const auto done = static_cast<double>(written.size());
+        ProgressPart part(&line, done / count, (done + 1.0) / count);
+        written.push_back(writeRun(task, folder, &part));
+        runs.push_back(written.back().run);
+    }
+    if (tasks.size() > 1) {
+        writePage(folder, indexPage(kReportIndex, runs));
+    }
+    writeReportList(folder, pagesOf(tasks));
+    return written;
+}
+
+void tellOutcome(const std::vector<Task>& tasks, const std::vector<Written>& written,
+                 const std::filesystem::path& out) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+        if (!written[i].note.empty()) {
+            std::cerr << "note: " << printable(tasks[i].folder.string()) << ": "
+                      << printable(written[i].note) << '\n';
+        }
+    }
+    const std::string first = pagesOf(tasks).front();
+    std::cout << (tasks.size() == 1 ? "1 run" : std::to_string(tasks.size()) + " runs") << "; open "
+              << printable((out / (first + ".html")).string()) << " or "
+              << printable(first + ".pdf") << '\n';
+}
+
+void report(const ReportOptions& options) {
+    const CancelOnSignal cancel;
+    const std::vector<Task> tasks = tasksOf(options.runs);
+    requireRuns(tasks);
+    const VirtualDisplay display;
+    const OffscreenApplication qt;  // PDF needs its fonts
+    OutputFolder out(options.out, reportContent(options.out, pagesOf(tasks)), options.force);
+    std::vector<Written> written;
+    out.collect([&](const std::filesystem::path& folder) { written = writeAll(tasks, folder); });
+    out.commit();
+    tellOutcome(tasks, written, options.out);
+}
+
+}  // namespace
+
+void addReportCommand(CLI::App& program) {
+    CLI::App* command = program.add_subcommand(
+        "report", "Write a page on each recorded run, as HTML and PDF: curves, touches, pictures, "
+                  "parameters, validity");
+    const auto options = std::make_shared<ReportOptions>();
+    command
+        ->add_option("RUN", options->runs,
+                     "folders that explore or a recording wrote, or bundles (.zip)")
+        ->required();
+    addOutputFolder(*command, options->out, "folder for the pages");
+    addForce(*command, options->force);
+    command->callback([options] { report(*options); });
+}
+
+}  // namespace asperity

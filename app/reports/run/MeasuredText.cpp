@@ -1,0 +1,56 @@
+#include "app/reports/run/MeasuredText.h"
+
+#include "core/FormattedText.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity {
+
+SiScale scaleOf(double largest, const std::string& unit) {
+    constexpr double kFemto = 1e-15;
+    const double magnitude = std::abs(largest);
+    return magnitude > 0.0 && magnitude < 0.9995 * kFemto ? SiScale{1e18, "a" + unit}
+                                                          : siScaleFor(magnitude, unit);
+}
+
+std::string numberText(double value, const SiScale& scale) {
+    if (value == 0.0) {
+        return "0";  // never "-0"
+    }
+    std::string text = formatted("%#.4g", value * scale.factor);  // with zeros at the end
+    if (text.ends_with('.')) {
+        text.pop_back();
+    }
+    return text;
+}
+
+std::string measuredText(const Reading& reading, const SiScale& scale) {
+    const double sigma = reading.sigma * scale.factor;
+    if (!(sigma > 0.0) || !std::isfinite(sigma)) {
+        return numberText(reading.value, scale);
+    }
+    constexpr int kMostDecimals = 6;
+    const int decimals =
+        std::clamp(1 - static_cast<int>(std::floor(std::log10(sigma))), 0, kMostDecimals);
+    // No-break spaces: a table must not part them.
+    return formatted("%.*f\u00A0±\u00A0%.*f", decimals, reading.value * scale.factor, decimals,
+                     sigma);
+}
+
+std::string measuredText(const Reading& reading, const std::string& unit) {
+    const SiScale scale = scaleOf(reading.value, unit);
+    const std::string text = measuredText(reading, scale);
+    const bool hasSigma = text.find("±") != std::string::npos;
+    return hasSigma ? "(" + text + ") " + scale.unit : text + " " + scale.unit;
+}
+
+std::string shareText(long part, long whole) {
+    if (part == 0 || whole == 0) {
+        return "0\u00A0%";
+    }
+    const double percent = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+    return percent < 0.1 ? "<\u00A00.1\u00A0%" : formatted("%.1f\u00A0%%", percent);
+}
+
+}  // namespace asperity

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/SiFormat.h"
+#include "core/haptics/cycle/ContactCycle.h"
+
+#include <string>
+
+namespace asperity {
+
+/// The prefix (atto to tera) that shows `largest` well; energies of a contact are attojoules.
+[[nodiscard]] SiScale scaleOf(double largest, const std::string& unit);
+
+/// A value to four digits in a given prefix, without unit: "12.34".
+[[nodiscard]] std::string numberText(double value, const SiScale& scale);
+
+/// A value with its standard deviation, which has two digits, without unit: "3.395 ± 0.086". Where
+/// none is known (0) as numberText().
+[[nodiscard]] std::string measuredText(const Reading& reading, const SiScale& scale);
+
+/// The same in a prefix of its own, with unit: "(3.395 ± 0.086) nN".
+[[nodiscard]] std::string measuredText(const Reading& reading, const std::string& unit);
+
+/// A share for people: "12 %"; what is not zero is not shown as zero: "< 0.1 %".
+[[nodiscard]] std::string shareText(long part, long whole);
+
+}  // namespace asperity

@@ -1,0 +1,69 @@
+#include "app/reports/run/RunPage.h"
+
+#include "app/reports/run/CurveSection.h"
+#include "app/reports/run/ModelSection.h"
+#include "app/reports/run/ParameterSection.h"
+#include "app/reports/run/PictureSection.h"
+#include "app/reports/run/ReproductionSection.h"
+#include "app/reports/run/SampleSection.h"
+#include "app/reports/run/TouchSection.h"
+#include "app/reports/run/ValiditySection.h"
+#include "app/reports/run/Verdict.h"
+#include "core/SiFormat.h"
+#include "core/words/SceneWords.h"
+
+#include <string>
+
+namespace asperity {
+
+namespace {
+
+std::string subtitleOf(const Scene& scene) {
+    const SceneDescription& description = scene.description;
+    return "Tip of " + formatSi(description.tip.radius, "m") + " radius on " +
+           description.sample.material.name + "; " + sampleName(description.sample);
+}
+
+std::string capitalized(std::string sentence) {
+    if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z') {
+        sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+    }
+    return sentence;
+}
+
+/// What a reader must know before any number.
+void addWarnings(PageContent& page, const ReportedRun& run) {
+    if (!run.difference.empty()) {
+        page.addParagraph("The replay differs from the recorded log: " + run.difference +
+                              ". All numbers of this page are those of the replay.",
+                          PageTone::Fault);
+    }
+    if (!run.state.empty()) {
+        page.addParagraph(capitalized(run.state) + ".", PageTone::Caution);
+    }
+    const Verdict verdict = verdictOn(run.history);
+    page.addParagraph(verdict.sentence, verdict.tone);
+}
+
+}  // namespace
+
+ReportPage runPage(const ReportedRun& run, const std::string& parent) {
+    const Scene& scene = run.loaded.scene;
+    ReportPage page{.name = run.name,
+                    .title = "Run " + run.name,
+                    .subtitle = subtitleOf(scene),
+                    .parent = parent,
+                    .content = {}};
+    addWarnings(page.content, run);
+    addCurves(page.content, run.history);
+    addTouches(page.content, run.history.events().cycles);
+    addSample(page.content, run);
+    addPictures(page.content, run);
+    addValidity(page.content, run.history);
+    addParameters(page.content, scene);
+    addModel(page.content, run);
+    addReproduction(page.content, run);
+    return page;
+}
+
+}  // namespace asperity

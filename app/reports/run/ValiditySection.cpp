@@ -1,0 +1,131 @@
+#include "app/reports/run/ValiditySection.h"
+
+#include "app/reports/run/MeasuredText.h"
+#include "app/reports/run/Verdict.h"
+#include "core/FormattedText.h"
+#include "core/SiFormat.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity {
+
+namespace {
+
+/// By Severity.
+constexpr std::array kMeanings{"announces what comes; the result holds",
+                               "the result holds, less exactly", "the result does not hold in full",
+                               "no result to rely on"};
+
+std::string capitalized(std::string sentence) {
+    if (!sentence.empty()) {
+        sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+    }
+    return sentence;
+}
+
+/// The worst first.
+std::vector<ValidityTraits> flagsOf(const RunEvents& events) {
+    std::vector<ValidityTraits> flags;
+    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+        if (events.flagged.at(i) > 0) {
+            flags.push_back(kValidityTraits.at(i));
+        }
+    }
+    std::ranges::stable_sort(flags, std::ranges::greater(), &ValidityTraits::severity);
+    return flags;
+}
+
+long ticksOf(Validity flag, const RunEvents& events) {
+    for (std::size_t i = 0; i < kValidityFlagCount; ++i) {
+        if (kValidityTraits.at(i).flag == flag) {
+            return events.flagged.at(i);
+        }
+    }
+    return 0;
+}
+
+PageTable flagTable(const RunEvents& events) {
+    PageTable table{.columns = {{"What"}, {"Meaning"}, {"Ticks", true}, {"Share", true}},
+                    .rows = {}};
+    for (const ValidityTraits& traits : flagsOf(events)) {
+        const long ticks = ticksOf(traits.flag, events);
+        const char* const noise = traits.basis == FlagBasis::Signals
+                                      ? " (from noisy signals: a few ticks say little)"
+                                      : "";
+        table.rows.push_back(
+            {{capitalized(traits.words) + " [" + traits.key + "]"},
+             {kMeanings.at(static_cast<std::size_t>(traits.severity)) + std::string(noise)},
+             {std::to_string(ticks)},
+             {shareText(ticks, events.ticks)}});
+    }
+    return table;
+}
+
+/// "At the maximum indentation: ..."; nothing where there was no such moment.
+void addMoment(std::vector<std::string>& list, const char* when,
+               const std::optional<TickSample>& sample) {
+    if (!sample) {
+        return;
+    }
+    std::string words;
+    for (const ValidityTraits& traits : kValidityTraits) {
+        if (sample->output.flags.has(traits.flag)) {
+            words += (words.empty() ? "" : "; ") + std::string(traits.words);
+        }
+    }
+    list.push_back(std::string(when) + ": " + (words.empty() ? "no flag" : words) + ".");
+}
+
+void addWidth(std::vector<std::string>& list, const TipState& state) {
+    list.push_back(
+        "Contact radius at the maximum indentation: " + formatSi(state.contact.contactRadius, "m") +
+        formatted(", %.3g effective radii of tip and sample there; half-space theory "
+                  "holds up to 0.3.",
+                  state.contactRatio));
+}
+
+PageTable faultTable(const std::map<Fault, long>& faults, long ticks) {
+    PageTable table{.columns = {{"Fault"}, {"Ticks", true}, {"Share", true}}, .rows = {}};
+    for (const auto& [fault, count] : faults) {
+        table.rows.push_back(
+            {{capitalized(nameOf(fault))}, {std::to_string(count)}, {shareText(count, ticks)}});
+    }
+    return table;
+}
+
+}  // namespace
+
+void addValidity(PageContent& page, const RunHistory& history) {
+    const RunEvents& events = history.events();
+    const Verdict verdict = verdictOn(history);
+    page.addHeading("Validity");
+    page.addParagraph(verdict.sentence, verdict.tone);
+    if (!history.faults().empty()) {
+        page.addTable(faultTable(history.faults(), events.ticks));
+    }
+    PageTable flags = flagTable(events);
+    if (flags.rows.empty()) {
+        page.addParagraph("No tick has a validity flag.");
+    } else {
+        page.addTable(std::move(flags));
+    }
+    const bool isContact = events.deepest && events.deepest->output.region() == TipRegion::Contact;
+    std::vector<std::string> list;
+    if (isContact) {
+        addMoment(list, "Maximum indentation", events.deepest);
+        addWidth(list, events.deepest->output.model);
+    }
+    addMoment(list, "Just before pull-off", events.lastHold);
+    if (!events.snapIn) {
+        list.emplace_back("The contact model never snapped into contact.");
+    }
+    page.addList(list);
+}
+
+}  // namespace asperity
