@@ -1,9 +1,10 @@
 #include "app/exports/ExportInput.h"
 
-#include "app/recording/RecordedRun.h"
 #include "app/runs/LiveRun.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
+
+#include <utility>
 
 namespace asperity {
 
@@ -19,7 +20,7 @@ ExportInput::ExportInput(const std::filesystem::path& input, Progress* progress)
         loaded_ = std::make_unique<const LoadedScene>(loadScene(input, {}, progress));
         return;
     }
-    const RecordedRun run = readRun(input);
+    RunOnDisk run = readRunInputs(input);
     loaded_ =
         std::make_unique<const LoadedScene>(loadScene(input / run_files::kScene, {}, progress));
     if (loaded_->sha256 != run.sha256) {
@@ -27,7 +28,7 @@ ExportInput::ExportInput(const std::filesystem::path& input, Progress* progress)
                          "the scan has changed since the run was recorded (its hash differs)");
     }
     note_ = sentenceOf(run.state);
-    run_.emplace(loaded_->scene, run);
+    run_.emplace(loaded_->scene, std::move(run.inputs));
 }
 
 TickSample ExportInput::restingSample() const {

@@ -33,18 +33,17 @@ std::string summarizedHash(const std::filesystem::path& folder) {
     return summary[pointer].get<std::string>();
 }
 
+}  // namespace
+
 std::string recordedHash(const std::filesystem::path& folder) {
     const std::optional<RecordingManifest> manifest = readManifest(folder);
     return manifest ? manifest->sha256 : summarizedHash(folder);
 }
 
-/// What the first tick starts from: a recording may begin in the middle of a run.
 TickMemory startMemory(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / run_files::kMemory;
     return std::filesystem::exists(file) ? readTickMemory(file) : TickMemory{};
 }
-
-}  // namespace
 
 RunState stateOf(const std::filesystem::path& folder) {
     if (isGrowing(folder / run_files::kInput)) {

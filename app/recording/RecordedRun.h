@@ -35,6 +35,11 @@ struct RecordedRun {
     CsvTable log;                     ///< what it did; may be longer, where it is not complete
 };
 
+/// The hash of the scan that a run was made on. @throw InputError where there is no run
+[[nodiscard]] std::string recordedHash(const std::filesystem::path& folder);
+/// What its first tick starts from: a recording may begin in the middle of a run. @throw InputError
+[[nodiscard]] TickMemory startMemory(const std::filesystem::path& folder);
+
 /// @throw InputError
 [[nodiscard]] RecordedRun readRun(const std::filesystem::path& folder);
 
