@@ -7,7 +7,7 @@
 #include "app/program/CancelOnSignal.h"
 #include "app/recording/Bundle.h"
 #include "app/recording/Replay.h"
-#include "app/recording/RunInput.h"
+#include "app/recording/RunPlace.h"
 #include "app/recording/RunSlice.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
@@ -43,7 +43,7 @@ void writePart(const std::filesystem::path& folder, const RunSpan& span,
                const std::filesystem::path& target) {
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    requireSameScan(loaded, run);
+    requireSameScan(loaded, run.sha256);
     writeSlice(folder, loaded, run, span, target);
 }
 
@@ -57,7 +57,7 @@ void bundle(const BundleOptions& options) {
     const CancelOnSignal cancel;   // between one piece of work and the next, too
     const VirtualDisplay display;  // before long work: the picture needs it
     requireFree(options.out, options.force);
-    const RunInput input(options.run);
+    const RunPlace input(options.run);
     const PrivateFolder scratch;
     std::filesystem::path run = input.folder();
     if (options.isPart || stateOf(run) != RunState::Complete) {

@@ -4,7 +4,7 @@
 #include "app/commands/ProgressLine.h"
 #include "app/program/LoadedScene.h"
 #include "app/recording/Replay.h"
-#include "app/recording/RunInput.h"
+#include "app/recording/RunPlace.h"
 #include "app/runs/OutputFolder.h"
 #include "app/runs/RunFolder.h"
 #include "core/Error.h"
@@ -36,7 +36,7 @@ void tellOutcome(const RecordedRun& run) {
 }
 
 void runReplay(const ReplayOptions& options) {
-    const RunInput input(options.run);
+    const RunPlace input(options.run);
     const std::filesystem::path& folder = input.folder();
     const std::filesystem::path target = options.out;
     if (std::filesystem::exists(target) && std::filesystem::equivalent(folder, target)) {
@@ -44,7 +44,7 @@ void runReplay(const ReplayOptions& options) {
     }
     const RecordedRun run = readRun(folder);
     const LoadedScene loaded = loadSceneOnTerminal(folder / run_files::kScene, {});
-    requireSameScan(loaded, run);
+    requireSameScan(loaded, run.sha256);
     OutputFolder out(target, replayedLogs(), options.force);
     std::optional<CsvTable> replayed;
     out.collect([&](const std::filesystem::path& collected) {

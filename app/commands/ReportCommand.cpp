@@ -7,7 +7,7 @@
 #include "app/program/CancelOnSignal.h"
 #include "app/recording/Bundle.h"
 #include "app/recording/Replay.h"
-#include "app/recording/RunInput.h"
+#include "app/recording/RunPlace.h"
 #include "app/reports/RunPictures.h"
 #include "app/reports/page/HtmlPage.h"
 #include "app/reports/page/PageNames.h"
@@ -129,11 +129,11 @@ std::string noteOn(const ReportedRun& run) {
 
 /// Reads, replays and draws a run, and writes its page.
 Written writeRun(const Task& task, const std::filesystem::path& folder, Progress* progress) {
-    const RunInput input(task.folder);
+    const RunPlace input(task.folder);
     const RecordedRun recorded = readSomeTicks(input.folder());
     ProgressPart loading(progress, 0.0, 0.4);
     const LoadedScene loaded = loadScene(input.folder() / run_files::kScene, {}, &loading);
-    requireSameScan(loaded, recorded);
+    requireSameScan(loaded, recorded.sha256);
     ReportedRun run{.name = task.page,
                     .folder = task.folder,
                     .loaded = loaded,

@@ -2,9 +2,11 @@
 
 #include "app/recording/Bundle.h"
 #include "app/recording/Replay.h"
-#include "app/recording/RunInput.h"
+#include "app/recording/RunPlace.h"
 #include "app/runs/LiveRun.h"
 #include "app/runs/RunFolder.h"
+
+#include <utility>
 
 namespace asperity {
 
@@ -20,13 +22,13 @@ ExportInput::ExportInput(const std::filesystem::path& input, Progress* progress)
         loaded_ = std::make_unique<const LoadedScene>(loadScene(input, {}, progress));
         return;
     }
-    const RunInput place(input);
-    const RecordedRun run = readRun(place.folder());
+    const RunPlace place(input);
+    RunOnDisk run = readRunInputs(place.folder());
     loaded_ = std::make_unique<const LoadedScene>(
         loadScene(place.folder() / run_files::kScene, {}, progress));
-    requireSameScan(*loaded_, run);
+    requireSameScan(*loaded_, run.sha256);
     note_ = sentenceOf(run.state);
-    run_.emplace(loaded_->scene, run);
+    run_.emplace(loaded_->scene, std::move(run.inputs));
 }
 
 TickSample ExportInput::restingSample() const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 
 namespace asperity {
@@ -11,7 +10,6 @@ struct JournalColumn {
     double width;  ///< [mm]
 };
 
-[[nodiscard]] std::span<const JournalColumn> journalColumns();
 /// @throw Error naming those that there are
 [[nodiscard]] const JournalColumn& journalColumn(const std::string& name);
 /// For people: "single (85 mm), ...".

@@ -88,7 +88,7 @@ nlohmann::ordered_json directoryOf(const std::vector<BundledFile>& files, Progre
 /// @throw InputError where the scan in a bundle is not the one that the run was made on
 void requireOwnScan(const std::filesystem::path& run, const nlohmann::ordered_json& directory,
                     const std::vector<BundledFile>& files) {
-    const std::string recorded = readRunHash(run);
+    const std::string recorded = recordedHash(run);
     for (const auto& entry : directory.at("files")) {
         const std::string name = entry.at("name");
         if (name.starts_with(kScanFolder) && entry.at("sha256") != recorded) {

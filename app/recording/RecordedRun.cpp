@@ -34,15 +34,14 @@ std::string summarizedHash(const std::filesystem::path& folder) {
     return summary[pointer].get<std::string>();
 }
 
-/// What the first tick starts from: a recording may begin in the middle of a run.
+}  // namespace
+
 TickMemory startMemory(const std::filesystem::path& folder) {
     const std::filesystem::path file = folder / run_files::kMemory;
     return std::filesystem::exists(file) ? readTickMemory(file) : TickMemory{};
 }
 
-}  // namespace
-
-std::string readRunHash(const std::filesystem::path& folder) {
+std::string recordedHash(const std::filesystem::path& folder) {
     const std::optional<RecordingManifest> manifest = readManifest(folder);
     return manifest ? manifest->sha256 : summarizedHash(folder);
 }
@@ -77,7 +76,7 @@ std::optional<RecordedSample> sampleOf(const std::filesystem::path& folder) {
     }
     try {
         const SampleDescription sample = sceneFromInput(folder / run_files::kScene).sample;
-        return RecordedSample{.sha256 = readRunHash(folder),
+        return RecordedSample{.sha256 = recordedHash(folder),
                               .channel = sample.channel,
                               .crop = sample.crop,
                               .name = sampleName(sample)};
@@ -100,7 +99,7 @@ RecordedRun readPackedRun(const std::filesystem::path& folder, RunState state) {
     const std::filesystem::path file = folder / run_files::kTables;
     PackedLog log = readPackedLog(file);
     return {.state = state,
-            .sha256 = readRunHash(folder),
+            .sha256 = recordedHash(folder),
             .memory = startMemory(folder),
             .samples = readTickInputs(readPackedInput(file)),
             .log = std::move(log.rows),
@@ -123,7 +122,7 @@ RecordedRun readRun(const std::filesystem::path& folder) {
         return state == RunState::Complete ? readCsv(file) : readUnfinishedCsv(file);
     };
     RecordedRun run{.state = state,
-                    .sha256 = readRunHash(folder),
+                    .sha256 = recordedHash(folder),
                     .memory = startMemory(folder),
                     .samples = readTickInputs(table(run_files::kInput)),
                     .log = table(run_files::kLog)};

@@ -37,11 +37,14 @@ struct RecordedRun {
     std::vector<std::uint32_t> logChecks = {};  ///< of a log with fewer digits: RowChecks
 };
 
+/// The hash of the scan's file that a run was made on; empty: a shape. @throw InputError where
+/// there is no run
+[[nodiscard]] std::string recordedHash(const std::filesystem::path& folder);
+/// What its first tick starts from: a recording may begin in the middle of a run. @throw InputError
+[[nodiscard]] TickMemory startMemory(const std::filesystem::path& folder);
+
 /// @throw InputError
 [[nodiscard]] RecordedRun readRun(const std::filesystem::path& folder);
-
-/// Of the file of the scan that a run was made on; empty: a shape. @throw InputError
-[[nodiscard]] std::string readRunHash(const std::filesystem::path& folder);
 
 /// The sample that a run was made on.
 struct RecordedSample {

@@ -47,23 +47,14 @@ void requireSameChecks(const RecordedRun& run, const CsvTable& replayed) {
 
 }  // namespace
 
-void requireSameSettings(const Scene& scene, const RecordedRun& run) {
-    const std::vector<TickSample>& samples = run.samples;
-    if (samples.empty()) {
-        return;
-    }
+void requireSameSettings(const Scene& scene, const TickInput& first, double shortestStep) {
     const auto require = [](const std::string& key, double ofScene, double ofInput) {
         if (ofScene != ofInput) {
             throw Error("first differing tick: 0: " + key + " is " + exactText(ofScene) +
                         " in scene.toml, " + exactText(ofInput) + " in tick_input.csv");
         }
     };
-    const auto shortest = std::min_element(samples.begin(), samples.end(),
-                                           [](const TickSample& one, const TickSample& other) {
-                                               return one.input.timeStep < other.input.timeStep;
-                                           });
-    require("time step (1 / rate_hz)", scene.timeStep(), shortest->input.timeStep);
-    const TickInput& first = samples.front().input;
+    require("time step (1 / rate_hz)", scene.timeStep(), shortestStep);
     require("position_gain", scene.settings.positionGain, first.settings.positionGain);
     require("force_gain", scene.settings.forceGain, first.settings.forceGain);
     require("position_control", static_cast<double>(scene.settings.positionControl),
@@ -72,15 +63,19 @@ void requireSameSettings(const Scene& scene, const RecordedRun& run) {
             first.settings.correctionBandwidth);
 }
 
-void requireSameScan(const LoadedScene& loaded, const RecordedRun& run) {
-    if (loaded.sha256 != run.sha256) {
+void requireSameScan(const LoadedScene& loaded, const std::string& sha256) {
+    if (loaded.sha256 != sha256) {
         throw InputError(loaded.scene.description.sample.file, "",
                          "the scan has changed since the run was recorded (its hash differs)");
     }
 }
 
 void replayTicks(const Scene& scene, const RecordedRun& run, const TickSink& sink) {
-    requireSameSettings(scene, run);
+    if (!run.samples.empty()) {
+        const auto shortest = std::ranges::min_element(
+            run.samples, {}, [](const TickSample& sample) { return sample.input.timeStep; });
+        requireSameSettings(scene, run.samples.front().input, shortest->input.timeStep);
+    }
     TickMemory memory = run.memory;
     for (TickSample sample : run.samples) {
         sample.output = tick(scene, sample.input, memory);

@@ -11,10 +11,12 @@ namespace asperity {
 /// A run starts with its scene's settings and keeps its rate, but for whole periods that a live one
 /// skips now and then: where the recorded input says otherwise, one of the two files was altered.
 /// @throw Error naming the key
-void requireSameSettings(const Scene& scene, const RecordedRun& run);
+/// @param first        input of the run
+/// @param shortestStep of all its inputs [s]
+void requireSameSettings(const Scene& scene, const TickInput& first, double shortestStep);
 
-/// @throw InputError where the scene's scan is not the one that the run was made on
-void requireSameScan(const LoadedScene& loaded, const RecordedRun& run);
+/// @param sha256 of the scan that a run was made on @throw InputError where it is not the scene's
+void requireSameScan(const LoadedScene& loaded, const std::string& sha256);
 
 /// Runs the recorded inputs through the tick again: `sink` gets each sample with its output.
 /// @throw Error where the scene's settings are not those that the run began with, naming the key

@@ -4,33 +4,24 @@
 #include "core/Error.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace asperity {
 
-RunPlayback::RunPlayback(const Scene& scene, const RecordedRun& run)
-    : scene_(scene), checkpoints_({run.memory}), memory_(run.memory) {
-    if (run.samples.empty()) {
+RunPlayback::RunPlayback(const Scene& scene, RunInputs inputs)
+    : scene_(scene)
+    , inputs_(std::move(inputs))
+    , checkpoints_({inputs_.memory()})
+    , memory_(inputs_.memory()) {
+    if (inputs_.size() == 0) {
         throw Error("the run was cut off before its first tick: there is nothing to show");
     }
-    requireSameSettings(scene, run);
-    inputs_.reserve(run.samples.size());
-    for (const TickSample& sample : run.samples) {
-        const TickInput& input = sample.input;
-        if (settings_.empty() || settings_.back() != input.settings) {
-            settings_.push_back(input.settings);
-        }
-        inputs_.push_back({.time = sample.time,
-                           .device = input.device,
-                           .measurement = input.measurement,
-                           .timeStep = input.timeStep,
-                           .starts = input.starts,
-                           .settings = static_cast<std::uint32_t>(settings_.size() - 1)});
-    }
+    requireSameSettings(scene, inputs_.input(0), inputs_.shortestStep());
 }
 
 std::size_t RunPlayback::tickAt(double time) const {
-    const auto after = std::ranges::upper_bound(inputs_, time + kTimeRounding, {}, &Input::time);
-    return after == inputs_.begin() ? 0 : static_cast<std::size_t>(after - inputs_.begin()) - 1;
+    const std::size_t after = inputs_.firstAfter(time + kTimeRounding);
+    return after == 0 ? 0 : after - 1;
 }
 
 const TickSample& RunPlayback::at(std::size_t tick) {
@@ -68,13 +59,8 @@ void RunPlayback::seek(std::size_t tick) {
 }
 
 void RunPlayback::step() {
-    const Input& input = inputs_[next_];
-    sample_.time = input.time;
-    sample_.input = {.device = input.device,
-                     .measurement = input.measurement,
-                     .settings = settings_[input.settings],
-                     .timeStep = input.timeStep,
-                     .starts = input.starts};
+    sample_.time = inputs_.time(next_);
+    sample_.input = inputs_.input(next_);
     sample_.output = tick(scene_, sample_.input, memory_);
     ++next_;
     if (next_ % kCheckpointTicks == 0 && checkpoints_.size() == next_ / kCheckpointTicks) {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "app/recording/RecordedRun.h"
+#include "app/recording/RunInputs.h"
 #include "core/Progress.h"
 #include "core/scene/Scene.h"
 
 #include <cstddef>
-#include <cstdint>
-#include <optional>
+#include <functional>
 #include <vector>
 
 namespace asperity {
@@ -23,13 +22,13 @@ public:
     /// @param scene outlives this object
     /// @throw Error where the run holds no tick, or the scene's settings are not those that it
     /// began with
-    RunPlayback(const Scene& scene, const RecordedRun& run);
+    RunPlayback(const Scene& scene, RunInputs inputs);
 
     [[nodiscard]] std::size_t size() const noexcept { return inputs_.size(); }
     /// Since the run began [s].
-    [[nodiscard]] double time(std::size_t tick) const { return inputs_.at(tick).time; }
-    [[nodiscard]] double firstTime() const { return inputs_.front().time; }
-    [[nodiscard]] double lastTime() const { return inputs_.back().time; }
+    [[nodiscard]] double time(std::size_t tick) const { return inputs_.time(tick); }
+    [[nodiscard]] double firstTime() const { return inputs_.time(0); }
+    [[nodiscard]] double lastTime() const { return inputs_.time(size() - 1); }
     /// The latest tick that had begun at this time [s]; the first or the last one beyond the run.
     [[nodiscard]] std::size_t tickAt(double time) const;
 
@@ -41,22 +40,11 @@ public:
               Progress* progress = nullptr);
 
 private:
-    /// The input of one tick; the settings, which seldom change, are kept once.
-    struct Input {
-        double time = 0.0;
-        DeviceState device;
-        AfmMeasurement measurement;
-        double timeStep = 0.0;
-        std::uint32_t starts = 0;
-        std::uint32_t settings = 0;  ///< which of settings_
-    };
-
     void seek(std::size_t tick);
     void step();
 
     const Scene& scene_;
-    std::vector<Input> inputs_;
-    std::vector<Settings> settings_;
+    RunInputs inputs_;
     std::vector<TickMemory> checkpoints_;  ///< before tick 0, kCheckpointTicks, ...
     TickMemory memory_;                    ///< before tick next_
     std::size_t next_ = 0;

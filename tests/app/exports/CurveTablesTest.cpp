@@ -20,12 +20,12 @@ protected:
     CurveTables() {
         const Scene& scene = loaded.scene;
         ApproachDevice device(planApproach(scene, {.duration = 1.0}), scene.settings.positionGain);
-        RecordedRun recorded{.memory = {}, .samples = {}, .log = CsvTable("a\n", "log")};
+        RunInputs recorded(TickMemory{});
         runVirtually(scene, device, *instrumentOf(scene), 1001, [&](const TickSample& sample) {
             expected.push_back(sample);
-            recorded.samples.push_back({sample.time, sample.input, {}});
+            recorded.add(sample);
         });
-        run.emplace(scene, recorded);
+        run.emplace(scene, std::move(recorded));
     }
 
     const LoadedScene loaded = loadScene(test::shippedScene("polystyrene"), {});

@@ -24,13 +24,12 @@ class RecordedApproach : public ::testing::Test {
 protected:
     RecordedApproach() : run(loaded.scene, recorded(loaded.scene)) {}
 
-    static RecordedRun recorded(const Scene& scene) {
-        RecordedRun run{.memory = {}, .samples = {}, .log = CsvTable("a\n", "log")};
+    static RunInputs recorded(const Scene& scene) {
+        RunInputs run(TickMemory{});
         const PlannedApproach plan = planApproach(scene, {.duration = 2.0});
         ApproachDevice device(plan, scene.settings.positionGain);
-        runVirtually(scene, device, *instrumentOf(scene), 2001, [&run](const TickSample& sample) {
-            run.samples.push_back({sample.time, sample.input, {}});
-        });
+        runVirtually(scene, device, *instrumentOf(scene), 2001,
+                     [&run](const TickSample& sample) { run.add(sample); });
         return run;
     }
 

@@ -6,6 +6,7 @@
 #include "core/Error.h"
 #include "core/haptics/ApproachDevice.h"
 #include "tests/support/CanceledAfter.h"
+#include "tests/support/ScratchFolder.h"
 #include "tests/support/ShippedScene.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace asperity {
@@ -33,6 +38,13 @@ protected:
         });
     }
 
+    static RunInputs inputsOf(const RecordedRun& run) {
+        RunInputs inputs(run.memory);
+        std::ranges::for_each(run.samples,
+                              [&inputs](const TickSample& sample) { inputs.add(sample); });
+        return inputs;
+    }
+
     const LoadedScene loaded = loadScene(test::shippedScene("polystyrene"), {});
     RecordedRun run{.memory = {}, .samples = {}, .log = CsvTable("a\n", "log")};
     std::vector<TickSample> expected;
@@ -49,7 +61,7 @@ void expectSameBits(const TickSample& one, const TickSample& other) {
 }
 
 TEST_F(RunPlaybackTest, GivesEachTickInAnyOrderToTheBit) {
-    RunPlayback playback(loaded.scene, run);
+    RunPlayback playback(loaded.scene, inputsOf(run));
     ASSERT_EQ(playback.size(), expected.size());
     for (const std::size_t tick :
          {2300U, 0U, 1U, 2U, 499U, 500U, 501U, 500U, 1999U, 1000U, 999U, 2300U, 1250U, 1250U, 0U}) {
@@ -61,7 +73,7 @@ TEST_F(RunPlaybackTest, GoesOnWithTheSettingsOfEachTick) {
     for (std::size_t tick = 700; tick < run.samples.size(); ++tick) {
         run.samples[tick].input.settings.forceGain *= 0.5;
     }
-    RunPlayback playback(loaded.scene, run);
+    RunPlayback playback(loaded.scene, inputsOf(run));
     std::vector<Vector3> forces;
     replayTicks(loaded.scene, run, [&forces](const TickSample& sample) {
         forces.push_back(sample.output.deviceForce);
@@ -73,7 +85,7 @@ TEST_F(RunPlaybackTest, GoesOnWithTheSettingsOfEachTick) {
 }
 
 TEST_F(RunPlaybackTest, FindsTheTickOfATime) {
-    const RunPlayback playback(loaded.scene, run);
+    const RunPlayback playback(loaded.scene, inputsOf(run));
     EXPECT_EQ(playback.tickAt(-1.0), 0U);
     EXPECT_EQ(playback.tickAt(0.0), 0U);
     EXPECT_EQ(playback.tickAt(playback.time(7)), 7U);
@@ -83,7 +95,7 @@ TEST_F(RunPlaybackTest, FindsTheTickOfATime) {
 }
 
 TEST_F(RunPlaybackTest, PlaysUntilItIsStoppedOrCanceled) {
-    RunPlayback playback(loaded.scene, run);
+    RunPlayback playback(loaded.scene, inputsOf(run));
     std::size_t ticks = 0;
     playback.play(2000, [&ticks](const TickSample&) { return ++ticks < 10; });
     EXPECT_EQ(ticks, 10U);
@@ -93,13 +105,56 @@ TEST_F(RunPlaybackTest, PlaysUntilItIsStoppedOrCanceled) {
                  Canceled);
 }
 
+/// Of a run of more pieces than one, whole and cut off.
+TEST_F(RunPlaybackTest, ReadsAsManyTicksAsTheWholeRun) {
+    const test::ScratchFolder scratch;
+    const auto folder = scratch.path() / "run";
+    std::filesystem::create_directory(folder);
+    std::optional<RunRecorder> recorder(std::in_place, folder);
+    constexpr std::size_t kTicks = 45'000;
+    for (std::size_t tick = 0; tick < kTicks; ++tick) {
+        TickSample sample = expected[tick % expected.size()];
+        sample.time = 1e-3 * static_cast<double>(tick);
+        recorder->take(sample);
+    }
+    recorder->close();
+    (void)scratch.write("run/summary.json", R"({"input": {"sha256": "abc"}})");
+    EXPECT_EQ(readRunInputs(folder).state, RunState::Recording);
+    EXPECT_EQ(readRunInputs(folder).inputs.size(), kTicks);
+    recorder.reset();
+    const RunOnDisk whole = readRunInputs(folder);
+    const RecordedRun before = readRun(folder);
+    EXPECT_EQ(whole.sha256, "abc");
+    ASSERT_EQ(whole.inputs.size(), kTicks);
+    for (const std::size_t tick : {0U, 19'999U, 20'000U, 20'001U, 44'999U}) {
+        EXPECT_EQ(whole.inputs.time(tick), before.samples[tick].time);
+        EXPECT_EQ(whole.inputs.input(tick).device.position,
+                  before.samples[tick].input.device.position);
+        EXPECT_EQ(whole.inputs.input(tick).measurement.signals.bending,
+                  before.samples[tick].input.measurement.signals.bending);
+    }
+    std::ofstream(folder / run_files::kInput, std::ios::app) << "1,2,nonsense";
+    try {
+        (void)readRunInputs(folder);
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        std::string told;
+        try {
+            (void)readRun(folder);
+        } catch (const InputError& same) {
+            told = same.what();
+        }
+        EXPECT_EQ(error.what(), told);  // with the line of the file
+    }
+}
+
 TEST_F(RunPlaybackTest, RefusesARunWithoutTicksAndOneOfAnotherScene) {
     RecordedRun none = run;
     none.samples.clear();
-    EXPECT_THROW(RunPlayback(loaded.scene, none), Error);
+    EXPECT_THROW(RunPlayback(loaded.scene, inputsOf(none)), Error);
     RecordedRun other = run;
     other.samples.front().input.settings.positionGain *= 2.0;
-    EXPECT_THROW(RunPlayback(loaded.scene, other), Error);
+    EXPECT_THROW(RunPlayback(loaded.scene, inputsOf(other)), Error);
 }
 
 }  // namespace

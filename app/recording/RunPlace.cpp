@@ -1,11 +1,11 @@
-#include "app/recording/RunInput.h"
+#include "app/recording/RunPlace.h"
 
 #include "app/recording/Bundle.h"
 #include "core/Error.h"
 
 namespace asperity {
 
-RunInput::RunInput(const std::filesystem::path& input) : folder_(input) {
+RunPlace::RunPlace(const std::filesystem::path& input) : folder_(input) {
     std::error_code unknown;
     if (std::filesystem::is_regular_file(input, unknown)) {
         unpacked_.emplace();

@@ -8,10 +8,10 @@
 namespace asperity {
 
 /// A run as a user names it: its folder, or a bundle, which is unpacked for as long as this lives.
-class RunInput {
+class RunPlace {
 public:
     /// @throw InputError where it is neither; Error
-    explicit RunInput(const std::filesystem::path& input);
+    explicit RunPlace(const std::filesystem::path& input);
 
     /// That a run's files are in.
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
